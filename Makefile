@@ -1,15 +1,17 @@
 # pointloom: each target does the set-up that it needs, once, in .venv.
 #
 #   make PYTHON=python3.12 setup       choose the interpreter (3.11 to 3.13)
-#   make test ARGS="tests/pcd -x"      arguments for pytest; the other tests and bench take ARGS too
+#   make test ARGS="tests/pcd -x"      arguments for pytest; test-all, the other tests and bench take ARGS too
 #   EMULATED_CUDA_ORDER=3 make test-cuda-emulated    threads interleaved: tests/emulated_cuda/README.md has all settings
 
 PYTHON ?=
 ARGS ?=
-# Processes that share the tests, by file; ARGS="-n 0 --pdb" runs them in one.
+# Processes that share the tests, a room each in turn (tests/choice.py); ARGS="-n 0 --pdb" runs them in one.
 WORKERS ?= $(shell n=$$(nproc); echo $$((n < 4 ? n : 4)))
 BIN := .venv/bin
-PYTEST := $(BIN)/python -m pytest -n $(WORKERS) --dist loadfile
+PYTEST := $(BIN)/python -m pytest -n $(WORKERS) --dist loadgroup --no-loadscope-reorder
+# What `make test` leaves out of test-all: tests/choice.py says how, CONTRIBUTING.md why.
+QUICK := -m "not slow" --compilers warp
 PIP := $(BIN)/python -m pip --no-input --disable-pip-version-check
 
 # Stamps lie in .venv, so that they go with it.
@@ -31,7 +33,7 @@ CHECK_NEEDS := { $(PIP) check --quiet || $(PIP) check; }
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
 .NOTPARALLEL:
-.PHONY: help setup setup-runtime test test-cuda-emulated test-cuda-emulated-quick test-browser mutants lint format types check-cuda cuda-cache bench demo clean distclean
+.PHONY: help setup setup-runtime test test-all test-cuda-emulated test-cuda-emulated-quick test-browser mutants lint format types check-cuda cuda-cache bench demo clean distclean
 
 help: ## Print the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / {printf "  make %-24s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
@@ -39,11 +41,15 @@ help: ## Print the targets
 setup: $(TEST) ## Make .venv with all that tests, lint and types need
 setup-runtime: $(RUNTIME) ## Make .venv with what pointloom itself needs
 
-test: $(TEST) ## Run the tests
+test: $(TEST) ## Run the tests that take a moment each, most of them on one CPU compiler (some minutes)
+	@$(PYTEST) $(QUICK) $(ARGS)
+
+test-all: $(TEST) ## Run all tests on all compilers, as CI does (some twenty minutes)
 	@$(PYTEST) $(ARGS)
 
 # Folders whose tests use the device; ARGS may name others.
-ON_DEVICE = $(if $(filter tests%,$(ARGS)),,tests/emulated_cuda tests/kernels tests/pcd tests/meshing tests/registration tests/app)
+HOUSES := kernels core cameras pcd files registration meshing rgbd drawing photos app
+ON_DEVICE = $(if $(filter tests%,$(ARGS)),,tests/emulated_cuda $(addprefix tests/,$(HOUSES)))
 
 test-cuda-emulated: $(EMULATION) ## Run the tests on an emulated CUDA device (needs gcc, no GPU)
 	@$(BIN)/python tests/emulated_cuda/compile_kernels.py
@@ -69,7 +75,7 @@ format: $(TEST) ## Mend style and format
 	@$(BIN)/ruff format .
 
 types: $(TEST) ## Check the types
-	@PYRIGHT_PYTHON_IGNORE_WARNINGS=1 $(BIN)/pyright  # without it the wrapper asks a registry for newer versions
+	@$(BIN)/python scripts/check_types.py
 
 check-cuda: $(RUNTIME) ## Compile every kernel for sm_75, sm_90 and sm_120 (needs no GPU)
 	@$(BIN)/python -m pointloom.kernels.check_cuda

@@ -1,1 +1,1 @@
-"""The command line and the recipes that it runs."""
+"""The command line: what it parses, runs and prints; its demos and made-up scenes."""

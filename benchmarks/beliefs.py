@@ -4,9 +4,9 @@
 
 Pairs of different scenes are of one kind (rooms, objects, streets, terrain), at two sizes of voxels each; a belief in
 one is wrong. Right pairs share at least 15 % of the smaller cloud; a belief is right within 5 degrees and 3 voxels.
-Each cloud is turned and shifted at random first. LEAST_REST of registration/rating.py was chosen by one half of the
-scenes; the table says how pairs within the other half are judged. It prints the table of docs/registration.md and the
-pairs that are believed wrongly.
+Each cloud is turned and shifted at random first. LEAST_REST of registration/globally/rating.py was chosen by one half
+of the scenes; the table says how pairs within the other half are judged. It prints the table of
+docs/registration.md and the pairs that are believed wrongly.
 """
 
 from __future__ import annotations
@@ -126,7 +126,7 @@ class Judge:
 
     def describe(self, scan: Scan) -> tuple[Any, Array]:
         import pointloom as loom
-        from pointloom.registration.global_registration import describe
+        from pointloom.registration.globally.global_registration import describe
 
         start = start_of(scan)
         if scan.name not in self._described:
@@ -135,7 +135,7 @@ class Judge:
         return self._described[scan.name], start
 
     def judge(self, source: Scan, target: Scan, truth: Array | None, overlap: float) -> Belief:
-        from pointloom.registration.global_registration import register_described
+        from pointloom.registration.globally.global_registration import register_described
 
         (left, from_source), (right, from_target) = self.describe(source), self.describe(target)
         found = register_described(left, right)
@@ -181,10 +181,7 @@ def judge_all(scans: Sequence[Scan], most: int) -> Iterator[Belief]:
 
 def table(beliefs: Sequence[Belief]) -> list[str]:
     """Rows of Markdown: shares that are believed, by kind and by halves of the scenes."""
-    lines = [
-        "| pairs | different scenes, believed | overlapping, believed rightly | wrongly |",
-        "|---|---|---|---|",
-    ]
+    lines = ["| pairs | different scenes, believed | overlapping, believed rightly | wrongly |", "|---|---|---|---|"]
     kinds = list(dict.fromkeys(b.kind for b in beliefs))
     rows: list[tuple[str, Iterable[Belief]]] = [(f"{kind}s", [b for b in beliefs if b.kind == kind]) for kind in kinds]
     rows += [

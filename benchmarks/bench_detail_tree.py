@@ -21,7 +21,7 @@ CELL = 4.0 / 128  # [m] voxels of the coarsest level of the surface, whose cube 
 
 def prepare_pointloom(points: np.ndarray, device: str) -> Any:
     import pointloom as loom
-    from pointloom.app.viewer.detail_tree import DetailTree
+    from pointloom.drawing.viewer.detail_tree import DetailTree
 
     cloud = loom.PointCloud(points, device=device)
     return lambda: DetailTree.from_cloud(cloud)
@@ -58,7 +58,7 @@ def check_build(ours: dict[str, int], theirs: dict[str, int], peer: str) -> None
 
 
 def prepare_view(points: np.ndarray, device: str) -> Any:
-    from pointloom.app.pictures.view import fit_view
+    from pointloom.drawing.render.view import fit_view
 
     tree = prepare_pointloom(points, device)()
     view = fit_view(points)
@@ -76,10 +76,7 @@ def check_view(ours: list[Any], theirs: list[Any], peer: str) -> None:
     assert min(total, 0.5 * BUDGET) <= count <= min(total, BUDGET)
 
 
-SIZES = {
-    "1M": partial(scenes.bumpy_surface, 1_000_000),
-    "10M": partial(scenes.bumpy_surface, 10_000_000),
-}
+SIZES = {"1M": partial(scenes.bumpy_surface, 1_000_000), "10M": partial(scenes.bumpy_surface, 10_000_000)}
 QUICK = {"50k": partial(scenes.bumpy_surface, 50_000)}
 
 BUILD = Operation(

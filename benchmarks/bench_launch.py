@@ -21,10 +21,10 @@ class Scan:
     """The arguments of the kernel on a device; `all(k)` are those of the k-th launch."""
 
     def __init__(self, count: int, device: str):
+        from pointloom.core.devices import resolve_device
         from pointloom.kernels import memory
         from pointloom.kernels.lang import float64, vec3, vec3d
         from pointloom.kernels.odometry.deskewing import ScrewMotion
-        from pointloom.pcd.devices import resolve_device
 
         rng, where = np.random.default_rng(0), resolve_device(device)
         self.points = [memory.upload(rng.random((count, 3)), vec3, where) for _ in range(2)]

@@ -107,10 +107,7 @@ SCENES: dict[str, Callable[[], Any]] = {
     "lidar real": scenes.real_scan,
     "lidar returns": partial(scenes.real_scan, zeros=False),
 }
-QUICK = {
-    "surface 20k": partial(scenes.bumpy_surface, 20_000),
-    "lidar 20k": partial(scenes.spinning_scan, 20_000),
-}
+QUICK = {"surface 20k": partial(scenes.bumpy_surface, 20_000), "lidar 20k": partial(scenes.spinning_scan, 20_000)}
 QUERY = Operation(
     name="knn20_query",
     scenes=SCENES,

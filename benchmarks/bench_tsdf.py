@@ -148,9 +148,7 @@ def check(ours: tuple[np.ndarray, int], theirs: tuple[np.ndarray, int], peer: st
 
 INTEGRATE = Operation(
     name="tsdf_integrate",
-    scenes={
-        "30 frames": partial(scenes.room_frames, 30),
-    },
+    scenes={"30 frames": partial(scenes.room_frames, 30)},
     quick={"3 frames": partial(scenes.room_frames, 3)},
     contestants=(
         Contestant(

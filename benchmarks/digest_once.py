@@ -66,10 +66,10 @@ def undistorted_paint(d: Scenes) -> list[Any]:
 
 def picked(p: Place) -> list[Any]:
     """What clicks on a picture mean, and what is seen inside a polygon."""
-    from pointloom.app.pictures.view import fit_view
-    from pointloom.app.viewer.tools.clip_planes import Clip, hidden_points
-    from pointloom.app.viewer.tools.picking import pick_point
-    from pointloom.app.viewer.tools.polygon_crop import seen_inside
+    from pointloom.drawing.render.view import fit_view
+    from pointloom.drawing.viewer.tools.clip_planes import Clip, hidden_points
+    from pointloom.drawing.viewer.tools.picking import pick_point
+    from pointloom.drawing.viewer.tools.polygon_crop import seen_inside
 
     view = fit_view(p.cloud.points, width=320, height=240)
     hidden = hidden_points(p.cloud, Clip(low=p.cloud.get_center() - [np.inf, 0.0, np.inf]))
@@ -94,7 +94,7 @@ def tracked_walk(d: Any) -> Any:
     """The path and the surface of a camera that is carried, covered, and found again."""
     from types import SimpleNamespace
 
-    from pointloom.app.room import room_loop_sequence
+    from pointloom.app.scenes.room import room_loop_sequence
 
     room = room_loop_sequence(300, width=80, height=60, covered=(5, 6))
     slam = loom().slam.DenseSLAM(room.intrinsic, voxel_size=0.04, submap_frames=4, device=d.device)
@@ -108,7 +108,7 @@ def tracked_walk(d: Any) -> Any:
 
 def filmed_room(d: Any) -> Any:
     """A picture of the textured room with the noise of a sensor, and its depth."""
-    from pointloom.app.room_video import room_video_frames
+    from pointloom.app.scenes.room_video import room_video_frames
 
     frame = room_video_frames(30, width=80, height=60, seed=1, device=d.device).read(7)
     return [frame.color, frame.depth]

@@ -76,7 +76,7 @@ def on_cloud(call: Callable[[Any, int], Any], *, tree: bool) -> Callable[[int], 
     def prepare(size: int) -> Callable[[], Any]:
         cloud = cloud_of(size)
         if tree:
-            cloud._search_tree()
+            cloud.search_tree()
         return lambda: call(cloud, size)
 
     return prepare
@@ -97,7 +97,7 @@ def _described(size: int) -> Any:
     voxel = _voxel_of(size)
     cloud = cloud_of(1_000_000).voxel_down_sample(voxel).estimate_normals(radius=2 * voxel, max_nn=30)
     cloud = cloud.orient_normals_to_align_with_direction()
-    cloud._search_tree()
+    cloud.search_tree()
     return cloud
 
 
@@ -139,10 +139,7 @@ def _ransac(samples: int) -> Callable[[], Any]:
     wrong = rng.random(count) < 0.6
     pairs[wrong, 1] = rng.integers(0, count, wrong.sum())
     reg = loom.registration
-    checkers = [
-        reg.CorrespondenceCheckerBasedOnEdgeLength(0.9),
-        reg.CorrespondenceCheckerBasedOnDistance(1.5 * voxel),
-    ]
+    checkers = [reg.CorrespondenceCheckerBasedOnEdgeLength(0.9), reg.CorrespondenceCheckerBasedOnDistance(1.5 * voxel)]
     rules = reg.RANSACConvergenceCriteria(samples, 1.0)
     call = reg.registration_ransac_based_on_correspondence
     return lambda: call(source, target, pairs, 1.5 * voxel, checkers=checkers, criteria=rules)
@@ -249,7 +246,7 @@ ROWS = (
     ),
     Operation(
         "tree",
-        on_cloud(lambda c, n: c._search_tree(), tree=False),
+        on_cloud(lambda c, n: c.search_tree(), tree=False),
         lambda n: moved(n * (2 * POINT + INDEX)),
         "bytes: points in, points and order out",
     ),
@@ -331,10 +328,7 @@ ROWS = (
         sizes=(256**3,),
     ),
     Operation(
-        "cast_rays",
-        _cast_rays,
-        lambda n: max(moved(n * (24 + 40)), computed(n * 20 * 40)),
-        "bytes: rays in, hits out",
+        "cast_rays", _cast_rays, lambda n: max(moved(n * (24 + 40)), computed(n * 20 * 40)), "bytes: rays in, hits out"
     ),
     Operation(
         "closest_points",

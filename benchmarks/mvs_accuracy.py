@@ -108,7 +108,7 @@ def run(name: str, scene: mvs_scenes.Scene, given: Any) -> dict[str, Any]:
 def look(path: Path, scene: mvs_scenes.Scene, cloud: Any) -> None:
     """Write a cloud, and beside the middle picture what its camera would see of it."""
     import pointloom as loom
-    from pointloom.pcd.io.image_files import write_png
+    from pointloom.files.pictures.image_files import write_png
 
     path.parent.mkdir(parents=True, exist_ok=True)
     loom.write_point_cloud(path.with_suffix(".ply"), cloud)

@@ -18,7 +18,7 @@ from openmvs_scene import Scene, read_openmvs_scene
 from real_data import real_data
 
 import pointloom as loom
-from pointloom.registration.similarity import fit_to_positions
+from pointloom.registration.trajectories.similarity import fit_to_positions
 
 SHARES = (0.5, 0.9)
 

@@ -39,7 +39,7 @@ def measure(options: argparse.Namespace) -> int:
     try:
         chosen = choose(options.only)
         if options.device != "cpu":
-            from pointloom.pcd.devices import resolve_device
+            from pointloom.core.devices import resolve_device
 
             resolve_device(options.device)
     except (ValueError, RuntimeError) as error:
@@ -209,7 +209,7 @@ def machine(device: str) -> dict[str, Any]:
         "system": f"{platform.system()} {platform.release()}",
     }
     if device.startswith("cuda"):
-        from pointloom.pcd.devices import resolve_device
+        from pointloom.core.devices import resolve_device
 
         found["gpu"] = resolve_device(device).name
     return found
@@ -232,7 +232,7 @@ def save(options: argparse.Namespace, about: dict[str, Any], content: dict[str, 
         device = about["device"].replace(":", "")
         path = FOLDER / "results" / f"{device}-{about['date'][:10]}-{about['commit'][:7]}.json"
         path.parent.mkdir(exist_ok=True)
-    from pointloom.pcd.io.atomic import atomic_write
+    from pointloom.core.atomic import atomic_write
 
     with atomic_write(path) as file:
         file.write((json.dumps(content, indent=1) + "\n").encode())

@@ -12,13 +12,13 @@ from numpy.typing import NDArray
 from real_data import DataMissingError, real_data
 
 import pointloom as loom
-from pointloom.app.demo_object import scan_sofa
-from pointloom.app.furniture import sofa
-from pointloom.app.room import room_sequence, surface_errors
+from pointloom.app.demos.demo_object import scan_sofa
+from pointloom.app.scenes.furniture import sofa
+from pointloom.app.scenes.room import room_sequence, surface_errors
+from pointloom.core.devices import resolve_device
 from pointloom.kernels.lang import vec3d
 from pointloom.kernels.memory import download, upload
 from pointloom.kernels.scenes.primitives import distance_to_solids
-from pointloom.pcd.devices import resolve_device
 
 Array = NDArray[np.float64]
 SAMPLES = 50_000  # of a true surface

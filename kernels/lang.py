@@ -25,8 +25,10 @@ something first needs it. Both compilers agree on what follows:
   cannot hold it, an index outside its array or vector.
 - min and max of NaN and a number are the number. The sign of a zero, the bits of a NaN and what `!=` says of it are
   not promised: ask isfinite.
-- 8- and 16-bit integers are storage: int(...) before any arithmetic. A literal is int32 or float32, unless it stands
-  alone in a constructor: float64(0.1) and int64(0xFFFFFFFFFF) hold exactly that.
+- 8- and 16-bit integers are storage: int(...) before any arithmetic.
+- A number takes the type of what it stands beside, and holds exactly what is written: the other side of an operator or
+  comparison, the other value of a choice, an element, a parameter, a variable that is there (language/literals.py).
+  Else it is int32 or float32, and in a constructor what that makes: float64(0.1), int64(0xFFFFFFFFFF).
 - Float arithmetic is IEEE's, operation by operation: no product is fused with a sum, on the CPU or on CUDA. Subnormal
   numbers (below 1.2e-38 in float32) may become zero.
 
@@ -53,6 +55,9 @@ from typing import Any, Self, overload
 
 import warp as wp
 
+from warp import float32, float64, int8, int16, int32, int64, uint8, uint16, uint32, uint64  # noqa: F401  # isort: skip
+from warp import mat33, mat33d, mat44, mat44d, vec2, vec2d, vec2i, vec3, vec3d, vec3i, vec4, vec4d, vec4i  # noqa: F401  # isort: skip
+
 from .language import rules, taichi_compiler, warp_compiler
 from .language.arguments import acceptor, array_of, taker_apart, type_of
 from .language.callbacks import Given, callback, with_functions
@@ -73,12 +78,6 @@ from .launches import (  # noqa: F401  handed on
     replay,
 )
 
-int8, int16, int32, int64 = wp.int8, wp.int16, wp.int32, wp.int64
-uint8, uint16, uint32, uint64 = wp.uint8, wp.uint16, wp.uint32, wp.uint64
-float32, float64 = wp.float32, wp.float64
-vec2, vec3, vec4, mat33, mat44 = wp.vec2, wp.vec3, wp.vec4, wp.mat33, wp.mat44
-vec2d, vec3d, vec4d, mat33d, mat44d = wp.vec2d, wp.vec3d, wp.vec4d, wp.mat33d, wp.mat44d
-vec2i, vec3i, vec4i = wp.vec2i, wp.vec3i, wp.vec4i
 array, struct, callback = wp.array, struct, callback
 INFINITY, NAN = math.inf, math.nan
 WARP = 32  # lanes that CUDA runs together
@@ -123,6 +122,7 @@ _VOCABULARY = Vocabulary(
     is_device_function=lambda value: isinstance(value, Func) and not value.source.is_template,
     type_of=type_of,
     array_of=array_of,
+    scalar=lambda name: getattr(wp, name),
     words=Words(
         is_loop=lambda value: isinstance(value, Loop),
         is_builtin=_is_builtin,

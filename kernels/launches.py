@@ -32,6 +32,7 @@ from .language.segment_launches import launch_segments
 from .memory import empty, zeros
 
 if TYPE_CHECKING:
+    from .array_types import Array1, Integers
     from .lang import Kernel, Reduction
 
 BLOCK = 1024  # elements of a CPU partial sum: many blocks per core at 100k elements, few partial sums to fold
@@ -211,7 +212,7 @@ def launch(kernel: Kernel, thread_count: int, arguments: Sequence[Any], *, width
         )
 
 
-def reduce(reduction: Reduction, count: int, arguments: Sequence[Any]) -> wp.array:
+def reduce(reduction: Reduction, count: int, arguments: Sequence[Any]) -> Array1[Any]:
     """Sum a reduction's vectors over `count` elements, in two stages of fixed order.
 
     Returns:
@@ -242,7 +243,7 @@ def reduce(reduction: Reduction, count: int, arguments: Sequence[Any]) -> wp.arr
 
 
 def reduce_segments(
-    reduction: Reduction, blocks: Any, live: wp.array, arguments: Sequence[Any], partials: wp.array, out: wp.array
+    reduction: Reduction, blocks: Any, live: Integers, arguments: Sequence[Any], partials: wp.array, out: wp.array
 ) -> None:
     """Sum a reduction's vectors over segments of its elements, each in a fixed order; allocates nothing.
 

@@ -10,12 +10,13 @@ import contextlib
 import re
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Any
+from typing import Any, overload
 
 import numpy as np
 import warp as wp
 from numpy.typing import NDArray
 
+from .array_types import Array, Array1, Array2, Array3, DeviceArray, Element, Rank
 from .language.casts import cast_into
 from .language.device_lock import own, turn_on
 
@@ -98,7 +99,15 @@ def check_room(device: Any, size: int, what: str) -> None:
         )
 
 
-def empty(shape: int | tuple[int, ...], dtype: Any, device: Any) -> wp.array:
+@overload
+def empty(shape: int | tuple[int], dtype: type[Element], device: Any) -> Array1[Element]: ...
+@overload
+def empty(shape: tuple[int, int], dtype: type[Element], device: Any) -> Array2[Element]: ...
+@overload
+def empty(shape: tuple[int, int, int], dtype: type[Element], device: Any) -> Array3[Element]: ...
+@overload
+def empty(shape: tuple[int, ...], dtype: type[Element], device: Any) -> DeviceArray[Element, Any]: ...
+def empty(shape: int | tuple[int, ...], dtype: Any, device: Any) -> Any:
     """An array with undefined contents.
 
     Raises:
@@ -108,13 +117,29 @@ def empty(shape: int | tuple[int, ...], dtype: Any, device: Any) -> wp.array:
         return own(wp.empty(shape, dtype=dtype, device=device))
 
 
-def zeros(shape: int | tuple[int, ...], dtype: Any, device: Any) -> wp.array:
+@overload
+def zeros(shape: int | tuple[int], dtype: type[Element], device: Any) -> Array1[Element]: ...
+@overload
+def zeros(shape: tuple[int, int], dtype: type[Element], device: Any) -> Array2[Element]: ...
+@overload
+def zeros(shape: tuple[int, int, int], dtype: type[Element], device: Any) -> Array3[Element]: ...
+@overload
+def zeros(shape: tuple[int, ...], dtype: type[Element], device: Any) -> DeviceArray[Element, Any]: ...
+def zeros(shape: int | tuple[int, ...], dtype: Any, device: Any) -> Any:
     """An array of zeros."""
     with _Allocation(device):
         return own(wp.zeros(shape, dtype=dtype, device=device))
 
 
-def full(shape: int | tuple[int, ...], value: Any, dtype: Any, device: Any) -> wp.array:
+@overload
+def full(shape: int | tuple[int], value: Any, dtype: type[Element], device: Any) -> Array1[Element]: ...
+@overload
+def full(shape: tuple[int, int], value: Any, dtype: type[Element], device: Any) -> Array2[Element]: ...
+@overload
+def full(shape: tuple[int, int, int], value: Any, dtype: type[Element], device: Any) -> Array3[Element]: ...
+@overload
+def full(shape: tuple[int, ...], value: Any, dtype: type[Element], device: Any) -> DeviceArray[Element, Any]: ...
+def full(shape: int | tuple[int, ...], value: Any, dtype: Any, device: Any) -> Any:
     """An array of one value."""
     with _Allocation(device):
         return own(wp.full(shape, value, dtype=dtype, device=device))
@@ -126,7 +151,7 @@ def fill(values: wp.array, value: Any) -> None:
         values.fill_(value)
 
 
-def upload(values: np.ndarray, dtype: Any, device: Any, *, copied: bool = True) -> wp.array:
+def upload(values: np.ndarray, dtype: type[Element], device: Any, *, copied: bool = True) -> DeviceArray[Element, Any]:
     """A NumPy array on a device, as an array of `dtype` (vectors take the last axis).
 
     A copy; on the CPU the same memory where `copied` is False.
@@ -147,12 +172,13 @@ def upload(values: np.ndarray, dtype: Any, device: Any, *, copied: bool = True) 
             np.copyto(host_view(out), values)
             return out
     with _Allocation(device):
-        return own(wp.array(values, dtype=dtype, device=device, copy=copied))
+        out: Any = wp.array(values, dtype=dtype, device=device, copy=copied)
+        return own(out)
 
 
-def upload_together(tables: Sequence[NDArray[Any]], dtype: Any, device: Any) -> list[wp.array]:
+def upload_together(tables: Sequence[NDArray[Any]], dtype: type[Element], device: Any) -> list[Array1[Element]]:
     """Several small NumPy arrays with one axis on a device in one copy: parts of one array."""
-    whole: Any = upload(np.concatenate(tables), dtype, device)
+    whole = upload(np.concatenate(tables), dtype, device)
     ends = np.cumsum([len(table) for table in tables]).tolist()
     parts = zip(tables, ends, strict=True)
     return [whole[end - len(table) : end] if len(table) else empty(0, dtype, device) for table, end in parts]
@@ -180,20 +206,24 @@ def write(target: Any, values: np.ndarray) -> None:
         copy(target, upload(values, target.dtype, wp.get_device("cpu"), copied=False), count=target.size)
 
 
-def clone(values: wp.array) -> wp.array:
+def clone(values: Array) -> Array:
     """A copy of an array on its device, without gaps."""
     with turn_on(values.device):
-        out = empty(values.shape, values.dtype, values.device)
+        out: Any = empty(values.shape, values.dtype, values.device)
         wp.copy(out, values)
     return out
 
 
-def contiguous(values: Any) -> wp.array:
+def contiguous(values: Array) -> Array:
     """The array where it has no gaps, or chosen rows as one array."""
     return values if values.is_contiguous else clone(values)
 
 
-def cast(values: wp.array, dtype: Any) -> wp.array:
+@overload
+def cast(values: DeviceArray[Any, Rank], dtype: type[Element]) -> DeviceArray[Element, Rank]: ...
+@overload
+def cast(values: wp.array, dtype: type[Element]) -> DeviceArray[Element, Any]: ...
+def cast(values: Any, dtype: Any) -> Any:
     """The array with its elements converted to another type, as C does it, on its device."""
     out = empty(values.shape, dtype, values.device)
     if values.size:
@@ -201,15 +231,16 @@ def cast(values: wp.array, dtype: Any) -> wp.array:
     return out
 
 
-def move(values: Any, device: Any) -> wp.array:
+def move(values: Array, device: Any) -> Array:
     """The array on another device; itself where it is there already."""
     if values.device == device:
         return values
-    with turn_on(device), turn_on(values.device):
+    home: Any = values.device
+    with turn_on(device), turn_on(home):
         out: Any = empty(values.shape, values.dtype, device)
         wp.copy(out, values)
-        if values.device.is_cuda and out.device.is_cpu:
-            wp.synchronize_stream(values.device.stream)  # sync
+        if home.is_cuda and out.device.is_cpu:
+            wp.synchronize_stream(home.stream)  # sync
     return out
 
 

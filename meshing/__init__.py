@@ -1,1 +1,1 @@
-"""TSDF volumes, marching cubes and triangle meshes."""
+"""Triangle meshes, the volumes and scenes that they come from and go into, and their colours."""

@@ -1,1 +1,1 @@
-"""Point clouds: the container, its files, images and cameras, and the operations on it."""
+"""Point clouds: the container and the operations on it."""

@@ -8,16 +8,16 @@ import numpy as np
 import warp as wp
 from numpy.typing import ArrayLike, NDArray
 
+from ..core.array_libraries import hand_out, hand_out_host, library_of
+from ..core.checks import LARGEST_NUMBER, check_finite, check_positive, check_rigid, check_rows, check_shape, is_on_gpu
+from ..core.coordinates import finite_box
+from ..core.devices import resolve_device
+from ..core.dropped_results import returns_new
+from ..core.gpu_arrays import take_points
+from ..core.known_names import KnownNames
 from ..kernels.arrays.select import positions_of
 from ..kernels.extent.masks import mask_aligned_box, mask_oriented_box
-from .array_libraries import hand_out, hand_out_host, library_of
-from .checks import LARGEST_NUMBER, check_finite, check_positive, check_rigid, check_rows, check_shape, is_on_gpu
 from .convex_hull import find_extremes
-from .coordinates import finite_box
-from .devices import resolve_device
-from .dropped_results import returns_new
-from .gpu_arrays import take_points
-from .known_names import KnownNames
 from .minimal_box import fit_principal_box, fit_smallest_box
 from .point_arrays import PointArrays, read_only
 
@@ -47,8 +47,8 @@ class BoundingBox(KnownNames):
     def get_point_indices_within_bounding_box(self, points: ArrayLike | PointArrays) -> NDArray[np.int64]:
         """The indices of the points inside, faces included, ascending; of a cloud or of an array of shape [n, 3]."""
         if isinstance(points, PointArrays):
-            mask = self.mask_points(points._device_array("points"), points.origin)
-            return points._handed_out(positions_of(mask), dtype=np.int64)
+            mask = self.mask_points(points.device_array("points"), points.origin)
+            return points.handed_out(positions_of(mask), dtype=np.int64)
         library = library_of(points)
         if is_on_gpu(points):
             mask = self.mask_points(*take_points("points", points, None))

@@ -9,12 +9,12 @@ from typing import Any
 
 from numpy.typing import ArrayLike
 
+from ..core.array_libraries import library_of
+from ..core.checks import check_finite, check_shape, is_on_gpu
+from ..core.devices import resolve_device
 from ..kernels.memory import move
-from .array_libraries import library_of
-from .checks import check_finite, check_shape, is_on_gpu
 from .clusters import Clusters
 from .depth_clouds import DepthClouds
-from .devices import resolve_device
 from .distances import Distances
 from .hulls import Hulls
 from .interop import Interop

@@ -7,11 +7,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ..core.checks import check_count, check_positive
+from ..core.watching import report
 from ..kernels.segmentation.cluster_labels import rank_by_size
 from ..kernels.segmentation.dbscan import cluster_points
-from .checks import check_count, check_positive
 from .selection import Selection
-from .watching import report
 
 MAX_SIZE = 2**31 - 2  # more points than a cloud holds
 # For thresholds: what no cloud reaches is no error.
@@ -53,7 +53,7 @@ class Clusters(Selection):
         """
         labels, _ = self._cluster(check_positive("eps", eps), check_count("min_points", min_points, **ANY))
         report("clusters", cloud=self, labels=labels)
-        return self._handed_out(labels)
+        return self.handed_out(labels)
 
     def cluster_euclidean(
         self, tolerance: float, min_cluster_size: int = 1, max_cluster_size: int | None = None
@@ -99,9 +99,9 @@ class Clusters(Selection):
         if cluster_count:
             rank_by_size(labels, cluster_count, min(least, MAX_SIZE), min(most, MAX_SIZE))
         report("clusters", cloud=self, labels=labels)
-        return self._handed_out(labels)
+        return self.handed_out(labels)
 
     # ------------------------------------------------------------------------------------------ internals
 
     def _cluster(self, eps: float, min_points: int) -> tuple[Any, int]:
-        return cluster_points(self._search_tree(), len(self), eps, min_points)
+        return cluster_points(self.search_tree(), len(self), eps, min_points)

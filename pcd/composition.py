@@ -7,12 +7,12 @@ from typing import Any, Self
 
 from numpy.typing import ArrayLike
 
+from ..core.checks import check_color, check_list
+from ..core.devices import check_same_device
+from ..core.dropped_results import returns_new
 from ..kernels.arrays.concatenation import concatenate_points, concatenate_rows
 from ..kernels.lang import vec3
 from ..kernels.memory import full
-from .checks import check_color, check_list
-from .devices import check_same_device
-from .dropped_results import returns_new
 from .point_arrays import PointArrays, check_cloud
 
 MAX_POINTS = 2**31 - 1  # rows are counted in 32 bits
@@ -69,14 +69,14 @@ class Composition(PointArrays):
             raise ValueError(f"clouds: {total:,} points are more than 2^31 - 1; keep them in several clouds")
         largest = max(parts, key=len)
         shifts = [part.origin - largest.origin for part in parts]
-        arrays = {"points": concatenate_points([part._device_array("points") for part in parts], shifts)}
-        for name in parts[0]._arrays:
+        arrays = {"points": concatenate_points([part.device_array("points") for part in parts], shifts)}
+        for name in parts[0].device_arrays:
             if name == "points" or not all(name in part for part in parts):
                 continue
             rows = [part.array(name) for part in parts]
             _check_alike(name, rows)
             arrays[name] = concatenate_rows(rows)
-        return cls._from_arrays(arrays, largest.origin, parts[0]._library)
+        return cls.from_device_arrays(arrays, largest.origin, parts[0].array_library)
 
     @returns_new
     def paint_uniform_color(self, color: ArrayLike) -> Self:
@@ -95,7 +95,7 @@ class Composition(PointArrays):
         """
         rgb = check_color("color", color)
         colors = full(len(self), vec3(*rgb.tolist()), vec3, self.device)
-        return self._with({**self._arrays, "colors": colors}, grid=self.grid)
+        return self.with_arrays({**self._arrays, "colors": colors}, grid=self.grid)
 
 
 def _check_alike(name: str, rows: Sequence[Any]) -> None:

@@ -8,14 +8,14 @@ import numpy as np
 import warp as wp
 from numpy.typing import ArrayLike, NDArray
 
+from ..cameras.camera import PinholeCameraIntrinsic, check_pixels
+from ..cameras.images import RGBDImage, check_intrinsic, upload_depth
+from ..core.array_libraries import hand_out, library_of
+from ..core.checks import check_count, check_positive, check_rigid
+from ..core.coordinates import split_origin
+from ..core.gpu_arrays import device_for
 from ..kernels.images.depth import PixelGrid, color_pixels, pixel_normals, unproject_depth
 from ..kernels.images.depth_projection import project_points, read_colors, read_depth
-from .array_libraries import hand_out, library_of
-from .camera import PinholeCameraIntrinsic, check_pixels
-from .checks import check_count, check_positive, check_rigid
-from .coordinates import split_origin
-from .gpu_arrays import device_for
-from .images import RGBDImage, check_intrinsic, upload_depth
 from .selection import Selection
 
 
@@ -59,7 +59,7 @@ class DepthClouds(Selection):
         where = device_for(depth, device)
         metric, _, height, width = upload_depth(depth, depth_scale, depth_trunc, where, limit="depth_trunc")
         camera = check_intrinsic(intrinsic, width, height)
-        cloud = cls._unproject(metric, None, camera, extrinsic, stride, project_valid_depth_only, with_normals)
+        cloud = cls.from_device_depth(metric, None, camera, extrinsic, stride, project_valid_depth_only, with_normals)
         cloud._library = library_of(depth)
         return cloud
 
@@ -78,10 +78,10 @@ class DepthClouds(Selection):
         if not isinstance(image, RGBDImage):
             raise TypeError(f"image: expected an RGBDImage, got {type(image).__name__}")
         camera = check_intrinsic(intrinsic, image.width, image.height)
-        cloud = cls._unproject(
-            image._depth, image._color, camera, extrinsic, stride, project_valid_depth_only, with_normals
+        cloud = cls.from_device_depth(
+            image.depth_array, image.color_array, camera, extrinsic, stride, project_valid_depth_only, with_normals
         )
-        cloud._library = image._library
+        cloud._library = image.array_library
         return cloud
 
     def project_to_depth_image(
@@ -143,14 +143,14 @@ class DepthClouds(Selection):
         Raises:
             ValueError: As there, or the cloud has no colours.
         """
-        colors = self._require("colors", "assign cloud.colors, or use project_to_depth_image")
+        colors = self.required_array("colors", "assign cloud.colors, or use project_to_depth_image")
         words, rows, columns = self._project(width, height, intrinsic, extrinsic, depth_max)
-        return RGBDImage._from_arrays(read_colors(words, colors), read_depth(words), rows, columns, self._library)
+        return RGBDImage.from_device_arrays(read_colors(words, colors), read_depth(words), rows, columns, self._library)
 
     # ------------------------------------------------------------------------------------------ internals
 
     @classmethod
-    def _unproject(
+    def from_device_depth(
         cls,
         depth: wp.array,
         color: wp.array | None,
@@ -160,6 +160,7 @@ class DepthClouds(Selection):
         valid_only: bool,
         with_normals: bool,
     ) -> Self:
+        """`from_depth_image` for depth in metres that is on the device, float32 [h * w], and colours [h * w, 3]."""
         step = check_count("stride", stride)
         T_world_camera = np.eye(4) if extrinsic is None else np.linalg.inv(check_rigid("extrinsic", extrinsic))
         _, origin = split_origin(T_world_camera[None, :3, 3])
@@ -173,7 +174,7 @@ class DepthClouds(Selection):
             arrays["normals"] = normals
         if color is not None:
             arrays["colors"] = color_pixels(color, grid)
-        cloud = cls._from_arrays(arrays, origin)
+        cloud = cls.from_device_arrays(arrays, origin)
         if valid_only:
             return cloud._select_mask(valid)
         cloud.grid = (grid.rows, grid.columns)

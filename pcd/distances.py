@@ -8,9 +8,9 @@ import numpy as np
 import warp as wp
 from numpy.typing import NDArray
 
+from ..core.devices import check_same_device
 from ..kernels.extent.mean_covariance import mahalanobis_distances, mean_and_covariance
 from ..kernels.search.neighbor_distances import nearest_distances
-from .devices import check_same_device
 from .point_arrays import PointArrays, check_cloud
 from .selection import Selection
 
@@ -47,7 +47,7 @@ class Distances(Selection):
             array([4., 5.])
         """
         check_cloud("target", target)
-        return self._handed_out(measure_to(self, target))
+        return self.handed_out(measure_to(self, target))
 
     def compute_nearest_neighbor_distance(self) -> NDArray[np.float64]:
         """The distance of each point to the nearest other point of the cloud.
@@ -63,7 +63,7 @@ class Distances(Selection):
             O(n) memory, the same bits from run to run.
         """
         points = self._arrays["points"]
-        return self._handed_out(nearest_distances(self._search_tree(), points, others=True, missing=0.0))
+        return self.handed_out(nearest_distances(self.search_tree(), points, others=True, missing=0.0))
 
     def compute_mean_and_covariance(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         """The mean [m], shape [3], and the covariance [m^2], shape [3, 3], of the finite points.
@@ -84,10 +84,10 @@ class Distances(Selection):
         points = self._arrays["points"]
         count, mean, covariance = mean_and_covariance(points)
         inverse = np.linalg.pinv(covariance, rcond=FLAT, hermitian=True) if count else np.zeros((3, 3))
-        return self._handed_out(mahalanobis_distances(points, np.nan_to_num(mean), inverse))
+        return self.handed_out(mahalanobis_distances(points, np.nan_to_num(mean), inverse))
 
 
 def measure_to(source: PointArrays, target: PointArrays) -> wp.array:
     """The distance of each point of a cloud to the nearest of another, a float64 device array."""
     check_same_device("queries", source.device, target.device)
-    return nearest_distances(target._search_tree(), source._points_about(target.origin))
+    return nearest_distances(target.search_tree(), source.points_about(target.origin))

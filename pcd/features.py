@@ -7,15 +7,15 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ..core.array_libraries import hand_out
+from ..core.checks import check_indices, check_search, is_on_gpu
+from ..core.gpu_arrays import take_indices
 from ..kernels.features.eigen_features import measure_curvature, measure_shapes
 from ..kernels.features.fpfh import compute_features, mask_points
 from ..kernels.lang import int32
 from ..kernels.memory import upload
 from ..kernels.search.point_tree import PointTree
-from .array_libraries import hand_out
-from .checks import check_numeric, check_search, is_on_gpu
 from .cloud import PointCloud
-from .gpu_arrays import take_indices
 from .kept_tree import check_extent
 from .point_arrays import check_cloud
 
@@ -64,11 +64,11 @@ def compute_fpfh_feature(
     if not cloud.has_normals:
         raise ValueError("cloud: FPFH needs normals, and it has none; call estimate_normals() first")
     rows = None if indices is None else _device_indices(indices, cloud)
-    normals = cloud._device_array("normals")
-    masked = mask_points(cloud._device_array("points"), normals)
-    tree = cloud._search_tree() if masked is None else PointTree(masked)
+    normals = cloud.device_array("normals")
+    masked = mask_points(cloud.device_array("points"), normals)
+    tree = cloud.search_tree() if masked is None else PointTree(masked)
     check_extent("cloud", tree.low, tree.high, tree.source)
-    return hand_out(compute_features(tree, normals, reach, count, rows), cloud._library)
+    return hand_out(compute_features(tree, normals, reach, count, rows), cloud.array_library)
 
 
 def compute_eigen_features(cloud: PointCloud, *, radius: float | None = None, max_nn: int | None = 30) -> PointCloud:
@@ -108,7 +108,7 @@ def compute_eigen_features(cloud: PointCloud, *, radius: float | None = None, ma
     """
     check_cloud("cloud", cloud)
     reach, count = check_search(radius, max_nn)
-    shapes = measure_shapes(cloud._search_tree(), reach, count)
+    shapes = measure_shapes(cloud.search_tree(), reach, count)
     return _with_attributes(cloud, shapes)
 
 
@@ -140,25 +140,16 @@ def estimate_curvature(cloud: PointCloud, *, radius: float | None = None, max_nn
     """
     check_cloud("cloud", cloud)
     reach, count = check_search(radius, max_nn)
-    return _with_attributes(cloud, {"curvature": measure_curvature(cloud._search_tree(), reach, count)})
+    return _with_attributes(cloud, {"curvature": measure_curvature(cloud.search_tree(), reach, count)})
 
 
 def _device_indices(indices: ArrayLike, cloud: PointCloud) -> Any:
     """Indices into a cloud, those that count from its end resolved, on its device."""
     if is_on_gpu(indices):
         return take_indices("indices", indices, cloud.device, len(cloud), of=f"cloud of {len(cloud)} points")
-    return upload(_check_indices(indices, len(cloud)), int32, cloud.device)
-
-
-def _check_indices(indices: ArrayLike, count: int) -> NDArray[np.int32]:
-    rows = check_numeric("indices", indices).reshape(-1)
-    if rows.dtype.kind not in "iu" and rows.size:
-        raise TypeError(f"indices: expected whole numbers, got {rows.dtype}; np.flatnonzero turns a mask into them")
-    if rows.size and (rows.min() < -count or rows.max() >= count):
-        raise IndexError(f"indices: {rows.min()}..{rows.max()} reach beyond a cloud of {count} points")
-    rows = rows.astype(np.int64)
-    return np.where(rows < 0, rows + count, rows).astype(np.int32)
+    what = {"of": f"cloud of {len(cloud)} points", "hint": "; np.flatnonzero turns a mask into them"}
+    return upload(check_indices("indices", indices, len(cloud), **what), int32, cloud.device)
 
 
 def _with_attributes(cloud: PointCloud, arrays: dict[str, Any]) -> PointCloud:
-    return cloud._with(cloud._arrays | arrays, grid=cloud.grid)
+    return cloud.with_arrays(cloud.device_arrays | arrays, grid=cloud.grid)

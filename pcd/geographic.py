@@ -16,8 +16,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from .checks import check_count
-from .coordinates import quiet
+from ..core.checks import check_count
+from ..core.coordinates import quiet
 from .point_arrays import check_cloud
 
 if TYPE_CHECKING:

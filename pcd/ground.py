@@ -5,11 +5,11 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from ..core.checks import check_positive
 from ..kernels.arrays.bounds import bound_points
 from ..kernels.lang import uint8
 from ..kernels.memory import zeros
 from ..kernels.segmentation.ground import HeightGrid
-from .checks import check_positive
 from .cloud import PointCloud
 from .point_arrays import check_cloud
 
@@ -66,10 +66,10 @@ def classify_ground(
     window = check_positive("max_window", max_window)
     threshold = check_positive("elevation_threshold", elevation_threshold, allow_zero=True)
     share = check_positive("scaling", scaling, allow_zero=True)
-    points = cloud._device_array("points")
+    points = cloud.device_array("points")
     low, high, finite = bound_points(points)
     if not finite:
-        return cloud._handed_out(zeros(len(cloud), uint8, cloud.device), dtype=bool)
+        return cloud.handed_out(zeros(len(cloud), uint8, cloud.device), dtype=bool)
     corner = low.astype(np.float64)
     with np.errstate(over="ignore"):  # more cells than float64 holds are too many, too
         counts = np.floor((high.astype(np.float64) - corner) / cell)[:2] + 1
@@ -86,4 +86,4 @@ def classify_ground(
         )
     grid = HeightGrid(points, corner, cell, int(counts[0]), int(counts[1]))
     grid.uncover(steepest, window)
-    return cloud._handed_out(grid.near(threshold, share), dtype=bool)
+    return cloud.handed_out(grid.near(threshold, share), dtype=bool)

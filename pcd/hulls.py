@@ -7,13 +7,13 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ..core.array_libraries import hand_out_host
+from ..core.checks import check_finite, check_positive, check_shape
 from ..kernels.arrays.select import gather_rows
 from ..kernels.extent.visibility import visible_rows
 from ..kernels.lang import int32
 from ..kernels.memory import download, upload
 from ..kernels.search.hilbert_order import HilbertOrder
-from .array_libraries import hand_out_host
-from .checks import check_finite, check_positive, check_shape
 from .convex_hull import ConvexHull, find_extremes, hull_of_cloud
 from .selection import Selection
 

@@ -7,15 +7,15 @@ from typing import Any, Self
 import numpy as np
 from numpy.typing import ArrayLike
 
+from ..core.array_libraries import library_of
+from ..core.checks import check_finite, check_shape
+from ..core.coordinates import split_origin
+from ..core.devices import check_same_device, resolve_device
+from ..core.exchange import share_numbers, share_vectors
+from ..core.pickled_arrays import device_like, pickled, unpickled
 from ..kernels.lang import vec3
 from ..kernels.memory import clone, download, upload
-from .array_libraries import library_of
-from .checks import check_finite, check_shape
-from .coordinates import split_origin
-from .devices import check_same_device, resolve_device
-from .exchange import share_numbers, share_vectors
 from .kept_tree import KeptTree
-from .pickled_arrays import device_like, pickled, unpickled
 from .point_arrays import VECTORS
 from .selection import Selection
 
@@ -75,7 +75,7 @@ class Interop(Selection):
             check_same_device(name, arrays["points"].device, array.device)
             if array.shape[0] != arrays["points"].size:
                 raise ValueError(f"{name}: expected {arrays['points'].size} rows, one a point, got {array.shape[0]}")
-        cloud = cls._from_arrays(arrays, start, library_of(points))
+        cloud = cls.from_device_arrays(arrays, start, library_of(points))
         cloud._kept = KeptTree(arrays["points"], lent=True)
         return cloud
 
@@ -108,7 +108,7 @@ class Interop(Selection):
         else:
             raise TypeError(f"cloud: expected an open3d.geometry or open3d.t.geometry PointCloud, got {type(cloud)}")
         local, origin = split_origin(present.pop("points"))
-        copied = cls._from_arrays({"points": upload(local, vec3, resolve_device(device))}, origin)
+        copied = cls.from_device_arrays({"points": upload(local, vec3, resolve_device(device))}, origin)
         for name, values in present.items():
             if name == "colors" and values.dtype == np.uint16:
                 values = values.astype(np.float32) / np.float32(65535)
@@ -179,7 +179,7 @@ class Interop(Selection):
         return self.copy()
 
     def __deepcopy__(self, memo: dict[int, Any]) -> Self:
-        return self._with({name: clone(array) for name, array in self._arrays.items()}, grid=self.grid)
+        return self.with_arrays({name: clone(array) for name, array in self._arrays.items()}, grid=self.grid)
 
 
 def _import_open3d() -> Any:

@@ -7,8 +7,8 @@ from typing import Literal, overload
 import numpy as np
 from numpy.typing import NDArray
 
+from ..core.checks import check_count, check_positive
 from ..kernels.features.iss import find_iss_keypoints
-from .checks import check_count, check_positive
 from .cloud import PointCloud
 from .point_arrays import check_cloud
 
@@ -94,6 +94,6 @@ def compute_iss_keypoints(
     ratio_32 = check_positive("gamma_32", gamma_32, allow_zero=True)
     count = min(check_count("min_neighbors", min_neighbors), len(cloud) + 1)
     radii = (salient, non_max) if salient > 0 and non_max > 0 else None
-    rows = find_iss_keypoints(cloud._search_tree(), radii, ratio_21, ratio_32, count)
-    keypoints = cloud._select(rows)
-    return (keypoints, cloud._handed_out(rows)) if return_indices else keypoints
+    rows = find_iss_keypoints(cloud.search_tree(), radii, ratio_21, ratio_32, count)
+    keypoints = cloud.select_rows(rows)
+    return (keypoints, cloud.handed_out(rows)) if return_indices else keypoints

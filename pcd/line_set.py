@@ -9,9 +9,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from .boxes import AxisAlignedBoundingBox, OrientedBoundingBox
-from .camera import PinholeCameraIntrinsic
-from .checks import (
+from ..cameras.camera import PinholeCameraIntrinsic
+from ..core.checks import (
     check_count,
     check_finite,
     check_positive,
@@ -20,6 +19,7 @@ from .checks import (
     check_shape,
     check_transformation,
 )
+from .boxes import AxisAlignedBoundingBox, OrientedBoundingBox
 
 Rows = NDArray[np.float64]
 

@@ -7,12 +7,12 @@ from typing import Any, Self
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ..core.checks import LARGEST_NUMBER, check_finite, check_positive, check_rigid, check_shape, check_transformation
+from ..core.coordinates import FLOAT32_MAX, split_origin
+from ..core.dropped_results import returns_new
 from ..kernels.algebra.transform import transform_covariances, transform_directions, transform_points
 from ..kernels.lang import float32
 from .bounding import Bounding
-from .checks import LARGEST_NUMBER, check_finite, check_positive, check_rigid, check_shape, check_transformation
-from .coordinates import FLOAT32_MAX, split_origin
-from .dropped_results import returns_new
 
 
 class Movable:
@@ -86,7 +86,7 @@ class Motion(Bounding, Movable):
     def _mapped(self, name: str, T: NDArray[np.float64]) -> Self:
         """The cloud under an affine map; errors call it by the argument that it was made of."""
         A, t = T[:3, :3], T[:3, 3]
-        low, high = self._bounds()
+        low, high = self.device_bounds()
         middle, half = A @ ((low + high) / 2) + t, np.abs(A) @ ((high - low) / 2)
         corners = np.stack([middle - half, middle + half])
         if not np.abs(corners).max() <= LARGEST_NUMBER or np.ptp(corners, axis=0).max() > 2 * FLOAT32_MAX:
@@ -106,7 +106,7 @@ class Motion(Bounding, Movable):
             and arrays["covariances"].shape[1:] == (9,)
         ):
             arrays["covariances"] = transform_covariances(arrays["covariances"], A)
-        cloud = self._with(arrays, grid=self.grid)
+        cloud = self.with_arrays(arrays, grid=self.grid)
         cloud._origin = origin
         return cloud
 

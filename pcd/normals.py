@@ -7,6 +7,8 @@ from typing import Self
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ..core.checks import check_count, check_finite, check_numeric, check_positive, check_search, check_shape
+from ..core.dropped_results import returns_new
 from ..kernels.arrays.select import gather_rows
 from ..kernels.extent.masks import usable_rows
 from ..kernels.memory import download
@@ -15,8 +17,6 @@ from ..kernels.surface.covariances import estimate_covariances
 from ..kernels.surface.normal_agreement import share_of_opposed_normals
 from ..kernels.surface.normals import align_normals, estimate_normals, orient_normals
 from ..kernels.surface.orientation import flip_vectors, normalize_vectors, orient_consistently
-from .checks import check_count, check_finite, check_numeric, check_positive, check_search, check_shape
-from .dropped_results import returns_new
 from .point_arrays import PointArrays
 
 
@@ -47,10 +47,10 @@ class Normals(PointArrays):
         """
         reach, count = check_search(radius, max_nn)
         points = self._arrays["points"]
-        normals = estimate_normals(self._search_tree(), points, count, reach)
+        normals = estimate_normals(self.search_tree(), points, count, reach)
         if self.has_normals:
             align_normals(normals, self._arrays["normals"])
-        return self._with(self._arrays | {"normals": normals}, grid=self.grid)
+        return self.with_arrays(self._arrays | {"normals": normals}, grid=self.grid)
 
     @property
     def covariances(self) -> NDArray[np.float32]:
@@ -62,7 +62,7 @@ class Normals(PointArrays):
         Raises:
             ValueError: The cloud has none, or those assigned have another shape.
         """
-        rows = self._require("covariances", "call estimate_covariances()")
+        rows = self.required_array("covariances", "call estimate_covariances()")
         return download(rows).reshape(-1, 3, 3).astype(np.float32)
 
     @covariances.setter
@@ -105,8 +105,8 @@ class Normals(PointArrays):
         """
         reach, count = check_search(radius, max_nn)
         points = self._arrays["points"]
-        covariances = estimate_covariances(self._search_tree(), points, count, reach)
-        return self._with(self._arrays | {"covariances": covariances}, grid=self.grid)
+        covariances = estimate_covariances(self.search_tree(), points, count, reach)
+        return self.with_arrays(self._arrays | {"covariances": covariances}, grid=self.grid)
 
     @returns_new
     def normalize_normals(self) -> Self:
@@ -115,8 +115,8 @@ class Normals(PointArrays):
         Raises:
             ValueError: The cloud has no normals.
         """
-        normals = self._require("normals", "call estimate_normals() first")
-        return self._with(self._arrays | {"normals": normalize_vectors(normals)}, grid=self.grid)
+        normals = self.required_array("normals", "call estimate_normals() first")
+        return self.with_arrays(self._arrays | {"normals": normalize_vectors(normals)}, grid=self.grid)
 
     @returns_new
     def flip_normals(self) -> Self:
@@ -125,8 +125,8 @@ class Normals(PointArrays):
         Raises:
             ValueError: The cloud has no normals.
         """
-        normals = self._require("normals", "call estimate_normals() first")
-        return self._with(self._arrays | {"normals": flip_vectors(normals)}, grid=self.grid)
+        normals = self.required_array("normals", "call estimate_normals() first")
+        return self.with_arrays(self._arrays | {"normals": flip_vectors(normals)}, grid=self.grid)
 
     @returns_new
     def orient_normals_to_align_with_direction(self, orientation_reference: ArrayLike = (0.0, 0.0, 1.0)) -> Self:
@@ -192,7 +192,7 @@ class Normals(PointArrays):
             >>> bool(((oriented.normals * sphere).sum(axis=1) > 0).all())
             True
         """
-        normals = self._require("normals", "call estimate_normals() first")
+        normals = self.required_array("normals", "call estimate_normals() first")
         neighbors = check_count("k", k)
         penalty = check_positive("lambda_penalty", lambda_penalty, allow_zero=True)
         steepest = check_positive("cos_alpha_tol", cos_alpha_tol, allow_zero=True)
@@ -202,9 +202,9 @@ class Normals(PointArrays):
         rows = usable_rows(points, normals)
         if not rows.size:
             return self.copy()
-        tree = self._search_tree() if rows.size == points.size else PointTree(gather_rows(points, rows))
+        tree = self.search_tree() if rows.size == points.size else PointTree(gather_rows(points, rows))
         oriented = orient_consistently(points, normals, rows, tree, neighbors, steepest, penalty > 0)
-        return self._with(self._arrays | {"normals": oriented}, grid=self.grid)
+        return self.with_arrays(self._arrays | {"normals": oriented}, grid=self.grid)
 
     def normal_disagreement(self, k: int = 10) -> float:
         """The share of near neighbours whose normals point to opposite sides of the surface: whether to orient them.
@@ -236,13 +236,13 @@ class Normals(PointArrays):
             >>> 0 < cloud.normal_disagreement() < 0.1, oriented.normal_disagreement()
             (True, 0.0)
         """
-        normals = self._require("normals", "call cloud = cloud.estimate_normals()")
+        normals = self.required_array("normals", "call cloud = cloud.estimate_normals()")
         neighbors = min(check_count("k", k), max(1, len(self)))
-        return share_of_opposed_normals(self._search_tree(), self._arrays["points"], normals, neighbors)
+        return share_of_opposed_normals(self.search_tree(), self._arrays["points"], normals, neighbors)
 
     # ------------------------------------------------------------------------------------------ internals
 
     def _orient(self, reference: NDArray[np.float64], *, to_point: bool) -> Self:
-        normals = self._require("normals", "call estimate_normals() first")
+        normals = self.required_array("normals", "call estimate_normals() first")
         oriented = orient_normals(self._arrays["points"], normals, reference, to_point)
-        return self._with(self._arrays | {"normals": oriented}, grid=self.grid)
+        return self.with_arrays(self._arrays | {"normals": oriented}, grid=self.grid)

@@ -8,10 +8,10 @@ import numpy as np
 import warp as wp
 from numpy.typing import NDArray
 
+from ..core.checks import check_count, check_positive
 from ..kernels.arrays.select import positions_of
 from ..kernels.search.neighbor_distances import average_distances, mask_up_to, mean_and_deviation
 from ..kernels.segmentation.neighbor_counts import mask_crowded
-from .checks import check_count, check_positive
 from .selection import Selection
 
 ROUNDING = 1 + 1e-12  # where all distances are equal, their mean may round to less
@@ -54,7 +54,7 @@ class Outliers(Selection):
         """
         k = check_count("nb_neighbors", nb_neighbors)
         ratio = check_positive("std_ratio", std_ratio)
-        distances = average_distances(self._search_tree(), k)
+        distances = average_distances(self.search_tree(), k)
         count, mean, deviation = mean_and_deviation(distances)
         limit = (mean + ratio * deviation) * ROUNDING if count else 0.0
         return self._keep(mask_up_to(distances, limit))
@@ -90,8 +90,8 @@ class Outliers(Selection):
         """
         needed = check_count("nb_points", nb_points) + 1
         reach = check_positive("radius", radius)
-        return self._keep(mask_crowded(self._search_tree(), reach, needed))
+        return self._keep(mask_crowded(self.search_tree(), reach, needed))
 
     def _keep(self, mask: wp.array) -> tuple[Self, NDArray[np.int32]]:
         rows = positions_of(mask)
-        return self._select(rows), self._handed_out(rows)
+        return self.select_rows(rows), self.handed_out(rows)

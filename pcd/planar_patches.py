@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from ..core.checks import check_count, check_positive
 from ..kernels.extent.masks import usable_rows
 from ..kernels.lang import int32
 from ..kernels.memory import full
@@ -15,7 +16,6 @@ from ..kernels.segmentation.octree_cells import Octree
 from ..kernels.segmentation.patch_growth import Patches
 from ..kernels.segmentation.planar_patches import ROUNDING, Limits, find_seeds
 from .boxes import OrientedBoundingBox
-from .checks import check_count, check_positive
 from .selection import Selection
 
 EDGE_SHARE = 0.01  # of the cloud's longest edge: Open3D's shortest patch
@@ -86,7 +86,7 @@ class PlanarPatches(Selection):
         neighbor_count = check_count("max_nn", max_nn, minimum=2)
         reach = math.inf if radius is None else check_positive("radius", radius)
         points = self._arrays["points"]
-        normals = self._require("normals", "call estimate_normals()")
+        normals = self.required_array("normals", "call estimate_normals()")
         rows = usable_rows(points, normals)
         if rows.size < fewest:
             return []
@@ -112,7 +112,7 @@ class PlanarPatches(Selection):
                 "cloud with voxel_down_sample"
             )
         points = self._arrays["points"]
-        return search_nearest(self._search_tree(), points, max_nn, radius)[0]
+        return search_nearest(self.search_tree(), points, max_nn, radius)[0]
 
 
 def _check_angle(name: str, degrees: Any) -> float:

@@ -7,14 +7,14 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ..core.checks import check_count, check_positive, check_seed, shown
+from ..core.watching import report
 from ..kernels.arrays.select import gather_rows, invert_mask, positions_of
 from ..kernels.extent.masks import mask_finite
 from ..kernels.lang import int32
 from ..kernels.memory import full
 from ..kernels.segmentation.plane_fit import PlaneSearch, label_rows
-from .checks import check_count, check_positive, check_seed, shown
 from .planar_patches import PlanarPatches
-from .watching import report
 
 MOST_SAMPLES = 10_000_000
 WRAP = 2**30  # numbers of samples stay below 2^31
@@ -84,7 +84,7 @@ class Planes(PlanarPatches):
         inliers = gather_rows(rows, positions_of(mask))
         model = self._world_plane(search.refit(plane, mask), search.center)
         report("plane", cloud=self, inliers=inliers, model=model)
-        return model, self._handed_out(inliers)
+        return model, self.handed_out(inliers)
 
     def segment_planes(
         self,
@@ -148,7 +148,7 @@ class Planes(PlanarPatches):
             label_rows(found, len(models) - 1, labels)
             report("plane", cloud=self, inliers=found, model=models[-1], number=len(models) - 1)
             rows = gather_rows(rows, positions_of(invert_mask(mask)))
-        return self._handed_out(labels), np.array(models).reshape(-1, 4)
+        return self.handed_out(labels), np.array(models).reshape(-1, 4)
 
     # ------------------------------------------------------------------------------------------ internals
 

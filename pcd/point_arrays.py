@@ -10,19 +10,19 @@ import numpy as np
 import warp as wp
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
+from ..core.array_libraries import NUMPY, check_library, hand_out, library_of
+from ..core.checks import check_name, check_numeric, check_rows, is_on_gpu
+from ..core.coordinates import quiet, split_origin
+from ..core.devices import resolve_device
+from ..core.gpu_arrays import take_colors, take_column, take_points, take_vectors
+from ..core.known_names import KnownNames
+from ..core.yes_or_no import YesOrNo
 from ..kernels.lang import vec3
 from ..kernels.language.device_lock import turn_on
 from ..kernels.memory import download, move, upload
 from ..kernels.search.point_tree import PointTree
-from .array_libraries import NUMPY, check_library, hand_out, library_of
 from .attributes import VECTORS, Attributes
-from .checks import check_name, check_numeric, check_rows, is_on_gpu
-from .coordinates import quiet, split_origin
-from .devices import resolve_device
-from .gpu_arrays import take_colors, take_column, take_points, take_vectors
 from .kept_tree import KeptTree
-from .known_names import KnownNames
-from .yes_or_no import YesOrNo
 
 
 class PointArrays(KnownNames):
@@ -81,7 +81,7 @@ class PointArrays(KnownNames):
         Raises:
             ValueError: The cloud has none.
         """
-        return read_only(download(self._require("normals", "call cloud = cloud.estimate_normals()")).copy())
+        return read_only(download(self.required_array("normals", "call cloud = cloud.estimate_normals()")).copy())
 
     @normals.setter
     def normals(self, values: ArrayLike) -> None:
@@ -94,7 +94,7 @@ class PointArrays(KnownNames):
         Raises:
             ValueError: The cloud has none.
         """
-        return read_only(download(self._require("colors", "assign cloud.colors")).copy())
+        return read_only(download(self.required_array("colors", "assign cloud.colors")).copy())
 
     @colors.setter
     def colors(self, values: ArrayLike) -> None:
@@ -126,7 +126,7 @@ class PointArrays(KnownNames):
             raise TypeError("a cloud is indexed by an attribute's name; for points see select_by_index, select_by_mask")
         if name in VECTORS:
             return getattr(self, name)
-        return read_only(download(self._require(name, f"the cloud has {', '.join(self._arrays)}")).copy())
+        return read_only(download(self.required_array(name, f"the cloud has {', '.join(self._arrays)}")).copy())
 
     def __setitem__(self, name: str, values: ArrayLike) -> None:
         if name == "points":
@@ -146,7 +146,7 @@ class PointArrays(KnownNames):
         It speaks DLPack and `__cuda_array_interface__`. What is written to it changes this cloud and all that share
         the array; that points were written is noticed by the next operation, which builds the search tree anew.
         """
-        return self._kept.lend() if check_name("name", name) == "points" else self._device_array(name)
+        return self._kept.lend() if check_name("name", name) == "points" else self.device_array(name)
 
     def to(self, device: Any, *, arrays: str | None = None) -> Self:
         """The cloud on another device; itself where it is there already.
@@ -171,7 +171,7 @@ class PointArrays(KnownNames):
         library = self._library if arrays is None else check_library("arrays", arrays)
         if where == self.device and library == self._library:
             return self
-        cloud = self._with({name: move(values, where) for name, values in self._arrays.items()}, grid=self.grid)
+        cloud = self.with_arrays({name: move(values, where) for name, values in self._arrays.items()}, grid=self.grid)
         cloud._library = library
         return cloud
 
@@ -216,46 +216,82 @@ class PointArrays(KnownNames):
         if "points" in names:
             raise ValueError("points: a cloud without points is PointCloud()")
         for name in names:
-            self._require(name, f"the cloud has {', '.join(self._arrays)}")
-        return self._with({n: a for n, a in self._arrays.items() if n not in names}, grid=self.grid)
+            self.required_array(name, f"the cloud has {', '.join(self._arrays)}")
+        return self.with_arrays({n: a for n, a in self._arrays.items() if n not in names}, grid=self.grid)
 
     def copy(self) -> Self:
         """Another cloud over the same arrays: what is assigned to one does not reach the other."""
-        return self._with(dict(self._arrays), grid=self.grid)
+        return self.with_arrays(dict(self._arrays), grid=self.grid)
 
-    # ------------------------------------------------------------------------------------------ internals
+    # -------------------------------------------------------------------------------- for code on the device
+
+    @property
+    def device_arrays(self) -> dict[str, wp.array]:
+        """The device arrays by name, `points` relative to `origin`: for code that reads them, as `device_array`."""
+        return dict(self._arrays)
+
+    @property
+    def array_library(self) -> str:
+        """The library whose arrays operations return: that of the arrays which the cloud was made of."""
+        return self._library
 
     @classmethod
-    def _from_arrays(cls, arrays: dict[str, wp.array], origin: NDArray[np.float64], library: str = NUMPY) -> Self:
-        """A cloud over device arrays that are known to be right; no copy."""
+    def from_device_arrays(cls, arrays: dict[str, wp.array], origin: NDArray[np.float64], library: str = NUMPY) -> Self:
+        """A cloud around device arrays, for kernels: nothing is copied or checked.
+
+        Args:
+            arrays: By name: `points` (vec3 [n], relative to `origin`), and what else has a row a point.
+            origin: float64 [3].
+            library: Whose arrays its operations return.
+        """
         cloud = cls.__new__(cls)
         cloud._library = library
         cloud._arrays, cloud._origin, cloud.grid = arrays, origin, None
         cloud._kept = KeptTree(arrays["points"])
         return cloud
 
-    def _with(self, arrays: dict[str, wp.array], *, grid: tuple[int, int] | None = None) -> Self:
-        cloud = self._from_arrays(arrays, self._origin, self._library)
+    def with_arrays(self, arrays: dict[str, wp.array], *, grid: tuple[int, int] | None = None) -> Self:
+        """A cloud over other device arrays about the same origin; where the points are the same, so is their tree."""
+        cloud = self.from_device_arrays(arrays, self._origin, self._library)
         cloud.grid = grid
         if arrays["points"] is self._arrays["points"]:
             cloud._kept = self._kept
         return cloud
 
-    def _device_array(self, name: str) -> wp.array:
-        """As `array`, for code of ours, which does not write to it."""
-        return self._require(name, f"the cloud has {', '.join(self._arrays)}")
+    def device_array(self, name: str) -> wp.array:
+        """As `array`, for code that only reads it: the search tree stays.
 
-    def _search_tree(self) -> PointTree:
+        Raises:
+            ValueError: The cloud has no such attribute.
+        """
+        return self.required_array(name, f"the cloud has {', '.join(self._arrays)}")
+
+    def required_array(self, name: str, remedy: str) -> wp.array:
+        """As `device_array`, for code that can say how the cloud comes by the attribute.
+
+        Raises:
+            ValueError: The cloud has no such attribute; the message ends in the remedy.
+        """
+        if name not in self._arrays:
+            raise ValueError(f"the cloud has no {name}: {remedy}")
+        return self._arrays[name]
+
+    def search_tree(self) -> PointTree:
         """The search tree over the points, built at the first call and kept with them: 20 B a point."""
         return self._kept.tree()
 
-    def _points_about(self, origin: NDArray[np.float64]) -> wp.array:
+    @property
+    def known_search_tree(self) -> PointTree | None:
+        """The search tree over the points where an operation has built it; None where none has asked for it yet."""
+        return self._kept.known
+
+    def points_about(self, origin: NDArray[np.float64]) -> wp.array:
         """The points relative to another origin, a device array of vec3."""
         if (self._origin == origin).all():
             return self._arrays["points"]
         return upload(split_origin(self.points, origin)[0], vec3, self.device)
 
-    def _handed_out(self, array: wp.array, *, dtype: DTypeLike | None = None) -> Any:
+    def handed_out(self, array: wp.array, *, dtype: DTypeLike | None = None) -> Any:
         """A result as an array of the library that the cloud was made of; see `hand_out`. NumPy's own their memory."""
         found = hand_out(array, self._library, dtype=dtype)
         return found.copy() if self._library == NUMPY and not found.flags.owndata else found
@@ -273,11 +309,6 @@ class PointArrays(KnownNames):
             is_shared = not is_copied and points.device.is_cpu and np.may_share_memory(local, positions)
         self._arrays["points"] = points
         self._kept = KeptTree(points, lent=is_shared)
-
-    def _require(self, name: str, remedy: str) -> wp.array:
-        if name not in self._arrays:
-            raise ValueError(f"the cloud has no {name}: {remedy}")
-        return self._arrays[name]
 
     def _set(self, name: str, values: ArrayLike) -> None:
         if is_on_gpu(values):

@@ -11,17 +11,18 @@ import numpy as np
 import warp as wp
 from numpy.typing import ArrayLike, NDArray
 
+from ..cameras.camera import LARGEST_NUMBER
+from ..core.array_libraries import hand_out, library_of, view_as
+from ..core.atomic import atomic_write
+from ..core.checks import check_number, check_rows, is_on_gpu
+from ..core.devices import resolve_device
+from ..core.errors import FileError
+from ..core.gpu_arrays import take_rows
+from ..core.json_files import check_keys, read_json_object
 from ..kernels.arrays.select import invert_mask, positions_of
 from ..kernels.extent.polygons import mask_polygon
 from ..kernels.lang import float64, vec2d, vec3d
 from ..kernels.memory import cast, upload
-from .array_libraries import hand_out, library_of, view_as
-from .camera import LARGEST_NUMBER, check_keys, read_json_object
-from .checks import check_number, check_rows, is_on_gpu
-from .devices import resolve_device
-from .errors import FileError
-from .gpu_arrays import take_rows
-from .io.atomic import atomic_write
 from .point_arrays import PointArrays, check_cloud
 
 if TYPE_CHECKING:
@@ -161,7 +162,7 @@ class SelectionPolygonVolume:
             TypeError: Not numeric.
         """
         if isinstance(points, PointArrays):
-            mask, library = mask_volume(self, points._device_array("points"), points.origin), points._library
+            mask, library = mask_volume(self, points.device_array("points"), points.origin), points.array_library
         else:
             mask = mask_volume(self, _wide(points), np.zeros(3))
             library = library_of(points)

@@ -8,6 +8,8 @@ import numpy as np
 import warp as wp
 from numpy.typing import ArrayLike, NDArray
 
+from ..core.array_libraries import hand_out, hand_out_host, view_as
+from ..core.checks import check_count, check_finite, check_name, check_positive, check_seed, check_shape, shown
 from ..kernels.arrays.bounds import bound_points
 from ..kernels.arrays.run_sums import average_vec3, first_rows, sum_columns
 from ..kernels.arrays.select import gather_rows
@@ -17,8 +19,6 @@ from ..kernels.memory import cast, download, upload
 from ..kernels.sampling.farthest_points import choose_farthest
 from ..kernels.sampling.voxel_keys import VoxelGroups
 from ..kernels.sampling.voxel_traces import commonest_rows, nearest_to_means, trace_voxels
-from .array_libraries import hand_out, hand_out_host, view_as
-from .checks import check_count, check_finite, check_name, check_positive, check_seed, check_shape, shown
 from .point_arrays import VECTORS
 from .selection import Selection
 from .voxel_trace import VoxelTrace
@@ -62,7 +62,7 @@ class Sampling(Selection):
             raise ValueError(f"reduction: expected 'mean' or 'nearest', got {shown(reduction)}")
         groups, _ = self._voxels(size, None)
         if reduction == "nearest":
-            return self._select(nearest_to_means(self._arrays["points"], groups))
+            return self.select_rows(nearest_to_means(self._arrays["points"], groups))
         return self._means(groups)
 
     def voxel_down_sample_and_trace(
@@ -104,7 +104,7 @@ class Sampling(Selection):
         octants, voxels = trace_voxels(self._arrays["points"], groups, corner, size)
         finite = int(download(groups.starts[groups.starts.size - 1 :])[0])  # sync
         indices, offsets, voxels = map(
-            self._handed_out, (view_as(groups.order, int32, (finite,)), groups.starts, voxels)
+            self.handed_out, (view_as(groups.order, int32, (finite,)), groups.starts, voxels)
         )
         cubic_id = hand_out(octants, self._library, shape=(octants.size // 8, 8))
         return VoxelTrace(cloud, cubic_id, voxels, indices, offsets)
@@ -122,7 +122,7 @@ class Sampling(Selection):
             [0.0, 2.0, 4.0]
         """
         step = check_count("every_k_points", every_k_points)
-        return self._select(step_rows(len(self), step, self.device))
+        return self.select_rows(step_rows(len(self), step, self.device))
 
     def random_down_sample(self, sampling_ratio: float, seed: int = 0) -> Self:
         """`int(sampling_ratio * n)` of the points, chosen at random without repeats, in their own order.
@@ -146,7 +146,7 @@ class Sampling(Selection):
         ratio = check_positive("sampling_ratio", sampling_ratio, allow_zero=True)
         if ratio > 1:
             raise ValueError(f"sampling_ratio: expected a share 0..1, got {sampling_ratio!r}")
-        return self._select(draw_rows(len(self), int(ratio * len(self)), check_seed(seed), self.device))
+        return self.select_rows(draw_rows(len(self), int(ratio * len(self)), check_seed(seed), self.device))
 
     def farthest_point_down_sample(self, num_samples: int, start_index: int = 0) -> Self:
         """Points spread over the cloud, each chosen as the farthest from all before it; in their own order.
@@ -178,7 +178,7 @@ class Sampling(Selection):
         if check_count("num_samples", num_samples, minimum=0) == len(self):
             return self.remove_non_finite_points()
         chosen = upload(self._farthest(num_samples, start_index), int32, self.device)
-        return self._select(sort_rows(chosen, len(self)))
+        return self.select_rows(sort_rows(chosen, len(self)))
 
     def farthest_point_indices(self, num_samples: int, start_index: int = 0) -> NDArray[np.int32]:
         """The indices of farthest points in the order of choice: the first k of them are the choice of k.
@@ -207,7 +207,7 @@ class Sampling(Selection):
         first = download(gather_rows(points, upload(np.array([start]), int32, self.device)))[0]  # sync
         if not np.isfinite(first).all():
             raise ValueError(f"start_index: expected a finite point, got {first.tolist()} at {start_index!r}")
-        return choose_farthest(self._search_tree(), count, start)
+        return choose_farthest(self.search_tree(), count, start)
 
     def _voxels(self, size: float, min_bound: NDArray[np.float64] | None) -> tuple[Any, NDArray[np.float64]]:
         """The finite points by voxel, and the corner of the grid relative to the origin."""
@@ -229,7 +229,7 @@ class Sampling(Selection):
     def _means(self, groups: Any) -> Self:
         """The means of voxels; of whole numbers the first."""
         if not groups.count:
-            return self._select(upload(np.zeros(0, np.int32), int32, self.device))
+            return self.select_rows(upload(np.zeros(0, np.int32), int32, self.device))
         means: dict[str, wp.array] = {}
         rows = None
         for name, values in self._arrays.items():
@@ -240,7 +240,7 @@ class Sampling(Selection):
             else:
                 rows = first_rows(groups.order, groups.starts) if rows is None else rows
                 means[name] = gather_rows(values, rows)
-        return self._with(means)
+        return self.with_arrays(means)
 
     def _average(self, values: wp.array, groups: Any) -> wp.array:
         shape = values.shape

@@ -8,16 +8,16 @@ import numpy as np
 import warp as wp
 from numpy.typing import ArrayLike, NDArray
 
+from ..core.array_libraries import Form, form_of, view_as
+from ..core.checks import check_count, check_numeric, check_positive, check_rows, is_on_gpu
+from ..core.coordinates import split_origin
+from ..core.devices import check_same_device
+from ..core.gpu_arrays import take_numbers, take_points
 from ..kernels.arrays.row_numbers import run_lengths
 from ..kernels.lang import vec3
 from ..kernels.memory import upload
 from ..kernels.search.tree_search import search_nearest, search_within
-from .array_libraries import Form, form_of, view_as
-from .checks import check_count, check_numeric, check_positive, check_rows, is_on_gpu
 from .cloud import PointCloud
-from .coordinates import split_origin
-from .devices import check_same_device
-from .gpu_arrays import take_numbers, take_points
 from .point_arrays import PointArrays
 
 FEW = 1024  # neighbours that may be asked for beyond the number of points
@@ -88,7 +88,7 @@ class NearestNeighborSearch:
         elif device is not None:
             cloud = cloud.to(device)
         self.cloud = cloud.copy()  # as it is now: the tree does not follow what is assigned later
-        self._tree = self.cloud._search_tree()
+        self._tree = self.cloud.search_tree()
 
     def __repr__(self) -> str:
         return f"NearestNeighborSearch({len(self.cloud):,} points, {self.cloud.device})"
@@ -98,7 +98,7 @@ class NearestNeighborSearch:
         return self.cloud.copy()
 
     def __setstate__(self, cloud: PointCloud) -> None:
-        self.cloud, self._tree = cloud, cloud._search_tree()
+        self.cloud, self._tree = cloud, cloud.search_tree()
 
     def knn_search(self, queries: PointCloud | ArrayLike, k: int) -> Neighbors:
         """The k nearest points of each query.
@@ -157,7 +157,7 @@ class NearestNeighborSearch:
         device, origin = self.cloud.device, self.cloud.origin
         if isinstance(queries, PointArrays):
             check_same_device("queries", queries.device, device)
-            return _Queries(queries._points_about(origin), False, Form(queries._library, False))
+            return _Queries(queries.points_about(origin), False, Form(queries.array_library, False))
         form = form_of(queries)
         if is_on_gpu(queries):
             rows = take_numbers("queries", queries, device)

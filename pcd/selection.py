@@ -8,6 +8,9 @@ import numpy as np
 import warp as wp
 from numpy.typing import ArrayLike
 
+from ..core.checks import check_indices, check_numeric, is_on_gpu
+from ..core.dropped_results import returns_new
+from ..core.gpu_arrays import take_indices, take_mask
 from ..kernels.arrays.select import gather_rows, invert_mask, positions_of
 from ..kernels.arrays.subsets import other_rows
 from ..kernels.extent.masks import mask_finite
@@ -15,10 +18,7 @@ from ..kernels.lang import int32
 from ..kernels.memory import upload
 from ..kernels.sampling.duplicates import first_occurrences
 from .boxes import AxisAlignedBoundingBox, BoundingBox, OrientedBoundingBox
-from .checks import check_numeric, is_on_gpu
 from .composition import Composition
-from .dropped_results import returns_new
-from .gpu_arrays import take_indices, take_mask
 from .polygon_volume import SelectionPolygonVolume, mask_volume
 
 
@@ -34,21 +34,12 @@ class Selection(Composition):
             IndexError: An index beyond the cloud.
             TypeError: Not whole numbers.
         """
+        what = {"of": f"cloud of {len(self)} points", "hint": "; for a mask see select_by_mask"}
         if is_on_gpu(indices):
-            what = {"of": f"cloud of {len(self)} points", "hint": "; for a mask see select_by_mask"}
             chosen = take_indices("indices", indices, self.device, len(self), **what)
-            return self._select(other_rows(chosen, len(self)) if invert else chosen)
-        rows = check_numeric("indices", indices)
-        if rows.dtype.kind not in "iu" and rows.size:
-            raise TypeError(f"indices: expected whole numbers, got {rows.dtype}; for a mask see select_by_mask")
-        rows = rows.reshape(-1)
-        if rows.size and (rows.min() < -len(self) or rows.max() >= len(self)):
-            raise IndexError(f"indices: {rows.min()}..{rows.max()} reach beyond a cloud of {len(self)} points")
-        if rows.size and rows.min() < 0:
-            rows = rows.astype(np.int64)
-            rows = np.where(rows < 0, rows + len(self), rows)
-        chosen = upload(rows, int32, self.device)
-        return self._select(other_rows(chosen, len(self)) if invert else chosen)
+            return self.select_rows(other_rows(chosen, len(self)) if invert else chosen)
+        chosen = upload(check_indices("indices", indices, len(self), **what), int32, self.device)
+        return self.select_rows(other_rows(chosen, len(self)) if invert else chosen)
 
     def select_by_mask(self, mask: ArrayLike, invert: bool = False) -> Self:
         """The points where a boolean mask of shape [n] is set (or, inverted, is not).
@@ -61,12 +52,10 @@ class Selection(Composition):
         chosen = check_numeric("mask", mask)
         if chosen.dtype != np.bool_ or chosen.shape != (len(self),):
             raise ValueError(f"mask: expected booleans of shape [{len(self)}], got {chosen.dtype} {list(chosen.shape)}")
-        return self._select(upload(np.flatnonzero(chosen != invert).astype(np.int32), int32, self.device))
+        return self.select_rows(upload(np.flatnonzero(chosen != invert).astype(np.int32), int32, self.device))
 
     def crop(
-        self,
-        bounding_box: AxisAlignedBoundingBox | OrientedBoundingBox | SelectionPolygonVolume,
-        invert: bool = False,
+        self, bounding_box: AxisAlignedBoundingBox | OrientedBoundingBox | SelectionPolygonVolume, invert: bool = False
     ) -> Self:
         """The points inside a box, its faces included, or inside a polygon volume; or with `invert` all others.
 
@@ -108,12 +97,13 @@ class Selection(Composition):
             >>> cloud.remove_duplicated_points()["row"].tolist()
             [0, 1]
         """
-        return self._select(first_occurrences(self._arrays["points"]))
+        return self.select_rows(first_occurrences(self._arrays["points"]))
 
     # ------------------------------------------------------------------------------------------ internals
 
-    def _select(self, rows: wp.array) -> Self:
-        return self._with({name: gather_rows(values, rows) for name, values in self._arrays.items()})
+    def select_rows(self, rows: wp.array) -> Self:
+        """The points of these rows, in their order: `select_by_index` for a device array of int32, unchecked."""
+        return self.with_arrays({name: gather_rows(values, rows) for name, values in self._arrays.items()})
 
     def _select_mask(self, mask: wp.array, invert: bool = False) -> Self:
-        return self._select(positions_of(invert_mask(mask) if invert else mask))
+        return self.select_rows(positions_of(invert_mask(mask) if invert else mask))

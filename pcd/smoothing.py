@@ -5,9 +5,9 @@ from __future__ import annotations
 import math
 from typing import Any, Self
 
+from ..core.checks import check_count, check_number, check_positive, check_search
 from ..kernels.surface.normals import estimate_normals
 from ..kernels.surface.smoothing import average_by_sides, average_passes, average_passes_fixed, project_to_planes
-from .checks import check_count, check_number, check_positive, check_search
 from .selection import Selection
 
 NORMAL_NEIGHBORS = 30  # a fit where normals are missing, as estimate_normals() takes by itself
@@ -49,7 +49,7 @@ class Smoothing(Selection):
         """
         reach, count = check_search(radius, max_nn)
         normals = self._arrays.get("normals")
-        moved, fitted = project_to_planes(self._search_tree(), count, reach, normals)
+        moved, fitted = project_to_planes(self.search_tree(), count, reach, normals)
         return self._moved(moved, {} if normals is None else {"normals": fitted})
 
     def smooth_bilateral(
@@ -81,7 +81,7 @@ class Smoothing(Selection):
         """
         reach, count = check_search(radius, max_nn)
         spatial, across = check_positive("sigma_s", sigma_s), check_positive("sigma_r", sigma_r)
-        tree, normals = self._search_tree(), self._arrays.get("normals")
+        tree, normals = self.search_tree(), self._arrays.get("normals")
         if normals is None:
             normals = estimate_normals(tree, tree.source, NORMAL_NEIGHBORS, math.inf)
         return self._moved(average_by_sides(tree, normals, count, reach, spatial, across))
@@ -149,10 +149,10 @@ class Smoothing(Selection):
     def _averaged(self, factors: list[float], knn: int, fixed: bool) -> Self:
         neighbors = check_count("knn", knn)
         run = average_passes_fixed if fixed else average_passes
-        return self._moved(run(self._search_tree(), factors, neighbors))
+        return self._moved(run(self.search_tree(), factors, neighbors))
 
     def _moved(self, points: Any, others: dict[str, Any] | None = None) -> Self:
-        return self._with(self._arrays | {"points": points} | (others or {}))
+        return self.with_arrays(self._arrays | {"points": points} | (others or {}))
 
 
 def _check_passes(iterations: Any) -> int:

@@ -1,4 +1,4 @@
-"""Registration of clouds: the ICP family, global registration, odometry and pose graphs.
+"""Registration of clouds: the ICP family, global registration, LiDAR odometry and pose graphs.
 
 Each public name is loaded when it is first used, as in `pointloom` itself.
 

@@ -9,13 +9,13 @@ import numpy as np
 import warp as wp
 from numpy.typing import NDArray
 
+from ..core.checks import check_numeric, check_rows, is_on_gpu
+from ..core.devices import check_same_device
+from ..core.gpu_arrays import take_pairs
 from ..kernels.features.feature_matching import pair_features
 from ..kernels.lang import int32
 from ..kernels.memory import empty, upload
-from ..pcd.checks import check_numeric, check_rows, is_on_gpu
 from ..pcd.cloud import PointCloud
-from ..pcd.devices import check_same_device
-from ..pcd.gpu_arrays import take_pairs
 from ..pcd.point_arrays import check_cloud as check_cloud
 from .matching import features_on_device
 from .result import Pairs

@@ -7,13 +7,13 @@ from typing import Any
 import numpy as np
 import warp as wp
 
+from ..core.array_libraries import hand_out, library_of
+from ..core.checks import check_numeric, check_positive, is_on_gpu
+from ..core.devices import check_same_device, resolve_device
+from ..core.gpu_arrays import take_numbers
 from ..kernels.features.feature_matching import pair_features
 from ..kernels.lang import float32
 from ..kernels.memory import cast, move, upload
-from ..pcd.array_libraries import hand_out, library_of
-from ..pcd.checks import check_numeric, check_positive, is_on_gpu
-from ..pcd.devices import check_same_device, resolve_device
-from ..pcd.gpu_arrays import take_numbers
 from .result import Pairs
 
 

@@ -8,6 +8,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from ..core.quaternions import nearest_rotations
+
 Matrix = NDArray[np.float64]
 SMALL_ANGLE = 1e-6  # [rad] below it series to second order are exact in float64
 
@@ -87,14 +89,6 @@ def symmetric_matrices(triangles: NDArray[np.float64]) -> Matrix:
     M = np.zeros((len(triangles), 6, 6))
     M[:, *np.triu_indices(6)] = triangles
     return M + np.triu(M, 1).transpose(0, 2, 1)
-
-
-def nearest_rotations(M: Matrix) -> Matrix:
-    """The rotations nearest to matrices [n, 3, 3] in the Frobenius norm."""
-    U, _, Vt = np.linalg.svd(M)
-    signs = np.ones((len(M), 1, 3))
-    signs[:, 0, 2] = np.sign(np.linalg.det(U @ Vt))
-    return (U * signs) @ Vt
 
 
 def nearest_rotation(M: Matrix) -> Matrix:

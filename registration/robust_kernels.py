@@ -8,8 +8,8 @@ from typing import ClassVar
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ..core.checks import check_number, check_numeric, check_positive
 from ..kernels.icp import robust_weights
-from ..pcd.checks import check_number, check_numeric, check_positive
 
 LEAST = robust_weights.LEAST_RESIDUAL
 

@@ -33,13 +33,7 @@ def harness() -> Iterator[None]:
 
 
 def rounds(label: str, seconds: list[float], units: int = 1, first_call: float = 0.0) -> dict:
-    info = {
-        "operation": "voxel_down_sample",
-        "size": "1M",
-        "label": label,
-        "units": units,
-        "first_call_s": first_call,
-    }
+    info = {"operation": "voxel_down_sample", "size": "1M", "label": label, "units": units, "first_call_s": first_call}
     return {"extra_info": info, "stats": {"data": seconds}}
 
 
@@ -158,6 +152,7 @@ def test_ours_agrees_with_itself_and_not_with_a_wrong_answer(name):
 # ------------------------------------------------------------------------------------------------ memory, launches
 
 
+@pytest.mark.slow
 def test_peak_memory_counts_what_a_call_held_and_let_go():
     import contest
     import memory
@@ -271,6 +266,7 @@ def test_real_data_that_are_missing_are_named(monkeypatch, data, said):
         bench_icp.GENERALIZED.scenes["kitti pair"]()
 
 
+@pytest.mark.slow
 def test_a_run_without_real_data_leaves_them_out_says_so_and_is_no_failure():
     done = run_script("--quick", "--only", "gicp", POINTLOOM_DATA="")
     assert done.returncode == 0, done.stderr
@@ -279,6 +275,7 @@ def test_a_run_without_real_data_leaves_them_out_says_so_and_is_no_failure():
     assert "gicp  " in done.stdout and "kitti pair" not in done.stdout
 
 
+@pytest.mark.slow
 def test_operations_are_announced_before_their_first_calls_compile():
     done = run_script("--quick", "--only", "ply")
     first, *lines = [line for line in done.stderr.splitlines() if "busy" not in line]
@@ -288,6 +285,7 @@ def test_operations_are_announced_before_their_first_calls_compile():
     assert "  ply_write 200k (2 of 2)" in lines
 
 
+@pytest.mark.slow
 def test_an_interrupted_run_ends_at_once_and_says_so():
     command = [sys.executable, str(FOLDER / "run.py"), "--quick", "--only", "ply"]
 
@@ -322,6 +320,7 @@ def test_a_wrong_argument_is_refused_before_anything_runs(arguments, said):
     assert said in done.stderr and "Traceback" not in done.stderr
 
 
+@pytest.mark.slow
 def test_quick_run_prints_a_table_and_writes_json_that_names_no_place(tmp_path):
     output = tmp_path / "result.json"
     done = run_script("--quick", "--only", "marching", "--output", str(output))
@@ -341,6 +340,7 @@ def test_quick_run_prints_a_table_and_writes_json_that_names_no_place(tmp_path):
 # ------------------------------------------------------------------------------------------------ first use
 
 
+@pytest.mark.slow
 def test_first_use_of_processes_together_is_that_of_the_slowest(tmp_path):
     output = tmp_path / "first_use.json"
     chosen = ["--only", "voxel_down_sample", "--laps", "1", "--together", "2", "--output", str(output)]
@@ -353,6 +353,7 @@ def test_first_use_of_processes_together_is_that_of_the_slowest(tmp_path):
     assert min(lap.values()) > 0
 
 
+@pytest.mark.slow
 def test_first_use_fails_where_one_of_the_processes_does():
     chosen = ["--only", "voxel_down_sample", "--laps", "1", "--cold", "--together", "2"]
     done = run_script(*chosen, script="first_use.py", POINTLOOM_CPU="none")

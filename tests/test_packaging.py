@@ -15,7 +15,9 @@ from packaging.requirements import Requirement
 from packaging.utils import canonicalize_name
 
 ROOT = Path(__file__).resolve().parents[1]
-FOLDERS = ("kernels", "pcd", "registration", "meshing", "app")
+FOLDERS = tuple(
+    ["kernels", "core", "cameras", "pcd", "files", "registration", "meshing", "rgbd", "drawing", "photos", "app"]
+)
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text())
 
 # Addresses of package registries, in two parts each so that this file holds none.
@@ -80,7 +82,7 @@ def test_every_other_file_of_the_wheel_lies_in_one_of_the_folders(wheel):
 
 
 def test_the_wheel_holds_the_letters_of_pictures_with_their_licence(wheel):
-    letters = {"pointloom/app/pictures/glyphs.npz", "pointloom/app/pictures/glyphs.md"}
+    letters = {"pointloom/drawing/render/glyphs.npz", "pointloom/drawing/render/glyphs.md"}
     assert letters <= set(wheel.namelist())
 
 

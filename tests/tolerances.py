@@ -61,10 +61,7 @@ TABLE: dict[str, tuple[float, str]] = {
         1e-15,
         "text holds the shortest digits that give the same number, so only the parser could round",
     ),
-    "transform_relative": (
-        1e-7,
-        "float64 arithmetic, then one rounding to float32 relative to the new origin",
-    ),
+    "transform_relative": (1e-7, "float64 arithmetic, then one rounding to float32 relative to the new origin"),
     "smoothed_relative": (
         1.5e-7,
         "a smoothed position is rounded once to float32: 6.0e-8 of each of three coordinates, together 1.04e-7 of the "
@@ -368,10 +365,7 @@ TABLE: dict[str, tuple[float, str]] = {
         1e-12,
         "of a 6x6 system of condition 100, solved for numbers of size 1 in float64 by LDL^T: some 200 operations",
     ),
-    "jacobi": (
-        1e-14,
-        "of the largest eigenvalue: ten sweeps of plane rotations in float64, each right to 1e-16",
-    ),
+    "jacobi": (1e-14, "of the largest eigenvalue: ten sweeps of plane rotations in float64, each right to 1e-16"),
     "pair_fit": (
         1e-9,
         "a rotation as an eigenvector: sums of products of size 1 to 20 round to 1e-15, felt over the gap of "

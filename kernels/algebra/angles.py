@@ -13,7 +13,7 @@ def arc_tangent(t: float64) -> float64:
     total = float64(0.0)
     terms = int((LAST_POWER + 1) // 2)
     for k in range(terms):
-        total = float64(1.0) / float64(LAST_POWER - 2 * k) - square * total
+        total = 1.0 / float64(LAST_POWER - 2 * k) - square * total
     return t * total
 
 
@@ -22,12 +22,12 @@ def angle_of(sine: float64, cosine: float64) -> float64:
     """The angle [rad] in 0 .. pi with a sine and a cosine of any common scale, the sine not negative; 0 of (0, 0)."""
     scale = sqrt(sine * sine + cosine * cosine)
     angle = float64(0.0)
-    if scale > float64(0.0):
+    if scale > 0.0:
         t = sine / (scale + abs(cosine))  # the tangent of a half of the angle to the nearer side
-        t = t / (float64(1.0) + sqrt(float64(1.0) + t * t))
-        t = t / (float64(1.0) + sqrt(float64(1.0) + t * t))
-        angle = float64(8.0) * arc_tangent(t)
-        if cosine < float64(0.0):
+        t = t / (1.0 + sqrt(1.0 + t * t))
+        t = t / (1.0 + sqrt(1.0 + t * t))
+        angle = 8.0 * arc_tangent(t)
+        if cosine < 0.0:
             angle = float64(HALF_TURN) - angle
     return angle
 
@@ -35,9 +35,9 @@ def angle_of(sine: float64, cosine: float64) -> float64:
 @func
 def arctangent(y: float64, x: float64) -> float64:
     """The angle [rad] of the direction (x, y), -pi to pi; 0 where both are zero."""
-    size = y if y >= float64(0.0) else -y
+    size = y if y >= 0.0 else -y
     angle = angle_of(size, x)
-    return angle if y >= float64(0.0) else -angle
+    return angle if y >= 0.0 else -angle
 
 
 @func

@@ -20,7 +20,7 @@ class Camera:
     cx: float64
     cy: float64
 
-    def __init__(self, width, height, fx, fy, cx, cy):
+    def __init__(self, width: int, height: int, fx: float, fy: float, cx: float, cy: float) -> None:
         self.width, self.height = width, height
         self.fx, self.fy, self.cx, self.cy = fx, fy, cx, cy
 
@@ -28,4 +28,4 @@ class Camera:
 @func
 def pixel_ray(u: float64, v: float64, camera: Camera) -> vec3d:
     """The point with depth 1 that is seen at column u and row v, in the camera's frame."""
-    return vec3d((u - camera.cx) / camera.fx, (v - camera.cy) / camera.fy, float64(1.0))
+    return vec3d((u - camera.cx) / camera.fx, (v - camera.cy) / camera.fy, 1.0)

@@ -27,22 +27,22 @@ def off_diagonal(a: mat33d) -> float64:
 @func
 def sorted_eigenvalues(a: mat33d) -> vec3d:
     """Eigenvalues in ascending order, of a matrix with entries of magnitude up to 1."""
-    q = (a[0, 0] + a[1, 1] + a[2, 2]) / float64(3.0)
+    q = (a[0, 0] + a[1, 1] + a[2, 2]) / 3.0
     b00 = a[0, 0] - q
     b11 = a[1, 1] - q
     b22 = a[2, 2] - q
-    p = sqrt((b00 * b00 + b11 * b11 + b22 * b22 + float64(2.0) * off_diagonal(a)) / float64(6.0))
+    p = sqrt((b00 * b00 + b11 * b11 + b22 * b22 + 2.0 * off_diagonal(a)) / 6.0)
     values = vec3d(q, q, q)
-    if p > float64(0.0):
-        s = float64(1.0) / p  # the deviator is scaled before its determinant, whose terms could underflow
+    if p > 0.0:
+        s = 1.0 / p  # the deviator is scaled before its determinant, whose terms could underflow
         c00 = (b11 * s) * (b22 * s) - (a[1, 2] * s) * (a[1, 2] * s)
         c01 = (a[0, 1] * s) * (b22 * s) - (a[1, 2] * s) * (a[0, 2] * s)
         c02 = (a[0, 1] * s) * (a[1, 2] * s) - (b11 * s) * (a[0, 2] * s)
         det = (b00 * s) * c00 - (a[0, 1] * s) * c01 + (a[0, 2] * s) * c02
-        half = min(max(det * float64(0.5), float64(-1.0)), float64(1.0))
-        angle = acos(half) / float64(3.0)
-        high = float64(2.0) * cos(angle)
-        low = float64(2.0) * cos(angle + float64(THIRD_TURN))
+        half = min(max(det * 0.5, -1.0), 1.0)
+        angle = acos(half) / 3.0
+        high = 2.0 * cos(angle)
+        low = 2.0 * cos(angle + float64(THIRD_TURN))
         values = vec3d(q + p * low, q - p * (low + high), q + p * high)
     return values
 
@@ -63,8 +63,8 @@ def separated_eigenvector(a: mat33d, value: float64) -> vec3d:
     if dot(other, other) > size:
         best = other
         size = dot(other, other)
-    unit = vec3d(float64(0.0), float64(0.0), float64(1.0))
-    if size > float64(0.0):
+    unit = vec3d(0.0, 0.0, 1.0)
+    if size > 0.0:
         unit = best / sqrt(size)
     return unit
 
@@ -72,9 +72,9 @@ def separated_eigenvector(a: mat33d, value: float64) -> vec3d:
 @func
 def orthogonal_direction(w: vec3d) -> vec3d:
     """A unit vector orthogonal to the unit vector w."""
-    u = vec3d(float64(0.0), w[2], -w[1])
+    u = vec3d(0.0, w[2], -w[1])
     if abs(w[0]) > abs(w[1]):
-        u = vec3d(-w[2], float64(0.0), w[0])
+        u = vec3d(-w[2], 0.0, w[0])
     return u / sqrt(dot(u, u))
 
 
@@ -89,16 +89,16 @@ def smallest_in_plane(a: mat33d, w: vec3d) -> vec3d:
     v = cross(w, u)
     au = a @ u
     av = a @ v
-    half = (dot(u, au) - dot(v, av)) * float64(0.5)
+    half = (dot(u, au) - dot(v, av)) * 0.5
     mixed = dot(u, av)
     size = max(abs(half), abs(mixed))
     x = float64(1.0)
     y = float64(0.0)
-    if size > float64(0.0):
+    if size > 0.0:
         half = half / size
         mixed = mixed / size
         larger = abs(half) + sqrt(half * half + mixed * mixed)
-        if half >= float64(0.0):
+        if half >= 0.0:
             x = -mixed
             y = larger
         else:
@@ -113,11 +113,11 @@ def smallest_in_plane(a: mat33d, w: vec3d) -> vec3d:
 @func
 def smallest_eigenvector(covariance: mat33d) -> vec3d:
     """The unit eigenvector of the smallest eigenvalue; (0, 0, 1) where the matrix is a multiple of the identity."""
-    result = vec3d(float64(0.0), float64(0.0), float64(1.0))
+    result = vec3d(0.0, 0.0, 1.0)
     size = largest_entry(covariance)
-    if size > float64(0.0):
-        a = covariance * (float64(1.0) / size)
-        if off_diagonal(a) > float64(0.0):
+    if size > 0.0:
+        a = covariance * (1.0 / size)
+        if off_diagonal(a) > 0.0:
             values = sorted_eigenvalues(a)
             if values[1] - values[0] >= values[2] - values[1]:
                 result = separated_eigenvector(a, values[0])
@@ -125,9 +125,9 @@ def smallest_eigenvector(covariance: mat33d) -> vec3d:
                 result = smallest_in_plane(a, separated_eigenvector(a, values[2]))
         else:
             if a[0, 0] < a[2, 2] and a[0, 0] <= a[1, 1]:
-                result = vec3d(float64(1.0), float64(0.0), float64(0.0))
+                result = vec3d(1.0, 0.0, 0.0)
             if a[1, 1] < a[2, 2] and a[1, 1] < a[0, 0]:
-                result = vec3d(float64(0.0), float64(1.0), float64(0.0))
+                result = vec3d(0.0, 1.0, 0.0)
     return result
 
 
@@ -138,9 +138,9 @@ def eigenvalues_in_plane(a: mat33d, w: vec3d) -> pair:
     v = cross(w, u)
     au = a @ u
     av = a @ v
-    half = (dot(u, au) - dot(v, av)) * float64(0.5)
+    half = (dot(u, au) - dot(v, av)) * 0.5
     mixed = dot(u, av)
-    middle = (dot(u, au) + dot(v, av)) * float64(0.5)
+    middle = (dot(u, au) + dot(v, av)) * 0.5
     spread = sqrt(half * half + mixed * mixed)
     return pair(middle - spread, middle + spread)
 
@@ -160,11 +160,11 @@ def eigenvalues(covariance: mat33d) -> vec3d:
     As for the eigenvectors: the roots of the cubic only tell which eigenvalue is the best separated; its value comes
     from its eigenvector, the other two from the plane orthogonal to that.
     """
-    values = vec3d(float64(0.0), float64(0.0), float64(0.0))
+    values = vec3d(0.0, 0.0, 0.0)
     size = largest_entry(covariance)
-    if size > float64(0.0):
-        a = covariance * (float64(1.0) / size)
-        if off_diagonal(a) > float64(0.0):
+    if size > 0.0:
+        a = covariance * (1.0 / size)
+        if off_diagonal(a) > 0.0:
             roots = sorted_eigenvalues(a)
             if roots[1] - roots[0] >= roots[2] - roots[1]:
                 w = separated_eigenvector(a, roots[0])

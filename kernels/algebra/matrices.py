@@ -3,13 +3,13 @@
 The language refuses `@` between two matrices: Warp fuses its products with its sums, and Taichi does not.
 """
 
-from ..lang import float64, func, mat33d, mat44d
+from ..lang import func, mat33d, mat44d
 
 
 @func
 def multiply33(a: mat33d, b: mat33d) -> mat33d:
     """a b."""
-    product = mat33d(float64(0.0))
+    product = mat33d(0.0)
     for row in range(3):
         for column in range(3):
             product[row, column] = a[row, 0] * b[0, column] + a[row, 1] * b[1, column] + a[row, 2] * b[2, column]
@@ -19,7 +19,7 @@ def multiply33(a: mat33d, b: mat33d) -> mat33d:
 @func
 def multiply44(a: mat44d, b: mat44d) -> mat44d:
     """a b."""
-    product = mat44d(float64(0.0))
+    product = mat44d(0.0)
     for row in range(4):
         for column in range(4):
             total = a[row, 0] * b[0, column] + a[row, 1] * b[1, column]

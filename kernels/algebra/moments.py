@@ -11,13 +11,13 @@ def add_rounded_difference(total: moments, p: vec3, q: vec3) -> moments:
     x = float64(q[0] - p[0])
     y = float64(q[1] - p[1])
     z = float64(q[2] - p[2])
-    return total + moments(float64(1.0), x, y, z, x * x, x * y, x * z, y * y, y * z, z * z)
+    return total + moments(1.0, x, y, z, x * x, x * y, x * z, y * y, y * z, z * z)
 
 
 @func
 def covariance_of(m: moments) -> mat33d:
     """The covariance [m^2] about the mean, divided by the count."""
-    s = float64(1.0) / max(m[0], float64(1.0))
+    s = 1.0 / max(m[0], 1.0)
     x = m[1] * s
     y = m[2] * s
     z = m[3] * s
@@ -33,4 +33,4 @@ def add_difference(total: moments, p: vec3, q: vec3) -> moments:
     x = float64(q[0]) - float64(p[0])
     y = float64(q[1]) - float64(p[1])
     z = float64(q[2]) - float64(p[2])
-    return total + moments(float64(1.0), x, y, z, x * x, x * y, x * z, y * y, y * z, z * z)
+    return total + moments(1.0, x, y, z, x * x, x * y, x * z, y * y, y * z, z * z)

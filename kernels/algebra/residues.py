@@ -11,9 +11,11 @@ it is for what float64 with an error bound leaves open.
 
 import functools
 import math
+from collections.abc import Sequence
 
 import numpy as np
 
+from ..array_types import Device, LongIntegers
 from ..lang import array, float_bits, func, int64, struct, vector
 from ..memory import upload
 
@@ -47,7 +49,7 @@ class Residues:
     inverses: array(dtype=int64)
     count: int
 
-    def __init__(self, device, unit, bounds):
+    def __init__(self, device: Device, unit: int, bounds: Sequence[int]) -> None:
         self.counts = [primes_for(bound) for bound in bounds]
         self.count = max(1, *self.counts)
         self.unit, self.device = unit, device
@@ -58,21 +60,21 @@ class Residues:
         self.powers = upload(np.array(powers, np.int64).ravel(), int64, device)
         self.inverses = upload(np.array(inverses, np.int64).ravel(), int64, device)
 
-    def table(self, numbers):
+    def table(self, numbers: Sequence[int]) -> LongIntegers:
         """Whole numbers of the host modulo each prime: int64 [numbers * primes]."""
         rows = [[number % p for p in self.moduli] for number in numbers]
         return upload(np.array(rows, np.int64).ravel(), int64, self.device)
 
 
 @functools.cache
-def small_primes():
+def small_primes() -> list[int]:
     """The odd primes whose squares lie below 2^30."""
     limit = 2 ** (PRIME_BITS // 2)
     return [d for d in range(3, limit, 2) if all(d % e for e in range(3, math.isqrt(d) + 1, 2))]
 
 
 @functools.cache
-def large_prime(k):
+def large_prime(k: int) -> int:
     """The k-th prime from 2^30 downwards."""
     candidate = large_prime(k - 1) - 2 if k else 2**PRIME_BITS - 1
     while not all(candidate % d for d in small_primes()):
@@ -80,7 +82,7 @@ def large_prime(k):
     return candidate
 
 
-def primes_for(bound):
+def primes_for(bound: int) -> int:
     """How many primes tell the sign of whole numbers up to `bound` in size: one beyond those whose product passes it.
 
     None for a bound of 0: nothing is asked.
@@ -104,7 +106,7 @@ def residue_of(x: float, k: int, exact: Residues) -> int64:
         field = 1
     p = exact.primes[k]
     left = mantissa * exact.powers[k * FIELDS + field] % p
-    if bits < 0 and left > int64(0):
+    if bits < 0 and left > 0:
         left = p - left
     return left
 
@@ -119,10 +121,7 @@ def minor(a: int64, b: int64, c: int64, d: int64, p: int64) -> int64:
 def cross_residues(a: quadruple, b: quadruple, p: int64) -> quadruple:
     """a x b modulo p, of the first three."""
     return quadruple(
-        minor(a[1], a[2], b[1], b[2], p),
-        minor(a[2], a[0], b[2], b[0], p),
-        minor(a[0], a[1], b[0], b[1], p),
-        int64(0),
+        minor(a[1], a[2], b[1], b[2], p), minor(a[2], a[0], b[2], b[0], p), minor(a[0], a[1], b[0], b[1], p), 0
     )
 
 
@@ -151,9 +150,9 @@ def sign_of_residues(digits: array(dtype=int64), base: int, count: int, exact: R
     The number lies below the product of all but the last prime in size: its last digit is 0, or where it is negative
     the largest there is.
     """
-    sign = int(0)
+    sign = 0
     for k in range(base, base + count):
-        if digits[k] != int64(0):
+        if digits[k] != 0:
             sign = 1
     if sign == 1:
         for k in range(count):
@@ -161,9 +160,9 @@ def sign_of_residues(digits: array(dtype=int64), base: int, count: int, exact: R
             left = digits[base + k]
             for j in range(k):
                 left = (left - digits[base + j]) * exact.inverses[j * exact.count + k] % p
-            if left < int64(0):
+            if left < 0:
                 left += p
             digits[base + k] = left
-        if digits[base + count - 1] != int64(0):
+        if digits[base + count - 1] != 0:
             sign = -1
     return sign

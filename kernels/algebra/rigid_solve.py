@@ -31,7 +31,7 @@ def place_of(row: int, column: int) -> int:
 @func
 def full_matrix(h: triangle) -> square:
     """The 6x6 matrix of an upper triangle."""
-    a = square(float64(0.0))
+    a = square(0.0)
     for i in range(6):  # unrolled: no index is computed
         for j in range(6):
             if j >= i:
@@ -43,10 +43,10 @@ def full_matrix(h: triangle) -> square:
 @func
 def diagonalize(matrix: square, n: int) -> eigensystem:
     """Eigenvectors and eigenvalues of a symmetric n x n matrix, n up to 6, in no particular order."""
-    a = matrix + square(float64(0.0))
-    system = eigensystem(float64(0.0))
+    a = matrix
+    system = eigensystem(0.0)
     for i in range(n):
-        system[i * n + i] = float64(1.0)
+        system[i * n + i] = 1.0
     sweeps = int(SWEEPS)
     for _ in range(sweeps):
         for p in range(n - 1):
@@ -54,12 +54,12 @@ def diagonalize(matrix: square, n: int) -> eigensystem:
                 apq = a[p * n + q]
                 app = a[p * n + p]
                 aqq = a[q * n + q]
-                if abs(apq) > float64(1.0e-300) and abs(apq) > float64(1.0e-18) * sqrt(abs(app * aqq)):
-                    theta = (aqq - app) / (float64(2.0) * apq)
-                    t = float64(1.0) / (abs(theta) + sqrt(theta * theta + float64(1.0)))
-                    if theta < float64(0.0):
+                if abs(apq) > 1.0e-300 and abs(apq) > 1.0e-18 * sqrt(abs(app * aqq)):
+                    theta = (aqq - app) / (2.0 * apq)
+                    t = 1.0 / (abs(theta) + sqrt(theta * theta + 1.0))
+                    if theta < 0.0:
                         t = -t
-                    c = float64(1.0) / sqrt(t * t + float64(1.0))
+                    c = 1.0 / sqrt(t * t + 1.0)
                     s = t * c
                     for k in range(n):
                         akp = a[k * n + p]
@@ -84,23 +84,23 @@ def diagonalize(matrix: square, n: int) -> eigensystem:
 @func
 def turn_between(app: float64, aqq: float64, apq: float64) -> vec2d:
     """The cosine and the sine of the rotation that takes entry (p, q) of a symmetric matrix to zero."""
-    theta = (aqq - app) / (float64(2.0) * apq)
-    t = float64(1.0) / (abs(theta) + sqrt(theta * theta + float64(1.0)))
-    if theta < float64(0.0):
+    theta = (aqq - app) / (2.0 * apq)
+    t = 1.0 / (abs(theta) + sqrt(theta * theta + 1.0))
+    if theta < 0.0:
         t = -t
-    c = float64(1.0) / sqrt(t * t + float64(1.0))
+    c = 1.0 / sqrt(t * t + 1.0)
     return vec2d(c, t * c)
 
 
 @func
 def diagonalize_four(matrix: four_square) -> four_system:
     """As `diagonalize` of a 4x4 matrix, bit for bit; loops over entries are unrolled, so that CUDA has registers."""
-    a = matrix + four_square(float64(0.0))
-    v = four_square(float64(0.0))
+    a = matrix
+    v = four_square(0.0)
     for i in range(4):
-        v[i * 5] = float64(1.0)
-    turned = int(1)
-    sweep = int(0)
+        v[i * 5] = 1.0
+    turned = 1
+    sweep = 0
     while turned == 1 and sweep < SWEEPS:  # a sweep that turns nothing is the last
         turned = 0
         sweep += 1
@@ -110,7 +110,7 @@ def diagonalize_four(matrix: four_square) -> four_system:
             apq = a[p * 4 + q]
             app = a[p * 4 + p]
             aqq = a[q * 4 + q]
-            if abs(apq) > float64(1.0e-300) and abs(apq) > float64(1.0e-18) * sqrt(abs(app * aqq)):
+            if abs(apq) > 1.0e-300 and abs(apq) > 1.0e-18 * sqrt(abs(app * aqq)):
                 turned = 1
                 cs = turn_between(app, aqq, apq)
                 for k in range(4):
@@ -128,7 +128,7 @@ def diagonalize_four(matrix: four_square) -> four_system:
                     vkq = v[k * 4 + q]
                     v[k * 4 + p] = cs[0] * vkp - cs[1] * vkq
                     v[k * 4 + q] = cs[1] * vkp + cs[0] * vkq
-    system = four_system(float64(0.0))
+    system = four_system(0.0)
     for i in range(16):
         system[i] = v[i]
     for i in range(4):
@@ -151,14 +151,14 @@ def largest_of_four(system: four_system) -> vec4d:
 @func
 def diagonalize_three(matrix: mat33d) -> three_system:
     """As `diagonalize` of a 3x3 matrix, bit for bit, in registers."""
-    a = matrix * float64(1.0)
+    a = matrix * 1.0
     v = mat33d(
-        float64(1.0), float64(0.0), float64(0.0),
-        float64(0.0), float64(1.0), float64(0.0),
-        float64(0.0), float64(0.0), float64(1.0),
+        1.0, 0.0, 0.0,
+        0.0, 1.0, 0.0,
+        0.0, 0.0, 1.0,
     )  # fmt: skip
-    turned = int(1)
-    sweep = int(0)
+    turned = 1
+    sweep = 0
     while turned == 1 and sweep < SWEEPS:
         turned = 0
         sweep += 1
@@ -168,7 +168,7 @@ def diagonalize_three(matrix: mat33d) -> three_system:
             apq = a[p, q]
             app = a[p, p]
             aqq = a[q, q]
-            if abs(apq) > float64(1.0e-300) and abs(apq) > float64(1.0e-18) * sqrt(abs(app * aqq)):
+            if abs(apq) > 1.0e-300 and abs(apq) > 1.0e-18 * sqrt(abs(app * aqq)):
                 turned = 1
                 cs = turn_between(app, aqq, apq)
                 for k in range(3):
@@ -206,10 +206,10 @@ def factor_system(h: triangle) -> square:
         for k in range(j):
             d -= a[j * UNKNOWNS + k] * a[j * UNKNOWNS + k] * a[k * UNKNOWNS + k]
         inverse = float64(0.0)
-        if d > float64(1.0e-15) * largest:
-            inverse = float64(1.0) / d
+        if d > 1.0e-15 * largest:
+            inverse = 1.0 / d
         else:
-            d = float64(0.0)
+            d = 0.0
         a[j * UNKNOWNS + j] = d
         for i in range(6):
             if i > j:
@@ -223,17 +223,17 @@ def factor_system(h: triangle) -> square:
 @func
 def solve_factored(a: square, b: vec6d) -> vec6d:
     """The x with L D L^T x = b; unknowns without a pivot stay 0."""
-    x = vec6d(float64(0.0))
+    x = vec6d(0.0)
     for j in range(6):
         v = b[j]
         for k in range(j):
             v -= a[j * UNKNOWNS + k] * x[k]
         x[j] = v
     for j in range(6):
-        if a[j * UNKNOWNS + j] > float64(0.0):
+        if a[j * UNKNOWNS + j] > 0.0:
             x[j] = x[j] / a[j * UNKNOWNS + j]
         else:
-            x[j] = float64(0.0)
+            x[j] = 0.0
     for step in range(6):
         j = UNKNOWNS - 1 - step
         v = x[j]
@@ -264,7 +264,7 @@ def euler_motion(x: vec6d) -> mat44d:
         cc * cb, cc * sb * sa - sc * ca, cc * sb * ca + sc * sa, x[3],
         sc * cb, sc * sb * sa + cc * ca, sc * sb * ca - cc * sa, x[4],
         -sb, cb * sa, cb * ca, x[5],
-        zero, zero, zero, float64(1.0),
+        zero, zero, zero, 1.0,
     )  # fmt: skip
 
 
@@ -272,7 +272,7 @@ def euler_motion(x: vec6d) -> mat44d:
 def rotation_about(rx: float64, ry: float64, rz: float64, rw: float64) -> mat44d:
     """The rotation of a quaternion of any length above zero, as a pose."""
     size = rx * rx + ry * ry + rz * rz + rw * rw
-    s = float64(2.0) / size
+    s = 2.0 / size
     one = float64(1.0)
     zero = float64(0.0)
     return mat44d(
@@ -290,7 +290,7 @@ def small_motion(x: vec6d) -> mat44d:
     Cayley's form: no sines, which devices and compilers round differently.
     """
     half = float64(0.5)
-    pose = rotation_about(x[0] * half, x[1] * half, x[2] * half, float64(1.0))
+    pose = rotation_about(x[0] * half, x[1] * half, x[2] * half, 1.0)
     for i in range(3):
         pose[i, 3] = x[3 + i]
     return pose
@@ -337,12 +337,12 @@ def fit_pose(sums: pair_sums, with_scaling: int) -> mat44d:
     """
     w = sums[0]
     pose = mat44d(
-        float64(1.0), float64(0.0), float64(0.0), float64(0.0),
-        float64(0.0), float64(1.0), float64(0.0), float64(0.0),
-        float64(0.0), float64(0.0), float64(1.0), float64(0.0),
-        float64(0.0), float64(0.0), float64(0.0), float64(1.0),
+        1.0, 0.0, 0.0, 0.0,
+        0.0, 1.0, 0.0, 0.0,
+        0.0, 0.0, 1.0, 0.0,
+        0.0, 0.0, 0.0, 1.0,
     )  # fmt: skip
-    if w > float64(0.0):
+    if w > 0.0:
         px = sums[1] / w
         py = sums[2] / w
         pz = sums[3] / w
@@ -361,7 +361,7 @@ def fit_pose(sums: pair_sums, with_scaling: int) -> mat44d:
         spread = sums[16] - w * (px * px + py * py + pz * pz)
         spread_q = sums[17] - w * (qx * qx + qy * qy + qz * qz)
         # a little weight on no rotation decides between rotations that fit alike
-        still = xx + yy + zz + float64(1.0e-12) * max(spread + spread_q, float64(0.0))
+        still = xx + yy + zz + 1.0e-12 * max(spread + spread_q, 0.0)
         a = four_square(
             still, yz - zy, zx - xz, xy - yx,
             yz - zy, xx - yy - zz, xy + yx, zx + xz,
@@ -371,11 +371,11 @@ def fit_pose(sums: pair_sums, with_scaling: int) -> mat44d:
         best = largest_of_four(diagonalize_four(a))
         pose = rotation_about(best[1], best[2], best[3], best[0])
         scale = float64(1.0)
-        if with_scaling == 1 and spread > float64(0.0):
+        if with_scaling == 1 and spread > 0.0:
             aligned = pose[0, 0] * xx + pose[0, 1] * yx + pose[0, 2] * zx
             aligned += pose[1, 0] * xy + pose[1, 1] * yy + pose[1, 2] * zy
             aligned += pose[2, 0] * xz + pose[2, 1] * yz + pose[2, 2] * zz
-            if aligned > float64(0.0):
+            if aligned > 0.0:
                 scale = aligned / spread
         for i in range(3):
             for j in range(3):

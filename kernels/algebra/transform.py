@@ -1,5 +1,8 @@
 """Rigid and affine maps of points and directions, with the arithmetic in float64."""
 
+import numpy as np
+
+from ..array_types import Array2, Points, Vectors
 from ..lang import array, float32, float64, func, kernel, launch, mat33d, sqrt, struct, tid, transpose, vec3, vec3d
 from ..memory import empty
 from .matrices import multiply33
@@ -16,7 +19,7 @@ class Transform:
     R: mat33d
     t: vec3d
 
-    def __init__(self, matrix):
+    def __init__(self, matrix: np.ndarray) -> None:
         """The map of a float64 matrix [4, 4]."""
         self.R, self.t = mat33d(*matrix[:3, :3].ravel()), vec3d(*matrix[:3, 3])
 
@@ -53,7 +56,7 @@ def transform_directions_kernel(directions: array(dtype=vec3), A: mat33d, out: a
     n = widen(directions[i])
     m = A @ n
     size = sqrt(m[0] * m[0] + m[1] * m[1] + m[2] * m[2])
-    if size > float64(0.0):
+    if size > 0.0:
         m = m * (sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]) / size)
     out[i] = narrow(m)
 
@@ -64,7 +67,7 @@ def transform_covariances_kernel(
 ):
     """out = A C A^T, row by row in nine columns."""
     i = tid()
-    C = mat33d(float64(0.0))
+    C = mat33d(0.0)
     for row in range(3):
         for column in range(3):
             C[row, column] = float64(covariances[i, 3 * row + column])
@@ -74,21 +77,21 @@ def transform_covariances_kernel(
             out[i, 3 * row + column] = float(C[row, column])
 
 
-def transform_points(points, A, t):
+def transform_points(points: Points, A: np.ndarray, t: np.ndarray) -> Points:
     """A p + t for a device array of vec3."""
     out = empty(points.size, vec3, points.device)
     launch(transform_points_kernel, points.size, [points, mat33d(*A.ravel()), vec3d(*t), out])
     return out
 
 
-def transform_directions(directions, A):
+def transform_directions(directions: Vectors, A: np.ndarray) -> Vectors:
     """A n for a device array of vec3, lengths kept."""
     out = empty(directions.size, vec3, directions.device)
     launch(transform_directions_kernel, directions.size, [directions, mat33d(*A.ravel()), out])
     return out
 
 
-def transform_covariances(covariances, A):
+def transform_covariances(covariances: Array2[float32], A: np.ndarray) -> Array2[float32]:
     """A C A^T for a float32 device array of shape [n, 9]."""
     out = empty(covariances.shape, float32, covariances.device)
     launch(transform_covariances_kernel, covariances.shape[0], [covariances, mat33d(*A.ravel()), out])

@@ -6,6 +6,7 @@ numbers, whose outcome does not depend on their order.
 
 import numpy as np
 
+from ..array_types import Points
 from ..lang import (
     INFINITY,
     WARP,
@@ -54,7 +55,7 @@ def settle_box(i: int, low: vec3, high: vec3, count: int, runs: Runs, extremes: 
 def settle_box_of_lanes(i: int, low: vec3, high: vec3, count: int, runs: Runs, extremes: array(dtype=int32)):
     """One atomic a warp, where there would be 32."""
     at = row_of(i, runs) * WIDTH
-    total = count + 0
+    total = count
     for bit in range(LANE_BITS):
         total += shuffle_xor(total, 1 << bit)
     a = least_of_each(low)
@@ -76,7 +77,7 @@ def bound_points_kernel(points: array(dtype=vec3), runs: Runs, extremes: array(d
     x1 = -float(INFINITY)
     y1 = -float(INFINITY)
     z1 = -float(INFINITY)
-    count = int(0)
+    count = 0
     for j in elements_of(i, runs):
         p = points[j]
         if isfinite(p):
@@ -90,7 +91,7 @@ def bound_points_kernel(points: array(dtype=vec3), runs: Runs, extremes: array(d
     settle_box(i, vec3(x0, y0, z0), vec3(x1, y1, z1), count, runs, extremes)
 
 
-def bound_points(points):
+def bound_points(points: Points) -> tuple[np.ndarray, np.ndarray, int]:
     """The box of the finite points.
 
     Returns:

@@ -27,7 +27,7 @@ class Changes:
     latest: array(dtype=int64)
     number: int64
 
-    def __init__(self, value: Any, device: Any):
+    def __init__(self, value: Any, device: Any) -> None:
         self.latest = zeros(1, int64, device)
         self._made: tuple[int, Any] = (0, value)
         self._begun: tuple[int, Any] | None = None

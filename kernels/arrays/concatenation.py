@@ -1,8 +1,12 @@
 """Arrays behind one another, positions brought to one origin on the way; each byte is read and written once."""
 
+from collections.abc import Sequence
+from typing import Any
+
 import numpy as np
 
 from ..algebra.transform import narrow, widen
+from ..array_types import Array, Points
 from ..lang import array, kernel, launch, tid, vec3, vec3d
 from ..memory import copy, download, empty, host_view
 
@@ -14,7 +18,7 @@ def shift_points_kernel(points: array(dtype=vec3), shift: vec3d, start: int, out
     out[start + i] = narrow(widen(points[i]) + shift)
 
 
-def concatenate_points(arrays, shifts):
+def concatenate_points(arrays: Sequence[Points], shifts: Sequence[np.ndarray]) -> Points:
     """Device arrays of vec3, each moved by its float64 [3] shift, as one; unshifted ones keep their bits."""
     out = empty(sum(a.size for a in arrays), vec3, arrays[0].device)
     start = 0
@@ -27,10 +31,10 @@ def concatenate_points(arrays, shifts):
     return out
 
 
-def concatenate_rows(arrays):
+def concatenate_rows(arrays: Sequence[Array]) -> Array:
     """Device arrays of one type and of equal rows, shape [n] or [n, c], as one."""
     first = arrays[0]
-    out = empty((sum(a.shape[0] for a in arrays), *first.shape[1:]), first.dtype, first.device)
+    out: Any = empty((sum(a.shape[0] for a in arrays), *first.shape[1:]), first.dtype, first.device)
     if not first.device.is_cuda:  # a thousand small copies take longer one by one
         np.concatenate([download(values) for values in arrays], out=host_view(out))
         return out

@@ -5,6 +5,10 @@ A turn costs 200 B an unknown and two reductions in float64, whose order is fixe
 Hestenes and Stiefel 1952; Golub and Van Loan, section 11.5.
 """
 
+from collections.abc import Callable
+from typing import Any
+
+from ..array_types import Positions
 from ..lang import (
     DeviceLoop,
     array,
@@ -52,7 +56,7 @@ class Gradients:
     limit: float64
     most: int
 
-    def __init__(self, solution, limit, most):
+    def __init__(self, solution: Positions, limit: float, most: int) -> None:
         count, device = solution.size, solution.device
         self.solution, self.limit, self.most = solution, float(limit), most
         self.residual, self.search = empty(count, vec3d, device), empty(count, vec3d, device)
@@ -68,7 +72,7 @@ def begin_search_kernel(state: Gradients):
     state.search[i] = state.forces[i]
     if i == 0:
         state.turns[0] = 0
-        running = int(0)
+        running = 0
         if state.remains[0][0] > state.limit:
             running = 1
         state.running[0] = running
@@ -86,7 +90,7 @@ def advance_kernel(state: Gradients):
     """To the lowest place along the search direction."""
     i = tid()
     step = float64(0.0)
-    if state.slopes[0][0] > float64(0.0):
+    if state.slopes[0][0] > 0.0:
         step = state.slopes[0][1] / state.slopes[0][0]
     state.solution[i] = state.solution[i] + step * state.search[i]
     state.residual[i] = state.residual[i] - step * state.image[i]
@@ -96,7 +100,7 @@ def advance_kernel(state: Gradients):
 def sum_remains(state: Gradients) -> vec2d:
     """(residual . forces, 0)."""
     i = tid()
-    return vec2d(dot(state.residual[i], state.forces[i]), float64(0.0))
+    return vec2d(dot(state.residual[i], state.forces[i]), 0.0)
 
 
 @kernel
@@ -104,12 +108,12 @@ def turn_search_kernel(state: Gradients):
     """The next search direction; the first thread says whether there is a next turn."""
     i = tid()
     share = float64(0.0)
-    if state.slopes[0][1] > float64(0.0):
+    if state.slopes[0][1] > 0.0:
         share = state.remains[0][0] / state.slopes[0][1]
     state.search[i] = state.forces[i] + share * state.search[i]
     if i == 0:
         state.turns[0] = state.turns[0] + 1
-        running = int(0)
+        running = 0
         if state.remains[0][0] > state.limit:
             running = 1
         if running == 1 and state.turns[0] >= state.most:
@@ -127,24 +131,24 @@ class ConjugateGradients:
         weigh_residual: Launches that make `state.forces` the preconditioned `state.residual`.
     """
 
-    def __init__(self, state, map_search, weigh_residual):
+    def __init__(self, state: Gradients, map_search: Callable[..., Any], weigh_residual: Callable[..., Any]) -> None:
         device = state.solution.device
         self.state, self._map, self._precondition = state, map_search, weigh_residual
         self.blocks = SegmentBlocks([0], [state.solution.size], device)
         self.partials, self.live = empty(self.blocks.count, vec2d, device), full(1, 1, int32, device)
         self._loop = DeviceLoop(state.running, self._turn)  # recorded once for all solves
 
-    def weigh(self):
+    def weigh(self) -> None:
         """The forces of the residual, and what remains."""
         self._precondition()
         reduce_segments(sum_remains, self.blocks, self.live, [self.state], self.partials, self.state.remains)
 
-    def descend(self):
+    def descend(self) -> None:
         """Turn until the limit is reached; `weigh` comes before."""
         launch(begin_search_kernel, self.state.solution.size, [self.state])
         self._loop.run()
 
-    def _turn(self):
+    def _turn(self) -> None:
         count = self.state.solution.size
         self._map()
         reduce_segments(sum_slopes, self.blocks, self.live, [self.state], self.partials, self.state.slopes)

@@ -5,6 +5,7 @@ that change places, go unnoticed once in some 2^64 times. 12 B read a point; who
 not matter.
 """
 
+from ..array_types import Points
 from ..lang import array, atomic_add, float_bits, func, int64, kernel, launch, tid, vec3
 from ..memory import download, zeros
 from .hash_table import mix_bits
@@ -27,12 +28,12 @@ def sum_words_kernel(points: array(dtype=vec3), runs: Runs, totals: array(dtype=
     held = int64(0)
     for k in elements_of(i, runs):
         p = points[k]
-        word = mix_bits(word_of(p[0]) | (word_of(p[1]) << int64(32)))
-        held += mix_bits(word + (word_of(p[2]) | (int64(k) << int64(32))))
+        word = mix_bits(word_of(p[0]) | (word_of(p[1]) << 32))
+        held += mix_bits(word + (word_of(p[2]) | (int64(k) << 32)))
     atomic_add(totals, row_of(i, runs), held)
 
 
-def fingerprint(points):
+def fingerprint(points: Points) -> int:
     """The fingerprint of a device array of vec3, an int (one sync)."""
     runs = Runs(points.size, points.device, RUN)
     totals = zeros(runs.rows, int64, points.device)

@@ -5,6 +5,7 @@ holds the smallest key that wants it. Insertion is `atomic_min` alone, no compar
 depend on which thread came first. 12 B a slot, at most half of the slots taken.
 """
 
+from ..array_types import Bytes, Device, Indices, Integers, Keys, LongIntegers
 from ..lang import array, atomic_min, func, int32, int64, kernel, launch, struct, tid, uint8
 from ..memory import empty, full
 
@@ -15,9 +16,9 @@ EMPTY = 0x7FFF_FFFF_FFFF_FFFF  # larger than any key
 @func
 def mix_bits(key: int64) -> int64:
     """Spread a key's bits (the finalizer of MurmurHash3, without its last step)."""
-    h = key ^ ((key >> int64(33)) & int64(0x7FFFFFFF))
-    h = h * int64(-49064778989728563)
-    return h ^ ((h >> int64(29)) & int64(0x7FFFFFFFF))
+    h = key ^ ((key >> 33) & 0x7FFFFFFF)
+    h = h * -49064778989728563
+    return h ^ ((h >> 29) & 0x7FFFFFFFF)
 
 
 @struct
@@ -35,16 +36,16 @@ class HashTable:
     positions: array(dtype=int32)
     mask: int64
 
-    def __init__(self, device, room=0):
+    def __init__(self, device: Device, room: int = 0) -> None:
         """An empty one with room for so many keys without growing."""
         self.device = device
         self._allocate(max(1024, 1 << (2 * room - 1).bit_length()))
 
-    def _allocate(self, capacity):
+    def _allocate(self, capacity: int) -> None:
         self.keys, self.positions = full(capacity, EMPTY, int64, self.device), empty(capacity, int32, self.device)
         self.capacity, self.mask = capacity, capacity - 1
 
-    def append(self, all_keys, count, new_count):
+    def append(self, all_keys: Keys, count: int, new_count: int) -> None:
         """Take in the last `new_count` of the first `count` keys of a device array; grows by itself."""
         if new_count == 0:
             return
@@ -58,14 +59,14 @@ class HashTable:
         launch(insert_keys_kernel, count - first, [all_keys[first:count], self])
         launch(store_positions_kernel, count, [all_keys[:count], self])
 
-    def find(self, wanted):
+    def find(self, wanted: LongIntegers) -> tuple[Indices, Bytes]:
         """The position of each key of a device array, int32, -1 where it is not in the list; and uint8, 1 there."""
         found, missing = empty(wanted.size, int32, self.device), empty(wanted.size, uint8, self.device)
         launch(find_positions_kernel, wanted.size, [wanted, self, found, missing])
         return found, missing
 
 
-def list_keys(keys, count, room=0):
+def list_keys(keys: Keys, count: int, room: int = 0) -> HashTable:
     """A table of the first `count` keys of a device array, with room for more."""
     table = HashTable(keys.device, room)
     table.append(keys, count, count)
@@ -77,7 +78,7 @@ def find_slot(key: int64, table: HashTable) -> int:
     """The first slot of a key's probe that holds it or a larger one: keys ascend along the probe."""
     slot = mix_bits(key) & table.mask
     while table.keys[int(slot)] < key:
-        slot = (slot + int64(1)) & table.mask
+        slot = (slot + 1) & table.mask
     return int(slot)
 
 
@@ -85,7 +86,7 @@ def find_slot(key: int64, table: HashTable) -> int:
 def find_position(key: int64, table: HashTable) -> int:
     """The position stored for a key, or -1."""
     slot = find_slot(key, table)
-    found = int(-1)
+    found = -1
     if table.keys[slot] == key:
         found = table.positions[slot]
     return found
@@ -97,9 +98,9 @@ def insert_entry(entry: int64, low_bits: int, entries: array(dtype=int64), mask:
 
     What is above its low bits is its key; of entries of one key the smallest stays.
     """
-    carried = entry + int64(0)
+    carried = entry
     slot = mix_bits(carried >> int64(low_bits)) & mask
-    carrying = int(1)
+    carrying = 1
     while carrying == 1:
         old = atomic_min(entries, int(slot), carried)  # settles which of two entries stays: the smaller
         if old == int64(EMPTY) or (old >> int64(low_bits)) == (carried >> int64(low_bits)):
@@ -107,7 +108,7 @@ def insert_entry(entry: int64, low_bits: int, entries: array(dtype=int64), mask:
         else:
             if old > carried:
                 carried = old
-            slot = (slot + int64(1)) & mask
+            slot = (slot + 1) & mask
 
 
 @func
@@ -129,9 +130,9 @@ def insert_in_turn_kernel(keys: array(dtype=int64), first: int, count: int, tabl
     i = tid()
     for k in range(first + i, count):
         key = keys[k]
-        position = k + 0
+        position = k
         slot = int(mix_bits(key) & table.mask)
-        carrying = int(1)
+        carrying = 1
         while carrying == 1:
             old = table.keys[slot]
             if old >= key:
@@ -141,7 +142,7 @@ def insert_in_turn_kernel(keys: array(dtype=int64), first: int, count: int, tabl
                 if old == key or old == int64(EMPTY):
                     carrying = 0
                 key = old
-                position = moved + 0
+                position = moved
             slot = (slot + 1) & int(table.mask)
 
 
@@ -159,7 +160,7 @@ def find_positions_kernel(
     """The position of each wanted key, or -1; and 1 where it is missing."""
     i = tid()
     position = find_position(wanted[i], table)
-    absent = int(0)
+    absent = 0
     if position < 0:
         absent = 1
     found[i] = position
@@ -173,6 +174,6 @@ def number_new_kernel(missing: array(dtype=int32), first: int, found: array(dtyp
     found[missing[i]] = first + i
 
 
-def number_new(missing, first, found):
+def number_new(missing: Integers, first: int, found: Integers) -> None:
     """Give the keys at the places `missing` the positions from `first` on, in `found`."""
     launch(number_new_kernel, missing.size, [missing, first, found])

@@ -1,5 +1,6 @@
 """Where each number begins in sorted keys. One thread a number, a search by halving: log2(keys) reads of 8 B each."""
 
+from ..array_types import Indices, Keys
 from ..lang import array, int32, int64, kernel, launch, tid
 
 
@@ -7,7 +8,7 @@ from ..lang import array, int32, int64, kernel, launch, tid
 def find_key_starts_kernel(keys: array(dtype=int64), starts: array(dtype=int32)):
     """The first of the sorted keys that is at least the thread's number."""
     i = tid()
-    low = int(0)
+    low = 0
     high = int(keys.shape[0])
     while low < high:
         middle = (low + high) // 2
@@ -18,6 +19,6 @@ def find_key_starts_kernel(keys: array(dtype=int64), starts: array(dtype=int32))
     starts[i] = low
 
 
-def find_key_starts(keys, starts):
+def find_key_starts(keys: Keys, starts: Indices) -> None:
     """Fill `starts`, int32 [n + 1]: rows of the sorted int64 keys with key k are starts[k] .. starts[k + 1]."""
     launch(find_key_starts_kernel, starts.size, [keys, starts])

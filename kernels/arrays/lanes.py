@@ -11,7 +11,7 @@ LANE_BITS = 5  # of a lane's number
 @cuda_func
 def least(x: float) -> float:
     """The least number of the lanes."""
-    found = x + 0.0
+    found = x
     for bit in range(LANE_BITS):
         found = min(found, shuffle_xor(found, 1 << bit))
     return found
@@ -20,7 +20,7 @@ def least(x: float) -> float:
 @cuda_func
 def most(x: float) -> float:
     """The greatest number of the lanes."""
-    found = x + 0.0
+    found = x
     for bit in range(LANE_BITS):
         found = max(found, shuffle_xor(found, 1 << bit))
     return found
@@ -29,7 +29,7 @@ def most(x: float) -> float:
 @cuda_func
 def sum_of_lanes(x: float) -> float:
     """The sum of the lanes' numbers, the same in all."""
-    total = x + 0.0
+    total = x
     for bit in range(LANE_BITS):
         total += shuffle_xor(total, 1 << bit)
     return total

@@ -1,6 +1,7 @@
 """The lowest bit that any coordinate of a cloud has: all are whole multiples of it (algebra/residues.py)."""
 
 from ..algebra.residues import EXPONENT_SHIFT, FIELDS, MANTISSA_BITS, MANTISSA_MASK
+from ..array_types import Points
 from ..lang import array, atomic_min, bit_count, float_bits, func, int32, kernel, launch, tid, vec3
 from ..memory import download, full
 from .runs import Runs, elements_of, row_of
@@ -34,7 +35,7 @@ def find_lowest_bit_kernel(points: array(dtype=vec3), runs: Runs, lowest: array(
     atomic_min(lowest, row_of(i, runs), found)
 
 
-def lowest_bit(points):
+def lowest_bit(points: Points) -> int:
     """The exponent of the lowest bit of the coordinates of vec3 points, all finite; 0 where all are zero (one sync)."""
     runs = Runs(points.size, points.device, RUN)
     lowest = full(runs.rows, NO_BIT, int32, points.device)

@@ -6,6 +6,7 @@ One thread a point. The way there reads 24 B and writes 12; the flag that it may
 import numpy as np
 
 from ..algebra.transform import narrow, widen
+from ..array_types import AnyArray, Doubles, Integers, Points, Positions, Scalars
 from ..lang import array, atomic_max, float32, float64, int32, isfinite, kernel, launch, tid, vec3, vec3d
 from ..memory import download, empty, zeros
 
@@ -66,14 +67,14 @@ def shift_rays_kernel(rays: array(dtype=float64), origin: vec3d, out: array(dtyp
     out[i] = float(value)
 
 
-def reaches_beyond(points, limit):
+def reaches_beyond(points: AnyArray, limit: float) -> bool:
     """Whether a finite point of an array of vec3 or vec3d has a coordinate beyond a limit (one sync)."""
     flag = zeros(1, int32, points.device)
     launch(find_far_kernel if points.dtype == vec3 else find_far_wide_kernel, points.size, [points, limit, flag])
     return bool(download(flag)[0])  # sync
 
 
-def subtract_origin(points, origin):
+def subtract_origin(points: Positions, origin: np.ndarray) -> tuple[Points, Integers]:
     """Points in float64 about an origin.
 
     Args:
@@ -88,14 +89,14 @@ def subtract_origin(points, origin):
     return out, lost
 
 
-def add_origin(points, origin):
+def add_origin(points: Points, origin: np.ndarray) -> Positions:
     """Points about an origin in world coordinates, an array of vec3d."""
     out = empty(points.size, vec3d, points.device)
     launch(add_origin_kernel, points.size, [points, vec3d(*np.asarray(origin).tolist()), out])
     return out
 
 
-def shift_rays(rays, origin):
+def shift_rays(rays: Doubles, origin: np.ndarray) -> Scalars:
     """Rays, float64 [6 n] on the device, as float32 with their starts about an origin."""
     out = empty(rays.size, float32, rays.device)
     launch(shift_rays_kernel, rays.size, [rays, vec3d(*np.asarray(origin).tolist()), out])

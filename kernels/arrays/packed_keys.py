@@ -13,7 +13,7 @@ NO_KEY = 0x7FFF_FFFF_FFFF_FFFF  # beyond every key: what a minimum begins with
 @func
 def pack_bits(bits: int, index: int) -> int64:
     """The key of a number given by its bits; of a whole number, by itself."""
-    return (int64(bits) << int64(32)) | int64(index)
+    return (int64(bits) << 32) | int64(index)
 
 
 @func
@@ -25,7 +25,7 @@ def pack_key(number: float, index: int) -> int64:
 @func
 def key_bits(key: int64) -> int:
     """The bits of a key's number."""
-    return int(key >> int64(32))
+    return int(key >> 32)
 
 
 @func
@@ -43,13 +43,13 @@ def key_index(key: int64) -> int:
 @func
 def key_limit(number: float) -> int64:
     """The largest key of a number: keys of numbers up to it lie up to this one."""
-    return ((int64(float_bits(number)) + int64(1)) << int64(32)) - int64(1)
+    return ((int64(float_bits(number)) + 1) << 32) - 1
 
 
 @func
 def last_key(bits: int) -> int64:
     """The largest key of a number given by its bits."""
-    return (int64(bits) << int64(32)) | int64(INDEX_MASK)
+    return (int64(bits) << 32) | int64(INDEX_MASK)
 
 
 @func

@@ -6,6 +6,7 @@ CUDA, where there are few, and where many share a first number, `argsort_keys` d
 memory a pair and 12 B a first number.
 """
 
+from ..array_types import Integers, Keys, LongIntegers
 from ..lang import array, atomic_add, int32, int64, kernel, launch, tid
 from ..memory import download, empty, zeros
 from .prefix_sum import exclusive_scan
@@ -47,8 +48,8 @@ def order_runs_kernel(
     for p in range(head, starts[i + 1]):
         entry = order[p]
         key = keys[entry]
-        q = p + 0
-        searching = int(1)
+        q = p
+        searching = 1
         while q > head and searching == 1:
             before = ordered[q - 1]
             searching = 0
@@ -61,7 +62,7 @@ def order_runs_kernel(
         order[q] = entry
 
 
-def argsort_pairs(keys, bits, count):
+def argsort_pairs(keys: Keys, bits: int, count: int) -> tuple[LongIntegers, Integers]:
     """The stable order of keys (first << bits) | second.
 
     Args:

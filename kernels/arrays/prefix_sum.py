@@ -3,6 +3,7 @@
 import numpy as np
 import warp as wp
 
+from ..array_types import Array, Integers
 from ..lang import array, atomic_add, func, int32, int64, kernel, launch, tid
 from ..language.device_lock import turn_on
 from ..memory import download, empty, host_view, zeros
@@ -45,7 +46,7 @@ def copy_middle_kernel(offsets: array(dtype=int32), place: int, totals: array(dt
     totals[place + i] = int64(offsets[offsets.shape[0] // 2])
 
 
-def exclusive_scan(counts):
+def exclusive_scan(counts: Integers) -> tuple[Integers, int]:
     """Offsets of runs of the given lengths.
 
     Args:
@@ -74,7 +75,7 @@ def exclusive_scan(counts):
     return offsets, _checked(int(download(totals).sum()))  # sync
 
 
-def scan_two(counts):
+def scan_two(counts: Integers) -> tuple[Integers, int, int]:
     """As `exclusive_scan` of counts whose halves are of two kinds, and where the second kind begins; one sync.
 
     Args:
@@ -99,19 +100,19 @@ def scan_two(counts):
     return offsets, int(found[-1]), _checked(int(found[:-1].sum()))
 
 
-def _checked(total):
+def _checked(total: int) -> int:
     if total > 2**31 - 1:
         raise ValueError(f"{total} results are more than 2^31 - 1; ask for fewer at a time")
     return total
 
 
-def inclusive_scan(counts, sums):
+def inclusive_scan(counts: Array, sums: Array) -> None:
     """sums[i] = counts[0] + ... + counts[i], by Warp's scan on CUDA; int32 device arrays [n], which may be the same."""
     with turn_on(counts.device), counts.device.context_guard:  # Warp scans on whichever GPU is current
         wp.utils.array_scan(counts, sums, inclusive=True)
 
 
-def sum_counts(counts):
+def sum_counts(counts: Integers) -> int:
     """The sum of an int32 device array as a Python number, in 64 bits: 32 could wrap back to a positive number."""
     runs = Runs(counts.size, counts.device, RUN)
     totals = zeros(runs.rows, int64, counts.device)

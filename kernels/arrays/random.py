@@ -24,18 +24,18 @@ TWO_PI = 6.283185307179586
 @func
 def philox(x0: uint64, x1: uint64, x2: uint64, x3: uint64, k0: uint64, k1: uint64) -> vec4u:
     """The Philox4x32-10 block of a counter (x0, x1, x2, x3) and a key (k0, k1), each a word below 2^32."""
-    c0 = x0 + uint64(0)
-    c1 = x1 + uint64(0)
-    c2 = x2 + uint64(0)
-    c3 = x3 + uint64(0)
-    key0 = k0 + uint64(0)
-    key1 = k1 + uint64(0)
+    c0 = x0
+    c1 = x1
+    c2 = x2
+    c3 = x3
+    key0 = k0
+    key1 = k1
     for _ in range(ROUNDS):
         p0 = uint64(MULTIPLIER_0) * c0
         p1 = uint64(MULTIPLIER_1) * c2
-        c0 = (p1 >> uint64(32)) ^ c1 ^ key0
+        c0 = (p1 >> 32) ^ c1 ^ key0
         c1 = p1 & uint64(LOW_WORD)
-        c2 = (p0 >> uint64(32)) ^ c3 ^ key1
+        c2 = (p0 >> 32) ^ c3 ^ key1
         c3 = p0 & uint64(LOW_WORD)
         key0 = (key0 + uint64(WEYL_0)) & uint64(LOW_WORD)
         key1 = (key1 + uint64(WEYL_1)) & uint64(LOW_WORD)
@@ -47,21 +47,21 @@ def random_bits(seed: int, counter: int, stream: int) -> vec4u:
     """Four independent words of 32 random bits."""
     key = uint64(int64(seed) & int64(LOW_WORD))
     lane = uint64(int64(stream) & int64(LOW_WORD))
-    return philox(uint64(int64(counter) & int64(LOW_WORD)), uint64(0), lane, uint64(0), key, uint64(0))
+    return philox(uint64(int64(counter) & int64(LOW_WORD)), 0, lane, 0, key, 0)
 
 
 @func
 def random_below(words: vec4u, count: int) -> int:
     """A random number in 0..count-1 from 64 random bits: none is likelier than another by more than 2^-32."""
     size = uint64(int64(count))
-    low = (uint64(words[1]) * size) >> uint64(32)
-    return int((uint64(words[0]) * size + low) >> uint64(32))
+    low = (uint64(words[1]) * size) >> 32
+    return int((uint64(words[0]) * size + low) >> 32)
 
 
 @func
 def unit_float(word: uint32) -> float:
     """A word as a number in [0, 1), a multiple of 2^-24."""
-    return float32(word >> uint32(8)) * UNIT
+    return float32(word >> 8) * UNIT
 
 
 @func
@@ -76,12 +76,3 @@ def gaussian_pair(u: float, v: float) -> vec2:
     """Two independent standard normal numbers from two uniform ones (Box and Muller 1958); |x| < 5.8."""
     radius = sqrt(-2.0 * log(1.0 - u))  # 1 - u lies in (0, 1], where the logarithm is finite
     return vec2(radius * cos(TWO_PI * v), radius * sin(TWO_PI * v))
-
-
-@func
-def random_normal(seed: int, counter: int, stream: int) -> vec4:
-    """Four independent standard normal numbers."""
-    u = random_uniform(seed, counter, stream)
-    first = gaussian_pair(u[0], u[1])
-    second = gaussian_pair(u[2], u[3])
-    return vec4(first[0], first[1], second[0], second[1])

@@ -6,6 +6,7 @@ read beside them spares the atomic where it would change nothing.
 
 import numpy as np
 
+from ..array_types import Array2, Indices, Integers, LongIntegers
 from ..lang import array, atomic_max, atomic_min, int32, int64, kernel, launch, tid, uint8
 from ..memory import download, empty, fill_column, upload, zeros
 from .select import positions_of
@@ -31,7 +32,7 @@ def resolve_rows_kernel(numbers: array(dtype=int64), count: int64, rows: array(d
     """Numbers below zero count from the end."""
     i = tid()
     number = numbers[i]
-    if number < int64(0):
+    if number < 0:
         number = number + count
     rows[i] = int(number)
 
@@ -47,7 +48,7 @@ def place_partners_kernel(
     """The partner of each row, and whether it has one: found in another order of the rows, each named once."""
     i = tid()
     partner = found[i]
-    is_paired = int(0)
+    is_paired = 0
     if partner >= 0:
         is_paired = 1
         if places.shape[0] > 0:
@@ -80,7 +81,7 @@ def write_partners_kernel(rows: array(dtype=int32), partners: array(dtype=int32)
     pairs[i, 1] = partners[row]
 
 
-def limits_of(numbers, first=0, step=1):
+def limits_of(numbers: LongIntegers, first: int = 0, step: int = 1) -> tuple[int, int]:
     """The least and the largest of every step-th of some int64 device numbers (one sync); at least one is needed."""
     limits = upload(np.array(NOTHING, np.int64), int64, numbers.device)
     launch(find_limits_kernel, (numbers.size - first + step - 1) // step, [numbers, first, step, limits])
@@ -88,21 +89,21 @@ def limits_of(numbers, first=0, step=1):
     return int(low), int(high)
 
 
-def resolve_rows(numbers, count):
+def resolve_rows(numbers: LongIntegers, count: int) -> Indices:
     """int64 numbers in -count .. count - 1 as int32 rows."""
     rows = empty(numbers.size, int32, numbers.device)
     launch(resolve_rows_kernel, numbers.size, [numbers, count, rows])
     return rows
 
 
-def run_lengths(offsets):
+def run_lengths(offsets: Indices) -> Integers:
     """The lengths of runs, int32 [n], from their offsets, int32 [n + 1]."""
     lengths = empty(offsets.size - 1, int32, offsets.device)
     launch(count_runs_kernel, lengths.size, [offsets, lengths])
     return lengths
 
 
-def pair_up(left, right):
+def pair_up(left: Integers, right: Integers) -> Array2[int32]:
     """Pairs of the numbers of two int32 arrays, int32 [n, 2]."""
     pairs = empty((left.size, 2), int32, left.device)
     for column, numbers in enumerate((left, right)):
@@ -110,7 +111,7 @@ def pair_up(left, right):
     return pairs
 
 
-def distinct_pairs(pairs):
+def distinct_pairs(pairs: Array2[int32]) -> Array2[int32]:
     """Pairs of int32 [m, 2], none negative, each once and in order. One sync."""
     keys = empty(pairs.shape[0], int64, pairs.device)
     launch(pack_pairs_kernel, keys.size, [pairs, keys])
@@ -120,7 +121,7 @@ def distinct_pairs(pairs):
     return distinct
 
 
-def list_partners(count, rows, found, places):
+def list_partners(count: int, rows: Indices, found: Integers, places: Integers) -> Array2[int32]:
     """Pairs by row, of rows in another order and what each was paired with.
 
     Args:

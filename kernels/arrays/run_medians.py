@@ -4,6 +4,9 @@ A number's bits are turned so that they order as the number does, and stand belo
 key. 12 B written a number beside the sort. Of a run of m sorted numbers the median is that at position m // 2.
 """
 
+import numpy as np
+
+from ..array_types import Indices, Integers, Scalars
 from ..lang import array, bits_float, float32, float_bits, func, int32, int64, kernel, launch, tid
 from ..memory import download, empty
 from .sort import SortKeys, put_key
@@ -17,7 +20,7 @@ KEY_BITS = 32  # bits of a number
 @func
 def turn_bits(bits: int) -> int:
     """Bits of a float as an integer that orders as the float does, and back."""
-    turned = bits + 0
+    turned = bits
     if bits < 0:
         turned = bits ^ MAGNITUDE
     return turned
@@ -32,11 +35,7 @@ def encode_numbers_kernel(values: array(dtype=float32), runs: array(dtype=int32)
 
 
 @kernel
-def pick_numbers_kernel(
-    keys: array(dtype=int64),
-    starts: array(dtype=int32),
-    found: array(dtype=float32),
-):
+def pick_numbers_kernel(keys: array(dtype=int64), starts: array(dtype=int32), found: array(dtype=float32)):
     """The first numbers of all sorted runs, then those in the middle, then the last ones."""
     i = tid()
     runs = starts.shape[0] - 1
@@ -48,7 +47,7 @@ def pick_numbers_kernel(
     found[2 * runs + i] = bits_float(turn_bits(int((keys[last] & int64(LOW_WORD)) - int64(LOWEST))))
 
 
-def order_statistics(values, runs, starts):
+def order_statistics(values: Scalars, runs: Integers, starts: Indices) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """The least, the median and the largest number of each run.
 
     Args:
@@ -65,4 +64,5 @@ def order_statistics(values, runs, starts):
     sorted_keys, _ = keys.sort(KEY_BITS + max(1, count.bit_length()))
     found = empty(3 * count, float32, device)
     launch(pick_numbers_kernel, count, [sorted_keys, starts, found])
-    return tuple(download(found).reshape(3, count))  # sync
+    lows, medians, highs = download(found).reshape(3, count)  # sync
+    return lows, medians, highs

@@ -1,5 +1,6 @@
 """Sums and means over runs of rows: one thread a run and column, summed in float64 in the rows' own order."""
 
+from ..array_types import Array2, Indices, Vectors
 from ..lang import array, float64, int32, isfinite, kernel, launch, tid, vec3, vec3d
 from ..memory import empty
 
@@ -10,13 +11,13 @@ def average_vec3_kernel(
 ):
     """The mean of the finite vectors of each run; NaN where none is finite."""
     i = tid()
-    total = vec3d(float64(0.0), float64(0.0), float64(0.0))
+    total = vec3d(0.0, 0.0, 0.0)
     count = float64(0.0)
     for j in range(starts[i], starts[i + 1]):
         v = values[order[j]]
         if isfinite(v):
             total += vec3d(float64(v[0]), float64(v[1]), float64(v[2]))
-            count += float64(1.0)
+            count += 1.0
     means[i] = vec3(float(total[0] / count), float(total[1] / count), float(total[2] / count))
 
 
@@ -48,14 +49,14 @@ def first_rows_kernel(order: array(dtype=int32), starts: array(dtype=int32), row
     rows[i] = order[starts[i]]
 
 
-def average_vec3(values, order, starts):
+def average_vec3(values: Vectors, order: Indices, starts: Indices) -> Vectors:
     """Means of vec3 rows over runs `order[starts[i]:starts[i + 1]]`, shape [runs]."""
     means = empty(starts.size - 1, vec3, values.device)
     launch(average_vec3_kernel, means.size, [values, order, starts, means])
     return means
 
 
-def sum_columns(values, order, starts, mean=False):
+def sum_columns(values: Array2[float64], order: Indices, starts: Indices, mean: bool = False) -> Array2[float64]:
     """Sums (or means) of a float64 device array of shape [n, c] over runs, shape [runs, c]."""
     columns = values.shape[1]
     totals = empty((starts.size - 1, columns), float64, values.device)
@@ -63,7 +64,7 @@ def sum_columns(values, order, starts, mean=False):
     return totals
 
 
-def first_rows(order, starts):
+def first_rows(order: Indices, starts: Indices) -> Indices:
     """The first row of each run, int32 [runs]."""
     rows = empty(starts.size - 1, int32, order.device)
     launch(first_rows_kernel, rows.size, [order, starts, rows])

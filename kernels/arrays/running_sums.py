@@ -9,6 +9,7 @@ below the one before, and a number that is zero never raises it.
 
 import math
 
+from ..array_types import Doubles
 from ..lang import array, float64, kernel, launch, tid
 from ..memory import empty
 
@@ -38,10 +39,7 @@ def start_runs_kernel(sums: array(dtype=float64), starts: array(dtype=float64)):
 
 @kernel
 def write_running_sums_kernel(
-    values: array(dtype=float64),
-    run: int,
-    starts: array(dtype=float64),
-    running: array(dtype=float64),
+    values: array(dtype=float64), run: int, starts: array(dtype=float64), running: array(dtype=float64)
 ):
     """running[j] is the sum of values[0 .. j]."""
     i = tid()
@@ -51,7 +49,7 @@ def write_running_sums_kernel(
         running[j] = starts[i] + part
 
 
-def running_sums(values):
+def running_sums(values: Doubles) -> Doubles:
     """The sums of float64 values [n], none negative, up to and with each; float64 [n]."""
     device, count = values.device, values.size
     run = max(SHORTEST_RUN, math.isqrt(count))

@@ -7,6 +7,7 @@ Where threads settle their outcome by atomics, thousands at one address would st
 a nanosecond there). So on CUDA they go to `rows` rows of results, which the host folds when it has read them.
 """
 
+from ..array_types import Device
 from ..lang import WARP, func, loop, struct
 
 CUDA_THREADS = 1 << 17  # half of what an H200 holds at once: 12 B a thread under way are 1.5 MB, enough for its memory
@@ -38,7 +39,7 @@ class Runs:
     apart: int
     step: int
 
-    def __init__(self, count, device, length):
+    def __init__(self, count: int, device: Device, length: int) -> None:
         self.count = count
         if device.is_cuda:
             self.threads = min(CUDA_THREADS, -(-count // (CUDA_LEAST * WARP)) * WARP)

@@ -1,7 +1,10 @@
 """Compaction and gathering: rows of arrays by mask or by index."""
 
+from typing import Any
+
 import numpy as np
 
+from ..array_types import Array, Indices, Mask
 from ..lang import array, int32, kernel, launch, tid, uint8, vec3
 from ..memory import contiguous, download, empty, upload
 from .prefix_sum import inclusive_scan
@@ -11,8 +14,8 @@ from .prefix_sum import inclusive_scan
 def count_mask_kernel(mask: array(dtype=uint8), counts: array(dtype=int32)):
     """1 where the mask is set."""
     i = tid()
-    kept = int(0)
-    if mask[i] != uint8(0):
+    kept = 0
+    if mask[i] != 0:
         kept = 1
     counts[i] = kept
 
@@ -21,7 +24,7 @@ def count_mask_kernel(mask: array(dtype=uint8), counts: array(dtype=int32)):
 def scatter_positions_kernel(mask: array(dtype=uint8), ranks: array(dtype=int32), positions: array(dtype=int32)):
     """The positions of the set elements, in order; their ranks count from one."""
     i = tid()
-    if mask[i] != uint8(0):
+    if mask[i] != 0:
         positions[ranks[i] - 1] = i
 
 
@@ -36,20 +39,20 @@ def gather_vec3_kernel(values: array(dtype=vec3), rows: array(dtype=int32), out:
 def invert_mask_kernel(mask: array(dtype=uint8), inverted: array(dtype=uint8)):
     """1 where the mask is 0."""
     i = tid()
-    value = int(0)
-    if mask[i] == uint8(0):
+    value = 0
+    if mask[i] == 0:
         value = 1
     inverted[i] = uint8(value)
 
 
-def invert_mask(mask):
+def invert_mask(mask: Mask) -> Mask:
     """The mask of the other elements."""
     inverted = empty(mask.size, uint8, mask.device)
     launch(invert_mask_kernel, mask.size, [mask, inverted])
     return inverted
 
 
-def positions_of(mask):
+def positions_of(mask: Mask) -> Indices:
     """The positions where a uint8 device mask of shape [n] is not zero, as int32, ascending (one sync)."""
     device = mask.device
     if not device.is_cuda or not mask.size:
@@ -62,7 +65,7 @@ def positions_of(mask):
     return positions
 
 
-def gather_rows(values, rows):
+def gather_rows(values: Array, rows: Indices) -> Array:
     """values[rows] on the device, for vec3 arrays and for arrays of scalars with one or two axes.
 
     Args:
@@ -71,9 +74,10 @@ def gather_rows(values, rows):
     """
     device = values.device
     if values.dtype == vec3:
-        out = empty(rows.size, vec3, device)
+        out: Any = empty(rows.size, vec3, device)
         launch(gather_vec3_kernel, rows.size, [values, rows, out])
         return out
     if not device.is_cuda:
-        return upload(download(values)[download(rows)], values.dtype, device)
+        chosen: Any = upload(download(values)[download(rows)], values.dtype, device)
+        return chosen
     return contiguous(values[rows])

@@ -4,9 +4,13 @@ An array of its own costs an allocation, a copy and, when it is read, a wait for
 thread of one job notes is some ten numbers in as many arrays.
 """
 
+from typing import Any
+
 import numpy as np
 import warp as wp
+from numpy.typing import ArrayLike
 
+from ..array_types import AnyArray, Device
 from ..lang import uint8
 from ..language.device_lock import turn_on
 from ..memory import download, upload
@@ -14,7 +18,7 @@ from ..memory import download, upload
 ALIGNMENT = 256  # bytes: that of an allocation of its own
 
 
-def part_of(whole, first, dtype, shape):
+def part_of(whole: AnyArray, first: int, dtype: Any, shape: int | tuple[int, ...]) -> AnyArray:
     """The memory of a device array from a byte on, as elements of another type; it keeps that array."""
     with turn_on(whole.device):
         part = wp.array(ptr=whole.ptr + first, dtype=dtype, shape=shape, device=whole.device, copy=False)
@@ -33,8 +37,9 @@ class SideBySide:
         arrays: The device arrays by name. Each keeps the memory of all.
     """
 
-    def __init__(self, values, device):
-        hosts, self._places, size = {}, {}, 0
+    def __init__(self, values: dict[str, tuple[ArrayLike, Any]], device: Device) -> None:
+        hosts, size = {}, 0
+        self._places: dict[str, tuple[int, tuple[int, ...], np.dtype]] = {}
         for name, (value, dtype) in values.items():
             scalar = wp.dtype_to_numpy(getattr(dtype, "_wp_scalar_type_", dtype))
             host = hosts[name] = np.ascontiguousarray(value, dtype=scalar)
@@ -46,12 +51,12 @@ class SideBySide:
         self._whole = upload(content, uint8, device)
         self.arrays = {name: self._part(name, dtype) for name, (_, dtype) in values.items()}
 
-    def _part(self, name, dtype):
+    def _part(self, name: str, dtype: Any) -> AnyArray:
         first, shape, _ = self._places[name]
         width = len(getattr(dtype, "_shape_", ()))
         return part_of(self._whole, first, dtype, shape[: len(shape) - width] if width else shape)
 
-    def download(self, *names):
+    def download(self, *names: str) -> dict[str, np.ndarray]:
         """The named arrays, or all, as NumPy by name: views on the CPU, one wait for a GPU."""
         whole = download(self._whole)  # sync
         chosen = {}

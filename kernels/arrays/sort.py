@@ -10,6 +10,7 @@ import itertools
 import numpy as np
 import warp as wp
 
+from ..array_types import Device, Indices, Integers, Keys, LongIntegers
 from ..lang import array, func, int32, int64, kernel, launch, struct, tid
 from ..language.device_lock import turn_on
 from ..memory import download, empty, host_view
@@ -24,7 +25,7 @@ def fill_positions_kernel(positions: array(dtype=int32)):
     positions[i] = i
 
 
-def positions(count, device):
+def positions(count: int, device: Device) -> Indices:
     """0, 1, 2, ... as an int32 device array [count]."""
     places = empty(count, int32, device)
     launch(fill_positions_kernel, count, [places])
@@ -45,12 +46,12 @@ class SortKeys:
     keys: array(dtype=int64)
     positions: array(dtype=int32)
 
-    def __init__(self, count, device):
+    def __init__(self, count: int, device: Device) -> None:
         self.count, self.device = count, device
         room = 2 * count if device.is_cuda else 0
         self.keys, self.positions = empty(room or count, int64, device), empty(room, int32, device)
 
-    def sort(self, bit_count=63, starts=None):
+    def sort(self, bit_count: int = 63, starts: np.ndarray | None = None) -> tuple[LongIntegers, Integers]:
         """(sorted keys, order) of the keys, which are gone then; as of `argsort_keys`."""
         if not self.device.is_cuda or not self.count:
             return argsort_keys(self.keys, bit_count, starts)
@@ -74,7 +75,7 @@ def copy_pairs_kernel(keys: array(dtype=int64), pair_keys: array(dtype=int64), p
     pair_values[i] = i
 
 
-def argsort_keys(keys, bit_count=63, starts=None):
+def argsort_keys(keys: Keys, bit_count: int = 63, starts: np.ndarray | None = None) -> tuple[Keys, Integers]:
     """The stable order of keys that are not negative.
 
     Args:
@@ -108,6 +109,6 @@ def argsort_keys(keys, bit_count=63, starts=None):
     return pair_keys[:count], pair_values[:count]
 
 
-def _sort_pairs(keys, values, count, bit_count):
+def _sort_pairs(keys: Keys, values: Integers, count: int, bit_count: int) -> None:
     with turn_on(keys.device), keys.device.context_guard:  # Warp sorts on whichever GPU is current
         wp.utils.radix_sort_pairs(keys, values, count, 0, bit_count)

@@ -3,6 +3,7 @@
 Writes 4 B a row of the result; the random choice sorts one key a row.
 """
 
+from ..array_types import Device, Indices, Mask
 from ..lang import array, func, int32, int64, kernel, launch, tid, uint8
 from ..memory import empty, zeros
 from .random import random_bits
@@ -24,7 +25,7 @@ def step_rows_kernel(step: int, rows: array(dtype=int32)):
 def random_key(seed: int, row: int, dropped_bits: int) -> int64:
     """62 random bits less the lowest few."""
     words = random_bits(seed, row, 0)
-    return ((int64(words[0]) << int64(30)) | (int64(words[1]) >> int64(2))) >> int64(dropped_bits)
+    return ((int64(words[0]) << 30) | (int64(words[1]) >> 2)) >> int64(dropped_bits)
 
 
 @kernel
@@ -38,17 +39,17 @@ def draw_keys_kernel(seed: int, dropped_bits: int, keys: array(dtype=int64)):
 def mark_rows_kernel(rows: array(dtype=int32), mask: array(dtype=uint8)):
     """1 at the rows listed; where one is listed twice, both threads write the same."""
     i = tid()
-    mask[rows[i]] = uint8(1)
+    mask[rows[i]] = 1
 
 
-def step_rows(count, step, device):
+def step_rows(count: int, step: int, device: Device) -> Indices:
     """Rows 0, step, 2 step, ... of `count`, int32."""
     rows = empty(-(-count // step), int32, device)
     launch(step_rows_kernel, rows.size, [min(step, count), rows])
     return rows
 
 
-def draw_rows(count, drawn, seed, device):
+def draw_rows(count: int, drawn: int, seed: int, device: Device) -> Indices:
     """`drawn` of `count` rows without repeats, each set as likely as any other; int32, ascending.
 
     Rows are ordered by a random number of 63 bits less those of an index (38 bits for 20 million rows), and the first
@@ -63,17 +64,17 @@ def draw_rows(count, drawn, seed, device):
     return sort_rows(order[:drawn], count)
 
 
-def sort_rows(rows, count):
+def sort_rows(rows: Indices, count: int) -> Indices:
     """The rows of a list, each once, ascending."""
     return positions_of(_mark(rows, count))
 
 
-def other_rows(rows, count):
+def other_rows(rows: Indices, count: int) -> Indices:
     """The rows of `count` that a list leaves out, ascending."""
     return positions_of(invert_mask(_mark(rows, count)))
 
 
-def _mark(rows, count):
+def _mark(rows: Indices, count: int) -> Mask:
     mask = zeros(count, uint8, rows.device)
     launch(mark_rows_kernel, rows.size, [rows, mask])
     return mask

@@ -21,7 +21,7 @@ def find_root(parents: array(dtype=int32), x: int) -> int:
 
     The stores race with those of other threads; any of them leaves x in its set.
     """
-    at = x + 0
+    at = x
     up = parents[at]
     while up != at:
         above = parents[up]
@@ -38,8 +38,8 @@ def hook_roots(parents: array(dtype=int32), x: int, y: int) -> int:
 
     It makes no difference to the sets whether they still are.
     """
-    a = x + 0
-    b = y + 0
+    a = x
+    b = y
     while a != b:
         high = max(a, b)
         low = min(a, b)
@@ -61,7 +61,7 @@ def unite(parents: array(dtype=int32), x: int, y: int) -> int:
 @func
 def read_root(parents: array(dtype=int32), x: int) -> int:
     """The root of x's set, changing nothing: for threads that store roots themselves."""
-    at = x + 0
+    at = x
     while parents[at] != at:
         at = parents[at]
     return at

@@ -6,6 +6,7 @@ the last.
 
 import numpy as np
 
+from ..array_types import Indices, Integers, Keys, LongIntegers
 from ..lang import array, int32, int64, kernel, launch, struct, tid, uint8
 from ..memory import copy, download, empty, upload
 from .prefix_sum import inclusive_scan
@@ -17,7 +18,7 @@ from .sort import argsort_keys
 def mark_run_starts_kernel(keys: array(dtype=int64), starts: array(dtype=uint8)):
     """1 where a sorted key differs from the one before."""
     i = tid()
-    first = int(1)
+    first = 1
     if i > 0:
         if keys[i] == keys[i - 1]:
             first = 0
@@ -28,14 +29,14 @@ def mark_run_starts_kernel(keys: array(dtype=int64), starts: array(dtype=uint8))
 def mark_heads_kernel(keys: array(dtype=int64), ranks: array(dtype=int32)):
     """1 where a sorted key differs from the one before; behind all marks the last key, its low half first."""
     i = tid()
-    first = int(1)
+    first = 1
     if i > 0:
         if keys[i] == keys[i - 1]:
             first = 0
     ranks[i] = first
     if i == keys.shape[0] - 1:
         ranks[i + 1] = int(keys[i])
-        ranks[i + 2] = int(keys[i] >> int64(32))
+        ranks[i + 2] = int(keys[i] >> 32)
 
 
 @kernel
@@ -44,7 +45,7 @@ def write_heads_kernel(
 ):
     """Each key and where it begins, by its rank; ranks are the sums of the marks. And the end of all."""
     i = tid()
-    before = int(0)
+    before = 0
     if i > 0:
         before = ranks[i - 1]
     if ranks[i] > before:
@@ -76,7 +77,7 @@ class UniqueKeys:
     order: array(dtype=int32)
     starts: array(dtype=int32)
 
-    def __init__(self, keys, bit_count=63, in_order=None):
+    def __init__(self, keys: Keys, bit_count: int = 63, in_order: tuple[LongIntegers, Indices] | None = None) -> None:
         """Find the distinct ones among int64 keys of `bit_count` bits, none negative; one sync.
 
         `in_order` is what `argsort_keys` would give, where another sort gave it already.
@@ -96,7 +97,7 @@ class UniqueKeys:
         copy(self.starts, heads, count=self.count)
         copy(self.starts, upload(np.array([keys.size]), int32, device), count=1, offset=self.count)
 
-    def _find_at_once(self, sorted_keys):
+    def _find_at_once(self, sorted_keys: Keys) -> None:
         n, device = sorted_keys.size, sorted_keys.device
         ranks = empty(n + 2, int32, device)
         launch(mark_heads_kernel, n, [sorted_keys, ranks])
@@ -107,13 +108,13 @@ class UniqueKeys:
         self._last = (high << 32) | (low & 0xFFFF_FFFF)
         self.keys, self.starts = keys[: self.count], starts[: self.count + 1]
 
-    def counts(self):
+    def counts(self) -> Integers:
         """How often each key occurs, int32 [m]."""
         counts = empty(self.count, int32, self.starts.device)
         launch(count_runs_kernel, self.count, [self.starts, counts])
         return counts
 
-    def drop_last(self, key):
+    def drop_last(self, key: int) -> None:
         """Forget one key where it is the last of all; its positions stay at the end of `order`."""
         if not self.count:
             return

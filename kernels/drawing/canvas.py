@@ -12,22 +12,10 @@ of a shape. Blending reads 4 B a cell and 6 B more where it is covered. Letters 
 drawn beforehand (app/pictures/lettering.py): no device has to know a font.
 """
 
-from ..lang import (
-    array,
-    atomic_max,
-    ceil,
-    floor,
-    func,
-    int32,
-    kernel,
-    launch,
-    sqrt,
-    struct,
-    tid,
-    uint8,
-    vec2,
-    vec4,
-)
+import numpy as np
+
+from ..array_types import Bytes
+from ..lang import array, atomic_max, ceil, floor, func, int32, kernel, launch, sqrt, struct, tid, uint8, vec2, vec4
 from ..memory import upload, zeros
 
 INDEX_BITS = 23  # of a word, below the coverage
@@ -51,7 +39,7 @@ class Sheet:
     picture: array(dtype=uint8)
     words: array(dtype=int32)
 
-    def __init__(self, picture, width, height):
+    def __init__(self, picture: Bytes, width: int, height: int) -> None:
         self.width, self.height, self.picture = width, height, picture
         self.words = zeros(width * height, int32, picture.device)
 
@@ -74,7 +62,7 @@ class Paint:
     has_colors: int
     opacity: int
 
-    def __init__(self, color, opacity, colors):
+    def __init__(self, color: tuple[int, int, int], opacity: int, colors: Bytes) -> None:
         """From bytes (red, green, blue), and a device array."""
         self.red, self.green, self.blue = color
         self.colors, self.has_colors, self.opacity = colors, int(colors.size > 0), opacity
@@ -103,7 +91,7 @@ def distance_to_segment(p: vec2, a: vec2, b: vec2) -> float:
     dx = b[0] - a[0]
     dy = b[1] - a[1]
     sqlength = dx * dx + dy * dy
-    t = float(0.0)
+    t = 0.0
     if sqlength > 0.0:
         t = min(max(((p[0] - a[0]) * dx + (p[1] - a[1]) * dy) / sqlength, 0.0), 1.0)
     x = p[0] - (a[0] + t * dx)
@@ -136,7 +124,7 @@ def cover_segments_kernel(segments: array(dtype=vec4), half: float, strength: fl
     first = max(int(floor(min(start, stop) - reach)), 0)
     last = min(int(ceil(max(start, stop) + reach)), steps - 1)
     for step in range(first, last + 1):
-        t = float(0.0)
+        t = 0.0
         if start != stop:
             t = min(max((float(step) - start) / (stop - start), 0.0), 1.0)
         middle = side + t * (side_stop - side)
@@ -242,7 +230,7 @@ def blend_halo_kernel(left: int, top: int, columns: int, radius: int, paint: Pai
     i = tid()
     column = left + i % columns
     row = top + i // columns
-    most = float(0.0)
+    most = 0.0
     for dy in range(-radius, radius + 1):
         for dx in range(-radius, radius + 1):
             x = column + dx
@@ -269,21 +257,21 @@ def copy_image_kernel(
         sheet.picture[cell + k] = image[source + k]
 
 
-def clip_box(sheet, left, top, right, bottom):
+def clip_box(sheet: Sheet, left: int, top: int, right: int, bottom: int) -> tuple[int, int, int, int]:
     """The cells of a box, ends included, that lie on the sheet: (left, top, columns, rows)."""
     left, top = max(left, 0), max(top, 0)
     columns, rows = min(right, sheet.width - 1) - left + 1, min(bottom, sheet.height - 1) - top + 1
     return left, top, max(columns, 0), max(rows, 0)
 
 
-def cover_segments(sheet, segments, width):
+def cover_segments(sheet: Sheet, segments: np.ndarray, width: float) -> None:
     """Cover segments, float32 [n, 4] (x, y, x, y) [px], at most MOST_STROKES; thinner than a pixel they are fainter."""
     half, strength = max(width, 1.0) / 2, min(width, 1.0)
     table = upload(segments, vec4, sheet.words.device)
     launch(cover_segments_kernel, len(segments), [table, float(half), float(strength), sheet])
 
 
-def cover_glyphs(sheet, glyphs, atlas, *, turned=False):
+def cover_glyphs(sheet: Sheet, glyphs: np.ndarray, atlas: Bytes, *, turned: bool = False) -> None:
     """Cover letters.
 
     Args:
@@ -298,31 +286,38 @@ def cover_glyphs(sheet, glyphs, atlas, *, turned=False):
     launch(cover_glyphs_kernel, rows * len(glyphs), [table, rows, int(turned), atlas, sheet])
 
 
-def cover_box(sheet, box, outer, inner):
+def cover_box(
+    sheet: Sheet,
+    box: tuple[int, int, int, int],
+    outer: tuple[float, float, float, float],
+    inner: tuple[int, int, int, int],
+) -> None:
     """Cover what lies in a box and outside another, in floats; `box` as of `clip_box`."""
     left, top, columns, rows = box
     launch(cover_box_kernel, columns * rows, [left, top, columns, vec4(*outer), vec4(*inner), sheet])
 
 
-def cover_ring(sheet, box, center, outer, inner):
+def cover_ring(
+    sheet: Sheet, box: tuple[int, int, int, int], center: tuple[float, float], outer: float, inner: float
+) -> None:
     """Cover what lies within one radius and outside another; `box` as of `clip_box`."""
     left, top, columns, rows = box
     launch(cover_ring_kernel, columns * rows, [left, top, columns, vec2(*center), float(outer), float(inner), sheet])
 
 
-def blend(sheet, box, paint):
+def blend(sheet: Sheet, box: tuple[int, int, int, int], paint: Paint) -> None:
     """Paint what is covered in a box, and clear it."""
     left, top, columns, rows = box
     launch(blend_kernel, columns * rows, [left, top, columns, paint, sheet])
 
 
-def blend_halo(sheet, box, radius, paint):
+def blend_halo(sheet: Sheet, box: tuple[int, int, int, int], radius: int, paint: Paint) -> None:
     """Paint a seam of so many cells around what is covered in a box; the coverage stays."""
     left, top, columns, rows = box
     launch(blend_halo_kernel, columns * rows, [left, top, columns, radius, paint, sheet])
 
 
-def copy_image(sheet, box, image, image_width, x, y):
+def copy_image(sheet: Sheet, box: tuple[int, int, int, int], image: Bytes, image_width: int, x: int, y: int) -> None:
     """Copy what an image, uint8 device array of rows of that width, has in a box."""
     left, top, columns, rows = box
     launch(copy_image_kernel, columns * rows, [image, image_width, x, y, left, top, columns, sheet])

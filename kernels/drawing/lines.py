@@ -5,9 +5,15 @@ One thread a line is clipped to what the camera sees, then walks along its longe
 cells and behind it in others; so lines are drawn a little nearer than they are, by a share of their depth.
 """
 
+from typing import TYPE_CHECKING
+
+from ..array_types import Integers, Points
 from ..arrays.packed_keys import offer_cell
 from ..lang import array, floor, func, int32, isfinite, kernel, launch, sqrt, struct, tid, vec2, vec3
 from .z_buffer import NEAR, DepthBuffer, View, project, to_camera
+
+if TYPE_CHECKING:
+    from ..algebra.camera import Camera
 
 LIFT = 2.0e-4  # of the depth that lines are drawn nearer; and ...
 LIFT_SLOPE = 3.0  # ... tangent of the angle to the picture up to which a surface does not cover half of a line's width
@@ -25,7 +31,7 @@ class Pen:
     radius: float
     closer: float
 
-    def __init__(self, radius, camera):
+    def __init__(self, radius: float, camera: "Camera") -> None:
         self.radius = radius
         self.closer = 1.0 - min(LIFT + LIFT_SLOPE * radius / float(camera.fx), 0.05)
 
@@ -50,8 +56,8 @@ def depth_inside(k: int, q: vec3, margin: float, view: View) -> float:
 @func
 def clip_line(p: vec3, q: vec3, margin: float, view: View) -> vec2:
     """The shares of a line between which it may be seen (Liang and Barsky 1984); in wrong order for none."""
-    first = float(0.0)
-    last = float(1.0)
+    first = 0.0
+    last = 1.0
     planes = int(5)
     for k in range(planes):
         a = depth_inside(k, p, margin, view)
@@ -70,8 +76,8 @@ def walk_line(a: vec3, b: vec3, index: int, pen: Pen, buffer: DepthBuffer):
     """Draw a line between projected ends: along columns where it is flat, else along rows."""
     dx = b[0] - a[0]
     dy = b[1] - a[1]
-    is_steep = int(0)
-    slope = float(0.0)
+    is_steep = 0
+    slope = 0.0
     if abs(dy) > abs(dx):
         is_steep = 1
         slope = dx / dy
@@ -106,7 +112,7 @@ def walk_line(a: vec3, b: vec3, index: int, pen: Pen, buffer: DepthBuffer):
                 row = step
             x = float(column) - a[0]
             y = float(row) - a[1]
-            share = float(0.0)
+            share = 0.0
             if squared > 0.0:
                 share = min(max((x * dx + y * dy) / squared, 0.0), 1.0)
             ex = x - share * dx
@@ -133,7 +139,7 @@ def draw_lines_kernel(
                 walk_line(a, b, start + i, pen, buffer)
 
 
-def draw_lines(points, lines, view, buffer, *, pen, start=0):
+def draw_lines(points: Points, lines: Integers, view: View, buffer: DepthBuffer, *, pen: Pen, start: int = 0) -> None:
     """Draw lines into a z-buffer.
 
     Args:

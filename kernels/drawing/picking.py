@@ -14,8 +14,13 @@ A thread a point and pass: 12 B read, some 30 operations in float64, so that a v
 exact to what the cloud holds. Next to no atomics: only points in reach of the click offer themselves.
 """
 
+from typing import Any
+
+import numpy as np
+
 from ..algebra.camera import Camera
 from ..algebra.transform import Transform, transform_point, widen
+from ..array_types import Array1, Points
 from ..arrays.packed_keys import NO_KEY, offer_cell
 from ..extent.polygons import crossings_below
 from ..lang import array, float64, func, int64, isfinite, kernel, launch, struct, tid, uint8, vec2d, vec3, vec3d
@@ -28,8 +33,8 @@ STEEPNESS = 10.0  # a surface that rises by this many lengths a length on the sc
 def see_point(p: vec3, T_camera_points: Transform, camera: Camera) -> vec3d:
     """Column, row and depth of a point; of one that is not before the camera, or not finite, the depth 0."""
     q = transform_point(widen(p), T_camera_points)
-    seen = vec3d(float64(0.0), float64(0.0), float64(0.0))
-    if isfinite(q) and q[2] > float64(0.0):
+    seen = vec3d(0.0, 0.0, 0.0)
+    if isfinite(q) and q[2] > 0.0:
         u = camera.fx * q[0] / q[2] + camera.cx
         v = camera.fy * q[1] / q[2] + camera.cy
         seen = vec3d(u, v, q[2])
@@ -39,7 +44,7 @@ def see_point(p: vec3, T_camera_points: Transform, camera: Camera) -> vec3d:
 @func
 def shown(i: int, hidden: array(dtype=uint8)) -> int:
     """1 unless the point is marked as hidden; no marks at all hide none."""
-    visible = int(1)
+    visible = 1
     if hidden.shape[0] > 0:
         if int(hidden[i]) != 0:
             visible = 0
@@ -60,7 +65,7 @@ class Click:
     sqradius: float64
     hidden: array(dtype=uint8)
 
-    def __init__(self, place, radius, hidden):
+    def __init__(self, place: np.ndarray, radius: Any, hidden: Any) -> None:
         self.place, self.sqradius, self.hidden = vec2d(*place), float(radius) * float(radius), hidden
 
 
@@ -68,7 +73,7 @@ class Click:
 def sqdist_to_click(i: int, p: vec3d, click: Click) -> float64:
     """How far from the click a seen point lies, squared [px^2]; -1 where it cannot be meant."""
     found = float64(-1.0)
-    if p[2] > float64(0.0):
+    if p[2] > 0.0:
         x = p[0] - click.place[0]
         y = p[1] - click.place[1]
         sqdist = x * x + y * y
@@ -85,7 +90,7 @@ def find_foremost_kernel(
     """Keep the least depth within the radius of the click; the atomic of offer_cell settles who comes first."""
     i = tid()
     p = see_point(points[i], T_camera_points, camera)
-    if sqdist_to_click(i, p, click) >= float64(0.0):
+    if sqdist_to_click(i, p, click) >= 0.0:
         offer_cell(0, float(p[2]), i, word)
 
 
@@ -102,8 +107,8 @@ def find_meant_kernel(
     i = tid()
     p = see_point(points[i], T_camera_points, camera)
     sqdist = sqdist_to_click(i, p, click)
-    if sqdist >= float64(0.0):
-        behind = max(p[2] - foremost, float64(0.0)) * camera.fx / (foremost * float64(STEEPNESS))
+    if sqdist >= 0.0:
+        behind = max(p[2] - foremost, 0.0) * camera.fx / (foremost * float64(STEEPNESS))
         offer_cell(0, float(sqdist + behind * behind), i, word)
 
 
@@ -118,8 +123,8 @@ def mask_seen_kernel(
     """1 where a point before the camera is seen inside the polygon, by the even-odd rule."""
     i = tid()
     p = see_point(points[i], T_camera_points, camera)
-    inside = int(0)
-    if p[2] > float64(0.0):
+    inside = 0
+    if p[2] > 0.0:
         inside = crossings_below(p[0], p[1], corners) & 1
     mask[i] = uint8(inside)
 
@@ -137,7 +142,7 @@ def mask_clipped_kernel(
     """1 for a point outside a box, behind a plane, or not finite."""
     i = tid()
     p = transform_point(widen(points[i]), T_world_points)
-    outside = int(1)
+    outside = 1
     if isfinite(p):
         if p[0] >= low[0] and p[1] >= low[1] and p[2] >= low[2]:
             if p[0] <= high[0] and p[1] <= high[1] and p[2] <= high[2]:
@@ -146,7 +151,7 @@ def mask_clipped_kernel(
     mask[i] = uint8(outside)
 
 
-def _least(kernel_of_pass, points, arguments):
+def _least(kernel_of_pass: Any, points: Points, arguments: Any):
     """The least word that a pass finds, as (number, index), or None; 1 sync."""
     word = full(1, NO_KEY, int64, points.device)
     launch(kernel_of_pass, points.size, [points, *arguments, word])
@@ -156,7 +161,9 @@ def _least(kernel_of_pass, points, arguments):
     return float((found >> 32).astype("int32").view("float32")[0]), int(found[0] & 0xFFFFFFFF)
 
 
-def find_foremost(points, T_camera_points, camera, click, radius, hidden=None):
+def find_foremost(
+    points: Points, T_camera_points: np.ndarray, camera: Any, click: Any, radius: Any, hidden: Any = None
+):
     """The least depth [m] of the points seen within a radius of a click.
 
     Args:
@@ -174,7 +181,9 @@ def find_foremost(points, T_camera_points, camera, click, radius, hidden=None):
     return None if found is None else found[0]
 
 
-def find_meant(points, T_camera_points, camera, click, radius, foremost, hidden=None):
+def find_meant(
+    points: Points, T_camera_points: np.ndarray, camera: Any, click: Any, radius: Any, foremost: Any, hidden: Any = None
+):
     """The point that a click means.
 
     Args:
@@ -188,12 +197,12 @@ def find_meant(points, T_camera_points, camera, click, radius, foremost, hidden=
     return _least(find_meant_kernel, points, [*given, float(foremost)])
 
 
-def _click(points, T_camera_points, camera, click, radius, hidden):
+def _click(points: Points, T_camera_points: np.ndarray, camera: Any, click: Any, radius: Any, hidden: Any):
     marks = empty(0, uint8, points.device) if hidden is None else hidden
     return [Transform(T_camera_points), camera, Click(click, radius, marks)]
 
 
-def mask_seen(points, T_camera_points, camera, corners):
+def mask_seen(points: Points, T_camera_points: np.ndarray, camera: Any, corners: Array1[vec2d]):
     """Mark the points that are seen inside a polygon on the screen.
 
     Args:
@@ -208,7 +217,7 @@ def mask_seen(points, T_camera_points, camera, corners):
     return mask
 
 
-def mask_clipped(points, T_world_points, low, high, normal, offset):
+def mask_clipped(points: Points, T_world_points: Any, low: np.ndarray, high: np.ndarray, normal: Any, offset: float):
     """Mark the points that clip planes hide.
 
     Args:

@@ -4,9 +4,12 @@ and the same positions about another origin.
 One thread a point, but for the extremes, where a thread takes a run and settles it by atomics on whole numbers.
 """
 
+from typing import Any
+
 import numpy as np
 
 from ..algebra.transform import narrow, widen
+from ..array_types import Indices, Integers, Points, Vectors
 from ..arrays.bounds import MAGNITUDE, NOTHING, RUN, ordered_bits
 from ..arrays.runs import Runs, elements_of, row_of
 from ..lang import INFINITY, array, atomic_max, dot, int32, isfinite, kernel, launch, length, mat33d, tid, vec3, vec3d
@@ -84,7 +87,7 @@ def shift_indices_kernel(indices: array(dtype=int32), step: int, start: int, out
     out[start + i] = indices[i] + step
 
 
-def find_extremes(points, directions):
+def find_extremes(points: Points, directions: Vectors):
     """How far the finite points, one at least, reach along directions: the largest products, float64 [5] on the host.
 
     Args:
@@ -98,18 +101,18 @@ def find_extremes(points, directions):
     return (bits ^ ((bits >> 31) & np.int32(MAGNITUDE))).view(np.float32).astype(np.float64)
 
 
-def make_normal_lines(points, normals, size):
+def make_normal_lines(points: Points, normals: Vectors, size: Any):
     """Lines from points along their normals: (vec3 [2 n], int32 [2 n])."""
     ends, lines = empty(2 * points.size, vec3, points.device), empty(2 * points.size, int32, points.device)
     launch(make_normal_lines_kernel, points.size, [points, normals, float(size), ends, lines])
     return ends, lines
 
 
-def place_points(points, A, t, out, start):
+def place_points(points: Points, A: np.ndarray, t: np.ndarray, out: Vectors, start: int) -> None:
     """Write A p + t for all points to an array, from a place on; A [3, 3] and t [3] in float64."""
     launch(place_points_kernel, points.size, [points, mat33d(*A.ravel().tolist()), vec3d(*t.tolist()), start, out])
 
 
-def shift_indices(indices, step, out, start):
+def shift_indices(indices: Indices, step: int, out: Integers, start: int) -> None:
     """Write indices plus a step to an array, from a place on."""
     launch(shift_indices_kernel, indices.size, [indices, step, start, out])

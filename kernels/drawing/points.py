@@ -9,6 +9,7 @@ that threads side by side write side by side.
 
 import numpy as np
 
+from ..array_types import Points
 from ..arrays.packed_keys import NO_KEY, key_number, offer_cell
 from ..lang import (
     array,
@@ -52,7 +53,7 @@ class Splat:
     reach: float
     most: float
 
-    def __init__(self, radius, reach=0.0, most=MOST_RADIUS):
+    def __init__(self, radius: float, reach: float = 0.0, most: float = MOST_RADIUS) -> None:
         self.radius, self.reach, self.most = radius, reach, most
 
 
@@ -83,7 +84,7 @@ def draw_disc(x: float, y: float, depth: float, index: int, splat: Splat, buffer
 @func
 def is_near_picture(p: vec3, reach: float, buffer: DepthBuffer) -> int:
     """1 for a projected point whose disc may touch the picture."""
-    near = int(0)
+    near = 0
     if p[0] > -reach - 1.0 and p[1] > -reach - 1.0:
         if p[0] < float(buffer.width) + reach and p[1] < float(buffer.height) + reach:
             near = 1
@@ -136,7 +137,7 @@ def spread_middles_kernel(middles: DepthBuffer, splat: Splat, buffer: DepthBuffe
 @func
 def square_of(q: vec3, view: View) -> int:
     """The square of the picture that a point of the camera's frame is seen in, or -1."""
-    square = int(-1)
+    square = -1
     if is_before(q) == 1:
         p = project(q, view)
         column = int(floor(p[0] + 0.5))
@@ -171,7 +172,7 @@ def count_in_squares_kernel(
             atomic_add(counts, square, 1)
 
 
-def draw_points(points, view, buffer, *, splat, start=0):
+def draw_points(points: Points, view: View, buffer: DepthBuffer, *, splat: Splat, start: int = 0) -> None:
     """Draw points as discs into a z-buffer.
 
     Args:
@@ -193,7 +194,7 @@ def draw_points(points, view, buffer, *, splat, start=0):
     launch(spread_middles_kernel, cells, [middles, splat, buffer])
 
 
-def count_in_squares(points, view):
+def count_in_squares(points: Points, view: View) -> tuple[np.ndarray, np.ndarray]:
     """About how many points of the foremost layer lie in each square of SQUARE x SQUARE cells of the picture.
 
     Returns:

@@ -13,6 +13,9 @@ distance from them in the picture (Baerentzen et al., "Single-pass wireframe ren
 Only + - * / and sqrt are used, so that pictures have the same bits everywhere.
 """
 
+from typing import Any
+
+from ..array_types import Bytes, Vectors
 from ..arrays.packed_keys import NO_KEY, key_index, key_number
 from ..lang import array, dot, func, int64, kernel, launch, length, loop, struct, tid, uint8, vec3
 from ..memory import empty, zeros
@@ -44,7 +47,7 @@ class Region:
     top: int
     wide: int
 
-    def __init__(self, start, stop, rectangle):
+    def __init__(self, start: int, stop: int, rectangle: tuple[int, int, int, int]) -> None:
         """Of a rectangle (left, top, right, bottom) [px], right and bottom not in it."""
         left, top, right, bottom = rectangle
         self.start, self.stop, self.left, self.top, self.wide = start, stop, left, top, max(right - left, 0)
@@ -60,8 +63,8 @@ def light_face(normal: vec3, facing: vec3, ray: vec3) -> float:
     """
     size = length(normal)
     reach = length(ray)
-    cosine = float(0.5)
-    side = float(0.5)
+    cosine = 0.5
+    side = 0.5
     if size > 0.0 and reach > 0.0:
         unit = normal / size
         if dot(normal, facing) < 0.0:
@@ -75,7 +78,7 @@ def light_face(normal: vec3, facing: vec3, ray: vec3) -> float:
 def eye_dome(cell: int, stop: int, buffer: DepthBuffer) -> float:
     """The share of light that reaches a cell past its neighbours, as far as they show elements below an index."""
     depth = key_number(buffer.words[cell])
-    hidden = float(0.0)
+    hidden = 0.0
     middle_column = cell % buffer.width
     middle_row = cell // buffer.width
     for k in range(8):
@@ -126,7 +129,7 @@ def cells_of(pixel: int, buffer: DepthBuffer) -> int:
 @func
 def element_at(cell: int, region: Region, buffer: DepthBuffer) -> int:
     """The element of a part that a cell shows, or -1."""
-    element = int(-1)
+    element = -1
     word = buffer.words[cell]
     if word != int64(NO_KEY):
         index = key_index(word)
@@ -153,8 +156,8 @@ def shade_points_kernel(
     pixel = pixel_of(i, region, buffer)
     total = vec3(0.0, 0.0, 0.0)
     color = vec3(0.0, 0.0, 0.0)
-    known = int(-1)
-    foremost = int(-1)
+    known = -1
+    foremost = -1
     for cell in cells_of(pixel, buffer):
         point = element_at(cell, region, buffer)
         if point >= 0:
@@ -214,14 +217,14 @@ def read_depth_kernel(
 ):
     """The depth of each pixel: of the cells within 1 % of the nearest, the harmonic mean; 0 where nothing is seen."""
     i = tid()
-    nearest = int64(NO_KEY) + int64(0)
+    nearest = int64(NO_KEY)
     for cell in cells_of(i, buffer):
         nearest = min(nearest, buffer.words[cell])
-    depth = float(0.0)
+    depth = 0.0
     if nearest != int64(NO_KEY):
         limit = key_number(nearest) * 1.01
-        total = float(0.0)
-        count = float(0.0)
+        total = 0.0
+        count = 0.0
         for cell in cells_of(i, buffer):
             word = buffer.words[cell]
             if word != int64(NO_KEY):
@@ -234,12 +237,24 @@ def read_depth_kernel(
     depths[i] = depth
 
 
-def start_light(buffer):
+def start_light(buffer: DepthBuffer) -> Vectors:
     """The array that parts add their light to: vec3 [pixels]."""
     return zeros((buffer.width // SAMPLES) * (buffer.height // SAMPLES), vec3, buffer.words.device)
 
 
-def shade_points(buffer, view, region, light, *, colors, normals, plain, shaded, lit, last_point):
+def shade_points(
+    buffer: DepthBuffer,
+    view: View,
+    region: Region,
+    light: Vectors,
+    *,
+    colors: Vectors,
+    normals: Vectors,
+    plain: vec3,
+    shaded: bool,
+    lit: bool,
+    last_point: int,
+) -> None:
     """Add the light of points.
 
     Args:
@@ -257,19 +272,19 @@ def shade_points(buffer, view, region, light, *, colors, normals, plain, shaded,
     launch(shade_points_kernel, region.pixels, [buffer, view, region, *look, light])
 
 
-def shade_lines(buffer, region, light, *, colors, plain):
+def shade_lines(buffer: DepthBuffer, region: Region, light: Vectors, *, colors: Vectors, plain: vec3) -> None:
     """Add the light of lines, each in its colour, or a plain one."""
     launch(shade_lines_kernel, region.pixels, [buffer, region, colors, plain, light])
 
 
-def finish_picture(buffer, light, background):
+def finish_picture(buffer: DepthBuffer, light: Vectors, background: vec3) -> Bytes:
     """The picture, uint8 [3 * pixels] on the device, of the light of all parts before a background."""
     picture = empty(3 * light.size, uint8, light.device)
     launch(finish_picture_kernel, light.size, [buffer, light, background, picture])
     return picture
 
 
-def read_depth(buffer, unit, *, lines=(0, 0), closer=1.0):
+def read_depth(buffer: DepthBuffer, unit: Any, *, lines: tuple[int, int] = (0, 0), closer: float = 1.0):
     """The depth of each pixel, float32 [pixels] on the device: in units of the z-buffer times a unit [m].
 
     Lines with indices in a range are as far as they are, not as they were drawn.

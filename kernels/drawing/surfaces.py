@@ -5,6 +5,9 @@ again of their colours and normals each. Where all cells show one triangle, and 
 the middle of the pixel.
 """
 
+from typing import Any
+
+from ..array_types import Triangles, Vectors
 from ..lang import array, cross, dot, floor, func, int32, kernel, launch, sqrt, struct, tid, uint8, vec2, vec3
 from .shading import SAMPLES, Region, cells_of, clamp_color, element_at, light_face, pixel_of
 from .z_buffer import DepthBuffer, View, ray_through, to_camera
@@ -42,7 +45,19 @@ class Surface:
     lit: int
     edges: int
 
-    def __init__(self, vertices, triangles, *, normals, colors, uvs, texture, plain, lit, edges):
+    def __init__(
+        self,
+        vertices: Any,
+        triangles: Triangles,
+        *,
+        normals: Vectors,
+        colors: Any,
+        uvs: Any,
+        texture: Any,
+        plain: vec3,
+        lit: bool,
+        edges: Any,
+    ) -> None:
         """With a texture (uint8 array, width, height)."""
         self.vertices, self.triangles, self.normals, self.colors = vertices, triangles, normals, colors
         self.uvs, (self.texture, self.texture_width, self.texture_height) = uvs, texture
@@ -86,7 +101,7 @@ def distance_to_edge(edge: vec3, ray: vec3, view: View) -> float:
     x = edge[0] / float(view.camera.fx)
     y = edge[1] / float(view.camera.fy)
     slope = sqrt(x * x + y * y)
-    distance = float(1.0e6)
+    distance = 1.0e6
     if slope > 0.0:
         distance = abs(dot(edge, ray)) / slope
     return distance
@@ -110,9 +125,9 @@ def color_of(triangle: int, column: float, row: float, view: View, surface: Surf
     u = dot(edge_b, ray)
     v = dot(edge_c, ray)
     total = dot(facing, ray)
-    wa = float(1.0)
-    wb = float(0.0)
-    wc = float(0.0)
+    wa = 1.0
+    wb = 0.0
+    wc = 0.0
     if total != 0.0:
         wb = min(max(u / total, 0.0), 1.0)
         wc = min(max(v / total, 0.0), 1.0 - wb)
@@ -148,9 +163,9 @@ def shade_surface_kernel(buffer: DepthBuffer, view: View, region: Region, surfac
     """Add the colours of the cells that show triangles."""
     i = tid()
     pixel = pixel_of(i, region, buffer)
-    known = int(-1)
-    shown = int(0)
-    alike = int(0)
+    known = -1
+    shown = 0
+    alike = 0
     column = float((pixel % (buffer.width // SAMPLES)) * SAMPLES) + MIDDLE
     row = float((pixel // (buffer.width // SAMPLES)) * SAMPLES) + MIDDLE
     for cell in cells_of(pixel, buffer):
@@ -175,7 +190,7 @@ def shade_surface_kernel(buffer: DepthBuffer, view: View, region: Region, surfac
         light[pixel] = light[pixel] + total
 
 
-def shade_surface(buffer, view, region, light, surface):
+def shade_surface(buffer: DepthBuffer, view: View, region: Region, light: Vectors, surface: Any) -> None:
     """Add the light of triangles.
 
     Args:

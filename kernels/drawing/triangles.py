@@ -10,6 +10,7 @@ camera's frame, which need no projected corners (Olano and Greer, "Triangle scan
 coordinates", Graphics Hardware 1997).
 """
 
+from ..array_types import Indices, Points
 from ..arrays.packed_keys import offer_cell
 from ..lang import array, cross, dot, float32, floor, func, int32, int64, isfinite, kernel, launch, tid, vec3, vec4
 from .z_buffer import FAR_OUT, NEAR, DepthBuffer, View, is_before, project, ray_through, to_camera
@@ -23,7 +24,7 @@ OVERLAP = 1.0 / 128.0  # [cells] by which edges in the camera's frame reach furt
 @func
 def is_on_grid(p: vec3) -> int:
     """1 for a projected corner inside the guard band."""
-    inside = int(0)
+    inside = 0
     if p[2] > NEAR and abs(p[0]) < GUARD and abs(p[1]) < GUARD:
         inside = 1
     return inside
@@ -47,14 +48,14 @@ def draw_on_grid(a: vec3, b: vec3, c: vec3, cull: int, index: int, buffer: Depth
     step = int64(STEPS)
     area = (bx - ax) * (cy - ay) - (by - ay) * (cx - ax)
     sign = int64(1)
-    if area < int64(0):
-        sign = int64(-1)
-    first = max(int((min(min(ax, bx), cx) + step - int64(1)) // step), 0)
+    if area < 0:
+        sign = -1
+    first = max(int((min(min(ax, bx), cx) + step - 1) // step), 0)
     last = min(int(max(max(ax, bx), cx) // step), buffer.width - 1)
-    top = max(int((min(min(ay, by), cy) + step - int64(1)) // step), 0)
+    top = max(int((min(min(ay, by), cy) + step - 1) // step), 0)
     bottom = min(int(max(max(ay, by), cy) // step), buffer.height - 1)
     # rows run down, so a triangle that is counterclockwise seen from before it has a negative area
-    if area == int64(0) or (cull == 1 and area > int64(0)):
+    if area == 0 or (cull == 1 and area > 0):
         bottom = top - 1
     scale = 1.0 / float32(area * sign)
     near_a = scale / a[2]
@@ -67,7 +68,7 @@ def draw_on_grid(a: vec3, b: vec3, c: vec3, cull: int, index: int, buffer: Depth
         v = ((ax - cx) * (y - cy) - (ay - cy) * (x - cx)) * sign
         w = ((bx - ax) * (y - ay) - (by - ay) * (x - ax)) * sign
         for column in range(first, last + 1):
-            if u >= int64(0) and v >= int64(0) and w >= int64(0):
+            if u >= 0 and v >= 0 and w >= 0:
                 inverse = float32(u) * near_a + float32(v) * near_b + float32(w) * near_c
                 offer_cell(row * buffer.width + column, 1.0 / inverse, index, buffer.words)
             u = u - (cy - by) * sign * step
@@ -106,7 +107,7 @@ def draw_unprojected(a: vec3, b: vec3, c: vec3, cull: int, index: int, view: Vie
     box = widen_box(box, b, c, view)
     box = widen_box(box, c, a, view)
     volume = dot(a, cross(b, c))
-    sign = float(1.0)
+    sign = 1.0
     if volume < 0.0:
         sign = -1.0
     first = max(int(floor(box[0])), 0)
@@ -156,7 +157,9 @@ def draw_triangles_kernel(
         draw_unprojected(a, b, c, cull, start + i, view, buffer)
 
 
-def draw_triangles(vertices, triangles, view, buffer, *, cull, start=0):
+def draw_triangles(
+    vertices: Points, triangles: Indices, view: View, buffer: DepthBuffer, *, cull: bool, start: int = 0
+) -> None:
     """Draw triangles into a z-buffer.
 
     Args:

@@ -5,21 +5,10 @@ neighbouring entries are mixed in float32 without a fused product, so the colour
 What is not finite takes a colour of its own, and a flag says that there was some: its atomic is the same in any order.
 """
 
-from ..lang import (
-    array,
-    atomic_max,
-    float32,
-    float64,
-    func,
-    int32,
-    int64,
-    isfinite,
-    kernel,
-    launch,
-    struct,
-    tid,
-    vec3,
-)
+import numpy as np
+
+from ..array_types import AnyArray, Device, Doubles, Integers, Points, Scalars, Vectors
+from ..lang import array, atomic_max, float32, float64, func, int32, int64, isfinite, kernel, launch, struct, tid, vec3
 from ..memory import download, empty, upload, zeros
 
 SEEN = 4096  # labels from -1 that are told one by one: more than any legend shows
@@ -46,7 +35,9 @@ class Ramp:
     missing: vec3
     flag: array(dtype=int32)
 
-    def __init__(self, table, limits, missing, device):
+    def __init__(
+        self, table: np.ndarray, limits: tuple[float, float], missing: tuple[float, float, float], device: Device
+    ) -> None:
         """From colours [k, 3] and limits (low, high); equal limits give the colour in the middle."""
         low, high = limits
         half = high / 2 - low / 2  # the difference itself may be beyond float64
@@ -58,7 +49,7 @@ class Ramp:
 @func
 def ramp_color(value: float64, ramp: Ramp) -> vec3:
     """The colour of a finite number."""
-    share = min(max((value - ramp.low) * ramp.factor + ramp.start, float64(0.0)), float64(1.0))
+    share = min(max((value - ramp.low) * ramp.factor + ramp.start, 0.0), 1.0)
     place = float32(share) * float(ramp.last)
     k = min(int(place), ramp.last - 1)
     rest = place - float(k)
@@ -135,9 +126,9 @@ def label_color(
 ) -> vec3:
     """The colour of a label, which is noted: below zero that of noise, the palette begins again after its last."""
     color = noise
-    if label >= int64(0):
+    if label >= 0:
         color = palette[int(label % int64(palette_size))]
-    note_label(int(min(max(label, int64(-1)), int64(SEEN - 2))) + 1, seen)
+    note_label(int(min(max(label, -1), int64(SEEN - 2))) + 1, seen)
     return color
 
 
@@ -206,7 +197,7 @@ def take_every_coordinate_kernel(points: array(dtype=vec3), axis: int, stride: i
     out[i] = coordinate(points[i * stride], axis)
 
 
-def color_values(values, ramp):
+def color_values(values: Scalars | Doubles, ramp: Ramp) -> Vectors:
     """The colours of numbers: vec3 of a device array of float32 or float64."""
     colors = empty(values.size, vec3, values.device)
     launch(
@@ -217,14 +208,14 @@ def color_values(values, ramp):
     return colors
 
 
-def color_coordinates(points, axis, ramp):
+def color_coordinates(points: Points, axis: int, ramp: Ramp) -> Vectors:
     """The colours of one coordinate of a device array of vec3."""
     colors = empty(points.size, vec3, points.device)
     launch(color_coordinates_kernel, points.size, [points, axis, ramp, colors])
     return colors
 
 
-def color_labels(labels, palette, noise):
+def color_labels(labels: AnyArray, palette: np.ndarray, noise: tuple[float, float, float]) -> tuple[Vectors, list[int]]:
     """The colours of labels.
 
     Args:
@@ -244,14 +235,14 @@ def color_labels(labels, palette, noise):
     return colors, (download(seen).nonzero()[0] - 1).tolist()  # sync
 
 
-def color_normals(normals, missing):
+def color_normals(normals: Vectors, missing: tuple[float, float, float]) -> tuple[Vectors, Integers]:
     """The colours of a device array of directions, and int32 [1]: 1 where one was not finite."""
     colors, flag = empty(normals.size, vec3, normals.device), zeros(1, int32, normals.device)
     launch(color_normals_kernel, normals.size, [normals, vec3(*missing), flag, colors])
     return colors, flag
 
 
-def sample_evenly(values, most, *, axis=0):
+def sample_evenly(values: AnyArray, most: int, *, axis: int = 0) -> np.ndarray:
     """At most so many numbers of a device array, evenly spaced from the first on: NumPy (one sync).
 
     Args:

@@ -9,7 +9,10 @@ through, and a `View` takes each part's vertices to the camera, in a unit of the
 overflows nor vanishes.
 """
 
+import numpy as np
+
 from ..algebra.camera import Camera
+from ..array_types import Device
 from ..arrays.packed_keys import NO_KEY
 from ..lang import array, func, int64, isfinite, mat33, struct, vec3
 from ..memory import full
@@ -31,7 +34,7 @@ class View:
     rotation: mat33
     offset: vec3
 
-    def __init__(self, camera, rotation, offset):
+    def __init__(self, camera: Camera, rotation: np.ndarray, offset: np.ndarray) -> None:
         self.camera, self.rotation, self.offset = camera, rotation, offset
 
 
@@ -48,7 +51,7 @@ class DepthBuffer:
     height: int
     words: array(dtype=int64)
 
-    def __init__(self, width, height, device):
+    def __init__(self, width: int, height: int, device: Device) -> None:
         self.width, self.height, self.words = width, height, full(width * height, NO_KEY, int64, device)
 
 
@@ -70,7 +73,7 @@ def project(q: vec3, view: View) -> vec3:
 @func
 def is_before(q: vec3) -> int:
     """1 for a point of the camera's frame that lies before the camera."""
-    before = int(0)
+    before = 0
     if isfinite(q) and q[2] > NEAR:
         before = 1
     return before

@@ -16,6 +16,7 @@ solutions some thousands.
 
 import numpy as np
 
+from ..array_types import Device
 from ..lang import INFINITY, array, cross, dot, float64, func, kernel, launch, length, struct, tid, vec2d, vec3d
 from ..memory import download, empty, upload
 from .hull_reach import ClimbedHull, box_volume
@@ -42,11 +43,11 @@ class FoundBoxes:
     firsts: array(dtype=vec3d)
     seconds: array(dtype=vec3d)
 
-    def __init__(self, count, device):
+    def __init__(self, count: int, device: Device) -> None:
         self.volumes = empty(count, float64, device)
         self.firsts, self.seconds = empty(count, vec3d, device), empty(count, vec3d, device)
 
-    def smallest(self):
+    def smallest(self) -> tuple[float, np.ndarray, np.ndarray]:
         """The smallest volume and its two axes; of equal ones the first."""
         found = download(self.volumes)  # sync
         best = int(found.argmin())
@@ -59,7 +60,7 @@ def unit_or(v: vec3d, other: vec3d) -> vec3d:
     """v made unit; another vector where v vanishes."""
     size = length(v)
     unit = other
-    if size > float64(1e-12):
+    if size > 1e-12:
         unit = v / size
     return unit
 
@@ -67,7 +68,7 @@ def unit_or(v: vec3d, other: vec3d) -> vec3d:
 @func
 def arc_point(a: vec3d, b: vec3d, t: float64) -> vec3d:
     """The unit normal at t of the arc from a to b."""
-    return unit_or(a * (float64(1.0) - t) + b * t, a)
+    return unit_or(a * (1.0 - t) + b * t, a)
 
 
 @func
@@ -112,14 +113,7 @@ def partnered_range(p: float64, q: float64, r: float64, s: float64, second: int)
 
 
 @func
-def volume_at(
-    t: float64,
-    a: vec3d,
-    b: vec3d,
-    c: vec3d,
-    d: vec3d,
-    hull: ClimbedHull,
-) -> float64:
+def volume_at(t: float64, a: vec3d, b: vec3d, c: vec3d, d: vec3d, hull: ClimbedHull) -> float64:
     """The volume of the box with a normal at t of one arc and its partner on the other."""
     return box_volume(arc_point(a, b, t), partner(a, b, c, d, t), hull)
 
@@ -138,10 +132,10 @@ def search_dip(
     hull: ClimbedHull,
 ) -> vec2d:
     """(t, volume) at the bottom of a dip about a sample, by golden section; in full only where it nears the bound."""
-    low = left + float64(0.0)
-    high = right + float64(0.0)
+    low = left
+    high = right
     best = vec2d(middle, volume)
-    step = int(0)
+    step = 0
     last = int(ROUGH)
     while step < last:
         t = best[0] - float64(GOLDEN) * (best[0] - low)
@@ -179,23 +173,16 @@ def floor_beside(before: float64, here: float64, after: float64) -> float64:
             drop = max(drop, before - here)
         if after < infinite:
             drop = max(drop, after - here)
-        low = here - float64(2.0) * drop
+        low = here - 2.0 * drop
     return low
 
 
 @func
 def search_dips(
-    t0: float64,
-    t1: float64,
-    best: vec2d,
-    a: vec3d,
-    b: vec3d,
-    c: vec3d,
-    d: vec3d,
-    hull: ClimbedHull,
+    t0: float64, t1: float64, best: vec2d, a: vec3d, b: vec3d, c: vec3d, d: vec3d, hull: ClimbedHull
 ) -> vec2d:
     """The better of the best (t, volume) known so far and the bottoms of the dips between finer samples."""
-    found = best + float64(0.0) * best
+    found = best + 0.0 * best
     count = int(SPLIT)
     step = (t1 - t0) / float64(count)
     before = float64(INFINITY)
@@ -218,17 +205,10 @@ def search_dips(
 
 @func
 def search_range(
-    t0: float64,
-    t1: float64,
-    best: float64,
-    a: vec3d,
-    b: vec3d,
-    c: vec3d,
-    d: vec3d,
-    hull: ClimbedHull,
+    t0: float64, t1: float64, best: float64, a: vec3d, b: vec3d, c: vec3d, d: vec3d, hull: ClimbedHull
 ) -> vec2d:
     """(t, volume) of the smallest box on a range of solutions; the best one known so far, at t = -1, if none is."""
-    found = vec2d(float64(-1.0), best)
+    found = vec2d(-1.0, best)
     arc = length(partner(a, b, c, d, t1) - partner(a, b, c, d, t0)) + length(b - a) * (t1 - t0)
     count = min(max(int(arc / float64(STEP)) + 2, FEWEST), MOST)
     step = (t1 - t0) / float64(count - 1)
@@ -249,12 +229,7 @@ def search_range(
 
 
 @kernel
-def fit_on_facets_kernel(
-    normals: array(dtype=vec3d),
-    arcs: array(dtype=vec3d),
-    hull: ClimbedHull,
-    boxes: FoundBoxes,
-):
+def fit_on_facets_kernel(normals: array(dtype=vec3d), arcs: array(dtype=vec3d), hull: ClimbedHull, boxes: FoundBoxes):
     """The smallest box with a face on a facet: another face holds an edge (Freeman and Shapira 1975)."""
     i = tid()
     n = normals[i]
@@ -265,10 +240,10 @@ def fit_on_facets_kernel(
         b = arcs[2 * e + 1]
         p = dot(n, a)
         q = dot(n, b)
-        if p * q <= float64(0.0):
+        if p * q <= 0.0:
             m = unit_or(a * q - b * p, a)
             m = unit_or(m - n * dot(n, m), n + n)
-            if abs(dot(n, m)) < float64(1e-9):  # else the edge's facets are this one or the opposite one
+            if abs(dot(n, m)) < 1e-9:  # else the edge's facets are this one or the opposite one
                 volume = box_volume(n, m, hull)
                 if volume < best:
                     best = volume
@@ -279,18 +254,13 @@ def fit_on_facets_kernel(
 
 
 @kernel
-def fit_on_edges_kernel(
-    arcs: array(dtype=vec3d),
-    bound: float64,
-    hull: ClimbedHull,
-    boxes: FoundBoxes,
-):
+def fit_on_edges_kernel(arcs: array(dtype=vec3d), bound: float64, hull: ClimbedHull, boxes: FoundBoxes):
     """The smallest box, below a bound, with one edge on a face and one of the next E/2 edges on a face beside it."""
     i = tid()
     count = arcs.shape[0] // 2
     a = arcs[2 * i]
     b = arcs[2 * i + 1]
-    best = bound + float64(0.0)
+    best = bound
     first = a + a
     second = a + a
     for k in range(1, count // 2 + 1):
@@ -301,7 +271,7 @@ def fit_on_edges_kernel(
         q = dot(a, d)
         r = dot(b, c)
         s = dot(b, d)
-        if min(min(p, q), min(r, s)) <= float64(0.0) and max(max(p, q), max(r, s)) >= float64(0.0):
+        if min(min(p, q), min(r, s)) <= 0.0 and max(max(p, q), max(r, s)) >= 0.0:
             for part in range(2):
                 span = partnered_range(p, q, r, s, part)
                 if span[0] <= span[1]:
@@ -315,7 +285,9 @@ def fit_on_edges_kernel(
     boxes.seconds[i] = second
 
 
-def smallest_frame(vertices, edges, arcs, normals, device):
+def smallest_frame(
+    vertices: np.ndarray, edges: np.ndarray, arcs: np.ndarray, normals: np.ndarray, device: Device
+) -> np.ndarray:
     """The axes of the smallest box around a convex hull.
 
     Args:

@@ -1,7 +1,10 @@
 """Sums over distances: how many are finite, their total, the largest, and how many are below some radii."""
 
+from collections.abc import Sequence
+
 import numpy as np
 
+from ..array_types import Doubles
 from ..arrays.runs import Runs, elements_of, row_of
 from ..lang import array, atomic_add, atomic_max, float64, int32, isfinite, kernel, launch, reduce, tid
 from ..memory import download, upload, zeros
@@ -31,14 +34,14 @@ def count_below_kernel(
             most = max(most, d)
     atomic_max(largest, row, most)
     for r in range(radii.shape[0]):
-        count = int(0)
+        count = 0
         for j in elements_of(i, runs):
             if distances[j] < radii[r]:
                 count += 1
         atomic_add(within, row * radii.shape[0] + r, count)
 
 
-def summarize_distances(distances, radii):
+def summarize_distances(distances: Doubles, radii: Sequence[float]) -> tuple[int, float, float, np.ndarray]:
     """(finite distances, their sum, the largest, how many are below each radius as int64 [r]); two syncs."""
     device, n = distances.device, distances.size
     count, total = download(reduce(sum_finite, n, [distances]))[0].tolist()  # sync

@@ -16,6 +16,7 @@ Source: the inner-polytope test of Akl and Toussaint, "A fast convex hull algori
 import numpy as np
 
 from ..algebra.transform import widen
+from ..array_types import Indices, Mask, Points, Positions
 from ..arrays.packed_keys import pack_key
 from ..lang import (
     array,
@@ -58,20 +59,20 @@ def locate_direction(p: vec3d) -> vec4d:
     u = p[1]
     v = p[2]
     if y > x and y >= z:
-        face = float64(2.0)
+        face = 2.0
         side = p[1]
         along = y
         u = p[2]
         v = p[0]
     if z > x and z > y:
-        face = float64(4.0)
+        face = 4.0
         side = p[2]
         along = z
         u = p[0]
         v = p[1]
-    if side < float64(0.0):
-        face += float64(1.0)
-    if along > float64(0.0):
+    if side < 0.0:
+        face += 1.0
+    if along > 0.0:
         u = u / along
         v = v / along
     return vec4d(face, u, v, along)
@@ -104,7 +105,7 @@ def face_coordinates(p: vec3d, face: int) -> vec3d:
 @func
 def grid_place(u: float64, width: int) -> int:
     """The cell 0..width - 1 of a face coordinate in -1..1."""
-    return min(max(int(floor((u + float64(1.0)) * float64(0.5) * float64(width))), 0), width - 1)
+    return min(max(int(floor((u + 1.0) * 0.5 * float64(width))), 0), width - 1)
 
 
 @kernel
@@ -122,7 +123,7 @@ def find_farthest_kernel(points: array(dtype=vec3d), centre: vec3d, width: int, 
     p = points[i] - centre
     if isfinite(p):
         place = locate_direction(p)
-        if place[3] > float64(0.0):
+        if place[3] > 0.0:
             row = int(place[0]) * width + grid_place(place[1], width)
             cell = row * width + grid_place(place[2], width)
             key = pack_key(float(length(p)), LAST_INDEX - i)
@@ -158,14 +159,14 @@ def draw_facets_kernel(
                 high_u = min(high_u, max(max(p[1] / p[0], q[1] / q[0]), r[1] / r[0]))
                 high_v = min(high_v, max(max(p[2] / p[0], q[2] / q[0]), r[2] / r[0]))
             if max(max(p[0], q[0]), r[0]) > zero and low_u <= high_u and low_v <= high_v:
-                half = float64(0.5) * float64(width)
-                first = max(int(floor((low_v + float64(1.0)) * half)), 0)
-                last = min(int(ceil((high_v + float64(1.0)) * half)), width)
-                for row in range(max(int(floor((low_u + float64(1.0)) * half)), 0),
-                                 min(int(ceil((high_u + float64(1.0)) * half)), width) + 1):  # fmt: skip
+                half = 0.5 * float64(width)
+                first = max(int(floor((low_v + 1.0) * half)), 0)
+                last = min(int(ceil((high_v + 1.0) * half)), width)
+                for row in range(max(int(floor((low_u + 1.0) * half)), 0),
+                                 min(int(ceil((high_u + 1.0) * half)), width) + 1):  # fmt: skip
                     for column in range(first, last + 1):
-                        u = float64(row) / half - float64(1.0)
-                        v = float64(column) / half - float64(1.0)
+                        u = float64(row) / half - 1.0
+                        v = float64(column) / half - 1.0
                         d = aim_direction(face, u, v)
                         if dot(ab, d) >= zero and dot(bc, d) >= zero and dot(ca, d) >= zero:
                             node = (face * (width + 1) + row) * (width + 1) + column
@@ -179,29 +180,29 @@ def mask_outer_kernel(
     """0 where a point lies strictly inside the coarse hull or is not finite."""
     i = tid()
     p = points[i] - centre
-    keep = int(0)
+    keep = 0
     if isfinite(p):
         keep = 1
         place = locate_direction(p)
         row = grid_place(place[1], width)
         column = grid_place(place[2], width)
-        half = float64(0.5) * float64(width)
-        u = (place[1] + float64(1.0)) * half - float64(row)
-        v = (place[2] + float64(1.0)) * half - float64(column)
+        half = 0.5 * float64(width)
+        u = (place[1] + 1.0) * half - float64(row)
+        v = (place[2] + 1.0) * half - float64(column)
         node = (int(place[0]) * (width + 1) + row) * (width + 1) + column
         near = nodes[node]
         right = nodes[node + width + 1]
         up = nodes[node + 1]
-        if u + v > float64(1.0):
+        if u + v > 1.0:
             near = nodes[node + width + 2]
             swap = right
             right = up
             up = swap
-            u = float64(1.0) - u
-            v = float64(1.0) - v
-        if min(min(near, right), up) >= float64(0.0):
+            u = 1.0 - u
+            v = 1.0 - v
+        if min(min(near, right), up) >= 0.0:
             g = near + u * (right - near) + v * (up - near)
-            if place[3] * g < float64(1.0) - float64(MARGIN):
+            if place[3] * g < 1.0 - float64(MARGIN):
                 keep = 0
     mask[i] = uint8(keep)
 
@@ -213,14 +214,14 @@ def gather_vec3d_kernel(values: array(dtype=vec3d), rows: array(dtype=int32), ou
     out[i] = values[rows[i]]
 
 
-def scale_points(points, middle, scale):
+def scale_points(points: Points, middle: np.ndarray, scale: np.ndarray) -> Positions:
     """(p - middle) * scale in float64, for a device array of vec3."""
     out = empty(points.size, vec3d, points.device)
     launch(scale_points_kernel, points.size, [points, vec3d(*middle), vec3d(*scale), out])
     return out
 
 
-def farthest_rows(points, centre, width):
+def farthest_rows(points: Positions, centre: np.ndarray, width: int) -> np.ndarray:
     """The indices of the farthest point of each cell about a centre, ascending: int64 on the host (one sync).
 
     Args:
@@ -234,7 +235,7 @@ def farthest_rows(points, centre, width):
     return np.sort(LAST_INDEX - (found[found > 0] & LAST_INDEX))
 
 
-def mask_outer(points, centre, corners, planes, width):
+def mask_outer(points: Positions, centre: np.ndarray, corners: np.ndarray, planes: np.ndarray, width: int) -> Mask:
     """uint8 [n], 0 where a point lies strictly inside a convex hull about a centre, or is not finite.
 
     Args:
@@ -257,7 +258,7 @@ def mask_outer(points, centre, corners, planes, width):
     return mask
 
 
-def gather_positions(points, rows):
+def gather_positions(points: Positions, rows: Indices) -> Positions:
     """points[rows] for vec3d arrays."""
     out = empty(rows.size, vec3d, points.device)
     launch(gather_vec3d_kernel, rows.size, [points, rows, out])

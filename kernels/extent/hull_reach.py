@@ -7,6 +7,7 @@ size. In float64.
 
 import numpy as np
 
+from ..array_types import Device
 from ..lang import array, cross, dot, float64, func, int32, kernel, launch, struct, tid, vec3d
 from ..memory import download, empty, upload
 from .hull_filter import aim_direction, grid_place, locate_direction
@@ -19,8 +20,8 @@ TABLE_CHUNK = 1 << 22  # products of directions and vertices held at a time: 32 
 def aim_table_kernel(width: int, directions: array(dtype=vec3d)):
     """The direction of the middle of each cell of a cube map."""
     i = tid()
-    u = (float64(i // width % width) + float64(0.5)) / float64(width) * float64(2.0) - float64(1.0)
-    v = (float64(i % width) + float64(0.5)) / float64(width) * float64(2.0) - float64(1.0)
+    u = (float64(i // width % width) + 0.5) / float64(width) * 2.0 - 1.0
+    v = (float64(i % width) + 0.5) / float64(width) * 2.0 - 1.0
     directions[i] = aim_direction(i // (width * width), u, v)
 
 
@@ -40,7 +41,7 @@ class ClimbedHull:
     neighbors: array(dtype=int32)
     table: array(dtype=int32)
 
-    def __init__(self, vertices, edges, device):
+    def __init__(self, vertices: np.ndarray, edges: np.ndarray, device: Device) -> None:
         """Prepare the climbs.
 
         Args:
@@ -67,9 +68,9 @@ def reach(n: vec3d, hull: ClimbedHull) -> float64:
     row = int(place[0]) * TABLE_WIDTH + grid_place(place[1], TABLE_WIDTH)
     best = hull.table[row * TABLE_WIDTH + grid_place(place[2], TABLE_WIDTH)]
     value = dot(n, hull.vertices[best])
-    here = int(-1)
+    here = -1
     while here != best:
-        here = best + 0
+        here = best
         for j in range(hull.starts[here], hull.starts[here + 1]):
             other = dot(n, hull.vertices[hull.neighbors[j]])
             if other > value:
@@ -85,7 +86,7 @@ def box_volume(n: vec3d, m: vec3d, hull: ClimbedHull) -> float64:
     volume = float64(1.0)
     width = float64(0.0)
     for side in range(6):  # a loop, so that the compilers, which copy functions in, hold `reach` once
-        direction = n + float64(0.0) * n
+        direction = n + 0.0 * n
         if side // 2 == 1:
             direction = m
         if side // 2 == 2:
@@ -95,5 +96,5 @@ def box_volume(n: vec3d, m: vec3d, hull: ClimbedHull) -> float64:
         width += reach(direction, hull)
         if side % 2 == 1:
             volume = volume * width
-            width = float64(0.0)
+            width = 0.0
     return volume

@@ -3,6 +3,7 @@
 import numpy as np
 
 from ..algebra.transform import widen
+from ..array_types import Indices, Mask, Points, Vectors
 from ..arrays.select import positions_of
 from ..lang import array, isfinite, kernel, launch, mat33d, tid, uint8, vec3, vec3d
 from ..memory import empty
@@ -13,7 +14,7 @@ def mask_aligned_box_kernel(points: array(dtype=vec3), low: vec3, high: vec3, ma
     """1 where low <= p <= high on each axis."""
     i = tid()
     p = points[i]
-    inside = int(0)
+    inside = 0
     if p[0] >= low[0] and p[1] >= low[1] and p[2] >= low[2]:
         if p[0] <= high[0] and p[1] <= high[1] and p[2] <= high[2]:
             inside = 1
@@ -27,7 +28,7 @@ def mask_oriented_box_kernel(
     """1 where |axes (p + offset)| <= half on each axis of the box."""
     i = tid()
     q = axes @ (widen(points[i]) + offset)
-    inside = int(0)
+    inside = 0
     if abs(q[0]) <= half[0] and abs(q[1]) <= half[1] and abs(q[2]) <= half[2]:
         inside = 1
     mask[i] = uint8(inside)
@@ -39,7 +40,7 @@ def mask_usable_kernel(points: array(dtype=vec3), normals: array(dtype=vec3), ma
     i = tid()
     p = points[i]
     n = normals[i]
-    usable = int(0)
+    usable = 0
     if isfinite(p) and isfinite(n):
         usable = 1
     mask[i] = uint8(usable)
@@ -50,7 +51,7 @@ def mask_finite_kernel(points: array(dtype=vec3), drop_nan: int, drop_infinite: 
     """1 where no coordinate is NaN (if asked) and none is infinite (if asked)."""
     i = tid()
     p = points[i]
-    keep = int(1)
+    keep = 1
     for axis in range(3):
         if not isfinite(p[axis]):
             if p[axis] == p[axis]:
@@ -62,7 +63,7 @@ def mask_finite_kernel(points: array(dtype=vec3), drop_nan: int, drop_infinite: 
     mask[i] = uint8(keep)
 
 
-def mask_aligned_box(points, origin, low, high):
+def mask_aligned_box(points: Points, origin: np.ndarray, low: np.ndarray, high: np.ndarray) -> Mask:
     """uint8 [n]; the bounds are world coordinates in float64, both inclusive.
 
     The bounds are rounded to float32 as the points were, so a point that was on a face still is.
@@ -74,7 +75,7 @@ def mask_aligned_box(points, origin, low, high):
     return mask
 
 
-def mask_oriented_box(points, offset, axes, half):
+def mask_oriented_box(points: Points, offset: np.ndarray, axes: np.ndarray, half: np.ndarray) -> Mask:
     """uint8 [n]; rows of `axes` are the box's axes, `offset` is the cloud's origin less the box's centre."""
     mask = empty(points.size, uint8, points.device)
     arguments = [points, vec3d(*offset), mat33d(*axes.ravel()), vec3d(*half), mask]
@@ -82,14 +83,14 @@ def mask_oriented_box(points, offset, axes, half):
     return mask
 
 
-def mask_finite(points, drop_nan, drop_infinite):
+def mask_finite(points: Points, drop_nan: bool | int, drop_infinite: bool | int) -> Mask:
     """uint8 [n]."""
     mask = empty(points.size, uint8, points.device)
     launch(mask_finite_kernel, points.size, [points, int(drop_nan), int(drop_infinite), mask])
     return mask
 
 
-def usable_rows(points, normals):
+def usable_rows(points: Points, normals: Vectors) -> Indices:
     """The rows of points that are finite and have a finite normal: int32, ascending (one sync)."""
     mask = empty(points.size, uint8, points.device)
     launch(mask_usable_kernel, points.size, [points, normals, mask])

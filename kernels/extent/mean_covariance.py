@@ -6,6 +6,7 @@ Two passes, the second about the mean of the first: coordinates of any size do n
 import numpy as np
 
 from ..algebra.transform import widen
+from ..array_types import Doubles, Points
 from ..lang import (
     NAN,
     array,
@@ -34,9 +35,9 @@ def sum_positions(points: array(dtype=vec3)) -> count_position:
     """How many points are finite, and the sum of their positions."""
     i = tid()
     p = points[i]
-    part = count_position(float64(0.0))
+    part = count_position(0.0)
     if isfinite(p):
-        part = count_position(float64(1.0), float64(p[0]), float64(p[1]), float64(p[2]))
+        part = count_position(1.0, float64(p[0]), float64(p[1]), float64(p[2]))
     return part
 
 
@@ -45,7 +46,7 @@ def sum_products(points: array(dtype=vec3), mean: vec3d) -> products:
     """Sums and products of the differences of the finite points from a mean."""
     i = tid()
     p = points[i]
-    part = products(float64(0.0))
+    part = products(0.0)
     if isfinite(p):
         d = widen(p) - mean
         x = d[0]
@@ -65,11 +66,11 @@ def measure_mahalanobis_kernel(
     distance = float64(NAN)
     if isfinite(p):
         d = widen(p) - mean
-        distance = sqrt(max(dot(d, inverse @ d), float64(0.0)))
+        distance = sqrt(max(dot(d, inverse @ d), 0.0))
     distances[i] = distance
 
 
-def mean_and_covariance(points):
+def mean_and_covariance(points: Points) -> tuple[int, np.ndarray, np.ndarray]:
     """(count, mean [3], covariance [3, 3]) of the finite points, divided by their number; NaN of none; two syncs."""
     count, *total = download(reduce(sum_positions, points.size, [points]))[0].tolist()  # sync
     if count == 0:
@@ -81,7 +82,7 @@ def mean_and_covariance(points):
     return int(count), mean + rest, covariance
 
 
-def mahalanobis_distances(points, mean, inverse):
+def mahalanobis_distances(points: Points, mean: np.ndarray, inverse: np.ndarray) -> Doubles:
     """float64 [n] for a mean [3] and the inverse of a covariance [3, 3]."""
     distances = empty(points.size, float64, points.device)
     launch(measure_mahalanobis_kernel, points.size, [points, vec3d(*mean), mat33d(*inverse.ravel()), distances])

@@ -5,7 +5,10 @@ at v or above, or the other way round, and meets the line of the point at less t
 written, 8 operations for each corner.
 """
 
+import numpy as np
+
 from ..algebra.transform import widen
+from ..array_types import AnyArray, Array1
 from ..lang import array, float64, func, isfinite, kernel, launch, tid, uint8, vec2d, vec3, vec3d, vec3i
 from ..memory import empty
 
@@ -24,7 +27,7 @@ def component(p: vec3d, axis: int) -> float64:
 @func
 def crossings_below(u: float64, v: float64, corners: array(dtype=vec2d)) -> int:
     """How many edges of the polygon meet the line of constant v at less than u."""
-    found = int(0)
+    found = 0
     a = corners[corners.shape[0] - 1]
     for i in range(corners.shape[0]):
         b = corners[i]
@@ -38,7 +41,7 @@ def crossings_below(u: float64, v: float64, corners: array(dtype=vec2d)) -> int:
 @func
 def lies_in_volume(p: vec3d, corners: array(dtype=vec2d), axes: vec3i, low: float64, high: float64) -> int:
     """1 inside; points that are not finite are outside."""
-    inside = int(0)
+    inside = 0
     w = component(p, axes[2])
     if isfinite(p) and w >= low and w <= high:
         inside = crossings_below(component(p, axes[0]), component(p, axes[1]), corners) & 1
@@ -74,7 +77,9 @@ def mask_world_kernel(
     mask[i] = uint8(lies_in_volume(points[i], corners, axes, low, high))
 
 
-def mask_polygon(points, origin, corners, axes, low, high):
+def mask_polygon(
+    points: AnyArray, origin: np.ndarray, corners: Array1[vec2d], axes: tuple[int, int, int], low: float, high: float
+):
     """Mark the points in a volume.
 
     Args:

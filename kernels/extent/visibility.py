@@ -16,10 +16,12 @@ cells to test, some 30 operations for each of up to 12 triangles.
 """
 
 import math
+from typing import Any
 
 import numpy as np
 
 from ..algebra.transform import widen
+from ..array_types import Bytes, Points, Positions, Scalars
 from ..arrays.select import gather_rows, positions_of
 from ..lang import (
     NAN,
@@ -62,8 +64,8 @@ def flip_point(d: vec3d, radius: float64) -> vec3d:
     """d (2 R - |d|) / |d|; NaN at the camera itself."""
     size = length(d)
     scale = float64(NAN)
-    if size > float64(0.0):
-        scale = (float64(2.0) * radius - size) / size
+    if size > 0.0:
+        scale = (2.0 * radius - size) / size
     return d * scale
 
 
@@ -71,7 +73,7 @@ def flip_point(d: vec3d, radius: float64) -> vec3d:
 def cell_at(face: int, row: int, column: int, width: int, blocks: array(dtype=int32)) -> int:
     """The cell in a place of a face whose blocks are `width` cells wide; -1 where there is no block."""
     block = blocks[(face * BLOCKS + row // width) * BLOCKS + column // width]
-    cell = int(-1)
+    cell = -1
     if block >= 0:
         cell = (block * width + row % width) * width + column % width
     return cell
@@ -82,7 +84,7 @@ def corner_at(
     face: int, row: int, column: int, width: int, blocks: array(dtype=int32), nearest: array(dtype=vec3d)
 ) -> vec3d:
     """The nearest point of a cell; its g is 0 where there is none. Rings end at the edges of a face."""
-    corner = vec3d(float64(0.0), float64(0.0), float64(0.0))
+    corner = vec3d(0.0, 0.0, 0.0)
     edge = BLOCKS * width
     if row >= 0 and row < edge and column >= 0 and column < edge:
         cell = cell_at(face, row, column, width, blocks)
@@ -108,7 +110,7 @@ def lies_behind(p: vec3d, a: vec3d, b: vec3d, c: vec3d, least_area: float64) -> 
     wb = (c[0] - p[0]) * (a[1] - p[1]) - (a[0] - p[0]) * (c[1] - p[1])
     wc = (a[0] - p[0]) * (b[1] - p[1]) - (b[0] - p[0]) * (a[1] - p[1])
     area = wa + wb + wc
-    behind = int(0)
+    behind = 0
     if min(min(wa, wb), wc) >= zero and area > least_area:
         if wa * (a[2] - p[2]) + wb * (b[2] - p[2]) + wc * (c[2] - p[2]) < -float64(MARGIN) * p[2] * area:
             behind = 1
@@ -129,10 +131,10 @@ def view_points_kernel(
     d = widen(points[i]) + offset
     place = locate_direction(flip_point(d, radius))
     face = int(NOWHERE)
-    view = vec3d(float64(0.0), float64(0.0), float64(0.0))
-    if isfinite(place[3]) and place[3] > float64(0.0):
+    view = vec3d(0.0, 0.0, 0.0)
+    if isfinite(place[3]) and place[3] > 0.0:
         face = int(place[0])
-        view = vec3d(place[1], place[2], float64(1.0) / place[3])
+        view = vec3d(place[1], place[2], 1.0 / place[3])
     faces[i] = uint8(face)
     views[i] = view
     ranges[i] = float(length(d))
@@ -151,7 +153,7 @@ def flip_points_kernel(
 def mark_viewed_kernel(faces: array(dtype=uint8), mask: array(dtype=uint8)):
     """1 where a point has a direction."""
     i = tid()
-    viewed = int(1)
+    viewed = 1
     if int(faces[i]) == NOWHERE:
         viewed = 0
     mask[i] = uint8(viewed)
@@ -187,7 +189,7 @@ def find_nearest_kernel(
     edge = BLOCKS * width
     cell = cell_at(int(faces[row]), grid_place(view[0], edge), grid_place(view[1], edge), width, blocks)
     nearness = int64(LAST_INDEX) - int64(float_bits(ranges[row]))
-    key = (nearness << int64(32)) | (int64(LAST_INDEX) - int64(row))
+    key = (nearness << 32) | (int64(LAST_INDEX) - int64(row))
     if key > keys[cell]:  # mostly not, so that few threads meet at the atomic
         atomic_max(keys, cell, key)
 
@@ -196,8 +198,8 @@ def find_nearest_kernel(
 def gather_nearest_kernel(keys: array(dtype=int64), views: array(dtype=vec3d), nearest: array(dtype=vec3d)):
     """The (u, v, g) of each cell's point; zeros where there is none."""
     i = tid()
-    view = vec3d(float64(0.0), float64(0.0), float64(0.0))
-    if keys[i] > int64(0):
+    view = vec3d(0.0, 0.0, 0.0)
+    if keys[i] > 0:
         view = views[int(int64(LAST_INDEX) - (keys[i] & int64(LAST_INDEX)))]
     nearest[i] = view
 
@@ -220,12 +222,12 @@ def mask_seen_kernel(
     row = grid_place(p[0], BLOCKS * width)
     column = grid_place(p[1], BLOCKS * width)
     # nine cells once: the ring counter-clockwise from +u, then the cell itself
-    us = ring_numbers(float64(0.0))
-    vs = ring_numbers(float64(0.0))
-    gs = ring_numbers(float64(0.0))
+    us = ring_numbers(0.0)
+    vs = ring_numbers(0.0)
+    gs = ring_numbers(0.0)
     for k in range(9):
-        u = int(0)
-        v = int(0)
+        u = 0
+        v = 0
         if k < 8:
             if (k + 1) % 8 < 3:
                 u = 1
@@ -239,19 +241,19 @@ def mask_seen_kernel(
         us[k] = corner[0]
         vs[k] = corner[1]
         gs[k] = corner[2]
-    hidden = int(0)
+    hidden = 0
     for t in range(TRIANGLES):
         if hidden == 0:
             corners = ring_triangle(t)
             a = vec3d(us[corners[0]], vs[corners[0]], gs[corners[0]])
             b = vec3d(us[corners[1]], vs[corners[1]], gs[corners[1]])
             c = vec3d(us[corners[2]], vs[corners[2]], gs[corners[2]])
-            if min(min(a[2], b[2]), c[2]) > float64(0.0):  # where p is one of them it is not strictly inside
+            if min(min(a[2], b[2]), c[2]) > 0.0:  # where p is one of them it is not strictly inside
                 hidden = lies_behind(p, a, b, c, least_area)
     mask[i] = uint8(1 - hidden)
 
 
-def visible_rows(points, offset, radius):
+def visible_rows(points: Points, offset: np.ndarray, radius: Any):
     """The rows of points that may be seen, ascending, some hidden ones among them; those at the camera are not.
 
     Args:
@@ -276,7 +278,7 @@ def visible_rows(points, offset, radius):
     return rows, mirrored
 
 
-def rule_out_hidden(rows, views, faces, ranges):
+def rule_out_hidden(rows: Any, views: Positions, faces: Bytes, ranges: Scalars):
     """The rows less those that the levels of cells find to be hidden."""
     device = rows.device
     marks = zeros(6 * BLOCKS * BLOCKS, int32, device)

@@ -6,12 +6,18 @@ surface variation is that of Pauly, Gross and Kobbelt, "Efficient simplification
 80 B read and 48 B written a point, some 400 operations in float64.
 """
 
+from typing import TYPE_CHECKING
+
 from ..algebra.eigen import eigenvalues, smallest_eigenvector
 from ..algebra.moments import covariance_of, moments
+from ..array_types import Array2, Device, Scalars
 from ..lang import NAN, array, float32, float64, func, int32, kernel, launch, log, pow, struct, tid, vec3d
 from ..memory import full
 from ..search.neighbor_limits import Neighborhood
 from ..surface.neighbor_moments import sum_neighbor_moments
+
+if TYPE_CHECKING:
+    from ..search.point_tree import PointTree
 
 MIN_NEIGHBORS = 3.0  # fewer points span no plane
 FLAT = 1.0e-15  # of the largest eigenvalue: what lies below is rounding
@@ -38,14 +44,14 @@ def eigenvalues_of(m: moments) -> vec3d:
         low = values[0]
     if values[1] > floor_value:
         middle = values[1]
-    return vec3d(low, middle, max(values[2], float64(0.0)))
+    return vec3d(low, middle, max(values[2], 0.0))
 
 
 @func
 def entropy_of(share: float64) -> float64:
     """-x ln x, and its limit at zero."""
     entropy = float64(0.0)
-    if share > float64(0.0):
+    if share > 0.0:
         entropy = -share * log(share)
     return entropy
 
@@ -70,7 +76,7 @@ class Shapes:
     curvature: array(dtype=float32)
     verticality: array(dtype=float32)
 
-    def __init__(self, count, device):
+    def __init__(self, count: int, device: Device) -> None:
         self.eigenvalues = full((count, 3), NAN, float32, device)
         for name in SHAPES:
             setattr(self, name, full(count, NAN, float32, device))
@@ -84,7 +90,7 @@ def measure_shapes_kernel(sums: array(dtype=moments), order: array(dtype=int32),
     m = sums[i]
     v = eigenvalues_of(m)
     total = v[0] + v[1] + v[2]
-    if m[0] >= float64(MIN_NEIGHBORS) and total > float64(0.0):
+    if m[0] >= float64(MIN_NEIGHBORS) and total > 0.0:
         shapes.eigenvalues[at, 0] = float(v[2])
         shapes.eigenvalues[at, 1] = float(v[1])
         shapes.eigenvalues[at, 2] = float(v[0])
@@ -97,7 +103,7 @@ def measure_shapes_kernel(sums: array(dtype=moments), order: array(dtype=int32),
         shapes.eigenentropy[at] = float(entropy_of(e[0]) + entropy_of(e[1]) + entropy_of(e[2]))
         shapes.curvature[at] = float(e[0])
         normal = smallest_eigenvector(covariance_of(m))
-        shapes.verticality[at] = float(float64(1.0) - abs(normal[2]))
+        shapes.verticality[at] = float(1.0 - abs(normal[2]))
 
 
 @kernel
@@ -107,11 +113,11 @@ def measure_curvature_kernel(sums: array(dtype=moments), order: array(dtype=int3
     m = sums[i]
     v = eigenvalues_of(m)
     total = v[0] + v[1] + v[2]
-    if m[0] >= float64(MIN_NEIGHBORS) and total > float64(0.0):
+    if m[0] >= float64(MIN_NEIGHBORS) and total > 0.0:
         curvature[order[i]] = float(v[0] / total)
 
 
-def measure_shapes(tree, radius, max_nn):
+def measure_shapes(tree: "PointTree", radius: float, max_nn: int | None) -> dict[str, Scalars | Array2[float32]]:
     """Eigenvalues and shapes of each point's neighbourhood.
 
     Args:
@@ -129,7 +135,7 @@ def measure_shapes(tree, radius, max_nn):
     return {name: getattr(shapes, name) for name in ("eigenvalues", *SHAPES)}
 
 
-def measure_curvature(tree, radius, max_nn):
+def measure_curvature(tree: "PointTree", radius: float, max_nn: int | None) -> Scalars:
     """The surface variation of each point's neighbourhood, float32 [n], 0 .. 1/3; NaN as in `measure_shapes`."""
     sums = sum_neighbor_moments(Neighborhood(tree, radius, max_nn))
     curvature = full(tree.source.size, NAN, float32, tree.device)

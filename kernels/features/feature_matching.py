@@ -10,36 +10,15 @@ on the number of threads: ties go to the lower number, and the atomic is a minim
 """
 
 import math
+from typing import Any
 
 import numpy as np
 
 from ..arrays.packed_keys import key_index, key_number, pack_key
 from ..arrays.select import positions_of
-from ..lang import (
-    array,
-    atomic_min,
-    float32,
-    float64,
-    func,
-    int32,
-    int64,
-    kernel,
-    launch,
-    sqrt,
-    struct,
-    tid,
-    uint8,
-)
+from ..lang import array, atomic_min, float32, float64, func, int32, int64, kernel, launch, sqrt, struct, tid, uint8
 from ..memory import empty, full, zeros
-from .feature_search import (
-    NO_ROW_KEY,
-    closest,
-    closest_group,
-    coordinates_of,
-    limit_of,
-    offer_group,
-    search_rows,
-)
+from .feature_search import NO_ROW_KEY, closest, closest_group, coordinates_of, limit_of, offer_group, search_rows
 from .feature_tree import FeatureRows, FeatureTree, find_axes
 
 CPU_RUN = 32  # queries a thread on the CPU: some 70 microseconds of work
@@ -66,7 +45,7 @@ class FeatureMatch:
     slack: float
     rounding: float
 
-    def __init__(self, source, target, *, second=True):
+    def __init__(self, source: Any, target: Any, *, second: bool = True) -> None:
         """Match the rows of two float32 device arrays [n, d] and [m, d]; `second` False leaves out the second nearest.
 
         Raises:
@@ -102,7 +81,7 @@ class FeatureMatch:
         launch(keep_mutual_kernel, -(-self.target.count // run), search)
         return kept
 
-    def pairs(self, kept):
+    def pairs(self, kept: Any):
         """The marked source rows with their nearest, int32 [m, 2] on the device, by source row (one sync)."""
         rows = positions_of(kept)
         pairs = empty((rows.size, 2), int32, self.device)
@@ -162,7 +141,7 @@ def keep_mutual_kernel(
             held = closest(claim, int64(NO_ROW_KEY))
             held = search_rows(y, place, queries, tree, held, -1, 0, 1, match.slack, margin)
             if held[0] == claim:
-                kept[key_index(claim)] = uint8(1)
+                kept[key_index(claim)] = 1
 
 
 @kernel
@@ -174,15 +153,12 @@ def keep_matched_kernel(nearest: array(dtype=int32), kept: array(dtype=uint8)):
 
 @kernel
 def drop_ambiguous_kernel(
-    sqdists: array(dtype=float32),
-    second_sqdists: array(dtype=float32),
-    square_ratio: float64,
-    kept: array(dtype=uint8),
+    sqdists: array(dtype=float32), second_sqdists: array(dtype=float32), square_ratio: float64, kept: array(dtype=uint8)
 ):
     """Take the mark from rows whose nearest is not nearer than a share of the way to the next."""
     i = tid()
     if not (float64(sqdists[i]) < square_ratio * float64(second_sqdists[i])):
-        kept[i] = uint8(0)
+        kept[i] = 0
 
 
 @kernel
@@ -193,21 +169,9 @@ def write_pairs_kernel(rows: array(dtype=int32), nearest: array(dtype=int32), pa
     pairs[i, 1] = nearest[rows[i]]
 
 
-def match_features(source, target):
-    """The nearest target row of each source row, and how far that and the next one are.
-
-    Args:
-        source: float32 device array [n, d].
-        target: float32 device array [m, d].
-
-    Returns:
-        (nearest, sqdists, second_sqdists): int32 [n], float32 [n], float32 [n]; -1 and infinity where there is none.
-    """
-    match = FeatureMatch(source, target)
-    return match.nearest, match.sqdists, match.second_sqdists
-
-
-def pair_features(source, target, *, mutual=False, mutual_consistency_ratio=0.1, ratio=None):
+def pair_features(
+    source: Any, target: Any, *, mutual: bool = False, mutual_consistency_ratio: float = 0.1, ratio: float | None = None
+):
     """Pairs of rows, nearest to each other.
 
     Args:

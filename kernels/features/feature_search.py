@@ -53,7 +53,7 @@ def limit_of(key: int64, slack: float, margin: float) -> float:
 @func
 def lanes_within(sqdists: lanes, limit: float) -> int:
     """Bit j is set where lane j is not beyond the limit."""
-    found = int(0)
+    found = 0
     for j in range(FAN):
         found = found | ((1 if sqdists[j] <= limit else 0) << j)
     return found
@@ -62,7 +62,7 @@ def lanes_within(sqdists: lanes, limit: float) -> int:
 @func
 def smallest_lane(sqdists: lanes) -> int:
     """The lane of the smallest number."""
-    found = int(0)
+    found = 0
     least = sqdists[0]
     for j in range(1, FAN):
         if sqdists[j] < least:
@@ -117,13 +117,7 @@ def coordinates_of(place: int, tree: FeatureTree) -> axes:
 
 @func
 def offer_group(
-    group: int,
-    y: axes,
-    limit: float,
-    place: int,
-    queries: FeatureTree,
-    tree: FeatureTree,
-    held: closest,
+    group: int, y: axes, limit: float, place: int, queries: FeatureTree, tree: FeatureTree, held: closest
 ) -> closest:
     """The two smallest of the keys held and those of a group's rows; the query is the row at a place of its own tree.
 
@@ -132,7 +126,7 @@ def offer_group(
     """
     best = held[0]
     next_best = held[1]
-    left = int(0)
+    left = 0
     if tree.alike[group] != REPEATED:
         left = rows_within(group, tree.grouped, y, limit)
         if tree.alike[group] == EQUAL:
@@ -154,7 +148,7 @@ def offer_group(
 @func
 def closest_group(y: axes, tree: FeatureTree) -> int:
     """A group that lies close: down the tree, each time into the nearest child."""
-    node = int(0)
+    node = 0
     least = float(INFINITY)
     for root in range(tree.roots):
         sqdists = measure_children(tree.third + root, tree.boxes, y)
@@ -184,14 +178,14 @@ def search_rows(
     Only rows that may be nearer than held[counted] are sure to be found. With `stop` the search ends at the first key
     that is smaller than one of those held.
     """
-    found = held + closest(int64(0))
+    found = held
     limit = limit_of(found[counted], slack, margin)
-    searching = int(1)
+    searching = 1
     for root in range(tree.roots):
-        node = root + 0
-        level = int(3)  # of the node; those of level 1 have groups for children
-        left = int64(lanes_within(measure_children(tree.third + root, tree.boxes, y), limit)) << int64(32)
-        while left != int64(0) and searching == 1:
+        node = root
+        level = 3  # of the node; those of level 1 have groups for children
+        left = int64(lanes_within(measure_children(tree.third + root, tree.boxes, y), limit)) << 32
+        while left != 0 and searching == 1:
             shift = int64(FAN * (level - 1))
             bits = int(left >> shift) & BITS
             if bits == 0:

@@ -14,9 +14,12 @@ found on the host. The pruning is exact: see `limit_of` in feature_search.py for
 Source: Leutenegger, Lopez and Edgington, "STR: a simple and efficient algorithm for R-tree packing", ICDE 1997.
 """
 
+from typing import Any
+
 import numpy as np
 
 from ..algebra.plain_min_max import larger, smaller
+from ..array_types import Array2, Indices
 from ..arrays.select import positions_of
 from ..arrays.sort import argsort_keys
 from ..lang import (
@@ -72,7 +75,7 @@ class FeatureRows:
     features: array(dtype=float32, ndim=2)
     rows: array(dtype=int32)
 
-    def __init__(self, features):
+    def __init__(self, features: Array2[float32]) -> None:
         row_count, self.columns = features.shape
         self.features, self.device = features, features.device
         usable = empty(row_count, uint8, self.device)
@@ -117,7 +120,7 @@ class FeatureTree:
     third: int
     extent: array(dtype=float32)
 
-    def __init__(self, source, basis):
+    def __init__(self, source: Any, basis: Array2[float64]) -> None:
         """Sort a FeatureRows along the axes of `find_axes`, the same for both sides of a search.
 
         Raises:
@@ -136,7 +139,7 @@ class FeatureTree:
         launch(pack_rows_kernel, self.count, [source, before, moves, order, self])
         self._bound(coordinates, order)
 
-    def _sort(self, coordinates):
+    def _sort(self, coordinates: Array2[float32]):
         """The order before the last sort, and that sort."""
         before, order = empty(self.count, int32, self.device), empty(self.count, int32, self.device)
         keys = empty(self.count, int64, self.device)
@@ -147,7 +150,7 @@ class FeatureTree:
             before, order = order, before
         return before, moves
 
-    def _bound(self, coordinates, order):
+    def _bound(self, coordinates: Array2[float32], order: Indices) -> None:
         sizes = [max(1, -(-self.count // GROUP))]
         for _ in range(3):
             sizes.append(-(-sizes[-1] // FAN))
@@ -165,7 +168,7 @@ class FeatureTree:
 def mark_rows_kernel(features: array(dtype=float32, ndim=2), usable: array(dtype=uint8)):
     """1 for rows whose numbers are all finite and not too large."""
     i = tid()
-    good = int(1)
+    good = 1
     for c in range(features.shape[1]):
         if not (abs(features[i, c]) <= LARGEST_NUMBER):
             good = 0
@@ -183,14 +186,12 @@ def gather_sample_kernel(source: FeatureRows, sample: array(dtype=float32, ndim=
 
 @kernel
 def project_rows_kernel(
-    source: FeatureRows,
-    basis: array(dtype=float64, ndim=2),
-    coordinates: array(dtype=float32, ndim=2),
+    source: FeatureRows, basis: array(dtype=float64, ndim=2), coordinates: array(dtype=float32, ndim=2)
 ):
     """The coordinates of a row; basis[c] holds the middle of column c and the axes' components along it."""
     i = tid()
     row = source.rows[i]
-    along = leading(float64(0.0))
+    along = leading(0.0)
     left = float64(0.0)
     for c in range(source.features.shape[1]):
         x = float64(source.features[row, c]) - basis[c, 0]
@@ -200,7 +201,7 @@ def project_rows_kernel(
     for k in range(LEADING):
         left -= along[k] * along[k]
         coordinates[i, k] = float32(along[k])
-    coordinates[i, LEADING] = float32(sqrt(max(left, float64(0.0))))
+    coordinates[i, LEADING] = float32(sqrt(max(left, 0.0)))
 
 
 @kernel
@@ -218,7 +219,7 @@ def make_slab_keys_kernel(
     Before the sort along the first axis there is none: the rows stand as they were given.
     """
     i = tid()
-    place = i + 0
+    place = i
     if axis > 0:
         place = before[moves[i]]
     order[i] = place
@@ -226,7 +227,7 @@ def make_slab_keys_kernel(
     ascending = bits ^ ((bits >> 31) & 0x7FFFFFFF)
     if (i // slab) % 2 == 1:
         ascending = -1 - ascending
-    keys[i] = (int64(i // slab) << int64(32)) + (int64(ascending) + int64(0x80000000))
+    keys[i] = (int64(i // slab) << 32) + (int64(ascending) + 0x80000000)
 
 
 @kernel
@@ -253,7 +254,7 @@ def pack_rows_kernel(
 @func
 def is_one_row(first: int, last: int, tree: FeatureTree) -> int:
     """1 where the packed rows first..last - 1 are all equal."""
-    same = int(1)
+    same = 1
     at = (first + 1) * tree.width
     while at < last * tree.width and same == 1:
         if tree.packed[at] != tree.packed[at - tree.width]:
@@ -274,10 +275,10 @@ def bound_groups_kernel(coordinates: array(dtype=float32, ndim=2), order: array(
     held = max(0, min(GROUP, order.shape[0] - first))
     low = boxed(INFINITY)
     high = boxed(-INFINITY)
-    longest = float(0.0)
+    longest = 0.0
     for lane in range(held):
         place = order[first + lane]
-        sqlength = float(0.0)
+        sqlength = 0.0
         for k in range(AXES):
             x = coordinates[place, k]
             tree.grouped[(i * AXES + k) * GROUP + lane] = x
@@ -319,7 +320,7 @@ def bound_children_kernel(below: int, first: int, boxes: array(dtype=float32)):
         boxes[at + (BOXED + k) * FAN] = high
 
 
-def find_axes(source, target):
+def find_axes(source: Any, target: Any):
     """The middle and the leading axes of samples of two FeatureRows, on their device.
 
     Returns:
@@ -334,7 +335,7 @@ def find_axes(source, target):
     return upload(basis, float64, source.device)
 
 
-def leading_axes(scatter):
+def leading_axes(scatter: Any):
     """LEADING orthonormal columns that hold most of a symmetric matrix; zeros where it has fewer.
 
     Nearly its eigenvectors, by a few steps of the power method each. Not by LAPACK, and sums not by BLAS: their threads
@@ -360,7 +361,7 @@ def leading_axes(scatter):
     return found
 
 
-def slab_sizes(count):
+def slab_sizes(count: int):
     """How many rows each slab of each round holds: all of them in the first."""
     fan = max(1.0, count / GROUP) ** (1 / ROUNDS)
     sizes = [GROUP]

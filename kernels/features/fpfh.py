@@ -12,6 +12,9 @@ The sums are float32: all terms are positive, so each comes out within m roundin
 or 1e-5 for 100. That is a hundred times below what one neighbour in another bin changes.
 """
 
+from typing import TYPE_CHECKING
+
+from ..array_types import Array2, Indices, Integers, Points, Vectors
 from ..arrays.lanes import sum_of_lanes
 from ..arrays.packed_keys import key_index, key_number
 from ..arrays.select import gather_vec3_kernel, positions_of
@@ -41,6 +44,9 @@ from ..search.group_scratch import GroupScratch, LaunchPart
 from ..search.neighbor_limits import Neighborhood, hold_members, members_of, neighbors_of
 from .pair_angles import BINS, COLUMNS
 from .spfh import count_angles
+
+if TYPE_CHECKING:
+    from ..search.point_tree import PointTree
 
 HALF = 16  # columns of one register vector; two of them and one number are a row
 HEAVIEST = 1.0e30  # [1 / m^2] the weight of points nearer than 1e-15 m: below infinity, times any number of neighbours
@@ -109,7 +115,7 @@ def fill_missing_features_kernel(order: array(dtype=int32), count: int, features
 @func
 def weight_of(sqdist: float) -> float:
     """One over a squared distance [1 / m^2]; points at the same place have none."""
-    weight = float(0.0)
+    weight = 0.0
     if sqdist > 0.0:
         weight = min(1.0 / sqdist, HEAVIEST)
     return weight
@@ -118,7 +124,7 @@ def weight_of(sqdist: float) -> float:
 @func
 def weight_at(keys: array(dtype=int64), at: int, end: int, limit: int64) -> float:
     """The weight of the point that a key stands for; none beyond the limit or the end of the keys."""
-    weight = float(0.0)
+    weight = 0.0
     if at < end:
         if keys[at] <= limit:
             weight = weight_of(key_number(keys[at]))
@@ -141,7 +147,7 @@ def sum_listed(
     """
     low = half_row(0.0)
     high = half_row(0.0)
-    end = float(0.0)
+    end = 0.0
     last = base + held - 1
     for chunk in range((held + 3) // 4):
         j = base + 4 * chunk
@@ -181,7 +187,7 @@ def sum_walked(
     """Write the weighted sum of the histograms of a point's neighbours, by a walk through the tree."""
     low = half_row(0.0)
     high = half_row(0.0)
-    end = float(0.0)
+    end = 0.0
     for j, sqdist in neighbors_of(rank, neighborhood):
         weight = weight_of(sqdist)
         for c in range(HALF):
@@ -198,7 +204,7 @@ def sum_walked(
 @func
 def scale_of(total: float) -> float:
     """What makes the columns of an angle, of this sum, 100 together."""
-    scale = float(0.0)
+    scale = 0.0
     if total > 0.0:
         scale = 100.0 / total
     return scale
@@ -208,7 +214,7 @@ def scale_of(total: float) -> float:
 def finish_row(rank: int, histograms: array(dtype=float32, ndim=2), row: int, features: array(dtype=float32, ndim=2)):
     """Scale the sum in a row to 100 an angle and add the point's own histogram."""
     for angle in range(3):
-        total = float(0.0)
+        total = 0.0
         for j in range(angle * BINS, angle * BINS + BINS):
             total += features[row, j]
         scale = scale_of(total)
@@ -258,8 +264,8 @@ def sum_histograms_of_lanes_kernel(
             member = group * WARP + owner
             rank = ranks[member]
             row = rows[member]
-            total = float(0.0)
-            end = float(0.0)
+            total = 0.0
+            end = 0.0
             own = lane()
             count = shuffle(held, owner)
             for chunk in range((count + WARP - 1) // WARP):
@@ -291,19 +297,23 @@ def sum_histograms_of_lanes_kernel(
         sync_lanes()
 
 
-def sum_histograms(neighborhood, histograms, ranks, rows, features):
+def sum_histograms(
+    neighborhood: Neighborhood, histograms: Array2[float32], ranks: Integers, rows: Indices, features: Array2[float32]
+) -> None:
     """Write the features of the points at some places on the curve into rows of `features`."""
     neighborhood.visit(sum_histograms_kernel, ranks, [histograms, rows, features])
 
 
-def mask_points(points, normals):
+def mask_points(points: Points, normals: Vectors) -> Points | None:
     """The points with NaN in place of those without a finite normal; None where all finite points have one (a sync)."""
     usable, masked = empty(points.size, vec3, points.device), zeros(1, int32, points.device)
     launch(mask_points_kernel, points.size, [points, normals, usable, masked])
     return usable if download(masked)[0] else None  # sync
 
 
-def compute_features(tree, normals, radius, max_nn, rows=None):
+def compute_features(
+    tree: "PointTree", normals: Vectors, radius: float, max_nn: int | None, rows: Indices | None = None
+) -> Array2[float32]:
     """Fast point feature histograms.
 
     Args:
@@ -334,7 +344,9 @@ def compute_features(tree, normals, radius, max_nn, rows=None):
     return features
 
 
-def _compute_chosen(tree, normals, radius, max_nn, rows):
+def _compute_chosen(
+    tree: "PointTree", normals: Vectors, radius: float, max_nn: int | None, rows: Indices
+) -> Array2[float32]:
     """Features of some points; histograms are counted for these and their neighbours only."""
     device, count = tree.device, tree.count
     places, chosen = empty(tree.order.size, int32, device), zeros(count, int32, device)

@@ -7,24 +7,10 @@ Per point the search, 80 B of moments and 8 B of saliency; the second search run
 
 from ..algebra.eigen import eigenvalues
 from ..algebra.moments import covariance_of, moments
+from ..array_types import Indices
 from ..arrays.packed_keys import key_index
 from ..arrays.select import positions_of
-from ..lang import (
-    array,
-    float64,
-    func,
-    int32,
-    int64,
-    kernel,
-    launch,
-    reduce,
-    reduction,
-    sqrt,
-    tid,
-    uint8,
-    vec3,
-    vector,
-)
+from ..lang import array, float64, func, int32, int64, kernel, launch, reduce, reduction, sqrt, tid, uint8, vec3, vector
 from ..memory import download, empty, zeros
 from ..search.bucket_walk import points_in_reach
 from ..search.nearest_point import find_nearest
@@ -55,7 +41,7 @@ def sum_spacings(points: array(dtype=vec3), nearest: array(dtype=int64)) -> one:
     """The sum [m] of the distances to the nearest other point."""
     i = tid()
     distance = float64(0.0)
-    if nearest[i] >= int64(0):
+    if nearest[i] >= 0:
         distance = distance_between(points[i], points[key_index(nearest[i])])
     return one(distance)
 
@@ -74,7 +60,7 @@ def measure_saliency_kernel(
     i = tid()
     m = sums[i]
     found = float64(0.0)
-    flag = int(0)
+    flag = 0
     if m[0] >= float64(min_neighbors):
         v = eigenvalues(covariance_of(m))
         if v[0] > least and v[1] < gamma_21 * v[2] and v[0] < gamma_32 * v[1]:
@@ -98,19 +84,19 @@ def keep_maxima_kernel(
     i = tid()
     rank = ranks[i]
     own = saliency[rank] + tie
-    found = int(0)
-    bound = reach + 0.0
+    found = 0
+    bound = reach
     for j, sqdist in points_in_reach(rank // BUCKET, tree.points[rank], bound, tree):
         found += 1
         if saliency[j] > own:
             bound = float(NOWHERE)  # the walk sees it and ends
-    flag = int(0)
+    flag = 0
     if bound == reach and found >= min_neighbors:
         flag = 1
     kept[tree.order[rank]] = uint8(flag)
 
 
-def mean_spacing(tree):
+def mean_spacing(tree: PointTree) -> float:
     """The mean distance [m] of the finite points to their nearest other point; 0 where there are none (one sync)."""
     if tree.count == 0:
         return 0.0
@@ -119,7 +105,9 @@ def mean_spacing(tree):
     return float(download(total)[0, 0]) / tree.count  # sync
 
 
-def find_iss_keypoints(tree, radii, gamma_21, gamma_32, min_neighbors):
+def find_iss_keypoints(
+    tree: PointTree, radii: tuple[float, float] | None, gamma_21: float, gamma_32: float, min_neighbors: int
+) -> Indices:
     """The keypoints of a cloud.
 
     Args:

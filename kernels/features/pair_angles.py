@@ -107,7 +107,7 @@ def quick_bins(d: vec3, n1: vec3, n2: vec3) -> int:
 @func
 def bin_of(level: float64) -> int:
     """A bin from an angle in bins; the ends take what lies beyond."""
-    return int(min(max(floor(level), float64(0.0)), float64(10.0)))
+    return int(min(max(floor(level), 0.0), 10.0))
 
 
 @func
@@ -120,7 +120,7 @@ def exact_bins(p: vec3, n: vec3, q: vec3, m: vec3) -> int:
     f1 = float64(0.0)
     f2 = float64(0.0)
     distance = sqrt(dot(d, d))
-    if distance > float64(0.0):
+    if distance > 0.0:
         slope = dot(a, d) / distance
         slope2 = dot(b, d) / distance
         one = float64(1.0)
@@ -132,23 +132,23 @@ def exact_bins(p: vec3, n: vec3, q: vec3, m: vec3) -> int:
             slope = -slope2
         v = cross(d, a)
         size = sqrt(dot(v, v))
-        if size > float64(0.0):
+        if size > 0.0:
             v = v / size
             f0 = atan2(dot(cross(a, v), b), dot(a, b))
             f1 = dot(v, b)
             f2 = slope
     bins = float64(11.0)
     pi = float64(PI)
-    bin0 = bin_of(bins * (f0 + pi) / (float64(2.0) * pi))
-    bin1 = bin_of(bins * (f1 + float64(1.0)) * float64(0.5))
-    bin2 = bin_of(bins * (f2 + float64(1.0)) * float64(0.5))
+    bin0 = bin_of(bins * (f0 + pi) / (2.0 * pi))
+    bin1 = bin_of(bins * (f1 + 1.0) * 0.5)
+    bin2 = bin_of(bins * (f2 + 1.0) * 0.5)
     return bin0 | (bin1 << BIN_BITS) | (bin2 << (2 * BIN_BITS))
 
 
 @func
 def settled_bins(bins: int, p: vec3, n: vec3, q: vec3, m: vec3) -> int:
     """The bins of a pair, once its quick ones are known or known to be unsure."""
-    settled = bins + 0
+    settled = bins
     if bins == UNSURE:
         settled = exact_bins(p, n, q, m)
     return settled

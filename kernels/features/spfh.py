@@ -4,14 +4,13 @@ About 130 operations a pair beside the search and 132 B written a point. Bins ar
 float64 arithmetic, so that the histograms are Open3D's to the last neighbour (pair_angles.py).
 """
 
+from ..array_types import Array2, Integers, Vectors
 from ..arrays.packed_keys import key_index
 from ..lang import array, float32, func, int32, kernel, tid, vec3, vector
 from ..memory import empty, zeros
 from ..search.group_scratch import GroupScratch, LaunchPart, held_key
 from ..search.neighbor_limits import Neighborhood, members_of, neighbors_of
-from ..search.point_tree import (
-    LEAF,
-)
+from ..search.point_tree import LEAF
 from .pair_angles import BIN_BITS, BIN_MASK, BINS, COLUMNS, MIDDLE, quick_bins, settled_bins
 
 histogram = vector(33, int32)
@@ -87,12 +86,12 @@ def write_histogram(rank: int, counts: histogram, histograms: array(dtype=float3
     than are asked for lie at one place it may not be among its own neighbours: then one of them goes in its stead, as
     in Open3D, which takes the first neighbour for the point itself.
     """
-    pairs = int(-1)
+    pairs = -1
     for j in range(BINS):
         pairs += counts[j]
     share = 100.0 / float(max(pairs, 1))
     for j in range(COLUMNS):
-        own = int(0)
+        own = 0
         if j % BINS == MIDDLE:
             own = 1
         histograms[rank, j] = float(counts[j] - own) * share
@@ -119,7 +118,7 @@ def count_angles_kernel(
         write_histogram(rank, counts, histograms)
 
 
-def count_angles(neighborhood, normals, ranks):
+def count_angles(neighborhood: Neighborhood, normals: Vectors, ranks: Integers) -> Array2[float32]:
     """The histograms of the points at some places on the curve.
 
     Args:

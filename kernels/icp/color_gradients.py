@@ -10,6 +10,7 @@ a neighbour. Differences to the point are exact to float32 wherever the cloud li
 
 from ..algebra.eigen import orthogonal_direction
 from ..algebra.transform import narrow, widen
+from ..array_types import Scalars, Vectors
 from ..arrays.packed_keys import key_index
 from ..arrays.select import gather_vec3_kernel
 from ..lang import (
@@ -45,7 +46,7 @@ def average_colors_kernel(colors: array(dtype=vec3), intensities: array(dtype=fl
     """The mean of the three channels."""
     i = tid()
     c = widen(colors[i])
-    intensities[i] = float((c[0] + c[1] + c[2]) / float64(3.0))
+    intensities[i] = float((c[0] + c[1] + c[2]) / 3.0)
 
 
 @kernel
@@ -60,35 +61,35 @@ def gather_intensities_kernel(
 @func
 def add_difference(total: plane_sums, d: vec3, change: float, u: vec3d, v: vec3d) -> plane_sums:
     """Count a neighbour at d from the point, whose intensity differs by `change`; NaN does not count."""
-    sums = total + plane_sums(float64(0.0))
+    sums = total
     if isfinite(change):
         w = widen(d)
         c = float64(change)
         a = dot(u, w)
         b = dot(v, w)
-        sums = total + plane_sums(float64(1.0), a * a, a * b, b * b, a * c, b * c)
+        sums = total + plane_sums(1.0, a * a, a * b, b * b, a * c, b * c)
     return sums
 
 
 @func
 def solve_gradient(total: plane_sums, u: vec3d, v: vec3d) -> vec3d:
     """The gradient in the plane of u and v; along the neighbours alone where they lie on a line, else of least norm."""
-    half = (total[1] - total[3]) * float64(0.5)
+    half = (total[1] - total[3]) * 0.5
     spread = sqrt(half * half + total[2] * total[2])
-    largest = (total[1] + total[3]) * float64(0.5) + spread
+    largest = (total[1] + total[3]) * 0.5 + spread
     a = float64(0.0)
     b = float64(0.0)
-    if total[0] >= float64(MIN_NEIGHBORS) and largest > float64(0.0):
+    if total[0] >= float64(MIN_NEIGHBORS) and largest > 0.0:
         det = total[1] * total[3] - total[2] * total[2]  # the product of the two eigenvalues
         if det > float64(FLATTEST) * largest * largest:
             a = (total[3] * total[4] - total[2] * total[5]) / det
             b = (total[1] * total[5] - total[2] * total[4]) / det
         else:
-            x = total[2] + float64(0.0)
+            x = total[2]
             y = spread - half
-            if half >= float64(0.0):
+            if half >= 0.0:
                 x = spread + half
-                y = total[2] + float64(0.0)
+                y = total[2]
             share = (x * total[4] + y * total[5]) / ((x * x + y * y) * largest)
             a = x * share
             b = y * share
@@ -111,18 +112,18 @@ def fit_gradients_kernel(
     for rank, base, size in nearest_of_leaves(i, part, tree, places, scratch, reach, 0):
         n = widen(normals[rank])
         length = sqrt(dot(n, n))
-        if isfinite(n) and isfinite(intensities[rank]) and length > float64(0.0):
+        if isfinite(n) and isfinite(intensities[rank]) and length > 0.0:
             p = tree.points[rank]
             u = orthogonal_direction(n / length)
             v = cross(n / length, u)
-            total = plane_sums(float64(0.0))
+            total = plane_sums(0.0)
             for j in range(size):
                 q = key_index(held_key(scratch, base, j))
                 total = add_difference(total, tree.points[q] - p, intensities[q] - intensities[rank], u, v)
             gradients[tree.order[rank]] = narrow(solve_gradient(total, u, v))
 
 
-def average_colors(colors):
+def average_colors(colors: Vectors) -> Scalars:
     """The intensity of each point: the mean of its three channels.
 
     Args:
@@ -136,7 +137,9 @@ def average_colors(colors):
     return intensities
 
 
-def estimate_color_gradients(tree, normals, colors, radius, max_nn):
+def estimate_color_gradients(
+    tree: PointTree, normals: Vectors, colors: Vectors, radius: float, max_nn: int
+) -> tuple[Scalars, Vectors]:
     """Intensities, and their gradients along the surface.
 
     Args:

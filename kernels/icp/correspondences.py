@@ -55,15 +55,10 @@ SLACK = 1.0e-6  # of a coordinate: more than the rounding of a moved point and o
 
 @func
 def measure_lanes(
-    first: int,
-    points: array(dtype=vec3),
-    xs: lane_numbers,
-    ys: lane_numbers,
-    zs: lane_numbers,
-    best: lane_results,
+    first: int, points: array(dtype=vec3), xs: lane_numbers, ys: lane_numbers, zs: lane_numbers, best: lane_results
 ) -> lane_results:
     """The lanes' results after the points of one leaf; padding is at infinity and never nearer."""
-    found = best + lane_results(0)
+    found = best
     for i in range(first, first + LEAF):
         p = points[i]
         for j in range(LEAF):
@@ -114,7 +109,7 @@ def lanes_within(
 ) -> int:
     """How many lanes lie nearer to the box of a node's child than they look."""
     distances = lane_distances(node, child, boxes, xs, ys, zs)
-    found = int(0)
+    found = 0
     for j in range(LEAF):
         found += 1 if distances[j] < limits[j] else 0
     return found
@@ -222,19 +217,19 @@ def match_groups_kernel(matches: Matches, forest: PointForest):
         wanted = lane_flags(0)
         best = lane_results(LARGEST_BITS)
         none = float_bits(matches.reach) + 1
-        count = int(0)
-        known = int(-1)
+        count = 0
+        known = -1
         a = vec3(INFINITY, INFINITY, INFINITY)
         b = vec3(-INFINITY, -INFINITY, -INFINITY)
         for j in range(LEAF):
             p = matches.jobs.sources.points[start + j]
-            pair = int(-1)
+            pair = -1
             if isfinite(p):
                 q = narrow(move(pose, widen(p)))
                 lower = remaining_bound(p, q, change, matches.lowers[head + j])
                 matches.lowers[head + j] = lower
                 place = matches.nearest[head + j]
-                bound = none + 0
+                bound = none
                 distance = sqrt(matches.reach)
                 if place >= 0:
                     known = place
@@ -273,7 +268,7 @@ def match_points_kernel(matches: Matches, forest: PointForest):
     job = matches.jobs.group_jobs[i // LEAF]
     if matches.live[job] != 0:
         p = matches.jobs.sources.points[source_place(i, matches.jobs)]
-        pair = int(-1)
+        pair = -1
         q = narrow(move(matches.poses[job], widen(p)))
         if isfinite(p) and isfinite(q):
             lower = remaining_bound(p, q, difference_of(matches.poses[job], matches.earlier[job]), matches.lowers[i])
@@ -291,7 +286,7 @@ def match_points_kernel(matches: Matches, forest: PointForest):
                 bucket = place // BUCKET - forest.levels[target * HEIGHTS]
                 if place < 0:
                     bucket = find_bucket_of(q, target, forest)
-                pair = int(-1)
+                pair = -1
                 second = int(LARGEST_BITS)
                 margin = matches.margins[job]
                 limit = limit_beside(best, second, margin)
@@ -331,13 +326,13 @@ def match_lanes_kernel(matches: Matches, forest: PointForest):
     p = matches.jobs.sources.points[source_place(row, matches.jobs)]
     q = narrow(move(matches.poses[job], widen(p)))
     is_point = 1 if is_live == 1 and isfinite(p) and isfinite(q) else 0
-    lower = float(0.0)
-    place = int(-1)
-    pair = int(-1)
+    lower = 0.0
+    place = -1
+    pair = -1
     best = float_bits(matches.reach) + 1
     second = int(LARGEST_BITS)
-    asks = int(0)
-    bucket = int(0)
+    asks = 0
+    bucket = 0
     if is_point == 1:
         place = matches.nearest[row]
         lower = remaining_bound(p, q, difference_of(matches.poses[job], matches.earlier[job]), matches.lowers[row])
@@ -360,7 +355,7 @@ def match_lanes_kernel(matches: Matches, forest: PointForest):
         shared = shuffle(target, leader)
         low = vec3(INFINITY, INFINITY, INFINITY)
         high = vec3(-INFINITY, -INFINITY, -INFINITY)
-        limit = float(-1.0)
+        limit = -1.0
         is_mine = 1 if asks == 1 and target == shared else 0
         if is_mine == 1:
             low = q

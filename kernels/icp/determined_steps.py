@@ -28,7 +28,7 @@ EXPONENT = 0x7F80_0000  # the bits of a float32 that are its power of two
 def about(h: triangle, center: vec3d, size: float64) -> square:
     """The 6x6 matrix about a place, rotations in units of length: B^T H B with B = (I/s, 0; [c]x/s, I)."""
     a = full_matrix(h)
-    c = square(float64(0.0))
+    c = square(0.0)
     for i in range(6):  # C = A B
         for j in range(3):
             c[i * UNKNOWNS + 3 + j] = a[i * UNKNOWNS + 3 + j]
@@ -36,7 +36,7 @@ def about(h: triangle, center: vec3d, size: float64) -> square:
         w = cross(v, center)  # v^T [c]x
         for j in range(3):
             c[i * UNKNOWNS + j] = (a[i * UNKNOWNS + j] + w[j]) / size
-    out = square(float64(0.0))
+    out = square(0.0)
     for j in range(6):  # B^T C
         v = vec3d(c[3 * UNKNOWNS + j], c[4 * UNKNOWNS + j], c[5 * UNKNOWNS + j])
         w = cross(v, center)
@@ -49,7 +49,7 @@ def about(h: triangle, center: vec3d, size: float64) -> square:
 @func
 def triangle_of(matrix: square) -> triangle:
     """The upper triangle of a 6x6 matrix."""
-    h = triangle(float64(0.0))
+    h = triangle(0.0)
     for i in range(6):
         for j in range(6):
             if j >= i:
@@ -66,8 +66,8 @@ def trace_of_inverse(matrix: square) -> float64:
     a = factor_system(triangle_of(matrix))
     trace = float64(0.0)
     for k in range(6):
-        x = vec6d(float64(0.0))
-        x[k] = float64(1.0)
+        x = vec6d(0.0)
+        x[k] = 1.0
         for j in range(6):
             if j > k:
                 v = float64(0.0)
@@ -77,10 +77,10 @@ def trace_of_inverse(matrix: square) -> float64:
                 x[j] = v
         for j in range(6):
             if j >= k:
-                if a[j * UNKNOWNS + j] > float64(0.0):
+                if a[j * UNKNOWNS + j] > 0.0:
                     x[j] = x[j] / a[j * UNKNOWNS + j]
                 else:
-                    x[j] = float64(0.0)
+                    x[j] = 0.0
         for step in range(6):
             j = UNKNOWNS - 1 - step
             if j >= k:
@@ -89,10 +89,10 @@ def trace_of_inverse(matrix: square) -> float64:
                     if m > j:
                         v -= a[m * UNKNOWNS + j] * x[m]
                 x[j] = v
-        if x[k] > float64(0.0):
+        if x[k] > 0.0:
             trace += x[k]
         else:
-            trace += float64(1.0e300)
+            trace += 1.0e300
     return trace
 
 
@@ -109,7 +109,7 @@ def determined_step(
     free_ones: array(dtype=free_directions),
 ) -> vec6d:
     """The step along the eigenvectors of the geometry about a place that it determines; the others are free."""
-    directions = free_directions(float64(0.0))
+    directions = free_directions(0.0)
     n = int(UNKNOWNS)  # loops over a variable are not unrolled: few jobs come here
     system = diagonalize(geometry, UNKNOWNS)
     largest = float64(0.0)
@@ -120,12 +120,12 @@ def determined_step(
     b = vec6d((g[0] + w[0]) / size, (g[1] + w[1]) / size, (g[2] + w[2]) / size, g[3], g[4], g[5])
     # the system along the eigenvectors; a free one keeps an empty row, which the solve passes over
     a = about(h, center, size)
-    along = square(float64(0.0))
-    right = vec6d(float64(0.0))
-    free = int(0)
+    along = square(0.0)
+    right = vec6d(0.0)
+    free = 0
     for k in range(n):
         if system[36 + k] > least * largest:
-            product = vec6d(float64(0.0))
+            product = vec6d(0.0)
             for i in range(n):
                 right[k] = right[k] - b[i] * system[i * UNKNOWNS + k]
                 for j in range(n):
@@ -142,7 +142,7 @@ def determined_step(
     free_counts[job] = free
     free_ones[job] = directions
     x = solve_system(triangle_of(along), right)
-    y = vec6d(float64(0.0))
+    y = vec6d(0.0)
     for k in range(n):
         for i in range(n):
             y[i] = y[i] + x[k] * system[i * UNKNOWNS + k]
@@ -155,8 +155,8 @@ def determined_step(
 def power_of_two_below(size: float64) -> float64:
     """The largest power of two up to a size; 1 where float32 holds none."""
     power = float64(bits_float(float_bits(float(size)) & EXPONENT))
-    if not (power > float64(0.0) and power - power == float64(0.0)):
-        power = float64(1.0)
+    if not (power > 0.0 and power - power == 0.0):
+        power = 1.0
     return power
 
 
@@ -167,7 +167,7 @@ def solve_in_lengths(h: triangle, g: vec6d, size: float64) -> vec6d:
     The unit is a power of two: no number is rounded otherwise than in metres.
     """
     unit = power_of_two_below(size)
-    scaled = triangle(float64(0.0))
+    scaled = triangle(0.0)
     b = -g
     for i in range(6):
         for j in range(6):
@@ -203,13 +203,13 @@ def constrained_step(
     Those are the eigenvectors of the matrix without robust weights, whose eigenvalue is below `least` of the largest:
     how firmly clouds hold each other does not depend on how far they still are apart.
     """
-    x = vec6d(float64(0.0))
+    x = vec6d(0.0)
     a = about(geometry, center, size)
     trace = float64(0.0)
     for i in range(6):
         trace += a[i * UNKNOWNS + i]
     # the smallest eigenvalue is at least 1 / trace(A^-1), the largest at most trace(A): most jobs need no more
-    if trace_of_inverse(a) * trace * least < float64(1.0):
+    if trace_of_inverse(a) * trace * least < 1.0:
         x = solve_in_lengths(h, g, size)
         free_counts[job] = 0
     else:
@@ -232,7 +232,7 @@ def note_free_rotations(
     """
     w = sums[0]
     mean = vec3d(sums[1] / w, sums[2] / w, sums[3] / w)
-    a = mat33d(float64(0.0))
+    a = mat33d(0.0)
     trace = float64(0.0)
     for i in range(3):
         for j in range(3):
@@ -245,12 +245,12 @@ def note_free_rotations(
     for i in range(3):
         a[i, i] = a[i, i] + trace
     system = diagonalize_three(a)
-    free = int(0)
+    free = 0
     for k in range(3):
         free += 1 if system[9 + k] <= least else 0  # translations have 1
     if free > 0:
-        directions = free_directions(float64(0.0))
-        at = int(0)
+        directions = free_directions(0.0)
+        at = 0
         for k in range(3):
             if system[9 + k] <= least:
                 for i in range(3):

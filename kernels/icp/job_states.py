@@ -1,9 +1,14 @@
 """What is noted of each job from one iteration to the next, all of it in one allocation and read back in one wait."""
 
+from typing import TYPE_CHECKING
+
 import numpy as np
 
 from ..arrays.side_by_side import SideBySide
 from ..lang import float32, float64, int32, mat44d, vec3d, vector
+
+if TYPE_CHECKING:
+    from .jobs import Jobs
 
 RUNNING = 0  # what became of a job
 CONVERGED = 1
@@ -14,7 +19,7 @@ NOT_FINITE = 4
 free_directions = vector(36, float64)  # up to six unit vectors, one a row
 
 
-def job_states(jobs, poses):
+def job_states(jobs: "Jobs", poses: np.ndarray) -> SideBySide:
     """The states of jobs before their first iteration: a SideBySide of arrays that `Matches` and `Progress` describe.
 
     Args:

@@ -4,15 +4,21 @@ The source points of a job are its elements, in groups of LEAF that follow each 
 whole group. Jobs that share a cloud share its points: an element takes 12 B beside them.
 """
 
+from typing import TYPE_CHECKING, Any
+
 import numpy as np
 
 from ..algebra.transform import widen
+from ..array_types import Array1
 from ..arrays.segment_blocks import SegmentBlocks
 from ..arrays.side_by_side import SideBySide
 from ..lang import array, float64, func, int32, reduce_segments, segment_reduction, struct, tid, vec3, vector
 from ..memory import download, empty, full, zeros
 from ..search.many_clouds import ManyClouds
 from ..search.point_tree import LEAF
+
+if TYPE_CHECKING:
+    from ..search.point_forest import PointForest
 
 first_moments = vector(4, float64)
 
@@ -44,7 +50,7 @@ class Jobs:
     job_sources: array(dtype=int32)
     job_targets: array(dtype=int32)
 
-    def __init__(self, sources, targets, source_of, target_of):
+    def __init__(self, sources: ManyClouds, targets: "PointForest | None", source_of: Any, target_of: Any) -> None:
         device = sources.device
         self.sources, self.targets, self.device = sources, targets, device
         self.source_of, self.target_of = np.asarray(source_of, np.int64), np.asarray(target_of, np.int64)
@@ -66,7 +72,7 @@ class Jobs:
         vars(self).update(SideBySide(tables, device).arrays)
         self.blocks = SegmentBlocks(self.firsts, self.counts, device)
 
-    def sum_moments(self):
+    def sum_moments(self) -> Array1[Any]:
         """The sums of positions and squares over each source, first_moments [clouds]."""
         curve = self.sources
         blocks = SegmentBlocks(curve.bases, curve.counts, self.device)
@@ -75,7 +81,7 @@ class Jobs:
         reduce_segments(sum_moments, blocks, full(count, 1, int32, self.device), [curve.points], partials, out)
         return out
 
-    def measure_sources(self, moments):
+    def measure_sources(self, moments: Array1[Any]) -> tuple[np.ndarray, np.ndarray]:
         """The mean [m], float64 [jobs, 3], and the spread about it [m], [jobs], of each job's source; on the host."""
         sums = download(moments) / np.maximum(self.sources.counts, 1)[:, None]  # sync
         means, spreads = sums[:, :3], np.sqrt(np.maximum(sums[:, 3] - (sums[:, :3] ** 2).sum(axis=1), 0))

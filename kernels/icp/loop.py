@@ -5,16 +5,25 @@ read back in between: on CUDA the loop is one graph, on the CPU the only thing l
 point and job: 12 B; jobs that share clouds share their trees.
 """
 
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
 from ..algebra.rigid_solve import TRIANGLE, vec6d
-from ..lang import WARP, int32, launch, loop_while, reduce_segments
+from ..array_types import AnyArray, Array1, Integers
+from ..lang import WARP, Reduction, int32, launch, loop_while, reduce_segments
 from ..memory import download, empty, full, zeros
 from ..search.point_tree import LEAF
 from .correspondences import match_groups_kernel, match_points_kernel
 from .job_states import job_states
-from .matches import Matches
-from .rows import row_sums, sum_information
-from .step import Progress, measure_velocities_kernel, step_jobs_kernel
-from .voxel_gaussians import match_voxels_kernel
+from .matches import Matches, PointColumns
+from .rows import DopplerRule, row_sums, sum_information
+from .step import Progress, StepRules, measure_velocities_kernel, step_jobs_kernel
+from .voxel_gaussians import VoxelGaussians, match_voxels_kernel
+
+if TYPE_CHECKING:
+    from .robust_weights import Loss
 
 
 class RegistrationLoop:
@@ -36,7 +45,15 @@ class RegistrationLoop:
         target_covariances: Of the Gaussians that are matched with, float32 [m, 9]; None where there are none.
     """
 
-    def __init__(self, jobs, poses, max_distance, gaussians=None, judged_apart=False, alone=None):
+    def __init__(
+        self,
+        jobs: Any,
+        poses: np.ndarray,
+        max_distance: float,
+        gaussians: VoxelGaussians | None = None,
+        judged_apart: bool = False,
+        alone: bool | None = None,
+    ) -> None:
         device = jobs.device
         self.alone = device.is_cuda if alone is None else alone
         self.jobs, self.gaussians = jobs, gaussians
@@ -50,7 +67,7 @@ class RegistrationLoop:
         self.velocities = zeros(jobs.count, vec6d, device)
         self.partials = empty(jobs.blocks.count, row_sums, device)
 
-    def match(self):
+    def match(self) -> None:
         """Find the pairs of all live jobs."""
         jobs, matches = self.jobs, self.matches
         if self.gaussians is not None:
@@ -63,7 +80,12 @@ class RegistrationLoop:
         else:
             launch(match_groups_kernel, jobs.group_count, [matches, jobs.targets], width=LEAF)
 
-    def sum_rows(self, rows, arguments, plain_arguments=None):
+    def sum_rows(
+        self,
+        rows: Reduction,
+        arguments: "Sequence[AnyArray | PointColumns | Loss | DopplerRule | float]",
+        plain_arguments: "Sequence[Integers | Array1[Any] | PointColumns | Loss | DopplerRule | float] | None" = None,
+    ) -> None:
         """Sum a reduction's rows over the pairs of all live jobs into `progress.totals`.
 
         `plain_arguments` are those without robust kernels, which tell what is degenerate; None where they are the same.
@@ -74,15 +96,15 @@ class RegistrationLoop:
             sums = progress.plain_totals
             reduce_segments(rows, blocks, matches.live, [matches, *plain_arguments], self.partials, sums)
 
-    def measure_velocities(self, period):
+    def measure_velocities(self, period: float) -> None:
         """The velocity of each job's pose, for Doppler rows."""
         launch(measure_velocities_kernel, self.jobs.count, [self.matches.poses, period, self.velocities])
 
-    def step(self, rules):
+    def step(self, rules: StepRules) -> None:
         """Judge all live jobs by StepRules and move them on."""
         launch(step_jobs_kernel, self.jobs.count, [rules, self.matches, self.progress])
 
-    def run(self, iterate, watch=None):
+    def run(self, iterate: Callable[..., Any], watch: Any = None) -> None:
         """Run `iterate` until no job is live; `watch` is called after each turn and costs a sync there."""
         running = self.progress.running
         if watch is None:
@@ -92,7 +114,7 @@ class RegistrationLoop:
             iterate()
             watch()
 
-    def measure_information(self):
+    def measure_information(self) -> np.ndarray:
         """The information of the pairs of each job about its target's origin: upper triangles, float64 [jobs, 21]."""
         jobs, totals = self.jobs, self.progress.totals
         live = full(jobs.count, 1, int32, jobs.device)

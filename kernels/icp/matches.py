@@ -1,12 +1,18 @@
 """The pairs of all jobs under their poses: what an iteration finds, drops, sums and then moves on from."""
 
+from typing import TYPE_CHECKING
+
 from ..algebra.rigid_solve import move
 from ..algebra.transform import widen
-from ..lang import array, float32, func, int32, mat44d, struct, vec3, vec3d
+from ..array_types import AnyArray, Points
+from ..lang import array, float32, float64, func, int32, mat44d, struct, vec3, vec3d
 from ..memory import full
 from ..search.point_tree import LEAF
 from ..search.tree_search import reach_of
 from .jobs import Jobs, source_place
+
+if TYPE_CHECKING:
+    from ..arrays.side_by_side import SideBySide
 
 NO_PAIR = -1
 LARGEST_REACH = 3.0e38  # [m^2] below infinity, whose bits have no successor
@@ -45,7 +51,7 @@ class Matches:
     lowers: array(dtype=float32)
     pairs: array(dtype=int32)
 
-    def __init__(self, jobs, states, max_distance, targets):
+    def __init__(self, jobs: Jobs, states: "SideBySide", max_distance: float, targets: Points) -> None:
         device, elements = jobs.device, jobs.group_count * LEAF
         self.jobs, self.targets, self.reach = jobs, targets, min(reach_of(max_distance), LARGEST_REACH)
         for name in ("poses", "earlier", "live", "margins"):
@@ -74,7 +80,7 @@ class PointColumns:
     dopplers: array(dtype=float32, ndim=2)
     directions: array(dtype=vec3)
 
-    def __init__(self, **arrays):
+    def __init__(self, **arrays: AnyArray | None) -> None:
         vars(self).update(arrays)
 
 
@@ -89,3 +95,16 @@ def moved_source(i: int, matches: Matches) -> vec3d:
 def paired_target(i: int, matches: Matches) -> vec3d:
     """The target point that element i is paired with."""
     return widen(matches.targets[matches.pairs[i]])
+
+
+@func
+def pair_of(i: int, matches: Matches) -> tuple[vec3d, vec3d, float64]:
+    """The source point of element i under its pose, its target point, and 1; zeros where it has no pair."""
+    p = vec3d(0.0)
+    q = vec3d(0.0)
+    paired = float64(0.0)
+    if matches.pairs[i] >= 0:
+        p = moved_source(i, matches)
+        q = paired_target(i, matches)
+        paired = 1.0
+    return p, q, paired

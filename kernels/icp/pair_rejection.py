@@ -8,8 +8,11 @@ ICP for minimizing fractional RMSD", eq. 2): of the k nearest pairs, sqrt(S / k)
 distances. One round of counts tells it to an eighth of an octave of the square; no unit of length enters.
 """
 
+import numpy as np
+
 from ..algebra.rigid_solve import turn
 from ..algebra.transform import narrow, widen
+from ..array_types import Doubles, Vectors
 from ..lang import (
     array,
     atomic_add,
@@ -82,11 +85,7 @@ def begin_ranks_kernel(wanted: array(dtype=int32), prefixes: array(dtype=int32),
 
 @kernel
 def count_bits_kernel(
-    matches: Matches,
-    bits: array(dtype=int32),
-    prefixes: array(dtype=int32),
-    shift: int,
-    counts: array(dtype=int32),
+    matches: Matches, bits: array(dtype=int32), prefixes: array(dtype=int32), shift: int, counts: array(dtype=int32)
 ):
     """Count the pairs by the next bits of those that agree with what is known of the threshold."""
     i = tid()
@@ -104,14 +103,14 @@ def pick_bin_kernel(
     i = tid()
     if live[i] != 0:
         chosen = int(BINS - 1)
-        passed = int(0)
+        passed = 0
         rank = ranks[i]
-        searching = int(1)
-        b = int(0)
+        searching = 1
+        b = 0
         while searching == 1 and b < BINS:
             here = counts[i * BINS + b]
             if passed + here > rank:
-                chosen = b + 0
+                chosen = b
                 searching = 0
             else:
                 passed += here
@@ -144,7 +143,7 @@ def pick_least_rmsd_kernel(
         kept = float64(0.0)
         sqdists = float64(0.0)
         least = float64(0.0)
-        chosen = int(-1)
+        chosen = -1
         for b in range(BINS):
             count = counts[i * BINS + b]
             if count > 0:
@@ -153,7 +152,7 @@ def pick_least_rmsd_kernel(
                 sqdists += float64(count) * (float64(middle) + rounding * rounding)
                 score = sqdists / (kept * kept * kept * sqrt(kept))
                 if kept >= float64(LEAST_SHARE) * total and (chosen < 0 or score < least):
-                    chosen = b + 0
+                    chosen = b
                     least = score
         thresholds[i] = -1
         if chosen >= 0:
@@ -180,7 +179,14 @@ class PairRejection:
             they are; `wanted` is None then.
     """
 
-    def __init__(self, matches, wanted=None, normals=None, *, sizes=None):
+    def __init__(
+        self,
+        matches: Matches,
+        wanted: np.ndarray | None = None,
+        normals: tuple[Vectors, Vectors, float] | None = None,
+        *,
+        sizes: Doubles | None = None,
+    ) -> None:
         jobs, device = matches.jobs, matches.jobs.device
         self.matches, self.normals, self.wanted, self.sizes = matches, normals, None, sizes
         if wanted is not None:
@@ -190,7 +196,7 @@ class PairRejection:
             self.counts = empty(jobs.count * BINS, int32, device)
             self.prefixes = empty(jobs.count, int32, device)
 
-    def run(self):
+    def run(self) -> None:
         """Drop what is to be dropped from the pairs of all live jobs."""
         matches, jobs, elements = self.matches, self.matches.jobs, self.matches.pairs.size
         if self.normals is not None:
@@ -209,7 +215,7 @@ class PairRejection:
                 launch(pick_bin_kernel, jobs.count, [matches.live, self.counts, self.prefixes, self.ranks])
         launch(trim_pairs_kernel, elements, [matches, self.bits, self.prefixes])
 
-    def _count(self, shift):
+    def _count(self, shift: int) -> None:
         """Count the pairs of all live jobs by eleven of the bits of their squared distances."""
         launch(clear_counts_kernel, self.counts.size, [self.counts])
         launch(count_bits_kernel, self.matches.pairs.size, [self.matches, self.bits, self.prefixes, shift, self.counts])

@@ -5,7 +5,10 @@ whatever the neighbours' true spread. With a unit normal n that is I + (epsilon 
 that takes the first axis to n, as the paper has it, is not needed and not unique. 12 B read and 36 B written a point.
 """
 
+from typing import TYPE_CHECKING
+
 from ..algebra.transform import widen
+from ..array_types import Array2, Vectors
 from ..lang import (
     INFINITY,
     NAN,
@@ -19,13 +22,15 @@ from ..lang import (
     launch,
     mat33d,
     outer,
-    sqrt,
     tid,
     vec3,
     vec3d,
 )
 from ..memory import empty
 from ..surface.normals import estimate_normals
+
+if TYPE_CHECKING:
+    from ..search.point_tree import PointTree
 
 MIN_NEIGHBORS = 5  # fewer tell nothing certain of a plane: the identity then, as small_gicp has it
 
@@ -43,37 +48,9 @@ def plane_covariance(n: vec3d, epsilon: float64) -> mat33d:
     """Spread 1 along the plane with normal n, epsilon across it; the identity of a zero normal."""
     sqlength = dot(n, n)
     C = identity()
-    if sqlength > float64(0.0):
-        C = C + outer(n, n) * ((epsilon - float64(1.0)) / sqlength)
+    if sqlength > 0.0:
+        C = C + outer(n, n) * ((epsilon - 1.0) / sqlength)
     return C
-
-
-@func
-def unit_normal(n: vec3d) -> vec3d:
-    """The vector at length 1; zero stays zero."""
-    sqlength = dot(n, n)
-    unit = n * float64(0.0)
-    if sqlength > float64(0.0):
-        unit = n / sqrt(sqlength)
-    return unit
-
-
-@func
-def plane_information(n: vec3d, m: vec3d, epsilon: float64) -> mat33d:
-    """The inverse of the sum of the covariances of two planes with normals n and m, without inverting a matrix.
-
-    With unit normals a and b the sum is 2 I - s [a b] [a b]^T, s = 1 - epsilon; by Woodbury's identity its inverse is
-    (I + (k (a a^T + b b^T) + c (a b^T + b a^T)) / (k^2 - c^2)) / 2 with c = a.b and k = 2 / s - 1. Normals of float32
-    are made unit first: where the planes are parallel, an error of their length counts 1 / epsilon times.
-    """
-    a = unit_normal(n)
-    b = unit_normal(m)
-    k = (float64(1.0) + epsilon) / (float64(1.0) - epsilon)
-    c = dot(a, b)
-    scale = float64(0.5) / ((k - c) * (k + c))
-    own = (outer(a, a) + outer(b, b)) * (k * scale)
-    mixed = (outer(a, b) + outer(b, a)) * (c * scale)
-    return identity() * float64(0.5) + own + mixed
 
 
 @kernel
@@ -94,7 +71,7 @@ def cover_planes_kernel(
             covariances[i, 3 * row + column] = value
 
 
-def plane_covariances_from_normals(normals, epsilon):
+def plane_covariances_from_normals(normals: Vectors, epsilon: float) -> Array2[float32]:
     """Covariances of the planes that normals stand for.
 
     Args:
@@ -110,7 +87,7 @@ def plane_covariances_from_normals(normals, epsilon):
     return covariances
 
 
-def plane_covariances(tree, k=20, epsilon=1e-3):
+def plane_covariances(tree: "PointTree", k: int = 20, epsilon: float = 1e-3) -> Array2[float32]:
     """Covariances of the planes fitted to the k nearest points of each point.
 
     Args:

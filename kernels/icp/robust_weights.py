@@ -34,7 +34,7 @@ class Loss:
     k: float64
     shape: float64
 
-    def __init__(self, kind, k, shape):
+    def __init__(self, kind: int, k: float, shape: float) -> None:
         self.kind, self.k, self.shape = kind, k, shape
 
 
@@ -43,15 +43,15 @@ def general_weight(r: float64, k: float64, shape: float64) -> float64:
     """Barron's kernel with scale k."""
     square = (r / k) * (r / k)
     weight = float64(1.0)
-    if abs(shape - float64(2.0)) <= float64(TO_TWO):
-        weight = float64(1.0)
+    if abs(shape - 2.0) <= float64(TO_TWO):
+        weight = 1.0
     elif abs(shape) <= float64(TO_ZERO):
-        weight = float64(2.0) / (square + float64(2.0))
+        weight = 2.0 / (square + 2.0)
     elif shape < float64(MINUS_INFINITY):
         weight = exp(-float64(0.5) * square)
     else:
-        base = square / abs(shape - float64(2.0)) + float64(1.0)
-        weight = pow(base, float64(0.5) * shape - float64(1.0))
+        base = square / abs(shape - 2.0) + 1.0
+        weight = pow(base, 0.5 * shape - 1.0)
     return weight / (k * k)
 
 
@@ -61,15 +61,15 @@ def robust_weight(loss: Loss, r: float64) -> float64:
     size = abs(r)
     weight = float64(1.0)
     if loss.kind == L1:
-        weight = float64(1.0) / max(size, float64(LEAST_RESIDUAL))
+        weight = 1.0 / max(size, float64(LEAST_RESIDUAL))
     if loss.kind == HUBER:
         weight = loss.k / max(size, loss.k)
     if loss.kind == CAUCHY:
-        weight = float64(1.0) / (float64(1.0) + (r / loss.k) * (r / loss.k))
+        weight = 1.0 / (1.0 + (r / loss.k) * (r / loss.k))
     if loss.kind == GEMAN_MCCLURE:
         weight = loss.k / ((loss.k + r * r) * (loss.k + r * r))
     if loss.kind == TUKEY:
-        rest = float64(1.0) - min(float64(1.0), size / loss.k) * min(float64(1.0), size / loss.k)
+        rest = 1.0 - min(1.0, size / loss.k) * min(1.0, size / loss.k)
         weight = rest * rest
     if loss.kind == GENERAL:
         weight = general_weight(r, loss.k, loss.shape)

@@ -12,27 +12,15 @@ is a pair; sums in float64 leave through the reduction: 21 of J^T J, 6 of J^T r,
 - Doppler: Hexsel, Vhavle and Chen 2022, as Open3D has it.
 """
 
+import numpy as np
+
 from ..algebra.rigid_solve import sums_of_pair, turn, vec6d
 from ..algebra.transform import widen
-from ..lang import (
-    array,
-    cross,
-    dot,
-    float64,
-    func,
-    int32,
-    mat33d,
-    segment_reduction,
-    sqrt,
-    struct,
-    tid,
-    vec3d,
-    vector,
-)
+from ..lang import array, cross, dot, float64, func, int32, mat33d, segment_reduction, sqrt, struct, tid, vec3d, vector
 from ..search.point_tree import LEAF
 from .covariance_rows import inverse_factor, inverse_root, read_covariance, trace_of_square, turn_covariance
 from .jobs import source_place
-from .matches import Matches, PointColumns, moved_source, paired_target
+from .matches import Matches, PointColumns, pair_of, paired_target
 from .robust_weights import GEOMETRY, L2, Loss, robust_weight
 
 row_sums = vector(36, float64)
@@ -77,7 +65,7 @@ def sum_pair(p: vec3d, q: vec3d, w: float64) -> row_sums:
 def count_pair(sums: row_sums, p: vec3d, q: vec3d, paired: float64) -> row_sums:
     """The sums of a row with those of its pair; without one p and q are zero, and so is `paired`."""
     d = p - q
-    counted = sums + row_sums(float64(0.0))
+    counted = sums
     counted[DISTANCE_AT] = dot(d, d)
     counted[COUNT_AT] = paired
     for axis in range(3):
@@ -122,34 +110,36 @@ class DopplerRule:
     reject_from: int
     threshold: float64
 
-    def __init__(self, sensor, period, share, loss, *, geometric_from, doppler_from, reject_from, threshold):
+    def __init__(
+        self,
+        sensor: np.ndarray,
+        period: float,
+        share: float,
+        loss: Loss,
+        *,
+        geometric_from: int,
+        doppler_from: int,
+        reject_from: int,
+        threshold: float,
+    ) -> None:
         self.sensor, self.period, self.share, self.loss = vec3d(*sensor), period, share, loss
         self.geometric_from, self.doppler_from = geometric_from, doppler_from
         self.reject_from, self.threshold = reject_from, threshold
 
 
 @segment_reduction(most_registers=128)  # two blocks of an SM, not one
-def sum_point_rows(
-    matches: Matches,
-    loss: Loss,
-    pivots: array(dtype=vec3d),
-) -> row_sums:
+def sum_point_rows(matches: Matches, loss: Loss, pivots: array(dtype=vec3d)) -> row_sums:
     """Point to point: sums of pairs about each job's pivot; the weight is that of the distance."""
     i = tid()
-    p = vec3d(float64(0.0))
-    q = vec3d(float64(0.0))
-    a = vec3d(float64(0.0))
-    b = vec3d(float64(0.0))
+    p, q, paired = pair_of(i, matches)
+    a = vec3d(0.0)
+    b = vec3d(0.0)
     w = float64(0.0)
-    paired = float64(0.0)
-    if matches.pairs[i] >= 0:
+    if paired > 0.0:
         pivot = pivots[matches.jobs.group_jobs[i // LEAF]]
-        p = moved_source(i, matches)
-        q = paired_target(i, matches)
         a = p - pivot
         b = q - pivot
-        w = float64(1.0)
-        paired = float64(1.0)
+        w = 1.0
         if loss.kind != L2:
             d = p - q
             w = robust_weight(loss, sqrt(dot(d, d)))
@@ -157,81 +147,56 @@ def sum_point_rows(
 
 
 @segment_reduction(most_registers=128)  # two blocks of an SM, not one
-def sum_plane_rows(
-    matches: Matches,
-    loss: Loss,
-    target: PointColumns,
-) -> row_sums:
+def sum_plane_rows(matches: Matches, loss: Loss, target: PointColumns) -> row_sums:
     """Point to plane: r = d . n, J = (p x n, n)."""
     i = tid()
-    p = vec3d(float64(0.0))
-    q = vec3d(float64(0.0))
-    n = vec3d(float64(0.0))
+    p, q, paired = pair_of(i, matches)
+    n = vec3d(0.0)
     r = float64(0.0)
     w = float64(0.0)
-    paired = float64(0.0)
-    if matches.pairs[i] >= 0:
-        p = moved_source(i, matches)
-        q = paired_target(i, matches)
+    if paired > 0.0:
         n = widen(target.normals[matches.pairs[i]])
         r = dot(p - q, n)
         w = robust_weight(loss, r)
-        paired = float64(1.0)
     return count_pair(sum_row(cross(p, n), n, r, w), p, q, paired)
 
 
 @segment_reduction(most_registers=128)  # two blocks of an SM, not one
-def sum_symmetric_rows(
-    matches: Matches,
-    loss: Loss,
-    source: PointColumns,
-    target: PointColumns,
-) -> row_sums:
+def sum_symmetric_rows(matches: Matches, loss: Loss, source: PointColumns, target: PointColumns) -> row_sums:
     """Symmetric: r = d . m, J = ((p + q) x m, m), with m the sum of both normals, turned to one side."""
     i = tid()
-    p = vec3d(float64(0.0))
-    q = vec3d(float64(0.0))
-    m = vec3d(float64(0.0))
+    p, q, paired = pair_of(i, matches)
+    m = vec3d(0.0)
     r = float64(0.0)
     w = float64(0.0)
-    paired = float64(0.0)
-    if matches.pairs[i] >= 0:
+    if paired > 0.0:
         job = matches.jobs.group_jobs[i // LEAF]
         at = source_place(i, matches.jobs)
-        p = moved_source(i, matches)
-        q = paired_target(i, matches)
         n = turn(matches.poses[job], widen(source.normals[at]))
         m = widen(target.normals[matches.pairs[i]])
-        if dot(n, m) < float64(0.0):
+        if dot(n, m) < 0.0:
             m = m - n
         else:
             m = m + n
         r = dot(p - q, m)
         w = robust_weight(loss, r)
-        paired = float64(1.0)
     return count_pair(sum_row(cross(p + q, m), m, r, w), p, q, paired)
 
 
 @segment_reduction
-def sum_generalized_rows(
-    matches: Matches,
-    loss: Loss,
-    source: PointColumns,
-    target: PointColumns,
-) -> row_sums:
+def sum_generalized_rows(matches: Matches, loss: Loss, source: PointColumns, target: PointColumns) -> row_sums:
     """Generalised: the rows of W d with W^T W = (C_target + R C_source R^T)^-1; a kernel weights each row."""
     i = tid()
-    total = row_sums(float64(0.0))
-    if matches.pairs[i] >= 0:
+    p, q, paired = pair_of(i, matches)
+    total = row_sums(0.0)
+    if paired > 0.0:
         job = matches.jobs.group_jobs[i // LEAF]
         at = source_place(i, matches.jobs)
         pose = matches.poses[job]
-        p = moved_source(i, matches)
-        q = paired_target(i, matches)
         M = read_covariance(target.covariances, matches.pairs[i]) + turn_covariance(
             pose, read_covariance(source.covariances, at)
         )
-        W = mat33d(float64(0.0))
+        W = mat33d(0.0)
         if loss.kind <= L2:
             W = inverse_factor(M)
         else:
@@ -243,43 +208,35 @@ def sum_generalized_rows(
             total += sum_row(cross(p, v), v, r, robust_weight(loss, r))
         if loss.kind == GEOMETRY:
             # what covariances hold along planes fixes no motion of a smooth surface: take it off, and count pairs alike
-            floor = float64(1.0) / sqrt(trace_of_square(M))  # no eigenvalue of M is larger than this root
+            floor = 1.0 / sqrt(trace_of_square(M))  # no eigenvalue of M is larger than this root
             trace = float64(0.0)
             for row in range(3):
-                e = vec3d(float64(0.0), float64(0.0), float64(0.0))
-                e[row] = float64(1.0)
-                total += sum_row(cross(p, e), e, float64(0.0), -floor)
+                e = vec3d(0.0, 0.0, 0.0)
+                e[row] = 1.0
+                total += sum_row(cross(p, e), e, 0.0, -floor)
                 trace += W[row, 0] * W[row, 0] + W[row, 1] * W[row, 1] + W[row, 2] * W[row, 2] - floor
-            total = total * (float64(1.0) / trace)
-        total = count_pair(total, p, q, float64(1.0))
+            total = total * (1.0 / trace)
+        total = count_pair(total, p, q, paired)
     return total
 
 
 @segment_reduction
 def sum_colored_rows(
-    matches: Matches,
-    loss: Loss,
-    source: PointColumns,
-    target: PointColumns,
-    geometric_share: float64,
+    matches: Matches, loss: Loss, source: PointColumns, target: PointColumns, geometric_share: float64
 ) -> row_sums:
     """Coloured: a point-to-plane row, and the difference of intensities at p projected onto the target's plane."""
     i = tid()
-    p = vec3d(float64(0.0))
-    q = vec3d(float64(0.0))
-    n = vec3d(float64(0.0))
-    h = vec3d(float64(0.0))
+    p, q, paired = pair_of(i, matches)
+    n = vec3d(0.0)
+    h = vec3d(0.0)
     r = float64(0.0)
     s = float64(0.0)
     w = float64(0.0)
     y = float64(0.0)
-    paired = float64(0.0)
     geometric = sqrt(geometric_share)
-    photometric = sqrt(float64(1.0) - geometric_share)
-    if matches.pairs[i] >= 0:
+    photometric = sqrt(1.0 - geometric_share)
+    if paired > 0.0:
         at = source_place(i, matches.jobs)
-        p = moved_source(i, matches)
-        q = paired_target(i, matches)
         n = widen(target.normals[matches.pairs[i]])
         g = widen(target.gradients[matches.pairs[i]])
         height = dot(p - q, n)
@@ -289,7 +246,6 @@ def sum_colored_rows(
         s = photometric * (float64(source.intensities[at, 0]) - expected)
         y = robust_weight(loss, s)
         h = -(g - dot(g, n) * n)
-        paired = float64(1.0)
     total = sum_row(geometric * cross(p, n), geometric * n, r, w)
     total += sum_row(photometric * cross(p, h), photometric * h, s, y)
     return count_pair(total, p, q, paired)
@@ -307,22 +263,18 @@ def sum_doppler_rows(
 ) -> row_sums:
     """Doppler: a point-to-plane row, and the radial speed against that of the motion since the last scan."""
     i = tid()
-    p = vec3d(float64(0.0))
-    q = vec3d(float64(0.0))
-    n = vec3d(float64(0.0))
-    u = vec3d(float64(0.0))
+    p, q, paired = pair_of(i, matches)
+    n = vec3d(0.0)
+    u = vec3d(0.0)
     r = float64(0.0)
     s = float64(0.0)
     w = float64(0.0)
     y = float64(0.0)
-    paired = float64(0.0)
-    share = sqrt(float64(1.0) - rule.share)
+    share = sqrt(1.0 - rule.share)
     doppler_share = sqrt(rule.share)
-    if matches.pairs[i] >= 0:
+    if paired > 0.0:
         job = matches.jobs.group_jobs[i // LEAF]
         at = source_place(i, matches.jobs)
-        p = moved_source(i, matches)
-        q = paired_target(i, matches)
         direction = widen(source.directions[at])
         motion = velocities[job]
         turning = vec3d(motion[0], motion[1], motion[2])
@@ -330,16 +282,15 @@ def sum_doppler_rows(
         error = float64(source.dopplers[at, 0]) + dot(direction, v)
         if iterations[job] < rule.reject_from or abs(error) <= rule.threshold:
             n = widen(target.normals[matches.pairs[i]])
-            u = direction + vec3d(float64(0.0))
+            u = direction
             r = share * dot(p - q, n)
-            w = float64(1.0)
+            w = 1.0
             if iterations[job] >= rule.geometric_from:
                 w = robust_weight(loss, r)
             s = doppler_share * error
-            y = float64(1.0)
+            y = 1.0
             if iterations[job] >= rule.doppler_from:
                 y = robust_weight(rule.loss, s)
-        paired = float64(1.0)
     doppler_share = doppler_share / rule.period
     total = sum_row(share * cross(p, n), share * n, r, w)
     total += sum_row(doppler_share * cross(u, rule.sensor), -doppler_share * u, s, y)
@@ -350,7 +301,7 @@ def sum_doppler_rows(
 def sum_information(matches: Matches) -> row_sums:
     """Sums of G^T G with G = (-[q]x, I): the information of the pairs about the target's origin."""
     i = tid()
-    total = row_sums(float64(0.0))
+    total = row_sums(0.0)
     if matches.pairs[i] >= 0:
         q = paired_target(i, matches)
         zero = float64(0.0)

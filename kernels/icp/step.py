@@ -4,26 +4,13 @@ One thread a job, everything in float64. Motions that the pairs do not determine
 (determined_steps.py).
 """
 
+from typing import TYPE_CHECKING
+
 import numpy as np
 
 from ..algebra.matrices import multiply44
 from ..algebra.rigid_solve import euler_motion, fit_pose, move, pair_sums, triangle, vec6d
-from ..lang import (
-    array,
-    atan2,
-    atomic_add,
-    dot,
-    float64,
-    func,
-    int32,
-    kernel,
-    launch,
-    mat44d,
-    sqrt,
-    struct,
-    tid,
-    vec3d,
-)
+from ..lang import array, atan2, atomic_add, dot, float64, func, int32, kernel, launch, mat44d, sqrt, struct, tid, vec3d
 from ..memory import host_view, zeros
 from .determined_steps import constrained_step, note_free_rotations
 from .job_states import CONVERGED, NO_PAIRS, NOT_FINITE, OUT_OF_ITERATIONS, RUNNING, free_directions
@@ -31,6 +18,9 @@ from .jobs import Jobs, first_moments
 from .matches import Matches
 from .rows import COUNT_AT, DISTANCE_AT, mean_source, mean_target, row_sums
 from .symmetric_steps import center_symmetric, hold_free, symmetric_motion
+
+if TYPE_CHECKING:
+    from ..arrays.side_by_side import SideBySide
 
 GAUSS_NEWTON = 0  # how a pose comes from the sums
 PAIRS = 1  # the best fit of pairs
@@ -62,7 +52,9 @@ class StepRules:
     least_share: float64
     least_eigenvalue: float64
 
-    def __init__(self, method, with_scaling, criteria, least_eigenvalue):
+    def __init__(
+        self, method: int, with_scaling: bool, criteria: tuple[int, float, float, float], least_eigenvalue: float
+    ) -> None:
         """`criteria` is (most iterations, least fitness, least rmse, least share)."""
         self.method, self.scaling, self.least_eigenvalue = method, int(with_scaling), least_eigenvalue
         self.most_iterations, self.least_fitness, self.least_rmse, self.least_share = criteria
@@ -104,7 +96,7 @@ class Progress:
     free: array(dtype=free_directions)
     running: array(dtype=int32)
 
-    def __init__(self, jobs, states, poses, *, judged_apart=False):
+    def __init__(self, jobs: Jobs, states: "SideBySide", poses: np.ndarray, *, judged_apart: bool = False) -> None:
         device, count = jobs.device, jobs.count
         kept = ("pivots", "sizes", "source_counts", "iterations", "outcomes", "fitness", "rmse", "free_counts", "free")
         for name in (*kept, "running"):
@@ -131,9 +123,9 @@ def measure_sources_kernel(
     sums = moments[jobs.job_sources[i]] / progress.source_counts[i]
     mean = vec3d(sums[0], sums[1], sums[2])
     square = dot(mean, mean)
-    size = max(sqrt(max(sums[3] - square, float64(0.0))), float64(SMALLEST_SIZE) * sqrt(square))
+    size = max(sqrt(max(sums[3] - square, 0.0)), float64(SMALLEST_SIZE) * sqrt(square))
     progress.pivots[i] = move(poses[i], mean)
-    progress.sizes[i] = size if size > float64(0.0) else float64(SMALLEST_SIZE)
+    progress.sizes[i] = size if size > 0.0 else float64(SMALLEST_SIZE)
 
 
 @kernel
@@ -161,11 +153,11 @@ def judge_job(i: int, rules: StepRules, matches: Matches, progress: Progress) ->
     count = sums[COUNT_AT]
     share = float64(0.0)
     error = float64(0.0)
-    if count > float64(0.0):
+    if count > 0.0:
         share = count / progress.source_counts[i]
         error = sqrt(sums[DISTANCE_AT] / count)
     outcome = int(RUNNING)
-    if count == float64(0.0):
+    if count == 0.0:
         outcome = NO_PAIRS
     if outcome == RUNNING and progress.iterations[i] > 0:
         least = rules.least_rmse + rules.least_share * moved_size(i, matches, progress)
@@ -181,7 +173,7 @@ def judge_job(i: int, rules: StepRules, matches: Matches, progress: Progress) ->
 @func
 def solve_job(i: int, rules: StepRules, progress: Progress) -> vec6d:
     """The step of a job by its sums, of pairs none; what motions they leave free is noted."""
-    step = vec6d(float64(0.0))
+    step = vec6d(0.0)
     sums = progress.totals[i]
     size = progress.sizes[i]
     if rules.method == PAIRS:
@@ -192,10 +184,10 @@ def solve_job(i: int, rules: StepRules, progress: Progress) -> vec6d:
         if rules.method == SYMMETRIC:
             sums = center_symmetric(sums)
             plain = center_symmetric(plain)
-            center = vec3d(float64(0.0), float64(0.0), float64(0.0))
-            size = float64(2.0) * size  # its rows hold p + q, its rotation half the angle
-        h = triangle(float64(0.0))
-        geometry = triangle(float64(0.0))
+            center = vec3d(0.0, 0.0, 0.0)
+            size = 2.0 * size  # its rows hold p + q, its rotation half the angle
+        h = triangle(0.0)
+        geometry = triangle(0.0)
         for j in range(21):
             h[j] = sums[j]
             geometry[j] = plain[j]
@@ -209,7 +201,7 @@ def solve_job(i: int, rules: StepRules, progress: Progress) -> vec6d:
 @func
 def best_fit(sums: row_sums, pivot: vec3d, scaling: int) -> mat44d:
     """The motion that fits pairs best whose sums were taken about a pivot."""
-    pairs = pair_sums(float64(0.0))
+    pairs = pair_sums(0.0)
     for j in range(18):
         pairs[j] = sums[j]
     motion = fit_pose(pairs, scaling)
@@ -228,7 +220,7 @@ def motion_of(i: int, x: vec6d, rules: StepRules, progress: Progress) -> mat44d:
     if rules.method == SYMMETRIC:
         p = mean_source(progress.totals[i])
         q = mean_target(progress.totals[i])
-        size = float64(2.0) * progress.sizes[i]
+        size = 2.0 * progress.sizes[i]
         motion = symmetric_motion(hold_free(x, progress.free_counts[i], progress.free[i], q - p, size), p, q)
     return motion
 
@@ -242,7 +234,7 @@ def length_of(motion: mat44d, p: vec3d, size: float64) -> float64:
         for column in range(3):
             entry = motion[row, column]
             if row == column:
-                entry = entry - float64(1.0)
+                entry = entry - 1.0
             turned_by += entry * entry
     length = sqrt(moved[0] * moved[0] + moved[1] * moved[1] + moved[2] * moved[2])
     return length + sqrt(turned_by) * size
@@ -253,7 +245,7 @@ def move_job(i: int, motion: mat44d, matches: Matches, progress: Progress) -> in
     """Move a job on, and tell its search how far to look; whether the motion is finite."""
     outcome = int(RUNNING)
     length = length_of(motion, mean_source(progress.totals[i]), progress.sizes[i])
-    if length - length == float64(0.0):
+    if length - length == 0.0:
         matches.poses[i] = multiply44(motion, matches.poses[i])
         progress.iterations[i] = progress.iterations[i] + 1
         look = float64(0.0)

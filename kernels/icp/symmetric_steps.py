@@ -17,28 +17,28 @@ def center_symmetric(sums: row_sums) -> row_sums:
     q = mean_target(sums)
     s = p + q
     gap = p - q
-    h = triangle(float64(0.0))
+    h = triangle(0.0)
     for j in range(21):
         h[j] = sums[j]
     a = full_matrix(h)
-    g = vec6d(float64(0.0))
+    g = vec6d(0.0)
     for i in range(6):
         g[i] = sums[21 + i] - a[i * UNKNOWNS + 3] * gap[0] - a[i * UNKNOWNS + 4] * gap[1] - a[i * UNKNOWNS + 5] * gap[2]
-    c = square(float64(0.0))
+    c = square(0.0)
     for j in range(6):  # C A: rotation rows lose s x (translation rows)
         v = vec3d(a[3 * UNKNOWNS + j], a[4 * UNKNOWNS + j], a[5 * UNKNOWNS + j])
         w = cross(s, v)
         for i in range(3):
             c[i * UNKNOWNS + j] = a[i * UNKNOWNS + j] - w[i]
             c[(3 + i) * UNKNOWNS + j] = v[i]
-    out = square(float64(0.0))
+    out = square(0.0)
     for i in range(6):  # (C A) C^T
         v = vec3d(c[i * UNKNOWNS + 3], c[i * UNKNOWNS + 4], c[i * UNKNOWNS + 5])
         w = cross(s, v)
         for j in range(3):
             out[i * UNKNOWNS + j] = c[i * UNKNOWNS + j] - w[j]
             out[i * UNKNOWNS + 3 + j] = v[j]
-    centered = sums + row_sums(float64(0.0))
+    centered = sums
     for i in range(6):
         for j in range(6):
             if j >= i:
@@ -54,7 +54,7 @@ def center_symmetric(sums: row_sums) -> row_sums:
 @func
 def hold_free(x: vec6d, count: int, free: free_directions, gap: vec3d, size: float64) -> vec6d:
     """The symmetric step with what takes back, along free directions, that it brings the means together."""
-    held = x + vec6d(float64(0.0))
+    held = x
     for k in range(6):
         if k < count:
             at = k * UNKNOWNS
@@ -70,14 +70,14 @@ def symmetric_motion(x: vec6d, p: vec3d, q: vec3d) -> mat44d:
     """The motion of a symmetric step: half of it turns the source, half turns back the target (eq. 11)."""
     size = sqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2])
     # a rotation by 2 theta about g: the quaternion (g / |g| sin theta, cos theta), along (g, 1) as tan theta = |g|
-    whole = rotation_about(x[0], x[1], x[2], float64(1.0))
+    whole = rotation_about(x[0], x[1], x[2], 1.0)
     # a rotation by theta: the quaternion of half the angle, along (g / |g| (1 - cos theta) / sin theta, 1)
     share = float64(0.5)
-    if size > float64(1.0e-9):
-        root = sqrt(float64(1.0) + size * size)
-        share = (root - float64(1.0)) / (size * size)
-    half = rotation_about(share * x[0], share * x[1], share * x[2], float64(1.0))
-    cosine = float64(1.0) / sqrt(float64(1.0) + size * size)
+    if size > 1.0e-9:
+        root = sqrt(1.0 + size * size)
+        share = (root - 1.0) / (size * size)
+    half = rotation_about(share * x[0], share * x[1], share * x[2], 1.0)
+    cosine = 1.0 / sqrt(1.0 + size * size)
     shift = move(half, vec3d(x[3] * cosine, x[4] * cosine, x[5] * cosine))
     turned = move(whole, p)
     for i in range(3):

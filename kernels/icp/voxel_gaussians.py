@@ -9,10 +9,13 @@ Cells are counted from a corner in float64. 40 B a voxel and 48 to 96 B of hash;
 each voxel is summed in float64 by one thread in the points' own order.
 """
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from ..algebra.rigid_solve import move
 from ..algebra.transform import narrow, widen
+from ..array_types import Array2, Integers, Points, Vectors
 from ..arrays.bounds import bound_points
 from ..arrays.hash_table import HashTable, find_position
 from ..arrays.unique import UniqueKeys
@@ -66,7 +69,9 @@ class CellGrid:
     cells: vec3d
     bits: vec3i
 
-    def __init__(self, corner, scale, first, cells):
+    def __init__(
+        self, corner: Sequence[float] | tuple[float, float, float], scale: float, first: np.ndarray, cells: np.ndarray
+    ) -> None:
         self.corner, self.scale, self.first, self.cells = (
             vec3d(*map(float, corner)),
             scale,
@@ -105,7 +110,16 @@ class VoxelGaussians:
     table: HashTable
     gaussians: array(dtype=float32, ndim=2)
 
-    def __init__(self, points, covariances, voxel_size, *, segments=None, segment_count=1, corner=(0.0, 0.0, 0.0)):
+    def __init__(
+        self,
+        points: Points,
+        covariances: Array2[float32],
+        voxel_size: float,
+        *,
+        segments: Integers | None = None,
+        segment_count: int = 1,
+        corner: Sequence[float] | tuple[float, float, float] = (0.0, 0.0, 0.0),
+    ) -> None:
         device, scale = points.device, 1.0 / voxel_size
         low, high, finite = bound_points(points)  # sync
         first, cells = np.zeros(3), np.zeros(3)
@@ -130,15 +144,11 @@ class VoxelGaussians:
         groups.drop_last(skipped)  # sync
         self.count, self.keys = groups.count, groups.keys
         self.gaussians = zeros((self.count, COLUMNS), float32, device)
-        launch(
-            average_gaussians_kernel,
-            self.count,
-            [points, covariances, groups.order, groups.starts, self.gaussians],
-        )
+        launch(average_gaussians_kernel, self.count, [points, covariances, groups.order, groups.starts, self.gaussians])
         self.table = HashTable(device)
         self.table.append(self.keys, self.count, self.count)
 
-    def unpack(self):
+    def unpack(self) -> tuple[Vectors, Array2[float32]]:
         """(means, covariances) on the device: vec3 [m], float32 [m, 9] row by row."""
         device = self.gaussians.device
         means, covariances = empty(self.count, vec3, device), empty((self.count, 9), float32, device)
@@ -169,16 +179,10 @@ def key_of_cell(at: vec3d, segment: int, grid: CellGrid) -> int64:
 def find_cell_gaussian(at: vec3d, segment: int, voxels: VoxelGaussians) -> int:
     """The row of a cell's Gaussian in a segment, or -1."""
     key = key_of_cell(at, segment, voxels.grid)
-    row = int(-1)
-    if key >= int64(0):
+    row = -1
+    if key >= 0:
         row = find_position(key, voxels.table)
     return row
-
-
-@func
-def find_voxel_gaussian(p: vec3, segment: int, voxels: VoxelGaussians) -> int:
-    """The row of the Gaussian in whose voxel a point lies, or -1."""
-    return find_cell_gaussian(cell_of(p, voxels.grid), segment, voxels)
 
 
 @func
@@ -209,7 +213,7 @@ def find_nearest_gaussian(p: vec3, segment: int, steps: int, voxels: VoxelGaussi
     `steps` along the axes to a neighbour, together: 0 looks into 1 voxel, 1 into 7, 2 into 19, 3 into 27.
     """
     at = cell_of(p, voxels.grid)
-    best = int(-1)
+    best = -1
     least = float(INFINITY)
     for j in range(27):
         dx = j // 9 - 1
@@ -239,17 +243,17 @@ def encode_gaussians_kernel(
 ):
     """The key of each point's voxel; `skipped` for points without a finite place, a finite covariance or a segment."""
     i = tid()
-    segment = int(0)
+    segment = 0
     if segments.shape[0] > 0:
         segment = segments[i]
-    total = float(0.0)
+    total = 0.0
     for j in range(9):
         total += covariances[i, j] * 0.0  # NaN where any is not finite
     key = int64(-1)
     if total == 0.0 and segment >= 0 and segment < segment_count:
         key = key_of_cell(cell_of(points[i], grid), segment, grid)
-    if key < int64(0):
-        key = skipped + int64(0)
+    if key < 0:
+        key = skipped
     keys[i] = key
 
 
@@ -263,7 +267,7 @@ def average_gaussians_kernel(
 ):
     """The mean of the points and of the covariances of each voxel, and how many they are."""
     i = tid()
-    total = gaussian_sums(float64(0.0))
+    total = gaussian_sums(0.0)
     for j in range(starts[i], starts[i + 1]):
         row = order[j]
         p = points[row]
@@ -310,7 +314,7 @@ def match_voxels_kernel(matches: Matches, voxels: VoxelGaussians):
         matches.pairs[i] = pair
 
 
-def _check_cells(voxel_size, first, last):
+def _check_cells(voxel_size: float, first: np.ndarray, last: np.ndarray) -> None:
     """Refuse cells that float64 cannot count."""
     if max(np.abs(first).max(), np.abs(last).max()) >= CELL_LIMIT:
         raise ValueError(f"voxel_size: {voxel_size} makes more than 2^53 cells from the corner; take larger voxels")

@@ -3,10 +3,13 @@
 One thread a pixel; reads 2 or 4 B, writes 4 or 12 B. Pinhole model: x = (u - cx) z / fx, pixel centres at integers.
 """
 
+from typing import Any
+
 import numpy as np
 
 from ..algebra.camera import Camera
 from ..algebra.transform import Transform, narrow, transform_point
+from ..array_types import AnyArray, Array1, Array2, Bytes, Integers, Scalars, Vectors
 from ..arrays.runs import Runs, elements_of, row_of
 from ..lang import (
     NAN,
@@ -56,9 +59,9 @@ def decode_nyu_kernel(raw: array(dtype=uint16), depth: array(dtype=uint16)):
     x = int(raw[i])
     x = ((x & BYTE) << 8) | (x >> 8)
     metres = float64(NYU_SCALE) / (float64(NYU_OFFSET) - float64(x))
-    millimetres = int(0)
-    if metres > float64(0.0):
-        millimetres = min(int(floor(metres * float64(1000.0) + float64(0.5))), WORD)
+    millimetres = 0
+    if metres > 0.0:
+        millimetres = min(int(floor(metres * 1000.0 + 0.5)), WORD)
     depth[i] = uint16(millimetres)
 
 
@@ -73,7 +76,7 @@ def scale_depth_kernel(
 ):
     """Raw integers to metres, 0 beyond the farthest depth; and a row's largest, as its bits."""
     i = tid()
-    most = int(0)
+    most = 0
     for j in elements_of(i, runs):
         d = float(raw[j]) / scale
         if d > farthest:
@@ -90,10 +93,10 @@ def limit_depth_kernel(
 ):
     """Depth in metres; 0 where there is no measurement (0, negative, NaN, infinite) or it is beyond the farthest."""
     i = tid()
-    most = int(0)
+    most = 0
     for j in elements_of(i, runs):
         d = raw[j]
-        metres = float(0.0)
+        metres = 0.0
         if d > 0.0 and d <= farthest and isfinite(d):
             metres = d
         depth[j] = metres
@@ -117,7 +120,7 @@ class PixelGrid:
     columns: int
     width: int
 
-    def __init__(self, width, height, stride):
+    def __init__(self, width: int, height: int, stride: int) -> None:
         self.width, self.stride = width, stride
         self.columns, self.rows = -(-width // stride), -(-height // stride)
         self.count = self.rows * self.columns
@@ -151,7 +154,7 @@ def unproject_depth_kernel(
     v = (i // grid.columns) * grid.stride
     d = depth[v * grid.width + u]
     p = vec3(NAN, NAN, NAN)
-    good = int(0)
+    good = 0
     if d > 0.0:
         p = narrow(transform_point(unproject_pixel(u, v, d, camera), T_world_camera))
         good = 1
@@ -176,7 +179,7 @@ def fit_pixel_normals_kernel(
     u = (i % grid.columns) * grid.stride
     v = (i // grid.columns) * grid.stride
     n = vec3(fill, fill, fill)
-    good = int(0)
+    good = 0
     if u + grid.stride < camera.width and v + grid.stride < camera.height:
         d = depth[v * camera.width + u]
         right = depth[v * camera.width + u + grid.stride]
@@ -187,7 +190,7 @@ def fit_pixel_normals_kernel(
             down = unproject_pixel(u, v + grid.stride, below, camera) - p
             m = cross(down, along)
             size = dot(m, m)
-            if size > float64(0.0):
+            if size > 0.0:
                 n = narrow(R @ (m / sqrt(size)))
                 good = 1
     normals[i] = n
@@ -217,14 +220,14 @@ def weigh_colors_kernel(pixels: array(dtype=uint8, ndim=2), intensity: array(dty
     intensity[i] = (RED * float(pixels[i, 0]) + GREEN * float(pixels[i, 1]) + BLUE * float(pixels[i, 2])) / 255.0
 
 
-def decode_depth(raw, layout):
+def decode_depth(raw: Array1[uint16], layout: str) -> Array1[uint16]:
     """Millimetres, uint16, of the raw depths of a data set, uint16 [pixels]; `layout` is "sun" or "nyu"."""
     depth = empty(raw.size, uint16, raw.device)
     launch({"sun": decode_sun_kernel, "nyu": decode_nyu_kernel}[layout], raw.size, [raw, depth])
     return depth
 
 
-def metric_depth(raw, scale, farthest):
+def metric_depth(raw: Scalars | Array1[uint16], scale: float, farthest: float) -> tuple[Scalars, Integers]:
     """Depth in metres from a uint16 (divided by `scale`) or float32 (metres) device array.
 
     Returns:
@@ -235,12 +238,14 @@ def metric_depth(raw, scale, farthest):
     return depth, largest
 
 
-def depth_runs(raw):
+def depth_runs(raw: Scalars | Array1[uint16]) -> Runs:
     """The Runs of a depth image: as many rows as `largest` has."""
     return Runs(raw.size, raw.device, RUN)
 
 
-def scale_depth(raw, scale, farthest, depth, largest):
+def scale_depth(
+    raw: Scalars | Array1[uint16], scale: float, farthest: float, depth: Scalars, largest: Integers
+) -> None:
     """As `metric_depth`, into arrays that exist; `largest` begins with 0."""
     runs = depth_runs(raw)
     if raw.dtype == uint16:
@@ -249,12 +254,12 @@ def scale_depth(raw, scale, farthest, depth, largest):
         launch(limit_depth_kernel, runs.threads, [raw, runs, float(farthest), depth, largest])
 
 
-def largest_depth(largest):
+def largest_depth(largest: Integers) -> float:
     """The largest depth [m] that `metric_depth` found, 0 for none; one sync."""
     return float(download(largest).max().view(np.float32))  # sync
 
 
-def unproject_depth(depth, grid, camera, T_world_camera):
+def unproject_depth(depth: Scalars, grid: PixelGrid, camera: Any, T_world_camera: np.ndarray) -> tuple[Vectors, Bytes]:
     """World points of a grid of pixels.
 
     Args:
@@ -271,7 +276,9 @@ def unproject_depth(depth, grid, camera, T_world_camera):
     return points, valid
 
 
-def pixel_normals(depth, grid, camera, R, fill=NAN):
+def pixel_normals(
+    depth: Scalars, grid: PixelGrid, camera: Any, R: np.ndarray, fill: float = NAN
+) -> tuple[Vectors, Bytes]:
     """Unit normals of a grid of pixels, turned by the float64 matrix R; arguments as for `unproject_depth`.
 
     Returns:
@@ -283,7 +290,7 @@ def pixel_normals(depth, grid, camera, R, fill=NAN):
     return normals, valid
 
 
-def color_pixels(pixels, grid):
+def color_pixels(pixels: Scalars | Array2[uint8], grid: PixelGrid) -> Vectors:
     """Colours 0..1, vec3 [grid.count], of a grid of pixels of a device image.
 
     The image is uint8 [pixels, 3], or grey, float32 [pixels].
@@ -294,7 +301,7 @@ def color_pixels(pixels, grid):
     return colors
 
 
-def intensity_of(pixels):
+def intensity_of(pixels: AnyArray) -> Scalars:
     """Brightness 0..1, float32 [pixels], of a uint8 device image [pixels, 3]."""
     intensity = empty(pixels.shape[0], float32, pixels.device)
     launch(weigh_colors_kernel, intensity.size, [pixels, intensity])

@@ -4,6 +4,7 @@ One thread a pixel of the result, one launch a filter; each reads its window fro
 too. Depth is in metres, 0 where there is none, and such pixels neither count nor are filled.
 """
 
+from ..array_types import Array2, Scalars
 from ..lang import array, exp, float32, floor, func, kernel, launch, loop, tid, uint8, vec3
 from ..memory import empty
 
@@ -31,9 +32,9 @@ def filter_bilateral_kernel(
     u = i % width
     v = i // width
     center = depth[i]
-    total = float(0.0)
-    weights = float(0.0)
-    mean = float(0.0)
+    total = 0.0
+    weights = 0.0
+    mean = 0.0
     if center > 0.0:
         for dv in range(-radius, radius + 1):
             row = min(max(v + dv, 0), height - 1) * width
@@ -62,8 +63,8 @@ def erode_edges_kernel(
     right = min(i % width + radius, width - 1)
     top = max(i // width - radius, 0)
     bottom = min(i // width + radius, height - 1)
-    edge = int(0)
-    row = top + 0
+    edge = 0
+    row = top
     while row <= bottom and edge == 0:
         for column in range(left, right + 1):
             at = row * width + column
@@ -114,9 +115,9 @@ def halve_depth_kernel(
     u = 2 * (i % columns)
     v = 2 * (i // columns)
     center = depth[v * width + u]
-    total = float(0.0)
-    weights = float(0.0)
-    mean = float(0.0)
+    total = 0.0
+    weights = 0.0
+    mean = 0.0
     if center > 0.0:
         for row in range(max(v - HALF_WINDOW, 0), min(v + HALF_WINDOW, height - 1) + 1):
             for column in range(max(u - HALF_WINDOW, 0), min(u + HALF_WINDOW, width - 1) + 1):
@@ -164,13 +165,15 @@ def halve_intensity_kernel(
     i = tid()
     u = 2 * (i % columns)
     v = 2 * (i // columns)
-    total = float(0.0)
+    total = 0.0
     for at, w in gaussian_window(u, v, width, height):
         total += intensity[at] * w
     halved[i] = total
 
 
-def filter_bilateral(depth, width, height, radius, value_sigma, distance_sigma):
+def filter_bilateral(
+    depth: Scalars, width: int, height: int, radius: int, value_sigma: float, distance_sigma: float
+) -> Scalars:
     """Depth without noise, float32 [height * width]; the deviations in metres and in pixels."""
     filtered = empty(depth.size, float32, depth.device)
     falloffs = [0.5 / max(sigma * sigma, 1e-30) for sigma in (value_sigma, distance_sigma)]  # finite in float32
@@ -178,14 +181,14 @@ def filter_bilateral(depth, width, height, radius, value_sigma, distance_sigma):
     return filtered
 
 
-def erode_edges(depth, width, height, radius, jump):
+def erode_edges(depth: Scalars, width: int, height: int, radius: int, jump: float):
     """Depth without the pixels within `radius` of an edge, float32 [height * width]."""
     kept = empty(depth.size, float32, depth.device)
     launch(erode_edges_kernel, depth.size, [depth, width, height, radius, float(jump), kept])
     return kept
 
 
-def halve_depth(depth, width, height, jump):
+def halve_depth(depth: Scalars, width: int, height: int, jump: float) -> Scalars:
     """Depth at half the size, float32 [(height // 2) * (width // 2)]."""
     columns, rows = width // 2, height // 2
     halved = empty(rows * columns, float32, depth.device)
@@ -193,7 +196,7 @@ def halve_depth(depth, width, height, jump):
     return halved
 
 
-def halve_color(pixels, width, height):
+def halve_color(pixels: Scalars | Array2[uint8], width: int, height: int):
     """A colour image, uint8 [pixels, 3], or a grey one, float32 [pixels], at half the size."""
     columns, rows = width // 2, height // 2
     if pixels.dtype == uint8:

@@ -6,23 +6,15 @@ whatever the order of the threads; equal depths go to the lower index. 12 B read
 some 30 operations a point in float64: a pixel's own point comes back to its pixel.
 """
 
+from typing import Any
+
+import numpy as np
+
 from ..algebra.camera import Camera
 from ..algebra.transform import Transform, transform_point, widen
+from ..array_types import Array2, LongIntegers, Points, Scalars, Vectors
 from ..arrays.packed_keys import NO_KEY, key_index, key_number, offer_cell
-from ..lang import (
-    array,
-    float32,
-    float64,
-    floor,
-    func,
-    int64,
-    isfinite,
-    kernel,
-    launch,
-    tid,
-    uint8,
-    vec3,
-)
+from ..lang import array, float32, float64, floor, func, int64, isfinite, kernel, launch, tid, uint8, vec3
 from ..memory import empty, full
 
 
@@ -37,9 +29,9 @@ def project_points_kernel(
         q = transform_point(widen(p), T_camera_points)
         z = float(q[2])
         if z > 0.0 and z <= farthest:
-            u = floor(camera.fx * q[0] / q[2] + camera.cx + float64(0.5))
-            v = floor(camera.fy * q[1] / q[2] + camera.cy + float64(0.5))
-            if u >= float64(0.0) and v >= float64(0.0) and u < float64(camera.width) and v < float64(camera.height):
+            u = floor(camera.fx * q[0] / q[2] + camera.cx + 0.5)
+            v = floor(camera.fy * q[1] / q[2] + camera.cy + 0.5)
+            if u >= 0.0 and v >= 0.0 and u < float64(camera.width) and v < float64(camera.height):
                 offer_cell(int(v) * camera.width + int(u), z, i, words)
 
 
@@ -48,7 +40,7 @@ def read_depth_kernel(words: array(dtype=int64), scale: float64, depth: array(dt
     """The depth that won a pixel, times the scale; 0 where nothing is seen."""
     i = tid()
     word = words[i]
-    d = float(0.0)
+    d = 0.0
     if word < int64(NO_KEY):
         d = float(float64(key_number(word)) * scale)
     depth[i] = d
@@ -72,7 +64,7 @@ def read_colors_kernel(words: array(dtype=int64), colors: array(dtype=vec3), pix
         pixels[i, channel] = uint8(to_byte(c[channel]))
 
 
-def project_points(points, T_camera_points, camera, farthest):
+def project_points(points: Points, T_camera_points: np.ndarray, camera: Any, farthest: float) -> LongIntegers:
     """What each pixel of a camera sees: words for `read_depth` and `read_colors`.
 
     Args:
@@ -87,14 +79,14 @@ def project_points(points, T_camera_points, camera, farthest):
     return words
 
 
-def read_depth(words, scale=1.0):
+def read_depth(words: LongIntegers, scale: float = 1.0) -> Scalars:
     """Depth [m] times `scale`, float32 [pixels]; 0 where nothing is seen."""
     depth = empty(words.size, float32, words.device)
     launch(read_depth_kernel, words.size, [words, float(scale), depth])
     return depth
 
 
-def read_colors(words, colors):
+def read_colors(words: LongIntegers, colors: Vectors) -> Array2[uint8]:
     """8-bit colours, uint8 [pixels, 3]; 0 where nothing is seen."""
     pixels = empty((words.size, 3), uint8, words.device)
     launch(read_colors_kernel, words.size, [words, colors, pixels])

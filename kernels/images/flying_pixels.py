@@ -6,6 +6,7 @@ one side of it at least; between two surfaces it lies on neither, and between bo
 step of the reach at most, 4 B written. Only + - * /: the same bits on every device.
 """
 
+from ..array_types import Scalars
 from ..lang import array, float32, func, kernel, launch, tid
 from ..memory import empty
 
@@ -14,7 +15,7 @@ from ..memory import empty
 def is_between(w: float, before: float, after: float, jump: float) -> int:
     """Whether inverse depth w lies between two others, off both by more than this share of it."""
     limit = jump * w
-    between = int(0)
+    between = 0
     if (w - before > limit and after - w > limit) or (before - w > limit and w - after > limit):
         between = 1
     return between
@@ -24,7 +25,7 @@ def is_between(w: float, before: float, after: float, jump: float) -> int:
 def inverse_depth(depth: array(dtype=float32), at: int) -> float:
     """1 / z of a pixel; 0 where it has no depth."""
     z = depth[at]
-    w = float(0.0)
+    w = 0.0
     if z > 0.0:
         w = 1.0 / z
     return w
@@ -39,17 +40,17 @@ def drop_flying_kernel(
     u = i % width
     v = i // width
     z = depth[i]
-    flies = int(0)
+    flies = 0
     if z > 0.0:
         w = 1.0 / z
         axes = int(2)
         for axis in range(axes):
-            step = int(1)
+            step = 1
             room = min(u, width - 1 - u)
             if axis == 1:
                 step = width
                 room = min(v, height - 1 - v)
-            r = int(1)
+            r = 1
             while r <= reach and 2 * r <= room and flies == 0:
                 near_before = inverse_depth(depth, i - r * step)
                 far_before = inverse_depth(depth, i - 2 * r * step)
@@ -66,7 +67,7 @@ def drop_flying_kernel(
     kept[i] = z
 
 
-def drop_flying(depth, width, height, reach, jump):
+def drop_flying(depth: Scalars, width: int, height: int, reach: int, jump: float) -> Scalars:
     """Depth without flying pixels, float32 [height * width]."""
     kept = empty(depth.size, float32, depth.device)
     launch(drop_flying_kernel, depth.size, [depth, width, height, reach, float(jump), kept])

@@ -9,8 +9,11 @@ bits on every device and compiler. The family of lenses is that of the host, pcd
 has the formulas and their sources.
 """
 
+from typing import Any
+
 from ..algebra.angles import angle_of
 from ..algebra.camera import Camera
+from ..array_types import Array1, Array2, Device
 from ..lang import array, float64, floor, func, kernel, launch, sqrt, struct, tid, uint8, vec2, vec2d
 from ..memory import empty
 
@@ -58,7 +61,7 @@ class LensOptics:
     wide: float64
     reach: float64
 
-    def __init__(self, lens, width, height, reach, wide, thin):
+    def __init__(self, lens: Any, width: int, height: int, reach: float, wide: float, thin: int) -> None:
         self.kind, self.width, self.height = lens.kind, width, height
         self.fx, self.fy = lens.focal
         self.cx, self.cy = lens.center
@@ -74,27 +77,27 @@ class LensOptics:
 def shortened(r: float64, lens: LensOptics) -> float64:
     """By what the first step multiplies a place at radius r; -1 where there is no such ray."""
     factor = float64(1.0)
-    if lens.kind == EQUIDISTANT and r > float64(0.0):
-        factor = angle_of(r, float64(1.0)) / r
+    if lens.kind == EQUIDISTANT and r > 0.0:
+        factor = angle_of(r, 1.0) / r
     if lens.kind == FIELD_OF_VIEW:
         if lens.thin == 1:
-            factor = lens.shape * lens.shape * (r * r / float64(3.0) - float64(1.0) / float64(12.0)) + float64(1.0)
-        elif r > float64(0.0):
-            factor = angle_of(r * lens.wide, float64(1.0)) / (r * lens.shape)
+            factor = lens.shape * lens.shape * (r * r / 3.0 - float64(1.0) / float64(12.0)) + 1.0
+        elif r > 0.0:
+            factor = angle_of(r * lens.wide, 1.0) / (r * lens.shape)
         else:
             factor = lens.wide / lens.shape
     if lens.kind == DIVISION:
-        inside = float64(1.0) - float64(4.0) * lens.shape * r * r
-        factor = float64(-1.0)
-        if inside >= float64(0.0):
-            factor = float64(2.0) / (float64(1.0) + sqrt(inside))
+        inside = 1.0 - 4.0 * lens.shape * r * r
+        factor = -1.0
+        if inside >= 0.0:
+            factor = 2.0 / (1.0 + sqrt(inside))
     if lens.kind == UNIFIED:
-        inside = lens.second * r * r + float64(1.0)
-        factor = float64(-1.0)
-        if inside >= float64(0.0):
-            below = lens.shape * sqrt(inside) + (float64(1.0) - lens.shape)
-            if below > float64(0.0):
-                factor = float64(1.0) / below
+        inside = lens.second * r * r + 1.0
+        factor = -1.0
+        if inside >= 0.0:
+            below = lens.shape * sqrt(inside) + (1.0 - lens.shape)
+            if below > 0.0:
+                factor = 1.0 / below
     return factor
 
 
@@ -102,8 +105,8 @@ def shortened(r: float64, lens: LensOptics) -> float64:
 def bent_place(x: float64, y: float64, lens: LensOptics) -> vec2d:
     """Column and row at which the lens shows what the first step put at (x, y)."""
     t = x * x + y * y
-    above = float64(1.0) + t * (lens.a1 + t * (lens.a2 + t * (lens.a3 + t * lens.a4)))
-    below = float64(1.0) + t * (lens.b1 + t * (lens.b2 + t * lens.b3))
+    above = 1.0 + t * (lens.a1 + t * (lens.a2 + t * (lens.a3 + t * lens.a4)))
+    below = 1.0 + t * (lens.b1 + t * (lens.b2 + t * lens.b3))
     factor = above / below
     two = float64(2.0)
     p = x * factor + two * lens.p1 * x * y + lens.p2 * (t + two * x * x) + lens.s1 * t
@@ -121,11 +124,11 @@ def find_places_kernel(lens: LensOptics, camera: Camera, places: array(dtype=vec
     place = vec2(UNSEEN, UNSEEN)
     x = x * factor
     y = y * factor
-    if factor > float64(0.0) and x * x + y * y <= lens.reach * lens.reach:
+    if factor > 0.0 and x * x + y * y <= lens.reach * lens.reach:
         p = bent_place(x, y, lens)
-        right = float64(lens.width) - float64(0.5)
-        bottom = float64(lens.height) - float64(0.5)
-        if p[0] >= float64(-0.5) and p[1] >= float64(-0.5) and p[0] <= right and p[1] <= bottom:
+        right = float64(lens.width) - 0.5
+        bottom = float64(lens.height) - 0.5
+        if p[0] >= -0.5 and p[1] >= -0.5 and p[0] <= right and p[1] <= bottom:
             place = vec2(
                 min(max(float(p[0]), 0.0), float(lens.width - 1)), min(max(float(p[1]), 0.0), float(lens.height - 1))
             )
@@ -150,7 +153,7 @@ def average_squares_kernel(
     bottom = min(top + side, height)
     count = (right - left) * (bottom - top)
     for channel in range(channels):
-        total = int(0)
+        total = 0
         for v in range(top, bottom):
             for u in range(left, right):
                 total += int(pixels[v * width + u, channel])
@@ -175,7 +178,7 @@ def read_places_kernel(
     place = places[i]
     if place[0] < 0.0:
         for channel in range(channels):
-            straight[i, channel] = uint8(0)
+            straight[i, channel] = 0
     else:
         x = min(max((place[0] + 0.5) / side - 0.5, 0.0), float(width - 1))
         y = min(max((place[1] + 0.5) / side - 0.5, 0.0), float(height - 1))
@@ -199,13 +202,13 @@ def read_places_kernel(
 def mark_seen_kernel(places: array(dtype=vec2), seen: array(dtype=uint8)):
     """1 where the lens saw a pixel, else 0."""
     i = tid()
-    mark = int(0)
+    mark = 0
     if places[i][0] >= 0.0:
         mark = 1
     seen[i] = uint8(mark)
 
 
-def find_places(lens, camera, device):
+def find_places(lens: Any, camera: Any, device: Device):
     """Where each pixel of a pinhole lies in the picture of a lens, vec2 [height * width]; (-1, -1) where it is unseen.
 
     Args:
@@ -218,7 +221,7 @@ def find_places(lens, camera, device):
     return places
 
 
-def read_places(pixels, width, height, side, places):
+def read_places(pixels: Array2[uint8], width: int, height: int, side: int, places: Array1[vec2]):
     """A picture, uint8 [height * width, channels], at places; squares of `side` pixels are averaged before."""
     channels = pixels.shape[1]
     if side > 1:
@@ -231,7 +234,7 @@ def read_places(pixels, width, height, side, places):
     return straight
 
 
-def mark_seen(places):
+def mark_seen(places: Array1[vec2]):
     """Where the lens saw, uint8 [pixels] of 0 and 1."""
     seen = empty(places.size, uint8, places.device)
     launch(mark_seen_kernel, places.size, [places, seen])

@@ -12,6 +12,7 @@ import ast
 from collections.abc import Callable
 from typing import Any, NamedTuple
 
+from .literals import WIDE, BareNumbers, constant_of
 from .signatures import (
     BOOL,
     FLOAT,
@@ -20,6 +21,7 @@ from .signatures import (
     LANES,
     RANGES,
     SMALL,
+    TWO_FLOATS,
     ArrayType,
     Inferred,
     Type,
@@ -33,7 +35,6 @@ SYMBOLS = {
     ast.Add: "+", ast.Sub: "-", ast.Mult: "*", ast.Div: "/", ast.FloorDiv: "//", ast.Mod: "%", ast.MatMult: "@",
     ast.LShift: "<<", ast.RShift: ">>", ast.BitAnd: "&", ast.BitOr: "|", ast.BitXor: "^",
 }  # fmt: skip
-WIDE = {"int64", "uint64", "float64"}
 BITWISE = (ast.LShift, ast.RShift, ast.BitAnd, ast.BitOr, ast.BitXor)
 
 
@@ -54,7 +55,8 @@ class Inference:
         self.scope, self.fail = scope, scope.fail
         self.known: dict[str, Inferred] = dict(parameters)
         self.declared, self.returned = declared, None
-        self.literals: set[str] = set()
+        self.truths: set[str] = set()  # variables that began as True or False
+        self.numbers = BareNumbers(self.infer)
         self.uses: dict[str, bool] = {}  # module constants: whether they stand in a 64-bit constructor
 
     # -------------------------------------------------------------------------------------------- statements
@@ -63,8 +65,10 @@ class Inference:
         """Check statements in order."""
         for statement in statements:
             match statement:
-                case ast.Assign(targets=[target], value=value):
-                    self._assign(target, self.infer(value), statement, depth)
+                case ast.Assign(targets=[target]):
+                    if not isinstance(target, ast.Name) or target.id in self.known:
+                        statement.value = self.numbers.fit(statement.value, target)
+                    self._assign(target, self.infer(statement.value), statement, depth)
                 case ast.AugAssign():
                     self._change(statement, depth)
                 case ast.If(test=test) | ast.While(test=test):
@@ -95,9 +99,9 @@ class Inference:
             before = self.known.get(target.id)
             if before and kind and before != kind:
                 self.fail(statement, f"{target.id} was {before} and becomes {kind}; take another name or convert")
-            self._refuse_literal_change(target.id, statement, depth)
+            self._refuse_change_of_truth(target.id, statement, depth)
             if isinstance(statement.value, ast.Constant) and target.id not in self.known:
-                self.literals.add(target.id)
+                self.truths.add(target.id)
             self.known[target.id] = before or kind
         else:
             place = self.infer(target)
@@ -117,16 +121,16 @@ class Inference:
                 "element, atomic_add(array, index, value) for a shared one",
             )
         product = ast.copy_location(ast.BinOp(_loaded(target), statement.op, statement.value), statement)
-        kind = self.infer(product)
+        kind, statement.value = self.infer(product), product.right
         if isinstance(target, ast.Name):
-            self._refuse_literal_change(target.id, statement, depth)
+            self._refuse_change_of_truth(target.id, statement, depth)
         place = self.infer(target)
         if place and kind and place != kind:
             self.fail(statement, f"{ast.unparse(target)} is {place} and would become {kind}; convert first")
 
-    def _refuse_literal_change(self, name: str, statement: ast.stmt, depth: int) -> None:
-        if name in self.literals and depth > 0:
-            self.fail(statement, f"{name} began as a literal; begin with `{name} = int(0)` or `float(0.0)`")
+    def _refuse_change_of_truth(self, name: str, statement: ast.stmt, depth: int) -> None:
+        if name in self.truths and depth > 0 and self.known.get(name) == BOOL:
+            self.fail(statement, f"{name} began as a truth value, which does not change; begin with `{name} = 0`")
 
     def _leave(self, value: ast.expr, kind: Inferred) -> None:
         self.returned = kind
@@ -160,17 +164,18 @@ class Inference:
                 return self._binary(node)
             case ast.UnaryOp():
                 return self._unary(node)
-            case ast.Compare(left=left, ops=[_], comparators=[right]):
-                return self._compare(node, left, right)
+            case ast.Compare(comparators=[_]):
+                return self._compare(node)
             case ast.BoolOp(values=values):
                 for value in values:
                     self._condition(value)
                 self._refuse_effects(values[1:])
                 return BOOL
-            case ast.IfExp(test=test, body=body, orelse=other):
+            case ast.IfExp(test=test):
                 self._condition(test)
-                first, second = self.infer(body), self.infer(other)
-                self._refuse_effects([body, other])
+                first, second = self.numbers.beside(parts := [node.body, node.orelse])
+                node.body, node.orelse = parts
+                self._refuse_effects(parts)
                 if isinstance(first, Type) and first.shape:
                     self.fail(node, "both vectors would be evaluated: choose with an `if` statement")
                 if first and second and first != second:
@@ -209,24 +214,11 @@ class Inference:
         return INT
 
     def _constant(self, node: ast.expr) -> int | float | None:
-        """The number that an expression of literals and module constants stands for, where it is one number."""
-        match node:
-            case ast.Constant(value=int() | float() as value) if not isinstance(value, bool):
-                return value
-            case ast.Name(id=name) if name not in self.known:
-                value = self.scope.constant(name)
-                return None if isinstance(value, bool) else value
-            case ast.UnaryOp(op=ast.USub(), operand=operand):
-                value = self._constant(operand)
-                return None if value is None else -value
-            case ast.BinOp(left=left, op=op, right=right):
-                a, b = self._constant(left), self._constant(right)
-                if isinstance(a, int) and isinstance(b, int) and type(op) in _FOLDS and not (b < 0 or (b > 64 and a)):
-                    return _FOLDS[type(op)](a, b)
-        return None
+        return constant_of(node, lambda name: None if name in self.known else self.scope.constant(name))
 
     def _binary(self, node: ast.BinOp) -> Inferred:
-        left, right = self.infer(node.left), self.infer(node.right)
+        left, right = self.numbers.beside(parts := [node.left, node.right])
+        node.left, node.right = parts
         op, symbol = type(node.op), SYMBOLS.get(type(node.op), "")
         if op is ast.Pow:
             self.fail(node, "`**` is not in the kernel language: multiply, or pow(a, b)")
@@ -286,8 +278,10 @@ class Inference:
                 self.fail(node, f"`~` needs an integer, not {kind}")
         return kind
 
-    def _compare(self, node: ast.Compare, left: ast.expr, right: ast.expr) -> Type:
-        for kind in (self.infer(left), self.infer(right)):
+    def _compare(self, node: ast.Compare) -> Type:
+        kinds = self.numbers.beside(parts := [node.left, *node.comparators])
+        node.left, *node.comparators = parts
+        for kind in kinds:
             if (isinstance(kind, Type) and kind.shape) or isinstance(kind, ArrayType):
                 self.fail(node, f"a comparison of a {kind}: compare its components")
         return BOOL
@@ -333,13 +327,19 @@ class Inference:
     def _call(self, node: ast.Call) -> Inferred:
         assert isinstance(node.func, ast.Name)
         name = node.func.id
-        target = self.scope.type_named(name)
+        target = Type(name) if name in self.numbers.widened else self.scope.type_named(name)
         if target is not None:
             return self._construct(node, name, target)
-        kinds = [self.infer(argument) for argument in node.args]
         if (signature := self.scope.signature(name)) is not None:
-            return self._call_function(node, name, kinds, signature)
+            return self._call_function(node, name, *signature)
         builtin = self.scope.builtin_named(name)
+        if builtin in {"min", "max"} | TWO_FLOATS:
+            return check_builtin(self.fail, node, builtin, self.numbers.beside(node.args))
+        if (builtin or "").startswith("atomic_") and len(node.args) > 2:
+            array = self.infer(node.args[0])
+            if isinstance(array, ArrayType) and not array.element.shape:
+                node.args[-1] = self.numbers.given(node.args[-1], array.element.scalar)
+        kinds = [self.infer(argument) for argument in node.args]
         return None if builtin is None else check_builtin(self.fail, node, builtin, kinds)
 
     def _construct(self, node: ast.Call, name: str, target: Type) -> Type:
@@ -350,6 +350,8 @@ class Inference:
             size *= axis
         if len(node.args) not in (1, size):
             self.fail(node, f"{name} takes {size} components or one fill value, not {len(node.args)}")
+        if target.shape:
+            node.args = [self.numbers.given(argument, target.scalar) for argument in node.args]
         for argument in node.args:
             value = self._constant(argument) if not isinstance(argument, ast.BinOp) else None
             if value is not None and (names := [n.id for n in nodes_of([argument]) if isinstance(n, ast.Name)]):
@@ -375,11 +377,13 @@ class Inference:
                 self.fail(argument, f"{name}(...) takes {target.scalar}, not {kind}: {remedy(Type(target.scalar))}")
         return target
 
-    def _call_function(self, node: ast.Call, name: str, kinds: list[Inferred], signature: tuple) -> Inferred:
-        parameters, result = signature
-        if len(kinds) != len(parameters):
-            self.fail(node, f"{name} takes {len(parameters)} arguments, got {len(kinds)}")
-        for k, (kind, wanted) in enumerate(zip(kinds, parameters, strict=True)):
+    def _call_function(self, node: ast.Call, name: str, parameters: list[Inferred], result: Inferred) -> Inferred:
+        if len(node.args) != len(parameters):
+            self.fail(node, f"{name} takes {len(parameters)} arguments, got {len(node.args)}")
+        for k, wanted in enumerate(parameters):
+            if isinstance(wanted, Type) and not wanted.shape:
+                node.args[k] = self.numbers.given(node.args[k], wanted.scalar)
+            kind = self.infer(node.args[k])
             if kind and wanted and kind != wanted:
                 mend = f": {remedy(wanted)}" if isinstance(wanted, Type) else ""
                 self.fail(node.args[k], f"argument {k + 1} of {name} is {words(wanted)}, got {words(kind)}{mend}")
@@ -388,10 +392,3 @@ class Inference:
 
 def _loaded(target: ast.expr) -> ast.expr:
     return ast.parse(ast.unparse(target), mode="eval").body if not isinstance(target, ast.Name) else target
-
-
-_FOLDS: dict[type, Callable[[int, int], int]] = {
-    ast.Add: lambda a, b: a + b, ast.Sub: lambda a, b: a - b, ast.Mult: lambda a, b: a * b,
-    ast.LShift: lambda a, b: a << b, ast.RShift: lambda a, b: a >> b, ast.BitOr: lambda a, b: a | b,
-    ast.BitAnd: lambda a, b: a & b, ast.BitXor: lambda a, b: a ^ b,
-}  # fmt: skip

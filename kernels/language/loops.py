@@ -40,7 +40,7 @@ def check_loop(definition: ast.FunctionDef, fail: Fail) -> None:
         if len(_yielded(node)) != len(_yielded(yields[0])):
             fail(node, "every `yield` of a loop hands out as many values")
     for name in stored_names(statements) & {a.arg for a in definition.args.args}:
-        fail(definition, f"{name} is a parameter: change a copy, `n = {name} + 0`")
+        fail(definition, f"{name} is a parameter: change a copy, `copy = {name}`")
 
 
 def with_assignments(definition: ast.FunctionDef) -> ast.FunctionDef:
@@ -90,12 +90,7 @@ class Writer(ast.NodeTransformer):
     """
 
     def __init__(
-        self,
-        definition: ast.FunctionDef,
-        written: dict[str, Any],
-        scope: dict[str, Any],
-        words: Words,
-        fail: Fail,
+        self, definition: ast.FunctionDef, written: dict[str, Any], scope: dict[str, Any], words: Words, fail: Fail
     ):
         self.written, self.scope, self.words, self.fail = written, scope, words, fail
         self.taken = stored_names(definition.body) | {a.arg for a in definition.args.args}
@@ -219,7 +214,7 @@ class Writer(ast.NodeTransformer):
     def _check_body(self, node: ast.For, walk: list[ast.stmt]) -> None:
         targets = {n.id for n in nodes_of([node.target]) if isinstance(n, ast.Name)}
         for name in targets & stored_names(node.body):
-            self.fail(node, f"{name} is the variable of a loop: change a copy, `n = {name} + 0`")
+            self.fail(node, f"{name} is the variable of a loop: change a copy, `copy = {name}`")
         for name in targets & {n.id for n in nodes_of([node.iter]) if isinstance(n, ast.Name)}:
             self.fail(node, f"{name} is what the loop is given, and its variable: choose another name")
         for jump in _jumps(node.body):

@@ -14,6 +14,7 @@ from typing import Any, get_args, get_origin
 
 from .callbacks import callback
 from .inference import Inference, Inferred, Scope
+from .literals import Beginnings
 from .loops import YIELDED, Writer, check_loop, with_assignments
 from .signatures import BOOL, FLOAT, INT, ArrayType, Type, remedy, words
 from .source import Source, Vocabulary, compiled
@@ -142,11 +143,12 @@ def _check_flat(source: Source, role: str, vocabulary: Vocabulary) -> dict[str, 
             source.fail(node, f".{node.attr}: `array.shape[k]` is the one attribute; components are v[0], v[1], ...")
     if role in ("kernel", "reduction"):
         _check_thread_index(source, role)
+    _check_pairs(source, nodes)
     _check_returns(source, role, nodes)
     local = {node.id for node in nodes if is_stored(node)}  # type: ignore[attr-defined]
     _check_globals(source, vocabulary, nodes, local | {a.arg for a in source.definition.args.args})
     _check_scopes(source, role, local)
-    return _check_types(source, vocabulary)
+    return _check_types(source, vocabulary, local)
 
 
 def _read_annotations(source: Source, role: str) -> None:
@@ -239,6 +241,18 @@ def _check_thread_index(source: Source, role: str) -> None:
         source.fail(first, f"the first statement of a {role} is `i = tid()`")
 
 
+def _check_pairs(source: Source, nodes: list[ast.AST]) -> None:
+    """Refuse `a, b = b, a`: Warp copies nothing there, so that one name may change what the other stands for."""
+    stored = [node.id for node in nodes if is_stored(node)] + list(source.parameters)  # type: ignore[attr-defined]
+    for node in nodes:
+        match node:
+            case ast.Assign(targets=[ast.Tuple()], value=ast.Tuple(elts=values)):
+                names = {n.id for n in nodes_of([node]) if isinstance(n, ast.Name)}
+                is_changed = any(stored.count(name) > 1 for name in names)
+                if is_changed or any(isinstance(value, ast.Subscript) for value in values):
+                    source.fail(node, "one variable a line: Warp copies nothing here, so that a, b = b, a is no swap")
+
+
 def _check_returns(source: Source, role: str, nodes: list[ast.AST]) -> None:
     returns = [n for n in nodes if isinstance(n, ast.Return)]
     source.returns = bool(returns)
@@ -310,7 +324,7 @@ def _check_scopes(source: Source, role: str, assigned: set[str]) -> None:
                 read(statement, known)
                 for name in sorted(stored_names([statement])):
                     if name in fixed and statement is not index:
-                        source.fail(statement, f"{name} is {fixed[name]}: change a copy, `n = {name} + 0`")
+                        source.fail(statement, f"{name} is {fixed[name]}: change a copy, `copy = {name}`")
                     known.add(name)
 
     def read(tree: ast.AST, known: set[str]) -> None:
@@ -326,7 +340,7 @@ def _check_scopes(source: Source, role: str, assigned: set[str]) -> None:
     walk(source.body, set(source.parameters), fixed)
 
 
-def _check_types(source: Source, vocabulary: Vocabulary) -> dict[str, Inferred]:
+def _check_types(source: Source, vocabulary: Vocabulary, local: set[str]) -> dict[str, Inferred]:
     names = source.function.__globals__
 
     def constant(name: str) -> int | float | bool | None:
@@ -351,10 +365,15 @@ def _check_types(source: Source, vocabulary: Vocabulary) -> dict[str, Inferred]:
     scope = Scope(constant, type_named, builtin_named, signature, source.fail)
     inference = Inference(scope, source.parameters, source.result)
     inference.run(source.body)
+    beginnings = Beginnings(lambda name: None if name in local else constant(name), type_named)
+    beginnings.write(source.body)
     for value, annotation, place in source.expected:
         kind, wanted = inference.infer(value), vocabulary.array_of(annotation) or vocabulary.type_of(annotation)
         if kind and wanted and kind != wanted:
             mend = f": {remedy(wanted)}" if isinstance(wanted, Type) else ""
             source.fail(value, f"{place} is {words(wanted)}, got {words(kind)}{mend}")
     source.result = source.result or inference.returned
+    if beginnings.count or inference.numbers.widened:
+        taken = {name: vocabulary.scalar(name) for name in inference.numbers.widened}
+        source.function = compiled(source.definition, source.function.__annotations__, names | taken, source.function)
     return inference.known

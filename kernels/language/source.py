@@ -34,6 +34,7 @@ class Vocabulary:
     type_of: Callable[[Any], Type | None]
     array_of: Callable[[Any], ArrayType | None]
     words: Words
+    scalar: Callable[[str], Any]  # a type of numbers by its name
 
 
 @dataclass

@@ -25,15 +25,7 @@ from .cache_folders import cache_folder, is_writable, temporary_cache
 from .device_lock import lock
 from .prepared_launches import Recorder, TaichiLaunch
 from .taichi_lifetime import OwnProgram, TaichiUnavailableError, require_threads
-from .taichi_source import (
-    CHUNK_LOOP,
-    REDUCTION,
-    SEGMENT_REDUCTION,
-    ToTaichi,
-    copy_tree,
-    in_parallel,
-    without_docstring,
-)
+from .taichi_source import CHUNK_LOOP, REDUCTION, SEGMENT_REDUCTION, ToTaichi, copy_tree, in_parallel, without_docstring
 
 MOST_THREADS = 1024  # each is started, and more than any machine's cores only wait
 

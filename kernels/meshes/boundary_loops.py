@@ -7,11 +7,14 @@ loop, with a stack. Where the way leads through an edge of three triangles or mo
 it ends, and what is left is a chain and no loop. About 60 B a half-edge of the border, 8 B a half-edge of the mesh.
 """
 
+from typing import Any
+
+from ..array_types import Indices, Integers, Triangles
 from ..arrays.packed_keys import pack_bits
 from ..arrays.select import gather_rows, positions_of
 from ..arrays.sort import argsort_keys
 from ..arrays.unique import UniqueKeys
-from ..lang import array, func, int32, int64, kernel, launch, tid, uint8, vec3i
+from ..lang import Kernel, array, func, int32, int64, kernel, launch, tid, uint8, vec3i
 from ..memory import clone, empty, full
 from .mesh_edges import find_edges, higher_end, key_bits, lower_end, run_places
 from .mesh_topology import corner_vertex, next_corner
@@ -27,7 +30,7 @@ def pair_half_edges_kernel(edges: UniqueKeys, bits: int, twins: array(dtype=int3
     count = edges.starts[i + 1] - first
     whole = lower_end(edges.keys[i], bits) != higher_end(edges.keys[i], bits)
     for j in range(first, first + count):
-        twin = int(BLOCKED) + 0
+        twin = BLOCKED
         if whole and count == 1:
             twin = BORDER
         if whole and count == 2:
@@ -72,7 +75,7 @@ def find_next_kernel(
         if corner_vertex(triangles, g) != end:
             g = h  # the two triangles turn different ways; h is at the border, so the walk ends
             end = -1
-    following = int(-1)
+    following = -1
     if twins[g] == BORDER and end >= 0:
         following = places[g]
     nexts[i] = following
@@ -87,7 +90,7 @@ class Border:
         nexts: int32 [b], the place of the one that follows, or -1.
     """
 
-    def __init__(self, triangles, vertex_count):
+    def __init__(self, triangles: Triangles, vertex_count: int) -> None:
         device = triangles.device
         edges, twins = find_edges(triangles, vertex_count), empty(3 * triangles.size, int32, device)  # sync
         launch(pair_half_edges_kernel, edges.count, [edges, key_bits(vertex_count), twins])
@@ -136,7 +139,7 @@ def cut_loops_kernel(
     i = tid()
     following = nexts[i]
     if following >= 0:
-        if int64(following) == (leaders[i] & int64(0xFFFFFFFF)):
+        if int64(following) == (leaders[i] & 0xFFFFFFFF):
             following = -1
     jumps[i] = following
     lengths[i] = int64(1 if following >= 0 else 0)
@@ -167,7 +170,7 @@ def list_loop_keys_kernel(
     """How many of its loop stand before each one."""
     i = tid()
     row = rows[i]
-    leader = int(leaders[row] & int64(0xFFFFFFFF))
+    leader = int(leaders[row] & 0xFFFFFFFF)
     before[i] = lengths[leader] - lengths[row]
 
 
@@ -178,7 +181,7 @@ def mark_loops_kernel(jumps: array(dtype=int32), mask: array(dtype=uint8)):
     mask[i] = uint8(1 if jumps[i] >= 0 else 0)
 
 
-def _jump(kernel, jumps, values):
+def _jump(kernel: Kernel, jumps: Any, values: Any):
     """Follow jumps until each spans all there are."""
     count, device = jumps.size, jumps.device
     for _ in range(max(1, count.bit_length())):
@@ -188,7 +191,7 @@ def _jump(kernel, jumps, values):
     return jumps, values
 
 
-def rank_loops(vertices, nexts):
+def rank_loops(vertices: Indices, nexts: Integers):
     """The loops among successors: each from its lowest vertex on, in the order of these.
 
     Args:
@@ -242,7 +245,7 @@ def close_loop(
     for q in range(first, last):
         following = q + 1
         if following == last:
-            following = first + 0
+            following = first
         nexts[rows[stack[q]]] = rows[stack[following]]
     return last - first
 
@@ -262,7 +265,7 @@ def cut_at_vertices_kernel(
     """
     i = tid()
     base = starts[i]
-    top = base + 0
+    top = base
     for p in range(starts[i], starts[i + 1]):
         slot = slots[p]
         height = heights[slot]
@@ -270,14 +273,14 @@ def cut_at_vertices_kernel(
             closed = close_loop(rows, stack, height, top, nexts)
             for q in range(height, height + closed):
                 heights[slots[stack[q]]] = -1
-            top = height + 0
+            top = height
         heights[slot] = top
         stack[top] = p
         top += 1
     closed = close_loop(rows, stack, base, top, nexts)
 
 
-def find_loops(border):
+def find_loops(border: Any):
     """The loops of a Border, none of which passes a vertex twice: (rows, loops) as of `rank_loops`."""
     device = border.nexts.device
     rows, loops = rank_loops(border.vertices, border.nexts)

@@ -5,9 +5,12 @@ Repeats are found by sorting: triangles turned so that their lowest vertex comes
 their first two vertices and, among equals, by the third. 12 B read and 1 B written a triangle beside two sorts.
 """
 
+from typing import Any
+
+from ..array_types import Points, Triangles
 from ..arrays.select import gather_rows
 from ..arrays.sort import argsort_keys
-from ..lang import array, float64, func, int32, int64, isfinite, kernel, launch, length, tid, uint8, vec3, vec3i
+from ..lang import array, func, int32, int64, isfinite, kernel, launch, length, tid, uint8, vec3, vec3i
 from ..memory import empty
 from .mesh_measures import triangle_cross
 
@@ -15,7 +18,7 @@ from .mesh_measures import triangle_cross
 @func
 def names_twice(t: vec3i) -> int:
     """1 where two corners are one vertex."""
-    found = int(0)
+    found = 0
     if t[0] == t[1] or t[1] == t[2] or t[2] == t[0]:
         found = 1
     return found
@@ -32,7 +35,7 @@ def mask_degenerate_kernel(
     if zero_area == 1 and found == 0:
         n = triangle_cross(vertices, t)
         whole = isfinite(vertices[t[0]]) and isfinite(vertices[t[1]]) and isfinite(vertices[t[2]])
-        if whole and length(n) == float64(0.0):
+        if whole and length(n) == 0.0:
             found = 1
     mask[i] = uint8(found)
 
@@ -54,7 +57,7 @@ def turned(t: vec3i) -> vec3i:
         other = vec3i(t[1], t[2], t[0])
         if k == 1:
             other = vec3i(t[2], t[0], t[1])
-        less = int(0)
+        less = 0
         if other[0] < best[0]:
             less = 1
         if other[0] == best[0] and other[1] < best[1]:
@@ -87,7 +90,7 @@ def list_first_keys_kernel(
 def mask_repeats_kernel(triangles: array(dtype=vec3i), order: array(dtype=int32), mask: array(dtype=uint8)):
     """1 where the triangle before in a sorted order is the same; equal ones stand by their numbers."""
     i = tid()
-    same = int(0)
+    same = 0
     if i > 0:
         t = turned(triangles[order[i]])
         s = turned(triangles[order[i - 1]])
@@ -96,21 +99,21 @@ def mask_repeats_kernel(triangles: array(dtype=vec3i), order: array(dtype=int32)
     mask[order[i]] = uint8(same)
 
 
-def mask_degenerate(vertices, triangles, *, zero_area):
+def mask_degenerate(vertices: Points, triangles: Triangles, *, zero_area: Any):
     """uint8 [t]: 1 for triangles that name a vertex twice, and where asked for those of finite corners without area."""
     mask = empty(triangles.size, uint8, triangles.device)
     launch(mask_degenerate_kernel, triangles.size, [vertices, triangles, int(zero_area), mask])
     return mask
 
 
-def mask_not_finite(vertices, triangles):
+def mask_not_finite(vertices: Points, triangles: Triangles):
     """uint8 [t]: 1 for triangles with a corner that is not finite."""
     mask = empty(triangles.size, uint8, triangles.device)
     launch(mask_not_finite_kernel, triangles.size, [vertices, triangles, mask])
     return mask
 
 
-def mask_repeats(triangles, vertex_count):
+def mask_repeats(triangles: Triangles, vertex_count: int):
     """uint8 [t]: 1 for triangles that are an earlier one, turned or not; the opposite of one is another."""
     device, count, bits = triangles.device, triangles.size, max(1, vertex_count.bit_length())
     keys = empty(count, int64, device)

@@ -13,7 +13,10 @@ lets all vertices try that come first in their cells; after ROUNDS rounds, which
 the order of their numbers need, one thread goes through the rest. About 130 B a vertex.
 """
 
+from typing import Any
+
 from ..algebra.transform import widen
+from ..array_types import Indices, Integers, Points
 from ..arrays.hash_table import HashTable, find_position, list_keys, mix_bits
 from ..arrays.select import gather_rows, positions_of
 from ..arrays.sort import positions
@@ -59,7 +62,7 @@ def hash_block(at: cell, salt: int64) -> int64:
     h = mix_bits(at[0] + salt)
     h = mix_bits((h ^ at[1]) + salt)
     h = mix_bits((h ^ at[2]) + salt)
-    return h & ((int64(1) << int64(HASH_BITS)) - int64(1))
+    return h & ((1 << int64(HASH_BITS)) - 1)
 
 
 @kernel
@@ -68,10 +71,10 @@ def hash_cells_kernel(points: array(dtype=vec3), side: float64, salt: int64, key
     i = tid()
     p = widen(points[i])
     block = block_of(p, side)
-    quarter = block_of(p, side * float64(0.25))
+    quarter = block_of(p, side * 0.25)
     part = int64(0)
     for axis in range(3):
-        part = part * int64(4) + (quarter[axis] - int64(4) * block[axis])
+        part = part * 4 + (quarter[axis] - 4 * block[axis])
     keys[i] = (hash_block(block, salt) << int64(CELL_BITS)) | part
 
 
@@ -138,7 +141,7 @@ class Cells:
     reach: float64
     salt: int64
 
-    def __init__(self, points, reach):
+    def __init__(self, points: Points, reach: Any) -> None:
         device, count = points.device, points.size
         self.points, self.salt = points, 0
         self.reach = float(reach) * float(reach)
@@ -176,15 +179,15 @@ def look_around(v: int, cells: Cells) -> int:
     A vertex that is not settled counts wherever it lies in its cell: waiting for it changes no result.
     """
     p = cells.points[v]
-    half = cells.side * float64(0.5)
+    half = cells.side * 0.5
     first = block_of(widen(p) - vec3d(half, half, half), cells.side)
     last = block_of(widen(p) + vec3d(half, half, half), cells.side)
-    found = int(-1)
-    waits = int(0)
+    found = -1
+    waits = 0
     n = int(8)
     for k in range(n):
         at = cell(first[0] + int64(k >> 2), first[1] + int64((k >> 1) & 1), first[2] + int64(k & 1))
-        place = int(-1)
+        place = -1
         if at[0] <= last[0] and at[1] <= last[1] and at[2] <= last[2]:
             place = find_position(hash_block(at, cells.salt), cells.table)
         if place >= 0:
@@ -210,7 +213,7 @@ def settle(v: int, cells: Cells) -> int:
     """
     c = cells.of_point[v]
     state = cells.states[c]
-    done = int(1)
+    done = 1
     if state >= 0 and state <= v:
         done = 0
         if state == v:
@@ -220,7 +223,7 @@ def settle(v: int, cells: Cells) -> int:
                 done = 1
             if found >= 0:
                 after = cells.place[v] + 1
-                following = int(NO_STATE) + 0
+                following = NO_STATE
                 if after < cells.cells.starts[c + 1]:
                     following = cells.cells.order[after]
                 cells.states[c] = following
@@ -247,7 +250,7 @@ def settle_rest_kernel(rows: array(dtype=int32), cells: Cells):
 def find_owners_kernel(cells: Cells, owners: array(dtype=int32)):
     """The vertex that each one follows, itself where it stayed."""
     i = tid()
-    owner = i + 0
+    owner = i
     if cells.states[cells.of_point[i]] != -2 - i:
         owner = look_around(i, cells)
     owners[i] = owner
@@ -260,7 +263,7 @@ def spread_owners_kernel(rows: array(dtype=int32), found: array(dtype=int32), ow
     owners[rows[i]] = rows[found[i]]
 
 
-def find_close_vertices(vertices, finite, reach, owners):
+def find_close_vertices(vertices: Any, finite: Integers, reach: Any, owners: Indices) -> None:
     """Write which vertex each of some follows.
 
     Args:

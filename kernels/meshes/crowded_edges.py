@@ -9,6 +9,9 @@ vertex twice. After ROUNDS rounds, which only chains of many crowded edges need,
 About 100 B a triangle at crowded edges beside the sort of all edges.
 """
 
+from typing import Any
+
+from ..array_types import Indices, Triangles
 from ..arrays.select import gather_rows, positions_of
 from ..arrays.sort import argsort_keys, positions
 from ..arrays.unique import UniqueKeys
@@ -40,7 +43,7 @@ def mask_crowded_kernel(
 ):
     """1 for the triangles at crowded edges; with `twice` for those of them alone that name a vertex twice."""
     i = tid()
-    found = int(0)
+    found = 0
     for k in range(3):
         if of_half_edge[3 * i + k] >= 0:
             found = 1
@@ -99,7 +102,7 @@ class CrowdedEdges:
     words: array(dtype=int64)
     states: array(dtype=int32)
 
-    def __init__(self, rows, of_half_edge, edge_count):
+    def __init__(self, rows: Indices, of_half_edge: Indices, edge_count: int) -> None:
         device, slots = rows.device, 3 * rows.size
         keys = empty(slots, int64, device)
         launch(list_crowded_slots_kernel, rows.size, [rows, of_half_edge, edge_count, keys])
@@ -117,12 +120,12 @@ def settle_triangle(i: int, crowded: CrowdedEdges) -> int:
 
     Only the thread of the triangle that is the next of an edge writes its word, and others read whole words.
     """
-    state = int(STAYS) + 0
+    state = STAYS
     for k in range(3):
         g = crowded.of_slot[3 * i + k]
         if g >= 0:
             word = crowded.words[g]
-            if int(word >> int64(32)) != crowded.turns[3 * i + k]:
+            if int(word >> 32) != crowded.turns[3 * i + k]:
                 state = OPEN
             elif state == STAYS and int(word & int64(COUNT_MASK)) > MANIFOLD:
                 state = GOES
@@ -132,7 +135,7 @@ def settle_triangle(i: int, crowded: CrowdedEdges) -> int:
             if g >= 0:
                 word = crowded.words[g] + (int64(1) << int64(32))
                 if state == GOES:
-                    word = word - int64(1)
+                    word = word - 1
                 crowded.words[g] = word
         crowded.states[i] = state
     return state
@@ -159,10 +162,10 @@ def mask_gone_kernel(rows: array(dtype=int32), states: array(dtype=int32), mask:
     """1 for the triangles that go."""
     i = tid()
     if states[i] == GOES:
-        mask[rows[i]] = uint8(1)
+        mask[rows[i]] = 1
 
 
-def _crowded_edges_of(triangles, vertex_count):
+def _crowded_edges_of(triangles: Triangles, vertex_count: int):
     """(edges of half-edges, -1 where not crowded; how many edges there are)."""
     edges = find_edges(triangles, vertex_count)  # sync
     places = run_places(edges, 3 * triangles.size)
@@ -171,13 +174,13 @@ def _crowded_edges_of(triangles, vertex_count):
     return of_half_edge, edges.count
 
 
-def has_crowded_edges(triangles, vertex_count):
+def has_crowded_edges(triangles: Triangles, vertex_count: int):
     """Whether an edge has more than two half-edges."""
     edges = find_edges(triangles, vertex_count)  # sync
     return positions_of(mask_counts(edges, MANIFOLD + 1, MOST)).size > 0  # sync
 
 
-def mask_folded_at_crowded_edges(triangles, vertex_count):
+def mask_folded_at_crowded_edges(triangles: Triangles, vertex_count: int):
     """uint8 [t]: 1 for the triangles at edges of more than two that name a vertex twice."""
     mask = empty(triangles.size, uint8, triangles.device)
     of_half_edge, _ = _crowded_edges_of(triangles, vertex_count)
@@ -185,7 +188,7 @@ def mask_folded_at_crowded_edges(triangles, vertex_count):
     return mask
 
 
-def mask_crowding(vertices, triangles):
+def mask_crowding(vertices: Any, triangles: Triangles):
     """uint8 [t]: 1 for the triangles that have to go, none at crowded edges naming a vertex twice."""
     device, count = triangles.device, triangles.size
     of_half_edge, edge_count = _crowded_edges_of(triangles, vertices.size)

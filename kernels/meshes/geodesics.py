@@ -9,7 +9,10 @@ the order of threads. Rounds are about as many as there are edges on the longest
 after one in which a corner of its triangles came nearer. 16 B a vertex beside its list of corners.
 """
 
+from typing import Any
+
 from ..algebra.transform import widen
+from ..array_types import Integers, Triangles
 from ..lang import (
     INFINITY,
     array,
@@ -44,15 +47,15 @@ def distance_through(a: vec3d, b: vec3d, c: vec3d, to_a: float64, to_b: float64)
     v = c - a
     side = length(u)
     shortest = min(to_a + length(v), to_b + length(c - b))
-    if side > float64(0.0):
+    if side > 0.0:
         height = length(cross(u, v)) / side
         along = (u[0] * v[0] + u[1] * v[1] + u[2] * v[2]) / side
-        source = float64(0.5) * ((to_a - to_b) * ((to_a + to_b) / side) + side)
+        source = 0.5 * ((to_a - to_b) * ((to_a + to_b) / side) + side)
         depth_squared = (to_a - source) * (to_a + source)
-        if depth_squared >= float64(0.0) and height > float64(0.0):
+        if depth_squared >= 0.0 and height > 0.0:
             depth = sqrt(depth_squared)
             crossing = source + (along - source) * (depth / (depth + height))
-            if crossing >= float64(0.0) and crossing <= side:
+            if crossing >= 0.0 and crossing <= side:
                 x = along - source
                 y = height + depth
                 shortest = min(shortest, sqrt(x * x + y * y))
@@ -73,7 +76,7 @@ class Wave:
     around: CornersByVertex
     found: array(dtype=int32)
 
-    def __init__(self, vertices, triangles):
+    def __init__(self, vertices: Any, triangles: Triangles) -> None:
         self.vertices, self.triangles = vertices, triangles
         self.around, self.found = CornersByVertex(triangles, vertices.size), zeros(1, int32, vertices.device)
 
@@ -85,11 +88,11 @@ def start_at_sources_kernel(
     """Distance 0 at the sources; whichever thread wakes a vertex writes the same."""
     i = tid()
     source = sources[i]
-    before[source] = float64(0.0)
+    before[source] = 0.0
     for j in range(wave.around.starts[source], wave.around.starts[source + 1]):
         t = wave.triangles[wave.around.corners[j] // 3]
         for k in range(3):
-            awake[t[k]] = uint8(1)
+            awake[t[k]] = 1
 
 
 @kernel
@@ -106,9 +109,9 @@ def spread_distances_kernel(
     """
     i = tid()
     own = before[i]
-    if awake[i] == uint8(1):
-        awake[i] = uint8(0)
-        shortest = own + float64(0.0)
+    if awake[i] == 1:
+        awake[i] = 0
+        shortest = own
         c = widen(wave.vertices[i])
         for j in range(wave.around.starts[i], wave.around.starts[i + 1]):
             corner = wave.around.corners[j]
@@ -125,7 +128,7 @@ def spread_distances_kernel(
                     shortest = min(shortest, before[va] + length(c - a))
                 elif isfinite(before[vb]):
                     shortest = min(shortest, before[vb] + length(c - b))
-        nearer = int(0)
+        nearer = 0
         if isfinite(shortest):
             if not isfinite(own):
                 nearer = 1
@@ -138,7 +141,7 @@ def spread_distances_kernel(
             for j in range(wave.around.starts[i], wave.around.starts[i + 1]):
                 t = wave.triangles[wave.around.corners[j] // 3]
                 for k in range(3):
-                    woken[t[k]] = uint8(1)
+                    woken[t[k]] = 1
     after[i] = own
 
 
@@ -150,7 +153,7 @@ def settle_rounds_kernel(wave: Wave, running: array(dtype=int32)):
     wave.found[i] = 0
 
 
-def geodesic_distances(vertices, triangles, sources):
+def geodesic_distances(vertices: Any, triangles: Triangles, sources: Integers):
     """The distance of each vertex from the nearest of int32 sources along the mesh, float64 [m]; infinite where none.
 
     One look at a flag every second round on the CPU, none on CUDA.
@@ -161,7 +164,7 @@ def geodesic_distances(vertices, triangles, sources):
     awake, woken = zeros(count, uint8, device), zeros(count, uint8, device)
     launch(start_at_sources_kernel, sources.size, [sources, wave, before, awake])
 
-    def two_rounds():
+    def two_rounds() -> None:
         launch(spread_distances_kernel, count, [wave, before, awake, after, woken])
         launch(spread_distances_kernel, count, [wave, after, woken, before, awake])
         launch(settle_rounds_kernel, 1, [wave, running])

@@ -8,9 +8,12 @@ have one area. Bends are compared in steps, so that rounding does not choose. A 
 already is not taken. The chords that span as many sides are one thread each; all in float64, the same bits everywhere.
 """
 
+from typing import Any
+
 import numpy as np
 
 from ..algebra.transform import widen
+from ..array_types import Points, Triangles
 from ..arrays.select import gather_rows, positions_of
 from ..lang import (
     INFINITY,
@@ -79,7 +82,7 @@ class Loops:
     sizes: array(dtype=float64)
     tips: array(dtype=int32)
 
-    def __init__(self, found, chosen, counts):
+    def __init__(self, found: Any, chosen: np.ndarray, counts: np.ndarray) -> None:
         """Some of the loops of FoundLoops, with their numbers of vertices (NumPy arrays)."""
         device, square = found.vertices.device, counts.astype(np.int64) ** 2
         starts, entries = np.concatenate([[0], np.cumsum(counts)]), int(counts.sum())
@@ -113,8 +116,8 @@ def begin_loops_kernel(vertices: array(dtype=vec3), triangles: array(dtype=vec3i
 def unit_or_none(n: vec3d) -> vec3d:
     """The direction of a vector, zero where it has none."""
     size = length(n)
-    unit = vec3d(float64(0.0), float64(0.0), float64(0.0))
-    if size > float64(0.0):
+    unit = vec3d(0.0, 0.0, 0.0)
+    if size > 0.0:
         unit = n / size
     return unit
 
@@ -123,8 +126,8 @@ def unit_or_none(n: vec3d) -> vec3d:
 def bend_to(n: vec3d, m: vec3d) -> float64:
     """1 - cos of the angle between two unit normals; 0 where the second is none."""
     bend = float64(0.0)
-    if dot(m, m) > float64(0.5):
-        bend = float64(1.0) - dot(n, m)
+    if dot(m, m) > 0.5:
+        bend = 1.0 - dot(n, m)
     return bend
 
 
@@ -149,16 +152,16 @@ def weigh_chords_kernel(edge_keys: array(dtype=int64), bits: int, loops: Loops, 
     at = base + i * count + j
     a = loops.points[first + i]
     c = loops.points[first + j]
-    whole = int(0)
+    whole = 0
     if i == 0 and j + 1 == count:
         whole = 1
     across = loops.normals[base + (count - 1) * count]
     side = square_side(a, c)
-    best_bend = float64(INFINITY) + float64(0.0)
-    best_size = float64(INFINITY) + float64(0.0)
-    best_normal = vec3d(float64(0.0), float64(0.0), float64(0.0))
-    best = int(-1)
-    last = j + 0
+    best_bend = float64(INFINITY)
+    best_size = float64(INFINITY)
+    best_normal = vec3d(0.0, 0.0, 0.0)
+    best = -1
+    last = j
     taken = find_edge(edge_key(loops.vertices[first + i], loops.vertices[first + j], bits), edge_keys)
     if taken >= 0 and whole == 0:
         last = i + 1
@@ -171,7 +174,7 @@ def weigh_chords_kernel(edge_keys: array(dtype=int64), bits: int, loops: Loops, 
             n = cross(b - c, a - c)
             unit = unit_or_none(n)
             sharpest = float64(2.0)
-            if dot(unit, unit) > float64(0.5):
+            if dot(unit, unit) > 0.5:
                 sharpest = max(bend_to(unit, loops.normals[left]), bend_to(unit, loops.normals[right]))
                 if whole == 1:
                     sharpest = max(sharpest, bend_to(unit, across))
@@ -181,7 +184,7 @@ def weigh_chords_kernel(edge_keys: array(dtype=int64), bits: int, loops: Loops, 
                 best_bend = bend
                 best_size = size
                 best_normal = unit
-                best = k + 0
+                best = k
     loops.bends[at] = best_bend
     loops.sizes[at] = best_size
     loops.normals[at] = best_normal
@@ -212,7 +215,7 @@ def write_triangles_kernel(
     base = loops.cells[loop]
     written = offsets[i]
     stack[first] = count - 1  # chords as they lie in a row of cells
-    depth = int(1)
+    depth = 1
     while depth > 0:
         depth -= 1
         chord = stack[first + depth]
@@ -246,7 +249,7 @@ def name_pieces_kernel(
     of_loop[i] = numbers[loops.owners[p[0]]]
 
 
-def close_loops(vertices, triangles, found, batch):
+def close_loops(vertices: Points, triangles: Triangles, found: Any, batch: np.ndarray):
     """(pieces vec3i [p], corners int32 [3 p], loop of each int32 [p]) of the loops of a batch that can be closed."""
     device, counts = triangles.device, found.counts[batch]
     loops, bits = Loops(found, batch, counts), key_bits(vertices.size)

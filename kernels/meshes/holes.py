@@ -5,27 +5,16 @@ the same chord, the later one waits for the next pass, in which the chord is an 
 for its edges, and 44 B for each pair of vertices of the loops of a batch.
 """
 
+from typing import Any
+
 import numpy as np
 
 from ..algebra.transform import widen
+from ..array_types import Array1, Indices, Integers, Points, Triangles
 from ..arrays.concatenation import concatenate_rows
 from ..arrays.select import gather_rows, positions_of
 from ..arrays.unique import UniqueKeys
-from ..lang import (
-    INFINITY,
-    array,
-    atomic_max,
-    float64,
-    int32,
-    kernel,
-    launch,
-    length,
-    tid,
-    uint8,
-    vec2,
-    vec3,
-    vec3d,
-)
+from ..lang import INFINITY, array, atomic_max, float64, int32, kernel, launch, length, tid, uint8, vec2, vec3, vec3d
 from ..memory import copy, download, empty, zeros
 from .boundary_loops import Border, find_loops
 from .hole_weights import close_loops
@@ -53,9 +42,9 @@ def measure_loops_kernel(
     first = starts[i]
     last = starts[i + 1]
     low = widen(vertices[of_loop[first]])
-    high = low + vec3d(float64(0.0), float64(0.0), float64(0.0))
+    high = low + vec3d(0.0, 0.0, 0.0)
     gap = float64(0.0)  # becomes NaN with any vertex that is not finite
-    alone = int(1)
+    alone = 1
     for j in range(first, last):
         p = widen(vertices[of_loop[j]])
         gap += (p[0] - p[0]) + (p[1] - p[1]) + (p[2] - p[2])
@@ -63,12 +52,12 @@ def measure_loops_kernel(
         high = vec3d(max(high[0], p[0]), max(high[1], p[1]), max(high[2], p[2]))
         if half_edges[j] // 3 != half_edges[first] // 3:
             alone = 0
-    middle = (low + high) * float64(0.5)
+    middle = (low + high) * 0.5
     farthest = float64(0.0)
     for j in range(first, last):
         farthest = max(farthest, length(widen(vertices[of_loop[j]]) - middle))
     if alone == 1:
-        farthest = float64(INFINITY) + float64(0.0)
+        farthest = float64(INFINITY)
     radii[i] = farthest + gap
 
 
@@ -106,7 +95,7 @@ def gather_three_kernel(values: array(dtype=int32), rows: array(dtype=int32), ga
 class FoundLoops:
     """All loops of a mesh: their vertices and half-edges (device arrays), where they begin, their radii (NumPy)."""
 
-    def __init__(self, vertices, triangles):
+    def __init__(self, vertices: Points, triangles: Triangles) -> None:
         border = Border(triangles, vertices.size)
         rows, loops = find_loops(border)
         self.vertices, self.half_edges = gather_rows(border.vertices, rows), gather_rows(border.half_edges, rows)
@@ -117,7 +106,7 @@ class FoundLoops:
         self.radii = download(radii).copy()  # sync
 
 
-def plan_batches(chosen, counts):
+def plan_batches(chosen: Any, counts: Any):
     """Chosen loops (NumPy array) in batches of like sizes, none with more than MOST_CELLS chords; the largest first."""
     order, batches, cells = chosen[np.argsort(-counts[chosen], kind="stable")], [], 0
     for loop, count in zip(order.tolist(), counts[order].tolist(), strict=True):
@@ -129,7 +118,7 @@ def plan_batches(chosen, counts):
     return [np.array(batch) for batch in batches]
 
 
-def drop_conflicts(pieces, corners, of_loop, loop_count, vertex_count):
+def drop_conflicts(pieces: Any, corners: Indices, of_loop: Integers, loop_count: Any, vertex_count: int):
     """The pieces of loops that share no chord with an earlier one, their corners, and how many loops wait."""
     device = pieces.device
     edges, waits = find_edges(pieces, vertex_count), zeros(loop_count, int32, device)  # sync
@@ -160,14 +149,14 @@ class Filling:
         left: Holes within the size that stay open.
     """
 
-    def __init__(self, vertices, triangles, hole_size):
+    def __init__(self, vertices: Any, triangles: Triangles, hole_size: Any) -> None:
         self.triangles, self.filled, waiting = triangles, 0, 1
         self.corners = empty(0, int32, triangles.device)
         for _ in range(PASSES):
             if waiting:
                 waiting = self._fill(vertices, hole_size)
 
-    def _fill(self, vertices, hole_size):
+    def _fill(self, vertices: Any, hole_size: Any):
         """Close what can be closed at once; how many loops have to wait for others."""
         found = FoundLoops(vertices, self.triangles)
         within = found.radii <= hole_size
@@ -200,7 +189,7 @@ def spread_ids_kernel(ids: array(dtype=int32), corners: array(dtype=int32), firs
     out[first + i] = ids[corners[3 * i] // 3]
 
 
-def spread_corners(values, corners):
+def spread_corners(values: Array1[vec2], corners: Indices):
     """Values vec2 [3 t] of corners, and behind them those of new corners."""
     out = empty(values.size + corners.size, vec2, values.device)
     copy(out, values, count=values.size)
@@ -208,7 +197,7 @@ def spread_corners(values, corners):
     return out
 
 
-def spread_ids(ids, corners):
+def spread_ids(ids: Indices, corners: Indices):
     """Material numbers int32 [t], and behind them those of new triangles."""
     out = empty(ids.size + corners.size // 3, int32, ids.device)
     copy(out, ids, count=ids.size)

@@ -4,7 +4,10 @@ Which vertex each one follows is an int32 array `owners` with owners[v] <= v and
 owners stay, in their order; triangles name them. About 16 B a vertex beside the sort.
 """
 
+from typing import Any
+
 from ..algebra.transform import narrow, widen
+from ..array_types import Indices, Integers, Points, Triangles
 from ..arrays.prefix_sum import exclusive_scan
 from ..arrays.sort import argsort_keys, positions
 from ..arrays.union_find import flatten_sets_kernel, unite
@@ -73,18 +76,18 @@ def average_members_kernel(rows: array(dtype=vec3), groups: UniqueKeys, unit: in
     last = groups.starts[i + 1]
     mean = rows[groups.order[first]]
     if last - first > 1:
-        total = vec3d(float64(0.0), float64(0.0), float64(0.0))
+        total = vec3d(0.0, 0.0, 0.0)
         for j in range(first, last):
             total += widen(rows[groups.order[j]])
         total = total / float64(last - first)
         size = length(total)
-        if unit == 1 and size > float64(0.0):
+        if unit == 1 and size > 0.0:
             total = total / size
         mean = narrow(total)
     means[i] = mean
 
 
-def find_equal_vertices(vertices):
+def find_equal_vertices(vertices: Points):
     """The first vertex at the position of each, int32 [m]; those with a NaN follow themselves."""
     device, count = vertices.device, vertices.size
     bits = WORD_BITS - max(1, (count - 1).bit_length())
@@ -96,28 +99,28 @@ def find_equal_vertices(vertices):
     return owners
 
 
-def number_owners(owners):
+def number_owners(owners: Indices):
     """(places int32 [m + 1], count): the new number of each owner; one sync."""
     marks = empty(owners.size, int32, owners.device)
     launch(mark_owners_kernel, owners.size, [owners, marks])
     return exclusive_scan(marks)
 
 
-def mask_owners(owners):
+def mask_owners(owners: Indices):
     """uint8 [m]: 1 for the vertices that stay."""
     mask = empty(owners.size, uint8, owners.device)
     launch(mask_owners_kernel, owners.size, [owners, mask])
     return mask
 
 
-def rename_corners(triangles, owners, places):
+def rename_corners(triangles: Triangles, owners: Indices, places: Integers):
     """The triangles of the vertices that theirs follow, by their new numbers."""
     renamed = empty(triangles.size, vec3i, triangles.device)
     launch(rename_corners_kernel, triangles.size, [triangles, owners, places, renamed])
     return renamed
 
 
-def average_members(arrays, unit, owners, places, count):
+def average_members(arrays: Any, unit: Any, owners: Indices, places: Integers, count: int):
     """The mean rows of each owner and those that follow it.
 
     Args:

@@ -8,6 +8,7 @@ around a vertex close a ring and turn alike. Reads some 50 B a corner, writes 32
 
 from ..algebra.angles import angle_of
 from ..algebra.transform import widen
+from ..array_types import Points, Triangles
 from ..lang import (
     NAN,
     array,
@@ -44,7 +45,7 @@ def pair_halves_kernel(triangles: array(dtype=vec3i), edges: MeshEdges, twins: a
     count = edges.starts[i + 1] - start
     for j in range(count):
         h = edges.halves[start + j]
-        twin = int(-1)
+        twin = -1
         if count == 2:
             other = edges.halves[start + 1 - j]
             if corner_vertex(triangles, other) != corner_vertex(triangles, h):
@@ -56,11 +57,11 @@ def pair_halves_kernel(triangles: array(dtype=vec3i), edges: MeshEdges, twins: a
 def is_ringed(triangles: array(dtype=vec3i), around: CornersByVertex, twins: array(dtype=int32), v: int) -> int:
     """1 where the triangles around a vertex are one closed ring."""
     count = around.starts[v + 1] - around.starts[v]
-    closed = int(0)
-    seen = int(1)
+    closed = 0
+    seen = 1
     if count > 0:
         start = around.corners[around.starts[v]]
-        h = start + 0
+        h = start
         while seen <= count and closed == 0 and twins[h] >= 0:
             h = other_edge(triangles, twins[h], v)
             if h // 3 == start // 3:
@@ -83,11 +84,11 @@ def sums_of_corner(p: vec3d, q: vec3d, r: vec3d) -> ring_sums:
     cot_q = -dot(u, w) / twice
     cot_r = dot(v, w) / twice
     bend = -cot_r * u - cot_q * v
-    area = (dot(u, u) * cot_r + dot(v, v) * cot_q) / float64(8.0)
-    if dot(u, v) < float64(0.0):
-        area = twice / float64(4.0)
-    elif cot_q < float64(0.0) or cot_r < float64(0.0):
-        area = twice / float64(8.0)
+    area = (dot(u, u) * cot_r + dot(v, v) * cot_q) / 8.0
+    if dot(u, v) < 0.0:
+        area = twice / 4.0
+    elif cot_q < 0.0 or cot_r < 0.0:
+        area = twice / 8.0
     return ring_sums(bend[0], bend[1], bend[2], n[0], n[1], n[2], area, angle_of(twice, dot(u, v)))
 
 
@@ -103,7 +104,7 @@ def measure_curvatures_kernel(
     i = tid()
     result = vec4d(float64(NAN), float64(NAN), float64(NAN), float64(NAN))
     if is_ringed(triangles, around, twins, i) == 1:
-        total = ring_sums(float64(0.0))
+        total = ring_sums(0.0)
         p = widen(vertices[i])
         for j in range(around.starts[i], around.starts[i + 1]):
             corner = around.corners[j]
@@ -114,17 +115,17 @@ def measure_curvatures_kernel(
             total = total + sums_of_corner(p, q, r)
         bend = vec3d(total[0], total[1], total[2])
         normal = vec3d(total[3], total[4], total[5])
-        mean = length(bend) / (float64(4.0) * total[6])
-        if dot(bend, normal) < float64(0.0):
+        mean = length(bend) / (4.0 * total[6])
+        if dot(bend, normal) < 0.0:
             mean = -mean
         gaussian = (float64(WHOLE_TURN) - total[7]) / total[6]
-        half = sqrt(max(mean * mean - gaussian, float64(0.0)))
+        half = sqrt(max(mean * mean - gaussian, 0.0))
         if isfinite(mean) and isfinite(gaussian):
             result = vec4d(mean, gaussian, mean - half, mean + half)
     curvatures[i] = result
 
 
-def measure_curvatures(vertices, triangles):
+def measure_curvatures(vertices: Points, triangles: Triangles):
     """(mean, Gaussian, least, largest) curvature of each vertex, vec4d [m]; one sync."""
     device = vertices.device
     edges, around = MeshEdges(triangles, vertices.size), CornersByVertex(triangles, vertices.size)

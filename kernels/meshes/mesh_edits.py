@@ -1,9 +1,14 @@
 """Meshes changed: normals that turn with them, the other winding, fewer triangles, fewer vertices."""
 
+from typing import Any
+
+import numpy as np
+
 from ..algebra.transform import narrow, widen
+from ..array_types import Array1, Cells, Indices, Integers, Mask, Points, Triangles, Vectors
 from ..arrays.prefix_sum import exclusive_scan, sum_counts
 from ..arrays.select import gather_rows, positions_of
-from ..lang import array, atomic_min, float64, int32, kernel, launch, length, mat33d, tid, uint8, vec2, vec3, vec3i
+from ..lang import array, atomic_min, int32, kernel, launch, length, mat33d, tid, uint8, vec2, vec3, vec3i
 from ..memory import empty, full, zeros
 
 
@@ -13,7 +18,7 @@ def turn_normals_kernel(normals: array(dtype=vec3), A: mat33d, turned: array(dty
     i = tid()
     n = A @ widen(normals[i])
     size = length(n)
-    if size > float64(0.0):
+    if size > 0.0:
         n = n / size
     turned[i] = narrow(n)
 
@@ -120,7 +125,7 @@ def mark_places_kernel(rows: array(dtype=int32), used: array(dtype=int32), place
     places[rows[i]] = i
 
 
-def first_listed(rows, count):
+def first_listed(rows: Indices, count: int):
     """The rows of a list, each where it comes first."""
     places, mask = full(count, rows.size, int32, rows.device), empty(rows.size, uint8, rows.device)
     launch(find_first_places_kernel, rows.size, [rows, places])
@@ -128,56 +133,56 @@ def first_listed(rows, count):
     return gather_rows(rows, positions_of(mask))  # sync
 
 
-def mark_places(rows, count):
+def mark_places(rows: Indices, count: int):
     """(used, places): of `count` vertices, 1 for those in a list without repeats, and their places in it; int32."""
     used, places = zeros(count, int32, rows.device), empty(count, int32, rows.device)
     launch(mark_places_kernel, rows.size, [rows, used, places])
     return used, places
 
 
-def renumber_triangles(triangles, places):
+def renumber_triangles(triangles: Triangles, places: Integers) -> Triangles:
     """Triangles by the new numbers of their vertices."""
     renumbered = empty(triangles.size, vec3i, triangles.device)
     launch(renumber_triangles_kernel, triangles.size, [triangles, places, renumbered])
     return renumbered
 
 
-def turn_normals(normals, A):
+def turn_normals(normals: Vectors, A: np.ndarray):
     """A n at unit length for a float64 matrix [3, 3]."""
     turned = empty(normals.size, vec3, normals.device)
     launch(turn_normals_kernel, normals.size, [normals, mat33d(*A.ravel()), turned])
     return turned
 
 
-def flip_triangles(triangles):
+def flip_triangles(triangles: Triangles):
     """The same triangles wound the other way."""
     flipped = empty(triangles.size, vec3i, triangles.device)
     launch(flip_triangles_kernel, triangles.size, [triangles, flipped])
     return flipped
 
 
-def flip_corners(values):
+def flip_corners(values: Array1[vec2]):
     """Values vec2 [3 t] of corners for triangles wound the other way."""
     flipped = empty(values.size, vec2, values.device)
     launch(flip_corners_kernel, values.size // 3, [values, flipped])
     return flipped
 
 
-def count_referenced(triangles, vertex_count):
+def count_referenced(triangles: Triangles, vertex_count: int):
     """How many vertices triangles use; one sync."""
     used = zeros(vertex_count, int32, triangles.device)
     launch(mark_referenced_kernel, triangles.size, [triangles, used])
     return sum_counts(used)
 
 
-def count_unlike(triangles, others):
+def count_unlike(triangles: Triangles, others: Cells):
     """How many triangles are not those at the same places of a list that is as long or longer; one sync."""
     unlike = empty(triangles.size, int32, triangles.device)
     launch(compare_triangles_kernel, triangles.size, [triangles, others, unlike])
     return sum_counts(unlike)
 
 
-def drop_unreferenced(triangles, vertex_count, per_vertex):
+def drop_unreferenced(triangles: Triangles, vertex_count: int, per_vertex: Any) -> tuple[Triangles, list[Any]]:
     """Renumber triangles by the vertices that they use.
 
     Args:
@@ -193,7 +198,7 @@ def drop_unreferenced(triangles, vertex_count, per_vertex):
     return keep_vertices(triangles, used, per_vertex)
 
 
-def keep_vertices(triangles, used, per_vertex):
+def keep_vertices(triangles: Triangles, used: Integers, per_vertex: Any) -> tuple[Cells, list[Points]]:
     """Cut arrays to the vertices that are used, and renumber triangles, none of which has another.
 
     Args:
@@ -214,26 +219,26 @@ def keep_vertices(triangles, used, per_vertex):
     return renumber_triangles(triangles, places), kept
 
 
-def gather_triangles(triangles, rows):
+def gather_triangles(triangles: Triangles, rows: Indices) -> Triangles:
     """triangles[rows] on the device."""
     gathered = empty(rows.size, vec3i, triangles.device)
     launch(gather_triangles_kernel, rows.size, [triangles, rows, gathered])
     return gathered
 
 
-def keep_triangles(triangles, mask):
+def keep_triangles(triangles: Triangles, mask: Mask):
     """The triangles where a uint8 device mask [t] is not zero, in their order."""
     return gather_triangles(triangles, positions_of(mask))  # sync
 
 
-def gather_corners(values, rows):
+def gather_corners(values: Array1[vec2], rows: Indices):
     """The values vec2 [3 t] of the corners of triangles `rows`."""
     gathered = empty(3 * rows.size, vec2, values.device)
     launch(gather_corners_kernel, rows.size, [values, rows, gathered])
     return gathered
 
 
-def whole_triangles(triangles, used):
+def whole_triangles(triangles: Triangles, used: Integers) -> Indices:
     """The rows of the triangles whose vertices are all used; `used` is an int32 device array [m] of 1 or 0."""
     mask = empty(triangles.size, uint8, triangles.device)
     launch(mask_whole_triangles_kernel, triangles.size, [triangles, used, mask])

@@ -6,11 +6,11 @@ that is not finite add nothing. Vertices are float32, 12 B; triangles three int3
 """
 
 from ..algebra.transform import widen
+from ..array_types import Points, Triangles
 from ..lang import (
     array,
     cross,
     dot,
-    float64,
     func,
     isfinite,
     kernel,
@@ -34,7 +34,7 @@ def triangle_cross(vertices: array(dtype=vec3), t: vec3i) -> vec3d:
     a = widen(vertices[t[0]])
     n = cross(widen(vertices[t[1]]) - a, widen(vertices[t[2]]) - a)
     if not isfinite(n):
-        n = vec3d(float64(0.0), float64(0.0), float64(0.0))
+        n = vec3d(0.0, 0.0, 0.0)
     return n
 
 
@@ -43,7 +43,7 @@ def unit_or_up(n: vec3d) -> vec3:
     """The direction of n in single precision, (0, 0, 1) where there is none."""
     size = length(n)
     unit = vec3(0.0, 0.0, 1.0)
-    if size > float64(0.0):
+    if size > 0.0:
         unit = vec3(float(n[0] / size), float(n[1] / size), float(n[2] / size))
     return unit
 
@@ -66,14 +66,11 @@ def cross_triangles_kernel(vertices: array(dtype=vec3), triangles: array(dtype=v
 
 @kernel
 def sum_vertex_normals_kernel(
-    vertices: array(dtype=vec3),
-    around: CornersByVertex,
-    crosses: array(dtype=vec3d),
-    normals: array(dtype=vec3),
+    vertices: array(dtype=vec3), around: CornersByVertex, crosses: array(dtype=vec3d), normals: array(dtype=vec3)
 ):
     """Unit normals of vertices; NaN where the vertex is not finite."""
     i = tid()
-    total = vec3d(float64(0.0), float64(0.0), float64(0.0))
+    total = vec3d(0.0, 0.0, 0.0)
     for j in range(around.starts[i], around.starts[i + 1]):
         total = total + crosses[around.corners[j] // 3]
     p = vertices[i]
@@ -90,18 +87,18 @@ def measure_triangle(vertices: array(dtype=vec3), triangles: array(dtype=vec3i))
     n = triangle_cross(vertices, t)
     volume = dot(n, widen(vertices[t[0]]) - widen(vertices[0]))
     if not isfinite(volume):
-        volume = float64(0.0)
+        volume = 0.0
     return vec2d(length(n), volume)
 
 
-def triangle_normals(vertices, triangles):
+def triangle_normals(vertices: Points, triangles: Triangles):
     """Unit normals of triangles, vec3 [t]."""
     normals = empty(triangles.size, vec3, vertices.device)
     launch(compute_triangle_normals_kernel, triangles.size, [vertices, triangles, normals])
     return normals
 
 
-def vertex_normals(vertices, triangles):
+def vertex_normals(vertices: Points, triangles: Triangles):
     """Unit normals of vertices, vec3 [m]: the mean of the triangles around each, weighted by area."""
     device = vertices.device
     crosses, normals = empty(triangles.size, vec3d, device), empty(vertices.size, vec3, device)
@@ -111,7 +108,7 @@ def vertex_normals(vertices, triangles):
     return normals
 
 
-def measure(vertices, triangles):
+def measure(vertices: Points, triangles: Triangles) -> tuple[float, float]:
     """(area, signed volume), Python numbers."""
     twice, six = download(reduce(measure_triangle, triangles.size, [vertices, triangles]))[0]  # sync
     return float(twice) / 2, float(six) / 6

@@ -7,6 +7,7 @@ triangle to triangle. About 40 B a half-edge.
 
 from typing import NamedTuple
 
+from ..array_types import Triangles
 from ..arrays.pair_sort import argsort_pairs
 from ..lang import array, atomic_max, func, int32, int64, kernel, launch, struct, tid, vec3i
 from ..memory import download, empty, zeros
@@ -28,7 +29,7 @@ def list_corner_keys_kernel(triangles: array(dtype=vec3i), keys: array(dtype=int
 def find_starts_kernel(keys: array(dtype=int64), count: int, starts: array(dtype=int32)):
     """starts[v] is the first place of v or more in the sorted keys; one thread a key writes all up to its own."""
     i = tid()
-    first = int(0)
+    first = 0
     if i > 0:
         first = int(keys[i - 1]) + 1
     for v in range(first, int(keys[i]) + 1):
@@ -50,7 +51,7 @@ class CornersByVertex:
     starts: array(dtype=int32)
     corners: array(dtype=int32)
 
-    def __init__(self, triangles, vertex_count):
+    def __init__(self, triangles: Triangles, vertex_count: int) -> None:
         device = triangles.device
         keys = empty(3 * triangles.size, int64, device)
         launch(list_corner_keys_kernel, triangles.size, [triangles, keys])
@@ -108,23 +109,23 @@ def pair_edges_kernel(
     count = keys.shape[0]
     key = keys[i]
     h = order[i]
-    before = int(0)
-    after = int(0)
-    first = int(1)
+    before = 0
+    after = 0
+    first = 1
     if i > 0:
         if keys[i - 1] == key:
             before = 1
             if i > 1:
                 if keys[i - 2] == key:
                     first = 0
-    last = int(1)
+    last = 1
     if i + 1 < count:
         if keys[i + 1] == key:
             after = 1
             if i + 2 < count:
                 if keys[i + 2] == key:
                     last = 0
-    twin = int(-1)
+    twin = -1
     if before + after == 0:
         atomic_max(findings, BOUNDARY, 1)
     elif before + after == 2 or first == 0 or last == 0:
@@ -141,7 +142,7 @@ def other_edge(triangles: array(dtype=vec3i), h: int, v: int) -> int:
     """The other half-edge of the triangle of h that touches v."""
     first = (h // 3) * 3
     k = h % 3
-    step = int(1)
+    step = 1
     if corner_vertex(triangles, h) == v:
         step = 2
     return first + (k + step) % 3
@@ -149,10 +150,7 @@ def other_edge(triangles: array(dtype=vec3i), h: int, v: int) -> int:
 
 @kernel
 def walk_fans_kernel(
-    triangles: array(dtype=vec3i),
-    around: CornersByVertex,
-    twins: array(dtype=int32),
-    findings: array(dtype=int32),
+    triangles: array(dtype=vec3i), around: CornersByVertex, twins: array(dtype=int32), findings: array(dtype=int32)
 ):
     """Whether the triangles around each vertex are one fan, walked both ways from the first; any thread may set it."""
     i = tid()
@@ -160,9 +158,9 @@ def walk_fans_kernel(
     if count == 0:
         return
     start = around.corners[around.starts[i]]
-    seen = int(1)
-    h = start + 0
-    closed = int(0)
+    seen = 1
+    h = start
+    closed = 0
     for way in range(2):
         if way == 1:
             h = other_edge(triangles, start, i)
@@ -192,7 +190,7 @@ class Topology(NamedTuple):
     has_split_vertex: bool
 
 
-def examine(triangles, vertex_count):
+def examine(triangles: Triangles, vertex_count: int) -> Topology:
     """The topology of vec3i [t] triangles; one sync. Vertices without triangles do not count."""
     device, count = triangles.device, 3 * triangles.size
     bits = max(1, vertex_count.bit_length())

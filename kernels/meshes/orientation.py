@@ -10,6 +10,7 @@ triangles or more ask for nothing: no orientation would suit all of them. About 
 import numpy as np
 
 from ..algebra.transform import widen
+from ..array_types import Array1, Bytes, Points, Triangles
 from ..arrays.sort import positions
 from ..arrays.union_find import flatten_sets_kernel, unite
 from ..arrays.unique import UniqueKeys
@@ -54,13 +55,13 @@ def unite_forms_kernel(
     key = edges.keys[i]
     h = edges.order[first]
     t = h // 3
-    paired = int(0)
+    paired = 0
     if last - first == 2 and lower_end(key, bits) != higher_end(key, bits):
         g = edges.order[first + 1]
         u = g // 3
         if t != u:
             paired = 1
-            against = int(0)
+            against = 0
             if corner_vertex(triangles, h) == corner_vertex(triangles, g):
                 against = 1
             unite(parents, 2 * t, 2 * u + against)
@@ -107,8 +108,8 @@ def measure_turned_kernel(
     tip = triangles[firsts[i]]
     volume = dot(triangle_cross(vertices, t), widen(vertices[t[0]]) - widen(vertices[tip[0]]))
     if not isfinite(volume):
-        volume = float64(0.0)
-    if flips[i] == uint8(1):
+        volume = 0.0
+    if flips[i] == 1:
         volume = -volume
     volumes[i] = volume
 
@@ -125,7 +126,7 @@ def mark_open_parts_kernel(is_open: array(dtype=int32), labels: array(dtype=int6
 def turn_parts_kernel(labels: array(dtype=int64), turned: array(dtype=uint8), flips: array(dtype=uint8)):
     """Flip all triangles of chosen parts once more."""
     i = tid()
-    if turned[int(labels[i])] == uint8(1):
+    if turned[int(labels[i])] == 1:
         flips[i] = uint8(1 - int(flips[i]))
 
 
@@ -134,7 +135,7 @@ def flip_some_triangles_kernel(triangles: array(dtype=vec3i), flips: array(dtype
     """The other winding where it is asked for."""
     i = tid()
     t = triangles[i]
-    if flips[i] == uint8(1):
+    if flips[i] == 1:
         t = vec3i(t[0], t[2], t[1])
     flipped[i] = t
 
@@ -161,7 +162,7 @@ class Orientation:
         orientable: Whether all parts can be.
     """
 
-    def __init__(self, triangles, vertex_count):
+    def __init__(self, triangles: Triangles, vertex_count: int) -> None:
         device, count = triangles.device, triangles.size
         edges, parents = find_edges(triangles, vertex_count), positions(2 * count, device)  # sync
         self._is_open = zeros(count, int32, device)
@@ -172,7 +173,7 @@ class Orientation:
         launch(read_forms_kernel, count, [parents, self._firsts, self.flips, self._is_open, twisted])
         self.orientable = not download(twisted)[0]  # sync
 
-    def face_outwards(self, vertices, triangles):
+    def face_outwards(self, vertices: Points, triangles: Triangles) -> None:
         """Flip the closed parts whose outside would be within."""
         device, count = triangles.device, triangles.size
         labels, part_count = number_parts(self._firsts)  # sync
@@ -185,14 +186,14 @@ class Orientation:
         launch(turn_parts_kernel, count, [labels, upload(turned, uint8, device), self.flips])
 
 
-def flip_some(triangles, flips):
+def flip_some(triangles: Triangles, flips: Bytes):
     """The triangles, wound the other way where a uint8 mask says so."""
     flipped = empty(triangles.size, vec3i, triangles.device)
     launch(flip_some_triangles_kernel, triangles.size, [triangles, flips, flipped])
     return flipped
 
 
-def flip_some_corners(values, flips):
+def flip_some_corners(values: Array1[vec2], flips: Bytes):
     """Values vec2 [3 t] of corners for triangles that are wound the other way where a mask says so."""
     flipped = empty(values.size, vec2, values.device)
     launch(flip_some_corners_kernel, flips.size, [values, flips, flipped])

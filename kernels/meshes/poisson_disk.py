@@ -15,6 +15,7 @@ about 60 B a sample beside the search tree. A round reads about one neighbour of
 
 import math
 
+from ..array_types import Integers
 from ..arrays.packed_keys import key_index, key_number
 from ..arrays.prefix_sum import exclusive_scan, sum_counts
 from ..arrays.sort import argsort_keys
@@ -80,7 +81,7 @@ class Elimination:
     found: array(dtype=int32)
     running: array(dtype=int32)
 
-    def __init__(self, tree, widest, narrowest, kept):
+    def __init__(self, tree: PointTree, widest: float, narrowest: float, kept: int) -> None:
         device, count = tree.device, tree.count
         self.tree, self.widest, self.gain = tree, widest, 1 / (1 - narrowest / widest)
         self.states = empty(count, int64, device)
@@ -90,7 +91,7 @@ class Elimination:
         if device.is_cuda or room * count > MOST_ROOM or not self._list_at_once(near, room):
             self._list_counted(near)
 
-    def _list_at_once(self, near, room):
+    def _list_at_once(self, near: Neighborhood, room: int) -> bool:
         """List the neighbours of each thread's samples one after the other in room for some more than they should have.
 
         Whether there was room enough: not where samples lie closer than at random on a surface.
@@ -102,7 +103,7 @@ class Elimination:
         near.visit(list_neighbors_kernel, near.places, [room, self, lacking])
         return not download(lacking)[0]  # sync
 
-    def _list_counted(self, near):
+    def _list_counted(self, near: Neighborhood) -> None:
         """Count the neighbours first."""
         device, count = self.tree.device, self.tree.count
         counts = empty(count, int32, device)
@@ -116,7 +117,7 @@ class Elimination:
         self.lists, self.shares = (empty(total, int32, device) for _ in range(2))
         near.visit(list_neighbors_kernel, near.places, [0, self, zeros(1, int32, device)])
 
-    def round(self):
+    def round(self) -> None:
         """Remove the heaviest of each neighbourhood."""
         launch(find_peaks_kernel, self.tree.count, [self])
         launch(remove_peaks_kernel, self.tree.count, [self])
@@ -129,7 +130,7 @@ class CrowdedError(ValueError):
         pair_count: How many there are.
     """
 
-    def __init__(self, pair_count):
+    def __init__(self, pair_count: int) -> None:
         super().__init__(f"{pair_count} pairs of neighbours")
         self.pair_count = pair_count
 
@@ -137,8 +138,8 @@ class CrowdedError(ValueError):
 @func
 def pair_weight(sqdist: float, widest: float64, gain: float64) -> int:
     """What two samples weigh on each other, in units of 2^-30 of the most that they can."""
-    share = (float64(1.0) - sqrt(float64(sqdist)) / widest) * gain
-    share = min(max(share, float64(0.0)), float64(1.0))
+    share = (1.0 - sqrt(float64(sqdist)) / widest) * gain
+    share = min(max(share, 0.0), 1.0)
     square = share * share
     fourth = square * square
     return int(fourth * fourth * float64(WEIGHT_UNIT))
@@ -186,10 +187,10 @@ def list_neighbors_kernel(
         if room == 0:
             at = samples.firsts[rank]
             end = samples.lasts[rank]
-        first = at + 0
+        first = at
         total = int64(0)
         if held >= 0:
-            count = held + 0
+            count = held
             if at + held - 1 > end:
                 count = 0
                 atomic_max(lacking, 0, 1)
@@ -223,7 +224,7 @@ def outweighs(samples: Elimination, j: int, i: int) -> int:
     """1 where a sample is left and goes before another, which is left."""
     a = samples.states[j]
     b = samples.states[i]
-    heavier = int(0)
+    heavier = 0
     if a > b:
         heavier = 1
     if a == b:
@@ -239,7 +240,7 @@ def is_outweighed(i: int, samples: Elimination) -> int:
     A neighbour that was heavier the last time most often still is, so few lists are read to their end.
     """
     rival = samples.rivals[i]
-    beaten = int(0)
+    beaten = 0
     if rival >= 0:
         beaten = outweighs(samples, rival, i)
     at = samples.firsts[i]
@@ -258,7 +259,7 @@ def remove_sample(i: int, samples: Elimination):
     samples.states[i] = -samples.states[i]
     for at in range(samples.firsts[i], samples.lasts[i]):
         j = samples.lists[at]
-        if samples.states[j] > int64(0):
+        if samples.states[j] > 0:
             atomic_add(samples.states, j, -int64(samples.shares[at]))
 
 
@@ -266,7 +267,7 @@ def remove_sample(i: int, samples: Elimination):
 def find_peaks_kernel(samples: Elimination):
     """1 for the samples that outweigh all their neighbours; the atomic settles who says that there are any left."""
     i = tid()
-    if samples.states[i] > int64(0):
+    if samples.states[i] > 0:
         if samples.found[0] == 0:  # spares most of the atomics; an old value only lets one more through
             atomic_max(samples.found, 0, 1)
         samples.peaks[i] = 1 - is_outweighed(i, samples)
@@ -291,11 +292,11 @@ def remove_peaks_kernel(samples: Elimination):
 def remove_in_turn_kernel(samples: Elimination):
     """All rounds by one thread, which removes a sample as soon as it outweighs its neighbours."""
     i = tid()
-    left = int(1)
+    left = 1
     while left == 1:
-        left = int(0)
+        left = 0
         for j in range(i, samples.states.shape[0]):
-            if samples.states[j] > int64(0):
+            if samples.states[j] > 0:
                 left = 1
                 if is_outweighed(j, samples) == 0:
                     remove_sample(j, samples)
@@ -305,10 +306,10 @@ def remove_in_turn_kernel(samples: Elimination):
 def spread_keys_kernel(states: array(dtype=int64), order: array(dtype=int32), keys: array(dtype=int64)):
     """Weights at removal by index, zero for samples that were never removed."""
     i = tid()
-    keys[order[i]] = max(-states[i], int64(0))
+    keys[order[i]] = max(-states[i], 0)
 
 
-def eliminate_samples(tree, kept, widest):
+def eliminate_samples(tree: PointTree, kept: int, widest: float) -> Integers:
     """The rows of `kept` of the samples in a tree, spread evenly, ascending.
 
     Args:

@@ -9,8 +9,11 @@ directions, the triangles at a vertex are one fan, none is without area, and the
 About 40 B a half-edge to build; 12 B a triangle and 24 B a vertex are kept.
 """
 
+from typing import Any
+
 from ..algebra.angles import angle_between
 from ..algebra.transform import widen
+from ..array_types import Points, Triangles
 from ..arrays.pair_sort import argsort_pairs
 from ..lang import (
     array,
@@ -43,7 +46,7 @@ def unit_normal(vertices: array(dtype=vec3), t: vec3i) -> vec3d:
     """The unit normal of a triangle; zero where it has no area."""
     n = triangle_cross(vertices, t)
     size = length(n)
-    if size > float64(0.0):
+    if size > 0.0:
         n = n / size
     return n
 
@@ -59,8 +62,8 @@ def count_narrow(vertices: array(dtype=vec3), triangles: array(dtype=vec3i)) -> 
     c = widen(vertices[t[2]]) - a
     narrow = float64(1.0)
     if dot(n, n) > float64(NARROW) * dot(b, b) * dot(c, c):
-        narrow = float64(0.0)
-    return vec2d(narrow, float64(0.0))
+        narrow = 0.0
+    return vec2d(narrow, 0.0)
 
 
 @kernel
@@ -69,7 +72,7 @@ def sum_vertex_pseudonormals_kernel(
 ):
     """The normals of the triangles at each vertex, weighted by their angles, by ascending corner."""
     i = tid()
-    total = vec3d(float64(0.0), float64(0.0), float64(0.0))
+    total = vec3d(0.0, 0.0, 0.0)
     p = widen(vertices[i])
     for j in range(around.starts[i], around.starts[i + 1]):
         corner = around.corners[j]
@@ -97,7 +100,7 @@ class Pseudonormals:
     normals: array(dtype=vec3d)
     turn: float64
 
-    def __init__(self, vertices, triangles, volume):
+    def __init__(self, vertices: Points, triangles: Triangles, volume: Any) -> None:
         device, count, bits = vertices.device, 3 * triangles.size, max(1, vertices.size.bit_length())
         self.vertices, self.triangles, self.turn = vertices, triangles, 1.0 if volume >= 0 else -1.0
         keys, self.twins = empty(count, int64, device), empty(count, int32, device)
@@ -132,6 +135,6 @@ def side_of_part(gap: vec3d, triangle: int, part: int, sides: Pseudonormals) -> 
     return dot(gap, normal) * sides.turn
 
 
-def has_narrow_triangles(vertices, triangles):
+def has_narrow_triangles(vertices: Points, triangles: Triangles):
     """Whether some triangle has no area or a corner that is not finite."""
     return bool(download(reduce(count_narrow, triangles.size, [vertices, triangles]))[0][0] > 0)  # sync

@@ -10,26 +10,13 @@ attribute.
 Triangles without area, and those with a corner that is not finite, get none.
 """
 
+from typing import Any
+
 from ..algebra.transform import narrow, widen
+from ..array_types import Doubles, Points, Triangles
 from ..arrays.random import random_bits
 from ..arrays.running_sums import running_sums
-from ..lang import (
-    NAN,
-    array,
-    float64,
-    func,
-    int32,
-    isfinite,
-    kernel,
-    launch,
-    length,
-    sqrt,
-    tid,
-    uint32,
-    vec3,
-    vec3d,
-    vec3i,
-)
+from ..lang import NAN, array, float64, func, int32, isfinite, kernel, launch, length, sqrt, tid, vec3, vec3d, vec3i
 from ..memory import download, empty
 from .mesh_measures import triangle_cross, unit_or_up
 
@@ -49,14 +36,14 @@ def measure_areas_kernel(vertices: array(dtype=vec3), triangles: array(dtype=vec
 def halve_areas_kernel(doubled: array(dtype=float64), areas: array(dtype=float64)):
     """Half of each number."""
     i = tid()
-    areas[i] = float64(0.5) * doubled[i]
+    areas[i] = 0.5 * doubled[i]
 
 
 @func
 def find_share(running: array(dtype=float64), share: float64, first: int, last: int) -> int:
     """The first place from `first` to `last` whose running sum exceeds a share of the last one; `last` if none does."""
-    low = first + 0
-    high = last + 0
+    low = first
+    high = last
     wanted = share * running[running.shape[0] - 1]
     while low < high:
         middle = low + (high - low) // 2
@@ -86,12 +73,12 @@ def draw_places_kernel(
     """The triangle of each sample, and the weights of its corners."""
     i = tid()
     words = random_bits(seed, i, 0)
-    share = (float64(words[0]) * float64(1048576.0) + float64(words[1] >> uint32(12))) * float64(HALF_WORD)
+    share = (float64(words[0]) * 1048576.0 + float64(words[1] >> 12)) * float64(HALF_WORD)
     step = int(share * float64(steps))
     chosen[i] = find_share(running, share, guide[step], guide[step + 1])
     root = sqrt(float64(words[2]) * float64(WORD))
     s = float64(words[3]) * float64(WORD)
-    weights[i] = vec3d(float64(1.0) - root, root * (float64(1.0) - s), root * s)
+    weights[i] = vec3d(1.0 - root, root * (1.0 - s), root * s)
 
 
 @func
@@ -139,14 +126,14 @@ def take_triangle_normals_kernel(
     normals[i] = unit_or_up(triangle_cross(vertices, triangles[chosen[i]]))
 
 
-def measure_areas(vertices, triangles):
+def measure_areas(vertices: Points, triangles: Triangles) -> Doubles:
     """Twice the area of each triangle, float64 [t]; zero where a corner is not finite."""
     areas = empty(triangles.size, float64, vertices.device)
     launch(measure_areas_kernel, triangles.size, [vertices, triangles, areas])
     return areas
 
 
-def halve_areas(doubled):
+def halve_areas(doubled: Doubles) -> Doubles:
     """The areas, of what `measure_areas` gives."""
     areas = empty(doubled.size, float64, doubled.device)
     launch(halve_areas_kernel, areas.size, [doubled, areas])
@@ -164,12 +151,12 @@ class SurfaceSamples:
         area: Of the mesh; 0 where there is nothing to draw from. One sync.
     """
 
-    def __init__(self, vertices, triangles):
+    def __init__(self, vertices: Any, triangles: Triangles) -> None:
         self.vertices, self.triangles, self.device = vertices, triangles, vertices.device
         self.running = running_sums(measure_areas(vertices, triangles))
         self.area = float(download(self.running[triangles.size - 1 :])[0]) / 2 if triangles.size else 0.0  # sync
 
-    def draw(self, count, seed):
+    def draw(self, count: int, seed: int) -> None:
         """Draw samples; the area must not be 0."""
         self.count = count
         self.chosen, self.weights = empty(count, int32, self.device), empty(count, vec3d, self.device)
@@ -178,7 +165,7 @@ class SurfaceSamples:
         launch(guide_shares_kernel, steps + 1, [self.running, steps, guide])
         launch(draw_places_kernel, count, [self.running, steps, guide, seed, self.chosen, self.weights])
 
-    def mix(self, values, unit=False):
+    def mix(self, values: Any, unit: bool = False):
         """What belongs to vertices, vec3 [m], at the samples; `unit` makes unit vectors of it."""
         mixed = empty(self.count, vec3, self.device)
         kernel = mix_normals_kernel if unit else mix_vectors_kernel

@@ -9,28 +9,17 @@ the same bits on every device. About 80 B of memory a triangle beside the sort o
 Source: SurfaceTrimmer of PoissonRecon (Kazhdan), whose islands and holes are these.
 """
 
+from typing import Any
+
 import numpy as np
 
 from ..algebra.transform import narrow, widen
+from ..array_types import Doubles, Integers, Mask, Triangles
 from ..arrays.pair_sort import argsort_pairs
 from ..arrays.prefix_sum import exclusive_scan
 from ..arrays.select import gather_rows, invert_mask, positions_of
 from ..arrays.unique import UniqueKeys
-from ..lang import (
-    array,
-    atomic_max,
-    float64,
-    int32,
-    int64,
-    kernel,
-    launch,
-    length,
-    struct,
-    tid,
-    uint8,
-    vec3,
-    vec3i,
-)
+from ..lang import array, atomic_max, float64, int32, int64, kernel, launch, length, struct, tid, uint8, vec3, vec3i
 from ..memory import copy, download, empty, full, upload, zeros
 from .mesh_components import Components
 from .mesh_edges import higher_end, lower_end
@@ -43,7 +32,7 @@ from .mesh_topology import corner_vertex, list_edge_keys_kernel, next_corner
 def mark_sides_kernel(values: array(dtype=float64), level: float64, sides: array(dtype=int32)):
     """1 where a value is above the level, -1 where it is below, 0 on it."""
     i = tid()
-    side = int(0)
+    side = 0
     if values[i] > level:
         side = 1
     if values[i] < level:
@@ -72,7 +61,7 @@ class CutEdges:
     vertices: array(dtype=int32)
     shares: array(dtype=float64)
 
-    def __init__(self, triangles, values, sides, level):
+    def __init__(self, triangles: Triangles, values: Doubles, sides: Integers, level: Any) -> None:
         device, half_edges = triangles.device, 3 * triangles.size
         self.bits = max(1, values.size.bit_length())
         keys, mask = empty(half_edges, int64, device), empty(half_edges, uint8, device)
@@ -114,9 +103,9 @@ def interpolate_rows_kernel(
     i = tid()
     a = widen(rows[lower_end(edges.keys[i], bits)])
     b = widen(rows[higher_end(edges.keys[i], bits)])
-    row = a * (float64(1.0) - shares[i]) + b * shares[i]
+    row = a * (1.0 - shares[i]) + b * shares[i]
     size = length(row)
-    if unit == 1 and size > float64(0.0):
+    if unit == 1 and size > 0.0:
         row = row / size
     rows[first + i] = narrow(row)
 
@@ -125,7 +114,7 @@ def interpolate_rows_kernel(
 def count_pieces_kernel(cuts: CutEdges, counts: array(dtype=int32)):
     """The triangles that each triangle becomes: one more than its edges that are cut."""
     i = tid()
-    count = int(1)
+    count = 1
     for k in range(3):
         if cuts.vertices[3 * i + k] >= 0:
             count += 1
@@ -178,7 +167,7 @@ def write_pieces_kernel(
         kept[first + 2] = uint8(1 if sides[b] > 0 else 0)
 
 
-def cut_at_level(triangles, per_vertex, unit, values, level):
+def cut_at_level(triangles: Triangles, per_vertex: Any, unit: Any, values: Doubles, level: Any):
     """The mesh with its triangles cut along the level.
 
     Args:
@@ -216,7 +205,7 @@ def cut_at_level(triangles, per_vertex, unit, values, level):
 def spread_mask_kernel(rows: array(dtype=int32), chosen: array(dtype=uint8), value: int, mask: array(dtype=uint8)):
     """Set the mask to a value at the chosen ones of some rows."""
     i = tid()
-    if chosen[i] == uint8(1):
+    if chosen[i] == 1:
         mask[rows[i]] = uint8(value)
 
 
@@ -239,7 +228,7 @@ def find_edges_of_parts_kernel(
     i = tid()
     part = parts[order[i] // 3]
     if part >= 0:
-        first = i + 0
+        first = i
         while first > 0 and keys[max(first - 1, 0)] == keys[i]:
             first -= 1
         last = i + 1
@@ -252,7 +241,7 @@ def find_edges_of_parts_kernel(
                 atomic_max(touches, part, 1)
 
 
-def drop_islands(vertices, triangles, mask, least):
+def drop_islands(vertices: Any, triangles: Triangles, mask: Mask, least: Any) -> None:
     """Clear the mask (uint8 [t]) of parts of the chosen triangles whose area is below `least`."""
     rows = positions_of(mask)  # sync
     parts = Components(vertices, keep_triangles(triangles, mask))
@@ -260,7 +249,7 @@ def drop_islands(vertices, triangles, mask, least):
     launch(spread_mask_kernel, rows.size, [rows, chosen, 0, mask])
 
 
-def keep_holes(vertices, triangles, mask, least):
+def keep_holes(vertices: Any, triangles: Triangles, mask: Mask, least: Any) -> None:
     """Set the mask of parts of the other triangles whose area is below `least` and that chosen ones enclose."""
     device = triangles.device
     others = invert_mask(mask)
@@ -279,7 +268,7 @@ def keep_holes(vertices, triangles, mask, least):
     launch(spread_mask_kernel, rows.size, [rows, chosen, 1, mask])
 
 
-def trim(triangles, per_vertex, unit, values, level, island_ratio):
+def trim(triangles: Triangles, per_vertex: Any, unit: Any, values: Any, level: Any, island_ratio: Any):
     """The part of a mesh above a level.
 
     Args:

@@ -1,9 +1,14 @@
 """The neighbours of each vertex of a mesh along its edges, each once and ascending. About 30 B an edge."""
 
+from typing import TYPE_CHECKING, Any
+
 from ..arrays.pair_sort import argsort_pairs
 from ..lang import array, int32, int64, kernel, launch, struct, tid
 from ..memory import empty, zeros
 from .mesh_topology import find_starts_kernel
+
+if TYPE_CHECKING:
+    pass
 
 
 @kernel
@@ -13,8 +18,8 @@ def list_ends_kernel(lows: array(dtype=int32), highs: array(dtype=int32), loop_k
     first = int64(highs[i])
     second = int64(lows[i])
     if lows[i] == highs[i]:
-        first = loop_key + int64(0)
-        second = loop_key + int64(0)
+        first = loop_key
+        second = loop_key
     keys[i] = first
     keys[lows.shape[0] + i] = second
 
@@ -52,7 +57,7 @@ class VertexNeighbors:
     vertices: array(dtype=int32)
     edges: array(dtype=int32)
 
-    def __init__(self, edges, vertex_count):
+    def __init__(self, edges: "Any", vertex_count: int) -> None:
         """The neighbours along MeshEdges, or along anything with `lows` and `highs` that ascend by both."""
         device, count = edges.lows.device, 2 * edges.count
         keys = empty(count, int64, device)

@@ -9,7 +9,10 @@ curve is followed exactly; referred to the end of the scan, not its start.
 
 import math
 
+import numpy as np
+
 from ..algebra.transform import narrow, widen
+from ..array_types import Doubles, Points
 from ..arrays.runs import Runs, elements_of, row_of
 from ..lang import (
     INFINITY,
@@ -49,7 +52,7 @@ class ScrewMotion:
     angle: float
     velocity: vec3
 
-    def __init__(self, first, last, twist):
+    def __init__(self, first: float, last: float, twist: np.ndarray) -> None:
         """The motion whose logarithm is `twist`, (rotation, translation), float64 [6]."""
         self.first, self.last, self.angle = first, last, math.sqrt(float(twist[:3] @ twist[:3]))
         axis = twist[:3] / self.angle if self.angle > 0 else twist[:3]
@@ -66,8 +69,8 @@ def move_along_screw(p: vec3, share: float, motion: ScrewMotion) -> vec3:
     sine = sin(a)
     half = sin(0.5 * a)
     versine = 2.0 * half * half
-    first = float(0.0)  # (1 - cos a) / a
-    second = float(0.0)  # (a - sin a) / a
+    first = 0.0  # (1 - cos a) / a
+    second = 0.0  # (a - sin a) / a
     if abs(a) > TINY_ANGLE:
         first = versine / a
         second = 1.0 - sine / a
@@ -99,22 +102,18 @@ def bound_times_kernel(points: array(dtype=vec3), times: array(dtype=float64), r
 
 @kernel
 def deskew_points_kernel(
-    points: array(dtype=vec3),
-    times: array(dtype=float64),
-    origin: vec3d,
-    motion: ScrewMotion,
-    out: array(dtype=vec3),
+    points: array(dtype=vec3), times: array(dtype=float64), origin: vec3d, motion: ScrewMotion, out: array(dtype=vec3)
 ):
     """Each point as seen at the last time; NaN where its time is none."""
     i = tid()
-    share = float(0.0)
+    share = 0.0
     if motion.last > motion.first:
         share = float((times[i] - motion.last) / (motion.last - motion.first))
     p = narrow(widen(points[i]) + origin)
     out[i] = move_along_screw(p, share, motion)
 
 
-def bound_times(points, times):
+def bound_times(points: Points, times: Doubles) -> tuple[float, float]:
     """(first, last) of the times of measured points, on the host; (inf, -inf) where there are none. One sync."""
     runs = Runs(points.size, points.device, RUN)
     ends = full(2 * runs.rows, -INFINITY, float64, points.device)
@@ -123,7 +122,9 @@ def bound_times(points, times):
     return 0.0 - first, last
 
 
-def deskew_points(points, times, origin, first, last, twist):
+def deskew_points(
+    points: Points, times: Doubles, origin: np.ndarray, first: float, last: float, twist: np.ndarray
+) -> Points:
     """Points as seen at time `last`.
 
     Args:

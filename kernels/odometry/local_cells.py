@@ -1,5 +1,7 @@
 """The voxel of a place; and keys of voxels near a scanner, counted from a corner of their own: short, quick to sort."""
 
+from collections.abc import Sequence
+
 from ..algebra.transform import narrow
 from ..lang import float64, floor, func, int64, struct, vec3, vec3d, vec3i
 
@@ -34,7 +36,7 @@ class LocalCells:
     bits: int
     skipped: int64
 
-    def __init__(self, size, middle, reach):
+    def __init__(self, size: float, middle: Sequence[int], reach: int) -> None:
         """The voxels up to `reach` of them from the voxel `middle` along each axis."""
         self.size, self.first, self.bits = size, vec3i(*(c - reach for c in middle)), (2 * reach).bit_length()
         self.skipped, self.key_bits = 1 << (3 * self.bits), 3 * self.bits + 1
@@ -52,7 +54,7 @@ def local_key(cell: vec3i, cells: LocalCells) -> int64:
 @func
 def key_cell(key: int64, cells: LocalCells) -> vec3i:
     """The voxel of a key, counted from zero."""
-    low = (int64(1) << int64(cells.bits)) - int64(1)
+    low = (1 << int64(cells.bits)) - 1
     x = int(key >> int64(2 * cells.bits)) + cells.first[0]
     y = int((key >> int64(cells.bits)) & low) + cells.first[1]
     z = int(key & low) + cells.first[2]

@@ -12,12 +12,15 @@ nothing, since rings that a scanner draws on far ground are lines that move with
 Source: Vizzo et al. 2023, "KISS-ICP", eqs. 9 to 12, Geman and McClure's weight; Chen and Medioni 1991 for planes.
 """
 
+from typing import Any
+
 import numpy as np
 
 from ..algebra.eigen import eigenvalues, smallest_eigenvector
 from ..algebra.matrices import multiply33, multiply44
 from ..algebra.rigid_solve import TRIANGLE, UNKNOWNS, place_of, rotation_about, solve_system, triangle, turn, vec6d
 from ..algebra.transform import widen
+from ..array_types import Device, Points
 from ..lang import (
     array,
     float32,
@@ -103,7 +106,7 @@ def add_pair(total: sums, y: vec3d, r: vec3d, at: plane, kernel_scale: float64) 
     turning = multiply33(K, A)
     rotation = multiply33(turning, transpose(K))
     f = A @ r
-    result = total + sums(float64(0.0))
+    result = total
     for i in range(3):
         for j in range(i, 3):
             result[place_of(i, j)] = result[place_of(i, j)] + rotation[i, j]
@@ -115,10 +118,10 @@ def add_pair(total: sums, y: vec3d, r: vec3d, at: plane, kernel_scale: float64) 
     result[TRIANGLE + 1] = result[TRIANGLE + 1] - (y[2] * f[0] - y[0] * f[2])
     result[TRIANGLE + 2] = result[TRIANGLE + 2] - (y[0] * f[1] - y[1] * f[0])
     result[SQUARES] = result[SQUARES] + sqdist
-    result[PAIRS] = result[PAIRS] + float64(1.0)
+    result[PAIRS] = result[PAIRS] + 1.0
     if at[3] + at[4] > 2.0 * HELD:
-        result[COST] = result[COST] + float64(1.0) - root
-        result[TELLING] = result[TELLING] + float64(1.0)
+        result[COST] = result[COST] + 1.0 - root
+        result[TELLING] = result[TELLING] + 1.0
     return result
 
 
@@ -140,7 +143,7 @@ class MapPairs:
     planes: array(dtype=plane)
     known: array(dtype=int32)
 
-    def __init__(self, points, voxel_map, plane_reach):
+    def __init__(self, points: Points, voxel_map: Any, plane_reach: Any) -> None:
         self.points, self.voxel_map, self.plane_reach = points, voxel_map, plane_reach
         self.known, self.planes = full(points.size, -1, int32, points.device), empty(points.size, plane, points.device)
 
@@ -161,7 +164,7 @@ class Alignment:
     states: array(dtype=int32)
     facts: array(dtype=float64)
 
-    def __init__(self, pose, device):
+    def __init__(self, pose: Any, device: Device) -> None:
         self.poses, self.running = upload(pose[None], mat44d, device), full(1, 1, int32, device)
         self.states, self.facts = zeros(2, int32, device), zeros(4, float64, device)
 
@@ -184,7 +187,7 @@ def associate_points_kernel(
     i = tid()
     pose = alignment.poses[0]
     t = vec3d(pose[0, 3], pose[1, 3], pose[2, 3])
-    total = sums(float64(0.0))
+    total = sums(0.0)
     for j in range(i * run, i * run + min(run, pairs.points.shape[0] - i * run)):
         y = turn(pose, widen(pairs.points[j]))
         x = y + t
@@ -219,15 +222,11 @@ def fold_rows_kernel(rows: array(dtype=float64, ndim=2), fold: int, folded: arra
 
 @kernel
 def step_pose_kernel(
-    rows: array(dtype=float64, ndim=2),
-    least: float64,
-    tolerance: float64,
-    turns: int,
-    alignment: Alignment,
+    rows: array(dtype=float64, ndim=2), least: float64, tolerance: float64, turns: int, alignment: Alignment
 ):
     """Add up the rows, move the pose by the solution (eqs. 11 and 12), and say whether to go on."""
     i = tid()
-    total = sums(float64(0.0))
+    total = sums(0.0)
     for j in range(rows.shape[0]):
         for column in range(SUMS):
             total[column] = total[column] + rows[j, column]
@@ -236,17 +235,17 @@ def step_pose_kernel(
     if total[PAIRS] < least:
         state = int(LOST)
     else:
-        h = triangle(float64(0.0))
+        h = triangle(0.0)
         for k in range(TRIANGLE):
             h[k] = total[k]
-        b = vec6d(float64(0.0))
+        b = vec6d(0.0)
         for k in range(UNKNOWNS):
             b[k] = total[TRIANGLE + k]
         x = solve_system(h, b)
         pose = alignment.poses[i]
         half = float64(0.5)
         # the quaternion (x / 2, 1) turns by 2 atan(|x| / 2): x itself to third order
-        moved = multiply44(rotation_about(x[0] * half, x[1] * half, x[2] * half, float64(1.0)), pose)
+        moved = multiply44(rotation_about(x[0] * half, x[1] * half, x[2] * half, 1.0), pose)
         for axis in range(3):
             moved[axis, 3] = pose[axis, 3] + x[3 + axis]
         alignment.poses[i] = moved
@@ -265,7 +264,17 @@ def step_pose_kernel(
     alignment.running[0] = 1 if state == RUNNING else 0
 
 
-def align_to_map(pairs, pose, max_distance, kernel_scale, *, least, tolerance, turns, to_planes=False):
+def align_to_map(
+    pairs: Any,
+    pose: Any,
+    max_distance: float,
+    kernel_scale: Any,
+    *,
+    least: Any,
+    tolerance: float,
+    turns: int,
+    to_planes: bool = False,
+):
     """The pose of a scan in a map, from a pose nearby.
 
     Args:
@@ -293,7 +302,7 @@ def align_to_map(pairs, pose, max_distance, kernel_scale, *, least, tolerance, t
     search = [pairs, run, alignment, limit, kernel_scale, int(to_planes), rows]
     step = [folded, max(least, LEAST_PAIRS), tolerance, turns, alignment]
 
-    def body():
+    def body() -> None:
         launch(associate_points_kernel, threads, search)
         if device.is_cuda:
             launch(fold_rows_kernel, folded.size, [rows, FOLD, folded])

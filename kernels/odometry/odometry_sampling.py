@@ -6,8 +6,12 @@ points of one the least number stays there. 16 B of table a point, twice; one at
 """
 
 import math
+from typing import Any
+
+import numpy as np
 
 from ..algebra.transform import narrow, widen
+from ..array_types import Mask, Points
 from ..arrays.hash_table import EMPTY, insert_entry
 from ..arrays.select import gather_rows, positions_of
 from ..arrays.unique import UniqueKeys
@@ -28,7 +32,7 @@ def shift_points_kernel(points: array(dtype=vec3), origin: vec3d, out: array(dty
 @func
 def key_in_range(p: vec3, least: float64, most: float64, cells: LocalCells) -> int64:
     """The voxel of a point whose distance from the sensor lies in least..most, both excluded."""
-    key = cells.skipped + int64(0)
+    key = cells.skipped
     if isfinite(p):
         x = widen(p)
         sqdist = x[0] * x[0] + x[1] * x[1] + x[2] * x[2]
@@ -60,7 +64,7 @@ def mark_entries_kernel(entries: array(dtype=int64), index_bits: int, marks: arr
     i = tid()
     entry = entries[i]
     if entry != int64(EMPTY):
-        marks[int(entry & ((int64(1) << int64(index_bits)) - int64(1)))] = uint8(1)
+        marks[int(entry & ((1 << int64(index_bits)) - 1))] = 1
 
 
 @kernel
@@ -76,10 +80,10 @@ def encode_in_range_kernel(
 def mark_firsts_kernel(groups: UniqueKeys, marks: array(dtype=uint8)):
     """1 at the first point of each voxel."""
     i = tid()
-    marks[groups.order[groups.starts[i]]] = uint8(1)
+    marks[groups.order[groups.starts[i]]] = 1
 
 
-def shift_points(points, origin):
+def shift_points(points: Points, origin: np.ndarray):
     """The points about zero instead of about an origin [3]; the array itself where that is zero."""
     if not any(origin):
         return points
@@ -88,7 +92,7 @@ def shift_points(points, origin):
     return out
 
 
-def first_in_voxels(points, voxel_size, least, most):
+def first_in_voxels(points: Points, voxel_size: float, least: Any, most: Any):
     """The first point of each voxel among those in range, in their own order.
 
     Args:
@@ -121,7 +125,7 @@ def first_in_voxels(points, voxel_size, least, most):
     return gather_rows(points, positions_of(marks))  # sync
 
 
-def _mark_by_sorting(points, least, most, cells, marks):
+def _mark_by_sorting(points: Points, least: Any, most: Any, cells: Any, marks: Mask) -> None:
     """The same where a voxel and a point's number have no room in one entry."""
     keys = empty(points.size, int64, points.device)
     launch(encode_in_range_kernel, points.size, [points, least, most, cells, keys])

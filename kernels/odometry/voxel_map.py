@@ -14,8 +14,11 @@ Source: Vizzo et al. 2023, "KISS-ICP", section III-C; the spacing is that of the
 
 import math
 
+import numpy as np
+
 from ..algebra.rigid_solve import move
 from ..algebra.transform import narrow, widen
+from ..array_types import Device, Points
 from ..arrays.block_keys import block_key, key_block
 from ..arrays.changes import Changes, note_change
 from ..arrays.hash_table import HashTable, list_keys, number_new
@@ -70,7 +73,7 @@ class VoxelMap:
     places: array(dtype=vec3)
     changes: Changes
 
-    def __init__(self, voxel_size, room, device):
+    def __init__(self, voxel_size: float, room: int, device: Device) -> None:
         """An empty map of voxels with this edge [m] and room for so many points each."""
         self.voxel_size, self.room, self.device = voxel_size, room, device
         self.sqspacing = voxel_size * voxel_size / room
@@ -79,7 +82,7 @@ class VoxelMap:
         self.table = HashTable(device)
 
     @property
-    def count(self):
+    def count(self) -> int:
         """Voxels that hold points."""
         self._settle()
         return self.changes.value
@@ -90,18 +93,18 @@ class VoxelMap:
         self._settle()
         return self.changes.count
 
-    def _settle(self):
+    def _settle(self) -> None:
         """Bring an addition that was interrupted to its end where its launch was made, else undo it (sync)."""
         self.changes.settle(self._list_keys)
 
-    def _list_keys(self):
+    def _list_keys(self) -> None:
         self.table = list_keys(self.keys, self.changes.value)
 
-    def cell_of(self, place):
+    def cell_of(self, place: np.ndarray) -> list[int]:
         """The voxel of a place [m] on the host."""
         return [math.floor(float(x) / self.voxel_size) for x in place]
 
-    def add(self, points, pose, reach):
+    def add(self, points: Points, pose: np.ndarray, reach: float) -> None:
         """Add points under a pose.
 
         Args:
@@ -128,7 +131,7 @@ class VoxelMap:
         groups.drop_last(local.skipped)  # sync
         self._insert(groups, local, places)
 
-    def _insert(self, groups, local, places):
+    def _insert(self, groups: UniqueKeys, local: LocalCells, places: Points) -> None:
         known = self.count
         touched = empty(groups.count, int64, self.device)
         launch(widen_keys_kernel, groups.count, [groups, local, touched])
@@ -144,7 +147,7 @@ class VoxelMap:
         launch(insert_points_kernel, groups.count, [voxels, groups, places, known, self])
         self.changes.end()
 
-    def _grow(self, count):
+    def _grow(self, count: int) -> None:
         if count <= self.capacity:
             return
         capacity = max(count, 2 * self.capacity)
@@ -160,7 +163,7 @@ class VoxelMap:
         self.keys, self.counts, self.places = keys, counts, places
         self.capacity = capacity  # last: it says how much room all three have
 
-    def without_far(self, center, limit):
+    def without_far(self, center: np.ndarray, limit: float) -> "VoxelMap":
         """The map without the voxels whose middle is farther [m] than a limit from a place, the others in their order;
         itself where there are none."""
         count = self.count
@@ -176,7 +179,7 @@ class VoxelMap:
         kept.table, kept.changes = list_keys(kept.keys, rows.size), Changes(rows.size, self.device)
         return kept
 
-    def points(self, near):
+    def points(self, near: np.ndarray) -> tuple[Points, list[float]]:
         """The points by voxel in the order of the voxels' coming: device array of vec3, about the float64 origin [3]
         that comes with it: the low corner of the voxel of the place `near` [m]."""
         first, count = self.cell_of(near), self.count
@@ -196,7 +199,7 @@ def encode_points_kernel(
     """The voxel of each moved point, and its place in it."""
     i = tid()
     p = points[i]
-    key = cells.skipped + int64(0)
+    key = cells.skipped
     place = vec3(0.0, 0.0, 0.0)
     if isfinite(p):
         x = move(pose, widen(p))
@@ -224,24 +227,20 @@ def gather_keys_kernel(keys: array(dtype=int64), rows: array(dtype=int32), first
 
 @kernel
 def insert_points_kernel(
-    voxels: array(dtype=int32),
-    groups: UniqueKeys,
-    new_places: array(dtype=vec3),
-    known: int,
-    voxel_map: VoxelMap,
+    voxels: array(dtype=int32), groups: UniqueKeys, new_places: array(dtype=vec3), known: int, voxel_map: VoxelMap
 ):
     """Take the new points of one voxel in their own order, while there is room and none is near."""
     i = tid()
     note_change(i, voxel_map.changes)
     voxel = voxels[i]
     first = voxel * voxel_map.room
-    count = int(0)
+    count = 0
     if voxel < known:
         count = voxel_map.counts[voxel]
     for j in range(groups.starts[i], groups.starts[i + 1]):
         if count < voxel_map.room:
             p = new_places[groups.order[j]]
-            near = int(0)
+            near = 0
             for slot in range(first, first + count):
                 d = p - voxel_map.places[slot]
                 if d[0] * d[0] + d[1] * d[1] + d[2] * d[2] < voxel_map.sqspacing:
@@ -257,10 +256,10 @@ def mark_near_voxels_kernel(voxel_map: VoxelMap, center: vec3d, limit: float64, 
     """1 where a voxel's middle lies within a distance [m] of a place."""
     i = tid()
     cell = key_block(voxel_map.keys[i])
-    x = (float64(cell[0]) + float64(0.5)) * voxel_map.voxel_size - center[0]
-    y = (float64(cell[1]) + float64(0.5)) * voxel_map.voxel_size - center[1]
-    z = (float64(cell[2]) + float64(0.5)) * voxel_map.voxel_size - center[2]
-    kept = int(0)
+    x = (float64(cell[0]) + 0.5) * voxel_map.voxel_size - center[0]
+    y = (float64(cell[1]) + 0.5) * voxel_map.voxel_size - center[1]
+    z = (float64(cell[2]) + 0.5) * voxel_map.voxel_size - center[2]
+    kept = 0
     if x * x + y * y + z * z <= limit * limit:
         kept = 1
     marks[i] = uint8(kept)

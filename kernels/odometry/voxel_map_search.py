@@ -18,7 +18,7 @@ map_moments = vector(10, float32)  # count, sums of x y z, of xx xy xz yy yz zz
 @func
 def gap_to(offset: float, side: int, size: float) -> float:
     """How far [m] the neighbouring voxel on a side (-1, 0, 1) is from a place inside a voxel, along one axis."""
-    gap = float(0.0)
+    gap = 0.0
     if side < 0:
         gap = offset
     if side > 0:
@@ -29,7 +29,7 @@ def gap_to(offset: float, side: int, size: float) -> float:
 @func
 def side_of(digit: int, near: int) -> int:
     """0 for the voxel itself, then its neighbour on the nearer side, then the other."""
-    side = int(0)
+    side = 0
     if digit == 1:
         side = near
     if digit == 2:
@@ -83,8 +83,8 @@ def find_nearest_in_map(x: vec3d, limit: float, voxel_map: VoxelMap) -> nearest_
     edge = float(voxel_map.voxel_size)
     near = vec3i(nearer_side(place[0], edge), nearer_side(place[1], edge), nearer_side(place[2], edge))
     best = vec3(0.0, 0.0, 0.0)
-    least = limit + 0.0
-    nearest = int(-1)
+    least = limit
+    nearest = -1
     for voxel, way in voxels_around(cell, place, least, side_of, near, voxel_map):
         q = place - way
         first = voxel * voxel_map.room

@@ -13,7 +13,7 @@ from .control_lattice import AROUND, ControlLattice
 def rest_between(k: int, cell_size: float64) -> vec3d:
     """An anchor less its k-th neighbour, where nothing is shifted."""
     step = cell_size * float64(1 - 2 * (k & 1))
-    d = vec3d(float64(0.0), float64(0.0), float64(0.0))
+    d = vec3d(0.0, 0.0, 0.0)
     for axis in range(3):
         if (k >> 1) == axis:
             d[axis] = step
@@ -24,7 +24,7 @@ def rest_between(k: int, cell_size: float64) -> vec3d:
 def turn_anchors_kernel(lattice: ControlLattice, rotations: array(dtype=mat33d)):
     """The rotation that takes an anchor's neighbours nearest to where they went."""
     i = tid()
-    sums = mat33d(float64(0.0))
+    sums = mat33d(0.0)
     n = int(AROUND)
     for k in range(n):
         other = lattice.around[AROUND * i + k]
@@ -47,7 +47,7 @@ def pull_anchors_kernel(
 ):
     """Add half the gradient of the ties to that of the rows."""
     i = tid()
-    total = vec3d(float64(0.0), float64(0.0), float64(0.0))
+    total = vec3d(0.0, 0.0, 0.0)
     n = int(AROUND)
     for k in range(n):
         other = lattice.around[AROUND * i + k]
@@ -70,7 +70,7 @@ def sum_stretch(lattice: ControlLattice, tie: float64, rotations: array(dtype=ma
         if other >= 0:
             d = stretch_between(i, k, other, lattice, rotations[i])
             total += tie * dot(d, d)
-    return vec2d(total, float64(0.0))
+    return vec2d(total, 0.0)
 
 
 @kernel

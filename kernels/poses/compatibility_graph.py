@@ -12,6 +12,7 @@ on every device, whatever the number of threads.
 """
 
 from ..algebra.plain_min_max import smaller
+from ..array_types import Indices, Integers, LongIntegers
 from ..arrays.select import gather_rows, positions_of
 from ..arrays.sort import argsort_keys
 from ..lang import array, bit_count, func, int32, int64, kernel, launch, sqrt, struct, tid, uint8
@@ -44,14 +45,14 @@ class CompatibilityGraph:
     bits: array(dtype=int32)
     degrees: array(dtype=int32)
 
-    def __init__(self, pairs, bound, least):
+    def __init__(self, pairs: PairCoordinates, bound: float, least: float) -> None:
         self.pairs, self.device, self.count = pairs, pairs.device, pairs.count
         self.words = -(-self.count // WORD)
         self.bits = empty(self.count * self.words, int32, self.device)
         self.degrees = empty(self.count, int32, self.device)
         launch(connect_pairs_kernel, self.count, [self, bound, least])
 
-    def support(self, work=WORK):
+    def support(self, work: int = WORK) -> LongIntegers:
         """Twice the triangles of each vertex, int64 device array [m].
 
         Counted for the vertices with most edges until `work` words are read, 0 for the rest: where edges are so many,
@@ -65,7 +66,7 @@ class CompatibilityGraph:
         launch(sum_common_kernel, counted, [self, order[:counted], sums])
         return sums
 
-    def peaks(self, sums, distance, most):
+    def peaks(self, sums: LongIntegers, distance: float, most: int) -> Integers:
         """The vertices with the largest sums, none of them near a larger one at both ends; int32, largest first."""
         mask = empty(self.count, uint8, self.device)
         launch(mark_peaks_kernel, self.count, [self.pairs, distance * distance, sums, mask])
@@ -75,7 +76,7 @@ class CompatibilityGraph:
         order = order_descending(gather_rows(sums, rows))
         return gather_rows(rows, order[: min(most, rows.size)])
 
-    def common(self, rows):
+    def common(self, rows: Indices) -> Integers:
         """Shared neighbours of some rows with all vertices, int32 [rows * m]; 0 without an edge."""
         common = empty(rows.size * self.count, int32, self.device)
         launch(list_common_kernel, rows.size, [self, rows, common])
@@ -92,10 +93,10 @@ def connect_pairs_kernel(graph: CompatibilityGraph, bound: float, least: float):
     qx = graph.pairs.coordinates[3 * graph.pairs.count + i]
     qy = graph.pairs.coordinates[4 * graph.pairs.count + i]
     qz = graph.pairs.coordinates[5 * graph.pairs.count + i]
-    degree = int(0)
+    degree = 0
     for w in range(graph.words):
         first = w * WORD
-        word = int(0)
+        word = 0
         for j in range(first, min(first + WORD, graph.pairs.count)):
             x = graph.pairs.coordinates[j] - px
             y = graph.pairs.coordinates[graph.pairs.count + j] - py
@@ -132,7 +133,7 @@ def count_shared(row: int, other: int, graph: CompatibilityGraph) -> int:
     """How many neighbours two correspondences share."""
     a = row * graph.words
     b = other * graph.words
-    shared = int(0)
+    shared = 0
     for k in range(graph.words):
         shared += bit_count(graph.bits[a + k] & graph.bits[b + k])
     return shared
@@ -170,12 +171,7 @@ def list_common_kernel(graph: CompatibilityGraph, rows: array(dtype=int32), comm
 
 
 @kernel
-def mark_peaks_kernel(
-    pairs: PairCoordinates,
-    reach: float,
-    sums: array(dtype=int64),
-    peaks: array(dtype=uint8),
-):
+def mark_peaks_kernel(pairs: PairCoordinates, reach: float, sums: array(dtype=int64), peaks: array(dtype=uint8)):
     """1 where no correspondence near this one at both ends has more support, or as much and a lower index."""
     i = tid()
     own = sums[i]
@@ -185,7 +181,7 @@ def mark_peaks_kernel(
     qx = pairs.coordinates[3 * pairs.count + i]
     qy = pairs.coordinates[4 * pairs.count + i]
     qz = pairs.coordinates[5 * pairs.count + i]
-    beaten = int(0)
+    beaten = 0
     for j in range(pairs.count):
         x = pairs.coordinates[j] - px
         y = pairs.coordinates[pairs.count + j] - py
@@ -196,13 +192,13 @@ def mark_peaks_kernel(
         near = (1 if x * x + y * y + z * z < reach else 0) & (1 if u * u + v * v + t * t < reach else 0)
         more = (1 if sums[j] > own else 0) | ((1 if sums[j] == own else 0) & (1 if j < i else 0))
         beaten = beaten | (near & more)
-    peak = int(0)
-    if beaten == 0 and own > int64(0):
+    peak = 0
+    if beaten == 0 and own > 0:
         peak = 1
     peaks[i] = uint8(peak)
 
 
-def order_descending(values, bit_count=SUM_BITS):
+def order_descending(values: LongIntegers, bit_count: int = SUM_BITS) -> Indices:
     """The order of int64 values that are not negative, largest first, ties by index; int32."""
     keys = empty(values.size, int64, values.device)
     launch(descending_keys_kernel, values.size, [values, (1 << bit_count) - 1, keys])

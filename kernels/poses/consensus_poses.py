@@ -13,6 +13,7 @@ thread. A step of all poses is two launches.
 import numpy as np
 
 from ..algebra.rigid_solve import fit_pose, move, pair_sums, sums_of_pair
+from ..array_types import Doubles, Indices, Integers, Poses
 from ..lang import array, dot, float64, func, int32, kernel, launch, mat44d, segment_reduction, sqrt, tid
 from ..memory import download, empty, upload
 from .compatibility_graph import CompatibilityGraph
@@ -44,23 +45,23 @@ FIRST_SHARE, STEP = 1.0 / 3.0, 1.4  # mu of the paper: weights vanish at sqrt((m
 def truncated_weight(sqdist: float64, limit: float64, share: float64) -> float64:
     """The weight of a residual under the surrogate `share` of least squares truncated at `limit` [m^2]."""
     w = float64(1.0)
-    if sqdist >= limit * (share + float64(1.0)) / share:
-        w = float64(0.0)
-    elif sqdist > limit * share / (share + float64(1.0)):
-        w = sqrt(limit / sqdist * share * (share + float64(1.0))) - share
+    if sqdist >= limit * (share + 1.0) / share:
+        w = 0.0
+    elif sqdist > limit * share / (share + 1.0):
+        w = sqrt(limit / sqdist * share * (share + 1.0)) - share
     return w
 
 
 @func
 def least_common(common: array(dtype=int32), row: int, count: int, wanted: int) -> int:
     """The number that at least `wanted` entries of a row reach, the largest such number, but at least 1."""
-    low = int(1)
-    high = int(1)
+    low = 1
+    high = 1
     for j in range(row, row + count):
         high = max(high, common[j])
     while high > low:
         middle = (low + high + 1) // 2
-        found = int(0)
+        found = 0
         for j in range(row, row + count):
             found += 1 if common[j] >= middle else 0
         if found >= wanted:
@@ -83,8 +84,8 @@ def fit_seeds_kernel(
     i = tid()
     row = i * pairs.count
     least = least_common(common, row, pairs.count, wanted)
-    s = pair_sums(float64(0.0))
-    most = int(0)
+    s = pair_sums(0.0)
+    most = 0
     for j in range(pairs.count):
         shared = common[row + j]
         if shared >= least:
@@ -107,14 +108,14 @@ def sum_truncated_kernel(
     """The weighted sums of one block of correspondences under one pose; last, what they save of the truncated cost."""
     i = tid()
     pose = poses[i // pairs.blocks]
-    s = pair_sums(float64(0.0))
+    s = pair_sums(0.0)
     saved = float64(0.0)
     for p, q, sqdist in residuals_of_block(i % pairs.blocks, pose, pairs):
         w = truncated_weight(sqdist, limit, share)
-        if w > float64(0.0):
+        if w > 0.0:
             s += sums_of_pair(p, q, w)
         if sqdist < limit:
-            saved += float64(1.0) - sqdist / limit
+            saved += 1.0 - sqdist / limit
     store_sums(i, s, saved, partials)
 
 
@@ -128,7 +129,7 @@ def sum_truncated(pairs: PairCoordinates, poses: array(dtype=mat44d), limit: flo
     sqdist = dot(r, r)
     saved = float64(0.0)
     if sqdist < limit:
-        saved = float64(1.0) - sqdist / limit
+        saved = 1.0 - sqdist / limit
     return joined_sums(sums_of_pair(p, q, truncated_weight(sqdist, limit, share)), saved)
 
 
@@ -148,7 +149,7 @@ def step_poses_kernel(
         poses[i] = fit_of(total, poses[i], 0)
 
 
-def seed_poses(graph, seeds):
+def seed_poses(graph: CompatibilityGraph, seeds: Integers) -> tuple[Poses, Indices]:
     """Poses of seeds and their best neighbours: (mat44d [s], int32 [s] of zeros)."""
     poses, scores = empty(seeds.size, mat44d, graph.device), empty(seeds.size, int32, graph.device)
     wanted = min(NEIGHBORS, graph.count)
@@ -156,7 +157,7 @@ def seed_poses(graph, seeds):
     return poses, scores
 
 
-def refit_truncated(pairs, poses, distance, steps=STEPS):
+def refit_truncated(pairs: PairCoordinates, poses: Poses, distance: float, steps: int = STEPS) -> Doubles:
     """Fit poses (device array of mat44d, overwritten) by graduated non-convexity.
 
     Returns:
@@ -172,7 +173,7 @@ def refit_truncated(pairs, poses, distance, steps=STEPS):
     return saved
 
 
-def distinct_poses(poses, spread, apart):
+def distinct_poses(poses: np.ndarray, spread: np.ndarray, apart: float) -> np.ndarray:
     """Which of some poses to keep so that none moves the source to within `apart` [m] of where an earlier one does.
 
     Args:
@@ -195,7 +196,9 @@ def distinct_poses(poses, spread, apart):
     return np.array(kept, np.int64)
 
 
-def find_consensus(pairs, bound, distance, spread):
+def find_consensus(
+    pairs: PairCoordinates, bound: float, distance: float, spread: np.ndarray
+) -> tuple[np.ndarray, np.ndarray]:
     """The poses that most correspondences agree with, the best first, no two of them alike.
 
     Args:

@@ -10,6 +10,7 @@ import numpy as np
 
 from ..algebra.rigid_solve import fit_pose, move, pair_sums, sums_of_pair
 from ..algebra.transform import narrow, widen
+from ..array_types import Keys, Points, Vectors
 from ..arrays.block_keys import block_key, key_block
 from ..arrays.concatenation import concatenate_rows
 from ..arrays.hash_table import HashTable, find_position, list_keys
@@ -67,7 +68,7 @@ class ControlLattice:
     around: array(dtype=int32)
     shifts: array(dtype=vec3d)
 
-    def __init__(self, cell_size, cell_keys):
+    def __init__(self, cell_size: float, cell_keys: Keys) -> None:
         """The lattice of cells by their ascending keys, nothing shifted."""
         device = cell_keys.device
         self.cell_size, self.cell_keys, self.cell_count = float(cell_size), cell_keys, cell_keys.size
@@ -144,7 +145,7 @@ def key_cells_kernel(points: array(dtype=vec3), cell_size: float64, keys: array(
     """The key of each point's cell."""
     i = tid()
     p = points[i]
-    key = int64(NOWHERE) + int64(0)
+    key = int64(NOWHERE)
     if isfinite(p):
         cell = find_cell(p, cell_size)
         if cell[0] < FARTHEST:
@@ -197,7 +198,7 @@ def locate_points_kernel(points: array(dtype=vec3), lattice: ControlLattice, cel
     """The cell that each point lies in, -1 where that is none of the lattice."""
     i = tid()
     p = points[i]
-    found = int(-1)
+    found = -1
     if isfinite(p):
         cell = find_cell(p, lattice.cell_size)
         if cell[0] < FARTHEST:
@@ -215,9 +216,9 @@ def bend_points_kernel(points: array(dtype=vec3), lattice: ControlLattice, moved
         cell = find_cell(p, lattice.cell_size)
         if cell[0] < FARTHEST:
             share = share_of(p, cell, lattice.cell_size)
-            total = vec3d(float64(0.0), float64(0.0), float64(0.0))
+            total = vec3d(0.0, 0.0, 0.0)
             weights = float64(0.0)
-            missing = int(0)
+            missing = 0
             n = int(CORNERS)
             for k in range(n):
                 key = block_key(cell[0] + (k >> 2), cell[1] + ((k >> 1) & 1), cell[2] + (k & 1))
@@ -228,7 +229,7 @@ def bend_points_kernel(points: array(dtype=vec3), lattice: ControlLattice, moved
                     weights += w
                 else:
                     missing += 1
-            if missing > 0 and weights > float64(0.0):
+            if missing > 0 and weights > 0.0:
                 total = total / weights
             q = narrow(widen(p) + total)
     moved[i] = q
@@ -249,9 +250,9 @@ def bend_normals_kernel(
             found = find_position(block_key(cell[0], cell[1], cell[2]), lattice.cells)
             if found >= 0:
                 share = share_of(p, cell, lattice.cell_size)
-                x = vec3d(float64(1.0), float64(0.0), float64(0.0))
-                y = vec3d(float64(0.0), float64(1.0), float64(0.0))
-                z = vec3d(float64(0.0), float64(0.0), float64(1.0))
+                x = vec3d(1.0, 0.0, 0.0)
+                y = vec3d(0.0, 1.0, 0.0)
+                z = vec3d(0.0, 0.0, 1.0)
                 count = int(CORNERS)
                 for k in range(count):
                     shift = lattice.shifts[lattice.corners[CORNERS * found + k]]
@@ -263,7 +264,7 @@ def bend_normals_kernel(
                 d = widen(n)
                 e = vec3d(dot(cross(y, z), d), dot(cross(z, x), d), dot(cross(x, y), d))
                 size = dot(e, e)
-                if size > float64(0.0):
+                if size > 0.0:
                     m = narrow(e * (length_of(d) / length_of(e)))
     bent[i] = m
 
@@ -289,7 +290,7 @@ def carry_shifts_kernel(anchor_keys: array(dtype=int64), known: ControlLattice, 
     """The shifts of the anchors that another lattice has; zero of those that are new."""
     i = tid()
     found = find_position(anchor_keys[i], known.anchors)
-    shift = vec3d(float64(0.0), float64(0.0), float64(0.0))
+    shift = vec3d(0.0, 0.0, 0.0)
     if found >= 0:
         shift = known.shifts[found]
     shifts[i] = shift
@@ -299,13 +300,13 @@ def carry_shifts_kernel(anchor_keys: array(dtype=int64), known: ControlLattice, 
 def sum_bent_pairs(points: array(dtype=vec3), moved: array(dtype=vec3)) -> pair_sums:
     """What `fit_pose` takes of points and where they went."""
     i = tid()
-    total = pair_sums(float64(0.0))
+    total = pair_sums(0.0)
     if isfinite(points[i]) and isfinite(moved[i]):
-        total = sums_of_pair(widen(points[i]), widen(moved[i]), float64(1.0))
+        total = sums_of_pair(widen(points[i]), widen(moved[i]), 1.0)
     return total
 
 
-def make_lattice(cell_size, points, known=None):
+def make_lattice(cell_size: float, points: Points, known: ControlLattice | None = None) -> ControlLattice:
     """The lattice of the cells that points lie in, and of those of another lattice, with its shifts; one sync."""
     device = points.device
     keys = empty(points.size, int64, device)
@@ -321,14 +322,14 @@ def make_lattice(cell_size, points, known=None):
     return lattice
 
 
-def bend_points(points, lattice):
+def bend_points(points: Points, lattice: ControlLattice) -> Points:
     """A device array of vec3, bent."""
     moved = empty(points.size, vec3, points.device)
     launch(bend_points_kernel, points.size, [points, lattice, moved])
     return moved
 
 
-def bend_normals(points, normals, lattice):
+def bend_normals(points: Points, normals: Vectors, lattice: ControlLattice) -> Vectors:
     """The normals at points that are not bent yet, as the surface turns."""
     bent = empty(points.size, vec3, points.device)
     launch(bend_normals_kernel, points.size, [points, normals, lattice, bent])
@@ -353,7 +354,7 @@ def move_anchors_kernel(
     shifts[i] = move(motion, rest + shifts[i]) - rest
 
 
-def motion_of(points, moved):
+def motion_of(points: Points, moved: Vectors) -> np.ndarray:
     """The rigid motion nearest to the way from points to others, float64 [4, 4] (one sync)."""
     sums, motion = reduce(sum_bent_pairs, points.size, [points, moved]), empty(1, mat44d, points.device)
     launch(fit_motion_kernel, 1, [sums, motion])

@@ -7,10 +7,14 @@ by pair of fragments, then by point. Products with the rows are gathered: those 
 segments, so all sums have a fixed order. Zhou and Koltun 2014, eqs. 4 to 6.
 """
 
+from collections.abc import Sequence
+
 import numpy as np
+from numpy.typing import ArrayLike
 
 from ..algebra.rigid_solve import move, turn
 from ..algebra.transform import narrow, transform_points, widen
+from ..array_types import Integers, Points, Vectors
 from ..arrays.key_starts import find_key_starts
 from ..arrays.packed_keys import key_index
 from ..arrays.segment_blocks import SegmentBlocks
@@ -83,16 +87,17 @@ class FragmentRows:
     images: array(dtype=float64)
     order: array(dtype=int32)
 
-    def __init__(self, count, ends):
+    def __init__(self, count: int, ends: Integers) -> None:
         device, self.count, self.ends = ends.device, count, ends
         self.pairs = empty(count, int32, device)
         self.starts = np.zeros(1, np.int64)
+        self.sums: SegmentBlocks  # over the rows of each pair: set once these are known
         for name in ("places", "normals", "source_normals", "target_normals", "source_shares", "target_shares"):
             setattr(self, name, empty(count, vec3, device))
         self.source_cells, self.target_cells = empty(count, int32, device), empty(count, int32, device)
         self.residuals, self.images = empty(count, float64, device), empty(count, float64, device)
 
-    def sort_by_cell(self, cell_count):
+    def sort_by_cell(self, cell_count: int) -> None:
         """Order the rows' ends by cell; sets the SegmentBlocks of the pairs' rows and of the cells' ends. Syncs."""
         device = self.ends.device
         starts = empty(cell_count + 1, int32, device)
@@ -128,7 +133,7 @@ class Fragments:
     moved: array(dtype=vec3)
     bent: array(dtype=vec3)
 
-    def __init__(self, points, normals, counts, lattice):
+    def __init__(self, points: Points, normals: Vectors, counts: Sequence[int], lattice: ControlLattice) -> None:
         self.points, self.normals, self.lattice = points, normals, lattice
         self.counts = np.asarray(counts, np.int64)
         self.firsts = np.concatenate([[0], np.cumsum(self.counts)])
@@ -136,12 +141,12 @@ class Fragments:
         launch(locate_points_kernel, points.size, [points, lattice, self.cells])
         self.bend()
 
-    def bend(self):
+    def bend(self) -> None:
         """Take the lattice as it is now."""
         self.moved = bend_points(self.points, self.lattice)
         self.bent = bend_normals(self.points, self.normals, self.lattice)
 
-    def part(self, fragment):
+    def part(self, fragment: int) -> Vectors:
         """The bent points of one fragment, a part of the array."""
         first, count = int(self.firsts[fragment]), int(self.counts[fragment])
         return self.moved[first : first + count] if count else empty(0, vec3, self.moved.device)
@@ -163,7 +168,7 @@ def pair_points_kernel(
     """The partner of each point of a fragment, where their normals agree; of either sign where they have no sides."""
     i = tid()
     partner = key_index(nearest[i])
-    keep = int(0)
+    keep = 0
     if partner >= 0:
         partner += target_first
         n = turn(T_target_source, widen(fragments.bent[source_first + i]))
@@ -191,7 +196,7 @@ def fill_rows_kernel(
 ):
     """The row of each pair of points that was kept."""
     i = tid()
-    low = int(0)
+    low = 0
     high = row_starts.shape[0] - 1
     while high - low > 1:
         middle = (low + high) // 2
@@ -236,7 +241,7 @@ def key_ends_kernel(cell_count: int, rows: FragmentRows, keys: array(dtype=int64
 @func
 def shift_within(cell: int, share: vec3, lattice: ControlLattice, first: int, steps: array(dtype=vec3d)) -> vec3d:
     """What the anchors' steps, from row `first` on, come to at a place in a cell."""
-    total = vec3d(float64(0.0), float64(0.0), float64(0.0))
+    total = vec3d(0.0, 0.0, 0.0)
     if cell >= 0:
         n = int(CORNERS)
         for k in range(n):
@@ -268,7 +273,9 @@ class Pairs:
         sided: Whether normals point to one side of the surface.
     """
 
-    def __init__(self, ends, fragments, distance, least_cosine, *, sided):
+    def __init__(
+        self, ends: ArrayLike, fragments: Fragments, distance: float, least_cosine: float, *, sided: bool
+    ) -> None:
         self.fragments, self.distance = fragments, distance
         self.least_cosine, self.sided = float(least_cosine), int(sided)
         self.ends = np.asarray(ends, np.int64).reshape(-1, 2)
@@ -279,7 +286,7 @@ class Pairs:
         self.partners = empty(int(self.firsts[-1]), int32, device)
         self.kept = empty(int(self.firsts[-1]), uint8, device)
 
-    def match(self, poses):
+    def match(self, poses: np.ndarray) -> FragmentRows:
         """The rows at poses [fragments, 4, 4] and the lattice as it is; syncs."""
         fragments, device = self.fragments, self.partners.device
         trees = {int(t): PointTree(fragments.part(int(t))) for t in np.unique(self.ends[:, 1])}
@@ -298,9 +305,7 @@ class Pairs:
         given = [upload(table.astype(np.int32), int32, device) for table in tables]
         placed = upload(np.ascontiguousarray(poses), mat44d, device)
         launch(
-            fill_rows_kernel,
-            rows.count,
-            [positions, self.partners, *given, placed, fragments.lattice, fragments, rows],
+            fill_rows_kernel, rows.count, [positions, self.partners, *given, placed, fragments.lattice, fragments, rows]
         )
         rows.sort_by_cell(fragments.lattice.cell_count)
         return rows

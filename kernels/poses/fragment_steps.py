@@ -9,10 +9,13 @@ never written down. A turn reads some 130 B a row and takes 400 operations; an a
 Nothing holds the shifts that all anchors make together, or the poses of fragments without rows: the least damping does.
 """
 
+from typing import Any
+
 import numpy as np
 
 from ..algebra.rigid_solve import factor_system, place_of, solve_factored, square, triangle, vec6d
 from ..algebra.transform import widen
+from ..array_types import Doubles, Positions
 from ..arrays.conjugate_gradients import ConjugateGradients, Gradients
 from ..lang import (
     array,
@@ -84,7 +87,7 @@ class StepSystem:
     rotations: array(dtype=mat33d)
     tie: float64
 
-    def __init__(self, lattice, held, ends, tie):
+    def __init__(self, lattice: ControlLattice, held: np.ndarray, ends: Any, tie: float) -> None:
         device = lattice.shifts.device
         count, anchors, cells, pairs = len(held), lattice.anchor_count, lattice.cell_count, len(ends)
         self.fragment_count, self.size, self.tie = count, 2 * count + anchors, float(tie)
@@ -118,8 +121,8 @@ def sum_pair_squares(rows: FragmentRows) -> pose_block:
     n = widen(rows.normals[i])
     m = cross(widen(rows.places[i]), n)
     g = vec6d(m[0], m[1], m[2], n[0], n[1], n[2])
-    total = pose_block(float64(0.0))
-    at = int(0)
+    total = pose_block(0.0)
+    at = 0
     count = int(6)
     for a in range(count):
         for b in range(a, count):
@@ -153,7 +156,7 @@ def sum_cell_slopes(rows: FragmentRows, values: array(dtype=float64)) -> corner_
     end = rows.order[i]
     n = end_normal(end, rows) * values[end // 2]
     share = end_share(end, rows)
-    total = corner_sums(float64(0.0))
+    total = corner_sums(0.0)
     for k in range(CORNERS):
         w = corner_weight(k, share)
         total[3 * k] = w * n[0]
@@ -175,15 +178,15 @@ def sum_cell_squares(rows: FragmentRows, corner: int) -> anchor_block:
 def sum_residuals(rows: FragmentRows) -> vec2d:
     """(squared residual, 1) of a row."""
     i = tid()
-    return vec2d(rows.residuals[i] * rows.residuals[i], float64(1.0))
+    return vec2d(rows.residuals[i] * rows.residuals[i], 1.0)
 
 
 @kernel
 def gather_fragments_kernel(steps: array(dtype=vec3d), system: StepSystem, images: array(dtype=vec3d)):
     """What the rows' products come to at each fragment, and its damping."""
     i = tid()
-    turned = vec3d(float64(0.0), float64(0.0), float64(0.0))
-    moved = vec3d(float64(0.0), float64(0.0), float64(0.0))
+    turned = vec3d(0.0, 0.0, 0.0)
+    moved = vec3d(0.0, 0.0, 0.0)
     if system.free[i] == 1:
         for k in range(system.fragment_starts[i], system.fragment_starts[i + 1]):
             end = system.fragment_ends[k]
@@ -208,7 +211,7 @@ def gather_anchors_kernel(
     """What the rows' products come to at each anchor, its ties, and its damping."""
     i = tid()
     first = 2 * system.fragment_count
-    total = vec3d(float64(0.0), float64(0.0), float64(0.0))
+    total = vec3d(0.0, 0.0, 0.0)
     n = int(CORNERS)
     for k in range(n):
         cell = lattice.sharers[CORNERS * i + k]
@@ -221,7 +224,7 @@ def gather_anchors_kernel(
     for k in range(m):
         other = lattice.around[AROUND * i + k]
         if other >= 0:
-            total += float64(2.0) * system.tie * (x - steps[first + other])
+            total += 2.0 * system.tie * (x - steps[first + other])
     lift = system.lifts[first + i]
     images[first + i] = total + vec3d(lift[0] * x[0], lift[1] * x[1], lift[2] * x[2])
 
@@ -230,10 +233,10 @@ def gather_anchors_kernel(
 def factor_fragments_kernel(damping: float64, system: StepSystem):
     """The damping of each fragment's unknowns, and the factors of its block; a fragment without rows has none."""
     i = tid()
-    total = triangle(float64(0.0))
+    total = triangle(0.0)
     for k in range(system.fragment_starts[i], system.fragment_starts[i + 1]):
         total += system.pair_blocks[system.fragment_ends[k] // 2]
-    lifts = vec6d(float64(0.0))
+    lifts = vec6d(0.0)
     for k in range(6):
         at = place_of(k, k)
         lifts[k] = damping * total[at]
@@ -264,8 +267,8 @@ def invert_symmetric(a: mat33d) -> mat33d:
     zz = a[0, 0] * a[1, 1] - a[0, 1] * a[0, 1]
     size = a[0, 0] * xx + a[0, 1] * xy + a[0, 2] * xz
     share = float64(0.0)
-    if size > float64(0.0):
-        share = float64(1.0) / size
+    if size > 0.0:
+        share = 1.0 / size
     return mat33d(xx, xy, xz, xy, yy, yz, xz, yz, zz) * share
 
 
@@ -278,7 +281,7 @@ def invert_anchors_kernel(damping: float64, lattice: ControlLattice, system: Ste
     n = int(AROUND)
     for k in range(n):
         if lattice.around[AROUND * i + k] >= 0:
-            ties += float64(2.0) * system.tie
+            ties += 2.0 * system.tie
     lift = vec3d(damping * (block[0, 0] + ties), damping * (block[1, 1] + ties), damping * (block[2, 2] + ties))
     for k in range(3):
         block[k, k] = block[k, k] + ties + lift[k]
@@ -322,7 +325,7 @@ class FragmentStep:
         system: The StepSystem.
     """
 
-    def __init__(self, rows, lattice, system):
+    def __init__(self, rows: FragmentRows, lattice: ControlLattice, system: StepSystem) -> None:
         device = lattice.shifts.device
         self.rows, self.lattice, self.system = rows, lattice, system
         self.live_pairs = full(max(system.pair_sums.size, 1), 1, int32, device)
@@ -331,14 +334,14 @@ class FragmentStep:
         self.cell_partials = empty(rows.cells.count, corner_sums, device)
         launch(turn_anchors_kernel, lattice.anchor_count, [lattice, system.rotations])
 
-    def errors(self):
+    def errors(self) -> tuple[float, int, float]:
         """(sum of squared residuals, rows, the ties' part); syncs."""
         ties = [self.lattice, self.system.tie, self.system.rotations]
         squares, count = download(reduce(sum_residuals, self.rows.count, [self.rows]))[0].tolist()  # sync
         stretch = download(reduce(sum_stretch, self.lattice.anchor_count, ties))[0]  # sync
         return squares, int(count), float(stretch[0])
 
-    def solve(self, tolerance=TOLERANCE):
+    def solve(self, tolerance: float = TOLERANCE) -> tuple[Positions, int]:
         """The step, vec3d [2 fragments + anchors]: two vectors a fragment, then one an anchor; and the turns."""
         system, device = self.system, self.lattice.shifts.device
         self._make_blocks()
@@ -353,13 +356,13 @@ class FragmentStep:
         descent.descend()
         return state.solution, int(download(state.turns)[0])  # sync
 
-    def _map(self, state):
+    def _map(self, state: Gradients) -> None:
         launch(
             map_rows_kernel, self.rows.count, [2 * self.system.fragment_count, state.search, self.lattice, self.rows]
         )
         self._gather(self.rows.images, state.search, state.image)
 
-    def _gather(self, values, steps, images):
+    def _gather(self, values: Doubles, steps: Positions, images: Positions) -> None:
         """The normal matrix' part behind the rows: their transpose times values, ties and damping times steps."""
         system, lattice, rows = self.system, self.lattice, self.rows
         reduce_segments(
@@ -372,11 +375,11 @@ class FragmentStep:
             )
             launch(gather_anchors_kernel, lattice.anchor_count, [steps, lattice, system, images])
 
-    def _weigh(self, state):
+    def _weigh(self, state: Gradients) -> None:
         launch(weigh_fragments_kernel, self.system.fragment_count, [self.system, state.residual, state.forces])
         launch(weigh_anchors_kernel, self.lattice.anchor_count, [self.system, state.residual, state.forces])
 
-    def _make_blocks(self):
+    def _make_blocks(self) -> None:
         system, lattice, rows, device = self.system, self.lattice, self.rows, self.lattice.shifts.device
         partials = empty(rows.sums.count, pose_block, device)
         reduce_segments(sum_pair_squares, rows.sums, self.live_pairs, [rows], partials, system.pair_blocks)
@@ -396,4 +399,4 @@ class FragmentStep:
 def clear_blocks_kernel(blocks: array(dtype=mat33d)):
     """Zeros."""
     i = tid()
-    blocks[i] = mat33d(float64(0.0))
+    blocks[i] = mat33d(0.0)

@@ -7,11 +7,14 @@ RANSAC for point-cloud shape detection"), without drawing lots.
 One thread a plane reads 24 B a voter, 12 operations each: VOTERS x PLANES, whatever the number of points.
 """
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from ..algebra.moments import add_difference, moments
+from ..array_types import Indices, LongIntegers, Points, Vectors
 from ..arrays.select import gather_rows
-from ..lang import array, dot, float64, int32, int64, kernel, launch, reduce, reduction, tid, vec3
+from ..lang import array, dot, int32, int64, kernel, launch, reduce, reduction, tid, vec3
 from ..memory import contiguous, download, empty, upload
 from ..search.nearest_point import NO_POINT
 
@@ -35,7 +38,7 @@ def count_coplanar_kernel(
     i = tid()
     p = points[i * step]
     n = normals[i * step]
-    total = int(0)
+    total = 0
     for j in range(count):
         if abs(dot(n, normals[j])) > cosine:
             if abs(dot(n, points[j] - p)) < slab:
@@ -49,7 +52,7 @@ def sum_coplanar(
 ) -> moments:
     """Moments about p of the points on the plane through it."""
     i = tid()
-    total = moments(float64(0.0))
+    total = moments(0.0)
     if abs(dot(n, normals[i])) > cosine:
         if abs(dot(n, points[i] - p)) < slab:
             total = add_difference(total, p, points[i])
@@ -82,7 +85,7 @@ def leave_out_planes_kernel(
     """Take the nearest point from points on a plane, and from those where two cross: edges are no more than planes."""
     i = tid()
     p = points[i]
-    left_out = int(0)
+    left_out = 0
     for k in range(plane_count):
         n = directions[k]
         height = abs(dot(n, p - middles[k]))
@@ -96,7 +99,9 @@ def leave_out_planes_kernel(
         nearest[i] = int64(NO_POINT)
 
 
-def find_main_planes(points, normals, rows, plane_count, tight, slab, cosine):
+def find_main_planes(
+    points: Points, normals: Vectors, rows: Indices, plane_count: int, tight: float, slab: float, cosine: float
+) -> tuple[np.ndarray, np.ndarray]:
     """The planes that most of some points lie on, the largest first.
 
     Args:
@@ -137,7 +142,15 @@ def find_main_planes(points, normals, rows, plane_count, tight, slab, cosine):
     return _stacked(found)
 
 
-def leave_out_planes(points, normals, planes, slab, cosine, edge, nearest):
+def leave_out_planes(
+    points: Points,
+    normals: Vectors,
+    planes: tuple[np.ndarray, np.ndarray],
+    slab: float,
+    cosine: float,
+    edge: float,
+    nearest: LongIntegers,
+) -> None:
     """Take the nearest point from those that lie on planes as `find_main_planes` gives them.
 
     Args:
@@ -153,7 +166,7 @@ def leave_out_planes(points, normals, planes, slab, cosine, edge, nearest):
     launch(leave_out_planes_kernel, points.size, arguments)
 
 
-def _stacked(planes):
+def _stacked(planes: Sequence[tuple[np.ndarray, np.ndarray]]) -> tuple[np.ndarray, np.ndarray]:
     """Points and normals of planes, float32 [k, 3] each."""
     both = np.array(planes, np.float32).reshape(-1, 2, 3)
     return np.ascontiguousarray(both[:, 0]), np.ascontiguousarray(both[:, 1])

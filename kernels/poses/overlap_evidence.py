@@ -11,6 +11,8 @@ beside the planes that most matches lie on. The same sums over the points beside
 Per point: one search for the nearest, 40 B read and 90 operations in a reduction; once more beside the planes.
 """
 
+from typing import Any
+
 from ..algebra.rigid_solve import move, turn
 from ..algebra.transform import narrow, widen
 from ..arrays.packed_keys import key_index, key_number
@@ -67,10 +69,10 @@ def move_surface_kernel(
 def sum_near(moved: array(dtype=vec3), nearest: array(dtype=int64)) -> middle_sums:
     """Count, coordinates and squares of the points near the other cloud."""
     i = tid()
-    out = middle_sums(float64(0.0))
+    out = middle_sums(0.0)
     if nearest[i] != int64(NO_POINT):
         p = widen(moved[i])
-        out = middle_sums(float64(1.0), p[0], p[1], p[2], dot(p, p))
+        out = middle_sums(1.0, p[0], p[1], p[2], dot(p, p))
     return out
 
 
@@ -100,7 +102,9 @@ class Overlap:
     cosine: float
     tight: float
 
-    def __init__(self, source, target, pose, distance, near, cosine, tight):
+    def __init__(
+        self, source: Any, target: Any, pose: Any, distance: float, near: Any, cosine: float, tight: float
+    ) -> None:
         """Arguments as of `weigh_overlap`. One sync."""
         count, device = source.points.size, source.device
         self.points, self.normals = target.points, target.normals
@@ -111,7 +115,7 @@ class Overlap:
         self.nearest = find_nearest(target.tree, self.moved, radius=near)
         self.find_middle()
 
-    def find_middle(self):
+    def find_middle(self) -> None:
         """The middle and the scale of the points that have a nearest one. One sync."""
         count = self.moved.size
         total = download(reduce(sum_near, count, [self.moved, self.nearest]))[0]  # sync
@@ -120,7 +124,7 @@ class Overlap:
         radius = max(float(total[4]) / points - float(self.middle @ self.middle), 0.0) ** 0.5
         self.scale = 1.0 / max(radius, 1e-30)
 
-    def leave_out_planes(self):
+    def leave_out_planes(self) -> None:
         """Take the nearest point from the points on the planes that most matches lie on. Some 13 syncs."""
         count = self.moved.size
         mask = empty(count, uint8, self.moved.device)
@@ -139,7 +143,7 @@ class Overlap:
 def agrees(overlap: Overlap, i: int) -> int:
     """Whether a point that has a nearest one is within the distance of a match of it, and looks its way or back."""
     key = overlap.nearest[i]
-    agreeing = int(0)
+    agreeing = 0
     if key_number(key) < overlap.distance * overlap.distance:
         if abs(dot(overlap.turned[i], overlap.normals[key_index(key)])) > overlap.cosine:
             agreeing = 1
@@ -158,7 +162,7 @@ def match_weight(overlap: Overlap, i: int) -> float:
 def mask_matched_kernel(overlap: Overlap, mask: array(dtype=uint8)):
     """1 where a point counts as a match."""
     i = tid()
-    matched = int(0)
+    matched = 0
     if overlap.nearest[i] != int64(NO_POINT):
         if agrees(overlap, i) == 1:
             if match_weight(overlap, i) > 0.0:
@@ -170,7 +174,7 @@ def mask_matched_kernel(overlap: Overlap, mask: array(dtype=uint8)):
 def sum_evidence(overlap: Overlap) -> evidence_sums:
     """Normal matrices of the near points and of those that match, rotations in units of the overlap's radius."""
     i = tid()
-    out = evidence_sums(float64(0.0))
+    out = evidence_sums(0.0)
     if overlap.nearest[i] != int64(NO_POINT):
         n = widen(overlap.turned[i])
         r = (widen(overlap.moved[i]) - overlap.middle) * overlap.scale
@@ -178,23 +182,33 @@ def sum_evidence(overlap: Overlap) -> evidence_sums:
         agreeing = float64(0.0)
         matched = float64(0.0)
         if agrees(overlap, i) == 1:
-            agreeing = float64(1.0)
+            agreeing = 1.0
             matched = float64(match_weight(overlap, i))
         a = motions(c[0], c[1], c[2], n[0], n[1], n[2])
-        at = int(0)
+        at = 0
         for j in range(6):
             for k in range(j, 6):
                 entry = a[j] * a[k]
                 out[at] = entry
                 out[at + 21] = matched * entry
                 at += 1
-        out[NEAR_AT] = float64(1.0)
+        out[NEAR_AT] = 1.0
         out[AGREEING_AT] = agreeing
         out[MATCHED_AT] = matched
     return out
 
 
-def weigh_overlap(source, target, pose, distance, near, cosine, tight, *, beside_planes=False):
+def weigh_overlap(
+    source: Any,
+    target: Any,
+    pose: Any,
+    distance: float,
+    near: Any,
+    cosine: float,
+    tight: float,
+    *,
+    beside_planes: bool = False,
+):
     """The evidence that one surface gives for a pose onto another.
 
     Args:

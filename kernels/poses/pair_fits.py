@@ -10,13 +10,19 @@ The closed form is Horn, "Closed-form solution of absolute orientation using uni
 Geman-McClure estimator (Zhou et al., "Fast global registration", ECCV 2016, eq. 6).
 """
 
+from collections.abc import Sequence
+from typing import Any
+
 import numpy as np
 
 from ..algebra.rigid_solve import fit_pose, move, pair_sums, sums_of_pair
+from ..array_types import Array2, Doubles, Indices, Points, Poses
 from ..arrays.segment_blocks import SegmentBlocks
 from ..arrays.select import positions_of
 from ..arrays.side_by_side import part_of
 from ..lang import (
+    Kernel,
+    Reduction,
     array,
     dot,
     float32,
@@ -64,7 +70,9 @@ class PairCoordinates:
     count: int
     blocks: int
 
-    def __init__(self, source, target, pairs, source_middle, target_middle):
+    def __init__(
+        self, source: Points, target: Points, pairs: Array2[int32], source_middle: np.ndarray, target_middle: np.ndarray
+    ) -> None:
         """Take the correspondences `pairs` (int32 [m, 2]) of two device arrays of vec3; middles as float32 [3]."""
         device = source.device
         mask = empty(pairs.shape[0], uint8, device)
@@ -79,7 +87,7 @@ class PairCoordinates:
         launch(split_pairs_kernel, self.count, [source, target, *middles, self])
         self.blocks = -(-self.count // BLOCK)
 
-    def select(self, rows):
+    def select(self, rows: Indices):
         """The correspondences at some rows (int32 device array), which may repeat."""
         chosen = PairCoordinates.__new__(PairCoordinates)
         chosen.device, chosen.count, chosen.blocks = self.device, rows.size, -(-rows.size // BLOCK)
@@ -89,7 +97,9 @@ class PairCoordinates:
         launch(select_coordinates_kernel, rows.size, [self, rows, chosen.coordinates])
         return chosen
 
-    def refine(self, poses, distance, steps, with_scaling, out=None):
+    def refine(
+        self, poses: Poses, distance: float, steps: int, with_scaling: bool, out: Any = None
+    ) -> tuple[Poses, Array2[float64]]:
         """Fit each pose to the correspondences closer than a distance [m] under it, several times.
 
         Args:
@@ -109,7 +119,7 @@ class PairCoordinates:
             launch(refit_poses_kernel, k, [sums.rows, sums.blocks, int(with_scaling), poses, best, scores])
         return best, scores
 
-    def anneal(self, pose, mu, least, divisor, every, steps):
+    def anneal(self, pose: Poses, mu: float, least: float, divisor: float, every: int, steps: int) -> Poses:
         """Minimise the Geman-McClure cost of all correspondences while its scale mu [m^2] shrinks.
 
         Each step solves its weighted least squares in closed form, so it is never farther from their minimum than the
@@ -146,7 +156,7 @@ class PoseSums:
         blocks: Rows a pose.
     """
 
-    def __init__(self, pairs, count):
+    def __init__(self, pairs: PairCoordinates, count: int) -> None:
         device = self.device = pairs.device
         self.pairs, self.count, self.blocks = pairs, count, pairs.blocks
         if not device.is_cuda:
@@ -158,7 +168,7 @@ class PoseSums:
         self._live, self._totals = full(count, 1, int32, device), part_of(self.rows, 0, all_sums, count)
         self._partials = empty(self._segments.count, all_sums, device)
 
-    def add_up(self, by_block, by_pair, arguments):
+    def add_up(self, by_block: Kernel, by_pair: Reduction, arguments: Sequence[Doubles | Poses | float]) -> None:
         """Sum up: `by_block` is a kernel over blocks on the CPU, `by_pair` a reduction over pairs on CUDA."""
         if self.device.is_cuda:
             reduce_segments(by_pair, self._segments, self._live, [self.pairs, *arguments], self._partials, self._totals)
@@ -172,7 +182,7 @@ def mask_finite_pairs_kernel(
 ):
     """1 where both points of a correspondence are finite."""
     i = tid()
-    both = int(0)
+    both = 0
     if isfinite(source[pairs[i, 0]]) and isfinite(target[pairs[i, 1]]):
         both = 1
     mask[i] = uint8(both)
@@ -249,14 +259,14 @@ def weight_of(sqdist: float64, limit: float64, weighting: int) -> float64:
         w = w * w
     else:
         if sqdist < limit:
-            w = float64(1.0)
+            w = 1.0
     return w
 
 
 @func
 def joined_sums(s: pair_sums, last: float64) -> all_sums:
     """The sums that a fit takes, and one more."""
-    total = all_sums(float64(0.0))
+    total = all_sums(0.0)
     for k in range(18):
         total[k] = s[k]
     total[SUMS] = last
@@ -289,11 +299,11 @@ def sum_pairs_kernel(
     i = tid()
     pose = poses[i // pairs.blocks]
     limit = limits[i // pairs.blocks]
-    s = pair_sums(float64(0.0))
+    s = pair_sums(0.0)
     squares = float64(0.0)
     for p, q, sqdist in residuals_of_block(i % pairs.blocks, pose, pairs):
         w = weight_of(sqdist, limit, weighting)
-        if w > float64(0.0):
+        if w > 0.0:
             s += sums_of_pair(p, q, w)
             squares += w * sqdist
     store_sums(i, s, squares, partials)
@@ -302,7 +312,7 @@ def sum_pairs_kernel(
 @func
 def fold_blocks(partials: array(dtype=float64, ndim=2), first: int, blocks: int) -> all_sums:
     """The sums of all blocks of one pose, in order."""
-    total = all_sums(float64(0.0))
+    total = all_sums(0.0)
     for block in range(first, first + blocks):
         for k in range(COLUMNS):
             total[k] = total[k] + partials[block, k]
@@ -312,11 +322,11 @@ def fold_blocks(partials: array(dtype=float64, ndim=2), first: int, blocks: int)
 @func
 def fit_of(total: all_sums, pose: mat44d, with_scaling: int) -> mat44d:
     """The pose that fits the weighted correspondences best; the old one where they have no weight."""
-    s = pair_sums(float64(0.0))
+    s = pair_sums(0.0)
     for k in range(SUMS):
         s[k] = total[k]
-    fitted = pose * float64(1.0)
-    if total[0] > float64(0.0):
+    fitted = pose * 1.0
+    if total[0] > 0.0:
         fitted = fit_pose(s, with_scaling)
     return fitted
 
@@ -333,7 +343,7 @@ def refit_poses_kernel(
     """Keep a pose that fits more correspondences than the best so far, or as many closer; then fit it to its own."""
     i = tid()
     total = fold_blocks(partials, i * blocks, blocks)
-    better = int(0)
+    better = 0
     if total[0] > scores[i, 0]:
         better = 1
     if total[0] == scores[i, 0] and total[SUMS] < scores[i, 1]:

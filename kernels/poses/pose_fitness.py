@@ -7,10 +7,13 @@ written but a count a pose, so a pose costs no memory. 12 B read a point and pos
 Distances are those of find_nearest, bit for bit: a count equals the number of points whose nearest is within reach.
 """
 
+from typing import Any
+
 import numpy as np
 
 from ..algebra.rigid_solve import fit_pose, move, pair_sums, sums_of_pair
 from ..algebra.transform import narrow, widen
+from ..array_types import Array1, Integers, Points, Poses
 from ..arrays.packed_keys import key_index, key_number
 from ..arrays.segment_blocks import SegmentBlocks
 from ..arrays.select import gather_rows
@@ -68,7 +71,7 @@ class PoseFitness:
     source_middle: vec3
     target_middle: vec3
 
-    def __init__(self, source, tree):
+    def __init__(self, source: Points, tree: PointTree) -> None:
         """Prepare scores of a device array of vec3 against a PointTree."""
         found = HilbertOrder(source)
         rows = found.order[: found.finite_count] if found.finite_count else empty(0, int32, source.device)
@@ -78,7 +81,7 @@ class PoseFitness:
         self.size = half_diagonal(found.low, found.high)
         self.source_middle, self.target_middle = (vec3(*middle) for middle in self.middles)
 
-    def count(self, poses, distance):
+    def count(self, poses: Poses, distance: float) -> np.ndarray:
         """How many source points have a target point closer than a distance [m] under each pose: int32 [k], one sync.
 
         Args:
@@ -88,7 +91,7 @@ class PoseFitness:
         self.add_counts(poses, wanted, distance, counts)
         return download(counts)  # sync
 
-    def add_counts(self, poses, wanted, distance, counts):
+    def add_counts(self, poses: Poses, wanted: Integers, distance: float, counts: Integers) -> None:
         """Add to counts, int32 [k], what `count` returns, for the poses of which wanted, int32 [k], is not 0."""
         if self.tree.count == 0 or self.source.size == 0:
             return
@@ -96,7 +99,7 @@ class PoseFitness:
         runs = -(-self.source.size // (LEAF * run))
         launch(count_met_kernel, poses.size * runs, [self, run, poses, wanted, reach_of(distance), counts])
 
-    def match(self, pose, distance):
+    def match(self, pose: Poses, distance: float) -> Array1[Any]:
         """The sums over all points and their nearest target points under one pose (mat44d [1]): match_sums [1].
 
         Those of `fit_pose`, about the middles, the first being how many; then that of squared distances.
@@ -105,7 +108,7 @@ class PoseFitness:
         matching.run(pose, distance)
         return matching.sums
 
-    def refine(self, pose, distance, steps, with_scaling):
+    def refine(self, pose: Poses, distance: float, steps: int, with_scaling: bool) -> tuple[np.ndarray, int, float]:
         """Fit a pose to the nearest points of the whole clouds, several times.
 
         Each fit lowers the sum over all points of their squared distances, of which none counts more than that of a
@@ -120,7 +123,7 @@ class PoseFitness:
         """
         course, matching = Course(pose, steps), Matching(self)
 
-        def step():
+        def step() -> None:
             matching.run(course.poses, distance)
             launch(judge_matches_kernel, 1, [matching.sums, distance * distance, int(with_scaling), course])
 
@@ -140,7 +143,7 @@ class Matching:
         sums: match_sums [1], of the last run.
     """
 
-    def __init__(self, fitness):
+    def __init__(self, fitness: PoseFitness) -> None:
         device, count = fitness.device, fitness.source.size
         self.fitness, self.sums = fitness, zeros(1, match_sums, device)
         self._moved, self._nearest = empty(count, vec3, device), empty(count, int64, device)
@@ -148,7 +151,7 @@ class Matching:
         self._blocks, self._live = SegmentBlocks([0], [count], device), full(1, 1, int32, device)
         self._partials = empty(self._blocks.count, match_sums, device)
 
-    def run(self, pose, distance):
+    def run(self, pose: Poses, distance: float) -> None:
         """Sum over the points and their nearest ones closer than a distance [m] under a pose, mat44d [1]."""
         fitness, count = self.fitness, self._moved.size
         launch(move_points_kernel, count, [fitness, pose, self._moved])
@@ -182,7 +185,7 @@ class Course:
     left: array(dtype=int32)
     running: array(dtype=int32)
 
-    def __init__(self, pose, steps):
+    def __init__(self, pose: Poses, steps: int) -> None:
         values = {
             "poses": (np.eye(4)[None], mat44d),
             "best": (np.eye(4)[None], mat44d),
@@ -210,7 +213,7 @@ def meet_leaf(
     first: int, tree: PointTree, xs: lane_numbers, ys: lane_numbers, zs: lane_numbers, reach: float, met: lane_flags
 ) -> lane_flags:
     """The lanes' flags, set where a point of the leaf that begins at a place lies within reach."""
-    flags = met + lane_flags(0)
+    flags = met
     for i in range(first, min(first + LEAF, tree.count)):
         p = tree.points[i]
         for j in range(LEAF):
@@ -224,7 +227,7 @@ def meet_leaf(
 @func
 def count_flags(flags: lane_flags) -> int:
     """How many lanes are set."""
-    total = int(0)
+    total = 0
     for j in range(LEAF):
         total += flags[j]
     return total
@@ -247,7 +250,7 @@ def count_met_kernel(
     if wanted[i // runs] == 0:
         return
     pose = poses[i // runs]
-    total = int(0)
+    total = 0
     for group in range((i % runs) * run, min((i % runs + 1) * run, groups)):
         head = group * LEAF
         size = min(LEAF, source_count - head)
@@ -280,7 +283,7 @@ def count_met_kernel(
                 if missing > 0:
                     step = next_bucket(step, a, b, reach, fitness.tree)
                 else:
-                    step = walk(int64(fitness.tree.root + 1), int64(0), int64(0), int64(0))
+                    step = walk(int64(fitness.tree.root + 1), 0, 0, 0)
             total += count_flags(met) - (LEAF - size)
     if total > 0:
         atomic_add(counts, i // runs, total)
@@ -297,12 +300,12 @@ def move_points_kernel(fitness: PoseFitness, poses: array(dtype=mat44d), moved: 
 def sum_matches(fitness: PoseFitness, nearest: array(dtype=int64)) -> match_sums:
     """The sums that fit_pose takes over the points and their nearest, then that of their squared distances [m^2]."""
     i = tid()
-    out = match_sums(float64(0.0))
+    out = match_sums(0.0)
     key = nearest[i]
     if key != int64(NO_POINT):
         p = widen(fitness.source[i]) - widen(fitness.source_middle)
         q = widen(fitness.target[key_index(key)]) - widen(fitness.target_middle)
-        s = sums_of_pair(p, q, float64(1.0))
+        s = sums_of_pair(p, q, 1.0)
         for k in range(SUMS):
             out[k] = s[k]
         out[SUMS] = float64(key_number(key))
@@ -323,20 +326,20 @@ def judge_matches_kernel(sums: array(dtype=match_sums), limit: float64, with_sca
         course.costs[i] = cost
         course.left[i] = course.left[i] - 1
         if course.left[i] > 0 and total[0] >= float64(FEWEST):
-            s = pair_sums(float64(0.0))
+            s = pair_sums(0.0)
             for k in range(SUMS):
                 s[k] = total[k]
             course.poses[i] = fit_pose(s, with_scaling)
             course.running[i] = 1
 
 
-def middle_of(low, high):
+def middle_of(low: np.ndarray, high: np.ndarray) -> np.ndarray:
     """The middle of a box, float32 [3]; zero where it is empty."""
     if not np.isfinite(low).all():
         return np.zeros(3, np.float32)
     return (0.5 * (low.astype(np.float64) + high)).astype(np.float32)
 
 
-def half_diagonal(low, high):
+def half_diagonal(low: np.ndarray, high: np.ndarray) -> float:
     """Half the diagonal of a box; zero where it is empty."""
     return 0.5 * float(np.linalg.norm(high.astype(np.float64) - low)) if np.isfinite(low).all() else 0.0

@@ -8,10 +8,13 @@ point and 128 B a surviving pose are written.
 """
 
 import math
+from collections.abc import Sequence
 from functools import cached_property
+from typing import Any
 
 from ..algebra.rigid_solve import fit_pose, move, pair_sums, sums_of_pair, turn
 from ..algebra.transform import widen
+from ..array_types import Integers, Poses, Vectors
 from ..arrays.random import random_below, random_bits
 from ..arrays.select import positions_of
 from ..lang import (
@@ -22,7 +25,6 @@ from ..lang import (
     atomic_add,
     ballot,
     bit_count,
-    cuda_func,
     dot,
     float32,
     float64,
@@ -68,7 +70,13 @@ class Checks:
     cosine: float64
     rotation: vec3d
 
-    def __init__(self, similarity=0.0, distance=math.inf, cosine=-math.inf, rotation=(math.inf,) * 3):
+    def __init__(
+        self,
+        similarity: float = 0.0,
+        distance: float = math.inf,
+        cosine: float = -math.inf,
+        rotation: tuple[float, ...] = (math.inf,) * 3,
+    ) -> None:
         self.similarity, self.distance, self.cosine, self.rotation = similarity, distance, cosine, rotation
 
 
@@ -96,18 +104,22 @@ class Samples:
     rows: array(dtype=int32)
     kept: array(dtype=uint8)
 
-    def __init__(self, pairs, size, count, checks, seed, first=0):
+    def __init__(
+        self, pairs: PairCoordinates, size: int, count: int, checks: Checks, seed: int, first: int = 0
+    ) -> None:
         device = pairs.device
         self.pairs, self.size, self.rows = pairs, size, empty(count * size, int32, device)
         self.kept = empty(count, uint8, device)
         launch(draw_samples_kernel, count, [self, checks, seed, first])
 
     @cached_property
-    def similar(self):
+    def similar(self) -> Integers:
         """The samples whose lengths agree, int32 device array. One sync."""
         return positions_of(self.kept)
 
-    def fit(self, checks, normals, with_scaling, chosen=None):
+    def fit(
+        self, checks: Checks, normals: Sequence[Vectors], with_scaling: bool, chosen: Any = None
+    ) -> tuple[Poses, Integers]:
         """The poses of samples, mat44d [k], and their scores, int32 [k]: 0, or REFUSED, where there is no pose.
 
         Args:
@@ -129,7 +141,7 @@ def keep_lengths(p: vec3d, q: vec3d, other_p: vec3d, other_q: vec3d, similarity:
     a = dot(u, u)
     b = dot(v, v)
     least = similarity * similarity
-    return 0 if a < least * b or b < least * a or a == float64(0.0) or b == float64(0.0) else 1
+    return 0 if a < least * b or b < least * a or a == 0.0 or b == 0.0 else 1
 
 
 @kernel
@@ -140,14 +152,14 @@ def draw_samples_kernel(samples: Samples, checks: Checks, seed: int, first: int)
     """
     i = tid()
     base = i * samples.size
-    similar = int(1)
+    similar = 1
     for j in range(samples.size):
         if similar == 1:
             last = samples.pairs.count - samples.size + j
             drawn = random_below(random_bits(seed, first + i, j), last + 1)
             for earlier in range(base, base + j):
                 if samples.rows[earlier] == drawn:
-                    drawn = last + 0
+                    drawn = last
             samples.rows[base + j] = drawn
             p = source_point(samples.pairs, drawn)
             q = target_point(samples.pairs, drawn)
@@ -164,7 +176,7 @@ def draw_samples_kernel(samples: Samples, checks: Checks, seed: int, first: int)
 def turns_within(pose: mat44d, scale: float64, limits: vec3d) -> int:
     """1 where none of the angles [rad] of a rotation Rz Ry Rx is larger than its limit."""
     x = abs(atan2(pose[2, 1], pose[2, 2]))
-    y = abs(asin(max(min(pose[2, 0] / scale, float64(1.0)), float64(-1.0))))
+    y = abs(asin(max(min(pose[2, 0] / scale, 1.0), -1.0)))
     z = abs(atan2(pose[1, 0], pose[0, 0]))
     return 1 if x <= limits[0] and y <= limits[1] and z <= limits[2] else 0
 
@@ -188,20 +200,20 @@ def fit_samples_kernel(
 ):
     """The pose of each chosen sample whose lengths agree; its score is 0, or REFUSED where a check refuses it."""
     i = tid()
-    if samples.kept[chosen[i]] == uint8(0):
+    if samples.kept[chosen[i]] == 0:
         scores[i] = REFUSED
         return
     base = chosen[i] * samples.size
     middle_p = source_point(samples.pairs, samples.rows[base])
     middle_q = target_point(samples.pairs, samples.rows[base])
-    s = pair_sums(float64(0.0))
+    s = pair_sums(0.0)
     for j in range(base, base + samples.size):  # about the first point: the sums of a small sample lose no digits
         p = source_point(samples.pairs, samples.rows[j]) - middle_p
         q = target_point(samples.pairs, samples.rows[j]) - middle_q
-        s += sums_of_pair(p, q, float64(1.0))
+        s += sums_of_pair(p, q, 1.0)
     pose = fit_pose(s, with_scaling)
     scale = scale_of(pose)
-    score = int(0)
+    score = 0
     if scale * scale * s[16] < float64(COLLAPSED * COLLAPSED) * s[17]:
         score = REFUSED
     shift = middle_q - turn(pose, middle_p)
@@ -220,6 +232,29 @@ def fit_samples_kernel(
         score = REFUSED
     poses[i] = pose
     scores[i] = score
+
+
+@func
+def narrow_pose(pose: mat44d) -> pose_numbers:
+    """Nine numbers of a pose's matrix, then three of its translation, in float32."""
+    d = pose_numbers(0.0)
+    for row in range(3):
+        for column in range(3):
+            d[3 * row + column] = float(pose[row, column])
+        d[9 + row] = float(pose[row, 3])
+    return d
+
+
+@func
+def paired_sqdist(j: int, pose: pose_numbers, pairs: PairCoordinates) -> float:
+    """The squared distance between the points of a pair under a pose."""
+    px = pairs.coordinates[j]
+    py = pairs.coordinates[pairs.count + j]
+    pz = pairs.coordinates[2 * pairs.count + j]
+    x = pose[0] * px + pose[1] * py + pose[2] * pz + pose[9] - pairs.coordinates[3 * pairs.count + j]
+    y = pose[3] * px + pose[4] * py + pose[5] * pz + pose[10] - pairs.coordinates[4 * pairs.count + j]
+    z = pose[6] * px + pose[7] * py + pose[8] * pz + pose[11] - pairs.coordinates[5 * pairs.count + j]
+    return x * x + y * y + z * z
 
 
 @kernel
@@ -243,44 +278,15 @@ def score_poses_kernel(
         last = min(first + size_of_block, pairs.count)
         for k in range(size):
             if scores[start + k] != REFUSED:
-                pose = poses[start + k]
-                r00 = float(pose[0, 0])
-                r01 = float(pose[0, 1])
-                r02 = float(pose[0, 2])
-                r10 = float(pose[1, 0])
-                r11 = float(pose[1, 1])
-                r12 = float(pose[1, 2])
-                r20 = float(pose[2, 0])
-                r21 = float(pose[2, 1])
-                r22 = float(pose[2, 2])
-                tx = float(pose[0, 3])
-                ty = float(pose[1, 3])
-                tz = float(pose[2, 3])
-                found = int(0)
+                pose = narrow_pose(poses[start + k])
+                found = 0
                 for j in range(first, last):
-                    px = pairs.coordinates[j]
-                    py = pairs.coordinates[pairs.count + j]
-                    pz = pairs.coordinates[2 * pairs.count + j]
-                    x = r00 * px + r01 * py + r02 * pz + tx - pairs.coordinates[3 * pairs.count + j]
-                    y = r10 * px + r11 * py + r12 * pz + ty - pairs.coordinates[4 * pairs.count + j]
-                    z = r20 * px + r21 * py + r22 * pz + tz - pairs.coordinates[5 * pairs.count + j]
-                    if x * x + y * y + z * z < limit:
+                    if paired_sqdist(j, pose, pairs) < limit:
                         found += 1
                 totals[k] = totals[k] + found
     for k in range(size):
         if totals[k] > 0:
             atomic_add(scores, start + k, totals[k])
-
-
-@cuda_func
-def narrow_pose(pose: mat44d) -> pose_numbers:
-    """Nine numbers of a pose's matrix, then three of its translation, in float32."""
-    d = pose_numbers(0.0)
-    for row in range(3):
-        for column in range(3):
-            d[3 * row + column] = float(pose[row, column])
-        d[9 + row] = float(pose[row, 3])
-    return d
 
 
 @score_poses_kernel.on_cuda
@@ -301,30 +307,19 @@ def score_in_lanes_kernel(
     for k in range(start, min(start + GROUP, poses.shape[0])):
         if scores[k] != REFUSED:
             pose = narrow_pose(poses[k])
-            found = int(0)
+            found = 0
             for turn in range((last - first + WARP - 1) // WARP):
                 j = first + turn * WARP + lane()
-                is_near = int(0)
+                is_near = 0
                 if j < last:
-                    p = vec3(
-                        pairs.coordinates[j],
-                        pairs.coordinates[pairs.count + j],
-                        pairs.coordinates[2 * pairs.count + j],
-                    )
-                    x = pose[0] * p[0] + pose[1] * p[1] + pose[2] * p[2] + pose[9]
-                    y = pose[3] * p[0] + pose[4] * p[1] + pose[5] * p[2] + pose[10]
-                    z = pose[6] * p[0] + pose[7] * p[1] + pose[8] * p[2] + pose[11]
-                    x = x - pairs.coordinates[3 * pairs.count + j]
-                    y = y - pairs.coordinates[4 * pairs.count + j]
-                    z = z - pairs.coordinates[5 * pairs.count + j]
-                    if x * x + y * y + z * z < limit:
+                    if paired_sqdist(j, pose, pairs) < limit:
                         is_near = 1
                 found += bit_count(ballot(is_near))
             if lane() == 0 and found > 0:
                 atomic_add(scores, k, found)  # whole sums, in any order
 
 
-def score_poses(pairs, poses, distance, scores):
+def score_poses(pairs: PairCoordinates, poses: Poses, distance: float, scores: Integers) -> None:
     """Count the correspondences closer than `distance` [m] under each pose into `scores`, but for those REFUSED.
 
     Args:

@@ -6,30 +6,23 @@ host at a few numbers, however many hypotheses it has; two more where poses have
 """
 
 import math
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from ..array_types import AnyArray, Array2, Integers, Points, Poses
 from ..arrays.side_by_side import SideBySide
 from ..arrays.sort import argsort_keys, positions
-from ..lang import (
-    array,
-    ballot,
-    float64,
-    func,
-    int32,
-    int64,
-    kernel,
-    launch,
-    mat44d,
-    sync_lanes,
-    tid,
-    vector,
-)
+from ..lang import array, ballot, float64, func, int32, int64, kernel, launch, mat44d, sync_lanes, tid, vector
 from ..memory import download, empty, upload, zeros
 from ..search.tree_walk import lowest_bit
 from ..segmentation.plane_fit import samples_needed
 from .pair_fits import PairCoordinates
-from .pose_hypotheses import REFUSED, Samples, score_poses
+from .pose_hypotheses import REFUSED, Checks, Samples, score_poses
+
+if TYPE_CHECKING:
+    from .pose_fitness import PoseFitness
 
 FIRST_ROUND, LEAST_ROUND, MOST_ROUND = 4096, 1024, 16384  # hypotheses between two looks at the best
 SCORED = 4096  # correspondences that rank the hypotheses of a round; with 1 % right 40 of them agree with a right one
@@ -53,7 +46,7 @@ def rank_keys_kernel(scores: array(dtype=int32), most: int, keys: array(dtype=in
 @func
 def probe_of(pose: mat44d, size: float64) -> probe:
     """Where a pose brings the source's middle, and the points at a distance from there along the axes."""
-    p = probe(float64(0.0))
+    p = probe(0.0)
     for row in range(3):
         p[row] = pose[row, 3]
         for axis in range(3):
@@ -73,7 +66,7 @@ def lies_apart(p: probe, k: int, probes: array(dtype=float64), limit: float64) -
         square = x * x + y * y + z * z
         farthest = max(farthest, square)
         total += square
-    return 1 if farthest > limit and total >= float64(0.0) else 0  # a total that is not a number comes of such a pose
+    return 1 if farthest > limit and total >= 0.0 else 0  # a total that is not a number comes of such a pose
 
 
 @kernel
@@ -93,17 +86,17 @@ def keep_apart_kernel(
     first pose.
     """
     i = tid()
-    found = int(0)
+    found = 0
     ranked = min(order.shape[0], RANKED)
-    k = int(0)
+    k = 0
     while k < ranked and found < KEPT:
         row = order[k]
         k += 1
         if scores[row] == REFUSED:
-            k = ranked + 0
+            k = ranked
         else:
             p = probe_of(poses[row], size)
-            apart = int(1)
+            apart = 1
             for j in range(found):
                 if apart == 1:
                     apart = lies_apart(p, j, probes, limit)
@@ -131,12 +124,12 @@ def keep_apart_in_lanes_kernel(
 ):
     """The same with a warp, whose lanes look at 32 poses at a time."""
     i = tid()
-    found = int(0)
+    found = 0
     ranked = min(order.shape[0], RANKED)
-    head = int(0)
+    head = 0
     while head < ranked and found < KEPT:
-        row = int(-1)
-        p = probe(float64(0.0))
+        row = -1
+        p = probe(0.0)
         if head + i < ranked:
             row = order[head + i]
             if scores[row] == REFUSED:
@@ -183,7 +176,7 @@ def mark_contenders_kernel(
         best = max(best, scores[k, 0])
     contender = 1 if i < kept_count[0] and scores[i, 0] >= float64(CONTENDER) * best else 0
     for k in range(i):
-        alike = int(1)
+        alike = 1
         for row in range(4):
             for column in range(4):
                 if poses[k][row, column] != poses[i][row, column]:
@@ -205,14 +198,16 @@ class FoundPose:
         confident: Whether the search ended because a better pose was unlikely.
     """
 
-    def __init__(self):
-        self.pose, self.count, self.squares, self.inliers, self.drawn, self.confident = None, -1, None, 0, 0, False
+    def __init__(self) -> None:
+        self.pose: Any = None
+        self.squares: Any = None
+        self.count, self.inliers, self.drawn, self.confident = -1, 0, 0, False
 
 
 class PoseSearch:
     """The search for the pose under which most source points have a target point near them."""
 
-    def __init__(self, fitness, source, target, pairs):
+    def __init__(self, fitness: "PoseFitness", source: Points, target: Points, pairs: Array2[int32]) -> None:
         """Prepare a search.
 
         Args:
@@ -236,7 +231,17 @@ class PoseSearch:
         self._kept, self._kept_count = upload(values["best"][0], mat44d, self.device), zeros(1, int32, self.device)
         self._probes = empty(KEPT * PROBE, float64, self.device)
 
-    def find(self, distance, sample_size, checks, normals, most, confidence, with_scaling, seed):
+    def find(
+        self,
+        distance: float,
+        sample_size: int,
+        checks: Checks,
+        normals: Sequence[AnyArray],
+        most: int,
+        confidence: float,
+        with_scaling: bool,
+        seed: int,
+    ):
         """The best of `most` hypotheses at most; of equal counts the one with the smaller distances.
 
         Args:
@@ -264,7 +269,17 @@ class PoseSearch:
             found.pose, found.count, found.squares = self.fitness.refine(pose, distance, LAST_FITS, with_scaling)
         return found
 
-    def _round(self, found, size, distance, sample_size, checks, normals, with_scaling, seed):
+    def _round(
+        self,
+        found: FoundPose,
+        size: int,
+        distance: float,
+        sample_size: int,
+        checks: Checks,
+        normals: Sequence[AnyArray],
+        with_scaling: bool,
+        seed: int,
+    ) -> None:
         samples = Samples(self.pairs, sample_size, size, checks, seed, found.drawn)
         # on CUDA the others are looked at too: to leave them out would be a wait
         chosen = positions(size, self.device) if self.device.is_cuda else samples.similar
@@ -286,7 +301,7 @@ class PoseSearch:
         poses, inliers = states["best"][rows].copy(), states["inliers"][rows, 0].astype(int)
         self._contest(found, poses, inliers, states["counts"][rows].copy(), distance)
 
-    def _keep_apart(self, poses, scores, distance):
+    def _keep_apart(self, poses: Poses, scores: Integers, distance: float) -> int:
         """Keep the best poses that are unlike each other; how many are to be looked at, all on CUDA."""
         keys = empty(scores.size, int64, self.device)
         most = self.ranking.count
@@ -297,7 +312,9 @@ class PoseSearch:
         launch(keep_apart_kernel, threads, [poses, scores, order, *limits])
         return KEPT if self.device.is_cuda else int(download(self._kept_count)[0])
 
-    def _contest(self, found, poses, inliers, counts, distance):
+    def _contest(
+        self, found: FoundPose, poses: np.ndarray, inliers: np.ndarray, counts: np.ndarray, distance: float
+    ) -> None:
         """Take the best of some poses where it beats the best so far."""
         if len(poses) == 0:
             return
@@ -316,6 +333,6 @@ class PoseSearch:
                     continue
             found.pose, found.count, found.squares, found.inliers = poses[row], top, squares, int(inliers[row])
 
-    def _squares(self, pose, distance):
+    def _squares(self, pose: Any, distance: float):
         sums = self.fitness.match(upload(pose[None], mat44d, self.device), distance)
         return float(download(sums)[0][-1])  # sync: only where poses have as many matches as another

@@ -7,6 +7,7 @@ depends on the seed alone. 12 B a triple are written.
 
 import numpy as np
 
+from ..array_types import Integers
 from ..arrays.random import random_below, random_bits
 from ..arrays.select import positions_of
 from ..lang import array, dot, float64, func, int32, kernel, launch, sqrt, tid, uint8, vec3d
@@ -37,7 +38,7 @@ def test_tuples_kernel(
     i = tid()
     for j in range(TRIPLE):
         tuples[i, j] = random_below(random_bits(seed, first + i, j), pairs.count)
-    similar = int(1)
+    similar = 1
     for j in range(TRIPLE):
         row = tuples[i, j]
         other = tuples[i, (j + 1) % TRIPLE]
@@ -55,7 +56,7 @@ def list_tuples_kernel(tuples: array(dtype=int32, ndim=2), chosen: array(dtype=i
     rows[i] = tuples[chosen[i // TRIPLE], i % TRIPLE]
 
 
-def similar_tuples(pairs, seed, trials, ratio, most):
+def similar_tuples(pairs: PairCoordinates, seed: int, trials: int, ratio: float, most: int) -> Integers:
     """The rows of a PairCoordinates in the first triples that pass, int32 device array [3 t], t <= `most`.
 
     A correspondence may come several times, which is its weight. Triples of equal points never pass. One sync a batch.

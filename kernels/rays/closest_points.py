@@ -3,7 +3,12 @@
 Each query is measured once more against the triangle that nearest_triangle.py found, in float64.
 """
 
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
 from ..algebra.transform import Transform, narrow, transform_point, widen
+from ..array_types import Doubles, Points, Scalars
 from ..lang import (
     NAN,
     array,
@@ -26,6 +31,10 @@ from ..meshes.mesh_measures import triangle_cross, unit_or_up
 from ..meshes.pseudonormals import Pseudonormals, side_of_part
 from .nearest_triangle import NearestTriangles
 from .point_triangle import measure_triangle, point_at
+from .triangle_tree import TriangleTree
+
+if TYPE_CHECKING:
+    pass
 
 INSIDE_OUT = 0.5  # of a winding number: halfway between outside and once around
 
@@ -44,7 +53,7 @@ class ClosestPoints:
     uvs: array(dtype=vec2)
     normals: array(dtype=vec3)
 
-    def __init__(self, queries):
+    def __init__(self, queries: Points) -> None:
         device, n = queries.device, queries.size
         self.points, self.uvs = full(n, vec3(NAN, NAN, NAN), vec3, device), zeros(n, vec2, device)
         self.normals = zeros(n, vec3, device)
@@ -93,10 +102,10 @@ def find_sides_kernel(
     found = measure_row(q, sides.vertices, sides.triangles, triangle)
     t = sides.triangles[triangle]
     point = point_at(sides.vertices[t[0]], sides.vertices[t[1]], sides.vertices[t[2]], found[0], found[1])
-    if found[2] == float64(0.0):
+    if found[2] == 0.0:
         point = widen(sides.vertices[t[0]])  # of the same plane, without rounding
-    if side_of_part(widen(q) - point, triangle, int(found[2]), sides) < float64(0.0):
-        numbers[i] = float64(1.0)
+    if side_of_part(widen(q) - point, triangle, int(found[2]), sides) < 0.0:
+        numbers[i] = 1.0
 
 
 @kernel
@@ -117,7 +126,7 @@ def sign_distances_kernel(
     distances[i] = distance
 
 
-def describe(queries, tree, nearest, mesh, place, closest):
+def describe(queries: Points, tree: TriangleTree, nearest: Any, mesh: int, place: np.ndarray, closest: Any) -> None:
     """Enter the closest points of the queries whose nearest triangle is one mesh's.
 
     Args:
@@ -132,7 +141,7 @@ def describe(queries, tree, nearest, mesh, place, closest):
     launch(describe_closest_kernel, queries.size, [queries, *mesh_arrays, nearest, mesh, Transform(place), closest])
 
 
-def find_sides(queries, nearest, sides):
+def find_sides(queries: Points, nearest: Any, sides: Any):
     """float64 [n], 1 for queries inside a closed mesh, given its Pseudonormals, else 0."""
     numbers = zeros(queries.size, float64, queries.device)
     launch(find_sides_kernel, queries.size, [queries, nearest, sides, numbers])
@@ -149,14 +158,14 @@ def mark_inside_kernel(distances: array(dtype=float32), inside: array(dtype=floa
     inside[i] = mark
 
 
-def mark_inside(distances):
+def mark_inside(distances: Scalars):
     """float32 [n], 1 where signed distances say inside or on the surface, else 0; NaN where they are."""
     inside = empty(distances.size, float32, distances.device)
     launch(mark_inside_kernel, inside.size, [distances, inside])
     return inside
 
 
-def sign_distances(queries, sqdists, numbers):
+def sign_distances(queries: Points, sqdists: Doubles, numbers: Doubles):
     """float32 [n], the roots of squared distances, negative where the winding number is beyond a half."""
     distances = empty(queries.size, float32, queries.device)
     launch(sign_distances_kernel, queries.size, [queries, sqdists, numbers, distances])

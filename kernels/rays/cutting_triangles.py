@@ -10,38 +10,20 @@ written a pair.
 
 import math
 from fractions import Fraction
+from typing import Any
 
 from ..algebra.plain_min_max import larger, smaller
+from ..array_types import Bytes, Cells, Points, Triangles
 from ..arrays.bounds import bound_points
 from ..arrays.lowest_bit import lowest_bit
 from ..arrays.prefix_sum import exclusive_scan
 from ..arrays.select import gather_rows, positions_of
-from ..lang import (
-    array,
-    float32,
-    func,
-    int32,
-    isfinite,
-    kernel,
-    launch,
-    partial,
-    tid,
-    uint8,
-    vec3,
-    vec3i,
-)
+from ..lang import array, float32, func, int32, isfinite, kernel, launch, partial, tid, uint8, vec3, vec3i
 from ..memory import empty
 from ..search.bucket_walk import children_in_reach, next_step, start_walk, walk
 from ..search.point_tree import FAN, measure_boxes
 from .triangle_meeting import APART, MEETING, are_parted, plane_sides, triangles_meet
-from .triangle_sides import (
-    UNSURE,
-    ExactSides,
-    exact_side_of_line,
-    exact_side_of_plane,
-    side_of_line,
-    side_of_plane,
-)
+from .triangle_sides import UNSURE, ExactSides, exact_side_of_line, exact_side_of_plane, side_of_line, side_of_plane
 from .triangle_tree import LEAF, LEAF_NUMBERS, TriangleTree
 
 PART = 2**16  # pairs a launch that are tested exactly: each thread has scratch memory
@@ -50,10 +32,10 @@ PART = 2**16  # pairs a launch that are tested exactly: each thread has scratch 
 @func
 def lanes_touching(corners: array(dtype=float32), leaf: int, a: vec3, b: vec3) -> int:
     """A byte: bit j is set where the box of a leaf's triangle j touches the box (a, b)."""
-    found = int(0)
+    found = 0
     at = leaf * LEAF_NUMBERS
     for j in range(LEAF):
-        apart = float(0.0)
+        apart = 0.0
         for axis in range(3):
             x = corners[at + axis * LEAF + j]
             y = corners[at + (3 + axis) * LEAF + j]
@@ -73,7 +55,7 @@ def next_bucket_touching(step: walk, a: vec3, b: vec3, tree: TriangleTree) -> wa
 @func
 def share_vertex(s: vec3i, t: vec3i) -> int:
     """1 where two triangles have a vertex in common."""
-    shared = int(0)
+    shared = 0
     for k in range(3):
         if s[k] == t[0] or s[k] == t[1] or s[k] == t[2]:
             shared = 1
@@ -89,7 +71,7 @@ def same_place(p: vec3, q: vec3) -> int:
 @func
 def look_at_pair(vertices: array(dtype=vec3), s: vec3i, t: vec3i) -> int:
     """APART where a triangle lies on one side of the other, MEETING where two corners lie at one place, else UNSURE."""
-    same = int(0)
+    same = 0
     pairs = int(9)
     for k in range(pairs):
         same += same_place(vertices[s[k // 3]], vertices[t[k % 3]])
@@ -117,7 +99,7 @@ def find_partners(
 
     Where `within` is 1 the tree is that of the triangle's own mesh, and those of higher number count.
     """
-    count = int(0)
+    count = 0
     s = triangles[i]
     p = vertices[s[0]]
     q = vertices[s[1]]
@@ -140,7 +122,7 @@ def find_partners(
                         if ((touching >> lane) & 1) == 1 and place < tree.count:
                             other = tree.order[place]
                             t = others[other]
-                            wanted = int(1)
+                            wanted = 1
                             if within == 1:
                                 wanted = 1 if other > i and share_vertex(s, t) == 0 else 0
                             if wanted == 1:
@@ -256,21 +238,21 @@ def shift_triangles_kernel(triangles: array(dtype=vec3i), step: int, shifted: ar
     shifted[i] = triangles[i] + vec3i(step, step, step)
 
 
-def shift_triangles(triangles, step):
+def shift_triangles(triangles: Triangles, step: int):
     """Triangles whose vertices stand `step` rows further back, as after those of another mesh."""
     shifted = empty(triangles.size, vec3i, triangles.device)
     launch(shift_triangles_kernel, triangles.size, [triangles, step, shifted])
     return shifted
 
 
-def rows_of(verdicts, wanted):
+def rows_of(verdicts: Bytes, wanted: int):
     """Where a verdict is the one wanted, int32."""
     mask = empty(verdicts.size, uint8, verdicts.device)
     launch(mark_verdicts_kernel, verdicts.size, [verdicts, wanted, mask])
     return positions_of(mask)  # sync
 
 
-def exact_sides(vertices, threads):
+def exact_sides(vertices: Any, threads: int):
     """ExactSides of vertices, those that are not finite aside; two syncs."""
     unit = lowest_bit(vertices)
     low, high, _ = bound_points(vertices)
@@ -278,7 +260,7 @@ def exact_sides(vertices, threads):
     return ExactSides(vertices, unit, max(1, math.ceil(max(sides) / Fraction(2) ** unit)), threads)
 
 
-def find_meeting_pairs(tree, vertices, triangles, others, *, within):
+def find_meeting_pairs(tree: TriangleTree, vertices: Points, triangles: Triangles, others: Cells, *, within: Any):
     """The pairs of triangles that have a point in common.
 
     Args:
@@ -299,7 +281,8 @@ def find_meeting_pairs(tree, vertices, triangles, others, *, within):
     nowhere = [empty(1, int32, device), empty(1, uint8, device)]
     launch(count_partners_kernel, count, [*search, *nowhere, counts])
     offsets, total = exclusive_scan(counts)  # sync
-    owners, partners, verdicts = (empty(total, kind, device) for kind in (int32, int32, uint8))
+    owners, partners = empty(total, int32, device), empty(total, int32, device)
+    verdicts = empty(total, uint8, device)
     if total:
         launch(list_partners_kernel, count, [*search, offsets, owners, partners, verdicts])
         rows = rows_of(verdicts, UNSURE)
@@ -314,6 +297,6 @@ def find_meeting_pairs(tree, vertices, triangles, others, *, within):
     return gather_rows(owners, rows), gather_rows(partners, rows)
 
 
-def meet_anywhere(tree, vertices, triangles):
+def meet_anywhere(tree: TriangleTree, vertices: Any, triangles: Triangles):
     """Whether two triangles of a mesh without a common vertex meet."""
     return find_meeting_pairs(tree, vertices, triangles, triangles, within=True)[0].size > 0

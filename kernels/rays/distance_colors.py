@@ -1,5 +1,6 @@
 """Colours for distances: from dark blue over green to yellow, five colours of viridis with straight lines between."""
 
+from ..array_types import Doubles
 from ..lang import array, float64, isfinite, kernel, launch, tid, vec3
 from ..memory import empty
 
@@ -13,7 +14,7 @@ def color_distances_kernel(distances: array(dtype=float64), largest: float, colo
     d = float(distances[i])
     color = vec3(0.5, 0.5, 0.5)
     if isfinite(d):
-        share = float(0.0)
+        share = 0.0
         if largest > 0.0:
             share = min(d / largest, 1.0)
         place = share * float(STEPS)
@@ -34,7 +35,7 @@ def color_distances_kernel(distances: array(dtype=float64), largest: float, colo
     colors[i] = color
 
 
-def color_distances(distances, largest):
+def color_distances(distances: Doubles, largest: float):
     """The colours of float64 distances, vec3 in 0..1."""
     colors = empty(distances.size, vec3, distances.device)
     launch(color_distances_kernel, distances.size, [distances, largest, colors])

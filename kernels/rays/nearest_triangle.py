@@ -17,11 +17,13 @@ About 5,000 operations a query of a mesh of 70k triangles; 12 B read and 4 B wri
 """
 
 import math
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from ..algebra.plain_min_max import larger, smaller
 from ..algebra.transform import widen
+from ..array_types import Points
 from ..arrays.bounds import bound_points
 from ..lang import (
     INFINITY,
@@ -46,6 +48,9 @@ from ..search.hilbert_order import HilbertCurve, argsort_along
 from ..search.point_tree import FAN, LARGEST_SQDIST, measure_boxes
 from .point_triangle import measure_triangle
 from .triangle_tree import LEAF, LEAF_NUMBERS, TriangleTree, leaf_corner
+
+if TYPE_CHECKING:
+    pass
 
 ERROR = 4e-6  # 64 roundings of float32
 FLAT = 1e-30  # squared area, in units of a triangle of usual size, below which float32 knows no foot
@@ -162,40 +167,40 @@ def measure_leaf(leaf: int, q: vec3, tree: TriangleTree, scale: float, best: vec
     for j in range(1, LEAF):
         shortest = smaller(bounds[j], shortest)
     least = smaller(shortest, reach_of(best[0]))  # rounded up
-    result = best + vec4d(float64(0.0), float64(0.0), float64(0.0), float64(0.0))
-    rivals = int(0)
-    only = int(0)
+    result = best + vec4d(0.0, 0.0, 0.0, 0.0)
+    rivals = 0
+    only = 0
     for j in range(LEAF):
         in_reach = 1 if bounds[LEAF + j] <= least else 0
         rivals += in_reach
         only = j if in_reach == 1 else only
-    holds = int(0)
-    if best[3] >= float64(0.0) and best[1] <= float64(shortest):
+    holds = 0
+    if best[3] >= 0.0 and best[1] <= float64(shortest):
         holds = 1
     if rivals == 1 and holds == 0:
         place = leaf * LEAF + only
-        result = vec4d(float64(bounds[only]), float64(bounds[LEAF + only]), float64(-1.0), float64(place))
+        result = vec4d(float64(bounds[only]), float64(bounds[LEAF + only]), -1.0, float64(place))
     elif rivals > 0:
         if holds == 0:
-            result = vec4d(float64(LARGEST_SQDIST), float64(0.0), float64(LARGEST_SQDIST), float64(-1.0))
-        elif best[2] < float64(0.0):
+            result = vec4d(float64(LARGEST_SQDIST), 0.0, float64(LARGEST_SQDIST), -1.0)
+        elif best[2] < 0.0:
             result[2] = measure_place(q, int(best[3]), tree)
         lanes = int(LEAF)
         for j in range(lanes):
             if bounds[LEAF + j] <= least:
                 place = leaf * LEAF + j
                 sqdist = measure_place(q, place, tree)
-                nearer = int(0)
+                nearer = 0
                 if sqdist < result[2]:
                     nearer = 1
-                elif sqdist == result[2] and result[3] >= float64(0.0):
+                elif sqdist == result[2] and result[3] >= 0.0:
                     if tree.order[place] < tree.order[int(result[3])]:
                         nearer = 1
                 if nearer == 1:
                     result[2] = sqdist
                     result[3] = float64(place)
-        result[0] = result[2] + float64(0.0)
-        result[1] = result[2] + float64(0.0)
+        result[0] = result[2] + 0.0
+        result[1] = result[2] + 0.0
     return result
 
 
@@ -203,8 +208,8 @@ def measure_leaf(leaf: int, q: vec3, tree: TriangleTree, scale: float, best: vec
 def measure_bucket(node: int, q: vec3, tree: TriangleTree, scale: float, best: vec4d) -> vec4d:
     """The best so far after the leaves of a node of level 0, the nearest first."""
     distances = measure_boxes(tree.boxes, node, q, q)
-    result = best + vec4d(float64(0.0), float64(0.0), float64(0.0), float64(0.0))
-    searching = int(1)
+    result = best + vec4d(0.0, 0.0, 0.0, 0.0)
+    searching = 1
     while searching == 1:
         j = nearest_of(distances, BYTE)
         if distances[j] <= reach_of(result[0]):
@@ -218,7 +223,7 @@ def measure_bucket(node: int, q: vec3, tree: TriangleTree, scale: float, best: v
 @func
 def nearest_of(distances: lane_numbers, wanted: int) -> int:
     """The nearest of those children whose bits are set."""
-    nearest = int(0)
+    nearest = 0
     least = float(INFINITY)
     for j in range(FAN):
         closer = 1 if distances[j] < least else 0
@@ -231,22 +236,22 @@ def nearest_of(distances: lane_numbers, wanted: int) -> int:
 @func
 def find_nearest(q: vec3, tree: TriangleTree, scale: float, near: vec4d) -> vec4d:
     """The nearest triangle as `measure_leaf` has it, or `near` where none is nearer."""
-    best = near + vec4d(float64(0.0), float64(0.0), float64(0.0), float64(0.0))
-    level = tree.root + 0
-    node = int(0)
+    best = near + vec4d(0.0, 0.0, 0.0, 0.0)
+    level = tree.root
+    node = 0
     pending = int64(EVERY) << byte_place(level)  # a byte a level: children not yet looked into
     if level == 0:
         best = measure_bucket(0, q, tree, scale, best)
         level = 1
     while level <= tree.root:
         left = int(pending >> byte_place(level)) & BYTE
-        chosen = int(-1)
+        chosen = -1
         if left != 0:
             distances = measure_boxes(tree.boxes, tree.levels[level] + node, q, q)
             reach = reach_of(best[0])
             j = nearest_of(distances, left)
             if ((left >> j) & 1) == 1 and distances[j] <= reach:
-                chosen = j + 0
+                chosen = j
         if chosen < 0:
             pending = pending & ~(int64(EVERY) << byte_place(level))
             level += 1
@@ -277,7 +282,7 @@ class NearestTriangles:
     meshes: array(dtype=int32)
     triangles: array(dtype=int32)
 
-    def __init__(self, queries):
+    def __init__(self, queries: Points) -> None:
         """Nothing yet, for vec3 queries."""
         device, n = queries.device, queries.size
         self.sqdists = full(n, math.inf, float64, device)
@@ -285,7 +290,7 @@ class NearestTriangles:
         low, high, count = bound_points(queries)
         self.order = argsort_along(queries, HilbertCurve(low, high, CURVE_LEVELS, is_empty=not count))[1]
 
-    def look_into(self, tree, queries, mesh):
+    def look_into(self, tree: TriangleTree, queries: Points, mesh: int) -> None:
         """Go on in one more mesh; of equally near triangles the one of the earlier mesh, then of lower number, stays.
 
         Args:
@@ -316,8 +321,8 @@ def find_nearest_triangles_kernel(
         if tree.count > 0 and isfinite(q):
             least = nearest.sqdists[row]
             bound = min(least, float64(LARGEST_SQDIST))
-            best = find_nearest(q, tree, scale, vec4d(bound, float64(0.0), float64(-1.0), float64(-1.0)))
-            if best[3] >= float64(0.0):
+            best = find_nearest(q, tree, scale, vec4d(bound, 0.0, -1.0, -1.0))
+            if best[3] >= 0.0:
                 place = int(best[3])
                 sqdist = measure_place(q, place, tree)
                 if sqdist < least:
@@ -326,7 +331,7 @@ def find_nearest_triangles_kernel(
                     nearest.triangles[row] = tree.order[place]
 
 
-def scale_of(tree):
+def scale_of(tree: TriangleTree):
     """A power of two that brings the lengths of a tree's triangles near one."""
     extent = float((tree.high.astype(np.float64) - tree.low).max()) if tree.count else 0.0
     size = extent / math.sqrt(max(1, tree.count))

@@ -18,7 +18,7 @@ CORNER = 4
 @func
 def stands_before(a: vec3d, b: vec3d) -> int:
     """1 where the coordinates of a come before those of b."""
-    before = int(0)
+    before = 0
     if a[0] < b[0] or (a[0] == b[0] and (a[1] < b[1] or (a[1] == b[1] and a[2] < b[2]))):
         before = 1
     return before
@@ -31,26 +31,26 @@ def share_of_edge(p: vec3d, a: vec3d, b: vec3d) -> float64:
     whole = dot(b - a, b - a)
     share = float64(0.0)
     if along >= whole:
-        share = float64(1.0)
-    elif along > float64(0.0):
+        share = 1.0
+    elif along > 0.0:
         share = along / whole
-    return share if whole > float64(0.0) else float64(0.0)
+    return share if whole > 0.0 else 0.0
 
 
 @func
 def measure_edge(p: vec3d, a: vec3d, b: vec3d) -> vec2d:
     """How far along the edge from a to b the nearest point lies, 0..1, and its squared distance [m^2]."""
     swapped = stands_before(b, a)
-    tail = a + vec3d(float64(0.0), float64(0.0), float64(0.0))
-    head = b + vec3d(float64(0.0), float64(0.0), float64(0.0))
+    tail = a + vec3d(0.0, 0.0, 0.0)
+    head = b + vec3d(0.0, 0.0, 0.0)
     if swapped == 1:
-        tail = b + vec3d(float64(0.0), float64(0.0), float64(0.0))
-        head = a + vec3d(float64(0.0), float64(0.0), float64(0.0))
+        tail = b + vec3d(0.0, 0.0, 0.0)
+        head = a + vec3d(0.0, 0.0, 0.0)
     share = share_of_edge(p, tail, head)
     gap = p - (tail + (head - tail) * share)
-    if share == float64(1.0):
+    if share == 1.0:
         gap = p - head
-    return vec2d(float64(1.0) - share if swapped == 1 else share, dot(gap, gap))
+    return vec2d(1.0 - share if swapped == 1 else share, dot(gap, gap))
 
 
 @func
@@ -59,7 +59,7 @@ def measure_edges(p: vec3d, a: vec3d, b: vec3d, c: vec3d) -> vec4d:
     ab = measure_edge(p, a, b)
     bc = measure_edge(p, b, c)
     ca = measure_edge(p, c, a)
-    which = int(0)
+    which = 0
     share = ab[0]
     nearest = ab[1]
     if bc[1] < nearest:
@@ -71,13 +71,13 @@ def measure_edges(p: vec3d, a: vec3d, b: vec3d, c: vec3d) -> vec4d:
         share = ca[0]
         nearest = ca[1]
     part = EDGE + which
-    if share == float64(0.0):
+    if share == 0.0:
         part = CORNER + which
-    elif share == float64(1.0):
+    elif share == 1.0:
         part = CORNER + (which + 1) % 3
-    rest = float64(1.0) - share
-    second = share if which == 0 else (rest if which == 1 else float64(0.0))
-    third = float64(0.0) if which == 0 else (share if which == 1 else rest)
+    rest = 1.0 - share
+    second = share if which == 0 else (rest if which == 1 else 0.0)
+    third = 0.0 if which == 0 else (share if which == 1 else rest)
     return vec4d(second, third, float64(part), nearest)
 
 
@@ -110,4 +110,4 @@ def measure_triangle(p: vec3d, a: vec3d, b: vec3d, c: vec3d) -> vec4d:
 @func
 def point_at(a: vec3, b: vec3, c: vec3, second: float64, third: float64) -> vec3d:
     """The point with these weights of b and c."""
-    return widen(a) * (float64(1.0) - second - third) + widen(b) * second + widen(c) * third
+    return widen(a) * (1.0 - second - third) + widen(b) * second + widen(c) * third

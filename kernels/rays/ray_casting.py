@@ -7,8 +7,10 @@ A ray that is not finite, or has no direction, meets nothing.
 """
 
 import math
+from typing import Any
 
 from ..algebra.transform import narrow, widen
+from ..array_types import Device, Scalars
 from ..arrays.prefix_sum import exclusive_scan
 from ..lang import (
     INFINITY,
@@ -53,7 +55,7 @@ class RayHits:
     primitive_ids: array(dtype=int32)
     primitive_uvs: array(dtype=vec2)
 
-    def __init__(self, count, device):
+    def __init__(self, count: int, device: Device) -> None:
         self.t_hit = empty(count, float32, device)
         self.geometry_ids, self.primitive_ids = (empty(count, int32, device) for _ in range(2))
         self.primitive_uvs = empty(count, vec2, device)
@@ -120,8 +122,8 @@ def count_hits_kernel(rays: array(dtype=float32), trees: SceneTrees, counts: arr
     i = tid()
     o = ray_origin(rays, i)
     d = ray_direction(rays, i)
-    count = int(-1)
-    after = float64(BEFORE) + float64(0.0)
+    count = -1
+    after = float64(BEFORE)
     above = int(NO_ID)
     while isfinite(after):
         met = next_hit(o, d, max(float(after), 0.0), INFINITY, after, above, 0, trees)
@@ -144,7 +146,7 @@ def list_hits_kernel(
     i = tid()
     o = ray_origin(rays, i)
     d = ray_direction(rays, i)
-    after = float64(BEFORE) + float64(0.0)
+    after = float64(BEFORE)
     above = int(NO_ID)
     for j in range(offsets[i], offsets[i + 1]):
         met = next_hit(o, d, max(float(after), 0.0), INFINITY, after, above, 0, trees)
@@ -157,7 +159,7 @@ def list_hits_kernel(
         ray_ids[j] = i
 
 
-def cast_rays(trees, rays):
+def cast_rays(trees: Any, rays: Scalars):
     """The first triangle that each ray meets.
 
     Args:
@@ -173,21 +175,21 @@ def cast_rays(trees, rays):
     return hits, normals
 
 
-def test_occlusions(trees, rays, nearest=0.0, farthest=math.inf):
+def test_occlusions(trees: Any, rays: Scalars, nearest: float = 0.0, farthest: float = math.inf):
     """Whether each ray meets anything with a parameter from `nearest` to `farthest`: uint8 [n]."""
     occluded = empty(rays.size // 6, uint8, rays.device)
     launch(test_occlusions_kernel, occluded.size, [rays, nearest, farthest, trees, occluded])
     return occluded
 
 
-def count_hits(trees, rays):
+def count_hits(trees: Any, rays: Scalars):
     """How often each ray meets a place, int32 [n]."""
     counts = empty(rays.size // 6, int32, rays.device)
     launch(count_hits_kernel, counts.size, [rays, trees, counts])
     return counts
 
 
-def list_hits(trees, rays):
+def list_hits(trees: Any, rays: Scalars):
     """All that rays meet, by ray, then parameter, then number of the place.
 
     Returns:

@@ -33,7 +33,7 @@ hit = vector(5, float64)  # the parameter, the place's row, where the triangle s
 @func
 def no_hit() -> hit:
     """What is found where nothing is met."""
-    nothing = float64(0.0) + float64(0.0)
+    nothing = float64(0.0)
     return hit(float64(INFINITY), nothing, nothing, nothing, nothing)
 
 
@@ -74,7 +74,7 @@ def places_on_ray(o: vec3, d: vec3, nearest: float, farthest: float, trees: Scen
     rates = nothing
     a = nothing
     b = nothing
-    step = leaf_walk(int64(trees.place_root), int64(0), ~int64(0), int64(0))
+    step = leaf_walk(int64(trees.place_root), 0, ~int64(0), 0)
     if trees.place_count > 1:
         rates = rates_of(d, axes)
         margins = signed_margins(o, d, trees.low, trees.high, axes)
@@ -95,7 +95,7 @@ def places_on_ray(o: vec3, d: vec3, nearest: float, farthest: float, trees: Scen
     while int(step[3]) >= 0:
         row = int(step[3])
         yield row
-        step = leaf_walk(step[0], step[1], step[2], int64(-1))
+        step = leaf_walk(step[0], step[1], step[2], -1)
         if trees.place_count > 1 and farthest >= 0.0:
             step = next_leaf(
                 step,
@@ -129,7 +129,7 @@ def next_hit(
     """
     best = no_hit()
     if is_ray(o, d) == 1:
-        best_t = farthest + 0.0
+        best_t = farthest
         best_number = int(NOWHERE)
         best_triangle = int(NOWHERE)
         for row in places_on_ray(o, d, nearest, best_t, trees):

@@ -47,7 +47,7 @@ edge_weights = vector(2, float64)
 @func
 def find_main_axis(d: vec3) -> int:
     """The axis of the largest component."""
-    axis = int(0)
+    axis = 0
     if abs(d[1]) > abs(d[0]):
         axis = 1
     if abs(d[2]) > abs(d[axis]):
@@ -65,7 +65,7 @@ def ray_axes(d: vec3) -> vec3i:
 @func
 def is_ray(o: vec3, d: vec3) -> int:
     """1 where origin and direction are finite and the direction is not zero."""
-    found = int(0)
+    found = 0
     if isfinite(o) and isfinite(d):
         if max(abs(d[0]), max(abs(d[1]), abs(d[2]))) > 0.0:
             found = 1
@@ -145,7 +145,7 @@ def measure_entries(
 def first_entered(keys: entry_keys, left: int) -> int:
     """The smallest key of the children whose bits are set."""
     passed = BYTE ^ left
-    open_keys = keys + entry_keys(0)
+    open_keys = keys
     for j in range(FAN):
         open_keys[j] = NOT_ENTERED if ((passed >> j) & 1) == 1 else keys[j]
     a = min(min(open_keys[0], open_keys[1]), min(open_keys[2], open_keys[3]))
@@ -156,7 +156,7 @@ def first_entered(keys: entry_keys, left: int) -> int:
 @func
 def entered_bits(keys: entry_keys) -> int:
     """A byte: bit j is set where child j is entered."""
-    bits = keys + entry_keys(0)
+    bits = keys
     for j in range(FAN):
         bits[j] = ((keys[j] - NOT_ENTERED) >> 31) & (1 << j)
     return ((bits[0] | bits[1]) | (bits[2] | bits[3])) | ((bits[4] | bits[5]) | (bits[6] | bits[7]))
@@ -176,8 +176,8 @@ def leaves_on_ray(
     reach: float,
 ) -> int:
     """The leaves whose boxes a ray enters by `reach`, which the body may shrink; the nearest of siblings first."""
-    level = root + 0
-    node = int(0)
+    level = root
+    node = 0
     pending = ~int64(0)
     while level <= root:
         place = int64(FAN * max(level - 1, 0))
@@ -228,7 +228,7 @@ def next_leaf(
     level = int(step[0])
     node = int(step[1])
     pending = step[2]
-    leaf = int(-1)
+    leaf = -1
     while leaf < 0 and level <= root:
         place = int64(FAN * level)
         left = int(pending >> place) & BYTE
@@ -279,7 +279,7 @@ def lanes_met(corners: array(dtype=float32), leaf: int, o: vec3, axes: vec3i, sh
         w = bx * ay - by * ax
         # not negative where all three have one sign, or none
         sides[j] = larger(smaller(u, smaller(v, w)), -larger(u, larger(v, w)))
-    found = int(0)
+    found = 0
     for j in range(LEAF):
         found = found | ((1 << j) if sides[j] >= 0.0 else 0)
     return found
@@ -304,7 +304,7 @@ def weights_on_edge(ax: float, ay: float, bx: float, by: float) -> edge_weights:
         p = float64(by if swapped == 1 else ay)
         q = float64(ay if swapped == 1 else by)
     share = -p / (q - p)
-    rest = float64(1.0) - share
+    rest = 1.0 - share
     weights = edge_weights(rest, share)
     if swapped == 1:
         weights = edge_weights(share, rest)
@@ -333,7 +333,7 @@ def meet_triangle(
     cz = corners[z + 6 * LEAF] - oz
     cx = (corners[x + 6 * LEAF] - o[axes[0]]) - shear[0] * cz
     cy = (corners[y + 6 * LEAF] - o[axes[1]]) - shear[1] * cz
-    zero = float64(0.0) + float64(0.0)
+    zero = float64(0.0)
     u = cross_products(cx, cy, bx, by)
     v = cross_products(ax, ay, cx, cy)
     w = cross_products(bx, by, ax, ay)

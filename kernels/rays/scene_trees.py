@@ -7,6 +7,7 @@ mesh's arrays.
 """
 
 import itertools
+from typing import Any
 
 import numpy as np
 
@@ -52,14 +53,14 @@ class SceneTrees:
     low: vec3
     high: vec3
 
-    def __init__(self, trees, tree_of, poses):
+    def __init__(self, trees: Any, tree_of: Any, poses: Any) -> None:
         self.trees, self.device = trees, trees[0].device
         self.tree_of = np.asarray(tree_of, np.int64)
         for name, dtype in (("boxes", float32), ("corners", float32), ("order", int32)):
             setattr(self, name, _joined(trees, name, dtype))
         self.put(poses)
 
-    def put(self, poses):
+    def put(self, poses: Any) -> None:
         """Let the places have these poses, float64 [places, 4, 4]."""
         count = self.place_count = len(self.tree_of)
         motions = np.empty((count, MOTION))
@@ -93,7 +94,7 @@ class SceneTrees:
         return rows
 
 
-def _joined(trees, name, dtype):
+def _joined(trees: Any, name: str, dtype: Any):
     """One array of all trees, of which each tree's own becomes a part."""
     parts = [getattr(tree, name) for tree in trees]
     if len(parts) == 1:
@@ -107,7 +108,7 @@ def _joined(trees, name, dtype):
     return whole
 
 
-def _boxes_of_places(low, high, poses):
+def _boxes_of_places(low: np.ndarray, high: np.ndarray, poses: Any):
     """The boxes of meshes under their poses, larger by SLACK and rounded outwards to float32."""
     corners = np.stack([np.where(pick, high, low) for pick in itertools.product((False, True), repeat=3)], axis=1)
     empty_rows = ~np.isfinite(corners).all(axis=(1, 2))
@@ -120,7 +121,7 @@ def _boxes_of_places(low, high, poses):
     return a, b
 
 
-def _stacked_boxes(low, high):
+def _stacked_boxes(low: np.ndarray, high: np.ndarray):
     """The boxes of all levels above some boxes, float32 [SIDES a record], and where the levels begin, and end."""
     records, first = [], [0]
     while True:

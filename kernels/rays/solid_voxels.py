@@ -7,9 +7,12 @@ vertex crosses a closed surface an even number of times too. One thread a triang
 crossings. In float64; the same voxels on every device. 8 B a column of a triangle, about 30 B a crossing, 8 B a voxel.
 """
 
+from typing import Any
+
 import numpy as np
 
 from ..algebra.transform import widen
+from ..array_types import Points, Triangles
 from ..arrays.prefix_sum import exclusive_scan, sum_counts
 from ..arrays.sort import argsort_keys
 from ..lang import array, ceil, cross, float64, func, int32, int64, isfinite, kernel, launch, tid, vec3, vec3d, vec3i
@@ -35,13 +38,13 @@ def count_upright_columns_kernel(
         low = first_cells(a, b, c, frame)
         high = last_cells(a, b, c, frame)
         count = int64(max(high[0] - low[0] + 1, 0)) * int64(max(high[1] - low[1] + 1, 0))
-    counts[i] = int(min(count, int64(2147483647)))
+    counts[i] = int(min(count, 2147483647))
 
 
 @func
 def edge_is_right(a: vec3d, b: vec3d, x: float64, y: float64) -> int:
     """1 where an edge, seen along z, crosses the ray from (x, y) towards +x; the same for (a, b) and (b, a)."""
-    crosses = int(0)
+    crosses = 0
     if (a[1] > y) != (b[1] > y):
         low = a
         high = b
@@ -74,7 +77,7 @@ def cross_columns_kernel(
     high = last_cells(a, b, c, frame)
     rank = i - columns[owner]
     wide = high[1] - low[1] + 1
-    half = frame.size * float64(0.5)
+    half = frame.size * 0.5
     column = low[0] + rank // wide
     row = low[1] + rank % wide
     x = (frame.low[0] + half) + float64(column) * frame.size
@@ -85,11 +88,11 @@ def cross_columns_kernel(
     elif crossings % 2 == 1:
         n = cross(b - a, c - a)
         z = a[2]
-        if n[2] != float64(0.0):
+        if n[2] != 0.0:
             z = a[2] - (n[0] * (x - a[0]) + n[1] * (y - a[1])) / n[2]
         z = min(max(z, min(a[2], min(b[2], c[2]))), max(a[2], max(b[2], c[2])))
-        above = ceil((z - frame.low[2]) / frame.size - float64(0.5))
-        first = int(min(max(above, float64(0.0)), float64(frame.counts[2])))
+        above = ceil((z - frame.low[2]) / frame.size - 0.5)
+        first = int(min(max(above, 0.0), float64(frame.counts[2])))
         place = int64(column) * int64(frame.counts[1]) + int64(row)
         keys[crossed[i]] = place * int64(frame.counts[2] + 1) + int64(first)
 
@@ -111,7 +114,7 @@ def fill_pairs_kernel(
             keys[counts[i] + k - begin] = place * int64(depth) + int64(k)
 
 
-def inner_voxels(vertices, triangles, frame):
+def inner_voxels(vertices: Points, triangles: Triangles, frame: Any):
     """The keys of the voxels whose centres a closed surface encloses, int64 device array, each once; three syncs.
 
     Every edge of the surface belongs to two triangles; none has a corner that is not finite.

@@ -6,6 +6,7 @@ and coordinate, the coordinate in 2^16 steps of its run's box; equal ones keep t
 by number. At 70,000 points those are 14 sorts, where a Hilbert curve takes one; rays take two thirds of the time.
 """
 
+from ..array_types import Indices, Points
 from ..arrays.lanes import least_of_each, most_of_each
 from ..arrays.select import gather_rows, positions_of
 from ..arrays.sort import SortKeys, put_key
@@ -95,7 +96,7 @@ def bound_runs_by_lanes_kernel(
 @func
 def longest_side(low: array(dtype=float32), high: array(dtype=float32), run: int) -> int:
     """The axis along which a box is longest; the first of several."""
-    axis = int(0)
+    axis = 0
     for k in range(1, 3):
         if high[3 * run + k] - low[3 * run + k] > high[3 * run + axis] - low[3 * run + axis]:
             axis = k
@@ -118,13 +119,13 @@ def key_places_kernel(
     least = low[3 * run + axis]
     extent = high[3 * run + axis] - least
     p = points[order[i]]
-    step = int(0)
+    step = 0
     if extent > 0.0 and isfinite(extent):
         step = int((p[axis] - least) / extent * STEPS)
     put_key(i, (int64(run) << int64(STEP_BITS)) | int64(step), keys)
 
 
-def order_by_splits(points, unit):
+def order_by_splits(points: Points, unit: int) -> Indices:
     """The finite points in such an order, int32 [count]; one sync.
 
     Args:

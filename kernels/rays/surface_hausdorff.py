@@ -9,8 +9,10 @@ alike.) 60 B a piece.
 """
 
 import math
+from typing import Any
 
 from ..algebra.transform import narrow, widen
+from ..array_types import Doubles, Points, Triangles
 from ..arrays.select import positions_of
 from ..extent.distance_sums import summarize_distances
 from ..lang import (
@@ -35,6 +37,7 @@ from ..memory import download, empty, full, zeros
 from ..meshes.mesh_edits import mark_referenced_kernel
 from .nearest_triangle import NearestTriangles
 from .point_triangle import measure_triangle
+from .triangle_tree import TriangleTree
 
 MOST_PIECES = 2**22  # of a round: about 250 MB
 ROUNDS = 24  # a float32 has as many bits to halve
@@ -52,7 +55,7 @@ def take_roots_kernel(sqdists: array(dtype=float64), points: array(dtype=vec3), 
 def square_distance(distances: array(dtype=float64)) -> vec2d:
     """The square of each distance."""
     i = tid()
-    return vec2d(distances[i] * distances[i], float64(0.0))
+    return vec2d(distances[i] * distances[i], 0.0)
 
 
 @kernel
@@ -77,7 +80,7 @@ def find_piece_middles_kernel(pieces: array(dtype=vec3), middles: array(dtype=ve
     """The middle of each piece."""
     i = tid()
     total = widen(pieces[3 * i]) + widen(pieces[3 * i + 1]) + widen(pieces[3 * i + 2])
-    middles[i] = narrow(total / float64(3.0))
+    middles[i] = narrow(total / 3.0)
 
 
 @func
@@ -98,7 +101,7 @@ def bound_pieces_kernel(
 ):
     """How far a piece reaches at most; its middle is a point that is known. The atomic settles the largest."""
     i = tid()
-    bounds[i] = float64(-1.0)
+    bounds[i] = -1.0
     row = nearest.triangles[i]
     if row >= 0:
         t = triangles[row]
@@ -124,9 +127,9 @@ def cut_pieces_kernel(pieces: array(dtype=vec3), rows: array(dtype=int32), cut: 
     a = pieces[3 * rows[i]]
     b = pieces[3 * rows[i] + 1]
     c = pieces[3 * rows[i] + 2]
-    ab = narrow((widen(a) + widen(b)) * float64(0.5))
-    bc = narrow((widen(b) + widen(c)) * float64(0.5))
-    ca = narrow((widen(c) + widen(a)) * float64(0.5))
+    ab = narrow((widen(a) + widen(b)) * 0.5)
+    bc = narrow((widen(b) + widen(c)) * 0.5)
+    ca = narrow((widen(c) + widen(a)) * 0.5)
     at = 12 * i
     for k in range(4):
         p = ab + vec3(0.0, 0.0, 0.0)
@@ -147,7 +150,7 @@ def cut_pieces_kernel(pieces: array(dtype=vec3), rows: array(dtype=int32), cut: 
         cut[at + 3 * k + 2] = r
 
 
-def distances_to(points, tree):
+def distances_to(points: Points, tree: TriangleTree):
     """The distances [m] of vec3 points about a tree's origin from its triangles, float64.
 
     Infinite where there are none or they lie 1.8e19 m away, NaN for points that are not finite.
@@ -159,13 +162,15 @@ def distances_to(points, tree):
     return distances
 
 
-def root_mean_square(distances):
+def root_mean_square(distances: Doubles):
     """The root of the mean square of float64 distances, all finite."""
     total = download(reduce(square_distance, distances.size, [distances]))[0][0]  # sync
     return math.sqrt(float(total) / distances.size)
 
 
-def farthest_distance(vertices, triangles, tree, known_distance, tolerance):
+def farthest_distance(
+    vertices: Points, triangles: Triangles, tree: TriangleTree, known_distance: Any, tolerance: float
+):
     """Bounds of the largest distance [m] of the points of a mesh from another one.
 
     Args:
@@ -186,10 +191,11 @@ def farthest_distance(vertices, triangles, tree, known_distance, tolerance):
     launch(find_farthest_vertex_kernel, vertices.size, [distances_to(vertices, tree), used, known])
     pieces = empty(3 * triangles.size, vec3, device)
     launch(list_pieces_kernel, triangles.size, [vertices, triangles, pieces])
-    most = 0.0
+    least = most = 0.0
     for _ in range(ROUNDS):
         count = pieces.size // 3
-        middles, bounds, mask = (empty(count, kind, device) for kind in (vec3, float64, uint8))
+        middles, bounds = empty(count, vec3, device), empty(count, float64, device)
+        mask = empty(count, uint8, device)
         launch(find_piece_middles_kernel, count, [pieces, middles])
         nearest = NearestTriangles(middles)
         nearest.look_into(tree, middles, 0)

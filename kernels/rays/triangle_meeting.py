@@ -32,7 +32,7 @@ def plane_sides(s: vec3i, t: vec3i, side3: callback) -> six_signs:
 @func
 def are_parted(sides: six_signs) -> int:
     """1 where one triangle lies on one side of the other's plane."""
-    parted = int(0)
+    parted = 0
     for half in range(2):
         first = 3 * half
         a = sides[first]
@@ -44,9 +44,9 @@ def are_parted(sides: six_signs) -> int:
 @func
 def edge_through(p: int, q: int, t: vec3i, side3: callback) -> int:
     """Whether the line through p and q passes through t."""
-    low = int(1)
-    high = int(-1)
-    unsure = int(0)
+    low = 1
+    high = -1
+    unsure = 0
     edges = int(3)
     for k in range(edges):
         sign = side3(p, q, t[k], t[(k + 1) % 3])
@@ -77,14 +77,14 @@ def edges_through(s: vec3i, t: vec3i, sides: six_signs, side3: callback) -> int:
                 other = t + vec3i(0, 0, 0)
             found = edge_through(owner[k % 3], owner[n % 3], other, side3)
             if found != APART:
-                verdict = found + 0
+                verdict = found
     return verdict
 
 
 @func
 def boxes_meet(vertices: array(dtype=vec3), p: int, q: int, a: int, b: int) -> int:
     """1 where the boxes of two edges touch."""
-    meet = int(1)
+    meet = 1
     axes = int(3)
     for axis in range(axes):
         low = min(vertices[p][axis], vertices[q][axis])
@@ -100,12 +100,12 @@ def edges_meet(vertices: array(dtype=vec3), p: int, q: int, a: int, b: int, side
     verdict = int(APART)
     if boxes_meet(vertices, p, q, a, b) == 1:
         verdict = MEETING
-        before = int(0)
+        before = 0
         questions = int(12)  # along each axis, the ends of the one on the sides of the other, and the other way round
         for n in range(questions):
             if verdict != APART:
                 k = n % 4
-                sign = int(0)
+                sign = 0
                 if k < 2:
                     sign = side2(n // 4, p, q, a if k == 0 else b)
                 else:
@@ -114,7 +114,7 @@ def edges_meet(vertices: array(dtype=vec3), p: int, q: int, a: int, b: int, side
                     verdict = UNSURE
                 elif k % 2 == 1 and sign != 0 and sign == before:
                     verdict = APART
-                before = sign + 0
+                before = sign
         if verdict != APART:
             twist = side3(p, q, a, b)
             if twist == UNSURE:
@@ -128,9 +128,9 @@ def edges_meet(vertices: array(dtype=vec3), p: int, q: int, a: int, b: int, side
 def holds(t: vec3i, p: int, side2: callback) -> int:
     """Whether a triangle holds a point of its plane; APART where it has no area, for its edges are asked too."""
     verdict = int(MEETING)
-    has_area = int(0)
-    low = int(0)
-    high = int(0)
+    has_area = 0
+    low = 0
+    high = 0
     questions = int(12)  # along each axis, the point's sides of the three edges, and the triangle's own
     for n in range(questions):
         k = n % 4
@@ -175,7 +175,7 @@ def meet_in_plane(vertices: array(dtype=vec3), s: vec3i, t: vec3i, side3: callba
                 j = (n - 2) % 3
                 found = edges_meet(vertices, s[i], s[(i + 1) % 3], t[j], t[(j + 1) % 3], side3, side2)
             if found != APART:
-                verdict = found + 0
+                verdict = found
     return verdict
 
 
@@ -185,8 +185,8 @@ def triangles_meet(vertices: array(dtype=vec3), s: vec3i, t: vec3i, side3: callb
     verdict = int(APART)
     sides = plane_sides(s, t, side3)
     if are_parted(sides) == 0:
-        flat = int(0)
-        unsure = int(0)
+        flat = 0
+        unsure = 0
         for k in range(6):
             flat += 1 if sides[k] == 0 else 0
             unsure += 1 if sides[k] == UNSURE else 0

@@ -5,6 +5,8 @@ floating-point arithmetic and fast robust geometric predicates", 1997), and UNSU
 form reckons by remainders (algebra/residues.py).
 """
 
+from typing import Any
+
 from ..algebra.residues import Residues, determinant_residue, minor, quadruple, residue_of, sign_of_residues
 from ..algebra.transform import widen
 from ..lang import array, cross, dot, float32, float64, func, int64, struct, vec3
@@ -18,7 +20,7 @@ ERROR_OF_TWO = 4e-16  # (3 + 16 e) e is 3.4e-16
 @func
 def size_of(x: float64) -> float64:
     """|x|."""
-    return x if x >= float64(0.0) else -x
+    return x if x >= 0.0 else -x
 
 
 @func
@@ -29,7 +31,7 @@ def sign_beyond(value: float64, bound: float64) -> int:
         sign = 1
     elif value < -bound:
         sign = -1
-    elif bound == float64(0.0):
+    elif bound == 0.0:
         sign = 0
     return sign
 
@@ -67,7 +69,7 @@ def side_of_line(vertices: array(dtype=vec3), axis: int, i: int, j: int, p: int)
     right = a[v] * b[u]
     bound = (size_of(left) + size_of(right)) * float64(ERROR_OF_TWO)
     if is_short(a[u]) + is_short(a[v]) + is_short(b[u]) + is_short(b[v]) == 4:
-        bound = float64(0.0)
+        bound = 0.0
     return sign_beyond(left - right, bound)
 
 
@@ -87,7 +89,7 @@ class ExactSides:
     plane_primes: int
     line_primes: int
 
-    def __init__(self, vertices, unit, size, threads):
+    def __init__(self, vertices: Any, unit: Any, size: Any, threads: int) -> None:
         """For coordinates that are multiples of 2^unit, up to `size` of them from each other."""
         self.vertices, self.exact = vertices, Residues(vertices.device, unit, [6 * size**3, 2 * size**2])
         self.plane_primes, self.line_primes = self.exact.counts
@@ -104,7 +106,7 @@ def residues_from(i: int, p: int, k: int, given: ExactSides) -> quadruple:
         (residue_of(a[0], k, given.exact) - residue_of(o[0], k, given.exact)) % prime,
         (residue_of(a[1], k, given.exact) - residue_of(o[1], k, given.exact)) % prime,
         (residue_of(a[2], k, given.exact) - residue_of(o[2], k, given.exact)) % prime,
-        int64(0),
+        0,
     )
 
 
@@ -112,14 +114,14 @@ def residues_from(i: int, p: int, k: int, given: ExactSides) -> quadruple:
 def exact_side_of_plane(thread: int, given: ExactSides, i: int, j: int, k: int, p: int) -> int:
     """`side_of_plane`, never UNSURE."""
     base = thread * given.exact.count
-    last = quadruple(int64(0), int64(0), int64(0), int64(1))
+    last = quadruple(0, 0, 0, 1)
     for n in range(given.plane_primes):
         a = residues_from(i, p, n, given)
         b = residues_from(j, p, n, given)
         c = residues_from(k, p, n, given)
         prime = given.exact.primes[n]
         left = determinant_residue(a, b, c, last, prime)
-        given.digits[base + n] = left + prime if left < int64(0) else left
+        given.digits[base + n] = left + prime if left < 0 else left
     return sign_of_residues(given.digits, base, given.plane_primes, given.exact)
 
 
@@ -134,5 +136,5 @@ def exact_side_of_line(thread: int, given: ExactSides, axis: int, i: int, j: int
         b = residues_from(j, p, n, given)
         prime = given.exact.primes[n]
         left = minor(a[u], a[v], b[u], b[v], prime)
-        given.digits[base + n] = left + prime if left < int64(0) else left
+        given.digits[base + n] = left + prime if left < 0 else left
     return sign_of_residues(given.digits, base, given.line_primes, given.exact)

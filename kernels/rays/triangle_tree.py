@@ -15,22 +15,8 @@ Boxes are the lowest and highest of the float32 coordinates, without any roundin
 """
 
 from ..algebra.transform import narrow, widen
-from ..lang import (
-    INFINITY,
-    NAN,
-    array,
-    float32,
-    float64,
-    func,
-    int32,
-    isfinite,
-    kernel,
-    launch,
-    struct,
-    tid,
-    vec3,
-    vec3i,
-)
+from ..array_types import Points, Triangles
+from ..lang import INFINITY, NAN, array, float32, func, int32, isfinite, kernel, launch, struct, tid, vec3, vec3i
 from ..memory import download, empty, upload
 from ..search.point_tree import FAN, SIDES, bound_levels, level_sizes
 from .split_order import order_by_splits
@@ -67,7 +53,7 @@ class TriangleTree:
     corners: array(dtype=float32)
     order: array(dtype=int32)
 
-    def __init__(self, vertices, triangles):
+    def __init__(self, vertices: Points, triangles: Triangles) -> None:
         self.vertices, self.triangles, self.device = vertices, triangles, vertices.device
         middles = empty(triangles.size, vec3, self.device)
         launch(find_middles_kernel, triangles.size, [vertices, triangles, middles])
@@ -105,7 +91,7 @@ def find_middles_kernel(vertices: array(dtype=vec3), triangles: array(dtype=vec3
     c = vertices[t[2]]
     middle = vec3(NAN, NAN, NAN)
     if isfinite(a) and isfinite(b) and isfinite(c):
-        middle = narrow((widen(a) + widen(b) + widen(c)) / float64(3.0))
+        middle = narrow((widen(a) + widen(b) + widen(c)) / 3.0)
     middles[i] = middle
 
 

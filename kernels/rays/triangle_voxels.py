@@ -11,9 +11,12 @@ All in float64 from the same words, so the voxels are the same on every device. 
 Source: Akenine-Moller, "Fast 3D Triangle-Box Overlap Testing", Journal of Graphics Tools 6 (2001).
 """
 
+from typing import Any
+
 import numpy as np
 
 from ..algebra.transform import widen
+from ..array_types import Keys, Points, Triangles
 from ..arrays.prefix_sum import exclusive_scan, sum_counts
 from ..arrays.unique import UniqueKeys
 from ..lang import (
@@ -59,7 +62,7 @@ class VoxelFrame:
     size: float64
     counts: vec3i
 
-    def __init__(self, low, size, counts):
+    def __init__(self, low: np.ndarray, size: Any, counts: Any) -> None:
         self.low, self.size, self.counts = vec3d(*low), float(size), vec3i(*(int(count) for count in counts))
 
     def key_bits(self):
@@ -77,7 +80,7 @@ def cell_key(c: vec3i, counts: vec3i) -> int64:
 def cell_at(x: float64, low: float64, size: float64, slack: float64, count: int) -> int:
     """The cell of a coordinate, moved by a share of a cell; -1 and `count` stand for all cells outside."""
     place = floor((x - low) / size + slack)
-    return int(min(max(place, float64(-1.0)), float64(count)))
+    return int(min(max(place, -1.0), float64(count)))
 
 
 @func
@@ -103,9 +106,9 @@ def last_cells(a: vec3d, b: vec3d, c: vec3d, frame: VoxelFrame) -> vec3i:
 @func
 def main_axis(normal: vec3d, a: vec3d, b: vec3d, c: vec3d) -> int:
     """The axis that a normal is nearest to; without one the longest of the triangle's box."""
-    best = int(0)
+    best = 0
     most = float64(-1.0)
-    has_normal = dot(normal, normal) > float64(0.0)
+    has_normal = dot(normal, normal) > 0.0
     for k in range(3):
         reach = max(a[k], max(b[k], c[k])) - min(a[k], min(b[k], c[k]))
         if has_normal:
@@ -131,19 +134,19 @@ def count_columns_kernel(
         low = first_cells(a, b, c, frame)
         high = last_cells(a, b, c, frame)
         axis = main_axis(cross(b - a, c - a), a, b, c)
-        count = int64(1)
+        count = 1
         for k in range(3):
             if high[k] < low[k]:
-                count = int64(0)
+                count = 0
             elif k != axis:
                 count *= int64(high[k] - low[k] + 1)
-    counts[i] = int(min(count, int64(2147483647)))
+    counts[i] = int(min(count, 2147483647))
 
 
 @func
 def find_owner(offsets: array(dtype=int32), i: int) -> int:
     """The last place whose offset is not above i: the owner of the i-th of many variable-sized results."""
-    low = int(0)
+    low = 0
     high = offsets.shape[0] - 1
     while low < high:
         middle = low + (high - low) // 2
@@ -157,7 +160,7 @@ def find_owner(offsets: array(dtype=int32), i: int) -> int:
 @func
 def edge_parts(e: vec3d, u: vec3d, w: vec3d, half: float64) -> int:
     """1 where an axis across an edge and an axis of the box parts them; `u` is on the edge, `w` the other corner."""
-    apart = int(0)
+    apart = 0
     for k in range(3):
         j = (k + 1) % 3
         m = (k + 2) % 3
@@ -172,7 +175,7 @@ def edge_parts(e: vec3d, u: vec3d, w: vec3d, half: float64) -> int:
 @func
 def touches_box(a: vec3d, b: vec3d, c: vec3d, half: float64) -> int:
     """1 where a triangle and the cube about zero with this half edge have a point in common."""
-    apart = int(0)
+    apart = 0
     for k in range(3):
         if min(a[k], min(b[k], c[k])) > half or max(a[k], max(b[k], c[k])) < -half:
             apart = 1
@@ -209,18 +212,18 @@ def visit_columns_kernel(
     axis = main_axis(n, a, b, c)
     u = (axis + 1) % 3
     v = (axis + 2) % 3
-    half = frame.size * float64(0.5)
+    half = frame.size * 0.5
     rank = i - columns[owner]
     wide = high[v] - low[v] + 1
     cell = vec3i(0, 0, 0)
     cell[u] = low[u] + rank // wide
     cell[v] = low[v] + rank % wide
-    center = vec3d(float64(0.0), float64(0.0), float64(0.0))
+    center = vec3d(0.0, 0.0, 0.0)
     center[u] = (frame.low[u] + half) + float64(cell[u]) * frame.size
     center[v] = (frame.low[v] + half) + float64(cell[v]) * frame.size
-    begin = low[axis] + 0
-    end = high[axis] + 0
-    if dot(n, n) > float64(0.0):  # where the plane passes through the column
+    begin = low[axis]
+    end = high[axis]
+    if dot(n, n) > 0.0:  # where the plane passes through the column
         across = (n[u] * (center[u] - a[u]) + n[v] * (center[v] - a[v])) / n[axis]
         reach = half * (abs(n[u]) + abs(n[v])) / abs(n[axis])
         middle = a[axis] - across
@@ -228,7 +231,7 @@ def visit_columns_kernel(
         at_high = cell_at(middle + reach, frame.low[axis], frame.size, float64(SLACK), frame.counts[axis])
         begin = max(begin, at_low)
         end = min(end, at_high)
-    found = int(0)
+    found = 0
     for k in range(begin, end + 1):
         center[axis] = (frame.low[axis] + half) + float64(k) * frame.size
         if touches_box(a - center, b - center, c - center, half * float64(TOUCH)) == 1:
@@ -249,13 +252,13 @@ def place_cells_kernel(keys: array(dtype=int64), counts: vec3i, cells: array(dty
     cells[i] = vec3i(int(rest // int64(counts[1])), int(rest % int64(counts[1])), int(key % int64(counts[2])))
 
 
-def refuse_many(count, what):
+def refuse_many(count: int, what: Any) -> None:
     """Refuse more results than 32 bits count."""
     if count > MOST:
         raise ValueError(f"voxel_size: {count:,} {what} are more than 2^31 - 1; take larger voxels")
 
 
-def touched_voxels(vertices, triangles, frame):
+def touched_voxels(vertices: Points, triangles: Triangles, frame: Any):
     """The keys of the voxels that triangles touch, int64 device array with repeats; two syncs.
 
     Raises:
@@ -280,7 +283,7 @@ def touched_voxels(vertices, triangles, frame):
     return keys
 
 
-def voxels_of(keys, frame):
+def voxels_of(keys: Keys, frame: Any):
     """The voxels of keys, each once and ascending: vec3i device array."""
     unique = UniqueKeys(keys, frame.key_bits()) if keys.size else None
     count = 0 if unique is None else unique.count

@@ -8,24 +8,12 @@ FAR times as far as the farthest corner of its box. On closed meshes the sum is 
 All in float64 and in the tree's order. 7 numbers a child of a node; some hundred dipoles and triangles a query.
 """
 
+from typing import Any
+
 from ..algebra.angles import arctangent
 from ..algebra.transform import widen
-from ..lang import (
-    array,
-    cross,
-    dot,
-    float64,
-    func,
-    int32,
-    isfinite,
-    kernel,
-    launch,
-    length,
-    struct,
-    tid,
-    vec3,
-    vec3d,
-)
+from ..array_types import Doubles, Indices, Points
+from ..lang import array, cross, dot, float64, func, int32, isfinite, kernel, launch, length, struct, tid, vec3, vec3d
 from ..memory import download, zeros
 from ..search.point_tree import FAN, SIDES
 from .triangle_tree import LEAF, TriangleTree, leaf_corner
@@ -48,8 +36,8 @@ def solid_angle(p: vec3d, a: vec3d, b: vec3d, c: vec3d) -> float64:
     volume = dot(u, cross(v, w))
     rest = x * y * z + dot(u, v) * z + dot(v, w) * x + dot(w, u) * y
     angle = float64(0.0)
-    if volume != float64(0.0):
-        angle = float64(2.0) * arctangent(volume, rest)
+    if volume != 0.0:
+        angle = 2.0 * arctangent(volume, rest)
     return angle
 
 
@@ -57,8 +45,8 @@ def solid_angle(p: vec3d, a: vec3d, b: vec3d, c: vec3d) -> float64:
 def sum_leaf_moments_kernel(tree: TriangleTree, moments: array(dtype=float64)):
     """The area vector of each leaf's triangles, the middle of their area times their area, and their area."""
     i = tid()
-    vector = vec3d(float64(0.0), float64(0.0), float64(0.0))
-    middle = vec3d(float64(0.0), float64(0.0), float64(0.0))
+    vector = vec3d(0.0, 0.0, 0.0)
+    middle = vec3d(0.0, 0.0, 0.0)
     area = float64(0.0)
     lanes = int(LEAF)
     for lane in range(lanes):
@@ -66,10 +54,10 @@ def sum_leaf_moments_kernel(tree: TriangleTree, moments: array(dtype=float64)):
             a = widen(leaf_corner(tree.corners, i, lane, 0))
             b = widen(leaf_corner(tree.corners, i, lane, 1))
             c = widen(leaf_corner(tree.corners, i, lane, 2))
-            n = cross(b - a, c - a) * float64(0.5)
+            n = cross(b - a, c - a) * 0.5
             size = length(n)
             vector = vector + n
-            middle = middle + (a + b + c) * (size / float64(3.0))
+            middle = middle + (a + b + c) * (size / 3.0)
             area += size
     for axis in range(3):
         moments[i * MOMENTS + axis] = vector[axis]
@@ -94,14 +82,14 @@ def finish_moments_kernel(tree: TriangleTree, moments: array(dtype=float64)):
     i = tid()
     at = (i // FAN) * SIDES + i % FAN
     reach = float64(NO_REACH)
-    middle = vec3d(float64(0.0), float64(0.0), float64(0.0))
+    middle = vec3d(0.0, 0.0, 0.0)
     if tree.boxes[at] <= tree.boxes[at + 3 * FAN]:
         square = float64(0.0)
         for axis in range(3):
             low = float64(tree.boxes[at + axis * FAN])
             high = float64(tree.boxes[at + (axis + 3) * FAN])
-            middle[axis] = (low + high) * float64(0.5)
-            if moments[i * MOMENTS + 6] > float64(0.0):
+            middle[axis] = (low + high) * 0.5
+            if moments[i * MOMENTS + 6] > 0.0:
                 middle[axis] = moments[i * MOMENTS + 3 + axis] / moments[i * MOMENTS + 6]
             most = max(high - middle[axis], middle[axis] - low)
             square += most * most
@@ -137,7 +125,7 @@ class Dipoles:
     tree: TriangleTree
     moments: array(dtype=float64)
 
-    def __init__(self, tree):
+    def __init__(self, tree: TriangleTree) -> None:
         levels = download(tree.levels)
         records = int(levels[-1])
         self.tree, self.moments = tree, zeros(records * FAN * MOMENTS, float64, tree.device)
@@ -160,13 +148,13 @@ def add_winding_numbers_kernel(
         return
     p = widen(q)
     total = float64(0.0)
-    level = dipoles.tree.root + 0
-    child = int(0)  # its number among the children of its level's nodes
+    level = dipoles.tree.root
+    child = 0  # its number among the children of its level's nodes
     while child >= 0:
         at = (dipoles.tree.levels[level] * FAN + child) * MOMENTS
         reach = dipoles.moments[at + 7]
-        down = int(0)
-        if reach >= float64(0.0):
+        down = 0
+        if reach >= 0.0:
             x = dipoles.moments[at + 3] - p[0]
             y = dipoles.moments[at + 4] - p[1]
             z = dipoles.moments[at + 5] - p[2]
@@ -191,6 +179,6 @@ def add_winding_numbers_kernel(
     numbers[row] = numbers[row] + total / float64(FULL)
 
 
-def add_winding_numbers(dipoles, queries, order, numbers):
+def add_winding_numbers(dipoles: Any, queries: Points, order: Indices, numbers: Doubles) -> None:
     """Add a mesh's winding numbers, float64 [n], about queries, vec3 [n] about the mesh's origin, in an order."""
     launch(add_winding_numbers_kernel, queries.size, [queries, order, dipoles, numbers])

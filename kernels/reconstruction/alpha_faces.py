@@ -14,27 +14,17 @@ CPU used again for RUN points; a star that outgrows it is built again with four 
 """
 
 import math
+from collections.abc import Sequence
 from fractions import Fraction
 
 import numpy as np
 
 from ..algebra.residues import Residues
+from ..array_types import Array1, Cells, Indices, Integers
 from ..arrays.lowest_bit import lowest_bit
 from ..arrays.select import gather_rows, positions_of
 from ..arrays.sort import positions
-from ..lang import (
-    array,
-    atomic_add,
-    float64,
-    func,
-    int32,
-    kernel,
-    launch,
-    tid,
-    uint8,
-    vec3i,
-    vec4i,
-)
+from ..lang import array, atomic_add, float64, func, int32, kernel, launch, tid, uint8, vec3i, vec4i
 from ..memory import download, empty, upload
 from ..search.neighbor_lists import list_neighbors
 from ..search.point_tree import LARGEST_SQDIST, PointTree
@@ -63,11 +53,11 @@ GUARD_BITS = 5  # of the guards' distance, so that it is a float64 and a whole n
 @func
 def class_of(b: int, c: int, d: int, a: int, at: int, thread: int, stars: Stars, given: Predicates) -> int:
     """The first radius that is no less than that of a tetrahedron's sphere; their number where there is none."""
-    found = ball(float64(0.0))
+    found = ball(0.0)
     for j in range(6):
         found[j] = stars.spheres[NUMBERS * at + j]
-    kind = int(0)
-    searching = int(1)
+    kind = 0
+    searching = 1
     while searching == 1 and kind < given.radii.shape[0]:
         searching = 1 - is_within_radius(b, c, d, found, a, kind, thread, given)
         kind += searching
@@ -93,7 +83,7 @@ def list_faces(a: int, thread: int, size: int, stars: Stars, given: Predicates) 
     """List the faces that a hands out, as triangle and side, behind the classes; how many: below 1.5 a triangle."""
     first = thread * stars.room
     row = given.rows[a]
-    count = int(0)
+    count = 0
     for j in range(size):
         kind = stars.edges[3 * first + j]
         if kind < given.radii.shape[0]:
@@ -132,7 +122,7 @@ def write_tetrahedra(
     """The tetrahedra that a hands out, their least other row next, written where there is room; how many."""
     first = thread * stars.room
     row = given.rows[a]
-    count = int(0)
+    count = 0
     for j in range(first, first + size):
         kind = stars.edges[3 * first + j - first]
         if kind < given.radii.shape[0]:
@@ -178,9 +168,9 @@ def find_faces_kernel(
         a = ranks[place]
         size = grow_star(a, i, lists, (a - begin) * near, near, reach, tree, stars, given)
         if size < 0:
-            crowded[place] = uint8(1)
+            crowded[place] = 1
         else:
-            crowded[place] = uint8(0)
+            crowded[place] = 0
             classify_star(a, i, size, stars, given)
             row = given.rows[a]
             count = list_faces(a, i, size, stars, given)
@@ -199,7 +189,9 @@ def find_faces_kernel(
                 tetrahedra.counts[row] = count
 
 
-def find_alpha_shapes(tree, rows, owners, alphas, with_tetrahedra=False):
+def find_alpha_shapes(
+    tree: PointTree, rows: Indices, owners: int, alphas: Sequence[float], with_tetrahedra: bool = False
+) -> list[tuple[Cells, Array1[vec4i] | None]]:
     """The boundary of each alpha shape of the points of a tree.
 
     Args:
@@ -236,7 +228,16 @@ def find_alpha_shapes(tree, rows, owners, alphas, with_tetrahedra=False):
     ]
 
 
-def hand_out(tree, begin, lists, reach, given, with_tetrahedra, faces, tetrahedra):
+def hand_out(
+    tree: PointTree,
+    begin: int,
+    lists: Integers,
+    reach: float,
+    given: Predicates,
+    with_tetrahedra: int,
+    faces: Found,
+    tetrahedra: Found,
+) -> None:
     """Launch the search over the points of some lists, again with more room for those that had too little."""
     device, room = tree.device, ROOM
     run = 1 if device.is_cuda else RUN
@@ -258,7 +259,7 @@ def hand_out(tree, begin, lists, reach, given, with_tetrahedra, faces, tetrahedr
         room, run = 4 * room, 1
 
 
-def prepare_predicates(tree, rows, alphas):
+def prepare_predicates(tree: PointTree, rows: Indices, alphas: Sequence[float]) -> tuple[Predicates, float, float]:
     """What exact answers need, how far a point looks (squared, for walks), and that distance [m]."""
     device = tree.device
     unit = lowest_bit(tree.points)  # sync

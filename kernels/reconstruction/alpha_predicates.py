@@ -21,6 +21,7 @@ from ..algebra.residues import (
     residue_of,
     sign_of_residues,
 )
+from ..array_types import Doubles, Indices, LongIntegers, Points
 from ..lang import array, cross, dot, float64, func, int32, int64, length, sqrt, struct, vec3, vec3d, vector
 from ..memory import empty
 
@@ -66,13 +67,23 @@ class Predicates:
     sphere_primes: int
     radius_primes: int
 
-    def __init__(self, points, rows, exact, guard, guard_residues, radii, numerators, denominators):
+    def __init__(
+        self,
+        points: Points,
+        rows: Indices,
+        exact: Residues,
+        guard: float,
+        guard_residues: LongIntegers,
+        radii: Doubles,
+        numerators: LongIntegers,
+        denominators: LongIntegers,
+    ) -> None:
         self.points, self.rows, self.exact, self.count = points, rows, exact, points.size
         self.plane_primes, self.sphere_primes, self.radius_primes = exact.counts
         self.guard, self.guard_residues = guard, guard_residues
         self.radii, self.numerators, self.denominators = radii, numerators, denominators
 
-    def reserve(self, threads):
+    def reserve(self, threads: int) -> None:
         """Memory for the digits of this many threads."""
         self.digits = empty(threads * (self.exact.count + ROWS), int64, self.points.device)
 
@@ -87,9 +98,9 @@ def offset_of(code: int, a: int, given: Predicates) -> vec3d:
     if guard >= 0:
         side = given.guard if guard % 2 == 0 else -given.guard
     return vec3d(
-        float64(p[0]) - float64(q[0]) + (side if guard // 2 == 0 else float64(0.0)),
-        float64(p[1]) - float64(q[1]) + (side if guard // 2 == 1 else float64(0.0)),
-        float64(p[2]) - float64(q[2]) + (side if guard // 2 == 2 else float64(0.0)),
+        float64(p[0]) - float64(q[0]) + (side if guard // 2 == 0 else 0.0),
+        float64(p[1]) - float64(q[1]) + (side if guard // 2 == 1 else 0.0),
+        float64(p[2]) - float64(q[2]) + (side if guard // 2 == 2 else 0.0),
     )
 
 
@@ -135,8 +146,8 @@ def side_of_plane(origin: int, b: int, c: int, d: int, a: int, thread: int, give
     far = length(o)
     bound = (length(x) + far) * (length(y) + far) * (length(z) + far) * float64(ERROR)
     if given.plane_primes == 0:
-        bound = float64(0.0)
-    sign = int(0)
+        bound = 0.0
+    sign = 0
     if value > bound:
         sign = 1
     elif value < -bound:
@@ -186,13 +197,13 @@ def settle_tie(b: int, c: int, d: int, p: int, a: int, thread: int, given: Predi
 
     With lifted heights h the value is p . N - h_p D; a lower h of a point changes it by minus its coefficient.
     """
-    sign = int(0)
-    last = int(-1)
+    sign = 0
+    last = -1
     while sign == 0:
         least = row_of(p, given)
-        which = int(0)
+        which = 0
         if least <= last:
-            least = NO_ROW + 0
+            least = NO_ROW
         for j in range(1, 5):
             code = a if j == 1 else b if j == 2 else c if j == 3 else d
             row = row_of(code, given)
@@ -232,8 +243,8 @@ def side_of_sphere(b: int, c: int, d: int, p: int, a: int, thread: int, given: P
 def is_within_radius(b: int, c: int, d: int, found: ball, a: int, j: int, thread: int, given: Predicates) -> int:
     """1 where the sphere through four points, as `sphere_through` has found it, has at most radius j."""
     size = sqrt(found[0] * found[0] + found[1] * found[1] + found[2] * found[2])
-    double = float64(2.0) * given.radii[j]
-    within = int(2)
+    double = 2.0 * given.radii[j]
+    within = 2
     if size + found[4] < double * (found[3] - found[5]) * float64(BELOW_ONE):
         within = 1
     if size - found[4] > double * (found[3] + found[5]) * float64(ABOVE_ONE):
@@ -249,7 +260,7 @@ def is_within_radius(b: int, c: int, d: int, found: ball, a: int, j: int, thread
             yz = cross_residues(y, z, p)
             D = dot_residues(x, yz, p)
             N = yz * x[3] + cross_residues(z, x, p) * y[3] + cross_residues(x, y, p) * z[3]
-            N = quadruple(N[0] % p, N[1] % p, N[2] % p, int64(0))
+            N = quadruple(N[0] % p, N[1] % p, N[2] % p, 0)
             least = dot_residues(N, N, p) * given.denominators[j * given.exact.count + k] % p
             most = D * D % p * given.numerators[j * given.exact.count + k] % p
             given.digits[base + k] = (most - least) % p

@@ -15,6 +15,7 @@ against eight spheres at once, in float32 with a margin; what they may touch is 
 """
 
 from ..algebra.plain_min_max import larger, smaller
+from ..array_types import Device
 from ..arrays.packed_keys import pack_key
 from ..lang import array, bit_count, float32, float64, func, int32, int64, sqrt, struct, vec3, vector
 from ..memory import empty
@@ -22,7 +23,6 @@ from ..search.bucket_walk import BYTE, byte_place
 from ..search.point_tree import BUCKET, FAN, LEAF, SIDES, PointTree, measure_boxes, square_distance
 from .alpha_predicates import Predicates, offset_of, side_of_sphere, sphere_through
 
-GUARDS = 6
 FIRST_TRIANGLES = 8
 NUMBERS = 6  # of a triangle: N, D, the bounds of their errors
 LANES = 8  # spheres side by side in vector registers
@@ -61,7 +61,7 @@ class Stars:
     edges: array(dtype=int32)
     room: int
 
-    def __init__(self, device, threads, room):
+    def __init__(self, device: Device, threads: int, room: int) -> None:
         self.room = room
         self.corners = empty(3 * threads * room, int32, device)
         self.spheres = empty(NUMBERS * threads * room, float64, device)
@@ -78,17 +78,17 @@ def write_triangle(at: int, a: int, b: int, c: int, d: int, stars: Stars, given:
     found = sphere_through(offset_of(b, a, given), offset_of(c, a, given), offset_of(d, a, given))
     for j in range(NUMBERS):
         stars.spheres[at * NUMBERS + j] = found[j]
-    share = float64(1.0) / found[3]
+    share = 1.0 / found[3]
     x = found[0] * share
     y = found[1] * share
     z = found[2] * share
     size = abs(x) + abs(y) + abs(z)
     error = (found[4] + given.guard * found[5]) * share  # no point that is asked about lies beyond the guards
-    stars.xs[at] = float(0.0)
-    stars.ys[at] = float(0.0)
-    stars.zs[at] = float(0.0)
+    stars.xs[at] = 0.0
+    stars.ys[at] = 0.0
+    stars.zs[at] = 0.0
     stars.margins[at] = float(OPEN)
-    if found[3] > float64(0.0) and size < float64(LARGEST) and error < float64(LARGEST):
+    if found[3] > 0.0 and size < float64(LARGEST) and error < float64(LARGEST):
         stars.xs[at] = float(x)
         stars.ys[at] = float(y)
         stars.zs[at] = float(z)
@@ -99,10 +99,10 @@ def write_triangle(at: int, a: int, b: int, c: int, d: int, stars: Stars, given:
 def fill_lanes(first: int, size: int, stars: Stars):
     """Spheres that hold nothing, behind the last up to a multiple of LANES."""
     for j in range(first + size, first + (size + LANES - 1) // LANES * LANES):
-        stars.xs[j] = float(0.0)
-        stars.ys[j] = float(0.0)
-        stars.zs[j] = float(0.0)
-        stars.margins[j] = float(0.0)
+        stars.xs[j] = 0.0
+        stars.ys[j] = 0.0
+        stars.zs[j] = 0.0
+        stars.margins[j] = 0.0
 
 
 @func
@@ -144,7 +144,7 @@ def may_touch(p: vec3, first: int, size: int, stars: Stars) -> int:
         for j in range(LANES):
             value = p[0] * stars.xs[start + j] + p[1] * stars.ys[start + j] + p[2] * stars.zs[start + j]
             counts[j] = counts[j] + (1 if value + far * stars.margins[start + j] >= least else 0)
-    total = int(0)
+    total = 0
     for j in range(LANES):
         total += counts[j]
     return total
@@ -156,16 +156,16 @@ def part_touched(a: int, code: int, thread: int, first: int, size: int, stars: S
     p = offset_of(code, a, given)
     square = p[0] * p[0] + p[1] * p[1] + p[2] * p[2]
     far = sqrt(square)
-    left = size + 0
-    j = int(0)
+    left = size
+    j = 0
     while j < left:
         at = (first + j) * NUMBERS
         value = p[0] * stars.spheres[at] + p[1] * stars.spheres[at + 1] + p[2] * stars.spheres[at + 2]
         value = value - square * stars.spheres[at + 3]
         bound = far * (stars.spheres[at + 4] + far * stars.spheres[at + 5])
         if given.sphere_primes == 0:
-            bound = float64(0.0)
-        inside = int(0)
+            bound = 0.0
+        inside = 0
         if value > bound:
             inside = 1
         elif not (value < -bound):  # open, or beyond the range of float64
@@ -186,8 +186,8 @@ def part_touched(a: int, code: int, thread: int, first: int, size: int, stars: S
 @func
 def has_edge(b: int, c: int, first: int, last: int, stars: Stars) -> int:
     """The triangle of first .. last - 1 with the edge from b to c, or -1."""
-    found = int(-1)
-    j = first + 0
+    found = -1
+    j = first
     while j < last and found < 0:
         x = stars.corners[3 * j]
         y = stars.corners[3 * j + 1]
@@ -201,7 +201,7 @@ def has_edge(b: int, c: int, first: int, last: int, stars: Stars) -> int:
 @func
 def list_gap_edges(first: int, last: int, edges_at: int, stars: Stars) -> int:
     """List the edges of triangles whose other side is not among them, as long as there is room; how many there are."""
-    count = int(0)
+    count = 0
     for j in range(first, last):
         for side in range(3):
             b = stars.corners[3 * j + side]
@@ -219,7 +219,7 @@ def insert_point(a: int, code: int, thread: int, size: int, stars: Stars, given:
     """Take a point into the star; the number of its triangles, or NO_ROOM."""
     first = thread * stars.room
     left = part_touched(a, code, thread, first, size, stars, given)
-    after = size + 0
+    after = size
     if left < size:
         at = 3 * thread * stars.room
         count = list_gap_edges(first + left, first + size, at, stars)
@@ -256,7 +256,7 @@ def reaches_box(low: vec3, high: vec3, first: int, size: int, stars: Stars) -> i
             square = x * x + y * y + z * z
             value = x * N[0] + y * N[1] + z * N[2] + far * stars.margins[start + j]
             counts[j] = counts[j] + (1 if value >= square - square * MARGIN else 0)
-    total = int(0)
+    total = 0
     for j in range(LANES):
         total += counts[j]
     return total
@@ -269,7 +269,7 @@ def children_in_star(
     """A byte: bit j is set where child j of a node may hold a point within reach that changes the star."""
     record = tree.levels[level] + node
     distances = measure_boxes(tree.boxes, record, a, a)
-    found = int(0)
+    found = 0
     children = int(FAN)
     for j in range(children):
         if distances[j] <= reach:
@@ -305,13 +305,13 @@ def grow_star(
     begin_star(a, first, stars, given)
     size = int(FIRST_TRIANGLES)
     limit = int64(-1)
-    low = int(-1)  # the first of a leaf, or -1 for the list
-    count = near + 0
-    level = tree.root + 0
-    node = int(0)
+    low = -1  # the first of a leaf, or -1 for the list
+    count = near
+    level = tree.root
+    node = 0
     pending = int64(0)  # a byte a level above the buckets: the children left to visit
-    leaves = int(0)  # of the bucket
-    entering = int(1)
+    leaves = 0  # of the bucket
+    entering = 1
     while size > 0 and level <= tree.root:
         for j in range(count):
             q = low + j
@@ -327,10 +327,10 @@ def grow_star(
                     if q != a:
                         if may_touch(tree.points[q] - p, first, size, stars) > 0:
                             size = insert_point(a, q, thread, size, stars, given)
-        count = int(0)
+        count = 0
         while count == 0 and level <= tree.root:
             if entering == 1:
-                entering = int(0)
+                entering = 0
                 inside = children_in_star(tree, p, reach, first, max(size, 0), stars, level, node)
                 if level == 0:
                     leaves = inside

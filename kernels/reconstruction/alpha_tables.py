@@ -4,10 +4,13 @@ A thread does not know how many rows the others have. It takes room from one cou
 owner's rows are copied to where they belong: the result is the same whichever thread came first.
 """
 
+from typing import Any
+
+from ..array_types import Device, Integers
 from ..arrays.packed_keys import pack_bits
 from ..arrays.prefix_sum import exclusive_scan
 from ..arrays.select import positions_of
-from ..lang import array, int32, kernel, launch, struct, tid, uint8, vec3i, vec4i
+from ..lang import Kernel, array, int32, kernel, launch, struct, tid, uint8, vec3i, vec4i
 from ..memory import empty, zeros
 
 COLUMNS = 5  # of what is found: a face's corners and its two classes, or a tetrahedron's corners and its class
@@ -34,12 +37,12 @@ class Found:
     total: array(dtype=int32)
     capacity: int
 
-    def __init__(self, device, owners, capacity):
+    def __init__(self, device: Device, owners: int, capacity: int) -> None:
         self.device, self.capacity = device, capacity
         self.table, self.total = empty(capacity * COLUMNS, int32, device), zeros(1, int32, device)
         self.starts, self.counts = zeros(owners, int32, device), zeros(owners, int32, device)
 
-    def sorted_table(self):
+    def sorted_table(self) -> tuple[Integers, int]:
         """(table, rows): the owners in order, the rows of each by their second and third number."""
         offsets, total = exclusive_scan(self.counts)  # sync
         table = empty(total * COLUMNS, int32, self.device)
@@ -67,7 +70,7 @@ def sort_found_kernel(found: Found, offsets: array(dtype=int32), table: array(dt
 def mark_faces_kernel(table: array(dtype=int32), kind: int, mask: array(dtype=uint8)):
     """1 for the faces between a class up to `kind` and one beyond."""
     i = tid()
-    inside = int(0)
+    inside = 0
     if table[i * COLUMNS + 3] <= kind and kind < table[i * COLUMNS + 4]:
         inside = 1
     mask[i] = uint8(inside)
@@ -77,7 +80,7 @@ def mark_faces_kernel(table: array(dtype=int32), kind: int, mask: array(dtype=ui
 def mark_tetrahedra_kernel(table: array(dtype=int32), kind: int, mask: array(dtype=uint8)):
     """1 for the tetrahedra of a class up to `kind`."""
     i = tid()
-    inside = int(0)
+    inside = 0
     if table[i * COLUMNS + 4] <= kind:
         inside = 1
     mask[i] = uint8(inside)
@@ -99,7 +102,7 @@ def read_tetrahedra_kernel(table: array(dtype=int32), rows: array(dtype=int32), 
     corners[i] = vec4i(table[at], table[at + 1], table[at + 2], table[at + 3])
 
 
-def read_rows(mark, read, kind_of_row, table, count, kind):
+def read_rows(mark: Kernel, read: Kernel, kind_of_row: Any, table: Any, count: int, kind: int) -> Any:
     """The rows of a table that belong to one alpha."""
     device = table.device
     mask = empty(count, uint8, device)

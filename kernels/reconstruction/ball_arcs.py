@@ -20,9 +20,9 @@ FULL_TURN = 4.0
 @func
 def across(b: vec3d) -> vec3d:
     """A unit vector at a right angle to b."""
-    axis = vec3d(float64(0.0), float64(0.0), float64(1.0))
+    axis = vec3d(0.0, 0.0, 1.0)
     if abs(b[2]) > abs(b[0]) and abs(b[2]) > abs(b[1]):
-        axis = vec3d(float64(1.0), float64(0.0), float64(0.0))
+        axis = vec3d(1.0, 0.0, 0.0)
     v = cross(b, axis)
     return v / sqrt(dot(v, v))
 
@@ -31,30 +31,30 @@ def across(b: vec3d) -> vec3d:
 def turn_of(x: float64, y: float64) -> float64:
     """A direction as a number from 0 to 4, a quarter turn each."""
     turn = float64(0.0)
-    if y >= float64(0.0):
-        if x >= float64(0.0):
+    if y >= 0.0:
+        if x >= 0.0:
             turn = y / (x + y)
         else:
-            turn = float64(1.0) - x / (y - x)
+            turn = 1.0 - x / (y - x)
     else:
-        if x < float64(0.0):
-            turn = float64(2.0) + y / (x + y)
+        if x < 0.0:
+            turn = 2.0 + y / (x + y)
         else:
-            turn = float64(3.0) + x / (x - y)
+            turn = 3.0 + x / (x - y)
     return turn
 
 
 @func
 def point_at(turn: float64, u: vec3d, v: vec3d) -> vec3d:
     """The unit vector in a direction, u being 0 and v 1."""
-    x = float64(1.0) - turn
-    y = turn + float64(0.0)
-    if turn >= float64(1.0):
-        y = float64(2.0) - turn
-    if turn >= float64(2.0):
-        x = turn - float64(3.0)
-    if turn >= float64(3.0):
-        y = turn - float64(4.0)
+    x = 1.0 - turn
+    y = turn
+    if turn >= 1.0:
+        y = 2.0 - turn
+    if turn >= 2.0:
+        x = turn - 3.0
+    if turn >= 3.0:
+        y = turn - 4.0
     return (u * x + v * y) / sqrt(x * x + y * y)
 
 
@@ -64,8 +64,8 @@ def cut_arcs(arcs: array(dtype=float64), at: int, count: int, start: float64, en
 
     An arc's start stands at 2 j, its end behind it.
     """
-    left = count + 0
-    j = int(0)
+    left = count
+    j = 0
     while j < left:
         low = arcs[at + 2 * j]
         high = arcs[at + 2 * j + 1]
@@ -92,12 +92,12 @@ def cut_arcs(arcs: array(dtype=float64), at: int, count: int, start: float64, en
 @func
 def cut_turns(arcs: array(dtype=float64), at: int, count: int, start: float64, end: float64) -> int:
     """`cut_arcs` where the end may lie beyond a full turn, and so before the start."""
-    left = count + 0
+    left = count
     if start <= end:
         left = cut_arcs(arcs, at, left, start, end)
     else:
         left = cut_arcs(arcs, at, left, start, float64(FULL_TURN))
-        left = cut_arcs(arcs, at, left, float64(0.0), end)
+        left = cut_arcs(arcs, at, left, 0.0, end)
     return left
 
 
@@ -119,17 +119,17 @@ def forbid_arc(
     The centres are b / 2 + height (u cos + v sin), b of this length. q lies inside where cos(angle to q) exceeds
     q.(q - b) / (2 height |q'|), q' its part at a right angle to b.
     """
-    left = count + 0
+    left = count
     rise = dot(q, q - b)
     x = dot(q, u)
     y = dot(q, v)
-    reach = float64(2.0) * height * sqrt(x * x + y * y)
+    reach = 2.0 * height * sqrt(x * x + y * y)
     rise += float64(SHARE) * (abs(rise) + reach) + float64(LOSS) * size * (size + length + height)
     if rise < reach:
         if rise <= -reach:
             left = 0
         else:
-            s = sqrt(max(reach * reach - rise * rise, float64(0.0)))  # cosine and sine, times reach
+            s = sqrt(max(reach * reach - rise * rise, 0.0))  # cosine and sine, times reach
             start = turn_of(x * rise + y * s, y * rise - x * s)
             left = cut_turns(arcs, at, left, start, turn_of(x * rise - y * s, y * rise + x * s))
     return left
@@ -143,10 +143,10 @@ def arc_sag(first: vec3d, last: vec3d, low: float64, high: float64, height: floa
     can pass by for half a turn and beyond.
     """
     gap = first - last
-    half = dot(gap, gap) * float64(0.25)  # (height sin(half the arc))^2
-    sag = float64(4.0) * height
-    if high - low < float64(1.5):
-        sag = float64(2.0) * (height - sqrt(max(height * height - half, float64(0.0))))
+    half = dot(gap, gap) * 0.25  # (height sin(half the arc))^2
+    sag = 4.0 * height
+    if high - low < 1.5:
+        sag = 2.0 * (height - sqrt(max(height * height - half, 0.0)))
     return sag + slack
 
 
@@ -154,7 +154,7 @@ def arc_sag(first: vec3d, last: vec3d, low: float64, high: float64, height: floa
 def passes_arc(q: vec3d, size: float64, first: vec3d, last: vec3d, sag: float64) -> int:
     """1 where a point at this distance surely lies outside all balls of an arc, from the centres at its ends."""
     near = max(dot(q, first), dot(q, last))
-    passes = int(0)
-    if size * (size - sag) > float64(2.0) * near:
+    passes = 0
+    if size * (size - sag) > 2.0 * near:
         passes = 1
     return passes

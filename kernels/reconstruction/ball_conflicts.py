@@ -12,6 +12,9 @@ A round reads the half-edges around three vertices a triangle that is still unde
 About 60 B a half-edge, most of it for one sort.
 """
 
+from typing import TYPE_CHECKING, Any
+
+from ..array_types import Bytes, Indices, Scalars, Triangles
 from ..arrays.concatenation import concatenate_rows
 from ..arrays.select import gather_rows, positions_of
 from ..arrays.sort import positions
@@ -19,6 +22,9 @@ from ..lang import array, float32, func, int32, kernel, launch, struct, tid, uin
 from ..memory import copy, empty, full, zeros
 from ..meshes.mesh_edits import gather_triangles
 from ..meshes.mesh_topology import CornersByVertex, corner_vertex, next_corner
+
+if TYPE_CHECKING:
+    pass
 
 REFUSED, UNDECIDED, TAKEN = 0, 1, 2
 
@@ -54,7 +60,7 @@ class BallMesh:
     seen: array(dtype=uint8)
     order: array(dtype=int32)
 
-    def __init__(self, kept, found, widths, seen, order):
+    def __init__(self, kept: Triangles, found: Triangles, widths: Scalars, seen: Bytes, order: Indices) -> None:
         device, count = kept.device, kept.size + found.size
         self.triangles, self.seen, self.order = concatenate_rows([kept, found]), seen, order
         self.widths = concatenate_rows([zeros(kept.size, float32, device), widths])
@@ -80,7 +86,7 @@ def sorted_corners(t: vec3i, order: array(dtype=int32)) -> vec3i:
 @func
 def comes_before(a: int, b: int, mesh: BallMesh) -> int:
     """1 where triangle a is taken rather than b."""
-    before = int(0)
+    before = 0
     if mesh.widths[a] < mesh.widths[b]:
         before = 1
     if mesh.widths[a] == mesh.widths[b]:
@@ -94,7 +100,7 @@ def comes_before(a: int, b: int, mesh: BallMesh) -> int:
 @func
 def has_taken_edge(a: int, b: int, mesh: BallMesh) -> int:
     """1 where a triangle that is taken runs from a to b."""
-    found = int(0)
+    found = 0
     for j in range(mesh.around.starts[a], mesh.around.starts[a + 1]):
         if mesh.ends[j] == b:
             if mesh.states[mesh.around.corners[j] // 3] == uint8(TAKEN):
@@ -105,11 +111,11 @@ def has_taken_edge(a: int, b: int, mesh: BallMesh) -> int:
 @func
 def can_grow(t: int, mesh: BallMesh) -> int:
     """1 where a triangle touches a vertex that had none, or lies on an edge with one on its other side only."""
-    grows = int(0)
+    grows = 0
     for k in range(3):
         a = corner_vertex(mesh.triangles, 3 * t + k)
         b = corner_vertex(mesh.triangles, next_corner(3 * t + k))
-        if mesh.seen[a] == uint8(0):
+        if mesh.seen[a] == 0:
             grows = 1
         else:
             grows = max(grows, has_taken_edge(b, a, mesh))
@@ -130,7 +136,7 @@ def decide_kernel(undecided: array(dtype=int32), mesh: BallMesh, decided: array(
     i = tid()
     t = undecided[i]
     state = int(TAKEN)
-    if mesh.waiting[t] == uint8(1):
+    if mesh.waiting[t] == 1:
         state = UNDECIDED
     for k in range(3):
         a = corner_vertex(mesh.triangles, 3 * t + k)
@@ -141,7 +147,7 @@ def decide_kernel(undecided: array(dtype=int32), mesh: BallMesh, decided: array(
                 rival = int(mesh.states[other])
                 if rival == TAKEN:
                     state = REFUSED
-                elif rival == UNDECIDED and state == TAKEN and mesh.waiting[other] == uint8(0):
+                elif rival == UNDECIDED and state == TAKEN and mesh.waiting[other] == 0:
                     if comes_before(other, t, mesh) == 1:
                         state = UNDECIDED
     decided[i] = uint8(state)
@@ -152,7 +158,7 @@ def settle_kernel(undecided: array(dtype=int32), decided: array(dtype=uint8), me
     """Make the round's decisions; 1 where there is none yet."""
     i = tid()
     mesh.states[undecided[i]] = decided[i]
-    open = int(0)
+    open = 0
     if decided[i] == uint8(UNDECIDED):
         open = 1
     left[i] = uint8(open)
@@ -169,19 +175,19 @@ def mark_taken_kernel(mesh: BallMesh, asked: array(dtype=uint8), taken: array(dt
         for k in range(3):
             a = corner_vertex(mesh.triangles, 3 * i + k)
             b = corner_vertex(mesh.triangles, next_corner(3 * i + k))
-            taken[a] = uint8(1)
-            if asked[a] != uint8(0) and asked[b] != uint8(0):
+            taken[a] = 1
+            if asked[a] != 0 and asked[b] != 0:
                 if has_taken_edge(b, a, mesh) == 0:
-                    rims[a] = uint8(1)
-                    rims[b] = uint8(1)
+                    rims[a] = 1
+                    rims[b] = 1
 
 
 @kernel
 def ask_again_kernel(seen: array(dtype=uint8), rims: array(dtype=uint8), asked: array(dtype=uint8)):
     """The vertices that the next radius is for: without a triangle, or of an edge with one triangle."""
     i = tid()
-    wanted = int(0)
-    if seen[i] == uint8(0) or rims[i] != uint8(0):
+    wanted = 0
+    if seen[i] == 0 or rims[i] != 0:
         wanted = 1
     asked[i] = uint8(wanted)
 
@@ -192,19 +198,19 @@ def part_triangles_kernel(
 ):
     """Part the triangles that are taken: those of a vertex that is asked for, and the others."""
     i = tid()
-    near = int(0)
-    far = int(0)
+    near = 0
+    far = 0
     if mesh.states[i] == uint8(TAKEN):
         t = mesh.triangles[i]
         far = 1
-        if asked[t[0]] != uint8(0) or asked[t[1]] != uint8(0) or asked[t[2]] != uint8(0):
+        if asked[t[0]] != 0 or asked[t[1]] != 0 or asked[t[2]] != 0:
             near = 1
             far = 0
     open[i] = uint8(near)
     closed[i] = uint8(far)
 
 
-def settle_conflicts(mesh, first):
+def settle_conflicts(mesh: BallMesh, first: Any) -> None:
     """Decide which triangles are taken; those from number `first` on are undecided. One wait for the device a round."""
     device = mesh.triangles.device
     undecided = (
@@ -220,7 +226,7 @@ def settle_conflicts(mesh, first):
         undecided = gather_rows(undecided, positions_of(left))  # sync
 
 
-def close_radius(mesh, asked):
+def close_radius(mesh: BallMesh, asked: Bytes):
     """What a radius leaves: which vertices the next is for, and its triangles in two parts.
 
     Args:

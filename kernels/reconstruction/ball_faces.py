@@ -14,6 +14,7 @@ taken in parts, and those that need more room than others are done again with wh
 import numpy as np
 
 from ..algebra.transform import widen
+from ..array_types import Bytes, Device, Integers, Scalars, Triangles, Vectors
 from ..arrays.concatenation import concatenate_rows
 from ..arrays.packed_keys import key_index, pack_key
 from ..arrays.prefix_sum import exclusive_scan
@@ -83,7 +84,7 @@ class BallScratch:
     ends: array(dtype=vec3d)
     sags: array(dtype=float64)
 
-    def __init__(self, count, room, device):
+    def __init__(self, count: int, room: int, device: Device) -> None:
         most = max(1, SCRATCH // room) if device.is_cuda else min(CPU_THREADS, max(1, SCRATCH // room))
         self.threads, self.room = min(count, most), room
         self.run = -(-count // self.threads)
@@ -115,7 +116,7 @@ class BallPoints:
     radius: float64
     reach: float
 
-    def __init__(self, tree, normals, asked, radius):
+    def __init__(self, tree: PointTree, normals: Vectors, asked: Bytes, radius: float) -> None:
         self.tree, self.normals, self.asked, self.radius = tree, normals, asked, float(radius)
         self.reach = float(min(np.float64(REACH) * (2 * self.radius) ** 2, np.finfo(np.float32).max))
 
@@ -140,7 +141,7 @@ class BallFaces:
     corners: array(dtype=vec3i)
     widths: array(dtype=float32)
 
-    def __init__(self, places, slots):
+    def __init__(self, places: Integers, slots: int) -> None:
         device, count = places.device, places.size
         self.places, self.slots = places, slots
         self.held, self.counts = empty(count, int32, device), empty(count, int32, device)
@@ -157,7 +158,7 @@ def neighbor_at(scratch: BallScratch, j: int) -> vec3d:
 def gather_neighbors(place: int, points: BallPoints, scratch: BallScratch, base: int) -> int:
     """List the neighbours of a point by distance; how many, of which only `room` are listed."""
     p = points.tree.points[place]
-    held = int(0)
+    held = 0
     for j, sqdist in points_in_reach(place // BUCKET, p, points.reach, points.tree):
         if j != place:
             if held < scratch.room:
@@ -193,12 +194,12 @@ def is_empty_ball(
     b = neighbor_at(scratch, jb)
     c = neighbor_at(scratch, jc)
     x = ball_center(b, c, root, side)
-    empty = int(1)
-    j = base + 0
+    empty = 1
+    j = base
     while j < base + held and empty == 1:
         q = neighbor_at(scratch, j)
         size = scratch.sizes[j]
-        clearance = size * size - float64(2.0) * dot(x, q)
+        clearance = size * size - 2.0 * dot(x, q)
         slack = float64(NEAR) * points.radius * size
         if clearance <= slack and j != jb and j != jc:
             if clearance < -slack:
@@ -217,7 +218,7 @@ def is_empty_ball(
 @func
 def write_ends(b: vec3d, u: vec3d, v: vec3d, height: float64, count: int, scratch: BallScratch, at: int):
     """The centres at the ends of the arcs, and how far the others sag between them."""
-    middle = b * float64(0.5)
+    middle = b * 0.5
     slack = float64(NEAR) * (height + sqrt(dot(b, b)))  # more than NEAR of the radius
     for k in range(count):
         low = scratch.arcs[at + 2 * k]
@@ -232,7 +233,7 @@ def write_ends(b: vec3d, u: vec3d, v: vec3d, height: float64, count: int, scratc
 @func
 def touches_arcs(q: vec3d, size: float64, count: int, scratch: BallScratch, at: int) -> int:
     """1 where a point may lie in a ball of the arcs whose ends are known."""
-    touches = int(0)
+    touches = 0
     for k in range(count):
         if passes_arc(q, size, scratch.ends[at + 2 * k], scratch.ends[at + 2 * k + 1], scratch.sags[at + k]) == 0:
             touches = 1
@@ -249,30 +250,30 @@ def free_arcs(jb: int, u: vec3d, v: vec3d, height: float64, scratch: BallScratch
     """
     b = neighbor_at(scratch, jb)
     length = scratch.sizes[jb]
-    count = int(1)
-    cuts = int(0)
-    scratch.arcs[at] = float64(0.0)
+    count = 1
+    cuts = 0
+    scratch.arcs[at] = 0.0
     scratch.arcs[at + 1] = float64(FULL_TURN)
-    j = base + 0
+    j = base
     while j < jb and count > 0:
         q = neighbor_at(scratch, j)
-        if dot(q, q - b) < float64(0.0):
+        if dot(q, q - b) < 0.0:
             count = forbid_arc(scratch.arcs, at, count, q, scratch.sizes[j], b, length, u, v, height)
             scratch.cutters[base + cuts] = j
             cuts += 1
         j += 1
     early = cuts + NEAREST
-    j = base + 0
-    known = int(0)
+    j = base
+    known = 0
     while j < base + held and count > 0:
         q = neighbor_at(scratch, j)
-        cut = int(0)
-        if j > jb or (j < jb and dot(q, q - b) >= float64(0.0)):
+        cut = 0
+        if j > jb or (j < jb and dot(q, q - b) >= 0.0):
             cut = 1
             if cuts >= early:
                 if known == 0:
                     write_ends(b, u, v, height, count, scratch, at)
-                    known = count + 0
+                    known = count
                 cut = touches_arcs(q, scratch.sizes[j], known, scratch, at)
         if cut == 1:
             count = forbid_arc(scratch.arcs, at, count, q, scratch.sizes[j], b, length, u, v, height)
@@ -307,27 +308,27 @@ def try_faces(
     faces: BallFaces,
 ) -> int:
     """Store the triangles of a point, a neighbour and what touches the ends of the arcs left; how many there are."""
-    total = found + 0
+    total = found
     b = neighbor_at(scratch, jb)
     other = scratch.places[jb]
     for i in range(scratch.cuts[base // scratch.room]):
         j = scratch.cutters[base + i]
         third = scratch.places[j]
-        if third > other and points.asked[third] != uint8(0):
+        if third > other and points.asked[third] != 0:
             q = neighbor_at(scratch, j)
             size = scratch.sizes[j]
             slack = float64(NEAR) * points.radius * size
-            begins = int(0)
-            ends = int(0)
+            begins = 0
+            ends = 0
             for k in range(count):
-                if abs(size * size - float64(2.0) * dot(q, scratch.ends[at + 2 * k])) <= slack:
+                if abs(size * size - 2.0 * dot(q, scratch.ends[at + 2 * k])) <= slack:
                     begins = 1
-                if abs(size * size - float64(2.0) * dot(q, scratch.ends[at + 2 * k + 1])) <= slack:
+                if abs(size * size - 2.0 * dot(q, scratch.ends[at + 2 * k + 1])) <= slack:
                     ends = 1
             if begins + ends > 0:
                 root = root_of_ball(b, q, points.radius)
-                side = int(0)
-                if root >= float64(0.0):
+                side = 0
+                if root >= 0.0:
                     n = cross(b, q)
                     side = side_of_normals(n, points.normals[place], points.normals[other], points.normals[third])
                 if (side == 1 and begins == 1) or (side == -1 and ends == 1):
@@ -348,12 +349,12 @@ def find_faces(
     """The triangles of a point whose other corners lie behind it on the curve; how many."""
     base = thread * scratch.room
     at = thread * 2 * ARCS
-    found = int(0)
+    found = 0
     for jb in range(base, base + held):
         other = scratch.places[jb]
-        half = scratch.sizes[jb] * float64(0.5)
+        half = scratch.sizes[jb] * 0.5
         rise = points.radius * points.radius - half * half
-        if other > place and rise > float64(0.0) and points.asked[other] != uint8(0):
+        if other > place and rise > 0.0 and points.asked[other] != 0:
             b = neighbor_at(scratch, jb)
             u = across(b)
             v = cross(b / scratch.sizes[jb], u)
@@ -371,7 +372,7 @@ def find_faces_kernel(points: BallPoints, scratch: BallScratch, faces: BallFaces
     for row in range(i * scratch.run, min((i + 1) * scratch.run, faces.places.shape[0])):
         place = faces.places[row]
         held = gather_neighbors(place, points, scratch, i * scratch.room)
-        found = int(0)
+        found = 0
         if held <= scratch.room:
             found = find_faces(place, row, i, points, scratch, held, faces)
         faces.held[row] = held
@@ -389,7 +390,7 @@ def pack_faces_kernel(
         widths[offsets[i] + j] = faces.widths[i * faces.slots + j]
 
 
-def list_faces(points, places):
+def list_faces(points: BallPoints, places: Integers) -> tuple[Triangles, Scalars]:
     """The triangles whose first corner on the curve is one of the points at these places.
 
     Args:

@@ -34,10 +34,10 @@ def side_of_normals(n: vec3d, a: vec3, b: vec3, c: vec3) -> int:
     y = dot(n, q)
     z = dot(n, r)
     size = sqrt(dot(n, n)) * float64(FACING)
-    side = int(0)
-    if x + y + z > float64(0.0):
+    side = 0
+    if x + y + z > 0.0:
         side = 1
-    if x + y + z < float64(0.0):
+    if x + y + z < 0.0:
         side = -1
     s = float64(side)
     if s * x < -size * sqrt(dot(p, p)) or s * y < -size * sqrt(dot(q, q)) or s * z < -size * sqrt(dot(r, r)):
@@ -56,11 +56,11 @@ def root_of_ball(b: vec3d, c: vec3d, radius: float64) -> float64:
     bb = dot(b, b)
     cc = dot(c, c)
     d = b - c
-    whole = float64(4.0) * radius * radius * nn
+    whole = 4.0 * radius * radius * nn
     rest = whole - bb * cc * dot(d, d)
     root = float64(-1.0)
     if nn > float64(THINNEST) * bb * cc and rest >= -whole * float64(ROUNDING):
-        root = sqrt(max(rest, float64(0.0)))
+        root = sqrt(max(rest, 0.0))
     return root
 
 
@@ -69,7 +69,7 @@ def ball_center(b: vec3d, c: vec3d, root: float64, side: int) -> vec3d:
     """The centre of the ball on 0, b and c, on one side of b x c."""
     n = cross(b, c)
     k = cross(n, b) * dot(c, c) + cross(c, n) * dot(b, b)
-    return (k + n * (root * float64(side))) * (float64(0.5) / dot(n, n))
+    return (k + n * (root * float64(side))) * (0.5 / dot(n, n))
 
 
 @func
@@ -77,13 +77,13 @@ def width_of_circle(b: vec3d, c: vec3d, radius: float64) -> float:
     """The circle's squared radius through 0, b and c as a share of the ball's."""
     n = cross(b, c)
     d = b - c
-    return float(dot(b, b) * dot(c, c) * dot(d, d) / (float64(4.0) * radius * radius * dot(n, n)))
+    return float(dot(b, b) * dot(c, c) * dot(d, d) / (4.0 * radius * radius * dot(n, n)))
 
 
 @func
 def sign_of(x: float64, bound: float64) -> int:
     """-1, 0 or 1; 0 within the bound."""
-    sign = int(0)
+    sign = 0
     if x > bound:
         sign = 1
     if x < -bound:
@@ -97,26 +97,26 @@ def weigh_tie(on_a: int, on_b: int, on_c: int, a: int, b: int, c: int, d: int) -
 
     The lowest index whose coordinate is not zero decides; that of D itself is -1.
     """
-    decided = int(0)
-    passed = int(-1)
+    decided = 0
+    passed = -1
     for turn in range(TAKEN):
-        lowest = d + 0
-        sign = int(-1)
+        lowest = d
+        sign = -1
         if d <= passed:
             sign = 0
             lowest = 0x7FFFFFFF
         if a > passed and a < lowest:
-            lowest = a + 0
-            sign = on_a + 0
+            lowest = a
+            sign = on_a
         if b > passed and b < lowest:
-            lowest = b + 0
-            sign = on_b + 0
+            lowest = b
+            sign = on_b
         if c > passed and c < lowest:
-            lowest = c + 0
-            sign = on_c + 0
-        passed = lowest + 0
+            lowest = c
+            sign = on_c
+        passed = lowest
         if decided == 0:
-            decided = sign + 0
+            decided = sign
     return -decided
 
 
@@ -127,9 +127,9 @@ def break_tie(b: vec3d, c: vec3d, d: vec3d, root: float64, side: int, ia: int, i
     lengths = sqrt(dot(b, b) * dot(c, c))
     v = b - d
     w = c - d
-    on_a = int(0)
-    on_b = int(0)
-    on_c = int(0)
+    on_a = 0
+    on_b = 0
+    on_c = 0
     if abs(dot(d, n)) <= float64(ROUNDING) * sqrt(dot(d, d)) * lengths:  # in the plane of the others: on their circle
         on_a = sign_of(dot(n, cross(v, w)), float64(ROUNDING) * lengths * sqrt(dot(v, v) * dot(w, w)))
         on_b = sign_of(dot(n, cross(d, c)), float64(ROUNDING) * lengths * sqrt(dot(c, c) * dot(d, d)))
@@ -158,7 +158,7 @@ def holds_point(
     value = dd * nn - dot(d, k) - float64(side) * height * root
     lengths = sqrt(bb * cc)
     far = sqrt(dd)
-    whole = float64(4.0) * radius * radius * lengths * sqrt(nn)
+    whole = 4.0 * radius * radius * lengths * sqrt(nn)
     loss = float64(ROUNDING) * (whole + bb * cc * dot(b - c, b - c))  # of R
     bound = float64(ROUNDING) * far * lengths * (lengths * (far + sqrt(bb) + sqrt(cc)) + root)
     bound += abs(height) * loss / (root + sqrt(loss))

@@ -7,11 +7,15 @@ the smaller ones left: points without a triangle, and those of edges with one tr
 20 B a point for a second tree where some points take no part; 100 B a point for each radius, and 60 B a half-edge.
 """
 
+from collections.abc import Callable
+from typing import Any
+
 from ..algebra.transform import widen
+from ..array_types import Points, Vectors
 from ..arrays.concatenation import concatenate_rows
 from ..arrays.select import gather_rows, positions_of
 from ..arrays.sort import argsort_keys, positions
-from ..lang import array, dot, float64, func, int32, int64, isfinite, kernel, launch, tid, uint8, vec3, vec3i
+from ..lang import array, dot, func, int32, int64, isfinite, kernel, launch, tid, uint8, vec3, vec3i
 from ..memory import download, empty, full, upload, zeros
 from ..meshes.mesh_edits import gather_triangles
 from ..sampling.duplicates import first_occurrences, same_point
@@ -28,9 +32,9 @@ def mark_facing_kernel(points: array(dtype=vec3), normals: array(dtype=vec3), fa
     """1 at points that are finite and have a normal."""
     i = tid()
     n = widen(normals[i])
-    valid = int(0)
+    valid = 0
     if isfinite(points[i]) and isfinite(normals[i]):
-        if dot(n, n) > float64(0.0):
+        if dot(n, n) > 0.0:
             valid = 1
     facing[i] = uint8(valid)
 
@@ -39,7 +43,7 @@ def mark_facing_kernel(points: array(dtype=vec3), normals: array(dtype=vec3), fa
 def mark_repeated_kernel(points: array(dtype=vec3), marks: array(dtype=uint8)):
     """1 where a point in the tree's order equals the one before."""
     i = tid()
-    repeated = int(0)
+    repeated = 0
     if i > 0:
         repeated = same_point(points[i - 1], points[i])
     marks[i] = uint8(repeated)
@@ -66,7 +70,7 @@ def name_corners_kernel(rows: array(dtype=int32), bits: int, triangles: array(dt
     keys[i] = (int64(named[0]) << int64(bits)) | int64(named[1])
 
 
-def count_around(tree, places, radius):
+def count_around(tree: PointTree, places: Any, radius: Any):
     """The mean number of points within a radius [m] of points at some places in a tree, of at most SAMPLE of these."""
     rows = download(places)[:: -(-places.size // SAMPLE)]
     sample = gather_rows(tree.points, upload(rows, int32, tree.device))
@@ -89,7 +93,7 @@ class RollingBall:
         normals: By place.
     """
 
-    def __init__(self, points, normals, grown):
+    def __init__(self, points: Points, normals: Vectors, grown: Callable[..., Any]) -> None:
         device = points.device
         facing = empty(points.size, uint8, device)
         launch(mark_facing_kernel, points.size, [points, normals, facing])
@@ -104,13 +108,13 @@ class RollingBall:
             self.rows = self.tree.order
         self.normals = gather_rows(normals, self.rows[: self.tree.count]) if self.tree.count else empty(0, vec3, device)
 
-    def _repeats(self):
+    def _repeats(self) -> bool:
         """Whether points that follow each other in the tree are equal; others that are equal do no harm but to time."""
         marks = empty(self.tree.count, uint8, self.tree.device)
         launch(mark_repeated_kernel, self.tree.count, [self.tree.points, marks])
         return positions_of(marks).size > 0  # sync
 
-    def roll(self, radii, row_count, check):
+    def roll(self, radii: Any, row_count: Any, check: Any):
         """The triangles of balls of these radii [m], one after the other.
 
         Args:

@@ -6,7 +6,12 @@ common direction do not matter; corners outside the mesh's box are decided by th
 triangles: for envelopes of some thousand triangles at most.
 """
 
+from typing import Any
+
+import numpy as np
+
 from ..algebra.transform import widen
+from ..array_types import Mask, Scalars, Triangles
 from ..lang import (
     array,
     atan2,
@@ -49,7 +54,7 @@ class Envelope:
     low: vec3
     high: vec3
 
-    def __init__(self, vertices, triangles, low, high):
+    def __init__(self, vertices: Any, triangles: Triangles, low: np.ndarray, high: np.ndarray) -> None:
         self.vertices, self.triangles, self.count = vertices, triangles, triangles.size
         self.low, self.high = vec3(*low), vec3(*high)
 
@@ -67,7 +72,7 @@ def solid_angle(a: vec3d, b: vec3d, c: vec3d) -> float64:
 @func
 def is_enclosed(p: vec3d, envelope: Envelope) -> int:
     """1 for places inside the mesh."""
-    inside = int(1)
+    inside = 1
     for axis in range(3):
         if p[axis] < float64(envelope.low[axis]) or p[axis] > float64(envelope.high[axis]):
             inside = 0
@@ -78,7 +83,7 @@ def is_enclosed(p: vec3d, envelope: Envelope) -> int:
             a = widen(envelope.vertices[t[0]]) - p
             b = widen(envelope.vertices[t[1]]) - p
             c = widen(envelope.vertices[t[2]]) - p
-            angle += float64(2.0) * solid_angle(a, b, c)
+            angle += 2.0 * solid_angle(a, b, c)
         if abs(angle) < float64(0.5 * FULL_ANGLE):
             inside = 0
     return inside
@@ -86,27 +91,23 @@ def is_enclosed(p: vec3d, envelope: Envelope) -> int:
 
 @kernel
 def hold_outside_kernel(
-    level: OctreeLevel,
-    cube: Cube,
-    envelope: Envelope,
-    mask: array(dtype=uint8),
-    values: array(dtype=float32),
+    level: OctreeLevel, cube: Cube, envelope: Envelope, mask: array(dtype=uint8), values: array(dtype=float32)
 ):
     """Set the function at unknowns outside the envelope, which are unknown no more.
 
     What a finer level takes from the one above at its rim stays, so that the function is continuous there.
     """
     i = tid()
-    if mask[i] != uint8(0):
+    if mask[i] != 0:
         color = i // level.count
         slot = SLOTS * (i - color * level.count) + color
         place = slot_place(slot, level)
         x = vec3d(float64(place[0]), float64(place[1]), float64(place[2])) / float64(1 << level.depth)
         if is_enclosed(cube.corner + x * cube.side, envelope) == 0:
             values[slot] = float(OUTSIDE)
-            mask[i] = uint8(0)
+            mask[i] = 0
 
 
-def hold_outside(level, cube, envelope, mask, values):
+def hold_outside(level: Any, cube: Any, envelope: Any, mask: Mask, values: Scalars) -> None:
     """Set a level's values outside an envelope; `mask` tells its unknowns, by colour and block (uint8)."""
     launch(hold_outside_kernel, mask.size, [level, cube, envelope, mask, values])

@@ -8,6 +8,8 @@ Faces of finer cells handed to coarser ones: Kazhdan, Klein, Dalal and Hoppe, "U
 arbitrary octrees", SGP 2007.
 """
 
+from typing import Any
+
 from ..algebra.transform import narrow, widen
 from ..lang import array, float64, func, int32, kernel, length, struct, tid, vec3, vec3d, vec3i
 from ..memory import empty
@@ -20,10 +22,10 @@ SEGMENTS = 48  # of the contours on a cell's faces: two on each of four parts of
 @func
 def face_step(k: int, side: int, is_second: int) -> int:
     """0 or 1: where the k-th corner of a face lies along its first or second axis, counter-clockwise from outside."""
-    turned = k + 0
+    turned = k
     if side == 0:
         turned = (4 - k) % 4
-    step = int(0)
+    step = 0
     if is_second == 0 and (turned == 1 or turned == 2):
         step = 1
     if is_second == 1 and turned >= 2:
@@ -47,7 +49,7 @@ class Contours:
     froms: array(dtype=int32)
     tos: array(dtype=int32)
 
-    def __init__(self, cells):
+    def __init__(self, cells: Any) -> None:
         device, self.cells, self.count = cells.device, cells, cells.size
         self.sizes = empty(cells.size, int32, device)
         self.froms, self.tos = (empty(SEGMENTS * cells.size, int32, device) for _ in range(2))
@@ -66,15 +68,7 @@ def face_corner(slot: int, axis: int, side: int, u: int, v: int, is_fine: int, l
 
 @func
 def contour_vertex(
-    slot: int,
-    axis: int,
-    side: int,
-    k: int,
-    u: int,
-    v: int,
-    is_fine: int,
-    surface: LevelSurface,
-    below: LevelSurface,
+    slot: int, axis: int, side: int, k: int, u: int, v: int, is_fine: int, surface: LevelSurface, below: LevelSurface
 ) -> int:
     """The vertex on the edge from the k-th corner to the next of the part of a face that begins at (u, v)."""
     k0 = k % 4
@@ -88,7 +82,7 @@ def contour_vertex(
     start = face_corner(
         slot, axis, side, u + min(u0, u1), v + min(v0, face_step(k1, side, 1)), is_fine, surface.level
     )  # fmt: skip
-    vertex = int(-1)
+    vertex = -1
     if is_fine == 1:
         vertex = own_vertex(start, edge_axis, below)
     else:
@@ -114,23 +108,23 @@ def draw_contour(
     Around the face a run of inside corners is entered through one edge and left through another: that is its segment.
     """
     slot = contours.cells[i]
-    inside = int(0)
+    inside = 0
     n = int(4)
     for k in range(n):
         corner = face_corner(
             slot, axis, side, u + face_step(k, side, 0), v + face_step(k, side, 1), is_fine, surface.level
         )  # fmt: skip
-        value = float(0.0)
+        value = 0.0
         if is_fine == 1:
             value = below.values[corner]
         else:
             value = surface.values[corner]
         if value < 0.0:
             inside = inside | (1 << k)
-    total = size + 0
+    total = size
     for k in range(n):
         if ((inside >> k) & 1) == 1 and ((inside >> ((k + 3) % 4)) & 1) == 0:
-            last = k + 0
+            last = k
             while ((inside >> ((last + 1) % 4)) & 1) == 1:
                 last += 1
             at = SEGMENTS * i + total
@@ -144,9 +138,9 @@ def draw_contour(
 def join_segments(i: int, size: int, contours: Contours) -> vec3i:
     """Order a cell's segments so that each loop's follow each other: (triangles, middles of loops, 0)."""
     base = SEGMENTS * i
-    triangles = int(0)
-    middles = int(0)
-    start = int(0)
+    triangles = 0
+    middles = 0
+    start = 0
     for at in range(size):
         if contours.tos[base + at] == contours.froms[base + start]:
             sides = at + 1 - start
@@ -179,7 +173,7 @@ def draw_contours_kernel(
 ):
     """The contours on the faces of each cell, in loops."""
     i = tid()
-    size = int(0)
+    size = 0
     axes = int(3)
     two = int(2)
     for axis in range(axes):
@@ -215,7 +209,7 @@ def write_loops_kernel(
     base = SEGMENTS * i
     triangle = first + offsets[i]
     middle = first_middle + middles[i]
-    start = int(0)
+    start = 0
     for at in range(contours.sizes[i]):
         if contours.tos[base + at] == contours.froms[base + start]:
             sides = at + 1 - start
@@ -225,9 +219,9 @@ def write_loops_kernel(
                 triangles[triangle] = vec3i(a, b, contours.froms[base + at])
                 triangle += 1
             else:
-                p = vec3d(float64(0.0), float64(0.0), float64(0.0))
-                normal = vec3d(float64(0.0), float64(0.0), float64(0.0))
-                place = vec3d(float64(0.0), float64(0.0), float64(0.0))
+                p = vec3d(0.0, 0.0, 0.0)
+                normal = vec3d(0.0, 0.0, 0.0)
+                place = vec3d(0.0, 0.0, 0.0)
                 for j in range(start, at + 1):
                     vertex = contours.froms[base + j]
                     p = p + widen(vertices[vertex])
@@ -235,9 +229,9 @@ def write_loops_kernel(
                     place = place + widen(places[vertex])
                     triangles[triangle] = vec3i(vertex, contours.tos[base + j], middle)
                     triangle += 1
-                share = float64(1.0) / float64(sides)
+                share = 1.0 / float64(sides)
                 size = length(normal)
-                if size > float64(0.0):
+                if size > 0.0:
                     normal = normal / size
                 vertices[middle] = narrow(p * share)
                 normals[middle] = narrow(normal)

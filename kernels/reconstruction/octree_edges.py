@@ -5,7 +5,10 @@ it crosses one of the edge's halves where it crosses the edge. A thread a block;
 function less its value on the surface.
 """
 
+from typing import Any
+
 from ..algebra.transform import narrow, widen
+from ..array_types import Scalars
 from ..arrays.prefix_sum import exclusive_scan
 from ..lang import (
     array,
@@ -46,7 +49,7 @@ class LevelSurface:
     crossings: array(dtype=int32)
     firsts: array(dtype=int32)
 
-    def __init__(self, level, values, first, iso):
+    def __init__(self, level: Any, values: Scalars, first: int, iso: float) -> None:
         device, count = level.device, level.count
         self.level, self.values = level, empty(values.size, float32, device)
         self.crossings = empty(count, int32, device)
@@ -91,7 +94,7 @@ def slot_after(slot: int, step: vec3i, level: OctreeLevel) -> int:
 @func
 def differ(a: float, b: float) -> int:
     """1 where one of two values is below zero and the other is not."""
-    found = int(0)
+    found = 0
     if (a < 0.0 and b >= 0.0) or (a >= 0.0 and b < 0.0):
         found = 1
     return found
@@ -100,14 +103,14 @@ def differ(a: float, b: float) -> int:
 @func
 def holds_vertex(slot: int, axis: int, level: OctreeLevel, values: array(dtype=float32)) -> int:
     """1 for an edge of cells none of which is divided, whose ends lie on different sides."""
-    found = int(0)
+    found = 0
     end = slot_after(slot, along(axis), level)
     if end >= 0:
         found = differ(values[slot], values[end])
     if found == 1:
         u = along((axis + 1) % 3)
         v = along((axis + 2) % 3)
-        cells = int(0)
+        cells = 0
         n = int(2)
         for i in range(n):
             for j in range(n):
@@ -126,7 +129,7 @@ def mark_crossings_kernel(
 ):
     """The edges of each block that hold a vertex."""
     i = tid()
-    bits = int(0)
+    bits = 0
     n = int(8)
     m = int(3)
     for corner in range(n):
@@ -143,7 +146,7 @@ def own_vertex(slot: int, axis: int, surface: LevelSurface) -> int:
     block = slot // SLOTS
     bit = 3 * (slot - SLOTS * block) + axis
     bits = surface.crossings[block]
-    vertex = int(-1)
+    vertex = -1
     if ((bits >> bit) & 1) == 1:
         vertex = surface.firsts[block] + bit_count(bits & ((1 << bit) - 1))
     return vertex
@@ -166,7 +169,7 @@ def difference_along(slot: int, step: vec3i, level: OctreeLevel, values: array(d
     """The derivative at a corner, a cell's width being 1: from both sides where there are both."""
     ahead = slot_after(slot, step, level)
     behind = slot_after(slot, -step, level)
-    slope = float(0.0)
+    slope = 0.0
     if ahead >= 0 and behind >= 0:
         slope = 0.5 * (values[ahead] - values[behind])
     elif ahead >= 0:
@@ -197,8 +200,8 @@ def crossing_share(a: float, b: float, slope_a: float, slope_b: float, is_linear
         mean = 0.5 * (slope_a + slope_b)
         if mean * rise > 0.0:
             slope = slope_a * (rise / mean)
-            low = float(0.0)
-            high = float(1.0)
+            low = 0.0
+            high = 1.0
             n = int(HALVINGS)
             for _ in range(n):
                 t = 0.5 * (low + high)
@@ -225,7 +228,7 @@ def write_vertices_kernel(
     bits = surface.crossings[i]
     vertex = surface.firsts[i]
     width = 1.0 / float(1 << surface.level.depth)
-    left = bits + 0
+    left = bits
     while left != 0:
         bit = bit_count((left & (-left)) - 1)
         left = left & (left - 1)
@@ -248,7 +251,7 @@ def write_vertices_kernel(
         vertices[vertex] = narrow(cube.corner + x * cube.side)
         gradient = widen(start_gradient * (1.0 - t) + end_gradient * t)
         size = length(gradient)
-        if size > float64(0.0):
+        if size > 0.0:
             gradient = gradient / size
         normals[vertex] = narrow(gradient)
         slots[vertex] = slot

@@ -12,6 +12,7 @@ touch differ by one level at most. 180 B a block: 108 of them its neighbours.
 
 import numpy as np
 
+from ..array_types import Device, Integers
 from ..arrays.prefix_sum import exclusive_scan
 from ..lang import array, func, int32, kernel, launch, struct, tid, uint8, vec3i
 from ..memory import check_room, empty, fill, full, upload, zeros
@@ -44,7 +45,7 @@ class OctreeLevel:
     divided: array(dtype=uint8)
     children: array(dtype=int32)
 
-    def __init__(self, depth, count, device):
+    def __init__(self, depth: int, count: int, device: Device) -> None:
         self.depth, self.count, self.device = depth, count, device
         self.places, self.parents = empty(count, vec3i, device), empty(count, int32, device)
         self.has_cells, self.around = empty(count, uint8, device), empty(AROUND * count, int32, device)
@@ -55,7 +56,7 @@ class OctreeLevel:
 def slot_beside(around: array(dtype=int32), block: int, x: int, y: int, z: int) -> int:
     """The slot at (x, y, z), each -2..3, from a block's first slot; -1 where there is none."""
     other = around[AROUND * block + 9 * ((x >> 1) + 1) + 3 * ((y >> 1) + 1) + (z >> 1) + 1]
-    slot = int(-1)
+    slot = -1
     if other >= 0:
         slot = SLOTS * other + (x & 1) + 2 * (y & 1) + 4 * (z & 1)
     return slot
@@ -71,7 +72,7 @@ def slot_place(slot: int, level: OctreeLevel) -> vec3i:
 @func
 def is_cell(slot: int, level: OctreeLevel) -> int:
     """1 where there is a cell at the slot."""
-    found = int(0)
+    found = 0
     if slot >= 0:
         found = int(level.has_cells[slot // SLOTS])
     return found
@@ -80,7 +81,7 @@ def is_cell(slot: int, level: OctreeLevel) -> int:
 @func
 def is_divided(slot: int, level: OctreeLevel) -> int:
     """1 where there is a cell with children at the slot."""
-    found = int(0)
+    found = 0
     if slot >= 0:
         found = int(level.divided[slot])
     return found
@@ -104,7 +105,7 @@ def divide_around_kernel(wanted: array(dtype=int32), level: OctreeLevel):
             for z in range(n):
                 slot = neighbor_slot(wanted[i], x - 1, y - 1, z - 1, level)
                 if is_cell(slot, level) == 1:
-                    level.divided[slot] = uint8(1)
+                    level.divided[slot] = 1
 
 
 @kernel
@@ -118,7 +119,7 @@ def divide_all_kernel(level: OctreeLevel):
 def mark_children_kernel(level: OctreeLevel, marks: array(dtype=int32)):
     """1 for slots that are a corner of a divided cell: they need a block on the next level."""
     i = tid()
-    mark = int(0)
+    mark = 0
     n = int(2)
     for x in range(n):
         for y in range(n):
@@ -151,14 +152,14 @@ def find_blocks_around_kernel(level: OctreeLevel, below: OctreeLevel):
         for y in range(n):
             for z in range(n):
                 slot = neighbor_slot(parent, x - 1, y - 1, z - 1, level)
-                other = int(-1)
+                other = -1
                 if slot >= 0:
                     other = level.children[slot]
                 below.around[at] = other
                 at += 1
 
 
-def first_levels(device):
+def first_levels(device: Device) -> tuple[OctreeLevel, OctreeLevel]:
     """(level 0, level 1), where the tree begins: one block of the cube's octants, a halo of seven for its far corners.
 
     Of level 0 there is nothing but the child of its one cell.
@@ -177,7 +178,7 @@ def first_levels(device):
     return root, level
 
 
-def next_level(level, block_bytes):
+def next_level(level: OctreeLevel, block_bytes: int) -> OctreeLevel | None:
     """The level below one whose divided cells are marked; None where none is. One sync.
 
     Args:
@@ -200,7 +201,7 @@ def next_level(level, block_bytes):
     return below
 
 
-def divide(level, wanted):
+def divide(level: OctreeLevel, wanted: Integers | None) -> None:
     """Mark cells (int32 slots), and their neighbours, as divided; all cells where `wanted` is None."""
     if wanted is None:
         launch(divide_all_kernel, SLOTS * level.count, [level])

@@ -7,6 +7,9 @@ levels are done from coarse to fine, and all orders are those of the slots: the 
 Lorensen and Cline, "Marching cubes", SIGGRAPH 1987.
 """
 
+from collections.abc import Sequence
+from typing import Any
+
 from ..arrays.prefix_sum import exclusive_scan
 from ..arrays.select import positions_of
 from ..lang import array, func, int32, kernel, launch, tid, uint8, vec3, vec3i
@@ -22,7 +25,7 @@ EDGES = 15  # entries of a case in the table of triangles
 @func
 def leaf_case(slot: int, surface: LevelSurface) -> int:
     """The signs at the corners of an undivided cell, a bit each; 0 where there is no such cell."""
-    case = int(0)
+    case = 0
     if is_cell(slot, surface.level) > is_divided(slot, surface.level):
         n = int(8)
         for corner in range(n):
@@ -35,7 +38,7 @@ def leaf_case(slot: int, surface: LevelSurface) -> int:
 @func
 def is_beside_divided(slot: int, level: OctreeLevel) -> int:
     """1 for a cell one of whose six neighbours is divided."""
-    found = int(0)
+    found = 0
     n = int(3)
     for axis in range(n):
         step = along(axis)
@@ -51,8 +54,8 @@ def count_triangles_kernel(
     """Triangles of each cell that takes them from the table; 1 for cells that have to be joined to finer ones."""
     i = tid()
     case = leaf_case(i, surface)
-    count = int(0)
-    beside = int(0)
+    count = 0
+    beside = 0
     if case != 0 and case != 255:
         beside = is_beside_divided(i, surface.level)
         if beside == 0:
@@ -110,7 +113,7 @@ class OctreeSurface:
         ranges: (depth, first, last) of runs of vertices of one level.
     """
 
-    def __init__(self, levels, solutions, iso, cube, is_linear):
+    def __init__(self, levels: Any, solutions: Sequence[Any], iso: Any, cube: Any, is_linear: Any) -> None:
         device, last = levels[1].device, len(levels) - 1
         tables = device_tables(device)
         surfaces, vertex_count, self.ranges = [], 0, []

@@ -7,8 +7,10 @@ the samples' mean value (`octree_surface`), and how dense they lie there.
 Kazhdan and Hoppe, "Screened Poisson surface reconstruction", ACM TOG 32(3), 2013.
 """
 
+from collections.abc import Sequence
 from typing import Any, NamedTuple
 
+from ..array_types import Points, Vectors
 from ..lang import float64, int32, pow, reduce, reduction, tid, vec2d
 from ..memory import check_room, download, empty, fill
 from .octree_levels import divide, first_levels, next_level
@@ -52,7 +54,9 @@ class PoissonSurface(NamedTuple):
     depth: int
 
 
-def grow_tree(cells, sample_count, deepest, kernel_depth, samples_per_cell):
+def grow_tree(
+    cells: Sequence[SampleCells], sample_count: int, deepest: int, kernel_depth: int, samples_per_cell: float
+) -> DensityPyramid:
     """The tree over samples, as a DensityPyramid.
 
     Raises:
@@ -71,7 +75,16 @@ def grow_tree(cells, sample_count, deepest, kernel_depth, samples_per_cell):
 
 
 def reconstruct_poisson(
-    points, normals, cube, depth, *, is_linear, point_weight, samples_per_cell, by_length, envelope=None
+    points: Points,
+    normals: Vectors,
+    cube: Any,
+    depth: int,
+    *,
+    is_linear: Any,
+    point_weight: Any,
+    samples_per_cell: float,
+    by_length: bool,
+    envelope: Any = None,
 ):
     """The surface of oriented points.
 
@@ -93,8 +106,8 @@ def reconstruct_poisson(
     check_room(points.device, rows.size * SAMPLE_BYTES, f"the cells of {rows.size:,} points")
     cells = gather_samples(points, normals, rows, cube, depth, by_length)
     pyramid = grow_tree(cells, rows.size, depth, max(1, depth - 2), samples_per_cell)
-    totals = [download(reduce(sum_areas, c.count, [c, r]))[0] for c, r in pyramid.pairs()]  # sync
-    area, weight = sum(totals)
+    totals: list[Any] = [download(reduce(sum_areas, c.count, [c, r]))[0] for c, r in pyramid.pairs()]  # sync
+    area, weight = sum(totals)  # type: ignore[misc]  # there is one level at least
     tests = constraints(pyramid)
     solutions = solve(pyramid, tests, point_weight * area / weight, cube, envelope)
     del tests

@@ -13,10 +13,13 @@ A renewal reads 21 corners, through a table of where they lie from each kind of 
 number of sweeps, never until a tolerance.
 """
 
+from collections.abc import Sequence
 from itertools import product
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from ..array_types import Scalars
 from ..arrays.select import positions_of
 from ..lang import (
     array,
@@ -43,6 +46,9 @@ from .poisson_system import shares_in_parent
 from .sample_cells import SampleCells
 from .splines import corner_value, corner_weight, shares_in_cell
 
+if TYPE_CHECKING:
+    from .sample_density import DensityPyramid
+
 COARSE = 4  # levels up to this one are small and get more sweeps
 COARSE_SWEEPS = 10
 FULL_SWEEPS = 8  # of the last level that fills the cube; four leave its surface 10 % less exact
@@ -67,7 +73,7 @@ def mark_unknowns_kernel(level: OctreeLevel, blocks: int, mask: array(dtype=uint
     slot = SLOTS * (i - color * blocks) + color
     place = slot_place(slot, level)
     cells = 1 << level.depth
-    unknown = int(1)
+    unknown = 1
     if place[0] > cells or place[1] > cells or place[2] > cells:
         unknown = 0
     n = int(8)
@@ -75,7 +81,7 @@ def mark_unknowns_kernel(level: OctreeLevel, blocks: int, mask: array(dtype=uint
         x = corner & 1
         y = (corner >> 1) & 1
         z = (corner >> 2) & 1
-        outside = int(0)
+        outside = 0
         if place[0] - x < 0 or place[1] - y < 0 or place[2] - z < 0:
             outside = 1
         if place[0] - x >= cells or place[1] - y >= cells or place[2] - z >= cells:
@@ -102,7 +108,7 @@ class SamplePulls:
     weights: array(dtype=float32)
     values: array(dtype=float32)
 
-    def __init__(self, pyramid, depth, values, weight):
+    def __init__(self, pyramid: "DensityPyramid", depth: int, values: Scalars, weight: float) -> None:
         cells, level, slots = pyramid.cells[depth], pyramid.levels[depth], pyramid.reaches[depth].slots
         device = level.device
         self.cells_at = pyramid.cells_at[depth]
@@ -123,7 +129,7 @@ def begin_pulls_kernel(
     """Place and weight of each cell's samples, and what the solution is there."""
     i = tid()
     f = vec3(0.0, 0.0, 0.0)
-    value = float(0.0)
+    value = 0.0
     if slots[i] >= 0:
         f = shares_in_cell(cells.means[i], slots[i], level)
         value = corner_value(values, slots[i], f, level)
@@ -137,7 +143,7 @@ ENTRIES = FACES + 2 * CELLS  # of a kind of corner in the table, the cells aroun
 EVEN, ODD, FIRST, LAST = range(4)  # where a corner lies along an axis: in its block, or at a side of the cube
 
 
-def _step(kind, step):
+def _step(kind: int, step: int) -> tuple[int, int]:
     """Along one axis: the block (-1, 0, 1) and the place in it of the corner a step away; at a side as in a mirror."""
     if (kind == FIRST and step < 0) or (kind == LAST and step > 0):
         step = -step
@@ -145,19 +151,19 @@ def _step(kind, step):
     return at >> 1, at & 1
 
 
-def _entry(kinds, steps):
+def _entry(kinds: Sequence[int], steps: Sequence[int] | tuple[int, int, int]) -> int:
     blocks, places = zip(*(_step(kind, step) for kind, step in zip(kinds, steps, strict=True)), strict=True)
     around = sum(factor * (block + 1) for factor, block in zip((9, 3, 1), blocks, strict=True))
     return SLOTS * around + sum(place << axis for axis, place in enumerate(places))
 
 
-def _cell_entry(kinds, corner):
+def _cell_entry(kinds: Sequence[int], corner: int) -> int:
     """Of the cell that a corner is the given corner of: not mirrored, so outside the cube there is no block."""
     plain = [ODD if kind == ODD else EVEN for kind in kinds]
     return _entry(plain, [-(corner >> axis & 1) for axis in range(3)])
 
 
-def _build_table():
+def _build_table() -> np.ndarray:
     steps = sorted(product((-1, 0, 1), repeat=3), key=lambda step: (sum(map(abs, step)), step))
     far = [step for step in steps if sum(map(abs, step)) > 1]
     rows = []
@@ -184,7 +190,7 @@ def axis_kind(at: int, cells: int) -> int:
 @func
 def sides_met(place: vec3i, cells: int) -> float:
     """2 to the number of sides of the cube that a corner lies on."""
-    factor = float(1.0)
+    factor = 1.0
     for axis in range(3):
         if place[axis] == 0 or place[axis] == cells:
             factor = factor * 2.0
@@ -209,16 +215,16 @@ def renew_corners_kernel(
     side = 1 << level.depth
     kind = axis_kind(place[0], side) + 4 * axis_kind(place[1], side) + 16 * axis_kind(place[2], side)
     row = ENTRIES * kind
-    across_faces = float(0.0)
+    across_faces = 0.0
     for j in range(FACES):
         entry = table[row + j]
         across_faces += values[SLOTS * level.around[around + (entry >> 3)] + (entry & 7)]
-    across_cells = float(0.0)
+    across_cells = 0.0
     for j in range(CELLS):
         entry = table[row + FACES + j]
         across_cells += values[SLOTS * level.around[around + (entry >> 3)] + (entry & 7)]
-    pull = float(0.0)
-    stiffness = float(0.0)
+    pull = 0.0
+    stiffness = 0.0
     cells = eight(-1)
     for corner in range(CELLS):
         entry = table[row + FACES + CELLS + corner]
@@ -249,14 +255,16 @@ def weigh_values(
     """(weight times value, weight) of the solution at the samples of undivided cells; the halo's slots lack corners."""
     i = tid()
     weight = float64(0.0)
-    value = float(0.0)
+    value = 0.0
     if is_cell(slots[i], level) > is_divided(slots[i], level):
         weight = float64(cells.weights[i])
         value = corner_value(values, slots[i], shares_in_cell(cells.means[i], slots[i], level), level)
     return vec2d(weight * float64(value), weight)
 
 
-def solve(pyramid, tests, weight, cube=None, envelope=None):
+def solve(
+    pyramid: "DensityPyramid", tests: Sequence[Scalars | None], weight: float, cube: Any = None, envelope: Any = None
+) -> list[Any]:
     """The solution at the corners of all levels, a list by depth (None for 0) of float32 device arrays.
 
     Args:
@@ -265,7 +273,8 @@ def solve(pyramid, tests, weight, cube=None, envelope=None):
         weight: How much a sample pulls, in areas of a cell's face on level 0; 4^depth times that on a level.
         cube, envelope: A Cube, and an Envelope in it beyond which the function is held; None for none.
     """
-    levels, solutions = pyramid.levels, [None]
+    levels = pyramid.levels
+    solutions: list[Any] = [None]
     table = upload(CORNER_TABLE, int32, levels[1].device)
     for depth in range(1, len(levels)):
         level, device = levels[depth], levels[depth].device
@@ -299,7 +308,7 @@ def name_corners_kernel(places: array(dtype=int32), blocks: int, corners: array(
     corners[i] = SLOTS * (places[i] - color * blocks) + color
 
 
-def mean_at_samples(pyramid, solutions):
+def mean_at_samples(pyramid: "DensityPyramid", solutions: Sequence[Scalars | None]) -> float:
     """The solution's mean at the samples, weighted as they are: the value on the surface."""
     total = np.zeros(2)
     for depth in range(1, len(solutions)):

@@ -15,11 +15,13 @@ A field V is held as V h: on a cell's spline the sum of area h^-2 times normals.
 Poisson surface reconstruction", ACM TOG 32(3), 2013; the corners' linear functions are those of its code since 2018.
 """
 
-from ..lang import array, atomic_max, float32, func, int32, kernel, launch, pow, tid, vec3, vector
+from typing import Any
+
+from ..lang import array, atomic_max, callback, float32, func, int32, kernel, launch, pow, tid, vec3, vec3i, vector
 from ..memory import download, empty, zeros
 from .octree_levels import SLOTS, OctreeLevel, neighbor_slot, slot_beside, slot_place
 from .sample_cells import SampleCells
-from .sample_density import ENDS, SampleReach
+from .sample_density import ENDS, DensityPyramid, SampleReach
 from .splines import is_beyond, mirrored_step, shares_in_cell, spline_weight
 
 eight = vector(8, float32)
@@ -28,7 +30,7 @@ eight = vector(8, float32)
 @func
 def level_share(local: float, depth: int) -> float:
     """How much of a sample whose tree ends on a level is spread there; the rest is on the level above."""
-    share = float(1.0)
+    share = 1.0
     if depth > 1:
         share = min(max(1.0 - (float(depth) - local), 0.0), 1.0)
     return share
@@ -88,7 +90,7 @@ def spread_flux_kernel(
     zs = eight(0.0)
     width = 1 << level.depth
     base = level.places[i] * 2
-    n = int(4)
+    n = 4
     if is_beyond(base, width - 1) == 1:
         n = 0
     for x in range(n):
@@ -98,7 +100,7 @@ def spread_flux_kernel(
             for z in range(n):
                 dz = mirrored_step(base[2], z - 1, width)
                 slot = slot_beside(level.around, i, dx, dy, dz)
-                cell = int(-1)
+                cell = -1
                 if slot >= 0:
                     cell = cells_at[slot]
                 if cell >= 0:
@@ -121,7 +123,7 @@ def spread_flux_kernel(
 @func
 def near_weight(f: float, k: int) -> float:
     """`spline_weight`, and 0 for cells that are not next to each other."""
-    weight = float(0.0)
+    weight = 0.0
     if k >= -1 and k <= 1:
         weight = spline_weight(f, k)
     return weight
@@ -136,7 +138,7 @@ def is_outside(k: int, at: int, width: int) -> int:
 @func
 def spline_mass(k: int, at: int, width: int) -> float:
     """The integral of a corner's function times the spline of the k-th cell from it, on a side of its image too."""
-    mass = float(0.4583333333333333)  # 11 / 24
+    mass = 0.4583333333333333  # 11 / 24
     if k == -2 or k == 1:
         mass = 0.041666666666666664  # 1 / 24
     if is_outside(k, at, width) == 1:
@@ -147,7 +149,7 @@ def spline_mass(k: int, at: int, width: int) -> float:
 @func
 def spline_slope(k: int, at: int, width: int) -> float:
     """The same of the derivative of a corner's function."""
-    slope = float(0.5)
+    slope = 0.5
     if at == 0 or at == width:
         slope = 0.8333333333333334  # 2 / 3 and its image's 1 / 6
     if k == -2 or k == 1:
@@ -162,7 +164,7 @@ def spline_slope(k: int, at: int, width: int) -> float:
 @func
 def linear_mass(k: int, at: int, width: int) -> float:
     """The integral within the cube of the functions of two corners, k apart; the first lies at `at`."""
-    mass = float(0.16666666666666666)
+    mass = 0.16666666666666666
     if k == 0:
         mass = 0.6666666666666666
         if at == 0 or at == width:
@@ -183,6 +185,33 @@ def linear_slope(k: int, at: int, width: int) -> float:
     if k < -1 or k > 1:
         slope = 0.0
     return slope
+
+
+@func
+def tested_along_z(v: vec3, step: int, z: int, width: int, mass: callback, slope: callback) -> vec3:
+    """A vector's parts, integrated along z against the function at z, `step` steps from it, and the last its slope."""
+    m = mass(step, z, width)
+    return vec3(v[0] * m, v[1] * m, v[2] * slope(step, z, width))
+
+
+@func
+def tested_across(
+    total: eight, low: vec3, high: vec3, dx: int, dy: int, base: vec3i, width: int, mass: callback, slope: callback
+) -> eight:
+    """The sums of a block's corners with one column's parts: `low` for the lower four, `high` for the upper."""
+    sums = total
+    for corner in range(SLOTS):
+        a = corner & 1
+        b = (corner >> 1) & 1
+        v = low
+        if corner >= 4:
+            v = high
+        mx = mass(dx - a, base[0] + a, width)
+        my = mass(dy - b, base[1] + b, width)
+        part = v[0] * slope(dx - a, base[0] + a, width) * my
+        part += v[1] * mx * slope(dy - b, base[1] + b, width) + v[2] * mx * my
+        sums[corner] = sums[corner] + part
+    return sums
 
 
 @kernel
@@ -206,21 +235,9 @@ def test_field_kernel(field: array(dtype=vec3), level: OctreeLevel, tested: arra
                 slot = slot_beside(level.around, i, dx, dy, max(mirrored_step(base[2], z - 2, width), -2))
                 if slot >= 0:
                     v = field[slot]
-                    mass = spline_mass(z - 2, base[2], width)
-                    low = low + vec3(v[0] * mass, v[1] * mass, v[2] * spline_slope(z - 2, base[2], width))
-                    mass = spline_mass(z - 3, base[2] + 1, width)
-                    high = high + vec3(v[0] * mass, v[1] * mass, v[2] * spline_slope(z - 3, base[2] + 1, width))
-            for corner in range(SLOTS):
-                a = corner & 1
-                b = (corner >> 1) & 1
-                v = low
-                if corner >= 4:
-                    v = high
-                mx = spline_mass(x - 2 - a, base[0] + a, width)
-                my = spline_mass(y - 2 - b, base[1] + b, width)
-                part = v[0] * spline_slope(x - 2 - a, base[0] + a, width) * my
-                part += v[1] * mx * spline_slope(y - 2 - b, base[1] + b, width) + v[2] * mx * my
-                total[corner] = total[corner] + part
+                    low = low + tested_along_z(v, z - 2, base[2], width, spline_mass, spline_slope)
+                    high = high + tested_along_z(v, z - 3, base[2] + 1, width, spline_mass, spline_slope)
+            total = tested_across(total, low, high, x - 2, y - 2, base, width, spline_mass, spline_slope)
     for corner in range(SLOTS):
         if is_beyond(slot_place(SLOTS * i + corner, level), width) == 1:
             total[corner] = 0.0
@@ -231,7 +248,7 @@ def test_field_kernel(field: array(dtype=vec3), level: OctreeLevel, tested: arra
 def restrict_tests_kernel(level: OctreeLevel, below: array(dtype=float32), tested: array(dtype=float32)):
     """Add what the next level's functions were tested with: a function is theirs, halved with each step away."""
     i = tid()
-    total = float(0.0)
+    total = 0.0
     n = int(3)
     for x in range(n):
         for y in range(n):
@@ -241,7 +258,7 @@ def restrict_tests_kernel(level: OctreeLevel, below: array(dtype=float32), teste
                     block = level.children[slot]
                     if block >= 0:
                         child = SLOTS * block + ((x + 1) & 1) + 2 * ((y + 1) & 1) + 4 * ((z + 1) & 1)
-                        weight = float(1.0)
+                        weight = 1.0
                         if x != 1:
                             weight = weight * 0.5
                         if y != 1:
@@ -267,10 +284,7 @@ def half_spline_weight(half: int, k: int) -> float:
 @func
 def half_corner_weight(half: int, k: int) -> float:
     """What the lower (0) or upper (1) corner of a cell weighs at its lowest corner (0) and in its middle (1)."""
-    weight = 1.0 - 0.5 * float(half)
-    if k == 1:
-        weight = 0.5 * float(half)
-    return weight
+    return 0.5 * float(half) if k == 1 else 1.0 - 0.5 * float(half)
 
 
 @kernel
@@ -338,27 +352,15 @@ def test_lowered_kernel(field: array(dtype=vec3), level: OctreeLevel, tested: ar
                 slot = slot_beside(level.around, i, x - 1, y - 1, z - 1)
                 if slot >= 0:
                     v = field[slot]
-                    mass = linear_mass(z - 1, base[2], width)
-                    low = low + vec3(v[0] * mass, v[1] * mass, v[2] * linear_slope(z - 1, base[2], width))
-                    mass = linear_mass(z - 2, base[2] + 1, width)
-                    high = high + vec3(v[0] * mass, v[1] * mass, v[2] * linear_slope(z - 2, base[2] + 1, width))
-            for corner in range(SLOTS):
-                a = corner & 1
-                b = (corner >> 1) & 1
-                v = low
-                if corner >= 4:
-                    v = high
-                mx = linear_mass(x - 1 - a, base[0] + a, width)
-                my = linear_mass(y - 1 - b, base[1] + b, width)
-                part = v[0] * linear_slope(x - 1 - a, base[0] + a, width) * my
-                part += v[1] * mx * linear_slope(y - 1 - b, base[1] + b, width) + v[2] * mx * my
-                total[corner] = total[corner] + part
+                    low = low + tested_along_z(v, z - 1, base[2], width, linear_mass, linear_slope)
+                    high = high + tested_along_z(v, z - 2, base[2] + 1, width, linear_mass, linear_slope)
+            total = tested_across(total, low, high, x - 1, y - 1, base, width, linear_mass, linear_slope)
     for corner in range(SLOTS):
         if is_beyond(slot_place(SLOTS * i + corner, level), width) == 0:
             tested[SLOTS * i + corner] = tested[SLOTS * i + corner] + total[corner]
 
 
-def constraints(pyramid):
+def constraints(pyramid: DensityPyramid) -> list[Any]:
     """The right-hand sides of all levels, a list by depth (None for 0): float32 device arrays, a number a slot.
 
     Args:
@@ -367,7 +369,8 @@ def constraints(pyramid):
     levels, reaches, cells = pyramid.levels, pyramid.reaches, pyramid.cells
     device, last = levels[1].device, len(levels) - 1
     found = zeros(last + 1, int32, device)
-    fields, tests = [None] * (last + 1), [None] * (last + 1)
+    fields: list[Any] = [None] * (last + 1)
+    tests: list[Any] = [None] * (last + 1)
     for depth in range(last, 0, -1):
         flux = empty(cells[depth].count, vec3, device)
         has_below = int(depth < last)

@@ -6,7 +6,10 @@ its points in the order of the cloud, each level above sums its at most eight ch
 cell, the same bits from run to run. 40 B a cell and level, beside 20 B a point while the codes are sorted.
 """
 
+import numpy as np
+
 from ..algebra.transform import narrow, widen
+from ..array_types import Indices, LongIntegers, Points, Vectors
 from ..arrays.prefix_sum import exclusive_scan
 from ..arrays.select import positions_of
 from ..arrays.sort import argsort_keys
@@ -47,7 +50,7 @@ class Cube:
     side: float64
     scale: float64
 
-    def __init__(self, corner, side):
+    def __init__(self, corner: np.ndarray, side: float) -> None:
         self.corner, self.side, self.scale = vec3d(*corner), float(side), 1.0 / float(side)
 
 
@@ -62,8 +65,8 @@ def mark_samples_kernel(points: array(dtype=vec3), normals: array(dtype=vec3), m
     """1 for finite points with a finite normal of some length."""
     i = tid()
     size = length(widen(normals[i]))
-    usable = int(0)
-    if isfinite(points[i]) and isfinite(size) and size > float64(0.0):
+    usable = 0
+    if isfinite(points[i]) and isfinite(size) and size > 0.0:
         usable = 1
     mask[i] = uint8(usable)
 
@@ -76,18 +79,18 @@ def encode_samples_kernel(
     i = tid()
     x = place_in_cube(points[rows[i]], cube)
     cells = float64(1 << depth)
-    top = cells - float64(1.0)
-    cx = spread_bits(int(min(max(x[0] * cells, float64(0.0)), top)))
-    cy = spread_bits(int(min(max(x[1] * cells, float64(0.0)), top)))
-    cz = spread_bits(int(min(max(x[2] * cells, float64(0.0)), top)))
-    codes[i] = cx | (cy << int64(1)) | (cz << int64(2))
+    top = cells - 1.0
+    cx = spread_bits(int(min(max(x[0] * cells, 0.0), top)))
+    cy = spread_bits(int(min(max(x[1] * cells, 0.0), top)))
+    cz = spread_bits(int(min(max(x[2] * cells, 0.0), top)))
+    codes[i] = cx | (cy << 1) | (cz << 2)
 
 
 @kernel
 def mark_heads_kernel(codes: array(dtype=int64), shift: int64, heads: array(dtype=int32)):
     """1 where a sorted code differs from the one before; shifted, its cell on a coarser level."""
     i = tid()
-    head = int(1)
+    head = 1
     if i > 0:
         if (codes[i] >> shift) == (codes[i - 1] >> shift):
             head = 0
@@ -131,8 +134,8 @@ def sum_samples_kernel(
 ):
     """Counts, means, summed unit normals and their weights for the cells of the finest level."""
     i = tid()
-    place = vec3d(float64(0.0), float64(0.0), float64(0.0))
-    normal = vec3d(float64(0.0), float64(0.0), float64(0.0))
+    place = vec3d(0.0, 0.0, 0.0)
+    normal = vec3d(0.0, 0.0, 0.0)
     weight = float64(0.0)
     for j in range(starts[i], starts[i + 1]):
         row = rows[order[j]]
@@ -141,12 +144,12 @@ def sum_samples_kernel(
         size = length(n)
         share = float64(1.0)
         if by_length == 1:
-            share = size + float64(0.0)
+            share = size
         normal = normal + n * (share / size)
         weight = weight + share
     count = starts[i + 1] - starts[i]
     counts[i] = float(count)
-    means[i] = narrow(place * (float64(1.0) / float64(count)))
+    means[i] = narrow(place * (1.0 / float64(count)))
     sums[i] = narrow(normal)
     weights[i] = float(weight)
 
@@ -165,8 +168,8 @@ def sum_children_kernel(
 ):
     """Counts, means, summed normals and weights of cells from their children's."""
     i = tid()
-    place = vec3d(float64(0.0), float64(0.0), float64(0.0))
-    normal = vec3d(float64(0.0), float64(0.0), float64(0.0))
+    place = vec3d(0.0, 0.0, 0.0)
+    normal = vec3d(0.0, 0.0, 0.0)
     count = float64(0.0)
     weight = float64(0.0)
     for j in range(starts[i], starts[i + 1]):
@@ -176,7 +179,7 @@ def sum_children_kernel(
         count = count + size
         weight = weight + float64(child_weights[j])
     counts[i] = float(count)
-    means[i] = narrow(place * (float64(1.0) / count))
+    means[i] = narrow(place * (1.0 / count))
     sums[i] = narrow(normal)
     weights[i] = float(weight)
 
@@ -204,7 +207,7 @@ class SampleCells:
     sums: array(dtype=vec3)
     weights: array(dtype=float32)
 
-    def __init__(self, members, shift):
+    def __init__(self, members: LongIntegers, shift: int) -> None:
         """The cells whose codes are those of sorted `members`, shifted; (self, the cell of each member)."""
         device, n = members.device, members.size
         heads = empty(n, int32, device)
@@ -217,14 +220,16 @@ class SampleCells:
         self.means, self.sums = empty(self.count, vec3, device), empty(self.count, vec3, device)
 
 
-def sample_rows(points, normals):
+def sample_rows(points: Points, normals: Vectors) -> Indices:
     """The rows with a finite point and a finite normal that is not zero: int32, ascending (one sync)."""
     mask = empty(points.size, uint8, points.device)
     launch(mark_samples_kernel, points.size, [points, normals, mask])
     return positions_of(mask)
 
 
-def gather_samples(points, normals, rows, cube, depth, by_length=False):
+def gather_samples(
+    points: Points, normals: Vectors, rows: Indices, cube: Cube, depth: int, by_length: bool = False
+) -> list[SampleCells]:
     """The occupied cells of levels 0 .. depth.
 
     Args:

@@ -9,8 +9,12 @@ After `getSampleDepthAndWeight` of PoissonRecon (Kazhdan and Hoppe, "Screened Po
 32(3), 2013, section 4.4, and its code), whose "density" of a vertex is the local depth.
 """
 
+from collections.abc import Sequence
+from typing import Any
+
+from ..array_types import Device, Integers, Points
 from ..arrays.select import gather_rows, positions_of
-from ..lang import array, float32, func, int32, int64, kernel, launch, log, struct, tid, uint8, vec3
+from ..lang import array, float32, func, int32, kernel, launch, log, struct, tid, uint8, vec3
 from ..memory import empty, full
 from .octree_levels import SLOTS, OctreeLevel, neighbor_slot, slot_place
 from .sample_cells import SampleCells
@@ -39,7 +43,7 @@ class SampleReach:
     densities: array(dtype=float32)
     depths: array(dtype=float32)
 
-    def __init__(self, count, device):
+    def __init__(self, count: int, device: Device) -> None:
         self.slots, self.anchors, self.states = (empty(count, int32, device) for _ in range(3))
         self.densities, self.depths = empty(count, float32, device), empty(count, float32, device)
 
@@ -51,11 +55,11 @@ def find_slots_kernel(
     """The slot of each cell of samples, and the one whose density is asked."""
     i = tid()
     parent = cells.parents[i]
-    slot = int(-1)
+    slot = -1
     if above.slots[parent] >= 0:
         block = level_above.children[above.slots[parent]]
         if block >= 0:
-            slot = SLOTS * block + int(cells.codes[i] & int64(7))
+            slot = SLOTS * block + int(cells.codes[i] & 7)
     reach.slots[i] = slot
     reach.anchors[i] = slot if own_anchors == 1 else above.anchors[parent]
 
@@ -77,7 +81,7 @@ def gather_density_kernel(
     if is_beyond(slot_place(i, level), (1 << level.depth) - 1) == 1:
         density[i] = 0.0
         return
-    total = float(0.0)
+    total = 0.0
     n = int(3)
     for x in range(n):
         for y in range(n):
@@ -119,7 +123,7 @@ def measure_reach_kernel(
     i = tid()
     parent = cells.parents[i]
     state = int(BELOW)
-    w = float(0.0)
+    w = 0.0
     local = above.depths[parent]
     if reach.slots[i] >= 0 and above.states[parent] == ON:
         w = spline_value(density, reach.anchors[i], shares_in_cell(cells.means[i], reach.anchors[i], asked), asked)
@@ -143,7 +147,7 @@ def measure_reach_kernel(
 def list_growing_kernel(reach: SampleReach, mask: array(dtype=uint8)):
     """1 for cells of samples below which the tree goes on."""
     i = tid()
-    growing = int(0)
+    growing = 0
     if reach.slots[i] >= 0 and reach.states[i] == ON:
         growing = 1
     mask[i] = uint8(growing)
@@ -160,7 +164,9 @@ class DensityPyramid:
         samples_per_cell: Points in a cell where W is 1.
     """
 
-    def __init__(self, cells, sample_count, deepest, kernel_depth, samples_per_cell):
+    def __init__(
+        self, cells: Sequence[SampleCells], sample_count: int, deepest: int, kernel_depth: int, samples_per_cell: float
+    ) -> None:
         self.cells, self.samples_per_cell = cells, samples_per_cell
         self.deepest, self.kernel_depth = deepest, kernel_depth
         self.unit = 1.0 / (samples_per_cell * SPLINE_SQUARES)
@@ -169,9 +175,12 @@ class DensityPyramid:
         top.slots, top.anchors = full(1, 0, int32, device), full(1, 0, int32, device)
         top.states, top.depths = full(1, ON, int32, device), full(1, 0.0, float32, device)
         top.densities = full(1, max(1.0, sample_count / samples_per_cell), float32, device)
-        self.reaches, self.cells_at, self.densities, self.levels = [top], [None], [None], [None]
+        self.reaches: list[SampleReach] = [top]
+        self.cells_at: list[Any] = [None]  # by depth, so of 0 as of all below
+        self.densities: list[Any] = [None]
+        self.levels: list[Any] = [None]
 
-    def enter(self, level, level_above):
+    def enter(self, level: OctreeLevel, level_above: OctreeLevel) -> Integers:
         """Find the samples of a new level and how dense they lie; int32 slots of cells below which the tree goes on."""
         depth, device = level.depth, level.device
         cells, above = self.cells[depth], self.reaches[-1]
@@ -214,7 +223,7 @@ def rise_to_density_kernel(
     i = tid()
     if depths[i] == level.depth:
         slot = slots[i]
-        w = float(0.0)
+        w = 0.0
         if is_asked == 1:
             w = spline_value(density, slot, shares_in_cell(places[i], slot, level), level)
         if w >= 1.0:
@@ -230,7 +239,7 @@ def rise_to_density_kernel(
             slots[i] = level.parents[slot // SLOTS]
 
 
-def local_depths(pyramid, places, slots, depths):
+def local_depths(pyramid: DensityPyramid, places: Points, slots: Integers, depths: Integers):
     """The local depth at places in the cube, float32 [m]: how fine the tree would be for the samples around.
 
     Args:

@@ -48,7 +48,7 @@ def shares_in_cell(x: vec3, slot: int, level: OctreeLevel) -> vec3:
 @func
 def spline_value(values: array(dtype=float32), slot: int, f: vec3, level: OctreeLevel) -> float:
     """The sum of the splines times their values, at shares f of the cell of a slot."""
-    total = float(0.0)
+    total = 0.0
     n = int(3)
     for x in range(n):
         for y in range(n):
@@ -63,7 +63,7 @@ def spline_value(values: array(dtype=float32), slot: int, f: vec3, level: Octree
 def mirrored_step(at: int, step: int, width: int) -> int:
     """A step from a cell or corner to a cell; to its image where that lies beyond the sides of a cube of `width`."""
     other = at + step
-    taken = step + 0
+    taken = step
     if other < 0:
         taken = -1 - other - at
     if other >= width:
@@ -80,7 +80,7 @@ def is_beyond(place: vec3i, width: int) -> int:
 @func
 def corner_value(values: array(dtype=float32), slot: int, f: vec3, level: OctreeLevel) -> float:
     """The piecewise linear function of the values at the corners, at shares f of the cell of a slot."""
-    total = float(0.0)
+    total = 0.0
     n = int(8)
     for corner in range(n):
         other = neighbor_slot(slot, corner & 1, (corner >> 1) & 1, (corner >> 2) & 1, level)

@@ -11,6 +11,10 @@ round to round, and what is gone is squeezed out when it is a quarter of all. So
 that while it is squeezed.
 """
 
+from collections.abc import Sequence
+from typing import Any
+
+from ..array_types import Integers, Positions, Triangles
 from ..arrays.packed_keys import NO_KEY
 from ..arrays.prefix_sum import exclusive_scan
 from ..arrays.select import gather_rows
@@ -64,7 +68,9 @@ class CollapseMesh:
     has_uvs: int
     has_materials: int
 
-    def __init__(self, places, triangles, uvs, materials, rows):
+    def __init__(
+        self, places: Positions, triangles: Triangles, uvs: Any, materials: Integers | None, rows: Sequence[Any]
+    ) -> None:
         device = triangles.device
         self.positions, self.triangles = places, triangles
         self.rows, self.triangle_count = [clone(values) for values in rows], triangles.size
@@ -79,18 +85,18 @@ class CollapseMesh:
         self.touched = zeros(places.size, uint8, device)
         self.keys = full(3 * triangles.size, NO_KEY, int64, device)
 
-    def find_all_features(self, with_seams):
+    def find_all_features(self, with_seams: bool) -> None:
         """Flag all half-edges and sort all vertices into kinds; their edges are to be priced."""
         every = positions(self.positions.size, self.triangles.device)
         launch(flag_edges_kernel, every.size, [self, every, int(with_seams), 0, self.flags, self.keys])
         launch(sort_vertices_kernel, every.size, [self, every, self.kinds])
 
-    def find_features(self, moved, with_seams):
+    def find_features(self, moved: Integers, with_seams: bool) -> None:
         """The same around vertices that moved, of which none is next to another; int32 device array."""
         launch(flag_edges_kernel, moved.size, [self, moved, int(with_seams), 1, self.flags, self.keys])
         launch(sort_vertices_kernel, moved.size, [self, moved, self.kinds])
 
-    def join_corners(self, partners):
+    def join_corners(self, partners: Integers) -> None:
         """List the corners anew after a round.
 
         Args:
@@ -104,7 +110,7 @@ class CollapseMesh:
         launch(join_corners_kernel, count, [self, partners, starts, corners, spokes])
         self.starts, self.corners, self.spokes, self.triangle_count = starts, corners, spokes, total // 3
 
-    def squeeze(self):
+    def squeeze(self) -> None:
         """Renumber what is left, in its order."""
         device, slots = self.triangles.device, self.corners.size
         left = empty(self.triangles.size, int32, device)
@@ -167,7 +173,7 @@ def joined_spoke(mesh: CollapseMesh, j: int, partners: array(dtype=int32)) -> ve
 def count_corners_kernel(mesh: CollapseMesh, partners: array(dtype=int32), counts: array(dtype=int32)):
     """How many triangles each vertex has after a round; those are gone that have a vertex twice."""
     i = tid()
-    count = int(0)
+    count = 0
     v = i if partners[i] > -2 else -1
     while v >= 0:
         for j in range(mesh.starts[v], mesh.starts[v + 1]):
@@ -229,9 +235,9 @@ def mix_number(h: int) -> int64:
 
     Without that only the ends of a chain of edges whose prices rise could collapse at once.
     """
-    x = (int64(h) * int64(0x9E3779B1)) & int64(0xFFFFFFFF)
-    x = x ^ (x >> int64(15))
-    return (x * int64(0x85EBCA6B)) & int64(0xFFFFFFFF)
+    x = (int64(h) * 0x9E3779B1) & 0xFFFFFFFF
+    x = x ^ (x >> 15)
+    return (x * 0x85EBCA6B) & 0xFFFFFFFF
 
 
 @kernel
@@ -243,7 +249,7 @@ def gather_edges_kernel(
     h = 3 * rows[i // 3] + i % 3
     key = mesh.keys[h]
     if key < int64(STALE_KEY):
-        key = ((key >> int64(32)) << int64(32)) | mix_number(i)
+        key = ((key >> 32) << 32) | mix_number(i)
     keys[i] = key
     flags[i] = mesh.flags[h]
 
@@ -295,7 +301,7 @@ def valence(mesh: CollapseMesh, v: int) -> int:
 @func
 def uv_at(mesh: CollapseMesh, h: int, v: int) -> vec2:
     """The texture coordinates at vertex v, an end of h, in the triangle of h."""
-    place = h + 0
+    place = h
     if corner_vertex(mesh.triangles, h) != v:
         place = next_corner(h)
     return mesh.uvs[place]
@@ -304,7 +310,7 @@ def uv_at(mesh: CollapseMesh, h: int, v: int) -> vec2:
 @func
 def differ_across(mesh: CollapseMesh, g: int, h: int, a: int, b: int) -> int:
     """1 where two half-edges of the edge a, b have other texture coordinates or materials."""
-    found = int(0)
+    found = 0
     if mesh.has_uvs == 1:
         p = uv_at(mesh, g, a) - uv_at(mesh, h, a)
         q = uv_at(mesh, g, b) - uv_at(mesh, h, b)
@@ -320,7 +326,7 @@ def differ_across(mesh: CollapseMesh, g: int, h: int, a: int, b: int) -> int:
 def edge_at(mesh: CollapseMesh, j: int, u: int) -> int:
     """The half-edge between the vertex of the j-th corner and u in the corner's triangle, or -1."""
     s = mesh.spokes[j]
-    h = int(-1)
+    h = -1
     if s[0] == u:
         h = mesh.corners[j]
     elif s[1] == u:
@@ -331,7 +337,7 @@ def edge_at(mesh: CollapseMesh, j: int, u: int) -> int:
 @func
 def edge_valence(mesh: CollapseMesh, a: int, b: int) -> int:
     """The triangles at an edge."""
-    count = int(0)
+    count = 0
     for j in range(mesh.starts[a], mesh.starts[a + 1]):
         if edge_at(mesh, j, b) >= 0:
             count += 1
@@ -346,9 +352,9 @@ def edge_flags(mesh: CollapseMesh, h: int, a: int, b: int, seams: int) -> int:
     if valence(mesh, b) < valence(mesh, a):
         v = b
         u = a
-    first = h + 0
-    other = int(-1)
-    count = int(0)
+    first = h
+    other = -1
+    count = 0
     for j in range(mesh.starts[v], mesh.starts[v + 1]):
         g = edge_at(mesh, j, u)
         if g >= 0:
@@ -356,7 +362,7 @@ def edge_flags(mesh: CollapseMesh, h: int, a: int, b: int, seams: int) -> int:
             first = min(first, g)
             if g != h:
                 other = g
-    value = int(0)
+    value = 0
     if count != 2:
         value = FEATURE
     elif seams == 1 and other >= 0:
@@ -396,7 +402,7 @@ def sort_vertices_kernel(mesh: CollapseMesh, rows: array(dtype=int32), kinds: ar
     """How many feature edges end at a vertex: none, two, or another number; each edge is counted at its owner."""
     i = tid()
     v = rows[i]
-    count = int(0)
+    count = 0
     both = OWNER + FEATURE
     for j in range(mesh.starts[v], mesh.starts[v + 1]):
         c = mesh.corners[j]

@@ -7,12 +7,16 @@ is next to another, some 6 % of all vertices. So the order is nearly that of a q
 eight of the first.
 """
 
+from collections.abc import Sequence
+from typing import Any
+
 import numpy as np
 
+from ..array_types import Indices, Integers, Points, Triangles
 from ..arrays.packed_keys import NO_KEY, pack_key
 from ..arrays.select import gather_rows, positions_of
 from ..arrays.sort import argsort_keys
-from ..lang import array, cross, float64, int32, int64, kernel, launch, length, tid, uint8
+from ..lang import array, cross, int32, int64, kernel, launch, length, tid, uint8
 from ..memory import download, empty, upload, zeros
 from ..meshes.mesh_edits import gather_corners, gather_triangles
 from .collapse_mesh import CollapseMesh, edge_valence
@@ -33,7 +37,7 @@ def mark_whole_kernel(mesh: CollapseMesh, mask: array(dtype=uint8)):
     """0 for triangles with one vertex twice, and for those that repeat an earlier one."""
     i = tid()
     t = mesh.triangles[i]
-    whole = int(1)
+    whole = 1
     if t[0] == t[1] or t[1] == t[2] or t[2] == t[0]:
         whole = 0
     for j in range(mesh.starts[t[0]], mesh.starts[t[0] + 1]):
@@ -48,12 +52,12 @@ def measure_lone_kernel(mesh: CollapseMesh, keys: array(dtype=int64)):
     """The area above the number of each triangle that shares no edge with another; NO_KEY for others."""
     i = tid()
     t = mesh.triangles[i]
-    key = int64(NO_KEY) + int64(0)
+    key = int64(NO_KEY)
     if edge_valence(mesh, t[0], t[1]) + edge_valence(mesh, t[1], t[2]) + edge_valence(mesh, t[2], t[0]) == 3:
         p = mesh.positions[t[0]]
         area = length(cross(mesh.positions[t[1]] - p, mesh.positions[t[2]] - p))
         key = pack_key(0.0, i)
-        if area > float64(0.0):
+        if area > 0.0:
             key = pack_key(float(area), i)
     keys[i] = key
 
@@ -75,7 +79,17 @@ class Decimation:
         mesh: What is left.
     """
 
-    def __init__(self, triangles, per_vertex, unit, uvs, materials, target, most, border_weight):
+    def __init__(
+        self,
+        triangles: Triangles,
+        per_vertex: Sequence[Points],
+        unit: Sequence[Any],
+        uvs: Any,
+        materials: Integers | None,
+        target: int,
+        most: float,
+        border_weight: float,
+    ) -> None:
         self.frame, self.unit, self.target = UnitFrame(per_vertex[0]), unit, target
         self.most = most * self.frame.scale**4
         mesh = self._whole_mesh(triangles, per_vertex, uvs, materials)
@@ -85,7 +99,9 @@ class Decimation:
         launch(sum_quadrics_kernel, mesh.positions.size, [mesh, border_weight, mesh.quadrics])
         self.mesh = mesh
 
-    def _whole_mesh(self, triangles, per_vertex, uvs, materials):
+    def _whole_mesh(
+        self, triangles: Triangles, per_vertex: Sequence[Points], uvs: Any, materials: Integers | None
+    ) -> CollapseMesh:
         positions = self.frame.scaled(per_vertex[0])
         mesh = CollapseMesh(positions, triangles, uvs, materials, per_vertex[1:])
         mask = empty(triangles.size, uint8, triangles.device)
@@ -93,13 +109,13 @@ class Decimation:
         rows = positions_of(mask)  # sync
         return mesh if rows.size == triangles.size else self._mesh_at(rows, mesh)
 
-    def _mesh_at(self, rows, mesh):
+    def _mesh_at(self, rows: Any, mesh: CollapseMesh):
         """Some triangles of a mesh."""
         uvs = gather_corners(mesh.uvs, rows) if mesh.has_uvs else None
         materials = gather_rows(mesh.materials, rows) if mesh.has_materials else None
         return CollapseMesh(mesh.positions, gather_triangles(mesh.triangles, rows), uvs, materials, mesh.rows)
 
-    def run(self):
+    def run(self) -> None:
         """Collapse edges until the target is reached.
 
         Where no edge may collapse any more, and any error is allowed: seams of textures and materials are let go for
@@ -120,13 +136,13 @@ class Decimation:
         if mesh.triangle_count > self.target and np.isinf(self.most):
             self._drop_lone()
 
-    def price_edges(self):
+    def price_edges(self) -> Indices:
         """Give edges the prices that they lack, and count all prices by bins."""
         bins = zeros(BINS, int32, self.mesh.keys.device)
         launch(price_edges_kernel, self.mesh.keys.size, [self.mesh, self.most, self.mesh.keys, bins])
         return bins
 
-    def run_round(self, bending, seams):
+    def run_round(self, bending: bool, seams: bool) -> int | None:
         """Collapse some edges: how many; None where there is none to be looked at."""
         mesh = self.mesh
         device, excess = mesh.keys.device, mesh.triangle_count - self.target
@@ -149,7 +165,7 @@ class Decimation:
             mesh.squeeze()
         return edges.size
 
-    def _drop_lone(self):
+    def _drop_lone(self) -> None:
         """Drop the smallest of the triangles that share no edge with another."""
         mesh = self.mesh
         keys = empty(mesh.triangles.size, int64, mesh.triangles.device)
@@ -169,7 +185,7 @@ class Decimation:
         return mesh.triangles, [self.frame.unscaled(mesh.positions), *mesh.rows], uvs, materials
 
 
-def _price_limit(bins, excess):
+def _price_limit(bins: Integers, excess: int) -> int:
     """The largest key of the edges to be looked at, -1 where there are none.
 
     They are a share of all, and no more than triangles are to go: towards the end only the cheapest should.

@@ -6,6 +6,7 @@ independent set problem", 1986, with prices for random numbers). What is next to
 collapse is out until something near it moves, and the rest chooses again.
 """
 
+from ..array_types import Bytes, Indices
 from ..arrays.packed_keys import NO_KEY
 from ..lang import array, atomic_min, func, int32, int64, kernel, launch, tid, uint8
 from ..memory import empty, fill, zeros
@@ -25,7 +26,7 @@ def take_edges_kernel(
     if key < int64(STALE_KEY):
         a = corner_vertex(mesh.triangles, h)
         b = corner_vertex(mesh.triangles, next_corner(h))
-        if blocked[a] == uint8(0) and blocked[b] == uint8(0):
+        if blocked[a] == 0 and blocked[b] == 0:
             atomic_min(least, a, key)
             atomic_min(least, b, key)
 
@@ -33,7 +34,7 @@ def take_edges_kernel(
 @func
 def is_least_around(mesh: CollapseMesh, v: int, key: int64, least: array(dtype=int64)) -> int:
     """1 where no vertex around v has an edge with a lower key."""
-    found = int(1)
+    found = 1
     j = mesh.starts[v]
     while j < mesh.starts[v + 1] and found == 1:
         s = mesh.spokes[j]
@@ -46,11 +47,11 @@ def is_least_around(mesh: CollapseMesh, v: int, key: int64, least: array(dtype=i
 @func
 def block_around(mesh: CollapseMesh, v: int, blocked: array(dtype=uint8)):
     """Block a vertex and those around it; threads that meet write the same."""
-    blocked[v] = uint8(1)
+    blocked[v] = 1
     for j in range(mesh.starts[v], mesh.starts[v + 1]):
         s = mesh.spokes[j]
-        blocked[s[0]] = uint8(1)
-        blocked[s[1]] = uint8(1)
+        blocked[s[0]] = 1
+        blocked[s[1]] = 1
 
 
 @kernel
@@ -75,14 +76,14 @@ def choose_edges_kernel(
             first = is_least_around(mesh, b, key, least)
         if first == 1:
             if may_collapse(mesh, h, a, b, bending) == 1:
-                chosen[i] = uint8(1)
+                chosen[i] = 1
                 block_around(mesh, a, blocked)
                 block_around(mesh, b, blocked)
             else:
                 keys[h] = int64(REFUSED_KEY)
 
 
-def choose_edges(mesh, edges, turns, bending):
+def choose_edges(mesh: CollapseMesh, edges: Indices, turns: int, bending: bool) -> tuple[Bytes, Bytes]:
     """Edges that may collapse at once.
 
     Args:

@@ -4,28 +4,16 @@ One thread an edge; no two of them share a triangle, so each writes its own. Whe
 normals, colours and texture coordinates are those of the place in the triangle of the edge beneath it.
 """
 
+from collections.abc import Sequence
+from typing import Any
+
 from ..algebra.transform import narrow, widen
+from ..array_types import Bytes, Indices
 from ..arrays.packed_keys import NO_KEY
 from ..arrays.prefix_sum import exclusive_scan
 from ..arrays.select import gather_rows, positions_of
 from ..arrays.sort import argsort_keys
-from ..lang import (
-    array,
-    dot,
-    float64,
-    func,
-    int32,
-    int64,
-    kernel,
-    launch,
-    length,
-    tid,
-    uint8,
-    vec2,
-    vec3,
-    vec3d,
-    vec3i,
-)
+from ..lang import array, dot, float64, func, int32, int64, kernel, launch, length, tid, uint8, vec2, vec3, vec3d, vec3i
 from ..memory import clone, empty, full
 from ..meshes.mesh_topology import corner_vertex, next_corner
 from .collapse_mesh import FREE, CollapseMesh, edge_at, edge_valence, last_corner, uv_at
@@ -84,7 +72,7 @@ def collapse_edges_kernel(
     p = mesh.positions[a]
     r = mesh.positions[b]
     best = place_in_triangle(p, r, p, x)
-    tip = int(-1)
+    tip = -1
     if int(mesh.kinds[a]) == FREE and int(mesh.kinds[b]) == FREE:
         for j in range(mesh.starts[a], mesh.starts[a + 1]):
             g = edge_at(mesh, j, b)
@@ -132,12 +120,12 @@ def merge_rows_kernel(
     a = corner_vertex(mesh.triangles, h)
     s = shares[i]
     row = widen(rows[a]) * s[0]
-    if s[1] > float64(0.0):
+    if s[1] > 0.0:
         row = row + widen(rows[corner_vertex(mesh.triangles, next_corner(h))]) * s[1]
     if tips[i] >= 0:
         row = row + widen(rows[corner_vertex(mesh.triangles, tips[i])]) * s[2]
     size = length(row)
-    if unit == 1 and size > float64(0.0):
+    if unit == 1 and size > 0.0:
         row = row / size
     rows[a] = narrow(row)
 
@@ -149,7 +137,7 @@ def merged_uv(mesh: CollapseMesh, a: int, b: int, v: int, old: vec2, s: vec3d, t
     They go with the triangle at the edge that has the same at v; with none they stay.
     """
     new = old
-    found = int(0)
+    found = 0
     for j in range(mesh.starts[a], mesh.starts[a + 1]):
         g = edge_at(mesh, j, b)
         if g >= 0 and found == 0:
@@ -207,13 +195,13 @@ def gather_keys_kernel(mesh: CollapseMesh, edges: array(dtype=int32), keys: arra
 def mark_first_kernel(offsets: array(dtype=int32), most: int, mask: array(dtype=uint8)):
     """1 for rows before which fewer than `most` are counted."""
     i = tid()
-    first = int(0)
+    first = 0
     if offsets[i] < most:
         first = 1
     mask[i] = uint8(first)
 
 
-def cheapest_edges(mesh, edges, most):
+def cheapest_edges(mesh: CollapseMesh, edges: Indices, most: int) -> Indices:
     """The cheapest of some edges, as many as it takes for `most` triangles to go; all where they are not enough."""
     device, count = edges.device, edges.size
     keys, counts, mask = empty(count, int64, device), empty(count, int32, device), empty(count, uint8, device)
@@ -225,7 +213,7 @@ def cheapest_edges(mesh, edges, most):
     return gather_rows(edges, positions_of(mask))  # sync
 
 
-def collapse_edges(mesh, edges, unit, touched):
+def collapse_edges(mesh: CollapseMesh, edges: Indices, unit: Sequence[Any], touched: Bytes) -> Indices:
     """Collapse edges of which none is next to another.
 
     Args:

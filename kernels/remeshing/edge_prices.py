@@ -53,8 +53,8 @@ def border_quadric(mesh: CollapseMesh, h: int, normal: vec3d, weight: float64) -
     p = mesh.positions[corner_vertex(mesh.triangles, h)]
     upright = cross(mesh.positions[corner_vertex(mesh.triangles, next_corner(h))] - p, normal)
     size = length(upright)
-    q = quadric(float64(0.0))
-    if size > float64(0.0):
+    q = quadric(0.0)
+    if size > 0.0:
         q = plane_quadric(upright / size, p, weight)
     return q
 
@@ -63,14 +63,14 @@ def border_quadric(mesh: CollapseMesh, h: int, normal: vec3d, weight: float64) -
 def sum_quadrics_kernel(mesh: CollapseMesh, border_weight: float64, quadrics: array(dtype=quadric)):
     """The quadrics of vertices before the first round; triangles without an area, or not finite, add nothing."""
     i = tid()
-    total = quadric(float64(0.0))
+    total = quadric(0.0)
     p = mesh.positions[i]
     for j in range(mesh.starts[i], mesh.starts[i + 1]):
         s = mesh.spokes[j]
         n = cross(mesh.positions[s[0]] - p, mesh.positions[s[1]] - p)
         size = length(n)
-        if size > float64(0.0) and isfinite(size):
-            area = size * float64(0.5)
+        if size > 0.0 and isfinite(size):
+            area = size * 0.5
             n = n / size
             total += plane_quadric(n, p, area)
             c = mesh.corners[j]
@@ -114,7 +114,7 @@ def place_vertex(mesh: CollapseMesh, a: int, b: int, mode: int) -> vec4d:
     if mode == SECOND:
         x = r
     if mode == BEST:
-        middle = (p + r) * float64(0.5)
+        middle = (p + r) * 0.5
         x = least_point(q, middle, float64(PULL))
         if not (length(x - middle) <= float64(REACH) * length(r - p)):
             x = middle
@@ -129,7 +129,7 @@ def place_vertex(mesh: CollapseMesh, a: int, b: int, mode: int) -> vec4d:
 @func
 def edge_key(mesh: CollapseMesh, h: int, a: int, b: int, most: float64) -> int64:
     """The price of an edge above a number of its own."""
-    key = int64(NO_KEY) + int64(0)
+    key = int64(NO_KEY)
     mode = placement(mesh, h, a, b)
     if mode != REFUSED:
         place = place_vertex(mesh, a, b, mode)
@@ -137,7 +137,7 @@ def edge_key(mesh: CollapseMesh, h: int, a: int, b: int, most: float64) -> int64
             edge = mesh.positions[b] - mesh.positions[a]
             weight = quadric_trace(mesh.quadrics[a]) + quadric_trace(mesh.quadrics[b])
             price = float((place[3] + weight * dot(edge, edge) * float64(SHAPE)) * float64(PRICE_UNIT))
-            key = (int64((float_bits(price) >> STEP) << STEP) << int64(32)) | mix_number(h)
+            key = (int64((float_bits(price) >> STEP) << STEP) << 32) | mix_number(h)
     return key
 
 
@@ -153,7 +153,7 @@ def price_edges_kernel(mesh: CollapseMesh, most: float64, keys: array(dtype=int6
         if key >= int64(STALE_KEY):
             a = corner_vertex(mesh.triangles, i)
             b = corner_vertex(mesh.triangles, next_corner(i))
-            if key == int64(STALE_KEY) or mesh.touched[a] != uint8(0) or mesh.touched[b] != uint8(0):
+            if key == int64(STALE_KEY) or mesh.touched[a] != 0 or mesh.touched[b] != 0:
                 key = edge_key(mesh, i, a, b, most)
                 keys[i] = key
         if key < int64(STALE_KEY):
@@ -164,7 +164,7 @@ def price_edges_kernel(mesh: CollapseMesh, most: float64, keys: array(dtype=int6
 def mark_cheap_edges_kernel(keys: array(dtype=int64), limit: int64, mask: array(dtype=uint8)):
     """1 for keys up to a limit."""
     i = tid()
-    cheap = int(0)
+    cheap = 0
     if keys[i] <= limit:
         cheap = 1
     mask[i] = uint8(cheap)
@@ -173,12 +173,12 @@ def mark_cheap_edges_kernel(keys: array(dtype=int64), limit: int64, mask: array(
 @func
 def has_neighbor(mesh: CollapseMesh, v: int, u: int) -> int:
     """1 where a triangle of v has u; the shorter list is read."""
-    w = v + 0
-    wanted = u + 0
+    w = v
+    wanted = u
     if valence(mesh, u) < valence(mesh, v):
-        w = u + 0
-        wanted = v + 0
-    found = int(0)
+        w = u
+        wanted = v
+    found = 0
     j = mesh.starts[w]
     while j < mesh.starts[w + 1] and found == 0:
         s = mesh.spokes[j]
@@ -191,7 +191,7 @@ def has_neighbor(mesh: CollapseMesh, v: int, u: int) -> int:
 @func
 def has_triangle(mesh: CollapseMesh, v: int, p: int, q: int) -> int:
     """1 where a triangle of v has p and q."""
-    found = int(0)
+    found = 0
     j = mesh.starts[v]
     while j < mesh.starts[v + 1] and found == 0:
         s = mesh.spokes[j]
@@ -204,8 +204,8 @@ def has_triangle(mesh: CollapseMesh, v: int, p: int, q: int) -> int:
 @func
 def breaks_surface(mesh: CollapseMesh, a: int, b: int) -> int:
     """1 where the collapse of the edge a, b would make the surface another one than it is."""
-    broken = int(0)
-    closed = int(0)  # 1 where each neighbour of a begins a triangle there
+    broken = 0
+    closed = 0  # 1 where each neighbour of a begins a triangle there
     if int(mesh.kinds[a]) == FREE:
         closed = 1
     j = mesh.starts[a]
@@ -215,14 +215,14 @@ def breaks_surface(mesh: CollapseMesh, a: int, b: int) -> int:
         if p == b or q == b:
             # The two sides that fall together: one of them at least is no feature.
             c = mesh.corners[j]
-            side = c + 0
+            side = c
             if p == b:
                 side = last_corner(c)
             if (int(mesh.flags[side]) & int(mesh.flags[next_corner(c)]) & FEATURE) != 0:
                 broken = 1
         else:
             near_p = has_neighbor(mesh, b, p)
-            near_q = int(0)
+            near_q = 0
             if near_p == 1:
                 broken += 1 - has_triangle(mesh, a, b, p)
             if near_p == 1 or closed == 0:
@@ -238,7 +238,7 @@ def breaks_surface(mesh: CollapseMesh, a: int, b: int) -> int:
 @func
 def bends_surface(mesh: CollapseMesh, v: int, other: int, x: vec3d) -> int:
     """1 where a triangle of v turns over or shrinks to nothing as v moves to x; those with the other end go anyway."""
-    bent = int(0)
+    bent = 0
     j = mesh.starts[v]
     while j < mesh.starts[v + 1] and bent == 0:
         p = mesh.spokes[j][0]
@@ -259,7 +259,7 @@ def bends_surface(mesh: CollapseMesh, v: int, other: int, x: vec3d) -> int:
 def may_collapse(mesh: CollapseMesh, h: int, a: int, b: int, bending: int) -> int:
     """1 where an edge may collapse; `bending` is 1 where triangles may turn."""
     mode = placement(mesh, h, a, b)
-    refused = int(1)
+    refused = 1
     if mode != REFUSED:
         refused = breaks_surface(mesh, a, b)
         if refused == 0 and bending == 0:

@@ -8,13 +8,14 @@ damped Jacobi sweep on each level on the way down and one on the way up, symmetr
 Notay, "An aggregation-based algebraic multigrid method", ETNA 37, 2010. All levels together take some 60 B a neighbour.
 """
 
+from ..array_types import Array2, Doubles, Indices, Integers, Positions
 from ..arrays.hash_table import mix_bits
 from ..arrays.prefix_sum import exclusive_scan
 from ..arrays.run_sums import sum_columns
 from ..arrays.unique import UniqueKeys
 from ..lang import array, float64, func, int32, int64, kernel, launch, struct, tid, vec3d
 from ..memory import empty, full, zeros
-from ..meshes.mesh_edges import split_edge_keys_kernel
+from ..meshes.mesh_edges import MeshEdges, split_edge_keys_kernel
 from ..meshes.vertex_neighbors import VertexNeighbors
 
 ROUNDS = 8  # of choosing; a vertex that is undecided after them is chosen
@@ -43,7 +44,9 @@ class Level:
     free: array(dtype=int32)
     steps: array(dtype=float64)
 
-    def __init__(self, edges, weights, excess, free):
+    def __init__(
+        self, edges: "MeshEdges | CoarseEdges", weights: Doubles, excess: Array2[float64], free: Integers
+    ) -> None:
         """The level of a graph.
 
         Args:
@@ -83,7 +86,7 @@ def spread_weights_kernel(
         total += weight
     diagonal[i] = total
     step = float64(0.0)
-    if free[i] == 1 and total > float64(0.0):
+    if free[i] == 1 and total > 0.0:
         step = float64(DAMPING) / total
     steps[i] = step
 
@@ -94,7 +97,7 @@ def row_product(level: Level, values: array(dtype=vec3d), i: int) -> vec3d:
     total = level.diagonal[i] * values[i]
     for j in range(level.around.starts[i], level.around.starts[i + 1]):
         weight = level.pulls[j]
-        if weight > float64(0.0):  # values of vertices without weight may be no numbers
+        if weight > 0.0:  # values of vertices without weight may be no numbers
             total = total - weight * values[level.around.vertices[j]]
     return total
 
@@ -104,7 +107,7 @@ def goes_before(i: int, j: int) -> int:
     """1 where vertex i is chosen before j: by mixed numbers, so that the chosen do not line up."""
     a = mix_bits(int64(i))
     b = mix_bits(int64(j))
-    before = int(0)
+    before = 0
     if a > b or (a == b and i > j):
         before = 1
     return before
@@ -114,13 +117,13 @@ def goes_before(i: int, j: int) -> int:
 def choose_peaks_kernel(level: Level, states: array(dtype=int32), last: int, peaks: array(dtype=int32)):
     """1 for the undecided vertices that go before their undecided neighbours; for all undecided ones in the end."""
     i = tid()
-    rivals = int(0)
+    rivals = 0
     for j in range(level.around.starts[i], level.around.starts[i + 1]):
         other = level.around.vertices[j]
-        if level.pulls[j] > float64(0.0) and level.free[other] == 1:
+        if level.pulls[j] > 0.0 and level.free[other] == 1:
             if states[other] == UNDECIDED and last == 0:
                 rivals += goes_before(other, i)
-    peak = int(0)
+    peak = 0
     if rivals == 0 and level.free[i] == 1 and states[i] == UNDECIDED:
         peak = 1
     peaks[i] = peak
@@ -134,7 +137,7 @@ def join_peaks_kernel(level: Level, peaks: array(dtype=int32), states: array(dty
         states[i] = CHOSEN
     elif level.free[i] == 1 and states[i] == UNDECIDED:
         for j in range(level.around.starts[i], level.around.starts[i + 1]):
-            if level.pulls[j] > float64(0.0):
+            if level.pulls[j] > 0.0:
                 if peaks[level.around.vertices[j]] == 1:
                     states[i] = JOINED
 
@@ -143,7 +146,7 @@ def join_peaks_kernel(level: Level, peaks: array(dtype=int32), states: array(dty
 def mark_chosen_kernel(states: array(dtype=int32), marks: array(dtype=int32)):
     """1 for the chosen."""
     i = tid()
-    mark = int(0)
+    mark = 0
     if states[i] == CHOSEN:
         mark = 1
     marks[i] = mark
@@ -155,7 +158,7 @@ def find_parents_kernel(
 ):
     """The coarse vertex of each vertex: of the chosen neighbour with the heaviest edge; `none` for held ones."""
     i = tid()
-    parent = none + 0
+    parent = none
     if states[i] == CHOSEN:
         parent = places[i]
     elif states[i] == JOINED:
@@ -191,7 +194,7 @@ def key_coarse_edges_kernel(
     a = parents[lows[i]]
     b = parents[highs[i]]
     key = (int64(none) << int64(bits)) | int64(none)
-    if a != b and a != none and b != none and weights[i] > float64(0.0):
+    if a != b and a != none and b != none and weights[i] > 0.0:
         key = (int64(min(a, b)) << int64(bits)) | int64(max(a, b))
     keys[i] = key
 
@@ -206,13 +209,13 @@ def measure_excess_kernel(level: Level, excess: array(dtype=float64, ndim=2)):
         for j in range(level.around.starts[i], level.around.starts[i + 1]):
             if level.free[level.around.vertices[j]] == 1:
                 rest -= level.pulls[j]
-    excess[i, 0] = max(rest, float64(0.0))
+    excess[i, 0] = max(rest, 0.0)
 
 
 class CoarseEdges:
     """Edges between coarse vertices, ascending: `lows`, `highs`, `count`, and their `weights`."""
 
-    def __init__(self, level, parents, coarse_count):
+    def __init__(self, level: Level, parents: Indices, coarse_count: int) -> None:
         device, bits = parents.device, max(1, (coarse_count + 1).bit_length())
         keys = empty(level.edges.count, int64, device)
         arguments = [level.edges.lows, level.edges.highs, parents, level.weights, coarse_count, bits, keys]
@@ -244,7 +247,7 @@ class Coarsening:
     rest: array(dtype=vec3d)
     guess: array(dtype=vec3d)
 
-    def __init__(self, level):
+    def __init__(self, level: Level) -> None:
         device, count = level.free.device, level.count
         states, peaks, marks = zeros(count, int32, device), empty(count, int32, device), empty(count, int32, device)
         for turn in range(ROUNDS):
@@ -260,7 +263,7 @@ class Coarsening:
         self.members, self.starts = groups.order, groups.starts
         self.rest, self.guess = empty(count, vec3d, device), empty(count, vec3d, device)
 
-    def coarser(self, level):
+    def coarser(self, level: Level) -> Level:
         """The level of the coarse vertices."""
         device, edges = level.free.device, CoarseEdges(level, self.parents, self.count)
         excess = empty((level.count, 1), float64, device)
@@ -273,7 +276,7 @@ class Coarsening:
 def leave_residual_kernel(level: Level, residual: array(dtype=vec3d), coarsening: Coarsening):
     """What a damped Jacobi sweep leaves of the residual."""
     i = tid()
-    rest = vec3d(float64(0.0), float64(0.0), float64(0.0))
+    rest = vec3d(0.0, 0.0, 0.0)
     if level.free[i] == 1:
         rest = residual[i] - (level.diagonal[i] * level.steps[i]) * residual[i]
         for j in range(level.around.starts[i], level.around.starts[i + 1]):
@@ -286,7 +289,7 @@ def leave_residual_kernel(level: Level, residual: array(dtype=vec3d), coarsening
 def restrict_kernel(coarsening: Coarsening, coarse: array(dtype=vec3d)):
     """The residual of a coarse vertex: the sum of its vertices'."""
     i = tid()
-    total = vec3d(float64(0.0), float64(0.0), float64(0.0))
+    total = vec3d(0.0, 0.0, 0.0)
     for j in range(coarsening.starts[i], coarsening.starts[i + 1]):
         total = total + coarsening.rest[coarsening.members[j]]
     coarse[i] = total
@@ -307,7 +310,7 @@ def sweep_kernel(level: Level, residual: array(dtype=vec3d), guess: array(dtype=
     """A damped Jacobi sweep from a guess."""
     i = tid()
     value = guess[i]
-    if level.steps[i] > float64(0.0):
+    if level.steps[i] > 0.0:
         value = value + level.steps[i] * (residual[i] - row_product(level, guess, i))
     out[i] = value
 
@@ -323,7 +326,7 @@ def sweep_alone_kernel(level: Level, residual: array(dtype=vec3d), out: array(dt
 def fill_matrix_kernel(level: Level, matrix: array(dtype=float64, ndim=2)):
     """A row of the matrix, which is zero before; of the identity for a held vertex."""
     i = tid()
-    matrix[i, i] = float64(1.0)
+    matrix[i, i] = 1.0
     if level.free[i] == 1:
         matrix[i, i] = level.diagonal[i]
         for j in range(level.around.starts[i], level.around.starts[i + 1]):
@@ -341,7 +344,7 @@ def eliminate_kernel(level: Level, matrix: array(dtype=float64, ndim=2), k: int,
     scale = max(level.diagonal[k], matrix[k, k])
     inverse = float64(0.0)
     if matrix[k, k] > float64(FLAT) * scale:
-        inverse = float64(1.0) / matrix[k, k]
+        inverse = 1.0 / matrix[k, k]
     value = matrix[row, column] - matrix[row, k] * inverse * matrix[k, column]
     if row == k:
         value = inverse * matrix[k, column]
@@ -356,13 +359,13 @@ def eliminate_kernel(level: Level, matrix: array(dtype=float64, ndim=2), k: int,
 def multiply_kernel(matrix: array(dtype=float64, ndim=2), values: array(dtype=vec3d), out: array(dtype=vec3d)):
     """A dense matrix times values."""
     i = tid()
-    total = vec3d(float64(0.0), float64(0.0), float64(0.0))
+    total = vec3d(0.0, 0.0, 0.0)
     for j in range(matrix.shape[0]):
         total = total + matrix[i, j] * values[j]
     out[i] = total
 
 
-def invert(level):
+def invert(level: Level) -> Array2[float64]:
     """The inverse of a level's matrix, float64 [m, m]; without pivoting, as it is symmetric and positive definite."""
     device, count = level.free.device, level.count
     matrix, turned = zeros((count, count), float64, device), empty((count, count), float64, device)
@@ -376,7 +379,7 @@ def invert(level):
 class Preconditioner:
     """A cycle over all levels of a graph, the finest given."""
 
-    def __init__(self, level):
+    def __init__(self, level: Level) -> None:
         device, self.levels, self.coarsenings = level.free.device, [level], []
         while self.levels[-1].count > COARSEST:
             coarsening = Coarsening(self.levels[-1])
@@ -389,7 +392,7 @@ class Preconditioner:
         last = self.levels[-1]
         self.inverse = invert(last) if last.count <= COARSEST else None  # else nobody has a neighbour there
 
-    def apply(self, residual, forces):
+    def apply(self, residual: Positions, forces: Positions) -> None:
         """Write to vec3d [m] forces what the cycle makes of a residual; allocates nothing."""
         self.residuals[0], self.forces[0] = residual, forces
         for depth, coarsening in enumerate(self.coarsenings):
@@ -402,7 +405,7 @@ class Preconditioner:
             launch(correct_kernel, level.count, [level, rest, self.forces[depth + 1], coarsening])
             launch(sweep_kernel, level.count, [level, rest, coarsening.guess, self.forces[depth]])
 
-    def _solve_coarsest(self):
+    def _solve_coarsest(self) -> None:
         level, rest, out = self.levels[-1], self.residuals[-1], self.forces[-1]
         if self.inverse is None:
             launch(sweep_alone_kernel, level.count, [level, rest, out])

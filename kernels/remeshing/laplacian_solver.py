@@ -6,8 +6,9 @@ coordinates are solved at once, as one system. A turn costs one product (40 B a 
 of the preconditioner (graph_levels.py). All is float64, sums run in fixed orders, and the device sees the loop's end.
 """
 
+from ..array_types import Positions
 from ..arrays.conjugate_gradients import ConjugateGradients, Gradients
-from ..lang import array, float64, kernel, launch, tid, vec3d
+from ..lang import array, kernel, launch, tid, vec3d
 from ..memory import download
 from .graph_levels import Level, Preconditioner, row_product
 
@@ -22,7 +23,7 @@ class UnsolvedError(ArithmeticError):
 def begin_residual_kernel(level: Level, right: array(dtype=vec3d), state: Gradients):
     """The residual of what the solution is so far."""
     i = tid()
-    rest = vec3d(float64(0.0), float64(0.0), float64(0.0))
+    rest = vec3d(0.0, 0.0, 0.0)
     if level.free[i] == 1:
         rest = right[i] - row_product(level, state.solution, i)
     state.residual[i] = rest
@@ -32,7 +33,7 @@ def begin_residual_kernel(level: Level, right: array(dtype=vec3d), state: Gradie
 def map_search_kernel(level: Level, state: Gradients):
     """The product of the matrix and the search direction."""
     i = tid()
-    image = vec3d(float64(0.0), float64(0.0), float64(0.0))
+    image = vec3d(0.0, 0.0, 0.0)
     if level.free[i] == 1:
         image = row_product(level, state.search, i)
     state.image[i] = image
@@ -48,18 +49,18 @@ class LaplacianSolver:
         most: Turns of one solve.
     """
 
-    def __init__(self, level, solution, limit, most=MOST_TURNS):
+    def __init__(self, level: Level, solution: Positions, limit: float, most: int = MOST_TURNS) -> None:
         self.level, self.state = level, Gradients(solution, limit, most)
         self.preconditioner = Preconditioner(level)
         self._descent = ConjugateGradients(self.state, self._map, self._precondition)
 
-    def solve(self, right):
+    def solve(self, right: Positions) -> None:
         """Make `state.solution` the solution of vec3d [m] right sides."""
         launch(begin_residual_kernel, self.state.solution.size, [self.level, right, self.state])
         self._descent.weigh()
         self._descent.descend()
 
-    def check(self):
+    def check(self) -> None:
         """Refuse solutions that are none.
 
         Raises:
@@ -71,8 +72,8 @@ class LaplacianSolver:
                 "so thin that numbers of 64 bits do not tell their corners apart; remove them first"
             )
 
-    def _map(self):
+    def _map(self) -> None:
         launch(map_search_kernel, self.state.solution.size, [self.level, self.state])
 
-    def _precondition(self):
+    def _precondition(self) -> None:
         self.preconditioner.apply(self.state.residual, self.state.forces)

@@ -6,6 +6,9 @@ no neighbours stays. Per pass and array 24 B read and written a vertex, and 28 B
 signal processing approach to fair surface design", SIGGRAPH 1995; weights after Open3D.
 """
 
+from typing import Any
+
+from ..array_types import Positions, Triangles
 from ..lang import array, dot, float64, func, isfinite, kernel, launch, sqrt, struct, tid, vec3d
 from ..memory import empty
 from ..meshes.mesh_edges import MeshEdges
@@ -26,7 +29,7 @@ class FilterPass:
     around: VertexNeighbors
     positions: array(dtype=vec3d)
 
-    def __init__(self, around, positions):
+    def __init__(self, around: Any, positions: Any) -> None:
         self.around, self.positions = around, positions
 
 
@@ -35,13 +38,13 @@ def average_kernel(rule: FilterPass, values: array(dtype=vec3d), factor: float64
     """The mean of a vertex and its neighbours."""
     i = tid()
     own = values[i]
-    total = own + vec3d(float64(0.0), float64(0.0), float64(0.0))
+    total = own + vec3d(0.0, 0.0, 0.0)
     count = float64(1.0)
     for j in range(rule.around.starts[i], rule.around.starts[i + 1]):
         value = values[rule.around.vertices[j]]
         if isfinite(value):
             total = total + value
-            count += float64(1.0)
+            count += 1.0
     if isfinite(own):
         own = total / count
     out[i] = own
@@ -52,7 +55,7 @@ def sharpen_kernel(rule: FilterPass, values: array(dtype=vec3d), factor: float64
     """A vertex moved away from its neighbours: by `factor` times the sum of its differences from them."""
     i = tid()
     own = values[i]
-    away = vec3d(float64(0.0), float64(0.0), float64(0.0))
+    away = vec3d(0.0, 0.0, 0.0)
     for j in range(rule.around.starts[i], rule.around.starts[i + 1]):
         value = values[rule.around.vertices[j]]
         if isfinite(value):
@@ -69,7 +72,7 @@ def inverse_distance(p: vec3d, q: vec3d) -> float64:
     sqdist = dot(d, d)
     weight = float64(0.0)
     if isfinite(sqdist):
-        weight = float64(1.0) / (sqrt(sqdist) + float64(NEAREST))
+        weight = 1.0 / (sqrt(sqdist) + float64(NEAREST))
     return weight
 
 
@@ -78,21 +81,21 @@ def approach_mean_kernel(rule: FilterPass, values: array(dtype=vec3d), factor: f
     """A vertex moved the share `factor` of the way to the mean of its neighbours, nearer ones with more weight."""
     i = tid()
     own = values[i]
-    way = vec3d(float64(0.0), float64(0.0), float64(0.0))
+    way = vec3d(0.0, 0.0, 0.0)
     weights = float64(0.0)
     for j in range(rule.around.starts[i], rule.around.starts[i + 1]):
         neighbor = rule.around.vertices[j]
         weight = inverse_distance(rule.positions[i], rule.positions[neighbor])
         value = values[neighbor]
-        if weight > float64(0.0) and isfinite(value):
+        if weight > 0.0 and isfinite(value):
             way = way + weight * (value - own)
             weights += weight
-    if isfinite(own) and weights > float64(0.0):
+    if isfinite(own) and weights > 0.0:
         own = own + factor * (way / weights)
     out[i] = own
 
 
-def filter_values(triangles, positions, names, wide, passes):
+def filter_values(triangles: Triangles, positions: Any, names: Any, wide: dict[str, Positions], passes: Any):
     """Run passes over values at vertices.
 
     Args:

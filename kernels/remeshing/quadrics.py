@@ -45,7 +45,7 @@ def quadric_slope(q: quadric, x: vec3d) -> vec3d:
 def quadric_error(q: quadric, x: vec3d) -> float64:
     """The weighted sum of squared distances of x from the planes."""
     value = dot(x, quadric_slope(q, x)) + q[6] * x[0] + q[7] * x[1] + q[8] * x[2] + q[9]
-    return max(value, float64(0.0))
+    return max(value, 0.0)
 
 
 @func
@@ -62,7 +62,7 @@ def least_point(q: quadric, middle: vec3d, share: float64) -> vec3d:
     c02 = q[1] * q[4] - q[2] * yy
     determinant = xx * c00 + q[1] * c01 + q[2] * c02
     x = middle
-    if determinant > float64(0.0):
+    if determinant > 0.0:
         c11 = xx * zz - q[2] * q[2]
         c12 = q[1] * q[2] - xx * q[4]
         c22 = xx * yy - q[1] * q[1]

@@ -8,8 +8,11 @@ has them: the mean over the triangles of an edge, not below 0. A turn takes some
 rotations beside the solve; 250 B a vertex.
 """
 
+from typing import Any
+
 from ..algebra.rotations import best_rotation
 from ..algebra.transform import narrow, widen
+from ..array_types import Array1, Doubles, Indices, Points, Positions, Triangles, Vectors
 from ..arrays.sort import positions
 from ..arrays.union_find import flatten_sets_kernel, unite
 from ..lang import (
@@ -62,18 +65,18 @@ def weigh_edges_kernel(
     b = edges.highs[i]
     total = float64(0.0)
     count = float64(0.0)
-    last = int(-1)
+    last = -1
     for j in range(edges.starts[i], edges.starts[i + 1]):
         triangle = edges.halves[j] // 3
         if triangle != last and a != b:
             value = cotangent(rest[a], rest[b], rest[opposite_vertex(triangles[triangle], a, b)])
             if isfinite(value):
                 total += value
-                count += float64(1.0)
+                count += 1.0
         last = triangle
     weight = float64(0.0)
-    if count > float64(0.0):
-        weight = max(total / count, float64(0.0))
+    if count > 0.0:
+        weight = max(total / count, 0.0)
     weights[i] = weight
 
 
@@ -81,7 +84,7 @@ def weigh_edges_kernel(
 def unite_along_edges_kernel(edges: MeshEdges, weights: array(dtype=float64), parents: array(dtype=int32)):
     """Make one set of the ends of each edge with weight."""
     i = tid()
-    if weights[i] > float64(0.0):
+    if weights[i] > 0.0:
         unite(parents, edges.lows[i], edges.highs[i])
 
 
@@ -116,10 +119,10 @@ def measure_stretch(edges: MeshEdges, weights: array(dtype=float64), rest: array
     """(weight times squared length, 0) of an edge."""
     i = tid()
     total = float64(0.0)
-    if weights[i] > float64(0.0):
+    if weights[i] > 0.0:
         d = rest[edges.lows[i]] - rest[edges.highs[i]]
         total = weights[i] * dot(d, d)
-    return vec2d(total, float64(0.0))
+    return vec2d(total, 0.0)
 
 
 @struct
@@ -138,7 +141,7 @@ class Bending:
     earlier: array(dtype=mat33d)
     right: array(dtype=vec3d)
 
-    def __init__(self, rest):
+    def __init__(self, rest: Any) -> None:
         count, device = rest.size, rest.device
         self.rest, self.places, self.right = rest, clone(rest), empty(count, vec3d, device)
         self.rotations, self.earlier = empty(count, mat33d, device), empty(count, mat33d, device)
@@ -161,9 +164,9 @@ def rotate_vertices_kernel(level: Level, bending: Bending, likeness: float64):
             S = S + weight * outer(before, now)
         if likeness > zero:
             others = others + bending.earlier[neighbor]
-        count += float64(1.0)
+        count += 1.0
     if likeness > zero and count > zero:
-        S = float64(2.0) * S + (float64(4.0) * likeness / count) * transpose(others)
+        S = 2.0 * S + (4.0 * likeness / count) * transpose(others)
     bending.rotations[i] = best_rotation(S)
 
 
@@ -171,15 +174,15 @@ def rotate_vertices_kernel(level: Level, bending: Bending, likeness: float64):
 def pull_vertices_kernel(level: Level, bending: Bending):
     """The right side of each free vertex: where the rotations want its edges."""
     i = tid()
-    total = vec3d(float64(0.0), float64(0.0), float64(0.0))
+    total = vec3d(0.0, 0.0, 0.0)
     if level.free[i] == 1:
         for j in range(level.around.starts[i], level.around.starts[i + 1]):
             neighbor = level.around.vertices[j]
             weight = level.pulls[j]
-            if weight > float64(0.0):
+            if weight > 0.0:
                 edge = bending.rest[i] - bending.rest[neighbor]
                 turned = (bending.rotations[i] + bending.rotations[neighbor]) @ edge
-                total = total + (float64(0.5) * weight) * turned
+                total = total + (0.5 * weight) * turned
     bending.right[i] = total
 
 
@@ -190,14 +193,14 @@ def turn_directions_kernel(rotations: array(dtype=mat33d), rows: array(dtype=vec
     turned[i] = narrow(rotations[i] @ widen(rows[i]))
 
 
-def turn_directions(rotations, rows):
+def turn_directions(rotations: Array1[mat33d], rows: Vectors):
     """vec3 [m] rows under mat33d [m] rotations."""
     turned = empty(rows.size, vec3, rows.device)
     launch(turn_directions_kernel, rows.size, [rotations, rows, turned])
     return turned
 
 
-def _hold(edges, weights, bending, held, targets):
+def _hold(edges: MeshEdges, weights: Doubles, bending: Bending, held: Indices, targets: Positions):
     """Put the held vertices; int32 [m], 1 for those that move."""
     device, count = bending.rest.device, bending.rest.size
     parents = positions(count, device)
@@ -209,7 +212,9 @@ def _hold(edges, weights, bending, held, targets):
     return free
 
 
-def deform_rigidly(vertices, triangles, held, targets, turns, likeness):
+def deform_rigidly(
+    vertices: Points, triangles: Triangles, held: Indices, targets: Positions, turns: int, likeness: float
+):
     """Bend a mesh.
 
     Args:

@@ -7,6 +7,10 @@ thesis, University of Utah 1987, with Warren's weights; edges of one triangle af
 surface reconstruction", SIGGRAPH 1994; edges of more than two triangles as in Open3D.
 """
 
+from collections.abc import Sequence
+from typing import Any
+
+from ..array_types import Array1, Integers, Positions, Triangles
 from ..arrays.prefix_sum import exclusive_scan
 from ..lang import array, float64, int32, kernel, launch, struct, tid, vec2, vec3d, vec3i
 from ..memory import copy, empty, zeros
@@ -48,7 +52,7 @@ class EdgeSplit:
     numbers: array(dtype=int32)
     middles: array(dtype=int32)
 
-    def __init__(self, triangles, vertex_count):
+    def __init__(self, triangles: Triangles, vertex_count: int) -> None:
         device, halves = triangles.device, 3 * triangles.size
         self.edges = MeshEdges(triangles, vertex_count)  # sync
         firsts = zeros(halves, int32, device)
@@ -109,7 +113,7 @@ def repeat_four_times_kernel(values: array(dtype=int32), repeated: array(dtype=i
 def halve_edges_kernel(split: EdgeSplit, values: array(dtype=vec3d), out: array(dtype=vec3d)):
     """The mean of the ends of each edge."""
     i = tid()
-    out[split.numbers[i]] = float64(0.5) * (values[split.edges.lows[i]] + values[split.edges.highs[i]])
+    out[split.numbers[i]] = 0.5 * (values[split.edges.lows[i]] + values[split.edges.highs[i]])
 
 
 @kernel
@@ -126,11 +130,11 @@ def mask_edges_kernel(
     b = split.edges.highs[i]
     value = values[a] + values[b]
     if sharers[i] < 2:
-        value = float64(0.5) * value
+        value = 0.5 * value
     else:
-        value = float64(0.375) * value
-        share = float64(0.25) / float64(sharers[i])
-        last = int(-1)
+        value = 0.375 * value
+        share = 0.25 / float64(sharers[i])
+        last = -1
         for j in range(split.edges.starts[i], split.edges.starts[i + 1]):
             triangle = split.edges.halves[j] // 3
             if triangle != last:
@@ -145,8 +149,8 @@ def mask_vertices_kernel(
 ):
     """An old vertex moved by its neighbours; by those along edges of one triangle alone where there are two or more."""
     i = tid()
-    everyone = vec3d(float64(0.0), float64(0.0), float64(0.0))
-    rim = vec3d(float64(0.0), float64(0.0), float64(0.0))
+    everyone = vec3d(0.0, 0.0, 0.0)
+    rim = vec3d(0.0, 0.0, 0.0)
     count = float64(around.starts[i + 1] - around.starts[i])
     rim_count = float64(0.0)
     for j in range(around.starts[i], around.starts[i + 1]):
@@ -154,39 +158,39 @@ def mask_vertices_kernel(
         everyone = everyone + value
         if sharers[around.edges[j]] < 2:
             rim = rim + value
-            rim_count += float64(1.0)
+            rim_count += 1.0
     value = values[i]
-    if rim_count >= float64(2.0):
-        value = (float64(1.0) - float64(0.125) * rim_count) * value + float64(0.125) * rim
-    elif count == float64(3.0):
-        value = float64(0.4375) * value + float64(0.1875) * everyone
-    elif count > float64(0.0):
-        value = float64(0.625) * value + (float64(0.375) / count) * everyone
+    if rim_count >= 2.0:
+        value = (1.0 - 0.125 * rim_count) * value + 0.125 * rim
+    elif count == 3.0:
+        value = 0.4375 * value + 0.1875 * everyone
+    elif count > 0.0:
+        value = 0.625 * value + (0.375 / count) * everyone
     out[i] = value
 
 
-def split_triangles(triangles, split):
+def split_triangles(triangles: Triangles, split: EdgeSplit) -> Triangles:
     """Four triangles of each, vec3i [4 t]."""
     quarters = empty(4 * triangles.size, vec3i, triangles.device)
     launch(split_triangles_kernel, triangles.size, [triangles, split.middles, quarters])
     return quarters
 
 
-def split_corners(corners):
+def split_corners(corners: Array1[vec2]):
     """vec2 [3 t] values of corners for the four triangles of each."""
     quarters = empty(4 * corners.size, vec2, corners.device)
     launch(split_corners_kernel, corners.size // 3, [corners, quarters])
     return quarters
 
 
-def repeat_four_times(values):
+def repeat_four_times(values: Integers):
     """int32 [t] values of triangles for the four triangles of each."""
     repeated = empty(4 * values.size, int32, values.device)
     launch(repeat_four_times_kernel, repeated.size, [values, repeated])
     return repeated
 
 
-def halve(triangles, split, values):
+def halve(triangles: Triangles, split: EdgeSplit, values: Sequence[Positions]) -> list[Positions]:
     """The vec3d arrays in a list with a row more an edge: the mean of its ends."""
     results = []
     for rows in values:
@@ -197,7 +201,7 @@ def halve(triangles, split, values):
     return results
 
 
-def mask(triangles, split, values):
+def mask(triangles: Triangles, split: EdgeSplit, values: Any):
     """The vec3d arrays in a list by Loop's masks: old rows moved, and a row more an edge."""
     sharers, around = count_sharers(split.edges), VertexNeighbors(split.edges, split.vertex_count[0])
     results = []

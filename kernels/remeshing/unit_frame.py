@@ -5,6 +5,7 @@ The scale is a power of two, so a point that is not moved comes back as it was.
 
 import numpy as np
 
+from ..array_types import Points, Positions
 from ..arrays.bounds import bound_points
 from ..lang import array, float64, kernel, launch, tid, vec3, vec3d
 from ..memory import empty
@@ -34,20 +35,20 @@ class UnitFrame:
         scale: A power of two.
     """
 
-    def __init__(self, points):
+    def __init__(self, points: Points) -> None:
         low, high, count = bound_points(points)  # sync
         low, high = low.astype(np.float64), high.astype(np.float64)
         extent = float((high - low).max()) if count else 0.0
         self.scale = float(2.0 ** -np.ceil(np.log2(extent))) if extent > 0 else 1.0
         self.center = vec3d(*(((low + high) / 2).astype(np.float32) if count else np.zeros(3)))
 
-    def scaled(self, points):
+    def scaled(self, points: Points) -> Positions:
         """vec3d of vec3."""
         scaled = empty(points.size, vec3d, points.device)
         launch(scale_points_kernel, points.size, [points, self.center, self.scale, scaled])
         return scaled
 
-    def unscaled(self, scaled):
+    def unscaled(self, scaled: Positions):
         """vec3 of vec3d."""
         points = empty(scaled.size, vec3, scaled.device)
         launch(unscale_points_kernel, points.size, [scaled, self.center, self.scale, points])

@@ -6,9 +6,12 @@ nearest to the planes of their triangles. Vertices are sorted by voxel and trian
 summed in the order of its vertices. Some 150 B of memory a triangle.
 """
 
+from typing import Any
+
 import numpy as np
 
 from ..algebra.transform import narrow, widen
+from ..array_types import Integers, Triangles
 from ..arrays.bounds import bound_points
 from ..arrays.prefix_sum import exclusive_scan
 from ..arrays.select import positions_of
@@ -57,7 +60,7 @@ class VertexClusters:
     stops: array(dtype=int32)
     labels: array(dtype=int32)
 
-    def __init__(self, vertices, voxel_size):
+    def __init__(self, vertices: Any, voxel_size: float) -> None:
         """Sort vertices by voxels that are counted from half a voxel below the box.
 
         Raises:
@@ -109,16 +112,16 @@ def rank_clusters_kernel(
 def average_clusters_kernel(clusters: VertexClusters, unit: int, rows: array(dtype=vec3), means: array(dtype=vec3)):
     """The mean of the finite rows of each voxel, of unit length where `unit` is 1 and there is a length."""
     i = tid()
-    total = vec3d(float64(0.0), float64(0.0), float64(0.0))
+    total = vec3d(0.0, 0.0, 0.0)
     count = float64(0.0)
     for j in range(clusters.starts[i], clusters.stops[i]):
         row = rows[clusters.order[j]]
         if isfinite(row):
             total += widen(row)
-            count += float64(1.0)
+            count += 1.0
     mean = total / count
     size = length(mean)
-    if unit == 1 and size > float64(0.0):
+    if unit == 1 and size > 0.0:
         mean = mean / size
     means[i] = narrow(mean)
 
@@ -137,11 +140,11 @@ def place_clusters_kernel(
     It is the mean where the point is further from it than `reach`.
     """
     i = tid()
-    mean = vec3d(float64(0.0), float64(0.0), float64(0.0))
+    mean = vec3d(0.0, 0.0, 0.0)
     for j in range(clusters.starts[i], clusters.stops[i]):
         mean = mean + positions[clusters.order[j]]
     mean = mean / float64(clusters.stops[i] - clusters.starts[i])
-    q = quadric(float64(0.0))
+    q = quadric(0.0)
     for j in range(clusters.starts[i], clusters.stops[i]):
         v = clusters.order[j]
         p = positions[v]
@@ -150,11 +153,11 @@ def place_clusters_kernel(
             b = positions[corner_vertex(triangles, next_corner(c))]
             n = cross(b - p, positions[corner_vertex(triangles, last_corner(c))] - p)
             size = length(n)
-            if size > float64(0.0) and isfinite(size):
-                q += plane_quadric(n / size, p - mean, size * float64(0.5))
-    x = least_point(q, vec3d(float64(0.0), float64(0.0), float64(0.0)), float64(PULL))
+            if size > 0.0 and isfinite(size):
+                q += plane_quadric(n / size, p - mean, size * 0.5)
+    x = least_point(q, vec3d(0.0, 0.0, 0.0), float64(PULL))
     if not (length(x) <= reach):
-        x = vec3d(float64(0.0), float64(0.0), float64(0.0))
+        x = vec3d(0.0, 0.0, 0.0)
     points[i] = mean + x
 
 
@@ -173,7 +176,7 @@ def relabel_triangles_kernel(
         turned = vec3i(b, c, a)
     elif c < a and c < b:
         turned = vec3i(c, a, b)
-    kept = int(0)
+    kept = 0
     if turned[0] >= 0 and a != b and b != c and c != a:
         kept = 1
     relabeled[i] = turned
@@ -203,10 +206,10 @@ def list_triple_keys_kernel(
 def mark_first_rows_kernel(groups: UniqueKeys, rows: array(dtype=int32), mask: array(dtype=uint8)):
     """1 for the first row of each group."""
     i = tid()
-    mask[rows[groups.order[groups.starts[i]]]] = uint8(1)
+    mask[rows[groups.order[groups.starts[i]]]] = 1
 
 
-def join_triangles(triangles, labels, count):
+def join_triangles(triangles: Triangles, labels: Integers, count: int):
     """The triangles between three of `count` voxels, each once, in the order in which they first appear.
 
     Returns:
@@ -226,7 +229,7 @@ def join_triangles(triangles, labels, count):
     return keep_triangles(relabeled, mask)  # sync
 
 
-def cluster_vertices(triangles, per_vertex, unit, voxel_size, with_planes):
+def cluster_vertices(triangles: Triangles, per_vertex: Any, unit: Any, voxel_size: float, with_planes: Any):
     """A mesh with one vertex a voxel.
 
     Args:

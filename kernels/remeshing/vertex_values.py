@@ -1,7 +1,8 @@
 """Values at vertices in float64, and back: what passes over a mesh work on, so that only their end is rounded."""
 
 from ..algebra.transform import narrow, widen
-from ..lang import array, float64, kernel, launch, length, tid, vec3, vec3d
+from ..array_types import Positions, Vectors
+from ..lang import array, kernel, launch, length, tid, vec3, vec3d
 from ..memory import empty
 
 
@@ -28,26 +29,26 @@ def narrow_directions_kernel(wide: array(dtype=vec3d), earlier: array(dtype=vec3
         row = earlier[i]
     if i >= first:
         size = length(wide[i])
-        if not size == float64(0.0):
+        if not size == 0.0:
             row = narrow(wide[i] / size)
     rows[i] = row
 
 
-def widen_rows(rows):
+def widen_rows(rows: Vectors) -> Positions:
     """vec3 rows as vec3d."""
     wide = empty(rows.size, vec3d, rows.device)
     launch(widen_rows_kernel, rows.size, [rows, wide])
     return wide
 
 
-def narrow_rows(wide):
+def narrow_rows(wide: Positions) -> Vectors:
     """vec3d rows as vec3."""
     rows = empty(wide.size, vec3, wide.device)
     launch(narrow_rows_kernel, wide.size, [wide, rows])
     return rows
 
 
-def narrow_directions(wide, earlier, first=0):
+def narrow_directions(wide: Positions, earlier: Vectors, first: int = 0):
     """vec3d rows as vec3 of unit length.
 
     Args:

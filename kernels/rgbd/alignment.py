@@ -5,29 +5,22 @@ the same arrays, so the whole descent is one loop of the device. What it found c
 """
 
 import dataclasses
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from ..arrays.segment_blocks import SegmentBlocks
 from ..arrays.side_by_side import SideBySide
-from ..lang import (
-    array,
-    float32,
-    int32,
-    kernel,
-    launch,
-    loop_while,
-    mat44d,
-    reduce,
-    reduce_segments,
-    tid,
-    vec4,
-)
+from ..lang import array, float32, int32, kernel, launch, loop_while, mat44d, reduce, reduce_segments, tid, vec4
 from ..memory import empty
-from .alignment_rows import AlignmentState, row_sums, sum_alignment_rows
+from .alignment_rows import AlignmentRules, AlignmentState, row_sums, sum_alignment_rows
 from .alignment_step import begin_alignment_kernel, step_alignment_kernel
 from .certainty_rows import certainty_sums, sum_certainty
 from .verdict_rows import sum_verdict, verdict_sums
+
+if TYPE_CHECKING:
+    from .pyramid import FrameLevels
 
 
 @kernel
@@ -64,7 +57,9 @@ class Alignment:
     certainty: np.ndarray
 
 
-def make_state(source, pose, most_steps, first_level, last):
+def make_state(
+    source: "FrameLevels", pose: np.ndarray, most_steps: Sequence[int], first_level: int, last: int
+) -> tuple[AlignmentState, SideBySide]:
     """The AlignmentState at the start, and the SideBySide that holds it."""
     levels = source.count
     live = np.zeros(levels, np.int64)
@@ -89,7 +84,15 @@ def make_state(source, pose, most_steps, first_level, last):
     return AlignmentState(kept.arrays), kept
 
 
-def align_levels(source, target, pose, rules, most_steps, last, verdict_level):
+def align_levels(
+    source: "FrameLevels",
+    target: "FrameLevels",
+    pose: np.ndarray,
+    rules: AlignmentRules,
+    most_steps: Sequence[int],
+    last: int,
+    verdict_level: int,
+) -> Alignment:
     """Bring a source onto a target.
 
     Args:
@@ -107,7 +110,7 @@ def align_levels(source, target, pose, rules, most_steps, last, verdict_level):
     partials = empty(blocks.count, row_sums, device)
     launch(begin_alignment_kernel, 1, [source, last, state])
 
-    def turn():
+    def turn() -> None:
         reduce_segments(sum_alignment_rows, blocks, state.live, [source, target, rules, state], partials, sums)
         launch(step_alignment_kernel, 1, [source, rules, sums, state])
 

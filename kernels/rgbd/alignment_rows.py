@@ -9,33 +9,29 @@ One thread a source pixel: reads some 60 B, takes some 300 operations, writes no
 reduction. Rows are float32, sums float64. Unknowns are a rotation and a translation on the target's side.
 """
 
-from ..lang import (
-    array,
-    float32,
-    float64,
-    floor,
-    func,
-    int32,
-    mat44d,
-    segment_reduction,
-    struct,
-    tid,
-    vec4,
-    vector,
-)
+from typing import Any
+
+from ..array_types import Array1, Integers, Poses, Scalars
+from ..lang import array, dot, float32, float64, func, int32, mat44d, segment_reduction, struct, tid, vec4, vector
 from .pyramid import FrameLevels
+from .seen_pixels import (
+    REACH_SHARE,
+    axis,
+    brightness_row,
+    depth_noise,
+    moved_point,
+    row,
+    seen_at,
+    seen_brightness,
+    surface_row,
+)
 
 SURFACE_COUNT, SURFACE_ERROR, SURFACE_SQUARES = 27, 28, 29  # behind 21 of the matrix and 6 of the right side
 BRIGHTNESS_COUNT, BRIGHTNESS_ERROR = 30, 31
 SHADES = 32  # weights, source, target, source^2, target^2, their product
 row_sums = vector(38, float64)
-row = vector(6, float32)
 extra_sums = vector(11, float32)
 NU = 5.0  # degrees of freedom of the t distribution (Kerl et al. 2013)
-NOISE_FLOOR, NOISE_SLOPE = 0.0012, 0.0019  # deviation of depth [m] and its growth [1/m] (Nguyen et al. 2012, Kinect)
-NOISE_NEAR = 0.4  # [m] from where on it grows
-NEAREST = 1.0e-3  # [m] before the camera
-REACH_SHARE = 0.01  # of the depth, beside its noise: what a pixel's slope does
 
 
 @struct
@@ -61,7 +57,7 @@ class AlignmentState:
     scales: array(dtype=float32)
     pose: array(dtype=mat44d)
 
-    def __init__(self, arrays):
+    def __init__(self, arrays: dict[str, Scalars | Integers | Poses | Array1[vec4] | Array1[Any]]) -> None:
         """The device arrays by name."""
         self.running, self.live, self.counts = arrays["running"], arrays["live"], arrays["counts"]
         self.most_steps, self.warps, self.scales = arrays["most_steps"], arrays["warps"], arrays["scales"]
@@ -87,17 +83,18 @@ class AlignmentRules:
     first_level: int
     short_step: float
 
-    def __init__(self, shift, surface_share, brightness_share, reach, first_level, short_step):
+    def __init__(
+        self,
+        shift: int,
+        surface_share: float,
+        brightness_share: float,
+        reach: float,
+        first_level: int,
+        short_step: float,
+    ) -> None:
         self.shift, self.reach, self.first_level = int(shift), float(reach), int(first_level)
         self.surface_share, self.brightness_share = float(surface_share), float(brightness_share)
         self.short_step = float(short_step)
-
-
-@func
-def depth_noise(z: float) -> float:
-    """The deviation of a depth [m], up to a factor that the frames tell."""
-    beyond = max(z - NOISE_NEAR, 0.0)
-    return NOISE_FLOOR + NOISE_SLOPE * beyond * beyond
 
 
 @func
@@ -124,26 +121,6 @@ def sum_rows(g: row, j: row, r: float, h: row, k: row, s: float, extra: extra_su
     )  # fmt: skip
 
 
-@func
-def seen_brightness(u: float, v: float, first: int, width: int, brightness: array(dtype=float32)) -> vec4:
-    """Brightness at a place between pixel centres, bilinear, its slopes [1 / px], and 1; zero where one has none."""
-    left = int(floor(u))
-    top = int(floor(v))
-    at = first + top * width + left
-    a = brightness[at]
-    b = brightness[at + 1]
-    c = brightness[at + width]
-    d = brightness[at + width + 1]
-    s = u - float(left)
-    t = v - float(top)
-    seen = vec4(0.0, 0.0, 0.0, 0.0)
-    if min(min(a, b), min(c, d)) >= 0.0:
-        upper = a + (b - a) * s
-        lower = c + (d - c) * s
-        seen = vec4(upper + (lower - upper) * t, (b - a) * (1.0 - t) + (d - c) * t, lower - upper, 1.0)
-    return seen
-
-
 @segment_reduction(most_registers=128)
 def sum_alignment_rows(
     source: FrameLevels, target: FrameLevels, rules: AlignmentRules, state: AlignmentState
@@ -154,66 +131,46 @@ def sum_alignment_rows(
     j = row(0.0)
     h = row(0.0)
     k = row(0.0)
-    r = float(0.0)
-    s = float(0.0)
+    r = 0.0
+    s = 0.0
     extra = extra_sums(0.0)
     z = source.depth[i]
     if z > 0.0:
         level = state.counts[0]
+        other = level + rules.shift
         size = source.layout[level]
-        u = float((i - size[2]) % size[0])
-        v = float((i - size[2]) // size[0])
-        w0 = state.warps[0]
-        w1 = state.warps[1]
-        w2 = state.warps[2]
-        x = z * (u * w0[0] + v * w1[0] + w2[0]) + w0[3]
-        y = z * (u * w0[1] + v * w1[1] + w2[1]) + w1[3]
-        depth = z * (u * w0[2] + v * w1[2] + w2[2]) + w2[3]
-        if depth > NEAREST:
-            other = level + rules.shift
-            lens = target.lenses[other]
-            seen = target.layout[other]
-            pu = lens[0] * x / depth + lens[2]
-            pv = lens[1] * y / depth + lens[3]
-            if pu >= 0.0 and pv >= 0.0 and pu < float(seen[0] - 1) and pv < float(seen[1] - 1):
-                at = seen[2] + int(floor(pv + 0.5)) * seen[0] + int(floor(pu + 0.5))
-                there = target.depth[at]
-                gap = depth - there
-                noise = depth_noise(depth)
-                if there > 0.0 and abs(gap) < rules.reach * (noise + REACH_SHARE * depth):
-                    shade = source.brightness[i]
-                    if shade >= 0.0 and rules.brightness_share > 0.0:
-                        look = seen_brightness(pu, pv, seen[2], seen[0], target.brightness)
-                        if look[3] > 0.0:
-                            s = look[0] - shade * state.scales[2] - state.scales[3]
-                            a = look[1] * lens[0] / depth
-                            b = look[2] * lens[1] / depth
-                            c = -(a * x + b * y) / depth
-                            k = row(y * c - depth * b, depth * a - x * c, x * b - y * a, a, b, c)
-                            t = (NU + 1.0) / (NU + s * s * state.scales[1])
-                            h = k * (t * state.scales[1] * rules.brightness_share)
-                            extra[3] = 1.0
-                            extra[4] = t * s * s
-                            extra[5] = t
-                            extra[6] = t * shade
-                            extra[7] = t * look[0]
-                            extra[8] = t * shade * shade
-                            extra[9] = t * look[0] * look[0]
-                            extra[10] = t * shade * look[0]
-                    plane = target.planes[at]
-                    if plane[3] < 0.0 and rules.surface_share > 0.0:
-                        r = plane[0] * x + plane[1] * y + plane[2] * depth - plane[3]
-                        inverse = 1.0 / (noise * noise)
-                        square = r * r * inverse
-                        t = (NU + 1.0) / (NU + square * state.scales[0])
-                        j = row(
-                            y * plane[2] - depth * plane[1],
-                            depth * plane[0] - x * plane[2],
-                            x * plane[1] - y * plane[0],
-                            plane[0], plane[1], plane[2],
-                        )  # fmt: skip
-                        g = j * (t * inverse * state.scales[0] * rules.surface_share)
-                        extra[0] = 1.0
-                        extra[1] = t * square
-                        extra[2] = r * r
+        p = moved_point(float((i - size[2]) % size[0]), float((i - size[2]) // size[0]), z, state.warps)
+        u, v, at = seen_at(p, other, target)
+        there = 0.0
+        if at >= 0:
+            there = target.depth[at]
+        noise = depth_noise(p[2])
+        if there > 0.0 and abs(p[2] - there) < rules.reach * (noise + REACH_SHARE * p[2]):
+            shade = source.brightness[i]
+            if shade >= 0.0 and rules.brightness_share > 0.0:
+                look = seen_brightness(u, v, other, target)
+                if look[3] > 0.0:
+                    s = look[0] - shade * state.scales[2] - state.scales[3]
+                    k = brightness_row(p, look, other, target)
+                    t = (NU + 1.0) / (NU + s * s * state.scales[1])
+                    h = k * (t * state.scales[1] * rules.brightness_share)
+                    extra[3] = 1.0
+                    extra[4] = t * s * s
+                    extra[5] = t
+                    extra[6] = t * shade
+                    extra[7] = t * look[0]
+                    extra[8] = t * shade * shade
+                    extra[9] = t * look[0] * look[0]
+                    extra[10] = t * shade * look[0]
+            plane = target.planes[at]
+            if plane[3] < 0.0 and rules.surface_share > 0.0:
+                r = dot(axis(plane), p) - plane[3]
+                inverse = 1.0 / (noise * noise)
+                square = r * r * inverse
+                t = (NU + 1.0) / (NU + square * state.scales[0])
+                j = surface_row(p, plane)
+                g = j * (t * inverse * state.scales[0] * rules.surface_share)
+                extra[0] = 1.0
+                extra[1] = t * square
+                extra[2] = r * r
     return sum_rows(g, j, r, h, k, s, extra)

@@ -26,15 +26,15 @@ LEAST_VARIANCE = 1.0e-4  # of brightness: flatter pictures tell no gain
 @func
 def damped_solution(total: row_sums) -> vec6d:
     """The step that the sums ask for."""
-    h = triangle(float64(0.0))
-    b = vec6d(float64(0.0))
+    h = triangle(0.0)
+    b = vec6d(0.0)
     n = int(6)
     m = int(21)
     for k in range(m):
         h[k] = total[k]
     for k in range(n):
         at = place_of(k, k)
-        h[at] = h[at] * (float64(1.0) + float64(DAMPING)) + float64(1.0e-12)
+        h[at] = h[at] * (1.0 + float64(DAMPING)) + 1.0e-12
         b[k] = -total[21 + k]
     return solve_system(h, b)
 
@@ -72,12 +72,12 @@ def learn_noise(total: row_sums, state: AlignmentState):
     count = total[SURFACE_COUNT]
     if count > float64(LEAST_PIXELS):
         variance = bounded(total[SURFACE_ERROR] / count, float64(LEAST_NOISE), float64(MOST_NOISE))
-        state.scales[0] = float(float64(1.0) / variance)
+        state.scales[0] = float(1.0 / variance)
     count = total[BRIGHTNESS_COUNT]
     if count > float64(LEAST_PIXELS):
         least = float64(LEAST_SHADE_NOISE) * float64(LEAST_SHADE_NOISE)
         most = float64(MOST_SHADE_NOISE) * float64(MOST_SHADE_NOISE)
-        state.scales[1] = float(float64(1.0) / bounded(total[BRIGHTNESS_ERROR] / count, least, most))
+        state.scales[1] = float(1.0 / bounded(total[BRIGHTNESS_ERROR] / count, least, most))
         weight = total[SHADES]
         source = total[SHADES + 1] / weight
         target = total[SHADES + 2] / weight
@@ -101,7 +101,7 @@ def step_alignment_kernel(
     learn_noise(total, state)
     state.counts[2] = state.counts[2] + 1
     taken = state.counts[1] + 1
-    done = int(0)
+    done = 0
     pose = state.pose[0]
     if total[SURFACE_COUNT] + total[BRIGHTNESS_COUNT] < float64(LEAST_PIXELS):
         done = 1
@@ -109,7 +109,7 @@ def step_alignment_kernel(
         x = damped_solution(total)
         turned = sqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2])
         moved = sqrt(x[3] * x[3] + x[4] * x[4] + x[5] * x[5])
-        if turned < float64(1.0) and moved < float64(2.0):  # else, or NaN: no step to be believed
+        if turned < 1.0 and moved < 2.0:  # else, or NaN: no step to be believed
             pose = multiply44(small_motion(x), pose)
             state.pose[0] = pose
             limit = float64(rules.short_step) / float64(source.lenses[level][0])

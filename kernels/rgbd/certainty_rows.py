@@ -7,27 +7,23 @@ left out, and brightness counts no finer than a model of constant brightness hol
 One thread a source pixel: reads some 60 B, writes nothing; 22 sums leave through the reduction.
 """
 
-from ..lang import array, float64, floor, func, reduction, tid, vec3, vec4, vector
-from .alignment_rows import NEAREST, REACH_SHARE, depth_noise, row, seen_brightness
+from ..lang import array, float64, func, reduction, tid, vec4, vector
 from .pyramid import FrameLevels
+from .seen_pixels import (
+    REACH_SHARE,
+    brightness_row,
+    depth_noise,
+    moved_point,
+    row,
+    seen_at,
+    seen_brightness,
+    surface_row,
+)
 from .verdict_rows import INLIER_REACH
 
 certainty_sums = vector(22, float64)  # the upper triangle, then the pixels
 LEAST_SLOPE = 0.015  # of brightness [1 / px]: three grey values in 8 bits, which noise seldom makes of means of 16 px
 SHADE_NOISE = 0.04  # deviation of brightness between frames of real cameras
-
-
-@func
-def moved_point(u: float, v: float, z: float, warps: array(dtype=vec4)) -> vec3:
-    """The point [m] of a pixel with depth z in the target's frame."""
-    a = warps[0]
-    b = warps[1]
-    c = warps[2]
-    return vec3(
-        z * (u * a[0] + v * b[0] + c[0]) + a[3],
-        z * (u * a[1] + v * b[1] + c[1]) + b[3],
-        z * (u * a[2] + v * b[2] + c[2]) + c[3],
-    )
 
 
 @func
@@ -64,33 +60,23 @@ def sum_certainty(
     j = row(0.0)
     h = row(0.0)
     k = row(0.0)
-    count = float(0.0)
+    count = 0.0
     if z > 0.0:
         p = moved_point(float(e % size[0]), float(e // size[0]), z, warps)
-        if p[2] > NEAREST:
-            lens = target.lenses[other]
-            seen = target.layout[other]
-            pu = lens[0] * p[0] / p[2] + lens[2]
-            pv = lens[1] * p[1] / p[2] + lens[3]
-            if pu >= 0.0 and pv >= 0.0 and pu < float(seen[0] - 1) and pv < float(seen[1] - 1):
-                at = seen[2] + int(floor(pv + 0.5)) * seen[0] + int(floor(pu + 0.5))
-                there = target.depth[at]
-                noise = depth_noise(p[2])
-                if there > 0.0 and abs(p[2] - there) < INLIER_REACH * (noise + REACH_SHARE * p[2]):
-                    count = 1.0
-                    n = target.planes[at]
-                    if n[3] < 0.0:
-                        j = row(
-                            p[1] * n[2] - p[2] * n[1], p[2] * n[0] - p[0] * n[2], p[0] * n[1] - p[1] * n[0],
-                            n[0], n[1], n[2],
-                        )  # fmt: skip
-                        g = j * (surface_share / (noise * noise))
-                    if source.brightness[i] >= 0.0 and brightness_share > 0.0:
-                        look = seen_brightness(pu, pv, seen[2], seen[0], target.brightness)
-                        if look[1] * look[1] + look[2] * look[2] > LEAST_SLOPE * LEAST_SLOPE:
-                            a = look[1] * lens[0] / p[2]
-                            b = look[2] * lens[1] / p[2]
-                            c = -(a * p[0] + b * p[1]) / p[2]
-                            k = row(p[1] * c - p[2] * b, p[2] * a - p[0] * c, p[0] * b - p[1] * a, a, b, c)
-                            h = k * (brightness_share / (SHADE_NOISE * SHADE_NOISE))
+        u, v, at = seen_at(p, other, target)
+        there = 0.0
+        if at >= 0:
+            there = target.depth[at]
+        noise = depth_noise(p[2])
+        if there > 0.0 and abs(p[2] - there) < INLIER_REACH * (noise + REACH_SHARE * p[2]):
+            count = 1.0
+            plane = target.planes[at]
+            if plane[3] < 0.0:
+                j = surface_row(p, plane)
+                g = j * (surface_share / (noise * noise))
+            if source.brightness[i] >= 0.0 and brightness_share > 0.0:
+                look = seen_brightness(u, v, other, target)
+                if look[1] * look[1] + look[2] * look[2] > LEAST_SLOPE * LEAST_SLOPE:
+                    k = brightness_row(p, look, other, target)
+                    h = k * (brightness_share / (SHADE_NOISE * SHADE_NOISE))
     return squares_of(g, j, h, k, count)

@@ -9,6 +9,7 @@ One thread a fern: 6 reads; one thread a keyframe: a byte read a fern. Glocker e
 relocalization via randomized ferns for keyframe encoding"; there a fern counts as a whole and holes as zeros.
 """
 
+from ..array_types import Array2, Bytes, Scalars
 from ..arrays.random import random_uniform
 from ..lang import array, float32, func, int32, kernel, launch, tid, uint8, vec4
 from ..memory import empty
@@ -18,7 +19,6 @@ PLACES, SIZES = 0, 1  # streams of random numbers
 SHALLOWEST, RANGE = 0.4, 4.0  # [m] thresholds of depth: from where, and over how much
 LEAST_RATIO, RATIOS = 0.6, 0.9  # of two depths or two brightnesses: from where, and over how much
 ANSWERED = 4  # shift of the bits that say which tests were answered
-TESTS = 4
 
 
 @func
@@ -31,7 +31,7 @@ def fern_pixel(share: float, fern: int, stream: int, seed: int, width: int, heig
 @func
 def answer(place: int, a: float, b: float, ratio: float) -> int:
     """The bits of a test at a place of the code: whether a exceeds b by a ratio, and that it was answered."""
-    bits = int(0)
+    bits = 0
     if a > 0.0 and b > 0.0:
         bits = 1 << (place + ANSWERED)
         if a > b * ratio:
@@ -75,8 +75,8 @@ def count_bits(value: int) -> int:
 def compare_codes_kernel(code: array(dtype=uint8), codes: array(dtype=uint8), counts: array(dtype=int32, ndim=2)):
     """Tests that a frame and a keyframe both answer, and how many of these differently; a thread a keyframe."""
     i = tid()
-    common = int(0)
-    different = int(0)
+    common = 0
+    different = 0
     for j in range(code.shape[0]):
         x = int(code[j])
         y = int(codes[i * FERNS + j])
@@ -87,7 +87,17 @@ def compare_codes_kernel(code: array(dtype=uint8), codes: array(dtype=uint8), co
     counts[i, 1] = different
 
 
-def encode_frame(depth, brightness, first, width, height, *, seed, codes=None, row=0):
+def encode_frame(
+    depth: Scalars,
+    brightness: Scalars,
+    first: int,
+    width: int,
+    height: int,
+    *,
+    seed: int,
+    codes: Bytes | None = None,
+    row: int = 0,
+) -> Bytes:
     """The code of a picture, uint8 [FERNS], or written to a row of `codes`.
 
     Args:
@@ -105,7 +115,7 @@ def encode_frame(depth, brightness, first, width, height, *, seed, codes=None, r
     return codes
 
 
-def compare_codes(code, codes, count):
+def compare_codes(code: Bytes, codes: Bytes, count: int) -> Array2[int32]:
     """Tests that a code has in common with each of the first `count` rows of others, and how many of them differ.
 
     Returns:

@@ -9,8 +9,12 @@ its surface: reads 16 B and 4 B of each earlier frame, writes 16 B; some 60 oper
 made once: 4 B a pixel of its finest level.
 """
 
+from collections.abc import Sequence
+from typing import Any
+
 import numpy as np
 
+from ..array_types import Scalars
 from ..lang import array, float32, floor, func, kernel, launch, struct, tid, vec3, vec4, vec4i
 from ..memory import empty
 from .pyramid import NO_DEPTH, SAME_SURFACE, FrameLevels, nearest_depth
@@ -27,7 +31,7 @@ def least_about_kernel(levels: FrameLevels, least: array(dtype=float32)):
     size = levels.layout[0]
     u = i % size[0]
     v = i // size[0]
-    found = float(0.0)
+    found = 0.0
     if u > 0 and v > 0 and u < size[0] - 1 and v < size[1] - 1:
         found = 1.0e30
         for k in range(9):
@@ -46,7 +50,7 @@ class FreeSpace:
         size, lens: Of that level.
     """
 
-    def __init__(self, levels):
+    def __init__(self, levels: FrameLevels) -> None:
         self.size, self.lens = levels.sizes[0], levels.host_lenses[0]
         self.least = empty(int(levels.counts[0]), float32, levels.device)
         launch(least_about_kernel, self.least.size, [levels, self.least])
@@ -72,7 +76,7 @@ class EarlierView:
     ray: vec3
     start: vec3
 
-    def __init__(self, free, camera, T_earlier_now):
+    def __init__(self, free: FreeSpace, camera: Any, T_earlier_now: np.ndarray) -> None:
         K = np.array([[camera.fx, 0.0, camera.cx], [0.0, camera.fy, camera.cy], [0.0, 0.0, 1.0]])
         rays = T_earlier_now[:3, :3] @ np.linalg.inv(K)
         self.least, self.lens = free.least, vec4(*map(float, free.lens))
@@ -85,7 +89,7 @@ class EarlierView:
 def was_free(u: float, v: float, d: float, earlier: EarlierView) -> int:
     """Whether an earlier frame looked through the place of a pixel at depth d."""
     p = (earlier.along_u * u + earlier.along_v * v + earlier.ray) * d + earlier.start
-    free = int(0)
+    free = 0
     if p[2] > NEAREST:
         x = int(floor(p[0] / p[2] * earlier.lens[0] + earlier.lens[2] + 0.5))
         y = int(floor(p[1] / p[2] * earlier.lens[1] + earlier.lens[3] + 0.5))
@@ -98,9 +102,9 @@ def was_free(u: float, v: float, d: float, earlier: EarlierView) -> int:
 @func
 def beyond(d: float, limit: float) -> float:
     """The depth where it is beyond a limit, else 0."""
-    kept = float(0.0)
+    kept = 0.0
     if d > limit:
-        kept = d + 0.0
+        kept = d
     return kept
 
 
@@ -126,7 +130,7 @@ def hide_moved_kernel(
     c = depth[below * width + u]
     d = depth[below * width + right]
     near = nearest_depth(a, b, c, d)
-    limit = float(0.0)
+    limit = 0.0
     if near < NO_DEPTH:
         x = float(u) + 0.5 * float(side - 1)
         y = float(v) + 0.5 * float(side - 1)
@@ -141,7 +145,7 @@ def hide_moved_kernel(
     kept[below * width + right] = beyond(d, limit)
 
 
-def hide_moved(depth, camera, views):
+def hide_moved(depth: Scalars, camera: Any, views: Sequence[tuple[FreeSpace, np.ndarray]]) -> Scalars:
     """The depth [m], float32 [pixels], without what earlier frames looked through.
 
     Args:

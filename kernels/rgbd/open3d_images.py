@@ -3,6 +3,9 @@
 One thread a pixel, one launch an image: 9 or 4 reads of 4 B. For conformance only; `pyramid.py` spreads no holes.
 """
 
+import numpy as np
+
+from ..array_types import Scalars, Vectors
 from ..lang import (
     NAN,
     array,
@@ -32,7 +35,7 @@ def mark_missing_kernel(depth: array(dtype=float32), least: float, most: float, 
     d = depth[i]
     kept = float(NAN)
     if d > 0.0 and d >= least and d <= most:
-        kept = d + 0.0
+        kept = d
     marked[i] = kept
 
 
@@ -40,7 +43,7 @@ def mark_missing_kernel(depth: array(dtype=float32), least: float, most: float, 
 def mean_of_three(a: float, b: float, c: float) -> float:
     """The mean with weights (1, 2, 1) / 4, rounded once, as Open3D's filters round a row."""
     quarter = float64(0.25)
-    return float(quarter * float64(a) + float64(0.5) * float64(b) + quarter * float64(c))
+    return float(quarter * float64(a) + 0.5 * float64(b) + quarter * float64(c))
 
 
 @kernel
@@ -124,9 +127,9 @@ def fill_missing_kernel(depth: array(dtype=float32), filled: array(dtype=float32
     """0 in place of NaN."""
     i = tid()
     d = depth[i]
-    kept = float(0.0)
+    kept = 0.0
     if d > 0.0:
-        kept = d + 0.0
+        kept = d
     filled[i] = kept
 
 
@@ -164,56 +167,56 @@ def fit_short_normals_kernel(
     normals[i] = normal
 
 
-def fill_missing(depth):
+def fill_missing(depth: Scalars) -> Scalars:
     """Depth with 0 where it is none."""
     filled = empty(depth.size, float32, depth.device)
     launch(fill_missing_kernel, depth.size, [depth, filled])
     return filled
 
 
-def round_shades(brightness):
+def round_shades(brightness: Scalars):
     """Brightness in steps of 1 / 255, as 8-bit images have it."""
     rounded = empty(brightness.size, float32, brightness.device)
     launch(round_shades_kernel, brightness.size, [brightness, rounded])
     return rounded
 
 
-def short_normals(depth, width, height, lens):
+def short_normals(depth: Scalars, width: int, height: int, lens: np.ndarray) -> Vectors:
     """Open3D's normals of a depth image with NaN for none."""
     normals = empty(depth.size, vec3, depth.device)
     launch(fit_short_normals_kernel, depth.size, [depth, width, height, vec4(*map(float, lens)), normals])
     return normals
 
 
-def mark_missing(depth, least, most):
+def mark_missing(depth: Scalars, least: float, most: float) -> Scalars:
     """Depth with NaN where it is none or out of its range."""
     marked = empty(depth.size, float32, depth.device)
     launch(mark_missing_kernel, depth.size, [depth, float(least), float(most), marked])
     return marked
 
 
-def smooth(image, width, height):
+def smooth(image: Scalars, width: int, height: int) -> Scalars:
     """The image after Open3D's Gaussian3."""
     smoothed = empty(image.size, float32, image.device)
     launch(smooth_kernel, image.size, [image, width, height, smoothed])
     return smoothed
 
 
-def slopes(image, width, height):
+def slopes(image: Scalars, width: int, height: int) -> tuple[Scalars, Scalars]:
     """Sobel's slopes of an image along rows and columns."""
     along, down = empty(image.size, float32, image.device), empty(image.size, float32, image.device)
     launch(slope_kernel, image.size, [image, width, height, along, down])
     return along, down
 
 
-def spread_holes(depth, smoothed, width, height):
+def spread_holes(depth: Scalars, smoothed: Scalars, width: int, height: int) -> Scalars:
     """Smoothed depth without what lies within 2 px of a hole in the depth."""
     spread = empty(depth.size, float32, depth.device)
     launch(spread_holes_kernel, depth.size, [depth, smoothed, width, height, spread])
     return spread
 
 
-def halve(image, width, height):
+def halve(image: Scalars, width: int, height: int) -> Scalars:
     """The means of four pixels each."""
     columns, rows = width // 2, height // 2
     halved = empty(columns * rows, float32, image.device)
@@ -221,7 +224,7 @@ def halve(image, width, height):
     return halved
 
 
-def scale(image, factor):
+def scale(image: Scalars, factor: float) -> Scalars:
     """The image times a factor."""
     scaled = empty(image.size, float32, image.device)
     launch(scale_kernel, image.size, [image, float(factor), scaled])

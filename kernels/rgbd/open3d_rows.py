@@ -7,7 +7,10 @@ matrix too). Sums are float64 where Open3D has float32.
 One thread a source pixel: reads up to 60 B, writes nothing; 32 sums leave through the reduction.
 """
 
+from collections.abc import Sequence
+
 from ..algebra.rigid_solve import move, vec6d
+from ..array_types import Scalars, Vectors
 from ..lang import array, float32, float64, floor, func, isfinite, mat44d, reduction, struct, tid, vec3, vec3d, vector
 
 LEGACY, TENSOR = 0, 1
@@ -44,7 +47,16 @@ class Open3DLevel:
     depth_down: array(dtype=float32)
     normals: array(dtype=vec3)
 
-    def __init__(self, size, lens, depth, brightness, slopes, depth_slopes, normals):
+    def __init__(
+        self,
+        size: tuple[int, int],
+        lens: Sequence[float],
+        depth: Scalars,
+        brightness: Scalars,
+        slopes: tuple[Scalars, Scalars],
+        depth_slopes: tuple[Scalars, Scalars],
+        normals: Vectors,
+    ) -> None:
         self.width, self.height = size
         self.fx, self.fy, self.cx, self.cy = lens
         self.depth, self.brightness, self.normals = depth, brightness, normals
@@ -72,7 +84,16 @@ class Open3DRules:
     depth_root: float64
     shade_root: float64
 
-    def __init__(self, form, method, reach, depth_delta=0.0, shade_delta=0.0, depth_root=1.0, shade_root=1.0):
+    def __init__(
+        self,
+        form: int,
+        method: int,
+        reach: float,
+        depth_delta: float = 0.0,
+        shade_delta: float = 0.0,
+        depth_root: float = 1.0,
+        shade_root: float = 1.0,
+    ) -> None:
         self.form, self.method, self.reach = form, method, reach
         self.depth_delta, self.shade_delta = depth_delta, shade_delta
         self.depth_root, self.shade_root = depth_root, shade_root
@@ -81,8 +102,8 @@ class Open3DRules:
 @func
 def away_from_zero(x: float64) -> float64:
     """The nearest whole number, halves away from zero."""
-    whole = floor(abs(x) + float64(0.5))
-    if x < float64(0.0):
+    whole = floor(abs(x) + 0.5)
+    if x < 0.0:
         whole = -whole
     return whole
 
@@ -91,19 +112,19 @@ def away_from_zero(x: float64) -> float64:
 def bounded_loss(r: float64, delta: float64) -> float64:
     """Huber's loss."""
     size = abs(r)
-    loss = float64(0.5) * r * r
+    loss = 0.5 * r * r
     if size > delta:
-        loss = delta * (size - float64(0.5) * delta)
+        loss = delta * (size - 0.5 * delta)
     return loss
 
 
 @func
 def bounded_slope(r: float64, delta: float64) -> float64:
     """Its derivative, as Open3D has it: beyond delta the sign of r is taken of a whole number, so it is 0 up to 1."""
-    slope = r + float64(0.0)
+    slope = r
     if abs(r) >= delta:
-        slope = float64(0.0)
-        if abs(r) >= float64(1.0):
+        slope = 0.0
+        if abs(r) >= 1.0:
             slope = min(max(r, -delta), delta)
     return slope
 
@@ -127,9 +148,9 @@ def slope_in_space(p: vec3d, along: float64, down: float64, fx: float64, fy: flo
 @func
 def with_row(total: open3d_sums, j: vec6d, r: float64) -> open3d_sums:
     """The sums with a row; r stands in the right side."""
-    out = total + open3d_sums(float64(0.0))
+    out = total
     n = int(6)
-    at = int(0)
+    at = 0
     for a in range(n):
         for b in range(a, n):
             out[at] = out[at] + j[a] * j[b]
@@ -144,17 +165,59 @@ def whole_pixel(p: vec3d, form: int, target: Open3DLevel) -> vec3d:
     pu = target.fx * p[0] / p[2] + target.cx
     pv = target.fy * p[1] / p[2] + target.cy
     if form == LEGACY:
-        pu = floor(pu + float64(0.5))
-        pv = floor(pv + float64(0.5))
+        pu = floor(pu + 0.5)
+        pv = floor(pv + 0.5)
     else:
         pu = away_from_zero(pu)
         pv = away_from_zero(pv)
-    wide = float64(target.width) - float64(0.5)
-    high = float64(target.height) - float64(0.5)
+    wide = float64(target.width) - 0.5
+    high = float64(target.height) - 0.5
     inside = float64(0.0)
     if pu > -float64(0.5) and pv > -float64(0.5) and pu < wide and pv < high:
-        inside = float64(1.0)
+        inside = 1.0
     return vec3d(pu, pv, inside)
+
+
+@func
+def picture_part(p: vec3d, at: int, gap: float64, own: float64, rules: Open3DRules, target: Open3DLevel) -> open3d_sums:
+    """The rows of brightness and, for the hybrid method, of depth, at pixel `at` of the target."""
+    total = open3d_sums(0.0)
+    total[COUNT] = 1.0
+    seen = float64(target.brightness[at])
+    total[SOURCE_SHADE] = own
+    total[TARGET_SHADE] = seen
+    d_along = float64(0.0)
+    d_down = float64(0.0)
+    if rules.method == HYBRID:
+        d_along = float64(SOBEL) * float64(target.depth_along[at])
+        d_down = float64(SOBEL) * float64(target.depth_down[at])
+    missing = 0
+    if not isfinite(d_along):
+        missing = 1
+        d_along = 0.0
+    if not isfinite(d_down):
+        missing = 1
+        d_down = 0.0
+    if rules.form == TENSOR and missing == 1:
+        total[COUNT] = 0.0
+    elif rules.method != PAIRS:
+        along = float64(SOBEL) * float64(target.along[at])
+        down = float64(SOBEL) * float64(target.down[at])
+        j = motion_row(p, slope_in_space(p, along, down, target.fx, target.fy)) * rules.shade_root
+        r = rules.shade_root * (seen - own)
+        if rules.form == TENSOR:
+            total[SQUARES] = total[SQUARES] + bounded_loss(r, rules.shade_delta)
+            r = bounded_slope(r, rules.shade_delta)
+        total = with_row(total, j, r)
+        if rules.method == HYBRID:
+            c = slope_in_space(p, d_along, d_down, target.fx, target.fy)
+            c = vec3d(c[0], c[1], c[2] - 1.0)
+            r = rules.depth_root * gap
+            if rules.form == TENSOR:
+                total[SQUARES] = total[SQUARES] + bounded_loss(r, rules.depth_delta)
+                r = bounded_slope(r, rules.depth_delta)
+            total = with_row(total, motion_row(p, c) * rules.depth_root, r)
+    return total
 
 
 @reduction
@@ -167,17 +230,17 @@ def sum_open3d_rows(
 ) -> open3d_sums:
     """A source pixel's part; the source has the target's size and camera."""
     i = tid()
-    total = open3d_sums(float64(0.0))
+    total = open3d_sums(0.0)
     z = float64(source_depth[i])
     if isfinite(z):
         u = float64(i % target.width)
         v = float64(i // target.width)
         p = move(pose, vec3d((u - target.cx) * z / target.fx, (v - target.cy) * z / target.fy, z))
-        if p[2] != float64(0.0) and (rules.form == LEGACY or p[2] > float64(0.0)):
+        if p[2] != 0.0 and (rules.form == LEGACY or p[2] > 0.0):
             place = whole_pixel(p, rules.form, target)
             pu = place[0]
             pv = place[1]
-            if place[2] > float64(0.0):
+            if place[2] > 0.0:
                 at = int(pv) * target.width + int(pu)
                 there = float64(target.depth[at])
                 gap = there - p[2]
@@ -191,44 +254,9 @@ def sum_open3d_rows(
                         if abs(r) <= rules.reach:
                             total = with_row(total, motion_row(p, normal), bounded_slope(r, rules.depth_delta))
                             total[SQUARES] = bounded_loss(r, rules.depth_delta)
-                            total[COUNT] = float64(1.0)
+                            total[COUNT] = 1.0
                 elif abs(gap) <= rules.reach:
-                    total[COUNT] = float64(1.0)
-                    own = float64(source_brightness[i])
-                    seen = float64(target.brightness[at])
-                    total[SOURCE_SHADE] = own
-                    total[TARGET_SHADE] = seen
-                    d_along = float64(0.0)
-                    d_down = float64(0.0)
-                    if rules.method == HYBRID:
-                        d_along = float64(SOBEL) * float64(target.depth_along[at])
-                        d_down = float64(SOBEL) * float64(target.depth_down[at])
-                    missing = int(0)
-                    if not isfinite(d_along):
-                        missing = 1
-                        d_along = float64(0.0)
-                    if not isfinite(d_down):
-                        missing = 1
-                        d_down = float64(0.0)
-                    if rules.form == TENSOR and missing == 1:
-                        total[COUNT] = float64(0.0)
-                    elif rules.method != PAIRS:
-                        along = float64(SOBEL) * float64(target.along[at])
-                        down = float64(SOBEL) * float64(target.down[at])
-                        j = motion_row(p, slope_in_space(p, along, down, target.fx, target.fy)) * rules.shade_root
-                        r = rules.shade_root * (seen - own)
-                        if rules.form == TENSOR:
-                            total[SQUARES] = total[SQUARES] + bounded_loss(r, rules.shade_delta)
-                            r = bounded_slope(r, rules.shade_delta)
-                        total = with_row(total, j, r)
-                        if rules.method == HYBRID:
-                            c = slope_in_space(p, d_along, d_down, target.fx, target.fy)
-                            c = vec3d(c[0], c[1], c[2] - float64(1.0))
-                            r = rules.depth_root * gap
-                            if rules.form == TENSOR:
-                                total[SQUARES] = total[SQUARES] + bounded_loss(r, rules.depth_delta)
-                                r = bounded_slope(r, rules.depth_delta)
-                            total = with_row(total, motion_row(p, c) * rules.depth_root, r)
+                    total = picture_part(p, at, gap, float64(source_brightness[i]), rules, target)
     return total
 
 
@@ -241,26 +269,26 @@ def sum_open3d_information(
 ) -> information_sums:
     """The target points of pairs whose depths (LEGACY) or points (TENSOR) lie within reach."""
     i = tid()
-    total = information_sums(float64(0.0))
+    total = information_sums(0.0)
     z = float64(source_depth[i])
     if isfinite(z):
         u = float64(i % target.width)
         v = float64(i // target.width)
         p = move(pose, vec3d((u - target.cx) * z / target.fx, (v - target.cy) * z / target.fy, z))
-        if p[2] != float64(0.0) and (form == LEGACY or p[2] > float64(0.0)):
+        if p[2] != 0.0 and (form == LEGACY or p[2] > 0.0):
             place = whole_pixel(p, form, target)
             pu = place[0]
             pv = place[1]
-            if place[2] > float64(0.0):
+            if place[2] > 0.0:
                 there = float64(target.depth[int(pv) * target.width + int(pu)])
                 x = (pu - target.cx) * there / target.fx
                 y = (pv - target.cy) * there / target.fy
                 gap = abs(p[2] - there)
                 if form == TENSOR:
                     square = (p[0] - x) * (p[0] - x) + (p[1] - y) * (p[1] - y) + gap * gap
-                    gap = float64(2.0) * reach
+                    gap = 2.0 * reach
                     if square <= reach * reach:
-                        gap = float64(0.0)
+                        gap = 0.0
                 if gap <= reach:
                     one = float64(1.0)
                     total = information_sums(

@@ -11,11 +11,14 @@ Source: Newcombe et al. 2011, "KinectFusion", section 3.2 (pyramid); Holzer et a
 """
 
 import numpy as np
+from numpy.typing import ArrayLike
 
+from ..array_types import Array2, Device, Scalars
 from ..images.depth import BLUE, GREEN, RED, intensity_of
-from ..lang import array, float32, func, kernel, launch, sqrt, struct, tid, uint8, vec4, vec4i
+from ..lang import array, float32, func, kernel, launch, sqrt, struct, tid, uint8, vec4, vec4i, vector
 from ..memory import empty, full, upload
 
+nine = vector(9, float32)
 SAME_SURFACE = 0.04  # share of the depth that four pixels of one surface differ by: 80 degrees of slope, 300 px of f
 WINDOW_SURFACE = 0.06  # the same over the window of a plane, for each pixel of distance from its middle
 NO_DEPTH = 1.0e30  # [m] nearest of pixels without depth
@@ -48,13 +51,12 @@ class FrameLevels:
     brightness: array(dtype=float32)
     planes: array(dtype=vec4)
 
-    def __init__(self, sizes, lenses, device):
-        sizes = np.asarray(sizes, np.int64)
-        counts = sizes[:, 0] * sizes[:, 1]
-        self.sizes, self.counts = sizes, counts
+    def __init__(self, sizes: ArrayLike, lenses: ArrayLike, device: Device) -> None:
+        self.sizes = np.asarray(sizes, np.int64)
+        counts = self.counts = self.sizes[:, 0] * self.sizes[:, 1]
         self.firsts = np.concatenate([[0], np.cumsum(counts)[:-1]])
         self.host_lenses = np.asarray(lenses, np.float64)
-        self.layout = upload(np.column_stack([sizes, self.firsts, counts]), vec4i, device)
+        self.layout = upload(np.column_stack([self.sizes, self.firsts, counts]), vec4i, device)
         self.lenses = upload(self.host_lenses, vec4, device)
         total = int(counts.sum())
         self.depth, self.brightness = empty(total, float32, device), empty(total, float32, device)
@@ -62,7 +64,7 @@ class FrameLevels:
         self.device, self.total = device, total
 
     @property
-    def count(self):
+    def count(self) -> int:
         """How many levels there are."""
         return len(self.counts)
 
@@ -87,8 +89,8 @@ def halved_depth(a: float, b: float, c: float, d: float) -> float:
     """The mean of those of four depths that lie on the nearest surface among them; 0 without any."""
     near = nearest_depth(a, b, c, d)
     far = near * (1.0 + SAME_SURFACE)
-    total = float(0.0)
-    count = float(0.0)
+    total = 0.0
+    count = 0.0
     if a > 0.0 and a <= far:
         total += a
         count += 1.0
@@ -101,7 +103,7 @@ def halved_depth(a: float, b: float, c: float, d: float) -> float:
     if d > 0.0 and d <= far:
         total += d
         count += 1.0
-    mean = float(0.0)
+    mean = 0.0
     if count > 0.0:
         mean = total / count
     return mean
@@ -170,14 +172,55 @@ def take_level_kernel(
     i = tid()
     d = depth[i]
     b = brightness[i]
-    good = float(0.0)
+    good = 0.0
     if d > 0.0 and d < 1.0e6:
-        good = d + 0.0
+        good = d
     depths[i] = good
     shown = float(NO_COLOR)
     if b >= 0.0 and b < 1.0e6:
-        shown = b + 0.0
+        shown = b
     brightnesses[i] = shown
+
+
+@func
+def window_sums(i: int, u: int, v: int, radius: int, level: int, levels: FrameLevels) -> nine:
+    """Sums over the pixels of a window on the surface of pixel i: 1, u, v, u^2, u v, v^2, w, u w, v w, all from it."""
+    sums = nine(0.0)
+    size = levels.layout[level]
+    z = levels.depth[i]
+    w0 = 1.0 / z
+    for dv in range(-radius, radius + 1):
+        if v + dv >= 0 and v + dv < size[1]:
+            for du in range(-radius, radius + 1):
+                if u + du >= 0 and u + du < size[0]:
+                    d = levels.depth[i + dv * size[0] + du]
+                    if abs(d - z) <= WINDOW_SURFACE * z:
+                        x = float(du)
+                        y = float(dv)
+                        w = 1.0 / d - w0
+                        sums += nine(1.0, x, y, x * x, x * y, y * y, w, x * w, y * w)
+    return sums
+
+
+@func
+def slopes_of(sums: nine, w0: float) -> vec4:
+    """a, b, c of the least squares of a window's sums, and 1 where they hold."""
+    n = sums[0]
+    mu = sums[1] / n
+    mv = sums[2] / n
+    mw = sums[6] / n
+    cuu = sums[3] / n - mu * mu
+    cuv = sums[4] / n - mu * mv
+    cvv = sums[5] / n - mv * mv
+    cuw = sums[7] / n - mu * mw
+    cvw = sums[8] / n - mv * mw
+    det = cuu * cvv - cuv * cuv
+    found = vec4(0.0, 0.0, 0.0, 0.0)
+    if det > 0.1:
+        a = (cuw * cvv - cvw * cuv) / det
+        b = (cvw * cuu - cuw * cuv) / det
+        found = vec4(a, b, w0 + mw - a * mu - b * mv, 1.0)
+    return found
 
 
 @kernel
@@ -187,61 +230,27 @@ def fit_planes_kernel(radius: int, levels: FrameLevels, planes: array(dtype=vec4
     With w = 1 / z = a (u - u0) + b (v - v0) + c it holds that w = n . (x, y, 1) / (n . q), x = (u - cx) / fx.
     """
     i = tid()
-    level = int(0)
+    level = 0
     for k in range(1, levels.layout.shape[0]):
         if i >= levels.layout[k][2]:
-            level = k + 0
+            level = k
     size = levels.layout[level]
     u = (i - size[2]) % size[0]
     v = (i - size[2]) // size[0]
     z = levels.depth[i]
     plane = vec4(0.0, 0.0, 0.0, 0.0)
-    surface = z + 0.0
+    surface = z
     if z > 0.0:
         lens = levels.lenses[level]
         w0 = 1.0 / z
-        n = float(0.0)
-        su = float(0.0)
-        sv = float(0.0)
-        suu = float(0.0)
-        suv = float(0.0)
-        svv = float(0.0)
-        sw = float(0.0)
-        suw = float(0.0)
-        svw = float(0.0)
-        for dv in range(-radius, radius + 1):
-            if v + dv >= 0 and v + dv < size[1]:
-                for du in range(-radius, radius + 1):
-                    if u + du >= 0 and u + du < size[0]:
-                        d = levels.depth[i + dv * size[0] + du]
-                        if abs(d - z) <= WINDOW_SURFACE * z:
-                            x = float(du)
-                            y = float(dv)
-                            w = 1.0 / d - w0
-                            n += 1.0
-                            su += x
-                            sv += y
-                            suu += x * x
-                            suv += x * y
-                            svv += y * y
-                            sw += w
-                            suw += x * w
-                            svw += y * w
+        sums = window_sums(i, u, v, radius, level, levels)
         side = float(2 * radius + 1)
-        if n >= LEAST_SUPPORT * side * side:
-            mu = su / n
-            mv = sv / n
-            mw = sw / n
-            cuu = suu / n - mu * mu
-            cuv = suv / n - mu * mv
-            cvv = svv / n - mv * mv
-            cuw = suw / n - mu * mw
-            cvw = svw / n - mv * mw
-            det = cuu * cvv - cuv * cuv
-            if det > 0.1:
-                a = (cuw * cvv - cvw * cuv) / det
-                b = (cvw * cuu - cuw * cuv) / det
-                c = w0 + mw - a * mu - b * mv
+        if sums[0] >= LEAST_SUPPORT * side * side:
+            slopes = slopes_of(sums, w0)
+            if slopes[3] > 0.0:
+                a = slopes[0]
+                b = slopes[1]
+                c = slopes[2]
                 nx = a * lens[0]
                 ny = b * lens[1]
                 nz = c + a * (lens[2] - float(u)) + b * (lens[3] - float(v))
@@ -256,7 +265,9 @@ def fit_planes_kernel(radius: int, levels: FrameLevels, planes: array(dtype=vec4
     smoothed[i] = surface
 
 
-def level_sizes(width, height, lens, most_pixels, least_side):
+def level_sizes(
+    width: int, height: int, lens: tuple[float, float, float, float], most_pixels: int, least_side: int
+) -> tuple[list[tuple[int, int]], list[np.ndarray], int]:
     """Sizes and lenses of the levels of a picture, the finest first, and whether the finest is the picture itself.
 
     Args:
@@ -282,7 +293,17 @@ def level_sizes(width, height, lens, most_pixels, least_side):
             return sizes, lenses, halvings
 
 
-def make_levels(depth, brightness, width, height, lens, *, most_pixels, least_side, radius):
+def make_levels(
+    depth: Scalars,
+    brightness: Scalars | Array2[uint8] | None,
+    width: int,
+    height: int,
+    lens: tuple[float, float, float, float],
+    *,
+    most_pixels: int,
+    least_side: int,
+    radius: int,
+) -> FrameLevels:
     """The FrameLevels of a picture.
 
     Args:
@@ -316,7 +337,9 @@ def make_levels(depth, brightness, width, height, lens, *, most_pixels, least_si
     return levels
 
 
-def _halve(depth, brightness, size, levels):
+def _halve(
+    depth: Scalars, brightness: Scalars | Array2[uint8], size: tuple[int, int], levels: FrameLevels | None
+) -> list[Scalars]:
     """Depth and brightness at half the size, into the first level of `levels` where that is given."""
     columns, rows = size[0] // 2, size[1] // 2
     count = columns * rows

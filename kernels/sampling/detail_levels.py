@@ -17,23 +17,9 @@ devices give the same.
 
 import numpy as np
 
+from ..array_types import Indices, Integers, LongIntegers, Points
 from ..arrays.sort import SortKeys, put_key
-from ..lang import (
-    array,
-    float64,
-    floor,
-    func,
-    int32,
-    int64,
-    isfinite,
-    kernel,
-    launch,
-    struct,
-    tid,
-    uint8,
-    vec3,
-    vec3d,
-)
+from ..lang import array, float64, floor, func, int32, int64, isfinite, kernel, launch, struct, tid, uint8, vec3, vec3d
 from ..memory import download, empty, host_view
 from ..search.hilbert_order import spread_bits
 
@@ -62,7 +48,7 @@ class Cube:
     corner: vec3d
     scale: float64
 
-    def __init__(self, corner, side):
+    def __init__(self, corner: np.ndarray, side: float) -> None:
         self.corner, self.scale = vec3d(*np.asarray(corner).tolist()), 2.0**DEPTH / side
 
 
@@ -78,7 +64,7 @@ class Minima:
     some: array(dtype=int32)
     many: array(dtype=int32)
 
-    def __init__(self, order):
+    def __init__(self, order: Indices) -> None:
         count, device = order.size, order.device
         layers = []
         for _ in range(3):
@@ -99,12 +85,12 @@ def cell_along(p: vec3, cube: Cube, axis: int) -> int:
 @func
 def morton_key(p: vec3, cube: Cube) -> int64:
     """The bits of a point's finest cell, x above y above z; SKIPPED where the point is not finite."""
-    key = int64(SKIPPED) + int64(0)
+    key = int64(SKIPPED)
     if isfinite(p):
         x = spread_bits(cell_along(p, cube, 0))
         y = spread_bits(cell_along(p, cube, 1))
         z = spread_bits(cell_along(p, cube, 2))
-        key = (x << int64(2)) | (y << int64(1)) | z
+        key = (x << 2) | (y << 1) | z
     return key
 
 
@@ -140,7 +126,7 @@ def halve_keys_kernel(
 def pack_highs_kernel(words: array(dtype=int64), highs: array(dtype=int32), shift: int64, places: array(dtype=int64)):
     """The upper half of the key of each word's point, above the word's place."""
     i = tid()
-    index = int(words[i] & ((int64(1) << shift) - int64(1)))
+    index = int(words[i] & ((1 << shift) - 1))
     places[i] = (int64(highs[index]) << shift) | int64(i)
 
 
@@ -148,7 +134,7 @@ def pack_highs_kernel(words: array(dtype=int64), highs: array(dtype=int32), shif
 def join_halves_kernel(words: array(dtype=int64), shift: int64, places: array(dtype=int64), order: array(dtype=int32)):
     """The key in place of an upper half above the place of the word that holds the lower; and the word's point."""
     i = tid()
-    mask = (int64(1) << shift) - int64(1)
+    mask = (1 << shift) - 1
     place = places[i]
     word = words[int(place & mask)]
     order[i] = int(word & mask)
@@ -159,7 +145,7 @@ def join_halves_kernel(words: array(dtype=int64), shift: int64, places: array(dt
 def find_least_priorities_kernel(order: array(dtype=int32), least: array(dtype=int32)):
     """The least priority of each block of points."""
     i = tid()
-    found = int(0x7FFFFFFF)
+    found = 0x7FFFFFFF
     for j in range(i * BLOCK, min((i + 1) * BLOCK, order.shape[0])):
         found = min(found, priority(order[j]))
     least[i] = found
@@ -169,7 +155,7 @@ def find_least_priorities_kernel(order: array(dtype=int32), least: array(dtype=i
 def find_least_kernel(values: array(dtype=int32), least: array(dtype=int32)):
     """The least of each block."""
     i = tid()
-    found = int(0x7FFFFFFF)
+    found = 0x7FFFFFFF
     for j in range(i * BLOCK, min((i + 1) * BLOCK, values.shape[0])):
         found = min(found, values[j])
     least[i] = found
@@ -178,10 +164,10 @@ def find_least_kernel(values: array(dtype=int32), least: array(dtype=int32)):
 @func
 def shared_depth(differing: int64) -> int:
     """How many times the cube can be halved until two keys part, whose differing bits these are."""
-    left = differing + int64(0)
+    left = differing
     depth = int(DEPTH)
-    while left != int64(0):
-        left = left >> int64(3)
+    while left != 0:
+        left = left >> 3
         depth = depth - 1
     return depth
 
@@ -189,7 +175,7 @@ def shared_depth(differing: int64) -> int:
 @func
 def reach_left(j: int, own: int, minima: Minima) -> int:
     """How many points before j may be passed at once, since a priority is below all of theirs; else 1."""
-    size = int(1)
+    size = 1
     if j % BLOCK == 0:
         if minima.few[j // BLOCK - 1] > own:
             size = int(BLOCK)
@@ -205,7 +191,7 @@ def reach_left(j: int, own: int, minima: Minima) -> int:
 @func
 def reach_right(j: int, own: int, minima: Minima) -> int:
     """As reach_left, of points from j on."""
-    size = int(1)
+    size = 1
     if j % BLOCK == 0:
         if minima.few[j // BLOCK] > own:
             size = int(BLOCK)
@@ -232,7 +218,7 @@ def find_levels_kernel(order: array(dtype=int32), keys: array(dtype=int64), mini
         size = reach_left(j, own, minima)
         j = j - size
         differing = key ^ keys[j]
-        if (differing >> shift) != int64(0):
+        if (differing >> shift) != 0:
             j = 0
         elif size == 1:
             if priority(order[j]) < own:
@@ -247,7 +233,7 @@ def find_levels_kernel(order: array(dtype=int32), keys: array(dtype=int64), mini
         size = reach_right(j, own, minima)
         j = min(j + size, count)
         differing = key ^ keys[j - 1]
-        if (differing >> shift) != int64(0):
+        if (differing >> shift) != 0:
             j = count
         elif size == 1:
             if priority(order[j - 1]) < own:
@@ -256,7 +242,7 @@ def find_levels_kernel(order: array(dtype=int32), keys: array(dtype=int64), mini
     levels[i] = uint8(depth - (NODE_BITS - 1))
 
 
-def sort_by_cell(points, cube):
+def sort_by_cell(points: Points, cube: Cube) -> tuple[LongIntegers, Integers]:
     """(keys, order) of vec3 points in Morton order, int64 and int32 [n] on their device; equal keys by index."""
     count, device = points.size, points.device
     if device.is_cuda or count == 0:
@@ -276,7 +262,7 @@ def sort_by_cell(points, cube):
     return places, order
 
 
-def find_levels(points, corner, side):
+def find_levels(points: Points, corner: np.ndarray, side: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """The level of each finite point within a cube.
 
     Args:

@@ -4,6 +4,7 @@ Points are compared by the bits of their coordinates, zero and minus zero taken 
 hash: points that share one by chance only take a step more. 12 B read and 12 B written a point beside the sort.
 """
 
+from ..array_types import Indices, Points
 from ..arrays.hash_table import mix_bits
 from ..arrays.select import positions_of
 from ..arrays.sort import argsort_keys
@@ -24,13 +25,13 @@ def coordinate_bits(x: float) -> int64:
     A comparison of floats might take subnormal numbers for zero.
     """
     bits = int64(float_bits(x)) & int64(LOW_WORD)
-    return bits if bits != int64(MINUS_ZERO) else int64(0)
+    return bits if bits != int64(MINUS_ZERO) else 0
 
 
 @func
 def is_nan(p: vec3) -> int:
     """1 where a coordinate is NaN."""
-    found = int(0)
+    found = 0
     for axis in range(3):
         if (int64(float_bits(p[axis])) & int64(MAGNITUDE)) > int64(INFINITE):
             found = 1
@@ -40,7 +41,7 @@ def is_nan(p: vec3) -> int:
 @func
 def same_point(p: vec3, q: vec3) -> int:
     """1 where all coordinates are equal."""
-    differing = int(0)
+    differing = 0
     for axis in range(3):
         if coordinate_bits(p[axis]) != coordinate_bits(q[axis]):
             differing = 1
@@ -52,9 +53,9 @@ def hash_points_kernel(points: array(dtype=vec3), bits: int, keys: array(dtype=i
     """A hash of the coordinates with the given number of bits."""
     i = tid()
     p = points[i]
-    h = mix_bits(coordinate_bits(p[0]) | (coordinate_bits(p[1]) << int64(32)))
+    h = mix_bits(coordinate_bits(p[0]) | (coordinate_bits(p[1]) << 32))
     h = mix_bits(h + coordinate_bits(p[2]))
-    keys[i] = h & ((int64(1) << int64(bits)) - int64(1))
+    keys[i] = h & ((1 << int64(bits)) - 1)
 
 
 @kernel
@@ -64,7 +65,7 @@ def mark_first_kernel(
     """1 where no earlier point has the same coordinates; points with a NaN equal none."""
     i = tid()
     p = points[order[i]]
-    first = int(1)
+    first = 1
     j = i - 1
     if is_nan(p) == 1:
         j = -1
@@ -76,7 +77,7 @@ def mark_first_kernel(
     mask[order[i]] = uint8(first)
 
 
-def first_occurrences(points):
+def first_occurrences(points: Points) -> Indices:
     """The rows of a device array of vec3 that no earlier row equals; int32, ascending."""
     device = points.device
     bits = WORD_BITS - max(1, (points.size - 1).bit_length())

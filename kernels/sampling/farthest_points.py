@@ -15,6 +15,8 @@ the distance of a box is computed by the same operations as that of a point, so 
 minimum and maximum depend on no order. 20 B a point beside the tree.
 """
 
+import numpy as np
+
 from ..arrays.lanes import LANE_BITS
 from ..arrays.packed_keys import INDEX_MASK, key_number
 from ..lang import (
@@ -88,7 +90,7 @@ class KeptDistances:
     turn: array(dtype=int32)
     running: array(dtype=int32)
 
-    def __init__(self, tree, sample_count, start, in_turn):
+    def __init__(self, tree: PointTree, sample_count: int, start: int, in_turn: bool) -> None:
         """Nothing is near any point yet; the first choice is the point of index `start`."""
         device, node_count = tree.device, tree.boxes.size // SIDES if in_turn else 0
         self.tree, self.points, self.leaf_count = tree, tree.source, -(-tree.count // LEAF)
@@ -130,10 +132,10 @@ def approach_leaf(leaf: int, p: vec3, kept: KeptDistances) -> int64:
         y = p[1] - kept.ys[first + j]
         z = p[2] - kept.zs[first + j]
         distances[j] = x * x + y * y + z * z
-    near = leaf_keys(int64(0))
+    near = leaf_keys(0)
     for j in range(LEAF):
         key = kept.keys[first + j]
-        offered = (int64(float_bits(distances[j])) << int64(32)) | (key & int64(INDEX_MASK))
+        offered = (int64(float_bits(distances[j])) << 32) | (key & int64(INDEX_MASK))
         near[j] = offered if offered < key else key
     top = int64(0)
     for j in range(LEAF):
@@ -164,13 +166,13 @@ def list_buckets_near(p: vec3, kept: KeptDistances) -> int:
 
     Returns where the buckets end; each level stands behind the one above it.
     """
-    begin = int(0)
-    end = int(1)
+    begin = 0
+    end = 1
     kept.queue[0] = kept.tree.levels[kept.tree.root]
     for step in range(kept.tree.root):
         above = kept.tree.levels[kept.tree.root - step]
         below = kept.tree.levels[kept.tree.root - step - 1]
-        tail = end + 0
+        tail = end
         for q in range(begin, end):
             distances = measure_boxes(kept.tree.boxes, kept.queue[q], p, p)
             first = below + (kept.queue[q] - above) * FAN
@@ -189,7 +191,7 @@ def list_buckets_near(p: vec3, kept: KeptDistances) -> int:
 def approach_tree(p: vec3, kept: KeptDistances) -> int64:
     """Bring all keys down to their distance to p; the largest of them."""
     end = list_buckets_near(p, kept)
-    level = int(0)
+    level = 0
     for step in range(end):  # from the last bucket back to the root, so that children come before their parents
         node = kept.queue[end - 1 - step]
         if node >= kept.tree.levels[level + 1]:  # no level is left out: the path to p itself is always queued
@@ -233,11 +235,11 @@ def choose_at_once_kernel(step: int, kept: KeptDistances):
 @cuda_func
 def largest_of_lanes(key: int64) -> int64:
     """The largest key of a warp."""
-    top = key + int64(0)
+    top = key
     for bit in range(LANE_BITS):
-        high = shuffle_xor(int(top >> int64(32)), 1 << bit)
+        high = shuffle_xor(int(top >> 32), 1 << bit)
         low = shuffle_xor(int(top), 1 << bit)
-        top = max(top, (int64(high) << int64(32)) | (int64(low) & int64(INDEX_MASK)))
+        top = max(top, (int64(high) << 32) | (int64(low) & int64(INDEX_MASK)))
     return top
 
 
@@ -256,7 +258,7 @@ def choose_by_leaves_kernel(step: int, kept: KeptDistances):
                 top = approach_leaf(i, p, kept)
                 kept.leaf_tops[i] = top
     top = largest_of_lanes(top)
-    if i % WARP == 0 and top > int64(0):
+    if i % WARP == 0 and top > 0:
         if top > kept.chosen[turn + 1]:
             atomic_max(kept.chosen, turn + 1, top)  # as in the kernel that this stands for
 
@@ -267,13 +269,13 @@ def end_turn_kernel(limit: int, kept: KeptDistances):
     i = tid()
     turn = min(kept.turn[0] + STEPS, kept.last) + i
     kept.turn[0] = turn
-    going = int(0)
+    going = 0
     if turn < limit and kept.chosen[turn] >= int64(APART):
         going = 1
     kept.running[0] = going
 
 
-def choose_farthest(tree, sample_count, start, at_once=None):
+def choose_farthest(tree: PointTree, sample_count: int, start: int, at_once: bool | None = None) -> np.ndarray:
     """Choose points one after the other, each the farthest from all before it.
 
     Args:
@@ -298,7 +300,7 @@ def choose_farthest(tree, sample_count, start, at_once=None):
     return (INDEX_MASK - (found[found >= APART] & INDEX_MASK)).astype("int32")
 
 
-def _choose_at_once(kept):
+def _choose_at_once(kept: KeptDistances) -> None:
     on_cuda = kept.chosen.device.is_cuda
     threads = -(-kept.leaf_count // WARP) * WARP if on_cuda else -(-kept.leaf_count // FAN)
     if kept.last < FEWEST:
@@ -306,7 +308,7 @@ def _choose_at_once(kept):
             launch(choose_at_once_kernel, threads, [step, kept])
         return
 
-    def choose_some():
+    def choose_some() -> None:
         for step in range(STEPS):
             launch(choose_at_once_kernel, threads, [step, kept])
         launch(end_turn_kernel, 1, [limit, kept])

@@ -4,6 +4,11 @@ The axes take only the bits that the box needs, 62 together, so a grid may have 
 Cells are counted from the grid's low corner in float64, so negative coordinates need no care.
 """
 
+from typing import Any
+
+import numpy as np
+
+from ..array_types import Points
 from ..arrays.sort import SortKeys, put_key
 from ..arrays.unique import UniqueKeys
 from ..lang import array, float64, floor, func, int64, isfinite, kernel, launch, tid, vec3, vec3d, vec3i, vector
@@ -19,18 +24,12 @@ def cell_of(p: vec3, corner: vec3d, size: float64, axis: int) -> int64:
 
 @kernel
 def encode_voxels_kernel(
-    points: array(dtype=vec3),
-    corner: vec3d,
-    size: float64,
-    first: cell,
-    bits: vec3i,
-    skipped: int64,
-    keys: SortKeys,
+    points: array(dtype=vec3), corner: vec3d, size: float64, first: cell, bits: vec3i, skipped: int64, keys: SortKeys
 ):
     """x in the high bits, then y, then z, from cell `first` on; points that are not finite take the key `skipped`."""
     i = tid()
     p = points[i]
-    key = skipped + int64(0)
+    key = skipped
     if isfinite(p):
         x = cell_of(p, corner, size, 0) - first[0]
         y = cell_of(p, corner, size, 1) - first[1]
@@ -48,7 +47,7 @@ class VoxelGroups:
         count: Occupied voxels m.
     """
 
-    def __init__(self, points, corner, size, cells, first=(0, 0, 0)):
+    def __init__(self, points: Points, corner: np.ndarray, size: float, cells: Any, first: Any = (0, 0, 0)) -> None:
         """Group finite points.
 
         Args:

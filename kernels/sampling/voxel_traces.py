@@ -4,10 +4,16 @@ A thread a voxel, over the points of its run in their own order: no atomics, the
 Each reads the 12 B and writes 4 to 12 B of each point once or twice.
 """
 
+from typing import TYPE_CHECKING, Any
+
 from ..algebra.transform import widen
+from ..array_types import AnyArray, Points
 from ..lang import INFINITY, array, float64, floor, func, int32, int64, kernel, launch, tid, vec3, vec3d
 from ..memory import cast, empty, full
 from ..search.neighbor_keys import sort_keys
+
+if TYPE_CHECKING:
+    from ..arrays.unique import UniqueKeys
 
 CHANNEL_STEPS = 2097151.0  # 2^21 - 1: three channels of 21 bits are one key, so colours 5e-7 apart differ
 
@@ -15,10 +21,10 @@ CHANNEL_STEPS = 2097151.0  # 2^21 - 1: three channels of 21 bits are one key, so
 @func
 def octant_of(p: vec3, corner: vec3d, size: float64) -> int:
     """The eighth of its voxel that holds a point: 1 for the upper half along x, 2 along y, 4 along z."""
-    octant = int(0)
+    octant = 0
     for axis in range(3):
         place = (float64(p[axis]) - corner[axis]) / size
-        if place - floor(place) >= float64(0.5):
+        if place - floor(place) >= 0.5:
             octant = octant | (1 << axis)
     return octant
 
@@ -47,7 +53,7 @@ def nearest_to_mean_kernel(
 ):
     """The point of each run nearest to the run's mean, ties to the first."""
     i = tid()
-    total = vec3d(float64(0.0), float64(0.0), float64(0.0))
+    total = vec3d(0.0, 0.0, 0.0)
     for j in range(starts[i], starts[i + 1]):
         total += widen(points[order[j]])
     mean = total / float64(starts[i + 1] - starts[i])
@@ -70,7 +76,7 @@ def encode_colors_kernel(colors: array(dtype=vec3), keys: array(dtype=int64)):
     key = int64(0)
     for channel in range(3):
         value = int(min(max(c[channel], 0.0), 1.0) * CHANNEL_STEPS + 0.5)
-        key = (key << int64(21)) | int64(value)
+        key = (key << 21) | int64(value)
     keys[i] = key
 
 
@@ -90,8 +96,8 @@ def commonest_rows_kernel(
         scratch[j] = keys[order[j]]
     sort_keys(scratch, begin, 1, end - begin)
     best = scratch[begin]
-    most = int(0)
-    length = int(0)
+    most = 0
+    length = 0
     for j in range(begin, end):
         length += 1
         if j + 1 == end or scratch[j + 1] != scratch[j]:
@@ -99,14 +105,14 @@ def commonest_rows_kernel(
                 most = length
                 best = scratch[j]
             length = 0
-    row = int(-1)
+    row = -1
     for j in range(begin, end):
         if row < 0 and keys[order[j]] == best:
             row = order[j]
     rows[i] = row
 
 
-def trace_voxels(points, groups, corner, size):
+def trace_voxels(points: Points, groups: "UniqueKeys", corner: Any, size: Any):
     """Which points fell where.
 
     Returns:
@@ -120,14 +126,14 @@ def trace_voxels(points, groups, corner, size):
     return octants, voxels
 
 
-def nearest_to_means(points, groups):
+def nearest_to_means(points: Points, groups: "UniqueKeys"):
     """The row of the point nearest to the mean of each voxel, int32 [m]."""
     rows = empty(groups.count, int32, points.device)
     launch(nearest_to_mean_kernel, groups.count, [points, groups.order, groups.starts, rows])
     return rows
 
 
-def commonest_rows(values, groups):
+def commonest_rows(values: AnyArray, groups: "UniqueKeys"):
     """A row of each voxel that has its commonest value, int32 [m].
 
     Args:

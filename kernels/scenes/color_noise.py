@@ -6,6 +6,7 @@ The noise is the sum of eight uniform numbers of 16 bits (Irwin and Hall): norma
 standard deviations, and, unlike the logarithm and cosine of Box and Muller's, the same bits on every device.
 """
 
+from ..array_types import Bytes
 from ..arrays.random import random_bits
 from ..lang import array, func, int64, kernel, launch, tid, uint8
 from ..memory import empty
@@ -19,7 +20,7 @@ PER_SIGMA = 1.0 / 53510.0  # their standard deviation: 65,536 sqrt(8 / 12)
 @func
 def halves(word: int64) -> int64:
     """The sum of both halves of a word."""
-    return (word & int64(HALF_WORD)) + (word >> int64(16))
+    return (word & int64(HALF_WORD)) + (word >> 16)
 
 
 @kernel
@@ -35,7 +36,7 @@ def measure_colors_kernel(
     measured[i] = uint8(int(min(max(value, 0.0), 255.0) + 0.5))
 
 
-def measure_colors(colors, *, sigma, seed, frame):
+def measure_colors(colors: Bytes, *, sigma: float, seed: int, frame: int) -> Bytes:
     """Colours as a sensor with noise measures them.
 
     Args:

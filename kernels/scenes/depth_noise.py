@@ -8,6 +8,7 @@ Source: Nguyen, Izadi and Lovell, "Modeling Kinect sensor noise for improved 3D 
 beside an edge, where the pattern is torn.
 """
 
+from ..array_types import Scalars
 from ..arrays.random import gaussian_pair, random_uniform
 from ..lang import array, float32, floor, kernel, launch, tid
 from ..memory import empty
@@ -37,7 +38,7 @@ def measure_depth_kernel(
     z = depth[i]
     column = i % width
     row = i // width
-    jump = float(0.0)
+    jump = 0.0
     for k in range(9):
         x = min(max(column + k % 3 - 1, 0), width - 1)
         y = min(max(row + k // 3 - 1, 0), height - 1)
@@ -45,18 +46,18 @@ def measure_depth_kernel(
     u = random_uniform(seed, i, frame)
     away = z - AXIAL_NEAREST
     noisy = z + (AXIAL_BASE + AXIAL_GROWTH * away * away) * gaussian_pair(u[0], u[1])[0]
-    kept = int(1)
+    kept = 1
     if noisy < NEAREST or noisy > FARTHEST or incidence[i] < GRAZING:
         kept = 0
     if jump > EDGE_JUMP * z and u[2] < EDGE_LOSS:
         kept = 0
-    value = float(0.0)
+    value = 0.0
     if kept == 1:
         value = floor(noisy * 1000.0 + 0.5) * 0.001
     measured[i] = value
 
 
-def measure_depth(depth, incidence, width, height, *, seed, frame):
+def measure_depth(depth: Scalars, incidence: Scalars, width: int, height: int, *, seed: int, frame: int):
     """Depth as a structured-light camera measures it.
 
     Args:

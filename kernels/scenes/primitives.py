@@ -10,8 +10,11 @@ distance of a convex solid is convex along a line, so the steps never overshoot 
 slope that is not negative proves a miss.
 """
 
+from typing import Any
+
 import numpy as np
 
+from ..array_types import Device, Doubles, Positions
 from ..lang import (
     INFINITY,
     array,
@@ -114,8 +117,8 @@ def meet_solid(origin: vec3d, direction: vec3d, extent: vec4d, kind: int, limit:
     t = float64(INFINITY)
     if near <= far:
         place = near + float64(ZERO)
-        searching = int(1)
-        step = int(0)
+        searching = 1
+        step = 0
         while searching == 1:
             field = solid_field(origin + direction * place, extent, kind)
             descent = -(field[0] * direction[0] + field[1] * direction[1] + field[2] * direction[2])
@@ -150,7 +153,7 @@ class Solids:
     centers: array(dtype=vec3d)
     extents: array(dtype=vec4d)
 
-    def __init__(self, kinds, rotations, centers, extents, device):
+    def __init__(self, kinds: Any, rotations: np.ndarray, centers: np.ndarray, extents: Any, device: Device) -> None:
         self.count, self.device = len(kinds), device
         self.kinds = upload(np.asarray(kinds), int32, device)
         self.rotations = upload(np.asarray(rotations), mat33d, device)
@@ -190,7 +193,7 @@ def measure_distances_kernel(points: array(dtype=vec3d), solids: Solids, distanc
     distances[i] = scene_distance(p, solids) + (total - total)
 
 
-def distance_to_solids(points, solids):
+def distance_to_solids(points: Positions, solids: Solids) -> Doubles:
     """Signed distance of points from the surface of a scene, negative inside a solid.
 
     Args:

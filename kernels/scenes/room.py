@@ -5,7 +5,10 @@ pixels the solids whose bounding spheres its cone touches; then one thread a pix
 60 operations each. Colours are diffuse (room_light.py) and belong to the place, not to the view.
 """
 
+from typing import Any
+
 import numpy as np
+from numpy.typing import ArrayLike
 
 from ..algebra.camera import Camera, pixel_ray
 from ..algebra.transform import Transform, narrow
@@ -52,7 +55,7 @@ PLANK_LENGTH = 5.0  # widths of a plank
 def pattern_weight(q: vec3, kind: int, size: float) -> float:
     """The share of the second colour at a point in a solid's frame."""
     u = q / size + vec3(SEAM, SEAM, SEAM)
-    weight = float(0.0)
+    weight = 0.0
     if kind == CHECKER:
         total = floor(u[0]) + floor(u[1]) + floor(u[2])
         weight = total - 2.0 * floor(total * 0.5)
@@ -87,14 +90,25 @@ class Room:
     patterns: array(dtype=vec2)
     light: LightGrid
 
-    def __init__(self, solids, paints, patterns, *, lamp=None, low=None, high=None, step=0.05, light=None):
+    def __init__(
+        self,
+        solids: Solids,
+        paints: ArrayLike,
+        patterns: ArrayLike,
+        *,
+        lamp: Any = None,
+        low: Any = None,
+        high: Any = None,
+        step: float = 0.05,
+        light: LightGrid | None = None,
+    ) -> None:
         device = solids.device
         self.solids, self.device = solids, device
         self.paints = upload(np.asarray(paints).reshape(-1, 3), vec3, device)
         self.patterns = upload(np.asarray(patterns), vec2, device)
         self.light = light if light is not None else LightGrid(solids, lamp=lamp, low=low, high=high, step=step)
 
-    def render(self, camera, T_world_camera):
+    def render(self, camera: Any, T_world_camera: np.ndarray):
         """What a pinhole camera sees.
 
         Args:
@@ -127,7 +141,7 @@ class TileLists:
     counts: array(dtype=int32)
     lists: array(dtype=int32)
 
-    def __init__(self, camera, T_world_camera, solids):
+    def __init__(self, camera: Any, T_world_camera: Transform, solids: Solids) -> None:
         self.columns, rows = -(-camera.width // TILE), -(-camera.height // TILE)
         count, device = self.columns * rows, solids.device
         self.lists, self.counts = empty(count * solids.count, int32, device), empty(count, int32, device)
@@ -138,10 +152,10 @@ class TileLists:
 def list_solids_kernel(camera: Camera, T_world_camera: Transform, solids: Solids, tiles: TileLists):
     """For each tile the solids whose bounding spheres touch the cone about its four corners."""
     i = tid()
-    x0 = float64((i % tiles.columns) * TILE) - float64(0.5)
-    y0 = float64((i // tiles.columns) * TILE) - float64(0.5)
+    x0 = float64((i % tiles.columns) * TILE) - 0.5
+    y0 = float64((i // tiles.columns) * TILE) - 0.5
     size = float64(TILE_SIZE)
-    middle = normalize(pixel_ray(x0 + size * float64(0.5), y0 + size * float64(0.5), camera))
+    middle = normalize(pixel_ray(x0 + size * 0.5, y0 + size * 0.5, camera))
     cosine = float64(1.0)
     for corner in range(4):
         x = x0 + size * float64(corner % 2)
@@ -149,16 +163,16 @@ def list_solids_kernel(camera: Camera, T_world_camera: Transform, solids: Solids
         cosine = min(cosine, dot(middle, normalize(pixel_ray(x, y, camera))))
     half_angle = acos(cosine)
     axis = T_world_camera.R @ middle
-    count = int(0)
+    count = 0
     for s in range(solids.centers.shape[0]):
         way = solids.centers[s] - T_world_camera.t
         e = solids.extents[s]
         radius = sqrt(e[0] * e[0] + e[1] * e[1] + e[2] * e[2]) + e[3]
         distance = length(way)
-        touched = int(1)
+        touched = 1
         if distance > radius:
-            angle = acos(min(max(dot(axis, way) / distance, float64(-1.0)), float64(1.0)))
-            if angle > half_angle + asin(radius / distance) + float64(1.0e-6):
+            angle = acos(min(max(dot(axis, way) / distance, -1.0), 1.0))
+            if angle > half_angle + asin(radius / distance) + 1.0e-6:
                 touched = 0
         if touched == 1:
             tiles.lists[i * solids.centers.shape[0] + count] = s
@@ -197,7 +211,7 @@ def render_pixels_kernel(
     ray = T_world_camera.R @ view
     eye = T_world_camera.t
     t = float64(INFINITY)
-    solid = int(-1)
+    solid = -1
     for j in range(tiles.counts[tile]):
         s = tiles.lists[tile * room.solids.kinds.shape[0] + j]
         origin = place_in_solid(eye, s, room.solids)
@@ -206,11 +220,11 @@ def render_pixels_kernel(
         if met < t:
             t = met
             solid = s
-    red = float(0.0)
-    green = float(0.0)
-    blue = float(0.0)
-    z = float(0.0)
-    cosine = float(0.0)
+    red = 0.0
+    green = 0.0
+    blue = 0.0
+    z = 0.0
+    cosine = 0.0
     if solid >= 0:
         p = eye + ray * t
         normal = scene_normal(p, solid, room.solids)

@@ -5,24 +5,11 @@ surface point costs two reads between 8 nodes each. The grid is coarse; that blu
 Light is diffuse and belongs to the room: a surface has one colour from wherever it is seen.
 """
 
+from typing import Any
+
 import numpy as np
 
-from ..lang import (
-    array,
-    dot,
-    float32,
-    float64,
-    func,
-    kernel,
-    launch,
-    length,
-    struct,
-    tid,
-    vec2,
-    vec3,
-    vec3d,
-    vec3i,
-)
+from ..lang import array, dot, float32, float64, func, kernel, launch, length, struct, tid, vec2, vec3, vec3d, vec3i
 from ..memory import empty
 from .primitives import Solids, scene_distance
 
@@ -59,7 +46,7 @@ class LightGrid:
     size: vec3i
     nodes: array(dtype=vec2)
 
-    def __init__(self, solids, *, lamp, low, high, step):
+    def __init__(self, solids: Solids, *, lamp: Any, low: Any, high: Any, step: float) -> None:
         low = np.asarray(low, np.float64)
         shape = np.ceil((np.asarray(high) - low) / step).astype(int) + 1
         self.lamp, self.low, self.step = vec3(*lamp), vec3(*low), float(step)
@@ -115,7 +102,7 @@ def sample_shadows_kernel(light: LightGrid, distances: array(dtype=vec2)):
     p = light.low + vec3(float(node[0]), float(node[1]), float(node[2])) * light.step
     way = light.lamp - p
     reach = length(way)
-    clear = float(1.0)
+    clear = 1.0
     t = float(SHADOW_STEP)
     while t < reach - LAMP_RADIUS and clear > 0.0:
         d = read_grid(p + way * (t / reach), distances, light)[0]

@@ -9,8 +9,13 @@ Source: value noise with a smooth blend is Perlin's ("An image synthesizer", SIG
 slopes; the lattice's hash is Teschner et al. 2003 with the finaliser of xxHash32.
 """
 
+from typing import Any
+
+import numpy as np
+
 from ..algebra.camera import Camera, pixel_ray
 from ..algebra.transform import Transform, narrow
+from ..array_types import Bytes, Scalars
 from ..drawing.shading import color_byte
 from ..lang import array, float32, float64, floor, func, kernel, launch, tid, uint8, uint32, vec3
 from ..memory import empty
@@ -32,9 +37,9 @@ def lattice_value(x: int, y: int, z: int, seed: int) -> float:
     """The number at a node of the lattice, one of 65,536 from 0 to 1."""
     h = (uint32(x) * uint32(PRIME_X)) ^ (uint32(y) * uint32(PRIME_Y)) ^ (uint32(z) * uint32(PRIME_Z))
     h = h ^ (uint32(seed) * uint32(PRIME_SEED))
-    h = (h ^ (h >> uint32(15))) * uint32(MIX_1)
-    h = (h ^ (h >> uint32(13))) * uint32(MIX_2)
-    return float32((h ^ (h >> uint32(16))) & uint32(HALF_WORD)) / 65535.0
+    h = (h ^ (h >> 15)) * uint32(MIX_1)
+    h = (h ^ (h >> 13)) * uint32(MIX_2)
+    return float32((h ^ (h >> 16)) & uint32(HALF_WORD)) / 65535.0
 
 
 @func
@@ -89,7 +94,7 @@ def grain_pixels_kernel(
     z = depth[i]
     ray = pixel_ray(float64(i % camera.width), float64(i // camera.width), camera)
     p = T_world_camera.t + T_world_camera.R @ (ray * float64(z))
-    factor = float(1.0)
+    factor = 1.0
     if z > 0.0:
         factor = grain(narrow(p), seed)
     n = int(3)
@@ -97,7 +102,7 @@ def grain_pixels_kernel(
         grained[3 * i + c] = color_byte(float32(int(colors[3 * i + c])) / 255.0 * factor)
 
 
-def grain_pixels(camera, T_world_camera, depth, colors, *, seed=1):
+def grain_pixels(camera: Any, T_world_camera: np.ndarray, depth: Scalars, colors: Bytes, *, seed: int = 1) -> Bytes:
     """Give the surfaces that a picture shows a grain.
 
     Args:

@@ -16,7 +16,7 @@ walk = vector(4, int64)  # height, level, node, and what is left to visit: a byt
 def children_within(boxes: array(dtype=float32), node: int, a: vec3, b: vec3, bound: float) -> int:
     """A byte: bit j is set where the box of child j lies within the squared distance `bound` of the box (a, b)."""
     distances = measure_boxes(boxes, node, a, b)
-    found = int(0)
+    found = 0
     for j in range(FAN):
         if distances[j] <= bound:
             found = found | (1 << j)
@@ -28,7 +28,7 @@ def children_in_turn(
     levels: array(dtype=int32), boxes: array(dtype=float32), p: vec3, bound: float, level: int, node: int
 ) -> int:
     """`children_in_reach` of a point, a box at a time: for what is seldom walked, in few registers."""
-    found = int(0)
+    found = 0
     children = int(FAN)
     for j in range(children):
         if measure_box(boxes, levels[level] + node, j, p, p) <= bound:
@@ -45,7 +45,7 @@ def byte_place(level: int) -> int64:
 @func
 def start_walk(bucket: int) -> walk:
     """A walk that stands at a bucket."""
-    return walk(int64(0), int64(0), int64(bucket), int64(0))
+    return walk(0, 0, int64(bucket), 0)
 
 
 @func
@@ -62,7 +62,7 @@ def next_step(step: walk, root: int, children: callback) -> walk:
     if level == 0 and height > 0:
         level = 1
         node = node // FAN
-    searching = int(1)
+    searching = 1
     while searching == 1:
         left = int(pending >> byte_place(level)) & BYTE
         if left != 0:
@@ -157,7 +157,7 @@ def pass_over_equal(step: walk, a: vec3, b: vec3, limit: int64, tree: PointTree,
     """
     pending = step[3]
     node = int(step[2])
-    buckets = int(1)  # of a child
+    buckets = 1  # of a child
     for above in range(int(step[0])):
         node = node // FAN
         left = int(pending >> byte_place(above + 1)) & BYTE
@@ -182,7 +182,7 @@ def pass_over_equal_in_turn(
     """The same, a box at a time."""
     pending = step[3]
     node = int(step[2])
-    buckets = int(1)
+    buckets = 1
     children = int(FAN)
     for above in range(int(step[0])):
         node = node // FAN

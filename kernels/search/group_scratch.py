@@ -5,6 +5,9 @@ On CUDA it is a warp's 32 lanes (lane_search.py): their candidates are a list of
 a launch are interleaved, key j of thread i at i + j * stride, so that a warp takes one of each lane at once.
 """
 
+from collections.abc import Iterator
+
+from ..array_types import Device
 from ..lang import WARP, array, float32, func, int32, int64, struct
 from ..memory import empty
 from .point_tree import BUCKET, LEAF
@@ -29,7 +32,7 @@ class LaunchPart:
     last: int
     run: int
 
-    def __init__(self, first, last, run, threads):
+    def __init__(self, first: int, last: int, run: int, threads: int) -> None:
         self.first, self.last, self.run, self.threads = first, last, run, threads
 
 
@@ -59,7 +62,7 @@ class GroupScratch:
     width: int
     stride: int
 
-    def __init__(self, device, query_count, k):
+    def __init__(self, device: Device, query_count: int, k: int) -> None:
         """Memory for searches of the k nearest."""
         self.k, self.gather = k, candidate_room(device, k)
         self.lanes = self.width = WARP
@@ -81,7 +84,7 @@ class GroupScratch:
         self.stride = max(1, threads * self.lanes)
         self.keys = empty(self.stride * row, int64, device)
 
-    def parts(self, shift=0):
+    def parts(self, shift: int = 0) -> Iterator[LaunchPart]:
         """The LaunchPart of each launch; `shift` is the number of the first query, a multiple of `width`."""
         runs, first = -(-self.groups // self.run), shift // self.width
         for begin in range(0, runs, self.most):
@@ -102,6 +105,6 @@ def held_key_of_lane(scratch: GroupScratch, base: int, j: int) -> int64:
     return scratch.keys[base + j * scratch.stride]
 
 
-def candidate_room(device, k):
+def candidate_room(device: Device, k: int) -> int:
     """How many candidates a group may gather: points on the CPU, leaves on CUDA, twice what a surface asks for."""
     return BUCKET + 2 * k if device.is_cuda else LEAF * max(64, 2 * k + 24)

@@ -9,12 +9,16 @@ warp (lane_search.py).
 A walk's reach comes from the query before: a ball grown by the way between the two holds as many points.
 """
 
+from collections.abc import Sequence
+from typing import Any
+
 from ..arrays.lanes import most
 from ..arrays.packed_keys import key_number, pack_key
 from ..arrays.sort import positions
 from ..lang import (
     INFINITY,
     WARP,
+    Kernel,
     array,
     bits_float,
     float32,
@@ -64,7 +68,7 @@ def gather_candidates(
 
     More than `gather` are not copied and reported as `gather` + 1. Up to a multiple of LEAF points at infinity follow.
     """
-    size = int(0)
+    size = 0
     step = start_walk(start)
     while int(step[0]) <= tree.root and size <= scratch.gather:
         bucket = int(step[2])
@@ -93,12 +97,7 @@ def gather_candidates(
 
 @func
 def gather_around_leaf(
-    leaf: int,
-    reach: float,
-    tree: PointTree,
-    labels: array(dtype=int32),
-    scratch: GroupScratch,
-    base: int,
+    leaf: int, reach: float, tree: PointTree, labels: array(dtype=int32), scratch: GroupScratch, base: int
 ) -> int:
     """gather_candidates for the points of a leaf; none where there is no room or the reach is without bound."""
     gathered = scratch.gather + 1
@@ -117,7 +116,7 @@ def pick_within(p: vec3, scratch: GroupScratch, first: int, size: int, base: int
     Eight at a time: their distances stay in registers, so that no store stands between the loads. What is measured
     beyond the last candidate lies at infinity and is not kept.
     """
-    held = int(0)
+    held = 0
     sqdists = eight(0.0)
     for chunk in range((size + LEAF - 1) // LEAF):
         start = first + chunk * LEAF
@@ -136,10 +135,10 @@ def pick_within(p: vec3, scratch: GroupScratch, first: int, size: int, base: int
 @func
 def drop_farthest(keys: array(dtype=int64), base: int, held: int, k: int) -> int:
     """Remove the largest keys until k are left, unsorted; how many are left."""
-    left = held + 0
+    left = held
     while left > k:
         largest = keys[base]
-        at = base + 0
+        at = base
         for j in range(base + 1, base + left):
             key = keys[j]
             if key > largest:
@@ -169,7 +168,7 @@ def search_member(
     `gathered` candidates hold every point within the squared distance `covered` of the query, unless they are more
     than `gather`. Sorted where asked, else in any order unless they had to be sorted to pick them.
     """
-    size = int(-1)
+    size = -1
     if gathered <= scratch.gather:
         near = min(reach, covered)
         size = pick_within(p, scratch, first, gathered, base, near)
@@ -218,7 +217,7 @@ def nearest_of_leaves(
     for leaf in range(part.first + thread * part.run, min(part.first + (thread + 1) * part.run, part.last)):
         covered = min(reach, widest * GUESS)
         gathered = gather_around_leaf(leaf, covered, tree, labels, scratch, listing)
-        widest = float(0.0)
+        widest = 0.0
         for rank in range(leaf * LEAF, min((leaf + 1) * LEAF, tree.count)):
             p = tree.points[rank]
             near = min(reach, grown_reach(bound, square_distance(before, p)))
@@ -245,7 +244,7 @@ def nearest_of_lanes(
 
     Each group looks a little farther than the one before it in its warp had to.
     """
-    guess = float(-1.0)
+    guess = -1.0
     first = part.first + (thread // WARP) * part.run
     for group in range(first, min(first + part.run, part.last)):
         rank = min(group * WARP + lane(), tree.count - 1)
@@ -258,11 +257,11 @@ def nearest_of_lanes(
         if sort == 1:
             sort_keys(scratch.keys, thread, scratch.stride, size)
         if is_query == 1:
-            base = thread + 0
+            base = thread
             yield rank, base, size
 
 
-def launch_over_leaves(kernel, tree, k, arguments):
+def launch_over_leaves(kernel: Kernel, tree: PointTree, k: int, arguments: Sequence[Any]) -> None:
     """Launch a kernel that loops over `nearest_of_leaves`, for the k nearest of all points of a tree.
 
     Args:

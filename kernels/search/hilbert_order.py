@@ -7,6 +7,7 @@ speed.
 
 import numpy as np
 
+from ..array_types import Integers, LongIntegers, Points
 from ..arrays.bounds import bound_points
 from ..arrays.sort import SortKeys, put_key
 from ..lang import array, func, int32, int64, isfinite, kernel, launch, struct, tid, vec3, vector
@@ -32,14 +33,14 @@ class HilbertCurve:
     scale: float
     levels: int
 
-    def __init__(self, low, high, levels, *, is_empty=False):
+    def __init__(self, low: np.ndarray, high: np.ndarray, levels: int, *, is_empty: bool = False) -> None:
         extent = float((high.astype(np.float64) - low).max())
         self.low = vec3(0.0) if is_empty else vec3(*low)
         self.scale = (2**levels - 1) / extent if extent > SMALLEST_EXTENT else 0.0
         self.levels = levels
 
     @property
-    def code_bits(self):
+    def code_bits(self) -> int:
         """Bits of a code, that of points that are not finite included."""
         return 3 * self.levels + 1
 
@@ -48,19 +49,19 @@ class HilbertCurve:
 def spread_bits(v: int) -> int64:
     """Two zeros between the lowest 16 bits of v."""
     x = int64(v)
-    x = (x | (x << int64(32))) & int64(0x1F00000000FFFF)
-    x = (x | (x << int64(16))) & int64(0x1F0000FF0000FF)
-    x = (x | (x << int64(8))) & int64(0x100F00F00F00F00F)
-    x = (x | (x << int64(4))) & int64(0x10C30C30C30C30C3)
-    return (x | (x << int64(2))) & int64(0x1249249249249249)
+    x = (x | (x << 32)) & 0x1F00000000FFFF
+    x = (x | (x << 16)) & 0x1F0000FF0000FF
+    x = (x | (x << 8)) & 0x100F00F00F00F00F
+    x = (x | (x << 4)) & 0x10C30C30C30C30C3
+    return (x | (x << 2)) & 0x1249249249249249
 
 
 @func
 def hilbert_codes(cx: lanes, cy: lanes, cz: lanes, levels: int) -> lane_codes:
     """The places of cells on the Hilbert curve through 2^levels cells an axis, eight at a time and without branches."""
-    x = cx + lanes(0)
-    y = cy + lanes(0)
-    z = cz + lanes(0)
+    x = cx
+    y = cy
+    z = cz
     for level in range(1, levels):
         shift = levels - level
         low = (1 << shift) - 1
@@ -74,7 +75,7 @@ def hilbert_codes(cx: lanes, cy: lanes, cz: lanes, levels: int) -> lane_codes:
             exchanged = (x[j] ^ z[j]) & low & ~set_z
             x[j] = x[j] ^ ((low & set_z) | exchanged)
             z[j] = z[j] ^ exchanged
-    codes = lane_codes(int64(0))
+    codes = lane_codes(0)
     for j in range(LANES):
         y[j] = y[j] ^ x[j]
         z[j] = z[j] ^ y[j]
@@ -86,7 +87,7 @@ def hilbert_codes(cx: lanes, cy: lanes, cz: lanes, levels: int) -> lane_codes:
         x[j] = x[j] ^ flip
         y[j] = y[j] ^ flip
         z[j] = z[j] ^ flip
-        codes[j] = (spread_bits(x[j]) << int64(2)) | (spread_bits(y[j]) << int64(1)) | spread_bits(z[j])
+        codes[j] = (spread_bits(x[j]) << 2) | (spread_bits(y[j]) << 1) | spread_bits(z[j])
     return codes
 
 
@@ -126,13 +127,13 @@ def encode_points_kernel(points: array(dtype=vec3), curve: HilbertCurve, apart: 
         place = head + j * step
         if place <= last:
             p = points[place]
-            code = int64(1) << int64(3 * curve.levels)
+            code = 1 << int64(3 * curve.levels)
             if isfinite(p):
                 code = places[j]
             put_key(place, code, codes)
 
 
-def encode_points(points, curve):
+def encode_points(points: Points, curve: HilbertCurve) -> SortKeys:
     """The code of each point on a curve, as SortKeys; 8^levels for points that are not finite."""
     codes = SortKeys(points.size, points.device)
     threads = -(-points.size // LANES)
@@ -142,7 +143,7 @@ def encode_points(points, curve):
     return codes
 
 
-def argsort_along(points, curve):
+def argsort_along(points: Points, curve: HilbertCurve) -> tuple[LongIntegers, Integers]:
     """(sorted codes, order) of points along a curve, int64 [n] and int32 [n]; points that are not finite stand last."""
     return encode_points(points, curve).sort(curve.code_bits)
 
@@ -158,7 +159,7 @@ class HilbertOrder:
         curve: The HilbertCurve.
     """
 
-    def __init__(self, points):
+    def __init__(self, points: Points) -> None:
         self.low, self.high, self.finite_count = bound_points(points)
         index_bits = max(1, (points.size - 1).bit_length()) if points.size else 1
         levels = min(MAX_LEVELS, (62 - index_bits) // 3)

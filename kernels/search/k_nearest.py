@@ -29,11 +29,11 @@ def offer_bucket(
 
     Every key of a leaf is stored and the count moves on only for those up to the limit: no branch to mispredict.
     """
-    size = held + 0
+    size = held
     distances = measure_boxes(tree.boxes, bucket, p, p)
     for leaf in range(FAN):
         first = bucket * BUCKET + leaf * LEAF
-        wanted = int(0)
+        wanted = 0
         if first < tree.count and distances[leaf] <= reach:
             wanted = 1
             nearest = pack_key(distances[leaf], labels[first])
@@ -63,11 +63,11 @@ def offer_leaves_in_turn(
     limit: int64,
 ) -> int:
     """The same, leaf after leaf: eight boxes at once would take the registers of a second block."""
-    size = held + 0
+    size = held
     leaves = int(FAN)
     for leaf in range(leaves):
         first = bucket * BUCKET + leaf * LEAF
-        wanted = int(0)
+        wanted = 0
         if first < tree.count:
             sqdist = measure_box(tree.boxes, bucket, leaf, p, p)
             if sqdist <= reach:
@@ -97,15 +97,15 @@ def search_k_nearest(
     reach: float,
 ) -> int:
     """Leave the k nearest points with squared distance <= reach as sorted keys from `base` on; how many."""
-    bound = reach + 0.0
+    bound = reach
     # The last key that may still belong to the result: of many points at one distance only those of low index.
     limit = key_limit(reach)
     crowd = min(room - BUCKET, 3 * k + BUCKET)  # picking is quadratic in what is held
-    size = int(0)
+    size = 0
     step = start_walk(start)
     while int(step[0]) <= tree.root:
         bucket = int(step[2])
-        held = size + 0
+        held = size
         size = offer_bucket(bucket, p, tree, labels, keys, base, stride, size, bound, limit)
         if size == held:
             if is_one_place(tree.boxes, bucket, 0) == 1:

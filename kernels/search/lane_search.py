@@ -94,7 +94,7 @@ def list_leaves(p: vec3, reach: float, start: int, tree: PointTree, scratch: Gro
     widest = most(reach)
     own = lane()
     sync_lanes()  # with those that still read the list before
-    size = int(0)
+    size = 0
     step = start_walk(start)
     while int(step[0]) <= tree.root and size <= scratch.gather:
         bucket = int(step[2])
@@ -117,7 +117,7 @@ def sqdist_of(leaf: eight_points, j: int, p: vec3) -> float:
 @cuda_func
 def count_near(p: vec3, reach: float, tree: PointTree, scratch: GroupScratch, listing: int, size: int) -> int:
     """How many points of the listed leaves lie within the squared distance `reach`."""
-    found = int(0)
+    found = 0
     for entry in range(size):
         leaf = load_eight(tree.points, scratch.ids[listing + entry])
         for j in range(LEAF):
@@ -132,7 +132,7 @@ def keep_near(p: vec3, reach: float, tree: PointTree, scratch: GroupScratch, lis
 
     How many there are; more than `room` - LEAF where there is no room for all.
     """
-    at = base + 0
+    at = base
     last = base + (scratch.room - LEAF) * scratch.stride
     for entry in range(size):
         first = scratch.ids[listing + entry]
@@ -148,17 +148,11 @@ def keep_near(p: vec3, reach: float, tree: PointTree, scratch: GroupScratch, lis
 
 @cuda_func
 def keep_up_to_limit(
-    p: vec3,
-    limit: int64,
-    tree: PointTree,
-    scratch: GroupScratch,
-    listing: int,
-    size: int,
-    base: int,
+    p: vec3, limit: int64, tree: PointTree, scratch: GroupScratch, listing: int, size: int, base: int
 ) -> int:
     """Keep the keys up to a limit of the points of the listed leaves; how many, -1 where there is no room for them."""
     found = keep_near(p, key_number(limit), tree, scratch, listing, size, base)
-    held = int(-1)
+    held = -1
     if found <= scratch.room - LEAF:
         held = keep_up_to(scratch.keys, base, scratch.stride, found, limit)
     return held
@@ -170,12 +164,12 @@ def narrow_reach(p: vec3, reach: float, tree: PointTree, scratch: GroupScratch, 
 
     Points within a squared radius grow in proportion to it on a surface.
     """
-    low = float(0.0)
-    high = reach + 0.0
+    low = 0.0
+    high = reach
     above = count_near(p, reach, tree, scratch, listing, size)
     most_held = scratch.room - LEAF
     middle = (scratch.k + most_held) // 2
-    turn = int(0)
+    turn = 0
     while above > most_held and turn < 2 * GUESSES:
         guess = low + (high - low) * (float(middle) / float(above))
         if turn >= GUESSES:
@@ -207,14 +201,7 @@ def guess_reach(p: vec3, bucket: int, k: int, tree: PointTree) -> float:
 
 @cuda_func
 def keep_for_lanes(
-    p: vec3,
-    start: int,
-    guess: float,
-    tree: PointTree,
-    scratch: GroupScratch,
-    listing: int,
-    base: int,
-    reach: float,
+    p: vec3, start: int, guess: float, tree: PointTree, scratch: GroupScratch, listing: int, base: int, reach: float
 ) -> vec3:
     """Keep each lane's points within one squared distance in which every lane has k, or within `reach`.
 
@@ -222,14 +209,14 @@ def keep_for_lanes(
         The squared distance; how many leaves are listed, more than `gather` where they do not fit; how many points of
         the lane there are.
     """
-    covered = guess + 0.0
+    covered = guess
     if guess < 0.0:
         covered = guess_reach(p, start, scratch.k, tree)
     covered = min(covered, reach)
     beyond = float(INFINITY)  # more leaves than there is room for lie within
-    listed = int(0)
-    found = int(0)
-    turn = int(0)
+    listed = 0
+    found = 0
+    turn = 0
     while turn < TURNS:
         listed = list_leaves(p, covered, start, tree, scratch, listing)
         turn += 1
@@ -244,7 +231,7 @@ def keep_for_lanes(
             else:
                 grown = covered * min(SPARE * float(scratch.k) / max(fewest, 1.0), MOST_GROWTH)
                 if listed * LEAF >= tree.count:
-                    grown = reach + 0.0
+                    grown = reach
                 covered = min(min(reach, 0.5 * (covered + beyond)), max(grown, TINY))
     return vec3(covered, float(listed), float(found))
 

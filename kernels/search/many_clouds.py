@@ -6,15 +6,18 @@ buckets, so that a bucket belongs to one cloud. All clouds share one curve throu
 its tree already is taken from there.
 """
 
+from collections.abc import Sequence
+
 import numpy as np
 
+from ..array_types import AnyArray, Integers, LongIntegers, Points, Vectors
 from ..arrays.bounds import bound_points
 from ..arrays.concatenation import concatenate_rows
 from ..arrays.sort import SortKeys
 from ..lang import INFINITY, array, float32, func, int32, int64, kernel, launch, struct, tid, vec3
 from ..memory import download, empty, upload, upload_together
 from .hilbert_order import MAX_LEVELS, HilbertCurve, encode_points
-from .point_tree import BUCKET
+from .point_tree import BUCKET, PointTree
 
 
 @struct
@@ -50,7 +53,7 @@ class ManyClouds:
     codes: array(dtype=int64)
     curve: HilbertCurve
 
-    def __init__(self, clouds, tree=None):
+    def __init__(self, clouds: Sequence[Vectors], tree: PointTree | None = None) -> None:
         device = clouds[0].device
         sizes = np.array([c.size for c in clouds], np.int64)
         starts, count = np.concatenate([[0], np.cumsum(sizes)]), len(clouds)
@@ -61,6 +64,7 @@ class ManyClouds:
         if tree is None:
             keys, bits, rows = self._sort(points, sizes)
         else:
+            keys, bits = tree.codes, 0
             self.curve, rows, self.counts = tree.curve, tree.order, np.array([tree.count])
             self.low, self.high = tree.low, tree.high
         buckets = np.maximum(1, -(-self.counts // BUCKET))
@@ -74,9 +78,9 @@ class ManyClouds:
             self.codes = empty(total, int64, device)
             launch(place_codes_kernel, total, [keys, bits, self])
         else:
-            self.codes = tree.codes
+            self.codes = keys
 
-    def _sort(self, points, sizes):
+    def _sort(self, points: Points, sizes: np.ndarray) -> tuple[LongIntegers, int, Integers]:
         """(keys, bits of a code, rows) of all points along one curve, cloud by cloud; counts the finite ones."""
         device, count = self.device, len(sizes)
         low, high, finite = bound_points(points)  # sync
@@ -96,7 +100,7 @@ class ManyClouds:
             self.counts = download(counts).astype(np.int64)  # sync
         return keys, bits, rows
 
-    def gather(self, arrays):
+    def gather(self, arrays: Sequence[AnyArray]) -> AnyArray:
         """One attribute of all clouds, vec3 or float32 [n, c], at the places of their points."""
         values = arrays[0] if len(arrays) == 1 else concatenate_rows(arrays)
         if values.dtype == vec3:
@@ -111,8 +115,8 @@ class ManyClouds:
 def mark_segments_kernel(starts: array(dtype=int32), count: int, bits: int, codes: SortKeys):
     """Put the segment of each point above its code: bisection, of segments that begin at one place the last."""
     i = tid()
-    a = int(0)
-    b = count + 0
+    a = 0
+    b = count
     while b - a > 1:
         middle = (a + b) // 2
         if starts[middle] <= i:
@@ -126,7 +130,7 @@ def mark_segments_kernel(starts: array(dtype=int32), count: int, bits: int, code
 def count_finite_kernel(keys: array(dtype=int64), starts: array(dtype=int32), bits: int, counts: array(dtype=int32)):
     """How many keys of each segment are those of finite points: bisection, as the others stand last."""
     i = tid()
-    limit = (int64(i) << int64(bits)) | (int64(1) << int64(bits - 1))
+    limit = (int64(i) << int64(bits)) | (1 << int64(bits - 1))
     a = starts[i]
     b = starts[i + 1]
     while a < b:
@@ -144,7 +148,7 @@ def place_points_kernel(points: array(dtype=vec3), sorted_rows: array(dtype=int3
     i = tid()
     owner = clouds.owners[i // BUCKET]
     rank = i - clouds.first_places[owner]
-    row = int(-1)
+    row = -1
     p = vec3(INFINITY, INFINITY, INFINITY)
     if rank < clouds.finite_counts[owner]:
         at = sorted_rows[clouds.starts[owner] + rank]
@@ -162,7 +166,7 @@ def place_codes_kernel(keys: array(dtype=int64), bits: int, clouds: ManyClouds):
     at = clouds.starts[owner] + i * BUCKET - clouds.first_places[owner]
     code = int64(0)
     if at < clouds.starts[owner + 1]:
-        code = keys[at] & ((int64(1) << int64(bits)) - int64(1))
+        code = keys[at] & ((1 << int64(bits)) - 1)
     clouds.codes[i] = code
 
 
@@ -170,7 +174,7 @@ def place_codes_kernel(keys: array(dtype=int64), bits: int, clouds: ManyClouds):
 def given_row(i: int, clouds: ManyClouds) -> int:
     """The row of the point at a place, among those of all clouds as they were given; -1 where there is none."""
     row = clouds.order[i]
-    at = int(-1)
+    at = -1
     if row >= 0:
         at = clouds.starts[clouds.owners[i // BUCKET]] + row
     return at
@@ -182,7 +186,7 @@ def gather_rows_kernel(values: array(dtype=float32, ndim=2), clouds: ManyClouds,
     i = tid()
     row = given_row(i, clouds)
     for column in range(placed.shape[1]):
-        value = float(0.0)
+        value = 0.0
         if row >= 0:
             value = values[row, column]
         placed[i, column] = value

@@ -11,6 +11,7 @@ is the same.
 import math
 
 from ..algebra.plain_min_max import larger
+from ..array_types import Indices, LongIntegers, Points
 from ..arrays.packed_keys import key_index, pack_bits, pack_key
 from ..lang import (
     array,
@@ -57,7 +58,7 @@ def measure_leaf(
 
     Bits of distances, none negative, compare as the distances do, and in 32 bits eight lanes are two registers.
     """
-    nearest = best + lane_results(0)
+    nearest = best
     for i in range(first, last):
         p = points[i]
         label = order[i]
@@ -110,7 +111,7 @@ def lanes_reaching(
 ) -> int:
     """How many lanes lie no farther from the box of a node's child than from what they have found."""
     distances = lane_distances(node, child, boxes, xs, ys, zs)
-    found = int(0)
+    found = 0
     for j in range(LEAF):
         found += 1 if float_bits(distances[j]) <= best[j] else 0
     return found
@@ -129,7 +130,7 @@ def largest_of(values: lane_results, first: int) -> int:
 def closest_leaf(bucket: int, a: vec3, b: vec3, boxes: array(dtype=float32)) -> int:
     """The leaf of a bucket that lies nearest to the box (a, b)."""
     distances = measure_boxes(boxes, bucket, a, b)
-    nearest = int(0)
+    nearest = 0
     for leaf in range(1, FAN):
         if distances[leaf] < distances[nearest]:
             nearest = leaf
@@ -180,12 +181,12 @@ def find_nearest_kernel(
         while int(step[0]) <= tree.root:
             bucket = int(step[2])
             distances = measure_boxes(tree.boxes, bucket, a, b)
-            found = int(0)
+            found = 0
             for leaf in range(FAN):
                 first = bucket * BUCKET + leaf * LEAF
                 if distances[leaf] <= bound and bucket * FAN + leaf != seed:
                     # as far as the farthest: of points at one place only those of lower index are wanted
-                    wanted = int(1)
+                    wanted = 1
                     if float_bits(distances[leaf]) == farthest:
                         if is_one_place(tree.boxes, bucket, leaf) == 1 and tree.order[first] > largest_of(best, LEAF):
                             wanted = 0
@@ -236,8 +237,8 @@ def find_alone_kernel(
     row = query_order[i]
     q = queries[row]
     none = float_bits(reach) + 1
-    best = none + 0
-    label = none + 0
+    best = none
+    label = none
     if tree.count > 0 and isfinite(q):
         own = row if others == 1 else NOBODY
         step = start_walk(find_bucket(q, tree))
@@ -245,10 +246,10 @@ def find_alone_kernel(
         while int(step[0]) <= tree.root:
             bucket = int(step[2])
             distances = measure_boxes(tree.boxes, bucket, q, q)
-            within = int(0)
+            within = 0
             for leaf in range(FAN):
                 within = within | ((1 if distances[leaf] <= bound else 0) << leaf)
-            found = int(0)
+            found = 0
             while within != 0:  # one body for all leaves: a body each would take the registers of all
                 lowest = within & (-within)
                 within = within ^ lowest
@@ -289,7 +290,7 @@ def pack_neighbor_kernel(
 ):
     """The key of one column of a search's result: the first, or the first that is not the query itself."""
     i = tid()
-    column = int(0)
+    column = 0
     if others == 1 and indices[i, 0] == i:
         column = 1
     key = int64(NO_POINT)
@@ -298,7 +299,15 @@ def pack_neighbor_kernel(
     nearest[i] = key
 
 
-def find_nearest(tree, queries, *, radius=math.inf, others=False, order=None, nearest=None):
+def find_nearest(
+    tree: PointTree,
+    queries: Points,
+    *,
+    radius: float = math.inf,
+    others: bool = False,
+    order: Indices | None = None,
+    nearest: LongIntegers | None = None,
+) -> LongIntegers:
     """The nearest point of each query closer than a radius [m].
 
     Args:
@@ -335,7 +344,7 @@ def unpack_rows_kernel(nearest: array(dtype=int64), rows: array(dtype=int32)):
     rows[i] = key_index(nearest[i])
 
 
-def find_nearest_rows(tree, queries):
+def find_nearest_rows(tree: PointTree, queries: Points):
     """The row of the nearest point of each query, int32 [m]; -1 where there is none."""
     rows = empty(queries.size, int32, queries.device)
     launch(unpack_rows_kernel, queries.size, [find_nearest(tree, queries), rows])

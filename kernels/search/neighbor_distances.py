@@ -6,6 +6,7 @@ beside the search. Distances are float32 roots, their sum is float64.
 
 import math
 
+from ..array_types import Doubles, Mask, Points
 from ..arrays.packed_keys import key_number
 from ..lang import (
     INFINITY,
@@ -57,9 +58,9 @@ def sum_finite(values: array(dtype=float64)) -> count_sum:
     """How many values are finite, and their sum."""
     i = tid()
     value = values[i]
-    part = count_sum(float64(0.0), float64(0.0))
+    part = count_sum(0.0, 0.0)
     if isfinite(value):
-        part = count_sum(float64(1.0), value)
+        part = count_sum(1.0, value)
     return part
 
 
@@ -68,9 +69,9 @@ def sum_deviations(values: array(dtype=float64), mean: float64) -> count_sum:
     """How many values are finite, and the sum of their squared differences from the mean."""
     i = tid()
     value = values[i]
-    part = count_sum(float64(0.0), float64(0.0))
+    part = count_sum(0.0, 0.0)
     if isfinite(value):
-        part = count_sum(float64(1.0), (value - mean) * (value - mean))
+        part = count_sum(1.0, (value - mean) * (value - mean))
     return part
 
 
@@ -78,7 +79,7 @@ def sum_deviations(values: array(dtype=float64), mean: float64) -> count_sum:
 def mask_up_to_kernel(values: array(dtype=float64), threshold: float64, mask: array(dtype=uint8)):
     """1 where a value is at most the threshold; 0 where it is NaN."""
     i = tid()
-    kept = int(0)
+    kept = 0
     if values[i] <= threshold:
         kept = 1
     mask[i] = uint8(kept)
@@ -92,14 +93,14 @@ def root_distances_kernel(
     i = tid()
     q = queries[i]
     distance = float64(missing)
-    if nearest[i] >= int64(0):
+    if nearest[i] >= 0:
         distance = sqrt(float64(key_number(nearest[i])))
     if not isfinite(q):
         distance = float64(NAN)
     distances[i] = distance
 
 
-def average_distances(tree, k):
+def average_distances(tree: PointTree, k: int) -> Doubles:
     """The mean distance [m] of each point's k nearest, itself among them; of all where there are fewer than k.
 
     Returns:
@@ -113,7 +114,7 @@ def average_distances(tree, k):
     return means
 
 
-def nearest_distances(tree, queries, *, others=False, missing=INFINITY):
+def nearest_distances(tree: PointTree, queries: Points, *, others: bool = False, missing: float = INFINITY) -> Doubles:
     """The distance [m] of each query's nearest point, float64 [m]; of another point than itself with `others`.
 
     `missing` where there is no such point, NaN for queries that are not finite.
@@ -124,7 +125,7 @@ def nearest_distances(tree, queries, *, others=False, missing=INFINITY):
     return distances
 
 
-def mean_and_deviation(values):
+def mean_and_deviation(values: Doubles) -> tuple[int, float, float]:
     """(count, mean, standard deviation with n - 1) of the finite values of a float64 device array; two syncs."""
     n, total = download(reduce(sum_finite, values.size, [values]))[0].tolist()  # sync
     if n == 0:
@@ -133,7 +134,7 @@ def mean_and_deviation(values):
     return int(n), total / n, math.sqrt(squares / (n - 1)) if n > 1 else 0.0
 
 
-def mask_up_to(values, threshold):
+def mask_up_to(values: Doubles, threshold: float) -> Mask:
     """uint8 [n]: 1 where a float64 value is at most the threshold."""
     mask = empty(values.size, uint8, values.device)
     launch(mask_up_to_kernel, values.size, [values, threshold, mask])

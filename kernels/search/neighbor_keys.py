@@ -22,7 +22,7 @@ BOUNDLESS = 3.0e38  # [m^2] a squared reach from here on is none
 @func
 def sift_down(keys: array(dtype=int64), base: int, stride: int, start: int, size: int):
     """Restore the heap property (largest first) below one slot."""
-    slot = start + 0
+    slot = start
     key = keys[base + slot * stride]
     child = 2 * slot + 1
     while child < size:
@@ -57,14 +57,14 @@ def sort_by_network(keys: array(dtype=int64), base: int, stride: int, size: int)
 
     All lanes of a warp compare the same places, O(n log^2 n) times.
     """
-    top = int(1)
+    top = 1
     while top * 2 < size:
         top = top * 2
-    p = top + 0
+    p = top
     while p > 0:
-        q = top + 0
-        r = int(0)
-        d = p + 0
+        q = top
+        r = 0
+        d = p
         while d > 0:
             for i in range(size - d):
                 if (i & p) == r:
@@ -75,7 +75,7 @@ def sort_by_network(keys: array(dtype=int64), base: int, stride: int, size: int)
                         keys[base + (i + d) * stride] = x
             d = q - p
             q = q // 2
-            r = p + 0
+            r = p
         p = p // 2
 
 
@@ -85,7 +85,7 @@ def count_up_to(keys: array(dtype=int64), base: int, stride: int, held: int, lim
     count = int64(0)  # as wide as the keys, so that both share vector registers
     for j in range(held):
         if keys[base + j * stride] <= limit:
-            count += int64(1)
+            count += 1
     return int(count)
 
 
@@ -98,13 +98,13 @@ def limit_nearest(keys: array(dtype=int64), base: int, stride: int, held: int, k
     """
     low = int64(-1)
     high = key_limit(reach)
-    below = int(0)
-    above = held + 0
-    turn = int(0)
+    below = 0
+    above = held
+    turn = 0
     while above > k:
-        guess = low + (high - low) // int64(2)
+        guess = low + (high - low) // 2
         if turn < GUESSES:
-            near = key_number(max(low, int64(0)))
+            near = key_number(max(low, 0))
             share = (float(k - below) + 0.5) / float(above - below)
             likely = key_limit(near + (key_number(high) - near) * share)
             if likely > low and likely < high:
@@ -126,17 +126,17 @@ def limit_between(keys: array(dtype=int64), base: int, stride: int, held: int, k
 
     The k-th distance lies in [least, largest]; ties with it are told apart by halving.
     """
-    low = float(0.0)
-    least = float(0.0)
-    largest = reach + 0.0
-    below = int(0)
-    above = held + 0
+    low = 0.0
+    least = 0.0
+    largest = reach
+    below = 0
+    above = held
     while above > k and least < largest:
         guess = low + (largest - low) * ((float(k - below) + 0.5) / float(above - below))
         guess = max(min(guess, bits_float(float_bits(largest) - 1)), least)
-        count = int(0)
-        up_to = float(0.0)
-        beyond = largest + 0.0
+        count = 0
+        up_to = 0.0
+        beyond = largest
         for j in range(held):
             sqdist = key_number(keys[base + j * stride])
             if sqdist <= guess:
@@ -154,23 +154,23 @@ def limit_between(keys: array(dtype=int64), base: int, stride: int, held: int, k
     limit = key_limit(largest)
     if above > k:
         behind = key_limit(largest)
-        limit = (int64(float_bits(largest)) << int64(32)) - int64(1)
-        while behind - limit > int64(1) and above > k:
-            middle = limit + (behind - limit) // int64(2)
+        limit = (int64(float_bits(largest)) << 32) - 1
+        while behind - limit > 1 and above > k:
+            middle = limit + (behind - limit) // 2
             count = count_up_to(keys, base, stride, held, middle)
             if count < k:
                 limit = middle
             else:
                 behind = middle
                 above = count
-        limit = behind + int64(0)
+        limit = behind
     return limit
 
 
 @func
 def keep_up_to(keys: array(dtype=int64), base: int, stride: int, held: int, limit: int64) -> int:
     """Move the keys up to a limit to the front, in their order; how many."""
-    size = int(0)
+    size = 0
     for j in range(held):
         key = keys[base + j * stride]
         if key <= limit:
@@ -195,7 +195,7 @@ def keep_nearest(keys: array(dtype=int64), base: int, stride: int, held: int, k:
             place = int64(0)  # as wide as the keys, so that both share vector registers
             for b in range(held):
                 if keys[base + b * stride] < key:
-                    place += int64(1)
+                    place += 1
             if int(place) < k:
                 keys[base + (room + int(place)) * stride] = key
         for a in range(left):
@@ -206,7 +206,7 @@ def keep_nearest(keys: array(dtype=int64), base: int, stride: int, held: int, k:
 @keep_nearest.on_cuda
 def pick_nearest(keys: array(dtype=int64), base: int, stride: int, held: int, k: int, room: int) -> int:
     """Sort the keys held at `base` and keep the k smallest, without a quadratic pass; how many are left."""
-    left = held + 0
+    left = held
     if held > k:
         largest = keys[base]
         for j in range(1, held):
@@ -224,15 +224,15 @@ def thin_keys(keys: array(dtype=int64), base: int, stride: int, held: int, k: in
     Points within a squared radius grow in proportion to it on a surface, so k of `held` lie within about k / held of
     the reach. A wrong guess only leaves more keys to sort.
     """
-    left = held + 0
+    left = held
     if held > k + k // SLIGHT and reach < BOUNDLESS:
         share = reach * (float(k) / float(held))
-        close = (int64(float_bits(share * CLOSE)) + int64(1)) << int64(32)
-        middle = (int64(float_bits(share * MIDDLE)) + int64(1)) << int64(32)
-        wide = (int64(float_bits(share * WIDE)) + int64(1)) << int64(32)
-        in_close = int(0)
-        in_middle = int(0)
-        in_wide = int(0)
+        close = (int64(float_bits(share * CLOSE)) + 1) << 32
+        middle = (int64(float_bits(share * MIDDLE)) + 1) << 32
+        wide = (int64(float_bits(share * WIDE)) + 1) << 32
+        in_close = 0
+        in_middle = 0
+        in_wide = 0
         for j in range(held):
             key = keys[base + j * stride]
             if key < close:
@@ -241,13 +241,13 @@ def thin_keys(keys: array(dtype=int64), base: int, stride: int, held: int, k: in
                 in_middle += 1
             if key < wide:
                 in_wide += 1
-        limit = wide + int64(0)
+        limit = wide
         if in_middle >= k:
             limit = middle
         if in_close >= k:
             limit = close
         if in_wide >= k:
-            left = int(0)
+            left = 0
             for j in range(held):
                 key = keys[base + j * stride]
                 keys[base + left * stride] = key

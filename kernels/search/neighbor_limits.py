@@ -5,14 +5,19 @@ or in another kernel than the one that found them, keeps 8 B a point instead of 
 finds the neighbours again by comparing keys, with nothing left to sort or pick.
 """
 
+from collections.abc import Sequence
+from typing import Any
+
 import numpy as np
 
+from ..array_types import Integers
 from ..arrays.lanes import most
 from ..arrays.packed_keys import key_limit, key_number, pack_key
 from ..arrays.sort import positions
 from ..lang import (
     INFINITY,
     WARP,
+    Kernel,
     array,
     atomic_max,
     bits_float,
@@ -55,7 +60,7 @@ def count_candidates(p: vec3, scratch: GroupScratch, first: int, size: int, reac
             y = scratch.ys[start + j] - p[1]
             z = scratch.zs[start + j] - p[2]
             counts[j] = counts[j] + (1 if x * x + y * y + z * z <= reach else 0)
-    total = int(0)
+    total = 0
     for j in range(LEAF):
         total += counts[j]
     for j in range(first + full * LEAF, first + size):
@@ -155,7 +160,7 @@ def find_limits_of_lanes_kernel(
 ):
     """The same, a query a lane."""
     i = tid()
-    guess = float(-1.0)
+    guess = -1.0
     first = part.first + (i // WARP) * part.run
     for group in range(first, min(first + part.run, part.last)):
         j = group * WARP + lane()
@@ -196,12 +201,12 @@ class Neighborhood:
     places: array(dtype=int32)
     limits: array(dtype=int64)
 
-    def __init__(self, tree, radius, max_nn, ranks=None):
+    def __init__(self, tree: PointTree, radius: float, max_nn: int | None, ranks: Integers | None = None) -> None:
         device, self.tree = tree.device, tree
         self.reach = reach_of(radius)
         self.places = positions(tree.count, device)
         self.is_complete = max_nn is None or max_nn >= tree.count
-        self.list_size = LIST_SIZE if self.is_complete else max_nn
+        self.list_size = LIST_SIZE if max_nn is None or self.is_complete else max_nn
         if self.is_complete:
             bits = int(np.float32(self.reach).view(np.int32))
             self.limits = full(tree.count, ((bits + 1) << 32) - 1, int64, device)  # key_limit(reach)
@@ -209,7 +214,7 @@ class Neighborhood:
             self.limits = empty(tree.count, int64, device)
             self.find(self.places if ranks is None else ranks)
 
-    def find(self, ranks):
+    def find(self, ranks: Integers) -> None:
         """Find the limits of points at these places."""
         if self.is_complete:
             return
@@ -218,7 +223,7 @@ class Neighborhood:
             arguments = [part, ranks, self.tree, self.places, scratch, self.reach, self.limits]
             launch(find_limits_kernel, part.threads, arguments)
 
-    def visit(self, kernel, ranks, arguments):
+    def visit(self, kernel: Kernel, ranks: Integers, arguments: Sequence[Any]) -> None:
         """Launch a kernel over the neighbours of the points at these places.
 
         The candidates of a group of points are found together, as the search does.
@@ -233,7 +238,7 @@ class Neighborhood:
         for part in scratch.parts():
             launch(kernel, part.threads, [part, ranks, self, scratch, *arguments])
 
-    def mark(self, ranks):
+    def mark(self, ranks: Integers) -> Integers:
         """int32 [tree.count]: 1 at the points at these places and at their neighbours, else 0."""
         marks = zeros(self.tree.count, int32, self.tree.device)
         launch(mark_neighbors_kernel, ranks.size, [ranks, self, marks])
@@ -258,7 +263,7 @@ def members_of(
         gathered = gather_group(ranks, head, tail, reach, neighborhood.tree, neighborhood.places, scratch, listing)
         for j in range(head, tail):
             rank = ranks[j]
-            held = int(-1)
+            held = -1
             if gathered <= scratch.gather:
                 p = neighborhood.tree.points[rank]
                 held = pick_within(p, scratch, listing, gathered, base, key_number(neighborhood.limits[rank]))
@@ -277,7 +282,7 @@ def hold_members(
     listing = (thread // WARP) * scratch.gather
     start = ranks[group * WARP] // BUCKET
     listed = list_leaves(p, key_number(limit), start, neighborhood.tree, scratch, listing)
-    held = int(-1)
+    held = -1
     if listed <= scratch.gather:
         held = keep_up_to_limit(p, limit, neighborhood.tree, scratch, listing, listed, thread)
     return held
@@ -293,7 +298,7 @@ def members_of_lanes(
         held = hold_members(thread, group, ranks, neighborhood, scratch)
         j = group * WARP + lane()
         if j < ranks.shape[0]:
-            base = thread + 0
+            base = thread
             yield j, base, held
 
 

@@ -4,6 +4,9 @@ Points are named by their rank on the tree's curve, so neighbours in space lie n
 order the cloud has. 4 B a neighbour and nothing else: no distances, no rows of the cloud.
 """
 
+from collections.abc import Iterator
+
+from ..array_types import Indices
 from ..arrays.packed_keys import key_index
 from ..arrays.sort import positions
 from ..lang import INFINITY, WARP, array, int32, kernel, launch, tid
@@ -41,7 +44,9 @@ def list_neighbors_kernel(
             lists[out + j] = rank if own == 1 else -1
 
 
-def list_neighbors(tree, k, radius=INFINITY, sort=True, own=False, most=MOST_ENTRIES):
+def list_neighbors(
+    tree: PointTree, k: int, radius: float = INFINITY, sort: bool = True, own: bool = False, most: int = MOST_ENTRIES
+) -> Iterator[tuple[int, Indices]]:
     """The k nearest points of each of a tree's points, itself among them.
 
     Args:

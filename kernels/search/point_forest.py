@@ -5,14 +5,21 @@ children. Nodes are numbered within their tree; a node of tree t on a level has 
 levels[t * HEIGHTS + level] + node. Padding is at infinity and inside no box.
 """
 
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
 import numpy as np
 
+from ..array_types import Vectors
 from ..lang import INFINITY, array, float32, func, int32, kernel, launch, partial, struct, tid, vec3
 from ..memory import empty, upload_together
 from .bucket_walk import children_in_reach, next_step, walk
 from .hilbert_order import locate_on_curve
 from .many_clouds import ManyClouds
 from .point_tree import FAN, LEAF, SIDES, bound_leaf, find_run, highest_corner, lowest_corner
+
+if TYPE_CHECKING:
+    from .point_tree import PointTree
 
 HEIGHTS = 12  # more levels than 2^31 points have
 
@@ -39,7 +46,7 @@ class PointForest:
     roots: array(dtype=int32)
     boxes: array(dtype=float32)
 
-    def __init__(self, clouds, tree=None):
+    def __init__(self, clouds: Sequence[Vectors], tree: "PointTree | None" = None) -> None:
         placed = self.clouds = ManyClouds(clouds, tree)
         device, trees = placed.device, len(clouds)
         sizes = [placed.buckets]
@@ -78,8 +85,8 @@ def bound_forest_nodes_kernel(trees: int, level: int, forest: PointForest):
     """
     i = tid()
     record = forest.levels[level] + i // FAN
-    a = int(0)
-    b = trees + 0
+    a = 0
+    b = trees
     while b - a > 1:
         middle = (a + b) // 2
         if forest.levels[middle * HEIGHTS + level] <= record:

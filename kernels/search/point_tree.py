@@ -12,9 +12,12 @@ Rounding is monotonic, so a box is never farther than a point in it, and nothing
 ties included.
 """
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from ..algebra.plain_min_max import larger
+from ..array_types import Integers, Points, Scalars
 from ..lang import (
     INFINITY,
     WARP,
@@ -70,7 +73,7 @@ class PointTree:
     codes: array(dtype=int64)
     curve: HilbertCurve
 
-    def __init__(self, points):
+    def __init__(self, points: Points) -> None:
         found = HilbertOrder(points)
         self.source, self.device = points, points.device
         self.low, self.high = found.low, found.high
@@ -89,7 +92,7 @@ class PointTree:
         bound_levels(self.levels, sizes, self.boxes, known=1 if self.device.is_cuda else 0)
 
 
-def level_sizes(count):
+def level_sizes(count: int) -> tuple[list[int], np.ndarray]:
     """(nodes of each level, where each begins and the last ends as int32) over `count` nodes of the lowest level."""
     sizes = [max(1, count)]
     while sizes[-1] > 1:
@@ -97,7 +100,7 @@ def level_sizes(count):
     return sizes, np.concatenate([[0], np.cumsum(sizes)]).astype(np.int32)
 
 
-def bound_levels(levels, sizes, boxes, known):
+def bound_levels(levels: Integers, sizes: Sequence[int], boxes: Scalars, known: int) -> None:
     """Put the boxes of the nodes of each level into the level above it, from the level `known` on, which is there.
 
     On CUDA two levels a launch.
@@ -137,7 +140,7 @@ def place_leaves_kernel(source: array(dtype=vec3), codes: array(dtype=int64), tr
     """
     i = tid()
     if i % FAN == 0:
-        tree.codes[i // FAN] = codes[i * LEAF] if i * LEAF < tree.count else int64(0)
+        tree.codes[i // FAN] = codes[i * LEAF] if i * LEAF < tree.count else 0
     for j in range(i * LEAF, min((i + 1) * LEAF, tree.count)):
         tree.points[j] = source[tree.order[j]]
     for j in range(max(i * LEAF, tree.count), min((i + 1) * LEAF, tree.points.shape[0])):
@@ -178,7 +181,7 @@ def place_buckets_kernel(source: array(dtype=vec3), codes: array(dtype=int64), t
     bucket = i // WARP
     lane = i % WARP
     if lane == 0 and bucket < tree.codes.shape[0]:
-        tree.codes[bucket] = codes[bucket * BUCKET] if bucket * BUCKET < tree.count else int64(0)
+        tree.codes[bucket] = codes[bucket * BUCKET] if bucket * BUCKET < tree.count else 0
     low = vec3(INFINITY, INFINITY, INFINITY)
     high = vec3(INFINITY, INFINITY, INFINITY)  # of minus the coordinates
     for half in range(2):
@@ -304,8 +307,8 @@ def measure_box(boxes: array(dtype=float32), node: int, child: int, a: vec3, b: 
 @func
 def find_run(codes: array(dtype=int64), first: int, count: int, code: int64) -> int:
     """Which of `count` runs holds a code, by bisection over their first codes, which stand from `first` on."""
-    a = int(0)
-    b = count + 0
+    a = 0
+    b = count
     while b - a > 1:
         middle = (a + b) // 2
         if codes[first + middle] <= code:
@@ -325,7 +328,7 @@ def find_bucket(p: vec3, tree: PointTree) -> int:
 def is_one_place(boxes: array(dtype=float32), node: int, child: int) -> int:
     """1 where all points of a node's child have the same coordinates."""
     at = node * SIDES + child
-    equal = int(1)
+    equal = 1
     for axis in range(3):
         if boxes[at + axis * FAN] != boxes[at + (axis + 3) * FAN]:
             equal = 0

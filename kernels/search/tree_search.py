@@ -6,6 +6,7 @@ and each query starts with the ball of the query before it. Output 8 B a neighbo
 
 import numpy as np
 
+from ..array_types import Array2, Indices, Integers, Points, Scalars
 from ..arrays.lanes import most
 from ..arrays.packed_keys import key_index, key_number, pack_key
 from ..arrays.prefix_sum import exclusive_scan
@@ -16,6 +17,7 @@ from ..lang import (
     ballot,
     bits_float,
     float32,
+    func,
     int32,
     int64,
     isfinite,
@@ -36,6 +38,29 @@ from .point_tree import BUCKET, FAN, LARGEST_SQDIST, LEAF, PointTree, find_bucke
 from .tree_walk import lowest_bit
 
 MAX_ROWS = 2**31 - 1  # arrays of one launch hold fewer elements than this
+
+
+@func
+def write_row(
+    row: int,
+    size: int,
+    base: int,
+    stride: int,
+    scratch: GroupScratch,
+    indices: array(dtype=int32),
+    distances: array(dtype=float32),
+    counts: array(dtype=int32),
+):
+    """Write a query's sorted keys, which begin at `base`, as its row; what is missing is -1 at an infinite distance."""
+    first = row * scratch.k
+    for j in range(size):
+        key = scratch.keys[base + j * stride]
+        indices[first + j] = key_index(key)
+        distances[first + j] = key_number(key)
+    for j in range(size, scratch.k):
+        indices[first + j] = -1
+        distances[first + j] = INFINITY
+    counts[row] = size
 
 
 @kernel(most_registers=80)
@@ -72,7 +97,7 @@ def search_nearest_kernel(
         start = group // FAN
         gathered = scratch.gather + 1
         covered = min(reach, widest * GUESS)
-        widest = float(0.0)
+        widest = 0.0
         if tree.count > 0 and isfinite(a):  # else no query of the group is finite
             if self_query == 0:
                 start = find_bucket(a, tree)
@@ -81,24 +106,16 @@ def search_nearest_kernel(
         for rank in range(head, tail):
             row = query_order[rank]
             p = queries[row]
-            out = row * scratch.k
-            size = int(0)
+            size = 0
             if tree.count > 0 and isfinite(p):
                 near = min(reach, grown_reach(bound, square_distance(before, p)))
                 size = search_member(p, start, gathered, covered, tree, tree.order, scratch, listing, base, near, 1)
-                for j in range(size):
-                    key = scratch.keys[base + j]
-                    indices[out + j] = key_index(key)
-                    distances[out + j] = key_number(key)
                 before = p
                 bound = float(INFINITY)
                 if size == scratch.k:
                     bound = key_number(scratch.keys[base + scratch.k - 1])
                 widest = max(widest, bound)
-            for j in range(size, scratch.k):
-                indices[out + j] = -1
-                distances[out + j] = INFINITY
-            counts[row] = size
+            write_row(row, size, base, 1, scratch, indices, distances, counts)
 
 
 @search_nearest_kernel.on_cuda
@@ -117,7 +134,7 @@ def search_nearest_of_lanes_kernel(
 ):
     """The same, a query a lane."""
     i = tid()
-    guess = float(-1.0)
+    guess = -1.0
     first = part.first + (i // WARP) * part.run
     for group in range(first, min(first + part.run, part.last)):
         row = query_order[min(group * WARP + lane(), query_count - 1)]
@@ -125,7 +142,7 @@ def search_nearest_of_lanes_kernel(
         is_row = 1 if group * WARP + lane() < query_count else 0
         is_query = 1 if isfinite(p) and is_row == 1 else 0
         asking = ballot(is_query)
-        size = int(0)
+        size = 0
         if asking != 0 and tree.count > 0:
             leader = point_of_lane(p, lowest_bit(asking))
             if is_query == 0:
@@ -138,15 +155,7 @@ def search_nearest_of_lanes_kernel(
             size = found[0] * is_query
             sort_keys(scratch.keys, i, scratch.stride, size)
         if is_row == 1:
-            out = row * scratch.k
-            for j in range(size):
-                key = scratch.keys[i + j * scratch.stride]
-                indices[out + j] = key_index(key)
-                distances[out + j] = key_number(key)
-            for j in range(size, scratch.k):
-                indices[out + j] = -1
-                distances[out + j] = INFINITY
-            counts[row] = size
+            write_row(row, size, i, scratch.stride, scratch, indices, distances, counts)
 
 
 @kernel
@@ -161,7 +170,7 @@ def count_within_kernel(
     i = tid()
     q = query_order[i]
     p = queries[q]
-    found = int(0)
+    found = 0
     if tree.count > 0 and isfinite(p):
         for j, sqdist in points_in_reach(find_bucket(p, tree), p, reach, tree):
             found += 1
@@ -184,7 +193,7 @@ def list_within_kernel(
     q = query_order[i]
     p = queries[q]
     base = offsets[q]
-    size = int(0)
+    size = 0
     if tree.count > 0 and isfinite(p):
         for j, sqdist in points_in_reach(find_bucket(p, tree), p, reach, tree):
             keys[base + size] = pack_key(sqdist, tree.order[j])
@@ -195,19 +204,21 @@ def list_within_kernel(
         sqdists[j] = key_number(keys[j])
 
 
-def reach_of(radius):
+def reach_of(radius: float) -> float:
     """The largest float32 below radius^2: Open3D counts a neighbour when d^2 < r^2. Finite without a radius, too."""
     exact = float(radius) * float(radius)
     square = np.float32(min(exact, LARGEST_SQDIST))
     return float(square) if float(square) < exact else float(np.nextafter(square, np.float32(0)))
 
 
-def order_along_curve(tree, queries):
+def order_along_curve(tree: PointTree, queries: Points) -> Indices:
     """The queries' order along the tree's curve, int32 [n]."""
     return argsort_along(queries, tree.curve)[1]
 
 
-def search_nearest(tree, queries, k, radius=INFINITY):
+def search_nearest(
+    tree: PointTree, queries: Points, k: int, radius: float = INFINITY
+) -> tuple[Array2[int32], Array2[float32], Integers]:
     """The k nearest neighbours of each query closer than a radius.
 
     Args:
@@ -237,7 +248,7 @@ def search_nearest(tree, queries, k, radius=INFINITY):
     return indices, sqdists, counts
 
 
-def search_within(tree, queries, radius):
+def search_within(tree: PointTree, queries: Points, radius: float) -> tuple[Integers, Scalars, Integers]:
     """All neighbours of each query closer than a radius, by distance.
 
     Returns:

@@ -31,7 +31,7 @@ def lowest_bit(bits: int) -> int:
 @loop
 def bits_of(byte: int) -> int:
     """The places of the bits that are set, the lowest first."""
-    left = byte + 0
+    left = byte
     while left != 0:
         place = lowest_bit(left)
         left = left & (left - 1)
@@ -53,7 +53,7 @@ def walk_place(level: int) -> int64:
 @func
 def begin_walk(level: int, node: int) -> walk:
     """A walk that stands at a node: height, level, node, and what is left to visit."""
-    return walk(int64(level), int64(level), int64(node), int64(0))
+    return walk(int64(level), int64(level), int64(node), 0)
 
 
 @func
@@ -69,14 +69,14 @@ def next_node(step: walk, top: int) -> walk:
     level = int(step[1])
     node = int(step[2])
     pending = step[3]
-    searching = int(1)
+    searching = 1
     while searching == 1:
-        left = int(0)
+        left = 0
         if level > 1:
             left = int(pending >> walk_place(level)) & BYTE
         if left != 0:
             child = lowest_bit(left)
-            pending = pending ^ (int64(1) << (walk_place(level) + int64(child)))
+            pending = pending ^ (1 << (walk_place(level) + int64(child)))
             node = node * FAN + child
             level = level - 1
             searching = 0
@@ -152,7 +152,7 @@ def points_of(leaf: int, tree: PointTree) -> tuple[int, vec3]:
 @func
 def point_sum(children: int, level: int, node: int, count: int) -> int:
     """How many of the first `count` points lie in some children of a node."""
-    total = int(0)
+    total = 0
     size = LEAF << (FAN_BITS * (level - 1))
     for child in bits_of(children):
         total += min(size, count - (node * FAN + child) * size)
@@ -191,7 +191,7 @@ def measure_diagonals(boxes: array(dtype=float32), record: int) -> box_distances
 @func
 def bits_within(distances: box_distances, reach: float) -> int:
     """A byte: bit j is set where distance j is no more than `reach`."""
-    found = int(0)
+    found = 0
     for j in range(FAN):
         found = found | ((1 << j) if distances[j] <= reach else 0)
     return found
@@ -222,7 +222,7 @@ class NodeNumbers:
         top: The highest level.
     """
 
-    def __init__(self, tree):
+    def __init__(self, tree: PointTree) -> None:
         self.tree, self.top = tree, tree.root + 1
         self.leaf_count = -(-tree.count // LEAF)
         firsts = download(tree.levels)  # sync; ten numbers
@@ -230,7 +230,7 @@ class NodeNumbers:
         self.values = empty(self.records[-1] * FAN, int32, tree.device)
         fill(self.values, NO_NUMBER)
 
-    def lower(self):
+    def lower(self) -> None:
         """Bring the leaves' numbers up to the nodes above."""
         for level in range(1, self.top):
             below, first = self.records[level - 1], self.records[level]

@@ -5,22 +5,10 @@ none itself, takes the lowest label of those cores. The walk of a leaf's border 
 lower label than the worst found, and takes the lowest label of a node that lies wholly within reach as it stands.
 """
 
+from ..array_types import Integers
 from ..arrays.select import positions_of
 from ..arrays.sort import argsort_keys
-from ..lang import (
-    INFINITY,
-    array,
-    atomic_add,
-    atomic_min,
-    func,
-    int32,
-    int64,
-    kernel,
-    launch,
-    tid,
-    uint8,
-    vec3,
-)
+from ..lang import INFINITY, array, atomic_add, atomic_min, func, int32, int64, kernel, launch, tid, uint8, vec3
 from ..memory import empty, full, zeros
 from ..search.point_tree import FAN, LEAF, measure_boxes
 from ..search.tree_walk import (
@@ -58,7 +46,7 @@ def mark_first_kernel(cores: Cores, firsts: array(dtype=int32), marks: array(dty
     """1 at the first core of each set, in the order of the cloud."""
     i = tid()
     if cores.owners[i] == i:
-        marks[firsts[i]] = uint8(1)
+        marks[firsts[i]] = 1
 
 
 @kernel
@@ -110,7 +98,7 @@ def largest_of(values: numbers) -> int:
 @func
 def follow_leaf(best: numbers, xs: lanes, ys: lanes, zs: lanes, first: int, last: int, cores: Cores) -> numbers:
     """The lower of each lane's label and those of the cores first..last - 1 within its reach."""
-    lower = best + numbers(0)
+    lower = best
     for r in range(first, last):
         label = cores.owners[r]
         if label >= 0:
@@ -126,7 +114,7 @@ def follow_leaf(best: numbers, xs: lanes, ys: lanes, zs: lanes, first: int, last
 @func
 def lower_children(lowest: array(dtype=int32), record: int, label: int) -> int:
     """A byte: bit j is set where child j of a node holds a label below this one."""
-    found = int(0)
+    found = 0
     for j in range(FAN):
         found = found | ((1 << j) if lowest[record * FAN + j] < label else 0)
     return found
@@ -135,9 +123,9 @@ def lower_children(lowest: array(dtype=int32), record: int, label: int) -> int:
 @func
 def follow_cores(best: numbers, xs: lanes, ys: lanes, zs: lanes, a: vec3, b: vec3, leaf: int, cores: Cores) -> numbers:
     """The lowest label of the cores within reach of each lane; (a, b) is the box of those that search."""
-    lower = best + numbers(0)
+    lower = best
     worst = largest_of(lower)
-    near = int(0)
+    near = 0
     for height, level, node in nodes_after(0, leaf, near, cores.tree):
         if worst <= 0:
             break
@@ -168,7 +156,7 @@ def label_borders_kernel(cores: Cores, labels: array(dtype=int32)):
     a = vec3(INFINITY, INFINITY, INFINITY)
     b = vec3(-INFINITY, -INFINITY, -INFINITY)
     best = numbers(NOISE)  # no label is lower, so lanes without a border point neither change nor wait
-    searching = int(0)
+    searching = 0
     for j, p in points_of(leaf, cores.tree):
         if cores.owners[head + j] < 0:
             xs[j] = p[0]
@@ -193,7 +181,7 @@ def count_labels_kernel(run: int, labels: array(dtype=int32), counts: array(dtyp
     """How often each label occurs; whole numbers, so the order of the atomics does not matter."""
     i = tid()
     label = int(NOISE)
-    held = int(0)
+    held = 0
     for j in range(i * run, min((i + 1) * run, labels.shape[0])):
         if labels[j] == label:
             held += 1
@@ -237,7 +225,7 @@ def rename_labels_kernel(renamed: array(dtype=int32), labels: array(dtype=int32)
 # ------------------------------------------------------------------------------------------------ host
 
 
-def label_cores(cores, labels):
+def label_cores(cores: Cores, labels: Integers) -> int:
     """Number the clusters and label their cores; the number of clusters. One sync.
 
     Args:
@@ -254,7 +242,7 @@ def label_cores(cores, labels):
     return heads.size
 
 
-def label_borders(cores, labels):
+def label_borders(cores: Cores, labels: Integers) -> None:
     """Label the points within reach of a core that are none themselves.
 
     Args:
@@ -265,7 +253,7 @@ def label_borders(cores, labels):
     launch(label_borders_kernel, cores.leaf_count, [cores, labels])
 
 
-def rank_by_size(labels, cluster_count, least, most):
+def rank_by_size(labels: Integers, cluster_count: int, least: int, most: int) -> None:
     """Number clusters by size, the largest first, ties in their order, in place; NOISE for those of other sizes.
 
     Args:

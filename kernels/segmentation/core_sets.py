@@ -47,13 +47,13 @@ class Cores:
     owners: array(dtype=int32)
     lowest: array(dtype=int32)
 
-    def __init__(self, tree, eps):
+    def __init__(self, tree: PointTree, eps: float) -> None:
         """Room for the cores among points closer than `eps` [m]; nothing is known of them."""
         self.tree, self.reach = tree, reach_of(eps)
         self.owners, self.nodes = empty(tree.count, int32, tree.device), NodeNumbers(tree)
         self.lowest, self.leaf_count = self.nodes.values, self.nodes.leaf_count
 
-    def lower(self):
+    def lower(self) -> None:
         """Bring the leaves' lowest owners up to the nodes above."""
         self.nodes.lower()
 
@@ -61,8 +61,8 @@ class Cores:
 @func
 def dense_ancestor(leaf: int, cores: Cores) -> int:
     """The level of the highest node above a leaf whose points all lie within reach of each other; 0 where none is."""
-    level = int(0)
-    climbing = int(1)
+    level = 0
+    climbing = 1
     while climbing == 1 and level < cores.tree.root:
         node = leaf >> (FAN_BITS * (level + 1))
         record = record_of(cores.tree.levels, level + 2, node >> FAN_BITS)
@@ -85,7 +85,7 @@ def unite_leaf(core: int, xs: lanes, ys: lanes, zs: lanes, first: int, last: int
         if cores.owners[r] >= 0:
             if find_root(cores.owners, r) != root:
                 q = cores.tree.points[r]
-                touched = int(0)
+                touched = 0
                 for j in range(LEAF):
                     x = q[0] - xs[j]
                     y = q[1] - ys[j]
@@ -105,11 +105,11 @@ def sift_dense(children: int, core: int, record: int, a: vec3, b: vec3, cores: C
     dense = bits_within(measure_diagonals(cores.tree.boxes, record), cores.reach)
     inside = bits_within(measure_farthest(cores.tree.boxes, record, a, b), cores.reach)
     root = find_root(cores.owners, core)
-    entered = int(0)
+    entered = 0
     for child in bits_of(children):
         first = cores.lowest[record * FAN + child]
         if first != NO_NUMBER:
-            wanted = int(1)
+            wanted = 1
             if ((dense >> child) & 1) == 1:
                 if find_root(cores.owners, first) == root:
                     wanted = 0
@@ -138,7 +138,7 @@ def unite_part(core: int, xs: lanes, ys: lanes, zs: lanes, a: vec3, b: vec3, lea
 
     Each pair is seen from its earlier end. The lanes are cores of one leaf and of one set, (a, b) is their box.
     """
-    near = int(0)
+    near = 0
     for height, level, node in nodes_after(start, leaf, near, cores.tree):
         record = record_of(cores.tree.levels, level, node)
         near = bits_within(measure_boxes(cores.tree.boxes, record, a, b), cores.reach)
@@ -155,8 +155,8 @@ def unite_cores_kernel(cores: Cores):
     """Unite the sets of all cores within reach of each other: a leaf's, one of its sets after the other."""
     leaf = tid()
     head = leaf * LEAF
-    start = int(0)
-    left = int(0)
+    start = 0
+    left = 0
     if cores.lowest[leaf] != NO_NUMBER:
         start = dense_ancestor(leaf, cores)
         if start > 0:
@@ -185,7 +185,7 @@ def unite_cores_kernel(cores: Cores):
         unite_part(core, xs, ys, zs, a, b, leaf, start, cores)
 
 
-def unite_cores(cores):
+def unite_cores(cores: Cores) -> None:
     """Unite the sets of all cores within reach of each other, and let each core name the lowest of its set."""
     launch(unite_cores_kernel, cores.leaf_count, [cores])
     launch(flatten_sets_kernel, cores.tree.count, [cores.owners])

@@ -15,6 +15,7 @@ All work is done in the order of the tree. A set's root is its lowest rank there
 first core in the cloud, so labels do not depend on the tree. 14 B a point beside the tree, 22 B on CUDA.
 """
 
+from ..array_types import Integers
 from ..lang import INFINITY, array, func, int32, kernel, launch, tid, vec3
 from ..memory import full
 from ..search.point_tree import LEAF, PointTree, measure_boxes
@@ -44,7 +45,7 @@ def count_leaf(
     counts: numbers, xs: lanes, ys: lanes, zs: lanes, first: int, last: int, points: array(dtype=vec3), reach: float
 ) -> numbers:
     """The counts with the points first..last - 1 that lie within reach of each lane."""
-    total = counts + numbers(0)
+    total = counts
     for r in range(first, last):
         q = points[r]
         for j in range(LEAF):
@@ -65,7 +66,7 @@ def join_lanes(xs: lanes, ys: lanes, zs: lanes, reach: float) -> numbers:
     for j in range(LEAF):
         heads[j] = 1 << j
     for k in range(LEAF):
-        touched = int(0)
+        touched = 0
         for j in range(LEAF):
             x = xs[k] - xs[j]
             y = ys[k] - ys[j]
@@ -89,10 +90,10 @@ def least_of(values: numbers) -> int:
 @func
 def count_group(counts: numbers, xs: lanes, ys: lanes, zs: lanes, leaf: int, tree: PointTree, reach: float) -> numbers:
     """The counts with the points within reach of each point of a leaf; once none is negative the rest is left out."""
-    total = counts + numbers(0)
+    total = counts
     a = box_corner(tree.boxes, leaf, 0)
     b = box_corner(tree.boxes, leaf, 1)
-    near = int(0)
+    near = 0
     for height, level, node in nodes_after(0, leaf, near, tree):
         if least_of(total) >= 0:
             break
@@ -142,7 +143,7 @@ def find_cores_kernel(cores: Cores, needed: int):
     cores.lowest[leaf] = least
 
 
-def join_cores(tree, eps, min_points):
+def join_cores(tree: PointTree, eps: float, min_points: int) -> Cores:
     """The Cores of a cloud, each with the lowest core of its set.
 
     Args:
@@ -158,7 +159,7 @@ def join_cores(tree, eps, min_points):
     return cores
 
 
-def cluster_points(tree, point_count, eps, min_points):
+def cluster_points(tree: PointTree, point_count: int, eps: float, min_points: int) -> tuple[Integers, int]:
     """The labels of DBSCAN.
 
     Args:

@@ -12,6 +12,9 @@ means to start from, and at each level some passes in which a cell without a hei
 
 import math
 
+import numpy as np
+
+from ..array_types import Bytes, Mask, Points, Scalars
 from ..lang import (
     INFINITY,
     NAN,
@@ -54,7 +57,7 @@ class Cells:
     columns: int
     rows: int
 
-    def __init__(self, corner, cell, columns, rows):
+    def __init__(self, corner: np.ndarray, cell: float, columns: int, rows: int) -> None:
         self.x0, self.y0, self.cell = float(corner[0]), float(corner[1]), float(cell)
         self.columns, self.rows = columns, rows
 
@@ -75,7 +78,7 @@ def clear_cells_kernel(unwanted: array(dtype=uint8), heights: array(dtype=float3
     """The heights, NaN where there is none and where a cell is unwanted."""
     i = tid()
     height = heights[i]
-    if unwanted[i] != uint8(0) or not isfinite(height):
+    if unwanted[i] != 0 or not isfinite(height):
         height = float(NAN)
     out[i] = height
 
@@ -87,8 +90,8 @@ def average_cells_kernel(heights: array(dtype=float32), columns: int, rows: int,
     coarse_rows = (rows + 1) // 2
     x = 2 * (i // coarse_rows)
     y = 2 * (i % coarse_rows)
-    total = float(0.0)
-    count = float(0.0)
+    total = 0.0
+    count = 0.0
     for a in range(x, min(x + 2, columns)):
         for b in range(y, min(y + 2, rows)):
             height = heights[a * rows + b]
@@ -172,8 +175,8 @@ def reach_along_kernel(
     i = tid()
     x = i // rows
     y = i % rows
-    before = reach + 0
-    after = reach + 0
+    before = reach
+    after = reach
     if dx != 0:
         before = min(before, x)
         after = min(after, columns - 1 - x)
@@ -195,7 +198,7 @@ def flag_steps_kernel(
     """Set the flag where opening changed a height by more than the limit."""
     i = tid()
     if side * (heights[i] - opened[i]) > limit:
-        flags[i] = uint8(1)
+        flags[i] = 1
 
 
 @kernel
@@ -228,10 +231,10 @@ def mask_ground_kernel(
     """1 where a point lies close to the bare earth; how close depends on the slope there."""
     i = tid()
     p = points[i]
-    ground = int(0)
+    ground = 0
     if isfinite(p):
-        x = float((float64(p[0]) - cells.x0) / cells.cell - float64(0.5))
-        y = float((float64(p[1]) - cells.y0) / cells.cell - float64(0.5))
+        x = float((float64(p[0]) - cells.x0) / cells.cell - 0.5)
+        y = float((float64(p[1]) - cells.y0) / cells.cell - 0.5)
         distance = abs(p[2] - interpolate(heights, cells.columns, cells.rows, x, y))
         if distance <= threshold + scaling * interpolate(slopes, cells.columns, cells.rows, x, y):
             ground = 1
@@ -245,7 +248,7 @@ class HeightGrid:
         heights: float32 device array [columns * rows], y fastest; NaN or infinite where unknown.
     """
 
-    def __init__(self, points, corner, cell, columns, rows):
+    def __init__(self, points: Points, corner: np.ndarray, cell: float, columns: int, rows: int) -> None:
         """The lowest of the finite points of each cell; all must lie in the grid."""
         self.points, self.device = points, points.device
         self.cells = Cells(corner, cell, columns, rows)
@@ -253,7 +256,7 @@ class HeightGrid:
         self.heights = full(self.size, INFINITY, float32, self.device)
         launch(keep_lowest_kernel, points.size, [points, self.cells, self.heights])
 
-    def uncover(self, slope, max_window):
+    def uncover(self, slope: float, max_window: float) -> None:
         """Cut down to the bare earth what stands on it.
 
         Args:
@@ -274,7 +277,7 @@ class HeightGrid:
             surface = opened
         self.heights = self._filled(unwanted)
 
-    def near(self, threshold, scaling):
+    def near(self, threshold: float, scaling: float) -> Mask:
         """uint8 device array [n]: 1 where a point is closer to the bare earth than the threshold [m] and scaling times
         the slope there."""
         slopes = empty(self.size, float32, self.device)
@@ -284,7 +287,7 @@ class HeightGrid:
         launch(mask_ground_kernel, self.points.size, arguments)
         return mask
 
-    def _filled(self, unwanted):
+    def _filled(self, unwanted: Bytes) -> Scalars:
         """The heights with unknown and unwanted cells filled by springs between neighbours."""
         grid = empty(self.size, float32, self.device)
         launch(clear_cells_kernel, self.size, [unwanted, self.heights, grid])
@@ -305,7 +308,7 @@ class HeightGrid:
             filled = heights
         return filled
 
-    def _opened(self, heights, radius, first):
+    def _opened(self, heights: Scalars, radius: int, first: float) -> Scalars:
         """The heights opened (first EROSION) or closed (first DILATION) by an octagon."""
         diagonal = int(DIAGONAL * radius + 0.5)
         straight = radius - 2 * diagonal
@@ -318,11 +321,11 @@ class HeightGrid:
                 heights = out
         return heights
 
-    def _flag(self, heights, opened, limit, side, flags):
+    def _flag(self, heights: Scalars, opened: Scalars, limit: float, side: float, flags: Mask) -> None:
         launch(flag_steps_kernel, self.size, [heights, opened, limit, side, flags])
 
 
-def reaches(half):
+def reaches(half: int) -> list[int]:
     """The distances whose passes, one after the other, make a segment of this half length; each triples it."""
     steps, length = [], 0
     while length < half:

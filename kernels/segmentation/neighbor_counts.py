@@ -4,6 +4,7 @@ One thread a leaf: its points are eight lanes, a candidate is loaded once and me
 stops once each lane has enough. 12 B read and 1 B written a point beside the walk; O(1) memory a thread.
 """
 
+from ..array_types import Mask
 from ..lang import INFINITY, array, kernel, launch, tid, uint8
 from ..memory import zeros
 from ..search.point_tree import LEAF, PointTree
@@ -29,13 +30,13 @@ def mask_crowded_kernel(tree: PointTree, reach: float, needed: int, mask: array(
     for j in range(LEAF):
         rank = leaf * LEAF + j
         if rank < tree.count:
-            kept = int(0)
+            kept = 0
             if counts[j] >= 0:
                 kept = 1
             mask[tree.order[rank]] = uint8(kept)
 
 
-def mask_crowded(tree, radius, needed):
+def mask_crowded(tree: PointTree, radius: float, needed: int) -> Mask:
     """The points with at least `needed` points closer than a radius [m], themselves included.
 
     Returns:

@@ -6,6 +6,7 @@ runs of that order. One sort, then a few passes over 8 B a point for each level.
 
 import numpy as np
 
+from ..array_types import Indices, Integers, Points
 from ..arrays.bounds import bound_points
 from ..arrays.prefix_sum import exclusive_scan
 from ..arrays.select import gather_rows, positions_of
@@ -28,7 +29,7 @@ def encode_cells_kernel(
     x = spread_bits(int(min(max(p[0], 0.0), top)))
     y = spread_bits(int(min(max(p[1], 0.0), top)))
     z = spread_bits(int(min(max(p[2], 0.0), top)))
-    codes[i] = (x << int64(2)) | (y << int64(1)) | z
+    codes[i] = (x << 2) | (y << 1) | z
 
 
 @kernel
@@ -37,8 +38,8 @@ def find_deepest_kernel(codes: array(dtype=int64), fewest: int, deepest: array(d
     i = tid()
     differing = codes[i] ^ codes[i + fewest - 1]
     level = int(LEVELS)
-    while differing != int64(0):
-        differing = differing >> int64(3)
+    while differing != 0:
+        differing = differing >> 3
         level = level - 1
     atomic_max(deepest, 0, level)
 
@@ -47,7 +48,7 @@ def find_deepest_kernel(codes: array(dtype=int64), fewest: int, deepest: array(d
 def mark_cells_kernel(codes: array(dtype=int64), shift: int64, marks: array(dtype=int32), heads: array(dtype=uint8)):
     """1 where a cell begins."""
     i = tid()
-    mark = int(1)
+    mark = 1
     if i > 0:
         if (codes[i] >> shift) == (codes[i - 1] >> shift):
             mark = 0
@@ -67,14 +68,14 @@ def find_covered_kernel(
 ):
     """1 for cells with a flat cell within them; all threads write the same."""
     i = tid()
-    if covered[i] != uint8(0):
+    if covered[i] != 0:
         atomic_max(flat, cell_of(marks, offsets, i), 1)
 
 
 @func
 def count_points(starts: array(dtype=int32), count: int, cell: int) -> int:
     """How many of `count` points lie in a cell."""
-    end = count + 0
+    end = count
     if cell + 1 < starts.shape[0]:
         end = starts[cell + 1]
     return end - starts[cell]
@@ -87,7 +88,7 @@ def choose_cells_kernel(
     """1 for cells to test: enough points, and none within them is flat."""
     i = tid()
     size = count_points(starts, count, i)
-    chosen = int(0)
+    chosen = 0
     if size >= fewest and flat[i] == 0:
         chosen = 1
     mask[i] = uint8(chosen)
@@ -120,7 +121,7 @@ def number_points_kernel(
     i = tid()
     number = numbers[cell_of(marks, offsets, i)]
     runs[i] = number
-    inside = int(0)
+    inside = 0
     if number >= 0:
         inside = 1
     mask[i] = uint8(inside)
@@ -139,16 +140,16 @@ def cover_cells_kernel(
     i = tid()
     cell = cell_of(marks, offsets, i)
     if flat[cell] == 1:
-        covered[i] = uint8(1)
+        covered[i] = 1
     if numbers[cell] >= 0:
         if passed[numbers[cell]] == 1:
-            covered[i] = uint8(1)
+            covered[i] = 1
 
 
 class Octree:
     """The cells of an octree over some points, level by level; its box is a cube about theirs."""
 
-    def __init__(self, points, rows):
+    def __init__(self, points: Points, rows: Indices) -> None:
         low, high, _ = bound_points(gather_rows(points, rows))
         self.extent = float((high.astype(np.float64) - low).max())
         corner = 0.5 * (low.astype(np.float64) + high) - 0.5 * self.extent
@@ -159,13 +160,13 @@ class Octree:
         self.rows, self.device = gather_rows(rows, order), points.device
         self.covered = zeros(rows.size, uint8, self.device)
 
-    def deepest(self, fewest):
+    def deepest(self, fewest: int) -> int:
         """The deepest level with a cell of at least so many points; 0 where there is none."""
         level = zeros(1, int32, self.device)
         launch(find_deepest_kernel, max(0, self.rows.size - fewest + 1), [self.codes, fewest, level])
         return int(download(level)[0])  # sync
 
-    def runs(self, level, fewest):
+    def runs(self, level: int, fewest: int) -> tuple[Integers, Integers, np.ndarray] | None:
         """The points of the cells of a level that are to be tested: (rows, runs, counts); None where there are none.
 
         Rows and runs are int32 device arrays, the points by cell and the number of the cell of each; counts is a NumPy
@@ -191,7 +192,7 @@ class Octree:
         runs = gather_rows(runs, elements)
         return gather_rows(self.rows, elements), runs, download(counts)  # sync
 
-    def cover(self, passed):
+    def cover(self, passed: Integers) -> None:
         """Take note which of the tested cells are flat; their ancestors are not tested."""
         arguments = [self.marks, self.offsets, self.numbers, self.flat, passed, self.covered]
         launch(cover_cells_kernel, self.rows.size, arguments)

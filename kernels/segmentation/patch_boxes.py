@@ -4,10 +4,17 @@ DIRECTIONS angles over a quarter turn, then as many over the two steps about the
 points and angle; 16 B read a point and angle, six atomics a thread.
 """
 
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any
+
 import numpy as np
 
+from ..array_types import Points
 from ..lang import INFINITY, array, atomic_max, atomic_min, dot, float32, int32, kernel, launch, tid, vec3
 from ..memory import download, full, upload
+
+if TYPE_CHECKING:
+    from .planar_patches import Runs
 
 DIRECTIONS = 45  # of a box's first side over a quarter turn; a second pass divides a step again
 SLICES = 32  # threads a patch and direction
@@ -44,7 +51,9 @@ def measure_boxes_kernel(
         atomic_max(highs, 3 * box + axis, high)
 
 
-def tightest_boxes(points, runs, centers, directions):
+def tightest_boxes(
+    points: Points, runs: "Runs", centers: np.ndarray, directions: np.ndarray
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Of boxes with one side along the normal those whose face has the least area, to a tenth of a degree.
 
     Args:
@@ -60,7 +69,8 @@ def tightest_boxes(points, runs, centers, directions):
     normals /= np.linalg.norm(normals, axis=1, keepdims=True)
     base = _basis(normals)
     step = 0.5 * np.pi / DIRECTIONS
-    best = np.zeros(len(normals))
+    best: np.ndarray = np.zeros(len(normals))
+    k = axes = lows = highs = best  # set in the loop
     for _ in range(2):
         angles = best[:, None] + step * (np.arange(DIRECTIONS) - DIRECTIONS // 2)
         axes = _turned(base, normals, angles)
@@ -74,7 +84,7 @@ def tightest_boxes(points, runs, centers, directions):
     return middle, np.transpose(sides, (0, 2, 1)), high - low
 
 
-def _measure(points, runs, centers, axes):
+def _measure(points: Points, runs: "Runs", centers: np.ndarray, axes: np.ndarray) -> Iterator[Any]:
     """How far the points reach along the axes [b, d, 3, 3] of boxes: two arrays [b, d, 3]."""
     boxes = axes.shape[0] * axes.shape[1]
     lows = full(3 * boxes, INFINITY, float32, points.device)
@@ -85,14 +95,14 @@ def _measure(points, runs, centers, axes):
     return (download(part).reshape(axes.shape[:3]).astype(np.float64) for part in (lows, highs))  # sync
 
 
-def _basis(normals):
+def _basis(normals: np.ndarray) -> np.ndarray:
     """A unit vector orthogonal to each of the unit vectors [b, 3]."""
     smallest = np.eye(3)[np.argmin(np.abs(normals), axis=1)]
     across = np.cross(normals, smallest)
     return across / np.linalg.norm(across, axis=1, keepdims=True)
 
 
-def _turned(base, normals, angles):
+def _turned(base: np.ndarray, normals: np.ndarray, angles: np.ndarray) -> np.ndarray:
     """Right-handed axes [b, d, 3, 3] by rows: the base turned about the normal, its partner, the normal."""
     partner = np.cross(normals, base)
     cos, sin = np.cos(angles)[..., None], np.sin(angles)[..., None]

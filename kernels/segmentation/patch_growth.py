@@ -8,8 +8,11 @@ a larger one and fits it becomes part of it. What has grown by half is fitted ag
 One round reads 4 B a neighbour of the newest points and 8 B a point of the cloud.
 """
 
+from collections.abc import Sequence
+
 import numpy as np
 
+from ..array_types import Array2, Device, Integers, Points, Vectors
 from ..arrays.select import gather_rows, positions_of
 from ..arrays.sort import argsort_keys
 from ..lang import (
@@ -51,7 +54,7 @@ class PatchPoints:
     neighbors: array(dtype=int32, ndim=2)
     labels: array(dtype=int32)
 
-    def __init__(self, points, normals, neighbors, labels):
+    def __init__(self, points: Points, normals: Vectors, neighbors: Array2[int32], labels: Integers) -> None:
         self.points, self.normals, self.neighbors, self.labels = points, normals, neighbors, labels
 
 
@@ -70,7 +73,9 @@ class PatchPlanes:
     similar: array(dtype=float32)
     near: array(dtype=float32)
 
-    def __init__(self, centers, directions, similar, near, device):
+    def __init__(
+        self, centers: np.ndarray, directions: np.ndarray, similar: np.ndarray, near: np.ndarray, device: Device
+    ) -> None:
         self.centers, self.directions = upload(centers, vec3, device), upload(directions, vec3, device)
         self.similar, self.near = upload(similar, float32, device), upload(near, float32, device)
 
@@ -79,7 +84,7 @@ class PatchPlanes:
 def mask_growing_kernel(labels: array(dtype=int32), growing: array(dtype=int32), mask: array(dtype=uint8)):
     """1 for points of patches that may still grow."""
     i = tid()
-    inside = int(0)
+    inside = 0
     if labels[i] >= 0:
         inside = growing[labels[i]]
     mask[i] = uint8(inside)
@@ -110,14 +115,11 @@ def offer_patches_kernel(
 
 @kernel
 def take_offers_kernel(
-    by_rank: array(dtype=int32),
-    offers: array(dtype=int32),
-    labels: array(dtype=int32),
-    mask: array(dtype=uint8),
+    by_rank: array(dtype=int32), offers: array(dtype=int32), labels: array(dtype=int32), mask: array(dtype=uint8)
 ):
     """Take the best offer; 1 where there was one."""
     i = tid()
-    taken = int(0)
+    taken = 0
     if offers[i] < NO_OFFER:
         labels[i] = by_rank[offers[i]]
         offers[i] = NO_OFFER
@@ -130,7 +132,7 @@ def fits_patch(i: int, patch: int, similar: float, near: float, cloud: PatchPoin
     """1 where a point lies in the plane of a patch, by these limits of cosine and distance [m]."""
     direction = planes.directions[patch]
     distance = abs(dot(direction, cloud.points[i] - planes.centers[patch]))
-    inside = int(0)
+    inside = 0
     if abs(dot(direction, cloud.normals[i])) > similar and distance < near:
         inside = 1
     return inside
@@ -138,10 +140,7 @@ def fits_patch(i: int, patch: int, similar: float, near: float, cloud: PatchPoin
 
 @kernel
 def choose_partners_kernel(
-    cloud: PatchPoints,
-    planes: PatchPlanes,
-    ranks: array(dtype=int32),
-    partners: array(dtype=int32),
+    cloud: PatchPoints, planes: PatchPlanes, ranks: array(dtype=int32), partners: array(dtype=int32)
 ):
     """For each patch the rank of the largest of the larger ones that it fits: neighbouring points of the two lie each
     in the other's plane. The atomic settles which of several: the lowest rank."""
@@ -150,7 +149,7 @@ def choose_partners_kernel(
     if a >= 0:
         for k in range(cloud.neighbors.shape[1]):
             j = cloud.neighbors[i, k]
-            b = int(-1)
+            b = -1
             if j >= 0:
                 b = cloud.labels[j]
             if b >= 0 and b != a:
@@ -214,7 +213,9 @@ class Patches:
         grew: booleans [p], whether a patch has outgrown its seeds.
     """
 
-    def __init__(self, points, normals, labels, planes, neighbors):
+    def __init__(
+        self, points: Points, normals: Vectors, labels: Integers, planes: Sequence[np.ndarray], neighbors: Array2[int32]
+    ) -> None:
         """Begin with seeds: labels, and (centers, directions, similar, near) of their planes."""
         self.points, self.normals, self.labels = points, normals, labels
         self.cloud = PatchPoints(points, normals, neighbors, labels)
@@ -223,7 +224,7 @@ class Patches:
         self.grew = np.zeros(len(self.near), bool)
         self.counts = self.fitted = self._count()
 
-    def settle(self):
+    def settle(self) -> None:
         """Grow, merge and fit again until no patch changes."""
         merged, growing = True, np.ones(len(self.near), bool)
         while merged or growing.any():
@@ -234,7 +235,7 @@ class Patches:
                 self._fit(growing)
                 self.grew |= growing
 
-    def boxes(self, shortest):
+    def boxes(self, shortest: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """The boxes of the patches that grew and are long enough, the one of the most points first.
 
         Args:
@@ -253,24 +254,25 @@ class Patches:
         boxes = tightest_boxes(self.points, runs, self.centers[kept], self.directions[kept])
         order = np.argsort(-self.counts[kept], kind="stable")
         order = order[edges[order] >= shortest]
-        return tuple(part[order] for part in boxes)
+        centers, rotations, extents = boxes
+        return centers[order], rotations[order], extents[order]
 
-    def _planes(self):
+    def _planes(self) -> PatchPlanes:
         return PatchPlanes(self.centers, self.directions, self.similar, self.near, self.device)
 
-    def _count(self):
+    def _count(self) -> np.ndarray:
         counts = zeros(len(self.near), int32, self.device)
         launch(count_labels_kernel, self.labels.size, [self.labels, counts])
         return download(counts).astype(np.int64)  # sync
 
-    def _ranked(self, values):
+    def _ranked(self, values: np.ndarray) -> tuple[Integers, np.ndarray]:
         """Ranks of the patches, the largest value first, and the patches by rank: device arrays and NumPy's."""
         by_rank = np.argsort(-values, kind="stable")
         ranks = np.empty(len(values), np.int32)
         ranks[by_rank] = np.arange(len(values))
         return upload(ranks, int32, self.device), by_rank
 
-    def _grow(self, growing):
+    def _grow(self, growing: np.ndarray) -> None:
         """Let the chosen patches grow over free points."""
         size, planes = self.labels.size, self._planes()
         ranks, by_rank = self._ranked(self.similar)
@@ -284,7 +286,7 @@ class Patches:
             frontier = positions_of(mask)  # sync
         self.counts = self._count()
 
-    def _merge(self):
+    def _merge(self) -> bool:
         """Merge each patch into the largest that it fits, unless that one is merged itself; whether there was one.
 
         So a small patch along an edge does not tie two walls together, which each fit it and not each other.
@@ -310,7 +312,7 @@ class Patches:
         self.counts = self._count()
         return True
 
-    def _runs(self, chosen):
+    def _runs(self, chosen: np.ndarray) -> tuple[Runs, np.ndarray]:
         """The points of the chosen patches as Runs, and the numbers of those patches."""
         mask = empty(self.labels.size, uint8, self.device)
         launch(mask_growing_kernel, self.labels.size, [self.labels, upload(chosen, int32, self.device), mask])
@@ -325,7 +327,7 @@ class Patches:
         launch(rename_kernel, runs.size, [upload(names, int32, self.device), runs])
         return Runs(rows, runs, self.counts[patches]), patches
 
-    def _fit(self, chosen):
+    def _fit(self, chosen: np.ndarray) -> tuple[Runs, np.ndarray]:
         """Fit the planes of the chosen patches again; their Runs, and the longest edges [m] of their points' boxes."""
         runs, patches = self._runs(chosen)
         planes = runs.fit(self.points, self.normals, self.directions[patches])

@@ -8,13 +8,19 @@ their heights; how far points and normals may deviate comes from the median abso
 All cells of a level are tested together: eleven sorts of the level's points (run_medians.py), the rest one pass each.
 """
 
+from typing import TYPE_CHECKING
+
 import numpy as np
 
+from ..array_types import Indices, Integers, Points, Scalars, Vectors
 from ..arrays.run_medians import order_statistics
 from ..arrays.run_sums import sum_columns
 from ..arrays.sort import fill_positions_kernel
 from ..lang import array, atomic_add, dot, float32, float64, int32, kernel, launch, tid, vec3
 from ..memory import download, empty, upload, zeros
+
+if TYPE_CHECKING:
+    from .octree_cells import Octree
 
 FIRST_LEVEL = 3  # larger cells hold no plane: an eighth of the box is already a wall
 SPREAD = 3.0  # MADs about the median that still belong
@@ -31,7 +37,7 @@ def multiply_normals_kernel(normals: array(dtype=vec3), rows: array(dtype=int32)
     """The entries of n n^T on and above the diagonal."""
     i = tid()
     n = normals[rows[i]]
-    at = int(0)
+    at = 0
     for a in range(3):
         for b in range(a, 3):
             out[i, at] = float64(n[a]) * float64(n[b])
@@ -147,11 +153,13 @@ class Runs:
         counts: int64 NumPy array [r].
     """
 
-    def __init__(self, rows, runs, counts):
+    def __init__(self, rows: Indices, runs: Integers, counts: np.ndarray) -> None:
         self.rows, self.runs, self.counts = rows, runs, counts
         self.starts = upload(np.concatenate([[0], np.cumsum(counts)]).astype(np.int32), int32, rows.device)
 
-    def fit(self, points, normals, references=None):
+    def fit(
+        self, points: Points, normals: Vectors, references: np.ndarray | None = None
+    ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """The robust plane of each run: along the median of the normals, through the median of the heights along it.
 
         The medians of the coordinates, which the paper takes, do not lie in the plane where it is not aligned with an
@@ -186,7 +194,7 @@ class Runs:
         heights = order_statistics(values, self.runs, self.starts)[1]
         return centers + heights[:, None] * directions, directions, edges
 
-    def measure(self, points, normals, centers, directions):
+    def measure(self, points: Points, normals: Vectors, centers: np.ndarray, directions: np.ndarray) -> list[Scalars]:
         """(similarities, distances): float32 device arrays [m], of the points to the planes of their runs."""
         device, size = self.rows.device, self.rows.size
         out = [empty(size, float32, device) for _ in range(2)]
@@ -194,21 +202,21 @@ class Runs:
         launch(measure_points_kernel, size, [points, normals, self.rows, self.runs, *planes, *out])
         return out
 
-    def tolerate(self, similarities, distances, slack):
+    def tolerate(self, similarities: Scalars, distances: Scalars, slack: float) -> tuple[np.ndarray, np.ndarray]:
         """What is usual in each run: (similar, near), the least cosine and the largest distance [m], float32 [r]."""
         middle, spread = self.spread(similarities)
         similar = np.minimum(middle - spread, np.float32(1 - CLEAR))
         middle, spread = self.spread(distances)
         return similar, np.maximum(middle + spread, np.float32(slack))
 
-    def spread(self, values):
+    def spread(self, values: Scalars) -> tuple[np.ndarray, np.ndarray]:
         """(median, SPREAD times the scaled MAD) of each run's numbers, float32 [r]."""
         _, medians, _ = order_statistics(values, self.runs, self.starts)
         deviations = empty(values.size, float32, values.device)
         launch(deviate_kernel, values.size, [values, self.runs, upload(medians, float32, values.device), deviations])
         return medians, SPREAD * NORMAL_MAD * order_statistics(deviations, self.runs, self.starts)[1]
 
-    def _main_directions(self, normals):
+    def _main_directions(self, normals: Vectors) -> np.ndarray:
         """The direction that the normals of each run have most in common, whatever their signs."""
         device, size = self.rows.device, self.rows.size
         products, order = empty((size, 6), float64, device), empty(size, int32, device)
@@ -230,11 +238,13 @@ class Limits:
         slack: Distance [m] that is rounding, so points in an exact plane are near it.
     """
 
-    def __init__(self, similarity, coplanarity, outliers, fewest, slack):
+    def __init__(self, similarity: float, coplanarity: float, outliers: float, fewest: int, slack: float) -> None:
         self.similarity, self.coplanarity, self.outliers = similarity, coplanarity, outliers
         self.fewest, self.slack = fewest, slack
 
-    def judge(self, points, normals, runs, first, labels):
+    def judge(
+        self, points: Points, normals: Vectors, runs: Runs, first: int, labels: Integers
+    ) -> tuple[np.ndarray, tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]]:
         """Test each run, and give the inliers of the flat ones the labels `first`, `first + 1`, ...
 
         Returns:
@@ -256,7 +266,9 @@ class Limits:
         return passed, (centers[passed], directions[passed], similar[passed], near[passed])
 
 
-def find_seeds(points, normals, labels, limits, octree):
+def find_seeds(
+    points: Points, normals: Vectors, labels: Integers, limits: Limits, octree: "Octree"
+) -> list[np.ndarray]:
     """Label the points of the smallest flat cells of an octree, -1 elsewhere.
 
     Returns:

@@ -14,6 +14,7 @@ import math
 
 import numpy as np
 
+from ..array_types import Array1, Indices, Integers, Mask, Points
 from ..arrays.bounds import bound_points
 from ..arrays.select import gather_rows, positions_of
 from ..lang import (
@@ -65,7 +66,7 @@ class PointBlocks:
     zs: array(dtype=float32)
     boxes: array(dtype=float32)
 
-    def __init__(self, points, rows, middle):
+    def __init__(self, points: Points, rows: Indices, middle: vec3) -> None:
         """The blocks of `points[rows]` relative to a place of the same type."""
         self.count, self.block_count, device = rows.size, -(-rows.size // BLOCK), points.device
         self.xs, self.ys, self.zs = (empty(self.count, float32, device) for _ in range(3))
@@ -96,7 +97,7 @@ def reaches_block(blocks: PointBlocks, block: int, a: float, b: float, c: float,
     """1 where a point of a block may lie within `reach` of a plane."""
     at = 6 * block
     middle = abs(a * blocks.boxes[at] + b * blocks.boxes[at + 1] + c * blocks.boxes[at + 2] + d)
-    near = int(0)
+    near = 0
     if middle <= reach + abs(a) * blocks.boxes[at + 3] + abs(b) * blocks.boxes[at + 4] + abs(c) * blocks.boxes[at + 5]:
         near = 1
     return near
@@ -129,7 +130,7 @@ def score_planes_kernel(
             c = float(plane[2])
             d = float(plane[3])
             if reaches_block(blocks, block, a, b, c, d, reach) == 1:
-                found = int(0)
+                found = 0
                 for j in range(first, last):
                     if abs(a * blocks.xs[j] + b * blocks.ys[j] + c * blocks.zs[j] + d) < threshold:
                         found += 1
@@ -188,7 +189,7 @@ def mask_inliers_kernel(
     """1 where a point lies within the threshold, in float64."""
     i = tid()
     p = sampled_point(points, rows[i], center)
-    inside = int(0)
+    inside = 0
     if abs(plane[0] * p[0] + plane[1] * p[1] + plane[2] * p[2] + plane[3]) < threshold:
         inside = 1
     mask[i] = uint8(inside)
@@ -215,7 +216,7 @@ def label_rows_kernel(rows: array(dtype=int32), label: int, labels: array(dtype=
     labels[rows[i]] = label
 
 
-def label_rows(rows, label, labels):
+def label_rows(rows: Indices, label: int, labels: Integers) -> None:
     """labels[rows] = label."""
     launch(label_rows_kernel, rows.size, [rows, label, labels])
 
@@ -228,7 +229,7 @@ class PlaneSearch:
         center: Middle of their box, float64 [3]; planes are relative to it.
     """
 
-    def __init__(self, points, rows):
+    def __init__(self, points: Points, rows: Indices) -> None:
         """Prepare a search among `points[rows]`, all finite."""
         self.points, self.rows, self.device = points, rows, points.device
         low, high, _ = bound_points(gather_rows(points, rows))
@@ -238,7 +239,9 @@ class PlaneSearch:
         self.size = float(max((high - self.center).max(), (self.center - low).max()))
         self.blocks = PointBlocks(points, rows, vec3(*middle))
 
-    def find(self, threshold, sample_size, most, probability, seed, first=0):
+    def find(
+        self, threshold: float, sample_size: int, most: int, probability: float, seed: int, first: int = 0
+    ) -> np.ndarray | None:
         """The plane with the most points closer than the threshold; of equals the one with the smaller distances.
 
         Args:
@@ -263,9 +266,9 @@ class PlaneSearch:
                 contested = len(chosen) > 1 or top == best_count
                 sums = self._sum_distances(planes, chosen, threshold) if contested else np.array([np.nan])
                 k = int(np.argmin(sums))
-                if top == best_count and best_sum is None:
+                if top == best_count and best is not None and best_sum is None:
                     best_sum = self._sum_of(best, threshold)
-                if top > best_count or sums[k] < best_sum:
+                if top > best_count or best_sum is None or sums[k] < best_sum:
                     best = download(planes)[chosen[k]].copy()
                     best_count, best_sum = top, float(sums[k]) if contested else None
             done += size
@@ -273,14 +276,14 @@ class PlaneSearch:
             batch = min(BATCH_GROWTH * batch, MOST_PLANES)
         return best
 
-    def inliers(self, plane, threshold):
+    def inliers(self, plane: np.ndarray, threshold: float) -> Mask:
         """uint8 device array [rows], 1 where a point is closer than the threshold."""
         mask = empty(self.rows.size, uint8, self.device)
         arguments = [self.points, self.rows, vec3d(*self.center), vec4d(*plane), threshold, mask]
         launch(mask_inliers_kernel, self.rows.size, arguments)
         return mask
 
-    def refit(self, plane, mask):
+    def refit(self, plane: np.ndarray, mask: Mask):
         """The plane of least squared distances to the chosen points; the old one where they span none."""
         rows = gather_rows(self.rows, positions_of(mask))
         if rows.size < TRIANGLE:
@@ -294,13 +297,13 @@ class PlaneSearch:
         normal = vectors[:, 0]
         return np.append(normal, -normal @ (mean - self.center))
 
-    def _draw(self, sample_size, size, seed, first):
+    def _draw(self, sample_size: int, size: int, seed: int, first: int) -> Array1[vec4d]:
         samples, planes = empty(size * sample_size, int32, self.device), empty(size, vec4d, self.device)
         arguments = [self.points, self.rows, vec3d(*self.center), seed, first, sample_size, samples, planes]
         launch(draw_planes_kernel, size, arguments)
         return planes
 
-    def _score(self, planes, size, threshold):
+    def _score(self, planes: Array1[vec4d], size: int, threshold: float) -> np.ndarray:
         counts = zeros(size, int32, self.device)
         run = CUDA_RUN if self.device.is_cuda else CPU_RUN
         groups, threads = -(-size // GROUP), -(-self.blocks.block_count // run)
@@ -309,7 +312,7 @@ class PlaneSearch:
         launch(score_planes_kernel, threads * groups, arguments)
         return download(counts)  # sync: once a batch
 
-    def _sum_distances(self, planes, chosen, threshold):
+    def _sum_distances(self, planes: Array1[vec4d], chosen: np.ndarray, threshold: float) -> np.ndarray:
         sums, block_count = [], self.blocks.block_count
         step = max(1, PARTIALS // block_count)
         for begin in range(0, len(chosen), step):
@@ -322,12 +325,12 @@ class PlaneSearch:
             sums.append(download(out).copy())  # sync: only where planes have as many inliers as another
         return np.concatenate(sums)
 
-    def _sum_of(self, plane, threshold):
+    def _sum_of(self, plane: np.ndarray, threshold: float) -> float:
         planes = upload(plane[None], vec4d, self.device)
         return float(self._sum_distances(planes, np.zeros(1, np.int32), threshold)[0])
 
 
-def samples_needed(share, sample_size, probability, most):
+def samples_needed(share: float, sample_size: int, probability: float, most: int) -> float:
     """Samples after which one of inliers alone was drawn with the wanted probability (Fischler and Bolles 1981, II.B).
 
     Args:

@@ -35,7 +35,7 @@ six_sums = vector(6, float64)
 @func
 def no_plane() -> vec4d:
     """A plane that no point is near."""
-    return vec4d(float64(0.0), float64(0.0), float64(0.0), float64(INFINITY))
+    return vec4d(0.0, 0.0, 0.0, float64(INFINITY))
 
 
 @func
@@ -62,8 +62,8 @@ def fitted_plane(mean: vec3d, covariance: mat33d) -> vec4d:
     """The plane of least squared distances; none where the points lie on a line."""
     plane = no_plane()
     size = largest_entry(covariance)
-    if size > float64(0.0):
-        values = sorted_eigenvalues(covariance * (float64(1.0) / size))
+    if size > 0.0:
+        values = sorted_eigenvalues(covariance * (1.0 / size))
         if values[1] > float64(FLAT) * values[2]:
             plane = plane_at(smallest_eigenvector(covariance), mean)
     return plane
@@ -104,7 +104,7 @@ def draw_planes_kernel(
         drawn = random_below(random_bits(seed, first + i, j), last + 1)
         for earlier in range(base, base + j):
             if samples[earlier] == drawn:
-                drawn = last + 0
+                drawn = last
         samples[base + j] = drawn
     plane = no_plane()
     if sample_size == TRIANGLE:
@@ -113,12 +113,12 @@ def draw_planes_kernel(
         r = sampled_point(points, rows[samples[base + 2]], center)
         plane = triangle_plane(p, q, r)
     else:
-        scale = float64(1.0) / float64(sample_size)
-        mean = vec3d(float64(0.0), float64(0.0), float64(0.0))
+        scale = 1.0 / float64(sample_size)
+        mean = vec3d(0.0, 0.0, 0.0)
         for j in range(base, base + sample_size):
             mean += sampled_point(points, rows[samples[j]], center)
         mean = mean * scale
-        s = six_sums(float64(0.0))
+        s = six_sums(0.0)
         for j in range(base, base + sample_size):
             s += products(sampled_point(points, rows[samples[j]], center) - mean)
         plane = fitted_plane(mean, mat33d(s[0], s[1], s[2], s[1], s[3], s[4], s[2], s[4], s[5]) * scale)

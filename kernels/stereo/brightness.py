@@ -39,8 +39,8 @@ def resize_brightness_kernel(
     top = float(i // width) * down
     right = left + across
     bottom = top + down
-    total = float(0.0)
-    area = float(0.0)
+    total = 0.0
+    area = 0.0
     for row in range(int(top), min(int(bottom) + 1, rows)):
         tall = min(bottom, float(row + 1)) - max(top, float(row))
         for column in range(int(left), min(int(right) + 1, columns)):

@@ -11,8 +11,13 @@ What several pictures get wrong alike, beside edges, looks like grains: few pixe
 kernel drops those; it reads 25 depths a pixel, some 150 operations.
 """
 
+from typing import Any
+
+import numpy as np
+
 from ..algebra.camera import Camera
 from ..algebra.transform import Transform, transform_point
+from ..array_types import Scalars, Vectors
 from ..images.depth import unproject_pixel
 from ..lang import array, dot, float32, float64, floor, func, int32, kernel, launch, struct, tid, vec3, vec3d, vector
 from ..memory import empty, zeros
@@ -40,7 +45,9 @@ class Pair:
     there: Transform
     back: Transform
 
-    def __init__(self, reference, source, T_source_reference, T_reference_source):
+    def __init__(
+        self, reference: Any, source: Any, T_source_reference: np.ndarray, T_reference_source: np.ndarray
+    ) -> None:
         self.reference, self.source = reference, source
         self.there, self.back = Transform(T_source_reference), Transform(T_reference_source)
 
@@ -48,14 +55,14 @@ class Pair:
 @func
 def project_to_pixel(p: vec3d, camera: Camera) -> vec3d:
     """Column, row and inverse depth of a point of the camera's frame; inverse depth 0 outside the picture."""
-    seen = vec3d(float64(0.0), float64(0.0), float64(0.0))
-    if p[2] > float64(0.0):
+    seen = vec3d(0.0, 0.0, 0.0)
+    if p[2] > 0.0:
         u = camera.fx * p[0] / p[2] + camera.cx
         v = camera.fy * p[1] / p[2] + camera.cy
         half = float64(0.5)
         # not so of NaN, which must not become a whole number
         if u >= -half and v >= -half and u < float64(camera.width) - half and v < float64(camera.height) - half:
-            seen = vec3d(u, v, float64(1.0) / p[2])
+            seen = vec3d(u, v, 1.0 / p[2])
     return seen
 
 
@@ -66,12 +73,12 @@ def surface_at(u: float64, v: float64, camera: Camera, depth: array(dtype=float3
     Inverse depth is linear over a plane, so between four pixels of one surface (inverse depths near the nearest
     pixel's) it is bilinear and the place is the one asked for; else it is the nearest pixel's own.
     """
-    iu = int(floor(u + float64(0.5)))
-    iv = int(floor(v + float64(0.5)))
+    iu = int(floor(u + 0.5))
+    iv = int(floor(v + 0.5))
     d = depth[iv * camera.width + iu]
-    found = vec3d(float64(iu), float64(iv), float64(0.0))
+    found = vec3d(float64(iu), float64(iv), 0.0)
     if d > 0.0:
-        w = float64(1.0) / float64(d)
+        w = 1.0 / float64(d)
         found = vec3d(float64(iu), float64(iv), w)
         left = int(floor(u))
         top = int(floor(v))
@@ -79,22 +86,22 @@ def surface_at(u: float64, v: float64, camera: Camera, depth: array(dtype=float3
             s = u - float64(left)
             t = v - float64(top)
             total = float64(0.0)
-            good = int(1)
+            good = 1
             n = int(4)
             for k in range(n):
                 column = k % 2
                 row = k // 2
                 e = depth[(top + row) * camera.width + left + column]
                 if e > 0.0:
-                    we = float64(1.0) / float64(e)
+                    we = 1.0 / float64(e)
                     if abs(we - w) > float64(SAME_SURFACE) * w:
                         good = 0
-                    across = s + float64(0.0)
+                    across = s
                     if column == 0:
-                        across = float64(1.0) - s
-                    down = t + float64(0.0)
+                        across = 1.0 - s
+                    down = t
                     if row == 0:
-                        down = float64(1.0) - t
+                        down = 1.0 - t
                     total += we * across * down
                 else:
                     good = 0
@@ -109,14 +116,14 @@ def meet(x: int, y: int, d: float, pair: Pair, source_depth: array(dtype=float32
 
     Column, row and inverse depth in the reference, 0 where the source knows nothing; and the source's nearest pixel.
     """
-    met = meeting(float64(0.0))
+    met = meeting(0.0)
     seen = project_to_pixel(transform_point(unproject_pixel(x, y, d, pair.reference), pair.there), pair.source)
-    if seen[2] > float64(0.0):
+    if seen[2] > 0.0:
         half = float64(0.5)
         nearest = floor(seen[1] + half) * float64(pair.source.width) + floor(seen[0] + half)
         at = surface_at(seen[0], seen[1], pair.source, source_depth)
-        if at[2] > float64(0.0):
-            z = float64(1.0) / at[2]
+        if at[2] > 0.0:
+            z = 1.0 / at[2]
             q = vec3d((at[0] - pair.source.cx) * z / pair.source.fx, (at[1] - pair.source.cy) * z / pair.source.fy, z)
             back = project_to_pixel(transform_point(q, pair.back), pair.reference)
             met = meeting(back[0], back[1], back[2], nearest)
@@ -128,9 +135,9 @@ def agrees(x: int, y: int, d: float, met: meeting, max_pixels: float64, max_rela
     """1 where what was carried back lies near the pixel, and its inverse depth near the pixel's own."""
     dx = met[0] - float64(x)
     dy = met[1] - float64(y)
-    w = float64(1.0) / float64(d)
-    good = int(0)
-    if met[2] > float64(0.0) and abs(met[2] - w) <= max_relative * w:
+    w = 1.0 / float64(d)
+    good = 0
+    if met[2] > 0.0 and abs(met[2] - w) <= max_relative * w:
         if dx * dx + dy * dy <= max_pixels * max_pixels:
             good = 1
     return good
@@ -171,9 +178,9 @@ def keep_depth_kernel(
     """The depth whose inverse is the mean of the pixel's and of those that agree; 0 where too few do."""
     i = tid()
     d = depth[i]
-    mean = float(0.0)
+    mean = 0.0
     if d > 0.0 and counts[i] >= least and confidence[i] >= min_confidence:
-        mean = float(float64(counts[i] + 1) / (float64(1.0) / float64(d) + totals[i]))
+        mean = float(float64(counts[i] + 1) / (1.0 / float64(d) + totals[i]))
     kept[i] = mean
 
 
@@ -194,19 +201,19 @@ def support_depth_kernel(
     x = i % camera.width
     y = i // camera.width
     d = depth[i]
-    kept = float(0.0)
+    kept = 0.0
     if d > 0.0:
         w = 1.0 / d
         n = normals[i]
         u = float((float64(x) - camera.cx) / camera.fx)
         v = float((float64(y) - camera.cy) / camera.fy)
         facing = dot(n, vec3(u, v, 1.0))
-        across = float(0.0)
-        down = float(0.0)
+        across = 0.0
+        down = 0.0
         if abs(facing) > GRAZING:
             across = n[0] / facing * w / float(camera.fx)
             down = n[1] / facing * w / float(camera.fy)
-        count = int(0)
+        count = 0
         for row in range(max(y - AROUND, 0), min(y + AROUND, camera.height - 1) + 1):
             for column in range(max(x - AROUND, 0), min(x + AROUND, camera.width - 1) + 1):
                 e = depth[row * camera.width + column]
@@ -228,17 +235,17 @@ class DepthChecks:
         max_relative: By how much the inverse depths may differ, of the pixel's.
     """
 
-    def __init__(self, depth, max_pixels, max_relative):
+    def __init__(self, depth: Scalars, max_pixels: float, max_relative: float) -> None:
         self.depth, self.limits = depth, [float(max_pixels), float(max_relative)]
         self.counts = zeros(depth.size, int32, depth.device)
         self.totals = zeros(depth.size, float64, depth.device)
 
-    def compare(self, source_depth, pair):
+    def compare(self, source_depth: Scalars, pair: Pair) -> None:
         """Count where a source agrees; its depth is a float32 device array."""
         arrays = [self.depth, source_depth, pair, *self.limits, self.counts, self.totals]
         launch(check_depth_kernel, self.depth.size, arrays)
 
-    def kept(self, least, confidence, min_confidence):
+    def kept(self, least: int, confidence: Scalars, min_confidence: float) -> Scalars:
         """Averaged depth, float32 [pixels], 0 where fewer than `least` sources agree or the confidence is too low."""
         kept = empty(self.depth.size, float32, self.depth.device)
         arrays = [self.depth, confidence, self.counts, self.totals, int(least), float(min_confidence), kept]
@@ -246,7 +253,7 @@ class DepthChecks:
         return kept
 
 
-def support_depth(depth, normals, camera, max_relative, least):
+def support_depth(depth: Scalars, normals: Vectors, camera: Any, max_relative: float, least: Any):
     """The depth that at least so many of the 24 pixels around lie in one plane with, float32 [pixels].
 
     Args:

@@ -8,8 +8,13 @@ atomics, so sums come in the order of the pictures (Schönberger et al. 2016 wal
 One thread a pixel, one launch a pair of pictures: reads up to 80 B, adds to 44 B, some 200 operations.
 """
 
+from typing import Any
+
+import numpy as np
+
 from ..algebra.camera import Camera
 from ..algebra.transform import Transform, narrow, transform_point, widen
+from ..array_types import Array2, Bytes, Device, Integers, Points, Scalars, Vectors
 from ..images.depth import unproject_pixel
 from ..lang import (
     array,
@@ -51,7 +56,7 @@ class DepthPixels:
     confidence: array(dtype=float32)
     pixels: array(dtype=uint8, ndim=2)
 
-    def __init__(self, depth, normals, confidence, pixels):
+    def __init__(self, depth: Scalars, normals: Vectors, confidence: Scalars, pixels: Array2[uint8]) -> None:
         self.depth, self.normals, self.confidence, self.pixels = depth, normals, confidence, pixels
 
 
@@ -69,7 +74,7 @@ class Agreement:
     max_relative: float64
     min_cosine: float
 
-    def __init__(self, max_pixels, max_relative, min_cosine):
+    def __init__(self, max_pixels: float, max_relative: float, min_cosine: float) -> None:
         self.max_pixels, self.max_relative = float(max_pixels), float(max_relative)
         self.min_cosine = float(min_cosine)
 
@@ -92,7 +97,7 @@ class Gathered:
     views: array(dtype=int32)
     beaten: array(dtype=int32)
 
-    def __init__(self, count, device):
+    def __init__(self, count: int, device: Device) -> None:
         self.shifts, self.normals, self.colors = (zeros(count, vec3, device) for _ in range(3))
         self.confidences = zeros(count, float32, device)
         self.views, self.beaten = zeros(count, int32, device), zeros(count, int32, device)
@@ -128,7 +133,7 @@ def gather_pixels_kernel(
         if dot(m, m) > HAS_NORMAL and dot(n, n) > HAS_NORMAL and dot(m, n) < limits.min_cosine:
             good = 0
         if good == 1:
-            z = float64(1.0) / met[2]
+            z = 1.0 / met[2]
             camera_x = (met[0] - pair.reference.cx) * z / pair.reference.fx
             camera_y = (met[1] - pair.reference.cy) * z / pair.reference.fy
             shift = vec3d(camera_x, camera_y, z) - unproject_pixel(x, y, d, pair.reference)
@@ -162,11 +167,11 @@ def make_points_kernel(
     d = own.depth[i]
     count = gathered.views[i] + 1
     share = 1.0 / float(count)
-    good = int(0)
+    good = 0
     point = vec3(0.0, 0.0, 0.0)
     normal = vec3(0.0, 0.0, 0.0)
     color = vec3(0.0, 0.0, 0.0)
-    confidence = float(0.0)
+    confidence = 0.0
     if d > 0.0 and gathered.beaten[i] == 0 and count >= min_views:
         good = 1
         p = unproject_pixel(i % camera.width, i // camera.width, d, camera) + widen(gathered.shifts[i] * share)
@@ -186,13 +191,17 @@ def make_points_kernel(
     kept[i] = uint8(good)
 
 
-def gather_pixels(own, source, pair, limits, source_is_first, gathered):
+def gather_pixels(
+    own: DepthPixels, source: DepthPixels, pair: Pair, limits: Agreement, source_is_first: bool, gathered: Gathered
+) -> None:
     """Have the pixels of a picture take in those of another; `own` and `source` are DepthPixels."""
     arguments = [own, source, pair, limits, int(source_is_first), gathered]
     launch(gather_pixels_kernel, own.depth.size, arguments)
 
 
-def make_points(own, camera, T_world_camera, min_views, gathered):
+def make_points(
+    own: DepthPixels, camera: Any, T_world_camera: np.ndarray, min_views: int, gathered: Gathered
+) -> tuple[list[Scalars | Integers | Points], Bytes]:
     """The points of one picture.
 
     Returns:

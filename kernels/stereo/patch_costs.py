@@ -8,8 +8,11 @@ with rational weights, since exponentials round differently on each device).
 A sample reads a brightness of the reference and four of the source, and takes some 70 operations.
 """
 
+from typing import Any
+
 import numpy as np
 
+from ..array_types import Array1, Scalars
 from ..lang import array, float32, floor, func, mat33, sqrt, struct, vec2, vec3, vec4, vec4i
 from ..memory import upload
 from .inverse_planes import inverse_depth_at
@@ -46,7 +49,17 @@ class Reference:
     radius: int
     step: int
 
-    def __init__(self, width, height, first, lens, limits, pixels_per, radius, step):
+    def __init__(
+        self,
+        width: int,
+        height: int,
+        first: int,
+        lens: tuple[float, float, float, float],
+        limits: tuple[float, float],
+        pixels_per: float,
+        radius: int,
+        step: int,
+    ) -> None:
         self.width, self.height, self.first, self.lens = width, height, first, vec4(*lens)
         self.farthest, self.nearest = limits
         self.pixels_per, self.radius, self.step = pixels_per, radius, step
@@ -78,7 +91,16 @@ class Sources:
     pictures: array(dtype=float32)
     maps: array(dtype=vec4)
 
-    def __init__(self, there, map_there, map_back, layout, map_layout, pictures, maps):
+    def __init__(
+        self,
+        there: np.ndarray,
+        map_there: np.ndarray,
+        map_back: np.ndarray,
+        layout: Any,
+        map_layout: Any,
+        pictures: Scalars,
+        maps: Array1[vec4],
+    ) -> None:
         device = pictures.device
         self.count = len(there)
         (self.there, self.shift), (self.map_there, self.map_shift), (self.map_back, self.map_back_shift) = (
@@ -113,7 +135,7 @@ def patch_cost(x: int, y: int, plane: vec4, s: int, reference: Reference, source
     there = sources.layout[s]
     middle = A @ vec3(float(x), float(y), 1.0) + b * plane[0]
     cost = float(BAD)
-    inside = int(0)
+    inside = 0
     if middle[2] > NEAR:
         u = middle[0] / middle[2]
         v = middle[1] / middle[2]
@@ -123,12 +145,12 @@ def patch_cost(x: int, y: int, plane: vec4, s: int, reference: Reference, source
         across = vec3(A[0, 0], A[1, 0], A[2, 0]) + b * plane[1]
         down = vec3(A[0, 1], A[1, 1], A[2, 1]) + b * plane[2]
         center = sources.pictures[reference.first + y * reference.width + x]
-        weights = float(0.0)
-        sum_r = float(0.0)
-        sum_s = float(0.0)
-        sum_rr = float(0.0)
-        sum_ss = float(0.0)
-        sum_rs = float(0.0)
+        weights = 0.0
+        sum_r = 0.0
+        sum_s = 0.0
+        sum_rr = 0.0
+        sum_ss = 0.0
+        sum_rs = 0.0
         side = 2 * reference.radius // reference.step + 1
         for j in range(side):
             dy = j * reference.step - reference.radius
@@ -171,7 +193,7 @@ def way_back(x: int, y: int, w: float, s: int, sources: Sources) -> vec2:
     """
     p = sources.map_there[s] @ vec3(float(x), float(y), 1.0) + sources.map_shift[s] * w
     distance = float(FARTHEST_BACK)
-    back = float(0.0)
+    back = 0.0
     if p[2] > NEAR:
         u = p[0] / p[2]
         v = p[1] / p[2]

@@ -10,6 +10,7 @@ One thread a pixel. Random numbers are functions of seed, pixel and turn: the sa
 number of threads. 16 B a pixel for the planes and 4 B a pixel and source for their costs.
 """
 
+from ..array_types import Array1, Scalars
 from ..arrays.random import random_uniform
 from ..lang import array, float32, func, kernel, launch, struct, tid, vec3, vec4
 from ..memory import empty
@@ -51,7 +52,18 @@ class Turn:
     geometric: float
     good: float
 
-    def __init__(self, seed, number, color, regions, trials, chosen, spread, geometric, good):
+    def __init__(
+        self,
+        seed: int,
+        number: int,
+        color: int,
+        regions: int,
+        trials: int,
+        chosen: int,
+        spread: float,
+        geometric: float,
+        good: float,
+    ) -> None:
         self.seed, self.number, self.color, self.regions, self.trials = seed, number, color, regions, trials
         self.chosen, self.spread, self.geometric, self.good = chosen, spread, geometric, good
 
@@ -69,15 +81,15 @@ def source_cost(x: int, y: int, plane: vec4, s: int, geometric: float, reference
 @func
 def best_of_region(planes: array(dtype=vec4), x: int, y: int, region: int, width: int, height: int) -> int:
     """The pixel of least cost in a region, all of the other colour; -1 where it lies outside."""
-    found = int(-1)
+    found = -1
     low = float(NO_COST)
     side = region % 4
     count = int(NEAR_COUNT)
     if region >= 4:
         count = FAR_COUNT
     for k in range(count):
-        across = int(0)
-        along = int(0)
+        across = 0
+        along = 0
         if region >= 4:
             along = FAR_BEGIN + 2 * k
         else:
@@ -109,8 +121,8 @@ def best_of_region(planes: array(dtype=vec4), x: int, y: int, region: int, width
 @func
 def mean_of_best(i: int, chosen: int, count: int, costs: array(dtype=float32)) -> float:
     """The mean of a pixel's least costs."""
-    total = float(0.0)
-    last = float(-1.0)
+    total = 0.0
+    last = -1.0
     for k in range(chosen):  # the next greater cost each time; equal ones count once each
         low = float(NO_COST)
         for s in range(count):
@@ -155,7 +167,7 @@ def changed_plane(plane: vec4, x: int, y: int, pixel: int, trial: int, turn: Tur
     """A plane near the present one, or anywhere; its cost is not set."""
     u = random_uniform(turn.seed, pixel, 1 + turn.number * TRIALS + trial)
     n = normal_of(plane, x, y, reference.lens)
-    w = plane[0] + 0.0
+    w = plane[0]
     if trial % 2 == 0:
         w = plane[0] + turn.spread / reference.pixels_per * (u[0] * 2.0 - 1.0)
     if trial == 1 or trial == 2:
@@ -172,19 +184,54 @@ def changed_plane(plane: vec4, x: int, y: int, pixel: int, trial: int, turn: Tur
 def is_other(a: vec4, b: vec4, pixels_per: float) -> int:
     """1 for two planes that differ over a patch by more than what matters."""
     difference = abs(a[0] - b[0]) + PATCH_REACH * (abs(a[1] - b[1]) + abs(a[2] - b[2]))
-    other = int(0)
+    other = 0
     if difference * pixels_per > SAME_PLANE:
         other = 1
     return other
 
 
+@func
+def hypothesis(
+    k: int, x: int, y: int, plane: vec4, near: eight_places, planes: array(dtype=vec4), turn: Turn, reference: Reference
+) -> vec4:
+    """What a pixel tries: the plane of a region, or a changed one; the fourth number is 1 where it may be better."""
+    found = vec4(0.0, 0.0, 0.0, 0.0)
+    if k >= turn.regions:
+        found = changed_plane(plane, x, y, y * reference.width + x, k - turn.regions, turn, reference)
+        found[3] = 1.0
+    elif near[k] >= 0:
+        o = planes[near[k]]
+        w = inverse_depth_at(o, float(x - near[k] % reference.width), float(y - near[k] // reference.width))
+        found = vec4(w, o[1], o[2], 0.0)
+        found[3] = float(is_other(found, plane, reference.pixels_per))
+    if found[0] > reference.nearest or found[0] < reference.farthest:
+        found[3] = 0.0
+    return found
+
+
+@func
+def weights_of(worths: eight, order: eight_places, count: int, most: int) -> tuple[eight, int, float]:
+    """What the best sources count, by rank; how many they are, and their sum."""
+    weight = eight(0.0)
+    for k in range(count):
+        weight[k] = worths[order[k]]
+    chosen = 0
+    total = 0.0
+    for k in range(most):
+        if weight[k] > 0.0:
+            chosen += 1
+            total += weight[k]
+    if chosen == 0:  # no source fits: all that would be are alike
+        chosen = most
+        for k in range(chosen):
+            weight[k] = 1.0
+        total = float(chosen)
+    return weight, chosen, total
+
+
 @kernel
 def spread_planes_kernel(
-    turn: Turn,
-    reference: Reference,
-    sources: Sources,
-    planes: array(dtype=vec4),
-    costs: array(dtype=float32),
+    turn: Turn, reference: Reference, sources: Sources, planes: array(dtype=vec4), costs: array(dtype=float32)
 ):
     """Pixels of one colour try their neighbours' planes, then changed ones; they read only the other colour."""
     i = tid()
@@ -200,66 +247,55 @@ def spread_planes_kernel(
         near[k] = best_of_region(planes, x, y, k, reference.width, reference.height)
     worths = worths_of(pixel, count, near, turn.good, costs)
     order = order_of(worths, count)  # those behind the chosen ones are looked at once, at the end
-    weight = eight(0.0)
-    for k in range(count):
-        weight[k] = worths[order[k]]
-    chosen = int(0)
-    sum_of_weights = float(0.0)
-    for k in range(turn.chosen):
-        if weight[k] > 0.0:
-            chosen += 1
-            sum_of_weights += weight[k]
-    if chosen == 0:  # no source fits: all that would be are alike
-        chosen = turn.chosen + 0
-        for k in range(chosen):
-            weight[k] = 1.0
-        sum_of_weights = float(chosen)
+    weight, chosen, sum_of_weights = weights_of(worths, order, count, turn.chosen)
     plane = planes[pixel]
-    bound = float(0.0)  # the weighted sum of costs that a better plane stays below
+    bound = 0.0  # the weighted sum of costs that a better plane stays below
     for k in range(chosen):
         bound += weight[k] * costs[pixel * count + order[k]]
-    is_new = int(0)
+    is_new = 0
     hypotheses = turn.regions + turn.trials
     for k in range(hypotheses + 1):
-        candidate = vec4(plane[0], plane[1], plane[2], 0.0)
-        first = int(0)
-        last = int(chosen)
-        is_tried = int(0)
-        if k < turn.regions:
-            if near[k] >= 0:
-                o = planes[near[k]]
-                w = inverse_depth_at(o, float(x - near[k] % reference.width), float(y - near[k] // reference.width))
-                candidate = vec4(w, o[1], o[2], 0.0)
-                is_tried = is_other(candidate, plane, reference.pixels_per)
-        elif k < hypotheses:
-            candidate = changed_plane(plane, x, y, pixel, k - turn.regions, turn, reference)
-            is_tried = 1
-        else:
-            first = chosen + 0
-            last = count + 0
-            is_tried = is_new + 0
-        if candidate[0] > reference.nearest or candidate[0] < reference.farthest:
-            is_tried = 0
+        is_last = (
+            1 if k == hypotheses else 0
+        )  # then the plane that was found goes to the sources behind the chosen ones
+        candidate = plane
+        is_tried = is_new
+        first = chosen
+        last = count
+        if is_last == 0:
+            candidate = hypothesis(k, x, y, plane, near, planes, turn, reference)
+            is_tried = int(candidate[3])
+            first = 0
+            last = chosen
         if is_tried == 1:
             found = eight(0.0)
-            total = float(0.0)
-            rank = int(first)
-            while rank < last and (total < bound or k == hypotheses):
+            total = 0.0
+            rank = first
+            while rank < last and (total < bound or is_last == 1):
                 c = source_cost(x, y, candidate, order[rank], turn.geometric, reference, sources)
                 found[rank] = c
                 total += weight[rank] * c
                 rank = rank + 1
-            if k == hypotheses or total < bound:
+            if is_last == 1 or total < bound:
                 for r in range(first, last):
                     costs[pixel * count + order[r]] = found[r]
-            if k < hypotheses and total < bound:
+            if is_last == 0 and total < bound:
                 bound = total
                 plane = candidate
                 is_new = 1
     planes[pixel] = vec4(plane[0], plane[1], plane[2], bound / sum_of_weights)
 
 
-def start_planes(reference, sources, planes, *, seed, is_given, geometric, chosen):
+def start_planes(
+    reference: Reference,
+    sources: Sources,
+    planes: Array1[vec4],
+    *,
+    seed: int,
+    is_given: bool,
+    geometric: float,
+    chosen: int,
+) -> Scalars:
     """Set `planes` where none are given, and their costs; returns the costs in each source, [pixels * sources]."""
     count = reference.width * reference.height
     costs = empty(count * sources.count, float32, planes.device)
@@ -267,7 +303,7 @@ def start_planes(reference, sources, planes, *, seed, is_given, geometric, chose
     return costs
 
 
-def spread_planes(turn, reference, sources, planes, costs):
+def spread_planes(turn: Turn, reference: Reference, sources: Sources, planes: Array1[vec4], costs: Scalars) -> None:
     """One half-turn: the pixels of one colour find better planes."""
     threads = (reference.width + 1) // 2 * reference.height
     launch(spread_planes_kernel, threads, [turn, reference, sources, planes, costs])

@@ -8,6 +8,7 @@ difference of costs that may be the greater the plainer the pixel is). What has 
 One thread a pixel. The first reads 49 brightnesses and 16 B a source; the second the patches of plain pixels alone.
 """
 
+from ..array_types import Array1, Scalars
 from ..lang import array, float32, kernel, launch, sqrt, tid, vec2, vec4
 from ..memory import empty
 from .patch_costs import Reference, Sources, way_back
@@ -24,20 +25,15 @@ CLEARLY = 0.8  # by which another plane has to fit better than the prior of a wh
 
 
 @kernel
-def judge_places_kernel(
-    reference: Reference,
-    sources: Sources,
-    planes: array(dtype=vec4),
-    judged: array(dtype=vec2),
-):
+def judge_places_kernel(reference: Reference, sources: Sources, planes: array(dtype=vec4), judged: array(dtype=vec2)):
     """How plain each pixel is, 0 to 1, and 1 where its depth is sure."""
     i = tid()
     x = i % reference.width
     y = i // reference.width
     center = sources.pictures[reference.first + i]
-    count = float(0.0)
-    total = float(0.0)
-    squares = float(0.0)
+    count = 0.0
+    total = 0.0
+    squares = 0.0
     side = int(2 * REACH + 1)
     for j in range(side):
         row = y + j - REACH
@@ -53,12 +49,12 @@ def judge_places_kernel(
     spread = sqrt(max(squares / count - mean * mean, 0.0))
     plain = min(max((TEXTURED - spread) / (TEXTURED - PLAIN), 0.0), 1.0)
     plane = planes[i]
-    agreed = int(0)
+    agreed = 0
     for s in range(sources.count):
         back = way_back(x, y, plane[0], s, sources)
         if back[0] < AGREED_PIXELS and abs(back[1] - plane[0]) < AGREED_SHARE * plane[0]:
             agreed += 1
-    sure = float(0.0)
+    sure = 0.0
     if plane[3] < SURE_COST and agreed >= min(SURE_SOURCES, sources.count):
         sure = 1.0
     judged[i] = vec2(plain, sure)
@@ -89,7 +85,7 @@ def take_priors_kernel(
         planes[i] = vec4(prior[0], prior[1], prior[2], min(min(own, theirs), PLAIN_COST))
 
 
-def judge_places(reference, sources, planes):
+def judge_places(reference: Reference, sources: Sources, planes: Array1[vec4]) -> Array1[vec2]:
     """How plain pixels are and how sure their depth, [pixels, 2]."""
     count = reference.width * reference.height
     judged = empty(count, vec2, planes.device)
@@ -97,7 +93,15 @@ def judge_places(reference, sources, planes):
     return judged
 
 
-def take_priors(chosen, geometric, reference, sources, priors, planes, costs):
+def take_priors(
+    chosen: int,
+    geometric: float,
+    reference: Reference,
+    sources: Sources,
+    priors: Array1[vec4],
+    planes: Array1[vec4],
+    costs: Scalars,
+) -> None:
     """Put priors where they stand against the planes; `costs` of each source are spent."""
     count = reference.width * reference.height
     launch(take_priors_kernel, count, [chosen, geometric, reference, sources, priors, planes, costs])

@@ -7,6 +7,7 @@ there and back within a pixel, and the depth that comes back within a hundredth.
 One thread a pixel; reads 16 B and 16 B a source, writes 20 B.
 """
 
+from ..array_types import Array1, Scalars, Vectors
 from ..lang import array, float32, kernel, launch, tid, vec3, vec4
 from ..memory import empty
 from .inverse_planes import normal_of
@@ -31,13 +32,13 @@ def finish_planes_kernel(
     x = i % reference.width
     y = i // reference.width
     plane = planes[i]
-    z = float(0.0)
+    z = 0.0
     n = vec3(0.0, 0.0, 0.0)
-    trust = float(0.0)
+    trust = 0.0
     if plane[0] > 0.0 and plane[3] < WORST_COST:
         z = 1.0 / plane[0]
         n = normal_of(plane, x, y, reference.lens) * -1.0
-        agreed = int(0)
+        agreed = 0
         for s in range(sources.count):
             back = way_back(x, y, plane[0], s, sources)
             if back[0] < AGREED_PIXELS and abs(back[1] - plane[0]) < AGREED_SHARE * plane[0]:
@@ -48,7 +49,7 @@ def finish_planes_kernel(
     confidence[i] = trust
 
 
-def finish_planes(reference, sources, planes):
+def finish_planes(reference: Reference, sources: Sources, planes: Array1[vec4]) -> tuple[Scalars, Vectors, Scalars]:
     """Depth [pixels], normals [pixels] and confidence [pixels] of planes."""
     count, device = reference.width * reference.height, planes.device
     depth, normals, confidence = (

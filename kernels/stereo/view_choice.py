@@ -25,9 +25,9 @@ eight_places = vector(8, int32)
 @func
 def worth_of(i: int, s: int, count: int, near: eight_places, good: float, costs: array(dtype=float32)) -> float:
     """What a source is worth to pixel i, 0 to 1; `near` are the neighbours, -1 where there is none."""
-    fine = int(0)
-    bad = int(0)
-    total = float(0.0)
+    fine = 0
+    bad = 0
+    total = 0.0
     neighbors = int(NEIGHBORS)
     for k in range(neighbors + 1):
         place = int(i)
@@ -40,7 +40,7 @@ def worth_of(i: int, s: int, count: int, near: eight_places, good: float, costs:
                 total += FALLOFF / (FALLOFF + c * c)
             if c > BAD_COST:
                 bad += 1
-    worth = float(0.0)
+    worth = 0.0
     if bad <= MOST_BAD:
         worth = UNSURE
         if fine >= LEAST_GOOD:

@@ -14,21 +14,9 @@ Source: single-tree Boruvka: Prokopenko, Sao and Lebrun-Grandie, "A single-tree 
 minimum spanning tree on GPUs", ICPP 2022.
 """
 
+from ..array_types import Vectors
 from ..arrays.packed_keys import NO_KEY, key_bits, key_index, last_key, pack_bits
-from ..lang import (
-    array,
-    atomic_min,
-    float_bits,
-    func,
-    int32,
-    int64,
-    kernel,
-    launch,
-    partial,
-    struct,
-    tid,
-    vec3,
-)
+from ..lang import array, atomic_min, float_bits, func, int32, int64, kernel, launch, partial, struct, tid, vec3
 from ..memory import download, empty, full
 from ..search.bucket_walk import next_step, start_walk
 from ..search.point_tree import BUCKET, FAN, LEAF, PointTree, measure_boxes, square_distance
@@ -61,7 +49,7 @@ class Bridges:
     highs: array(dtype=int32)
     ways: array(dtype=int64)
 
-    def __init__(self, tree, forest):
+    def __init__(self, tree: PointTree, forest: Forest) -> None:
         count, device = forest.count, forest.device
         self.tree, self.forest = tree, forest
         self.records = download(tree.levels)  # sync
@@ -70,7 +58,7 @@ class Bridges:
         self.reaches, self.lows, self.highs = (empty(count, int32, device) for _ in range(3))
         self.ways = empty(count, int64, device)
 
-    def label_nodes(self):
+    def label_nodes(self) -> None:
         """Write the component of each node of the tree, level by level."""
         launch(own_leaves_kernel, int(self.records[1]) * FAN, [self])
         for level in range(1, self.tree.root + 1):
@@ -81,9 +69,9 @@ class Bridges:
 @func
 def joint_owner(a: int, b: int) -> int:
     """The component that two children lie in, or MIXED."""
-    owner = a + 0
+    owner = a
     if a == EMPTY:
-        owner = b + 0
+        owner = b
     else:
         if b != EMPTY and b != a:
             owner = MIXED
@@ -143,10 +131,10 @@ def foreign_children(a: vec3, b: vec3, limit: int64, own: int, bridges: Bridges,
     distances = measure_boxes(bridges.tree.boxes, at, a, b)
     rank = int64(node) * int64(BUCKET) << int64(3 * level)  # FAN is 2^3
     width = int64(LEAF) << int64(3 * level)
-    found = int(0)
+    found = 0
     for j in range(FAN):
         owner = bridges.owners[at * FAN + j]
-        key = (int64(float_bits(distances[j])) << int64(32)) | rank
+        key = (int64(float_bits(distances[j])) << 32) | rank
         rank = rank + width
         if key <= limit and owner != own and owner != EMPTY:
             found = found | (1 << j)
@@ -157,7 +145,7 @@ def foreign_children(a: vec3, b: vec3, limit: int64, own: int, bridges: Bridges,
 def leaf_reaches_foreign(leaf: int, bridges: Bridges) -> int:
     """1 where another component comes as near the leaf's box as its own component's shortest way, or as it is mixed."""
     own = bridges.owners[leaf]
-    reached = int(0)
+    reached = 0
     if own < 0:
         reached = 1
     else:
@@ -186,7 +174,7 @@ def nearest_foreign(rank: int, bridges: Bridges) -> int64:
     p = bridges.tree.points[rank]
     own = bridges.forest.links[rank] >> 1
     limit = last_key(bridges.reaches[own])
-    nearest = int64(NO_KEY) + int64(0)  # a variable of its own, not the constant
+    nearest = int64(NO_KEY)
     step = start_walk(rank // BUCKET)
     while int(step[0]) <= bridges.tree.root:
         bucket = int(step[2])
@@ -214,7 +202,7 @@ def find_ways_kernel(bridges: Bridges):
     i = tid()
     reached = leaf_reaches_foreign(i, bridges)
     for rank in range(i * LEAF, min((i + 1) * LEAF, bridges.tree.count)):
-        way = int64(NO_KEY) + int64(0)
+        way = int64(NO_KEY)
         if reached == 1:
             way = nearest_foreign(rank, bridges)
             own = bridges.forest.links[rank] >> 1
@@ -260,7 +248,7 @@ def hook_bridges_kernel(bridges: Bridges, normals: array(dtype=vec3)):
             bridges.forest.hooks[c] = hook_word(near, far, bridges.forest, normals)
 
 
-def bridge_components(forest, tree, normals):
+def bridge_components(forest: Forest, tree: PointTree, normals: Vectors) -> None:
     """Join the components of a forest over a tree's points, in order of rank, by their shortest bridges.
 
     Args:

@@ -6,6 +6,7 @@ points are found. 36 B written a point.
 """
 
 from ..algebra.moments import add_rounded_difference, covariance_of, moments
+from ..array_types import Array2, Points
 from ..lang import NAN, array, float32, float64, func, int32, isfinite, kernel, launch, tid, vec3
 from ..memory import empty
 from ..search.bucket_walk import points_in_reach
@@ -39,7 +40,7 @@ def fit_covariances_nearest_kernel(
     """Covariances of listed neighbours."""
     i = tid()
     p = tree.points[begin + i]
-    total = moments(float64(0.0))
+    total = moments(0.0)
     for j in range(i * k, (i + 1) * k):
         if lists[j] >= 0:
             total = add_rounded_difference(total, p, tree.points[lists[j]])
@@ -51,7 +52,7 @@ def fit_covariances_within_kernel(tree: PointTree, reach: float, covariances: ar
     """Covariances of all points within reach."""
     i = tid()
     p = tree.points[i]
-    total = moments(float64(0.0))
+    total = moments(0.0)
     for j, sqdist in points_in_reach(i // BUCKET, p, reach, tree):
         total = add_rounded_difference(total, p, tree.points[j])
     write_covariance(total, tree.order[i], covariances)
@@ -67,7 +68,7 @@ def fill_missing_covariances_kernel(points: array(dtype=vec3), covariances: arra
             covariances[i, j] = NAN
 
 
-def estimate_covariances(tree, points, max_nn, radius):
+def estimate_covariances(tree: PointTree, points: Points, max_nn: int | None, radius: float) -> Array2[float32]:
     """Covariances [m^2] of the neighbours of the points that the tree was built from.
 
     Args:

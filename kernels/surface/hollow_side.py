@@ -11,6 +11,7 @@ written a point beside the search.
 
 from ..algebra.eigen import largest_entry, smallest_eigenvector, sorted_eigenvalues
 from ..algebra.moments import add_rounded_difference, covariance_of, moments
+from ..array_types import Points
 from ..arrays.select import gather_rows, positions_of
 from ..extent.masks import mask_finite
 from ..lang import NAN, array, float64, kernel, launch, tid, vec3, vec3d
@@ -28,8 +29,8 @@ def find_sides_kernel(tree: PointTree, narrow: float, wide: float, normals: arra
     """The normal of each point's narrow neighbourhood, on the side of the mean of its wide one."""
     i = tid()
     p = tree.points[i]
-    total = moments(float64(0.0))
-    middle = vec3d(float64(0.0), float64(0.0), float64(0.0))
+    total = moments(0.0)
+    middle = vec3d(0.0, 0.0, 0.0)
     for j, sqdist in points_in_reach(i // BUCKET, p, wide, tree):
         q = tree.points[j]
         middle += vec3d(float64(q[0] - p[0]), float64(q[1] - p[1]), float64(q[2] - p[2]))
@@ -39,17 +40,17 @@ def find_sides_kernel(tree: PointTree, narrow: float, wide: float, normals: arra
     if total[0] >= float64(FEWEST):
         covariance = covariance_of(total)
         size = largest_entry(covariance)
-        if size > float64(0.0):
-            values = sorted_eigenvalues(covariance * (float64(1.0) / size))
+        if size > 0.0:
+            values = sorted_eigenvalues(covariance * (1.0 / size))
             if values[1] > float64(STRAIGHT) * values[2]:
                 v = smallest_eigenvector(covariance)
-                if v[0] * middle[0] + v[1] * middle[1] + v[2] * middle[2] < float64(0.0):
+                if v[0] * middle[0] + v[1] * middle[1] + v[2] * middle[2] < 0.0:
                     v = -v
                 n = vec3(float(v[0]), float(v[1]), float(v[2]))
     normals[tree.order[i]] = n
 
 
-def find_sides(tree, narrow, wide):
+def find_sides(tree: PointTree, narrow: float, wide: float):
     """Unit normals of a tree's points on the hollow side of the surface.
 
     Args:
@@ -74,7 +75,7 @@ class Surface:
         tree: PointTree of the points.
     """
 
-    def __init__(self, points, narrow, wide):
+    def __init__(self, points: Points, narrow: float, wide: float) -> None:
         """Take the points of a device array of vec3; radii [m] as of `find_sides`."""
         normals = find_sides(PointTree(points), narrow, wide)
         rows = positions_of(mask_finite(normals, 1, 1))

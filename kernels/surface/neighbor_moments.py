@@ -5,9 +5,12 @@ the same neighbours get the same covariance to some 1e-15 of the radius squared,
 an order of its own. 80 B written a point; no list of neighbours in memory.
 """
 
+from typing import Any
+
 from ..algebra.moments import add_difference, moments
+from ..array_types import Array1
 from ..arrays.packed_keys import key_index
-from ..lang import array, float64, int32, kernel, tid
+from ..lang import array, int32, kernel, tid
 from ..memory import empty
 from ..search.group_scratch import GroupScratch, LaunchPart, held_key
 from ..search.neighbor_limits import Neighborhood, members_of, neighbors_of
@@ -27,7 +30,7 @@ def sum_moments_kernel(
         rank = ranks[member]
         p = neighborhood.tree.points[rank]
         limit = neighborhood.limits[rank]
-        total = moments(float64(0.0))
+        total = moments(0.0)
         if held < 0:
             for j, sqdist in neighbors_of(rank, neighborhood):
                 total = add_difference(total, p, neighborhood.tree.points[j])
@@ -38,7 +41,7 @@ def sum_moments_kernel(
         sums[rank] = total
 
 
-def sum_neighbor_moments(neighborhood):
+def sum_neighbor_moments(neighborhood: Neighborhood) -> Array1[Any]:
     """The moments of each point's neighbours about the point, by place on the curve; see algebra.moments."""
     tree = neighborhood.tree
     sums = empty(tree.count, moments, tree.device)

@@ -8,6 +8,7 @@ device. 24 B read and 8 B written a point beside the search.
 """
 
 from ..algebra.transform import widen
+from ..array_types import Points, Vectors
 from ..arrays.packed_keys import key_index
 from ..arrays.prefix_sum import sum_counts
 from ..lang import INFINITY, array, dot, float64, func, int32, isfinite, kernel, tid, vec3
@@ -24,7 +25,7 @@ FLATTEST = 0.5  # the square of the sine of 45 degrees
 @func
 def compare_sides(p: vec3, n: vec3, q: vec3, m: vec3) -> int:
     """Of a pair with normals: 1 where they point to the same side, -1 to opposite sides, 0 where it does not count."""
-    side = int(0)
+    side = 0
     a = widen(n)
     b = widen(m)
     along = dot(a, b)
@@ -32,9 +33,9 @@ def compare_sides(p: vec3, n: vec3, q: vec3, m: vec3) -> int:
     height = dot(way, a)
     if isfinite(along) and along * along >= float64(LEAST_COSINE) * (dot(a, a) * dot(b, b)):
         if height * height <= float64(FLATTEST) * (dot(way, way) * dot(a, a)):
-            if along > float64(0.0):
+            if along > 0.0:
                 side = 1
-            if along < float64(0.0):
+            if along < 0.0:
                 side = -1
     return side
 
@@ -55,8 +56,8 @@ def count_sides_kernel(
     for rank, base, size in nearest_of_leaves(i, part, tree, places, scratch, reach, 0):
         p = tree.points[rank]
         n = normals[tree.order[rank]]
-        pairs = int(0)
-        against = int(0)
+        pairs = 0
+        against = 0
         for slot in range(size):
             j = key_index(held_key(scratch, base, slot))
             if j != rank:
@@ -69,7 +70,7 @@ def count_sides_kernel(
         opposed[rank] = against
 
 
-def share_of_opposed_normals(tree, points, normals, k):
+def share_of_opposed_normals(tree: PointTree, points: Points, normals: Vectors, k: int) -> float:
     """The share of opposed pairs among those that count, 0..1; 0 where none counts.
 
     Args:

@@ -5,8 +5,11 @@ about the mean of the neighbours, from differences to the query (exact in float3
 and summed in float64: coordinates of any size do no harm. 12 B read and 12 B written a point beside the search.
 """
 
+from typing import Any
+
 from ..algebra.eigen import smallest_eigenvector
 from ..algebra.moments import add_rounded_difference, covariance_of, moments
+from ..array_types import Points, Vectors
 from ..arrays.packed_keys import key_index
 from ..lang import NAN, array, dot, float64, func, int32, isfinite, kernel, launch, sqrt, tid, vec3
 from ..memory import empty
@@ -42,7 +45,7 @@ def fit_normals_nearest_kernel(
     i = tid()
     for rank, base, size in nearest_of_leaves(i, part, tree, places, scratch, reach, 0):
         p = tree.points[rank]
-        total = moments(float64(0.0))
+        total = moments(0.0)
         for j in range(size):
             total = add_rounded_difference(total, p, tree.points[key_index(held_key(scratch, base, j))])
         normals[tree.order[rank]] = normal_of(total)
@@ -53,7 +56,7 @@ def fit_normals_within_kernel(tree: PointTree, reach: float, normals: array(dtyp
     """Normals from all points within reach, whose moments are summed as they are found."""
     i = tid()
     p = tree.points[i]
-    total = moments(float64(0.0))
+    total = moments(0.0)
     for j, sqdist in points_in_reach(i // BUCKET, p, reach, tree):
         total = add_rounded_difference(total, p, tree.points[j])
     normals[tree.order[i]] = normal_of(total)
@@ -98,7 +101,7 @@ def fill_missing_normals_kernel(points: array(dtype=vec3), normals: array(dtype=
         normals[i] = vec3(NAN, NAN, NAN)
 
 
-def estimate_normals(tree, points, max_nn, radius):
+def estimate_normals(tree: PointTree, points: Points, max_nn: int | None, radius: float) -> Vectors:
     """Normals of the points that the tree was built from.
 
     Args:
@@ -122,13 +125,13 @@ def estimate_normals(tree, points, max_nn, radius):
     return normals
 
 
-def orient_normals(points, normals, reference, to_point):
+def orient_normals(points: Points, normals: Vectors, reference: Any, to_point: bool) -> Vectors:
     """Normals turned to the direction `reference`, or to the side of the point `reference` where `to_point`."""
     oriented = empty(normals.size, vec3, normals.device)
     launch(orient_normals_kernel, normals.size, [points, normals, int(to_point), vec3(*reference), oriented])
     return oriented
 
 
-def align_normals(normals, references):
+def align_normals(normals: Vectors, references: Vectors) -> None:
     """Turn each normal to the side of its reference, in place."""
     launch(align_normals_kernel, normals.size, [references, normals])

@@ -8,28 +8,21 @@ Memory: the graph, 4 k B a point, until the spanning tree is known; beside it ab
 number comes back a round of Boruvka's algorithm.
 """
 
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
 from ..algebra.transform import narrow, widen
+from ..array_types import Indices, Integers, Points, Vectors
 from ..arrays.packed_keys import NO_KEY, pack_bits
 from ..arrays.runs import Runs, elements_of
-from ..lang import (
-    array,
-    atomic_min,
-    float32,
-    float64,
-    float_bits,
-    func,
-    int32,
-    int64,
-    kernel,
-    launch,
-    sqrt,
-    tid,
-    vec3,
-)
+from ..lang import array, atomic_min, float32, float_bits, func, int32, int64, kernel, launch, sqrt, tid, vec3
 from ..memory import copy, empty, full
 from ..search.neighbor_lists import list_neighbors
 from .component_bridges import bridge_components
 from .spanning_tree import Forest, span_neighbors
+
+if TYPE_CHECKING:
+    from ..search.point_tree import PointTree
 
 RUN = 4096  # points a thread on the CPU in the search for the lowest: one atomic a run
 MAGNITUDE = 0x7FFF_FFFF  # the bits of a float32 but its sign
@@ -43,7 +36,7 @@ def unit_vector(v: vec3) -> vec3:
     w = widen(v)
     size = sqrt(w[0] * w[0] + w[1] * w[1] + w[2] * w[2])
     unit = v + vec3(0.0, 0.0, 0.0)
-    if size > float64(0.0):
+    if size > 0.0:
         unit = narrow(w / size)
     return unit
 
@@ -97,13 +90,13 @@ def drop_neighbors_kernel(
     for j in range(k):
         d = points[lists[row + j]] - p
         heights[out + j] = abs(d[0] * n[0] + d[1] * n[1] + d[2] * n[2])
-    fence = float(3.4e38)
+    fence = 3.4e38
     if outliers == 1:
-        low = float(0.0)
-        high = float(0.0)
+        low = 0.0
+        high = 0.0
         for j in range(k):
             height = heights[out + j]
-            place = int(0)
+            place = 0
             for m in range(k):
                 other = heights[out + m]
                 if other < height or (other == height and m < j):
@@ -124,10 +117,10 @@ def drop_neighbors_kernel(
 def find_lowest_kernel(points: array(dtype=vec3), rows: array(dtype=int32), runs: Runs, lowest: array(dtype=int64)):
     """The least z above the row that has it."""
     i = tid()
-    least = int64(NO_KEY) + int64(0)  # a variable of its own, not the constant
+    least = int64(NO_KEY)
     for j in elements_of(i, runs):
         z = points[rows[j]][2]
-        bits = int(0)  # of zero and minus zero neither is lower
+        bits = 0  # of zero and minus zero neither is lower
         if z != 0.0:
             bits = float_bits(z)
         if bits < 0:
@@ -167,21 +160,23 @@ def turn_normals_kernel(
         oriented[row] = -n
 
 
-def normalize_vectors(vectors):
+def normalize_vectors(vectors: Vectors) -> Vectors:
     """Vectors at length 1; zero stays zero."""
     units = empty(vectors.size, vec3, vectors.device)
     launch(normalize_vectors_kernel, vectors.size, [vectors, units])
     return units
 
 
-def flip_vectors(vectors):
+def flip_vectors(vectors: Vectors) -> Vectors:
     """The opposite vectors."""
     flipped = empty(vectors.size, vec3, vectors.device)
     launch(flip_vectors_kernel, vectors.size, [vectors, flipped])
     return flipped
 
 
-def drop_neighbors(parts, k, tree, units, steepest, outliers):
+def drop_neighbors(
+    parts: Sequence[tuple[int, Integers]], k: int, tree: "PointTree", units: Vectors, steepest: float, outliers: bool
+) -> None:
     """Take edges out of a graph of neighbours, in place; see drop_neighbors_kernel."""
     rows = max(1, HEIGHT_ENTRIES // k)
     heights = empty(rows * k, float32, tree.device)
@@ -192,7 +187,15 @@ def drop_neighbors(parts, k, tree, units, steepest, outliers):
             launch(drop_neighbors_kernel, min(rows, total - first), drop)
 
 
-def orient_consistently(points, normals, rows, tree, k, steepest=1.0, outliers=False):
+def orient_consistently(
+    points: Points,
+    normals: Vectors,
+    rows: Indices,
+    tree: "PointTree",
+    k: int,
+    steepest: float = 1.0,
+    outliers: bool = False,
+) -> Vectors:
     """Normals turned so that neighbours agree, the lowest point's (of lowest row) looking down.
 
     Args:

@@ -8,9 +8,12 @@ in float64, so coordinates of any size do no harm; a position is rounded once. 1
 the search. Where neighbourhoods stay fixed their list takes 4 B a neighbour.
 """
 
+from collections.abc import Sequence
+
 from ..algebra.eigen import smallest_eigenvector
 from ..algebra.moments import covariance_of, moments
 from ..algebra.transform import narrow, widen
+from ..array_types import Points, Vectors
 from ..arrays.packed_keys import key_index
 from ..lang import INFINITY, array, dot, exp, float64, func, int32, kernel, launch, sqrt, struct, tid, vec3, vec3d
 from ..memory import copy, empty
@@ -50,7 +53,17 @@ class SmoothingPass:
     moved: array(dtype=vec3)
     fitted: array(dtype=vec3)
 
-    def __init__(self, points, normals, *, spatial=0.0, ranged=0.0, to_plane=False, own=0.0, factor=1.0):
+    def __init__(
+        self,
+        points: Points,
+        normals: Vectors | None,
+        *,
+        spatial: float = 0.0,
+        ranged: float = 0.0,
+        to_plane: bool = False,
+        own: float = 0.0,
+        factor: float = 1.0,
+    ) -> None:
         device, self.turn = points.device, int(to_plane and normals is not None)
         self.spatial, self.ranged, self.to_plane = float(spatial), float(ranged), int(to_plane)
         self.own, self.factor = float(own), float(factor)
@@ -65,7 +78,7 @@ def add_weighted(total: moments, p: vec3, q: vec3, n: vec3d, rule: SmoothingPass
     y = float64(q[1]) - float64(p[1])
     z = float64(q[2]) - float64(p[2])
     w = float64(1.0)
-    if rule.spatial > float64(0.0) or rule.ranged > float64(0.0):
+    if rule.spatial > 0.0 or rule.ranged > 0.0:
         height = x * n[0] + y * n[1] + z * n[2]
         falloff = (x * x + y * y + z * z) * rule.spatial + height * height * rule.ranged
         w = float64(exp(float(-falloff)))
@@ -78,11 +91,11 @@ def add_weighted(total: moments, p: vec3, q: vec3, n: vec3d, rule: SmoothingPass
 @func
 def tangent_of(row: int, rule: SmoothingPass) -> vec3d:
     """The direction that heights are measured along: the point's normal; zero for one of no length, or NaN."""
-    unit = vec3d(float64(0.0), float64(0.0), float64(0.0))
-    if rule.ranged > float64(0.0):
+    unit = vec3d(0.0, 0.0, 0.0)
+    if rule.ranged > 0.0:
         wide = widen(rule.normals[row])
         size = dot(wide, wide)
-        if size > float64(0.0):
+        if size > 0.0:
             unit = wide / sqrt(size)
     return unit
 
@@ -91,21 +104,21 @@ def tangent_of(row: int, rule: SmoothingPass) -> vec3d:
 def store_smoothed(m: moments, size: int, p: vec3, n: vec3d, row: int, rule: SmoothingPass):
     """Write the place of a point from its neighbours' moments; n is what `tangent_of` gave."""
     mean = vec3d(m[1], m[2], m[3])
-    move = vec3d(float64(0.0), float64(0.0), float64(0.0))
+    move = vec3d(0.0, 0.0, 0.0)
     if rule.to_plane == 1:
         if size >= MIN_NEIGHBORS:
             normal = smallest_eigenvector(covariance_of(m))
             move = normal * (dot(mean, normal) / m[0])
             if rule.turn == 1:
-                if dot(normal, widen(rule.normals[row])) < float64(0.0):
+                if dot(normal, widen(rule.normals[row])) < 0.0:
                     normal = -normal
                 rule.fitted[row] = narrow(normal)
     else:
-        pull = rule.factor + float64(0.0)
-        if rule.ranged > float64(0.0):
+        pull = rule.factor
+        if rule.ranged > 0.0:
             pull = rule.factor * dot(n, n)  # no side to measure heights from, no move
         rest = m[0] - rule.own
-        if rest > float64(0.0):
+        if rest > 0.0:
             move = mean * (pull / rest)
     rule.moved[row] = narrow(widen(p) + move)
 
@@ -125,7 +138,7 @@ def smooth_nearest_kernel(
         p = tree.points[rank]
         row = tree.order[rank]
         n = tangent_of(row, rule)
-        total = moments(float64(0.0))
+        total = moments(0.0)
         for j in range(size):
             total = add_weighted(total, p, tree.points[key_index(held_key(scratch, base, j))], n, rule)
         store_smoothed(total, size, p, n, row, rule)
@@ -138,8 +151,8 @@ def smooth_within_kernel(tree: PointTree, reach: float, rule: SmoothingPass):
     p = tree.points[i]
     row = tree.order[i]
     n = tangent_of(row, rule)
-    total = moments(float64(0.0))
-    size = int(0)
+    total = moments(0.0)
+    size = 0
     for j, sqdist in points_in_reach(i // BUCKET, p, reach, tree):
         total = add_weighted(total, p, tree.points[j], n, rule)
         size += 1
@@ -159,7 +172,7 @@ def average_listed_kernel(
     i = tid()
     p = points[first + i]
     here = widen(p)
-    total = vec3d(float64(0.0), float64(0.0), float64(0.0))
+    total = vec3d(0.0, 0.0, 0.0)
     for j in range(i * k, (i + 1) * k):
         total = total + (widen(points[neighbors[j]]) - here)
     moved[first + i] = narrow(here + total * (factor / float64(k - 1)))
@@ -172,12 +185,12 @@ def scatter_points_kernel(points: array(dtype=vec3), order: array(dtype=int32), 
     scattered[order[i]] = points[i]
 
 
-def falloff_of(sigma):
+def falloff_of(sigma: float):
     """The factor [1 / m^2] of a squared distance in the exponent of a Gaussian with this deviation [m]."""
     return min(0.5 / max(sigma * sigma, 1.0 / LARGEST_FALLOFF), LARGEST_FALLOFF)
 
 
-def _smooth(tree, max_nn, radius, rule):
+def _smooth(tree: PointTree, max_nn: int | None, radius: float, rule: SmoothingPass):
     """One pass; the rule, with its results."""
     points = tree.source
     if tree.count < points.size:
@@ -192,7 +205,7 @@ def _smooth(tree, max_nn, radius, rule):
     return rule
 
 
-def project_to_planes(tree, max_nn, radius, normals=None):
+def project_to_planes(tree: PointTree, max_nn: int | None, radius: float, normals: Vectors | None = None):
     """Each point on the plane through its neighbours, which weigh exp(-d^2 / radius^2).
 
     Args:
@@ -210,7 +223,9 @@ def project_to_planes(tree, max_nn, radius, normals=None):
     return rule.moved, rule.fitted
 
 
-def average_by_sides(tree, normals, max_nn, radius, sigma_s, sigma_r):
+def average_by_sides(
+    tree: PointTree, normals: Vectors, max_nn: int | None, radius: float, sigma_s: float, sigma_r: float
+):
     """Each point at the mean of its neighbours, weighted by distance and by height over its tangent plane.
 
     Arguments as for `project_to_planes`; the deviations in metres. A point whose normal is zero or NaN stays.
@@ -219,7 +234,7 @@ def average_by_sides(tree, normals, max_nn, radius, sigma_s, sigma_r):
     return _smooth(tree, max_nn, radius, rule).moved
 
 
-def average_passes(tree, factors, neighbor_count):
+def average_passes(tree: PointTree, factors: Sequence[float], neighbor_count: int):
     """One pass a factor: each point that far towards the mean of its nearest others, found anew in each pass."""
     points = tree.source
     for turn, factor in enumerate(factors):
@@ -228,7 +243,7 @@ def average_passes(tree, factors, neighbor_count):
     return points
 
 
-def average_passes_fixed(tree, factors, neighbor_count):
+def average_passes_fixed(tree: PointTree, factors: Sequence[float], neighbor_count: int) -> Vectors:
     """As `average_passes`, with the neighbours of the first pass in all of them: 4 B a neighbour."""
     device, points = tree.device, tree.source
     moved = empty(points.size, vec3, device)

@@ -15,6 +15,9 @@ Source: Boruvka 1926; as rounds of parallel hooking and shortening: Vineet, Hari
 minimum spanning tree for large graphs on the GPU", HPG 2009.
 """
 
+from collections.abc import Sequence
+
+from ..array_types import Device, Integers, Vectors
 from ..arrays.packed_keys import NO_KEY
 from ..arrays.select import gather_rows, positions_of
 from ..arrays.sort import fill_positions_kernel
@@ -58,7 +61,7 @@ class Forest:
     roots: array(dtype=int32)
     hooks: array(dtype=int32)
 
-    def __init__(self, count, device):
+    def __init__(self, count: int, device: Device) -> None:
         if count > MOST_VERTICES:
             raise ValueError(f"{count} vertices are more than 2^30; split the cloud")
         self.count, self.device = count, device
@@ -68,11 +71,11 @@ class Forest:
         launch(fill_positions_kernel, count, [self.roots])
         self.reset_hooks()
 
-    def reset_hooks(self):
+    def reset_hooks(self) -> None:
         """Take back all hooks."""
         launch(reset_hooks_kernel, self.roots.size, [self])
 
-    def merge(self):
+    def merge(self) -> None:
         """Join components along their hooks; two syncs, and more for long chains.
 
         Raises:
@@ -107,7 +110,7 @@ class GraphPart:
     k: int
     lists: array(dtype=int32)
 
-    def __init__(self, begin, k, lists):
+    def __init__(self, begin: int, k: int, lists: Integers) -> None:
         self.begin, self.k, self.lists = begin, k, lists
 
 
@@ -120,7 +123,7 @@ def agreement(a: vec3, b: vec3) -> float64:
 @func
 def normal_weight(a: vec3, b: vec3) -> float:
     """1 - |cos|, in 0..1; the difference in float64, so that small angles are still told apart."""
-    return max(float(float64(1.0) - abs(agreement(a, b))), 0.0)
+    return max(float(1.0 - abs(agreement(a, b))), 0.0)
 
 
 @func
@@ -132,8 +135,8 @@ def compose(word: int, onward: int) -> int:
 @func
 def hook_word(near: int, far: int, forest: Forest, normals: array(dtype=vec3)) -> int:
     """The word that hangs the component of vertex `near` under that of `far`, so that their normals agree."""
-    turned = int(0)
-    if agreement(normals[near], normals[far]) < float64(0.0):
+    turned = 0
+    if agreement(normals[near], normals[far]) < 0.0:
         turned = 1
     return compose(turned, compose(forest.links[near] & 1, forest.links[far]))
 
@@ -169,7 +172,7 @@ def offer_edges_kernel(
     v = active[i]
     own = forest.links[v] >> 1
     n = normals[v]
-    least = int64(NO_KEY) + int64(0)  # a variable of its own, not the constant
+    least = int64(NO_KEY)
     row = (v - part.begin) * part.k
     for j in range(part.k):
         u = part.lists[row + j]
@@ -180,7 +183,7 @@ def offer_edges_kernel(
             least = min(least, key)
             if key < keys[other]:
                 atomic_min(keys, other, key)  # settles which edge the component picks: the least
-    found = int(0)
+    found = 0
     if least < int64(NO_KEY):
         found = 1
         if least < keys[own]:
@@ -205,11 +208,11 @@ def hook_components_kernel(part: GraphPart, normals: array(dtype=vec3), forest: 
     c = forest.roots[i]
     key = keys[c]
     entry = (key & int64(ENTRY_MASK)) - int64(part.begin) * int64(part.k)
-    if key < int64(NO_KEY) and entry >= int64(0) and entry < int64(part.lists.shape[0]):
+    if key < int64(NO_KEY) and entry >= 0 and entry < int64(part.lists.shape[0]):
         near = part.begin + int(entry) // part.k
         far = part.lists[int(entry)]
         if forest.links[near] >> 1 != c:
-            near = far + 0
+            near = far
             far = part.begin + int(entry) // part.k
         other = forest.links[far] >> 1
         if keys[other] != key or other < c:
@@ -221,7 +224,7 @@ def shorten_hooks_kernel(forest: Forest, shorter: array(dtype=int32), unfinished
     """Follow each component's links up to HOPS times; count those that have not reached a root."""
     i = tid()
     word = forest.hooks[forest.roots[i]]
-    hop = int(0)
+    hop = 0
     above = forest.hooks[word >> 1]
     while above >> 1 != word >> 1 and hop < HOPS:
         word = compose(word, above)
@@ -243,13 +246,13 @@ def relink_vertices_kernel(forest: Forest):
 def mark_roots_kernel(forest: Forest, mask: array(dtype=uint8)):
     """1 where a root still is one."""
     i = tid()
-    kept = int(0)
+    kept = 0
     if forest.hooks[forest.roots[i]] >> 1 == forest.roots[i]:
         kept = 1
     mask[i] = uint8(kept)
 
 
-def span_neighbors(forest, parts, k, normals):
+def span_neighbors(forest: Forest, parts: Sequence[tuple[int, Integers]], k: int, normals: Vectors | None) -> None:
     """Join a forest along the least spanning trees of a graph of neighbours, whose weights are 1 - |n . n'|.
 
     Args:

@@ -9,7 +9,10 @@ on every device. 8 B a row of each triangle, 28 B a texel.
 Source: Pineda, "A Parallel Algorithm for Polygon Rasterization", SIGGRAPH 1988.
 """
 
+from typing import Any
+
 from ..algebra.transform import narrow, widen
+from ..array_types import Triangles, Vectors
 from ..arrays.prefix_sum import exclusive_scan
 from ..lang import (
     array,
@@ -51,7 +54,7 @@ class Atlas:
     width: int
     height: int
 
-    def __init__(self, uvs, width, height):
+    def __init__(self, uvs: Any, width: int, height: int) -> None:
         self.uvs, self.width, self.height = uvs, width, height
 
 
@@ -59,22 +62,22 @@ class Atlas:
 def texel_place(uv: vec2, width: int, height: int) -> vec3d:
     """Texture coordinates in texels, from the upper left corner of the picture."""
     x = float64(uv[0]) * float64(width)
-    y = (float64(1.0) - float64(uv[1])) * float64(height)
-    return vec3d(x, y, float64(0.0))
+    y = (1.0 - float64(uv[1])) * float64(height)
+    return vec3d(x, y, 0.0)
 
 
 @func
 def first_texel(x: float64, count: int) -> int:
     """The first texel whose centre is not below x; `count` where there is none."""
-    place = ceil(x - float64(0.5))
-    return int(min(max(place, float64(0.0)), float64(count)))
+    place = ceil(x - 0.5)
+    return int(min(max(place, 0.0), float64(count)))
 
 
 @func
 def last_texel(x: float64, count: int) -> int:
     """The last texel whose centre is not above x; -1 where there is none."""
-    place = floor(x - float64(0.5))
-    return int(min(max(place, float64(-1.0)), float64(count - 1)))
+    place = floor(x - 0.5)
+    return int(min(max(place, -1.0), float64(count - 1)))
 
 
 @func
@@ -90,9 +93,9 @@ def count_rows_kernel(atlas: Atlas, counts: array(dtype=int32)):
     a = texel_place(atlas.uvs[3 * i], atlas.width, atlas.height)
     b = texel_place(atlas.uvs[3 * i + 1], atlas.width, atlas.height)
     c = texel_place(atlas.uvs[3 * i + 2], atlas.width, atlas.height)
-    count = int(0)
+    count = 0
     if isfinite(a) and isfinite(b) and isfinite(c):
-        if side_of(a, b, c[0], c[1]) != float64(0.0):
+        if side_of(a, b, c[0], c[1]) != 0.0:
             low = first_texel(min(a[1], min(b[1], c[1])), atlas.height)
             high = last_texel(max(a[1], max(b[1], c[1])), atlas.height)
             count = max(high - low + 1, 0)
@@ -109,15 +112,15 @@ def claim_texels_kernel(atlas: Atlas, rows: array(dtype=int32), owners: array(dt
     c = texel_place(atlas.uvs[3 * owner + 2], atlas.width, atlas.height)
     row = first_texel(min(a[1], min(b[1], c[1])), atlas.height) + i - rows[owner]
     turn = float64(1.0)
-    if side_of(a, b, c[0], c[1]) < float64(0.0):
-        turn = float64(-1.0)
-    y = float64(row) + float64(0.5)
+    if side_of(a, b, c[0], c[1]) < 0.0:
+        turn = -1.0
+    y = float64(row) + 0.5
     begin = first_texel(min(a[0], min(b[0], c[0])), atlas.width)
     end = last_texel(max(a[0], max(b[0], c[0])), atlas.width)
     for column in range(begin, end + 1):
-        x = float64(column) + float64(0.5)
+        x = float64(column) + 0.5
         least = min(side_of(a, b, x, y) * turn, min(side_of(b, c, x, y) * turn, side_of(c, a, x, y) * turn))
-        if least >= float64(0.0):
+        if least >= 0.0:
             atomic_min(owners, row * atlas.width + column, owner)
 
 
@@ -133,21 +136,21 @@ def mix_texels_kernel(
     """The colour at each texel's centre, and whether it has one."""
     i = tid()
     owner = owners[i]
-    marks[i] = uint8(0)
+    marks[i] = 0
     texels[i] = vec3(0.0, 0.0, 0.0)
     if owner != NO_TRIANGLE:
         a = texel_place(atlas.uvs[3 * owner], atlas.width, atlas.height)
         b = texel_place(atlas.uvs[3 * owner + 1], atlas.width, atlas.height)
         c = texel_place(atlas.uvs[3 * owner + 2], atlas.width, atlas.height)
-        x = float64(i % atlas.width) + float64(0.5)
-        y = float64(i // atlas.width) + float64(0.5)
+        x = float64(i % atlas.width) + 0.5
+        y = float64(i // atlas.width) + 0.5
         whole = side_of(a, b, c[0], c[1])
         wa = side_of(b, c, x, y) / whole
         wb = side_of(c, a, x, y) / whole
         t = triangles[owner]
         mixed = widen(colors[t[0]]) * wa + widen(colors[t[1]]) * wb
-        texels[i] = narrow(mixed + widen(colors[t[2]]) * (float64(1.0) - wa - wb))
-        marks[i] = uint8(1)
+        texels[i] = narrow(mixed + widen(colors[t[2]]) * (1.0 - wa - wb))
+        marks[i] = 1
 
 
 @kernel
@@ -163,20 +166,20 @@ def spread_texels_kernel(
     i = tid()
     wider[i] = texels[i]
     wider_marks[i] = marks[i]
-    if marks[i] == uint8(0):
-        total = vec3d(float64(0.0), float64(0.0), float64(0.0))
-        found = int(0)
+    if marks[i] == 0:
+        total = vec3d(0.0, 0.0, 0.0)
+        found = 0
         around = int(AROUND)
         for k in range(around):
             x = i % width + k % 3 - 1
             y = i // width + k // 3 - 1
             if x >= 0 and x < width and y >= 0 and y < height:
-                if marks[y * width + x] == uint8(1):
+                if marks[y * width + x] == 1:
                     total += widen(texels[y * width + x])
                     found += 1
         if found > 0:
             wider[i] = narrow(total / float64(found))
-            wider_marks[i] = uint8(1)
+            wider_marks[i] = 1
 
 
 @kernel
@@ -188,7 +191,7 @@ def round_texels_kernel(texels: array(dtype=vec3), picture: array(dtype=uint8)):
         picture[3 * i + k] = uint8(int(floor(level * 255.0 + 0.5)))
 
 
-def draw_vertex_colors(triangles, colors, uvs, size, gutter):
+def draw_vertex_colors(triangles: Triangles, colors: Vectors, uvs: Any, size: int, gutter: Any):
     """A square picture of the colours of vertices, uint8 device array [3 size^2]; one sync.
 
     Args:

@@ -14,6 +14,7 @@ import numpy as np
 
 from ..algebra.matrices import multiply44
 from ..algebra.rigid_solve import place_of, small_motion, solve_system, triangle, vec6d
+from ..array_types import Device, Points
 from ..arrays.segment_blocks import SegmentBlocks
 from ..lang import (
     array,
@@ -60,7 +61,7 @@ class SearchState:
     error: array(dtype=float64)
     outcome: array(dtype=int32)
 
-    def __init__(self, most_turns, device):
+    def __init__(self, most_turns: int, device: Device) -> None:
         self.running = full(1, 1, int32, device)
         self.turns = upload(np.array([0, most_turns]), int32, device)
         self.error = upload(np.array([-1.0, -1.0, FIRST_DAMPING, 0.0]), float64, device)
@@ -80,10 +81,10 @@ def average_brightness_kernel(
     total = float64(0.0)
     count = float64(0.0)
     for k in range(sightings.starts[i], sightings.starts[i + 1]):
-        row = measure_pair(vertices[i], sightings.images[sightings.order[k]], float64(0.0), pictures, warps)
+        row = measure_pair(vertices[i], sightings.images[sightings.order[k]], 0.0, pictures, warps)
         total += row[0] * row[1]
         count += row[0]
-    if count > float64(0.0):
+    if count > 0.0:
         total = total / count
     proxies[i] = total
 
@@ -91,9 +92,9 @@ def average_brightness_kernel(
 @func
 def measure_pair(p: vec3, image: int, proxy: float64, pictures: PosedPictures, warps: Warps) -> pair_row:
     """The row of a picture and a vertex; zero where the vertex lies outside the picture or in its margin."""
-    row = pair_row(float64(0.0))
+    row = pair_row(0.0)
     place = project_vertex(p, image, pictures)
-    if place[2] > float64(0.0):
+    if place[2] > 0.0:
         u = place[0]
         v = place[1]
         warp = warp_at(u, v, image, warps)
@@ -102,8 +103,8 @@ def measure_pair(p: vec3, image: int, proxy: float64, pictures: PosedPictures, w
         if inside == 2:
             lens = pictures.lenses[image]
             seen = shade_at(u + warp[0], v + warp[1], image, pictures)
-            along_u = seen[1] * (float64(1.0) + warp[2]) + seen[2] * warp[3]
-            along_v = seen[1] * warp[4] + seen[2] * (float64(1.0) + warp[5])
+            along_u = seen[1] * (1.0 + warp[2]) + seen[2] * warp[3]
+            along_v = seen[1] * warp[4] + seen[2] * (1.0 + warp[5])
             z = place[2]
             x = (u - lens[2]) * z / lens[0]
             y = (v - lens[3]) * z / lens[1]
@@ -111,7 +112,7 @@ def measure_pair(p: vec3, image: int, proxy: float64, pictures: PosedPictures, w
             b = along_v * lens[1] / z
             c = -(a * x + b * y) / z
             row = pair_row(
-                float64(1.0), seen[0] - proxy, y * c - z * b, z * a - x * c, x * b - y * a, a, b, c,
+                1.0, seen[0] - proxy, y * c - z * b, z * a - x * c, x * b - y * a, a, b, c,
                 seen[1], seen[2], u, v,
             )  # fmt: skip
     return row
@@ -129,9 +130,9 @@ def sum_pair_rows(
     i = tid()
     vertex = sightings.vertices[i]
     row = measure_pair(vertices[vertex], sightings.images[i], proxies[vertex], pictures, warps)
-    total = pose_sums(float64(0.0))
+    total = pose_sums(0.0)
     n = int(6)
-    at = int(0)
+    at = 0
     for a in range(n):
         for b in range(a, n):
             total[at] = row[2 + a] * row[2 + b]
@@ -154,16 +155,16 @@ def judge_turn_kernel(sums: array(dtype=pose_sums), ties: array(dtype=float64), 
     for k in range(sums.shape[0]):
         squares += sums[k][SQUARES] + ties[k]
         count += sums[k][COUNT]
-    error = squares / max(count, float64(1.0))
+    error = squares / max(count, 1.0)
     best = state.error[1]
     damping = state.error[2]
-    outcome = int(1)
-    running = int(1)
-    if best < float64(0.0):
+    outcome = 1
+    running = 1
+    if best < 0.0:
         state.error[i] = error
         state.error[1] = error
     else:
-        if error <= best and count > float64(0.0):
+        if error <= best and count > 0.0:
             if best - error <= float64(SETTLED) * best:
                 running = 0
             state.error[1] = error
@@ -173,7 +174,7 @@ def judge_turn_kernel(sums: array(dtype=pose_sums), ties: array(dtype=float64), 
             damping = damping * float64(GROW)
             if damping > float64(MOST_DAMPING):
                 running = 0
-    if state.turns[0] >= state.turns[1] or count == float64(0.0):
+    if state.turns[0] >= state.turns[1] or count == 0.0:
         running = 0
     state.turns[0] = state.turns[0] + 1
     state.error[2] = damping
@@ -185,15 +186,15 @@ def judge_turn_kernel(sums: array(dtype=pose_sums), ties: array(dtype=float64), 
 @func
 def damped_step(total: pose_sums, damping: float64) -> vec6d:
     """The motion that the sums ask for."""
-    h = triangle(float64(0.0))
-    b = vec6d(float64(0.0))
+    h = triangle(0.0)
+    b = vec6d(0.0)
     n = int(6)
     m = int(21)
     for k in range(m):
         h[k] = total[k]
     for k in range(n):
         at = place_of(k, k)
-        h[at] = h[at] * (float64(1.0) + damping)
+        h[at] = h[at] * (1.0 + damping)
         b[k] = -total[21 + k]
     return solve_system(h, b)
 
@@ -219,7 +220,7 @@ def keep_best_kernel(
 def step_poses_kernel(state: SearchState, best_sums: array(dtype=pose_sums), poses: array(dtype=mat44d)):
     """Move each picture from its best pose, while the search goes on. One thread a picture."""
     i = tid()
-    if state.running[0] == 1 and best_sums[i][COUNT] > float64(0.0):
+    if state.running[0] == 1 and best_sums[i][COUNT] > 0.0:
         poses[i] = multiply44(small_motion(damped_step(best_sums[i], state.error[2])), poses[i])
 
 
@@ -238,7 +239,9 @@ class ColorSearch:
         state: The SearchState.
     """
 
-    def __init__(self, vertices, sightings, pictures, warps, most_turns):
+    def __init__(
+        self, vertices: Points, sightings: Sightings, pictures: PosedPictures, warps: Warps, most_turns: int
+    ) -> None:
         device, count = vertices.device, pictures.count
         self.vertices, self.sightings, self.pictures, self.warps = vertices, sightings, pictures, warps
         firsts = np.concatenate([[0], np.cumsum(sightings.counts)[:-1]])
@@ -250,20 +253,20 @@ class ColorSearch:
         self.proxies, self.ties = zeros(vertices.size, float64, device), zeros(count, float64, device)
         self.state = SearchState(most_turns, device)
 
-    def measure(self):
+    def measure(self) -> None:
         """Means, sums and verdict of the present poses."""
         shared = [self.pictures, self.warps]
         launch(average_brightness_kernel, self.vertices.size, [self.vertices, self.sightings, *shared, self.proxies])
         given = [self.vertices, self.sightings, self.proxies, *shared]
         reduce_segments(sum_pair_rows, self.blocks, self.live, given, self.partials, self.sums)
 
-    def judge(self):
+    def judge(self) -> None:
         """The verdict, and the best poses kept or restored."""
         launch(judge_turn_kernel, 1, [self.sums, self.ties, self.state])
         kept = [self.state, self.sums, self.pictures.poses, self.best_sums, self.best_poses]
         launch(keep_best_kernel, self.pictures.count, kept)
 
-    def turn_rigid(self):
+    def turn_rigid(self) -> None:
         """One turn of the rigid search."""
         self.measure()
         self.judge()

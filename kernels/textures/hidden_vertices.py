@@ -4,8 +4,11 @@ A ray to a point ends a thousandth of its length before it, so the point's own t
 by less than that counts as seen. 24 B written and read a ray beside the walk through the tree (rays/).
 """
 
+from typing import Any
+
 import numpy as np
 
+from ..array_types import Mask, Points, Triangles
 from ..lang import array, float32, float64, isfinite, kernel, launch, tid, uint8, vec3
 from ..memory import empty
 from ..rays.ray_casting import cast_rays, test_occlusions
@@ -52,7 +55,7 @@ def aim_rays_kernel(
     i = tid()
     eye = camera_place(image, pictures)
     way = vec3(0.0, 0.0, 0.0)
-    if seen[i] != uint8(0):
+    if seen[i] != 0:
         p = vertices[i]
         way = vec3(float(float64(p[0]) - eye[0]), float(float64(p[1]) - eye[1]), float(float64(p[2]) - eye[2]))
     n = int(3)
@@ -65,16 +68,16 @@ def aim_rays_kernel(
 def keep_free_kernel(occluded: array(dtype=uint8), seen: array(dtype=uint8)):
     """Drop what is occluded."""
     i = tid()
-    if occluded[i] != uint8(0):
-        seen[i] = uint8(0)
+    if occluded[i] != 0:
+        seen[i] = 0
 
 
-def plant_trees(vertices, triangles):
+def plant_trees(vertices: Any, triangles: Triangles):
     """What rays are cast against: SceneTrees of one mesh in its own coordinates."""
     return SceneTrees([TriangleTree(vertices, triangles)], [0], np.eye(4)[None])
 
 
-def render_depth(image, pictures, trees):
+def render_depth(image: int, pictures: Any, trees: Any):
     """The mesh's depth in a picture, float32 [pixels]; 0 where it is not."""
     width, height, _ = pictures.layout[image].tolist()
     rays = empty(6 * width * height, float32, pictures.device)
@@ -84,7 +87,7 @@ def render_depth(image, pictures, trees):
     return depth
 
 
-def drop_hidden(vertices, image, pictures, trees, seen):
+def drop_hidden(vertices: Points, image: int, pictures: Any, trees: Any, seen: Mask):
     """Clear the mask `seen` (uint8 [m]) where the mesh hides the vertex from a picture's camera; the mask itself."""
     rays = empty(6 * vertices.size, float32, vertices.device)
     launch(aim_rays_kernel, vertices.size, [vertices, image, pictures, seen, rays])

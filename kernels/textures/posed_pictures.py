@@ -9,8 +9,11 @@ A picture may have a warp, a grid of shifts over it that are bilinear between it
 projects to (u, v) is found at (u, v) + shift(u, v). A picture without one has a grid of no rows.
 """
 
+from typing import Any
+
 import numpy as np
 
+from ..array_types import Array2, Device, Scalars
 from ..images.depth import BLUE, GREEN, RED
 from ..lang import (
     array,
@@ -60,7 +63,15 @@ class PosedPictures:
     brightness: array(dtype=float32)
     margin: float64
 
-    def __init__(self, sizes, lenses, poses, pixels, brightness, margin):
+    def __init__(
+        self,
+        sizes: np.ndarray,
+        lenses: np.ndarray,
+        poses: np.ndarray,
+        pixels: Array2[uint8],
+        brightness: Scalars,
+        margin: float,
+    ) -> None:
         device = pixels.device
         self.sizes, self.lenses = upload(sizes, vec3i, device), upload(lenses, vec4d, device)
         self.poses = upload(poses, mat44d, device)
@@ -87,7 +98,7 @@ class Warps:
     steps: array(dtype=float64)
     shifts: array(dtype=vec2d)
 
-    def __init__(self, sizes, rows, device):
+    def __init__(self, sizes: np.ndarray, rows: int, device: Device) -> None:
         sizes = np.asarray(sizes)
         steps = sizes[:, 1] / max(rows - 1, 1)
         columns = np.where(rows > 0, np.ceil(sizes[:, 0] / steps) + 1, 0).astype(np.int64)
@@ -106,11 +117,11 @@ def smooth_brightness_kernel(
     i = tid()
     u = i % width
     v = i // width
-    total = float(0.0)
+    total = 0.0
     n = int(3)
     for a in range(n):
         row = min(max(v + a - 1, 0), height - 1)
-        line = float(0.0)
+        line = 0.0
         for b in range(n):
             column = min(max(u + b - 1, 0), width - 1)
             at = first + row * width + column
@@ -128,8 +139,8 @@ def project_vertex(p: vec3, image: int, pictures: PosedPictures) -> pixel:
     x = T[0, 0] * float64(p[0]) + T[0, 1] * float64(p[1]) + T[0, 2] * float64(p[2]) + T[0, 3]
     y = T[1, 0] * float64(p[0]) + T[1, 1] * float64(p[1]) + T[1, 2] * float64(p[2]) + T[1, 3]
     z = T[2, 0] * float64(p[0]) + T[2, 1] * float64(p[1]) + T[2, 2] * float64(p[2]) + T[2, 3]
-    place = pixel(float64(0.0), float64(0.0), float64(-1.0))
-    if isfinite(p) and z > float64(0.0):
+    place = pixel(0.0, 0.0, -1.0)
+    if isfinite(p) and z > 0.0:
         u = lens[0] * x / z + lens[2]
         v = lens[1] * y / z + lens[3]
         if abs(u) < float64(LARGEST_PIXEL) and abs(v) < float64(LARGEST_PIXEL):
@@ -152,7 +163,7 @@ def camera_place(image: int, pictures: PosedPictures) -> vec3d:
 def is_inside(u: float64, v: float64, image: int, margin: float64, pictures: PosedPictures) -> int:
     """1 where a place lies in the picture, its margin excluded."""
     size = pictures.sizes[image]
-    inside = int(0)
+    inside = 0
     if u >= margin and v >= margin and u < float64(size[0]) - margin and v < float64(size[1]) - margin:
         inside = 1
     return inside
@@ -162,8 +173,8 @@ def is_inside(u: float64, v: float64, image: int, margin: float64, pictures: Pos
 def nearest_pixel(u: float64, v: float64, image: int, pictures: PosedPictures) -> int:
     """The pixel whose centre is nearest to a place inside a picture, in the array of all pixels."""
     size = pictures.sizes[image]
-    column = min(int(floor(u + float64(0.5))), size[0] - 1)
-    row = min(int(floor(v + float64(0.5))), size[1] - 1)
+    column = min(int(floor(u + 0.5)), size[0] - 1)
+    row = min(int(floor(v + 0.5)), size[1] - 1)
     return size[2] + row * size[0] + column
 
 
@@ -176,16 +187,16 @@ def count_of_tap(k: int, t: float64) -> shade:
     quarter = float64(0.25)
     half = float64(0.5)
     mean = float64(0.0)
-    slope = (t - float64(1.0)) * half
-    smooth = (float64(1.0) - t) * quarter
+    slope = (t - 1.0) * half
+    smooth = (1.0 - t) * quarter
     if k == 1:
-        mean = float64(1.0) - t
+        mean = 1.0 - t
         slope = -t * half
         smooth = half - t * quarter
     if k == 2:
-        mean = t + float64(0.0)
-        slope = (float64(1.0) - t) * half
-        smooth = (float64(1.0) + t) * quarter
+        mean = t
+        slope = (1.0 - t) * half
+        smooth = (1.0 + t) * quarter
     if k == 3:
         slope = t * half
         smooth = t * quarter
@@ -200,12 +211,12 @@ def shade_at(u: float64, v: float64, image: int, pictures: PosedPictures) -> sha
     top = int(floor(v))
     s = u - float64(left)
     t = v - float64(top)
-    total = shade(float64(0.0))
+    total = shade(0.0)
     n = int(4)
     for a in range(n):
         row = min(max(top + a - 1, 0), size[1] - 1)
         of_row = count_of_tap(a, t)
-        line = shade(float64(0.0))
+        line = shade(0.0)
         for b in range(n):
             column = min(max(left + b - 1, 0), size[0] - 1)
             value = float64(pictures.brightness[size[2] + row * size[0] + column])
@@ -218,7 +229,7 @@ def shade_at(u: float64, v: float64, image: int, pictures: PosedPictures) -> sha
 def warp_at(u: float64, v: float64, image: int, warps: Warps) -> warp_place:
     """The shift at a place of a picture and its derivatives; zero where the picture has no warp."""
     grid = warps.grids[image]
-    result = warp_place(float64(0.0))
+    result = warp_place(0.0)
     if grid[1] > 0:
         step = warps.steps[image]
         i = min(max(int(floor(u / step)), 0), grid[0] - 2)
@@ -242,7 +253,7 @@ def warp_at(u: float64, v: float64, image: int, warps: Warps) -> warp_place:
 def find_vertex(p: vec3, image: int, pictures: PosedPictures, warps: Warps) -> pixel:
     """Where a picture shows a point, its warp included; depth -1 where it does not."""
     place = project_vertex(p, image, pictures)
-    if place[2] > float64(0.0):
+    if place[2] > 0.0:
         warp = warp_at(place[0], place[1], image, warps)
         u = place[0] + warp[0]
         v = place[1] + warp[1]
@@ -251,7 +262,7 @@ def find_vertex(p: vec3, image: int, pictures: PosedPictures, warps: Warps) -> p
         if inside == 2:
             place = pixel(u, v, place[2])
         else:
-            place = pixel(float64(0.0), float64(0.0), float64(-1.0))
+            place = pixel(0.0, 0.0, -1.0)
     return place
 
 
@@ -266,7 +277,7 @@ def color_at(u: float64, v: float64, image: int, pictures: PosedPictures) -> vec
     s = u - float64(left)
     t = v - float64(top)
     one = float64(1.0)
-    color = vec3d(float64(0.0), float64(0.0), float64(0.0))
+    color = vec3d(0.0, 0.0, 0.0)
     n = int(3)
     for channel in range(n):
         a = float64(int(pictures.pixels[size[2] + top * size[0] + left, channel]))
@@ -286,15 +297,15 @@ def unwarp_pixels_kernel(image: int, pictures: PosedPictures, warps: Warps, out:
     warp = warp_at(place[0], place[1], image, warps)
     u = place[0] + warp[0]
     v = place[1] + warp[1]
-    color = vec3d(float64(0.0), float64(0.0), float64(0.0))
-    if is_inside(u, v, image, float64(0.0), pictures) == 1:
+    color = vec3d(0.0, 0.0, 0.0)
+    if is_inside(u, v, image, 0.0, pictures) == 1:
         color = color_at(u, v, image, pictures)
     n = int(3)
     for channel in range(n):
-        out[i, channel] = uint8(int(floor(color[channel] + float64(0.5))))
+        out[i, channel] = uint8(int(floor(color[channel] + 0.5)))
 
 
-def smooth_brightness(pixels, sizes):
+def smooth_brightness(pixels: Array2[uint8], sizes: np.ndarray) -> Scalars:
     """The smoothed brightness of pictures one after the other, float32 [pixels]; sizes as in PosedPictures."""
     brightness = empty(pixels.shape[0], float32, pixels.device)
     for width, height, first in np.asarray(sizes).tolist():
@@ -302,7 +313,7 @@ def smooth_brightness(pixels, sizes):
     return brightness
 
 
-def unwarp_pixels(image, pictures, warps):
+def unwarp_pixels(image: int, pictures: Any, warps: Warps):
     """A picture as it would be without its warp, uint8 [pixels, 3]."""
     width, height = pictures.layout[image][:2]
     out = empty((int(width) * int(height), 3), uint8, pictures.device)

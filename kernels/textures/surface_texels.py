@@ -8,25 +8,13 @@ that it leaves no seam. Beside the edges of the mesh, as its own depth tells, a 
 made picture by picture, in their order: 76 B a texel, some 150 operations and a ray a picture, and a ray a pixel.
 """
 
+from typing import Any
+
 from ..algebra.transform import narrow, widen
+from ..array_types import Array1, Triangles, Vectors
 from ..arrays.prefix_sum import exclusive_scan
 from ..arrays.select import positions_of
-from ..lang import (
-    array,
-    cross,
-    dot,
-    float32,
-    float64,
-    int32,
-    kernel,
-    launch,
-    length,
-    tid,
-    uint8,
-    vec3,
-    vec3i,
-    vec4d,
-)
+from ..lang import array, cross, dot, float32, float64, int32, kernel, launch, length, tid, uint8, vec3, vec3i, vec4d
 from ..memory import empty, full, zeros
 from .atlas_colors import (
     NO_TRIANGLE,
@@ -53,7 +41,7 @@ BESIDE = 2  # pixels from such an edge that are not looked at: poses are not tha
 def mark_owned_kernel(owners: array(dtype=int32), mask: array(dtype=uint8)):
     """1 where a texel belongs to a triangle."""
     i = tid()
-    owned = int(0)
+    owned = 0
     if owners[i] != NO_TRIANGLE:
         owned = 1
     mask[i] = uint8(owned)
@@ -76,8 +64,8 @@ def place_texels_kernel(
     u = texel_place(atlas.uvs[3 * t], atlas.width, atlas.height)
     v = texel_place(atlas.uvs[3 * t + 1], atlas.width, atlas.height)
     w = texel_place(atlas.uvs[3 * t + 2], atlas.width, atlas.height)
-    x = float64(texel % atlas.width) + float64(0.5)
-    y = float64(texel // atlas.width) + float64(0.5)
+    x = float64(texel % atlas.width) + 0.5
+    y = float64(texel // atlas.width) + 0.5
     whole = side_of(u, v, w[0], w[1])
     share_b = side_of(w, u, x, y) / whole
     share_c = side_of(u, v, x, y) / whole
@@ -88,7 +76,7 @@ def place_texels_kernel(
     n = cross(b - a, c - a)
     area = length(n)
     normal = vec3(0.0, 0.0, 0.0)
-    if area > float64(0.0):
+    if area > 0.0:
         normal = narrow(n / area)
     normals[i] = normal
 
@@ -100,12 +88,12 @@ def mark_steps_kernel(depth: array(dtype=float32), width: int, height: int, mark
     u = i % width
     v = i // width
     d = depth[i]
-    mark = int(0)
+    mark = 0
     for row in range(max(v - 1, 0), min(v + 1, height - 1) + 1):
         for column in range(max(u - 1, 0), min(u + 1, width - 1) + 1):
             other = depth[row * width + column]
             if abs(other - d) > STEP * min(d, other):
-                mark = int(1)
+                mark = 1
     marks[i] = uint8(mark)
 
 
@@ -115,16 +103,16 @@ def drop_beside_steps_kernel(
 ):
     """Drop texels beside a step of the depth, where a small error of the pose shows something else."""
     i = tid()
-    if seen[i] != uint8(0):
+    if seen[i] != 0:
         place = project_vertex(points[i], image, pictures)
         size = pictures.sizes[image]
         at = nearest_pixel(place[0], place[1], image, pictures) - size[2]
         u = at % size[0]
         v = at // size[0]
-        found = int(1)
+        found = 1
         for row in range(max(v - BESIDE, 0), min(v + BESIDE, size[1] - 1) + 1):
             for column in range(max(u - BESIDE, 0), min(u + BESIDE, size[0] - 1) + 1):
-                if marks[row * size[0] + column] != uint8(0):
+                if marks[row * size[0] + column] != 0:
                     found = 0
         seen[i] = uint8(found)
 
@@ -140,7 +128,7 @@ def blend_picture_kernel(
 ):
     """Add a picture's colour, and its weight, to each texel that it shows from before."""
     i = tid()
-    if seen[i] != uint8(0):
+    if seen[i] != 0:
         p = points[i]
         eye = camera_place(image, pictures)
         way = eye - widen(p)
@@ -150,10 +138,10 @@ def blend_picture_kernel(
             place = project_vertex(p, image, pictures)
             size = pictures.sizes[image]
             reach = float64(FEATHER) * float64(min(size[0], size[1]))
-            border = min(place[0] + float64(0.5), float64(size[0]) - float64(0.5) - place[0])
-            border = min(border, min(place[1] + float64(0.5), float64(size[1]) - float64(0.5) - place[1]))
+            border = min(place[0] + 0.5, float64(size[0]) - 0.5 - place[0])
+            border = min(border, min(place[1] + 0.5, float64(size[1]) - 0.5 - place[1]))
             detail = cosine / place[2]
-            w = detail * detail * detail * detail * min(max(border / reach, float64(1.0e-6)), float64(1.0))
+            w = detail * detail * detail * detail * min(max(border / reach, 1.0e-6), 1.0)
             color = color_at(place[0], place[1], image, pictures)
             sums[i] = sums[i] + vec4d(w * color[0], w * color[1], w * color[2], w)
 
@@ -166,10 +154,10 @@ def write_texels_kernel(
     i = tid()
     texel = texels[i]
     s = sums[i]
-    if s[3] > float64(0.0):
-        scale = float64(255.0) * s[3]
+    if s[3] > 0.0:
+        scale = 255.0 * s[3]
         picture[texel] = vec3(float(s[0] / scale), float(s[1] / scale), float(s[2] / scale))
-    marks[texel] = uint8(1)
+    marks[texel] = 1
 
 
 class SurfaceTexels:
@@ -185,7 +173,7 @@ class SurfaceTexels:
         points, normals: Where they lie on the surface, vec3 [n].
     """
 
-    def __init__(self, vertices, triangles, uvs, size):
+    def __init__(self, vertices: Any, triangles: Triangles, uvs: Any, size: Any) -> None:
         device, count = vertices.device, size * size
         self.triangles, self.size, self.atlas = triangles, size, Atlas(uvs, size, size)
         counts, self.owners = empty(triangles.size, int32, device), full(count, NO_TRIANGLE, int32, device)
@@ -199,7 +187,7 @@ class SurfaceTexels:
         given = [self.texels, self.atlas, self.owners, vertices, triangles, self.points, self.normals]
         launch(place_texels_kernel, self.texels.size, given)
 
-    def blend(self, pictures, trees):
+    def blend(self, pictures: Any, trees: Any):
         """Weighted sums of colours, 0..255, and of weights, over the pictures that show each texel: vec4d [n]."""
         sums = zeros(self.texels.size, vec4d, self.points.device)
         for image in range(pictures.count):
@@ -213,7 +201,7 @@ class SurfaceTexels:
             launch(blend_picture_kernel, self.texels.size, given)
         return sums
 
-    def write(self, sums, colors, gutter):
+    def write(self, sums: Array1[vec4d], colors: Vectors | None, gutter: Any):
         """The texture, uint8 [3 size^2].
 
         Args:

@@ -8,8 +8,12 @@ through an order, by vertex. Sums over pairs go in that order, so they have the 
 Source: Zhou and Koltun 2014, section 3.
 """
 
+from collections.abc import Sequence
+from typing import Any
+
 import numpy as np
 
+from ..array_types import Array2, Indices, Integers, Points, Scalars, Vectors
 from ..arrays.concatenation import concatenate_rows
 from ..arrays.prefix_sum import exclusive_scan
 from ..arrays.select import positions_of
@@ -51,7 +55,7 @@ class DepthRule:
     jump: float
     reach: int
 
-    def __init__(self, farthest, tolerance, jump, reach):
+    def __init__(self, farthest: float, tolerance: float, jump: float, reach: Any) -> None:
         self.farthest, self.tolerance, self.jump, self.reach = float(farthest), float(tolerance), float(jump), reach
 
 
@@ -74,7 +78,7 @@ class Sightings:
     order: array(dtype=int32)
     starts: array(dtype=int32)
 
-    def __init__(self, rows, vertex_count):
+    def __init__(self, rows: Sequence[Indices], vertex_count: int) -> None:
         device = rows[0].device
         self.counts = np.array([row.size for row in rows])
         self.count = int(self.counts.sum())
@@ -116,7 +120,7 @@ def mark_jumps_kernel(depth: array(dtype=float32), width: int, height: int, jump
     h = depth_at(u + 1, v + 1, width, height, depth)
     dx = (c - a) + 2.0 * (e - d) + (h - f)
     dy = (f - a) + 2.0 * (g - b) + (h - c)
-    mark = int(0)
+    mark = 0
     if sqrt(dx * dx + dy * dy) > jump:
         mark = 1
     marks[i] = uint8(mark)
@@ -135,17 +139,17 @@ def match_depth_kernel(
     """1 where the picture's depth is the vertex's, and no boundary is near."""
     i = tid()
     place = project_vertex(vertices[i], image, pictures)
-    found = int(0)
+    found = 0
     size = pictures.sizes[image]
-    u = int(floor(place[0] + float64(0.5)))
-    v = int(floor(place[1] + float64(0.5)))
-    if place[2] > float64(0.0) and u >= 0 and v >= 0 and u < size[0] and v < size[1]:
+    u = int(floor(place[0] + 0.5))
+    v = int(floor(place[1] + 0.5))
+    if place[2] > 0.0 and u >= 0 and v >= 0 and u < size[0] and v < size[1]:
         d = depth[v * size[0] + u]
         if d <= rule.farthest and abs(float(place[2]) - d) < rule.tolerance:
-            found = int(1)
+            found = 1
             for row in range(max(v - rule.reach, 0), min(v + rule.reach, size[1] - 1) + 1):
                 for column in range(max(u - rule.reach, 0), min(u + rule.reach, size[0] - 1) + 1):
-                    if marks[row * size[0] + column] != uint8(0):
+                    if marks[row * size[0] + column] != 0:
                         found = 0
     seen[i] = uint8(found)
 
@@ -157,9 +161,9 @@ def match_frame_kernel(
     """1 where the vertex lies in the picture, up to a depth; whether something hides it is asked elsewhere."""
     i = tid()
     place = project_vertex(vertices[i], image, pictures)
-    found = int(0)
-    if place[2] > float64(0.0) and place[2] <= farthest:
-        found = is_inside(place[0], place[1], image, float64(0.0), pictures)
+    found = 0
+    if place[2] > 0.0 and place[2] <= farthest:
+        found = is_inside(place[0], place[1], image, 0.0, pictures)
     seen[i] = uint8(found)
 
 
@@ -181,16 +185,16 @@ def average_colors_kernel(
     for k in range(sightings.starts[i], sightings.starts[i + 1]):
         image = sightings.images[sightings.order[k]]
         place = find_vertex(vertices[i], image, pictures, warps)
-        if place[2] > float64(0.0):
+        if place[2] > 0.0:
             at = nearest_pixel(place[0], place[1], image, pictures)
             red += float64(int(pictures.pixels[at, 0]))
             green += float64(int(pictures.pixels[at, 1]))
             blue += float64(int(pictures.pixels[at, 2]))
-            count += float64(1.0)
+            count += 1.0
     color = vec3(0.0, 0.0, 0.0)
-    found = int(0)
-    if count > float64(0.0):
-        scale = float64(255.0) * count
+    found = 0
+    if count > 0.0:
+        scale = 255.0 * count
         color = vec3(float(red / scale), float(green / scale), float(blue / scale))
         found = 1
     colors[i] = color
@@ -208,7 +212,7 @@ def fill_colors_kernel(
     """The mean colour of the nearest vertices that have one. Rows without a colour write, rows with one are read."""
     i = tid()
     total = vec3(0.0, 0.0, 0.0)
-    found = float(0.0)
+    found = 0.0
     for k in range(count):
         j = neighbors[i, k]
         if j >= 0:
@@ -218,7 +222,7 @@ def fill_colors_kernel(
         colors[rows[i]] = total / found
 
 
-def see_by_depth(vertices, image, pictures, depth, rule):
+def see_by_depth(vertices: Points, image: int, pictures: Any, depth: Scalars, rule: Any):
     """The vertices that a depth picture shows, as a mask: uint8 [m].
 
     Args:
@@ -235,14 +239,14 @@ def see_by_depth(vertices, image, pictures, depth, rule):
     return seen
 
 
-def see_in_frame(vertices, image, pictures, farthest):
+def see_in_frame(vertices: Points, image: int, pictures: Any, farthest: float):
     """The vertices that project into a picture, hidden ones among them, as a mask: uint8 [m]."""
     seen = empty(vertices.size, uint8, vertices.device)
     launch(match_frame_kernel, vertices.size, [vertices, image, pictures, float(farthest), seen])
     return seen
 
 
-def list_sightings(masks):
+def list_sightings(masks: Any):
     """Sightings of masks uint8 [m], one a picture; an iterable, so that no two need exist at once."""
     rows, count = [], 0
     for mask in masks:
@@ -251,13 +255,13 @@ def list_sightings(masks):
     return Sightings(rows, count)
 
 
-def average_colors(vertices, sightings, pictures, warps):
+def average_colors(vertices: Points, sightings: Sightings, pictures: Any, warps: Warps):
     """Mean colours of vertices, vec3 [m] in 0..1, and whether any picture showed them, uint8 [m]."""
     colors, seen = empty(vertices.size, vec3, vertices.device), empty(vertices.size, uint8, vertices.device)
     launch(average_colors_kernel, vertices.size, [vertices, sightings, pictures, warps, colors, seen])
     return colors, seen
 
 
-def fill_colors(colors, rows, neighbors, known):
+def fill_colors(colors: Vectors, rows: Indices, neighbors: Array2[int32], known: Integers) -> None:
     """Give vertices `rows` the mean colour of neighbours: int32 [rows, k], places in `known`, which names vertices."""
     launch(fill_colors_kernel, rows.size, [rows, neighbors, known, neighbors.shape[1], colors])

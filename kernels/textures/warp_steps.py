@@ -14,6 +14,7 @@ import numpy as np
 
 from ..algebra.matrices import multiply44
 from ..algebra.rigid_solve import place_of, small_motion, solve_system, triangle, vec6d
+from ..array_types import Points
 from ..arrays.key_starts import find_key_starts
 from ..arrays.sort import argsort_keys
 from ..lang import (
@@ -30,6 +31,7 @@ from ..lang import (
     struct,
     tid,
     vec2d,
+    vec2i,
     vec3,
     vector,
 )
@@ -69,7 +71,7 @@ class WarpSystem:
     ties: array(dtype=float64)
     width: int
 
-    def __init__(self, warps, pair_count, shares, weight):
+    def __init__(self, warps: Warps, pair_count: int, shares: np.ndarray, weight: float) -> None:
         device = warps.shifts.device
         self.width = 2 * (warps.rows + 1) + 2
         self.cells = empty(warps.count + 1, int32, device)
@@ -91,9 +93,9 @@ def number_cells_kernel(
     """The cell that each pair lies in, by the number of its first anchor; the last number where it does not count."""
     i = tid()
     image = sightings.images[i]
-    row = measure_pair(vertices[sightings.vertices[i]], image, float64(0.0), pictures, warps)
-    cell = cell_count + 0
-    if row[0] > float64(0.0):
+    row = measure_pair(vertices[sightings.vertices[i]], image, 0.0, pictures, warps)
+    cell = cell_count
+    if row[0] > 0.0:
         grid = warps.grids[image]
         step = warps.steps[image]
         a = min(max(int(floor(row[10] / step)), 0), grid[0] - 2)
@@ -145,8 +147,52 @@ def anchor_weight(pair: int, right: int, down: int, system: WarpSystem) -> float
     if down == 1:
         w = w * q
     else:
-        w = w * (float64(1.0) - q)
+        w = w * (1.0 - q)
     return w
+
+
+@func
+def write_entries(
+    image: int,
+    anchor: int,
+    target: int,
+    beside: vec2i,
+    total: border_sums,
+    warps: Warps,
+    state: SearchState,
+    system: WarpSystem,
+):
+    """Write what was summed for an anchor and a neighbour, `beside` of it, or the pose."""
+    grid = warps.grids[image]
+    column = anchor // grid[1]
+    row = anchor % grid[1]
+    first = 2 * (grid[2] + anchor)
+    if target == 5:
+        tie = system.ties[image]
+        shift = warps.shifts[grid[2] + anchor]
+        n = int(6)
+        for m in range(n):
+            system.border[first, m] = total[m]
+            system.border[first + 1, m] = total[7 + m]
+        system.border[first, 6] = -(total[6] + tie * shift[0])
+        system.border[first + 1, 6] = -(total[13] + tie * shift[1])
+    else:
+        last = system.width - 1
+        if target == 0:
+            tie = system.ties[image]
+            damping = 1.0 + state.error[2]
+            system.band[first, last] = (total[0] + tie) * damping
+            system.band[first + 1, last - 1] = total[1]
+            system.band[first + 1, last] = (total[2] + tie) * damping
+        else:
+            # the later anchor's rows hold the entry
+            other = first + 2 * (beside[0] * grid[1] + beside[1])
+            if row + beside[1] >= 0 and row + beside[1] < grid[1] and column + beside[0] < grid[0]:
+                at = last + first - other
+                system.band[other, at] = total[0]
+                system.band[other, at + 1] = total[1]
+                system.band[other + 1, at - 1] = total[1]
+                system.band[other + 1, at] = total[2]
 
 
 @kernel
@@ -162,14 +208,14 @@ def gather_anchors_kernel(image: int, warps: Warps, state: SearchState, system: 
     target = i % TARGETS
     column = anchor // grid[1]
     row = anchor % grid[1]
-    across = int(0)
-    down = int(0)
+    across = 0
+    down = 0
     if target == 1:
         down = 1
     if target > 1 and target < 5:
         across = 1
         down = target - 3
-    total = border_sums(float64(0.0))
+    total = border_sums(0.0)
     for a in range(2):
         for b in range(2):
             # the cell whose corner (a, b) the anchor is, where the neighbour is a corner too
@@ -196,33 +242,7 @@ def gather_anchors_kernel(image: int, warps: Warps, state: SearchState, system: 
                             slope = w * float64(system.rows[k, 5 + m])
                             total[m] += slope * gx
                             total[7 + m] += slope * gy
-    first = 2 * (grid[2] + anchor)
-    if target == 5:
-        tie = system.ties[image]
-        shift = warps.shifts[grid[2] + anchor]
-        n = int(6)
-        for m in range(n):
-            system.border[first, m] = total[m]
-            system.border[first + 1, m] = total[7 + m]
-        system.border[first, 6] = -(total[6] + tie * shift[0])
-        system.border[first + 1, 6] = -(total[13] + tie * shift[1])
-    else:
-        last = system.width - 1
-        if target == 0:
-            tie = system.ties[image]
-            damping = float64(1.0) + state.error[2]
-            system.band[first, last] = (total[0] + tie) * damping
-            system.band[first + 1, last - 1] = total[1]
-            system.band[first + 1, last] = (total[2] + tie) * damping
-        else:
-            # the later anchor's rows hold the entry
-            other = first + 2 * (across * grid[1] + down)
-            if row + down >= 0 and row + down < grid[1] and column + across < grid[0]:
-                at = last + first - other
-                system.band[other, at] = total[0]
-                system.band[other, at + 1] = total[1]
-                system.band[other + 1, at - 1] = total[1]
-                system.band[other + 1, at] = total[2]
+    write_entries(image, anchor, target, vec2i(across, down), total, warps, state, system)
 
 
 @kernel
@@ -230,7 +250,7 @@ def clear_band_kernel(band: array(dtype=float64, ndim=2)):
     """Zeros."""
     i = tid()
     for k in range(band.shape[1]):
-        band[i, k] = float64(0.0)
+        band[i, k] = 0.0
 
 
 @func
@@ -248,8 +268,8 @@ def factor_band(first: int, count: int, system: WarpSystem):
                 system.band[row, c - r + last] = value * system.band[first + c, last]
             else:
                 pivot = float64(0.0)
-                if value > float64(0.0):
-                    pivot = float64(1.0) / sqrt(value)
+                if value > 0.0:
+                    pivot = 1.0 / sqrt(value)
                 system.band[row, last] = pivot  # the reciprocal, which is what is used
 
 
@@ -286,14 +306,14 @@ def backward_band(first: int, count: int, motion: vec6d, system: WarpSystem):
 @func
 def solve_pose(first: int, count: int, total: pose_sums, damping: float64, system: WarpSystem) -> vec6d:
     """The pose's motion, the anchors taken out of its equations."""
-    h = triangle(float64(0.0))
-    b = vec6d(float64(0.0))
+    h = triangle(0.0)
+    b = vec6d(0.0)
     n = int(6)
     for i in range(n):
         for j in range(i, n):
             value = total[place_of(i, j)]
             if i == j:
-                value = value * (float64(1.0) + damping)
+                value = value * (1.0 + damping)
             for k in range(first, first + count):
                 value -= system.border[k, i] * system.border[k, j]
             h[place_of(i, j)] = value
@@ -306,16 +326,12 @@ def solve_pose(first: int, count: int, total: pose_sums, damping: float64, syste
 
 @kernel
 def step_warps_kernel(
-    state: SearchState,
-    best_sums: array(dtype=pose_sums),
-    pictures: PosedPictures,
-    warps: Warps,
-    system: WarpSystem,
+    state: SearchState, best_sums: array(dtype=pose_sums), pictures: PosedPictures, warps: Warps, system: WarpSystem
 ):
     """Move the pose and the anchors of each picture. One thread a picture."""
     i = tid()
     grid = warps.grids[i]
-    if state.running[0] == 1 and system.ties[i] > float64(0.0):
+    if state.running[0] == 1 and system.ties[i] > 0.0:
         first = 2 * grid[2]
         count = 2 * grid[0] * grid[1]
         factor_band(first, count, system)
@@ -344,13 +360,21 @@ def sum_ties_kernel(warps: Warps, system: WarpSystem, ties: array(dtype=float64)
 class WarpSearch(ColorSearch):
     """The search for poses and warps: as ColorSearch, with a band of anchors a picture."""
 
-    def __init__(self, vertices, sightings, pictures, warps, most_turns, weight):
+    def __init__(
+        self,
+        vertices: Points,
+        sightings: Sightings,
+        pictures: PosedPictures,
+        warps: Warps,
+        most_turns: int,
+        weight: float,
+    ) -> None:
         super().__init__(vertices, sightings, pictures, warps, most_turns)
         self.system = WarpSystem(warps, sightings.count, sightings.counts / max(vertices.size, 1), weight)
         self.best_shifts = clone(warps.shifts)
         self.keys = empty(sightings.count, int64, vertices.device)
 
-    def turn(self):
+    def turn(self) -> bool:
         """One turn; False where it was the last (one sync)."""
         warps, system = self.warps, self.system
         self.measure()
@@ -367,7 +391,7 @@ class WarpSearch(ColorSearch):
             launch(step_warps_kernel, self.pictures.count, given)
         return bool(running)
 
-    def _gather(self):
+    def _gather(self) -> None:
         """The normal equations of the anchors."""
         warps, system = self.warps, self.system
         shared = [self.vertices, self.sightings]

@@ -15,13 +15,13 @@ LOW_31 = 0x7FFF_FFFF  # clears what a shift to the right brings in
 def lowest_bit(word: int) -> int:
     """The place of the lowest bit set; the word is not zero."""
     w = uint32(word)
-    return bit_count(int((w & (~w + uint32(1))) - uint32(1)))
+    return bit_count(int((w & (~w + 1)) - 1))
 
 
 @func
 def bits_below(place: int) -> int:
     """A word with the bits below a place set."""
-    return int((uint32(1) << uint32(place)) - uint32(1))
+    return int((1 << uint32(place)) - 1)
 
 
 @func
@@ -33,7 +33,7 @@ def bit(word: int, place: int) -> int:
 @func
 def above(words: array(dtype=int32), row: int, w: int, width: int) -> int:
     """Word w of a row moved by one sample: bit j is sample j + 1; zero comes in at the end of the row."""
-    carry = int(0)
+    carry = 0
     if w + 1 < width:
         carry = words[row * width + w + 1] << 31
     return ((words[row * width + w] >> 1) & LOW_31) | carry
@@ -43,7 +43,7 @@ def above(words: array(dtype=int32), row: int, w: int, width: int) -> int:
 def with_below(words: array(dtype=int32), row: int, w: int, width: int) -> int:
     """Bit j is set where sample j or j - 1 is."""
     word = words[row * width + w]
-    carry = int(0)
+    carry = 0
     if w > 0:
         carry = (words[row * width + w - 1] >> 31) & 1
     return word | (word << 1) | carry

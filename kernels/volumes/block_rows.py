@@ -5,12 +5,18 @@ has the signs of its voxels and of the first voxel of the row above in bits 0..8
 and in bits 16..24 which of these voxels are seen often enough.
 """
 
+from typing import TYPE_CHECKING
+
+from ..array_types import Device, Indices, Integers
 from ..arrays.block_keys import BIAS, block_key, key_block
 from ..arrays.hash_table import find_position
 from ..lang import array, func, int32, kernel, launch, struct, tid
 from ..memory import copy, empty
 from .tsdf_blocks import ROWS, SIDE
 from .voxel_blocks import VoxelBlocks
+
+if TYPE_CHECKING:
+    from ..arrays.changes import Changes
 
 AROUND = 27  # a block and its neighbours; (dx, dy, dz) stands at 9 dx + 3 dy + dz + 13
 VALID = 16  # shift of the bits that say which voxels are valid
@@ -33,7 +39,7 @@ class SeenBlocks:
     neighbors: array(dtype=int32)
     threshold: float
 
-    def __init__(self, blocks, threshold):
+    def __init__(self, blocks: VoxelBlocks, threshold: float) -> None:
         self.blocks, self.threshold, self.row_count = blocks, float(threshold), blocks.count * ROWS
         self.neighbors = neighbors_of(blocks)
 
@@ -46,10 +52,10 @@ class BlockNeighbors:
         changes: The Changes of the list of blocks that they are of.
     """
 
-    def __init__(self, changes, device):
+    def __init__(self, changes: "Changes", device: Device) -> None:
         self.changes, self.listed, self.count = changes, empty(0, int32, device), 0
 
-    def update(self, blocks):
+    def update(self, blocks: VoxelBlocks) -> Integers:
         """The neighbours of all blocks; a repeated update after an interruption writes the same."""
         count, known = blocks.count, self.count
         if count > known:
@@ -63,7 +69,7 @@ class BlockNeighbors:
         return self.listed
 
 
-def neighbors_of(blocks):
+def neighbors_of(blocks: VoxelBlocks) -> Indices:
     """The 27 blocks around each block of VoxelBlocks, int32 [27 a block or more]."""
     kept = blocks.kept.get("neighbors")
     if kept is None or kept.changes is not blocks.changes:
@@ -81,7 +87,7 @@ def find_neighbors_kernel(blocks: VoxelBlocks, known: int, neighbors: array(dtyp
     x = block[0] + side // 9 - 1
     y = block[1] + side // 3 % 3 - 1
     z = block[2] + side % 3 - 1
-    found = int(-1)
+    found = -1
     if max(max(abs(x), abs(y)), abs(z)) < BIAS - 1:  # the key of the last block of all means an empty slot
         found = find_position(block_key(x, y, z), blocks.table)
     neighbors[position * AROUND + side] = found
@@ -92,11 +98,11 @@ def find_neighbors_kernel(blocks: VoxelBlocks, known: int, neighbors: array(dtyp
 @func
 def offset_of(c: int) -> int:
     """The block that a local coordinate in -8..15 falls into: -1, 0 or 1."""
-    o = int(0)
+    o = 0
     if c < 0:
-        o = int(-1)
+        o = -1
     if c >= SIDE:
-        o = int(1)
+        o = 1
     return o
 
 
@@ -106,7 +112,7 @@ def row_near(block: int, x: int, y: int, dz: int, seen: SeenBlocks) -> int:
     dx = offset_of(x)
     dy = offset_of(y)
     other = seen.neighbors[block * AROUND + 13 + 9 * dx + 3 * dy + dz]
-    row = int(-1)
+    row = -1
     if other >= 0:
         row = other * ROWS + (x - dx * SIDE) * SIDE + (y - dy * SIDE)
     return row
@@ -117,7 +123,7 @@ def voxel_near(block: int, x: int, y: int, z: int, seen: SeenBlocks) -> int:
     """The voxel at local (x, y, z), each in -8..15; -1 where there is no block."""
     dz = offset_of(z)
     row = row_near(block, x, y, dz, seen)
-    voxel = int(-1)
+    voxel = -1
     if row >= 0:
         voxel = row * SIDE + z - dz * SIDE
     return voxel
@@ -127,7 +133,7 @@ def voxel_near(block: int, x: int, y: int, z: int, seen: SeenBlocks) -> int:
 def word_near(words: array(dtype=int32), block: int, x: int, y: int, dz: int, seen: SeenBlocks) -> int:
     """A row's word, 0 (nothing valid) where there is no block."""
     row = row_near(block, x, y, dz, seen)
-    word = int(0)
+    word = 0
     if row >= 0:
         word = words[row]
     return word
@@ -136,7 +142,7 @@ def word_near(words: array(dtype=int32), block: int, x: int, y: int, dz: int, se
 @func
 def signs_of(voxel: int, place: int, seen: SeenBlocks) -> int:
     """A voxel's bits in a word; it is valid where its weight exceeds the threshold."""
-    word = int(0)
+    word = 0
     if float(seen.blocks.weights[voxel]) > seen.threshold:
         word = 1 << (place + VALID)
         if seen.blocks.distances[voxel] < 0.0:
@@ -148,7 +154,7 @@ def signs_of(voxel: int, place: int, seen: SeenBlocks) -> int:
 def pack_rows_kernel(seen: SeenBlocks, words: array(dtype=int32)):
     """Signs and validity of the 8 voxels of each row, and of the first voxel of the row above."""
     i = tid()
-    word = int(0)
+    word = 0
     for j in range(SIDE):
         word = word | signs_of(i * SIDE + j, j, seen)
     above = seen.neighbors[i // ROWS * AROUND + 14]
@@ -157,7 +163,7 @@ def pack_rows_kernel(seen: SeenBlocks, words: array(dtype=int32)):
     words[i] = word
 
 
-def pack_rows(seen):
+def pack_rows(seen: SeenBlocks):
     """The words of all rows of SeenBlocks, int32 [blocks * 64]."""
     words = empty(seen.row_count, int32, seen.neighbors.device)
     launch(pack_rows_kernel, seen.row_count, [seen, words])

@@ -7,12 +7,17 @@ blocks alone are read again: 6 B a voxel, 128 B a block kept.
 """
 
 import weakref
+from typing import TYPE_CHECKING
 
+from ..array_types import Device
 from ..lang import array, func, int32, int64, kernel, launch, struct, tid
 from ..memory import empty
 from .block_rows import AROUND, neighbors_of
 from .tsdf_blocks import SIDE
 from .voxel_blocks import VoxelBlocks
+
+if TYPE_CHECKING:
+    from ..arrays.changes import Changes
 
 MIDDLE = 13  # a block among its neighbours
 LOW_SEVEN = 0x7F7F7F7F7F7F7F7F  # the voxels that have one above along z in the slice
@@ -39,12 +44,12 @@ class BlockSigns:
     cells: array(dtype=int64)
     parts: array(dtype=int32)
 
-    def __init__(self, changes, device):
+    def __init__(self, changes: "Changes", device: Device) -> None:
         self.changes, self.number = changes, -1
         self._voxels = ()
         self.signs, self.cells, self.parts = (empty(0, t, device) for t in (int64, int64, int32))
 
-    def update(self, blocks):
+    def update(self, blocks: VoxelBlocks) -> None:
         """Bring the bits to what the voxels are now; a repeated update after an interruption writes the same."""
         count, number = blocks.count, blocks.frame_count
         voxels = (blocks.distances, blocks.weights)
@@ -62,14 +67,14 @@ class BlockSigns:
         launch(find_cells_with_signs_kernel, count, [neighbors_of(blocks), self.signs, self.cells, self.parts])
         self._voxels, self.number = tuple(weakref.ref(a) for a in voxels), number
 
-    def _reserve(self, count):
+    def _reserve(self, count: int) -> None:
         device = self.signs.device
         self.number = -1
         self.signs, self.cells = (empty(count * SIDE, int64, device) for _ in range(2))
         self.parts = empty(count, int32, device)
 
 
-def signs_of(blocks):
+def signs_of(blocks: VoxelBlocks) -> BlockSigns:
     """The BlockSigns of VoxelBlocks."""
     kept = blocks.kept.get("signs")
     if kept is None or kept.changes is not blocks.changes:
@@ -84,7 +89,7 @@ def slice_signs(layer: int, blocks: VoxelBlocks) -> int64:
     word = int64(0)
     n = int(8)
     for y in range(n):
-        row = int(0)
+        row = 0
         for z in range(8):
             voxel = (layer * SIDE + y) * SIDE + z
             row = row | ((int(blocks.distances[voxel] <= 0.0) & int(int(blocks.weights[voxel]) > 0)) << z)
@@ -124,18 +129,18 @@ def spread_slice(first: int, x: int, neighbors: array(dtype=int32), signs: array
     above_z = slice_at(neighbors[first + 1], x, signs)
     above_y = slice_at(neighbors[first + 3], x, signs)
     above = slice_at(neighbors[first + 4], x, signs)
-    w = w | ((w >> int64(1)) & int64(LOW_SEVEN)) | ((above_z & int64(LOWEST)) << int64(7))
-    up = above_y | ((above_y >> int64(1)) & int64(LOW_SEVEN)) | ((above & int64(LOWEST)) << int64(7))
-    return w | ((w >> int64(8)) & int64(LOW_SEVEN_ROWS)) | (up << int64(56))
+    w = w | ((w >> 1) & int64(LOW_SEVEN)) | ((above_z & int64(LOWEST)) << 7)
+    up = above_y | ((above_y >> 1) & int64(LOW_SEVEN)) | ((above & int64(LOWEST)) << 7)
+    return w | ((w >> 8) & int64(LOW_SEVEN_ROWS)) | (up << 56)
 
 
 @func
 def parts_of(word: int64) -> int:
     """Of a slice of cells the four parts y, z with one, a bit each."""
     y_low = word & int64(LOW_Y)
-    y_high = (word >> int64(32)) & int64(LOW_Y)
-    found = int((y_low & int64(LOW_Z)) != int64(0)) | (int((y_low & ~int64(LOW_Z)) != int64(0)) << 1)
-    return found | (int((y_high & int64(LOW_Z)) != int64(0)) << 2) | (int((y_high & ~int64(LOW_Z)) != int64(0)) << 3)
+    y_high = (word >> 32) & int64(LOW_Y)
+    found = int((y_low & int64(LOW_Z)) != 0) | (int((y_low & ~int64(LOW_Z)) != 0) << 1)
+    return found | (int((y_high & int64(LOW_Z)) != 0) << 2) | (int((y_high & ~int64(LOW_Z)) != 0) << 3)
 
 
 @kernel
@@ -161,5 +166,5 @@ def find_cells_with_signs_kernel(
             low = low | word
         else:
             high = high | word
-        word = following + int64(0)
+        word = following
     parts[i] = parts_of(low) | (parts_of(high) << 4)

@@ -6,33 +6,13 @@ known from prefix sums. Nothing is hashed or merged afterwards, and the order is
 Scratch 32 B a row. Lorensen and Cline, SIGGRAPH 1987; cases from cube_table.py.
 """
 
+from typing import Any
+
 from ..arrays.block_keys import key_block
 from ..arrays.prefix_sum import scan_two
-from ..lang import (
-    array,
-    bit_count,
-    func,
-    int32,
-    kernel,
-    launch,
-    sqrt,
-    struct,
-    tid,
-    uint16,
-    vec3,
-    vec3i,
-)
+from ..lang import array, bit_count, func, int32, kernel, launch, sqrt, struct, tid, vec3, vec3i
 from ..memory import empty
-from .block_rows import (
-    EIGHT,
-    NINE,
-    VALID,
-    SeenBlocks,
-    pack_rows,
-    row_near,
-    voxel_near,
-    word_near,
-)
+from .block_rows import EIGHT, NINE, VALID, SeenBlocks, pack_rows, row_near, voxel_near, word_near
 from .cube_table import CubeTables, device_tables
 from .tsdf_blocks import ROWS, SIDE
 from .voxel_blocks import COLOR_SCALE, VoxelBlocks, voxel_color
@@ -72,7 +52,7 @@ class BlockSurface:
     offsets: array(dtype=int32)
     tables: CubeTables
 
-    def __init__(self, seen, need_cells):
+    def __init__(self, seen: SeenBlocks, need_cells: Any) -> None:
         """Find them; with `need_cells` only edges of cells with triangles make vertices."""
         rows, device = seen.row_count, seen.neighbors.device
         self.rows = rows
@@ -84,7 +64,7 @@ class BlockSurface:
         self.offsets, self.vertex_count, total = scan_two(counts)
         self.triangle_count = total - self.vertex_count
 
-    def vertices(self, has_color, has_normals):
+    def vertices(self, has_color: bool, has_normals: Any):
         """(vertices, colors or None, normals or None), vec3 device arrays."""
         vertices = empty(self.vertex_count, vec3, self.device)
         colors = empty(self.vertex_count if has_color else 1, vec3, self.device)
@@ -107,8 +87,8 @@ def find_cells_kernel(surface: BlockSurface, counts: array(dtype=int32)):
     block = i // ROWS
     x = i // SIDE % SIDE
     y = i % SIDE
-    cut = int(0)
-    triangles = int(0)
+    cut = 0
+    triangles = 0
     w00 = surface.words[i]
     if (w00 >> VALID) != 0:
         w10 = word_near(surface.words, block, x + 1, y, 0, surface.seen)
@@ -154,7 +134,7 @@ def find_edges_kernel(surface: BlockSurface, need_cells: int, counts: array(dtyp
     x = i // SIDE % SIDE
     y = i % SIDE
     word = surface.words[i]
-    found = int(0)
+    found = 0
     if (word >> VALID) != 0:
         wx = word_near(surface.words, block, x + 1, y, 0, surface.seen)
         wy = word_near(surface.words, block, x, y + 1, 0, surface.seen)
@@ -177,18 +157,18 @@ def find_edges_kernel(surface: BlockSurface, need_cells: int, counts: array(dtyp
 @func
 def gradient_along(low: int, here: float, high: int, blocks: VoxelBlocks) -> float:
     """The slope between the voxels before and behind, one-sided where one was never seen, 0 where both."""
-    a = here + 0.0
-    b = here + 0.0
-    span = float(0.0)
+    a = here
+    b = here
+    span = 0.0
     if low >= 0:
-        if blocks.weights[low] > uint16(0):
+        if blocks.weights[low] > 0:
             a = blocks.distances[low]
             span += 1.0
     if high >= 0:
-        if blocks.weights[high] > uint16(0):
+        if blocks.weights[high] > 0:
             b = blocks.distances[high]
             span += 1.0
-    slope = float(0.0)
+    slope = 0.0
     if span > 0.0:
         slope = (b - a) / span
     return slope

@@ -5,6 +5,8 @@ cells in which rays may meet a surface (block_signs.py), and lowers the nearest 
 tiles that they may be seen in: what the rays of a tile pass before that is of no interest. 8 B a tile.
 """
 
+from typing import Any
+
 import numpy as np
 
 from ..algebra.camera import Camera
@@ -64,7 +66,15 @@ class CameraRays:
     nears: array(dtype=int32)
     fars: array(dtype=int32)
 
-    def __init__(self, camera, T_volume_camera, nearest, farthest, blocks, signs):
+    def __init__(
+        self,
+        camera: Any,
+        T_volume_camera: np.ndarray,
+        nearest: float,
+        farthest: float,
+        blocks: VoxelBlocks,
+        signs: BlockSigns,
+    ) -> None:
         """`signs` are the BlockSigns of the VoxelBlocks."""
         self.camera, self.nearest, self.farthest = camera, nearest, farthest
         place = T_volume_camera[:3, 3] / blocks.voxel_size
@@ -88,7 +98,7 @@ class CameraRays:
 @func
 def ray_of(column: int, row: int, rays: CameraRays) -> vec3:
     """The ray of a pixel, in voxels a metre of depth."""
-    return narrow(rays.sight @ vec3d(float64(column), float64(row), float64(1.0)))
+    return narrow(rays.sight @ vec3d(float64(column), float64(row), 1.0))
 
 
 @func
@@ -104,7 +114,7 @@ def in_camera(x: float64, y: float64, z: float64, R: mat33d) -> vec3d:
 @func
 def tile_of(place: float64, count: int) -> int:
     """The tile of a row or column of pixels, the first or last of `count` beyond the picture."""
-    inside = max(float64(0.0), min(place, float64(count * TILE - 1)))
+    inside = max(0.0, min(place, float64(count * TILE - 1)))
     return int(inside) // TILE
 
 
@@ -124,8 +134,8 @@ def bound_box(
         right = rays.camera.fx * right + rays.camera.cx + float64(MARGIN)
         top = rays.camera.fy * top + rays.camera.cy - float64(MARGIN)
         bottom = rays.camera.fy * bottom + rays.camera.cy + float64(MARGIN)
-        is_beside = right < float64(0.0) or left > float64(rays.camera.width)
-        is_above = bottom < float64(0.0) or top > float64(rays.camera.height)
+        is_beside = right < 0.0 or left > float64(rays.camera.width)
+        is_above = bottom < 0.0 or top > float64(rays.camera.height)
         if not is_beside and not is_above:
             near_bits = float_bits(float(near))
             far_bits = float_bits(float(far))

@@ -20,6 +20,7 @@ from itertools import combinations
 
 import numpy as np
 
+from ..array_types import Device
 from ..lang import array, int32, struct
 from ..memory import upload
 
@@ -135,14 +136,14 @@ class CubeTables:
     edge_corner: array(dtype=int32)
     edge_axis: array(dtype=int32)
 
-    def __init__(self, device):
+    def __init__(self, device: Device | str) -> None:
         tables = (TRIANGLE_COUNT, TRIANGLE_EDGES, EDGE_CORNER, EDGE_AXIS)
         self.triangle_count, self.triangle_edges, self.edge_corner, self.edge_axis = (
             upload(table, int32, device) for table in tables
         )
 
 
-def device_tables(device) -> CubeTables:
+def device_tables(device: Device) -> CubeTables:
     """The tables on a device (a name or a device of Warp), uploaded once."""
     return _tables_on(str(device))
 

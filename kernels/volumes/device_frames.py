@@ -9,9 +9,12 @@ ray's block; room for as many new blocks as rays could touch is made beforehand,
 memory, as many as were counted, for which the host waits once.
 """
 
+from typing import Any
+
 import numpy as np
 
 from ..algebra.camera import Camera, pixel_ray
+from ..array_types import Array2
 from ..arrays.block_keys import block_key
 from ..arrays.hash_table import HashTable, find_position, find_slot, insert_key
 from ..arrays.lanes import LANE_BITS
@@ -35,16 +38,7 @@ from ..lang import (
     uint8,
 )
 from ..memory import copy, download, empty, fill, free_bytes, zeros
-from .frame_record import (
-    COUNTED,
-    INTO_VOLUME,
-    LOW,
-    MISSING,
-    SIZE,
-    TOUCHED,
-    recorded_rotation,
-    recorded_translation,
-)
+from .frame_record import COUNTED, INTO_VOLUME, LOW, MISSING, SIZE, TOUCHED, recorded_rotation, recorded_translation
 from .integrate import Frame, launch_integration
 from .tsdf_blocks import (
     MAX_BLOCKS,
@@ -57,7 +51,7 @@ from .tsdf_blocks import (
     ray_grid,
     ray_stride,
 )
-from .voxel_blocks import check_block_count
+from .voxel_blocks import VoxelBlocks, check_block_count
 
 LONGEST_STRIDE = float(MAX_STRIDE)
 GROUP = 32  # cells that are counted together
@@ -69,7 +63,7 @@ ROOM_SHARE = 0.125  # of the memory that is free, for blocks that a frame may to
 @func
 def greatest_of(i: int, values: array(dtype=int32)) -> int:
     """The greatest of some numbers, none negative; the same for all threads i."""
-    most = int(0)
+    most = 0
     for k in range(values.shape[0]):
         most = max(most, values[k])
     return most
@@ -78,7 +72,7 @@ def greatest_of(i: int, values: array(dtype=int32)) -> int:
 @greatest_of.on_cuda
 def greatest_of_lanes(i: int, values: array(dtype=int32)) -> int:
     """The lanes of a warp read some each; all 32 come here together."""
-    most = int(0)
+    most = 0
     k = i % WARP
     while k < values.shape[0]:
         most = max(most, values[k])
@@ -93,8 +87,8 @@ def stride_of(largest: int, camera: Camera, block_size: float64) -> int:
     """As tsdf_blocks.ray_stride, of the bits of the frame's largest depth."""
     spacing = float64(bits_float(largest)) / min(camera.fx, camera.fy)
     stride = int(MAX_STRIDE)
-    if spacing > float64(0.0):
-        stride = int(min(max(block_size / float64(2.0) / spacing, float64(1.0)), float64(LONGEST_STRIDE)))
+    if spacing > 0.0:
+        stride = int(min(max(block_size / 2.0 / spacing, 1.0), float64(LONGEST_STRIDE)))
     return stride
 
 
@@ -118,11 +112,11 @@ def mark_touched_kernel(
         u = min((i % columns) * stride, camera.width - 1)  # the last column and row too
         v = min((i // columns) * stride, camera.height - 1)
         d = float64(depth[v * camera.width + u])
-        if d > float64(0.0):
+        if d > 0.0:
             R = recorded_rotation(record, INTO_VOLUME)
             t = recorded_translation(record, INTO_VOLUME)
             ray = pixel_ray(float64(u), float64(v), camera)
-            a = (R @ (ray * max(d - truncation, float64(0.0))) + t) / block_size
+            a = (R @ (ray * max(d - truncation, 0.0)) + t) / block_size
             b = (R @ (ray * (d + truncation)) + t) / block_size
             nx = int(record[SIZE])
             ny = int(record[SIZE + 1])
@@ -151,7 +145,7 @@ def count_touched_kernel(
 ):
     """How many cells of each group are touched, and behind these how many the volume lacks: whole numbers' sums."""
     i = tid()
-    if grid[i] != uint8(0):
+    if grid[i] != 0:
         atomic_add(sizes, i // GROUP, 1)
         if find_position(cell_key(i, record), table) < 0:
             grid[i] = uint8(LACKED)
@@ -174,12 +168,12 @@ def list_touched_kernel(
     if i == 0:
         counts[TOUCHED] = offsets[groups]
         counts[MISSING] = offsets[2 * groups] - offsets[groups]
-    if grid[i] != uint8(0):
+    if grid[i] != 0:
         group = i // GROUP
         at = offsets[group]
         position = counts[COUNTED] + offsets[groups + group] - offsets[groups]
         for j in range(group * GROUP, i):
-            if grid[j] != uint8(0):
+            if grid[j] != 0:
                 at += 1
             if grid[j] == uint8(LACKED):
                 position += 1
@@ -218,7 +212,9 @@ class FrameShape:
         key: What tells it from others.
     """
 
-    def __init__(self, raw, scale, farthest, camera, has_color, blocks):
+    def __init__(
+        self, raw: Any, scale: float, farthest: float, camera: Any, has_color: bool, blocks: VoxelBlocks
+    ) -> None:
         self.block_size = SIDE * blocks.voxel_size
         self.stride = ray_stride(farthest, camera, self.block_size)
         _, _, self.slots = frame_box(farthest, camera, np.eye(4), blocks.truncation, blocks.voxel_size)
@@ -233,12 +229,21 @@ class FrameShape:
 class DeviceFrames:
     """The frames of a volume on a GPU: what their launches write to, and the recording of these."""
 
-    def __init__(self, blocks, images):
+    def __init__(self, blocks: VoxelBlocks, images: Any) -> None:
         """`images` is images/depth.py, of a room that comes behind this one."""
-        self._blocks, self._images, self._shape = blocks, images, None
+        self._blocks, self._images = blocks, images
+        self._shape: FrameShape | None = None
         self._graph, self._recorded, self._cells = None, None, 0
 
-    def integrate(self, raw, scale, farthest, camera, T_volume_camera, pixels=None):
+    def integrate(
+        self,
+        raw: Any,
+        scale: float,
+        farthest: float,
+        camera: Any,
+        T_volume_camera: np.ndarray,
+        pixels: Array2[uint8] | None = None,
+    ):
         """Fold in a frame without waiting for it; whole or, where that is interrupted, not at all.
 
         Args:
@@ -283,7 +288,7 @@ class DeviceFrames:
         blocks.record.readback.send()
         return counts
 
-    def _prepare(self, shape, raw, camera, cells):
+    def _prepare(self, shape: Any, raw: Any, camera: Any, cells: Any) -> None:
         """Arrays for frames of this shape, where those at hand are for others."""
         if self._shape is not None and shape.key == self._shape.key and cells <= self._cells:
             return
@@ -300,19 +305,20 @@ class DeviceFrames:
         self._touched = empty(min(shape.most, self._cells), int32, device)
         self._shape = shape
 
-    def _has_room(self, known):
+    def _has_room(self, known: Any):
         """Whether all blocks that a frame could touch have room, which is made where it costs little."""
         blocks, most = self._blocks, self._touched.size
         if not blocks.has_room(known + most):
             free, room = free_bytes(blocks.device), most + FURTHER * (known + most // 8)
-            if known + room > MAX_BLOCKS or most * blocks.block_bytes > ROOM_SHARE * free:
+            if known + room > MAX_BLOCKS or free is None or most * blocks.block_bytes > ROOM_SHARE * free:
                 return False
             blocks.make_room(known + room)
         return True
 
-    def _find(self):
+    def _find(self) -> None:
         """Launch what finds and counts the touched blocks."""
         shape, values, table = self._shape, self._blocks.record.values, self._blocks.table
+        assert shape is not None
         fill(self._largest, 0)
         self._images.scale_depth(self._raw, shape.scale, shape.farthest, self._depth, self._largest)
         fill(self._grid, 0)
@@ -323,7 +329,7 @@ class DeviceFrames:
         launch(count_touched_kernel, self._grid.size, [values, table, self._groups, self._grid, self._sizes])
         inclusive_scan(self._sizes, self._offsets[1:])
 
-    def _fold(self):
+    def _fold(self) -> None:
         """Launch what numbers them, makes the new ones known, and folds the frame into all."""
         blocks, counts, values = self._blocks, self._blocks.record.counts, self._blocks.record.values
         listed = [values, blocks.table, self._grid, self._offsets, self._groups, counts, blocks.keys]
@@ -338,11 +344,11 @@ class DeviceFrames:
         ends = [int(download(self._offsets[k : k + 1])[0]) for k in (first, last)]
         return ends[1] - ends[0]
 
-    def _find_and_fold(self):
+    def _find_and_fold(self) -> None:
         self._find()
         self._fold()
 
-    def _run_all(self):
+    def _run_all(self) -> None:
         """Find and fold: by launches the first time, by a recording of them from the second on."""
         blocks = self._blocks
         voxels = (blocks.distances, blocks.weights, blocks.colors)

@@ -2,8 +2,11 @@
 reads another frame's poses, box and number in each run.
 """
 
+from typing import Any
+
 import numpy as np
 
+from ..array_types import Device
 from ..lang import array, float64, func, int32, mat33d, vec3d
 from ..memory import Readback, write, zeros
 
@@ -22,18 +25,20 @@ class FrameRecord:
         counts: int32 [3]: blocks that count, blocks that the frame touches, those of them that the volume lacks.
     """
 
-    def __init__(self, device, counted=0):
+    def __init__(self, device: Device, counted: int = 0) -> None:
         self.values, self.counts = zeros(LENGTH, float64, device), zeros(3, int32, device)
         self.readback = Readback(self.counts)
         if counted:
             self.write_counts(counted, 0, 0)
 
-    def write(self, T_volume_camera, T_camera_volume, low, size, number):
+    def write(
+        self, T_volume_camera: np.ndarray, T_camera_volume: np.ndarray, low: np.ndarray, size: np.ndarray, number: int
+    ) -> None:
         """Write down a frame's poses, float64 [4, 4], its box in blocks, and its number."""
         poses = [part for T in (T_volume_camera, T_camera_volume) for part in (T[:3, :3].ravel(), T[:3, 3])]
         write(self.values, np.concatenate([*poses, low, size, [number]]))
 
-    def write_counts(self, counted, touched, missing):
+    def write_counts(self, counted: int, touched: int, missing: int) -> None:
         """Write down the numbers of blocks, where the host knows them."""
         write(self.counts, np.array([counted, touched, missing], np.int32))
 
@@ -41,7 +46,7 @@ class FrameRecord:
 class FrameCounts:
     """How many blocks a frame touched and how many count since; waits for the device when first asked."""
 
-    def __init__(self, record):
+    def __init__(self, record: Any) -> None:
         self._record, self._found = record, None
 
     def settle(self):

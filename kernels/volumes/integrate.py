@@ -10,11 +10,14 @@ are those of a run's first row plus whole steps in float32, the same bits either
 The launch also notes that the frame is in, and how many blocks count then: it alone writes to what counts.
 """
 
+from typing import Any
+
 import numpy as np
 
 from ..algebra.camera import Camera
 from ..algebra.plain_min_max import larger, smaller
 from ..algebra.transform import narrow
+from ..array_types import Array2, Integers, Keys, Scalars
 from ..arrays.block_keys import key_block
 from ..lang import (
     array,
@@ -64,7 +67,7 @@ class Frame:
     has_color: int
     camera: Camera
 
-    def __init__(self, depth, farthest, camera, pixels=None):
+    def __init__(self, depth: Scalars, farthest: float, camera: Any, pixels: Array2[uint8] | None = None) -> None:
         self.depth, self.farthest, self.camera, self.has_color = depth, farthest, camera, int(pixels is not None)
         self.pixels = zeros((1, 3), uint8, depth.device) if pixels is None else pixels
 
@@ -159,7 +162,7 @@ def integrate_depth_kernel(
     for row in range(stride):
         base = (block * ROWS + first + row) * SIDE
         at = row * SIDE
-        seen = int(0)
+        seen = 0
         for j in range(SIDE):
             if values[at + j] > UNSEEN:
                 seen += 1
@@ -171,8 +174,8 @@ def integrate_depth_kernel(
             for j in range(SIDE):
                 old = blocks.distances[base + j]
                 w = float(blocks.weights[base + j])
-                new = old + 0.0
-                heavier = w + 0.0
+                new = old
+                heavier = w
                 if values[at + j] > UNSEEN:
                     new = (old * w + values[at + j]) / (w + 1.0)
                     heavier = min(w + 1.0, MAX_WEIGHT)
@@ -227,7 +230,7 @@ def integrate_voxels_kernel(
             blocks.weights[voxel] = uint16(min(w + 1.0, MAX_WEIGHT))
 
 
-def launch_integration(touched, count, frame, blocks):
+def launch_integration(touched: Integers, count: int, frame: Frame, blocks: VoxelBlocks) -> None:
     """Fold a frame into `count` of its blocks; on CUDA into as many as blocks.record.counts say."""
     stride, threads = CPU_RUN, count * ROWS // CPU_RUN
     if touched.device.is_cuda:
@@ -236,7 +239,7 @@ def launch_integration(touched, count, frame, blocks):
     launch(integrate_depth_kernel, threads, [touched, record.counts, record.values, stride, frame, blocks])
 
 
-def integrate_depth(keys, frame, T_camera_volume, blocks):
+def integrate_depth(keys: Keys, frame: Frame, T_camera_volume: np.ndarray, blocks: VoxelBlocks) -> None:
     """Fold one frame into the blocks that it touches, wholly or, where that is interrupted, not at all.
 
     Args:

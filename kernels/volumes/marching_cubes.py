@@ -19,23 +19,12 @@ Sources: Lorensen and Cline, "Marching cubes", SIGGRAPH 1987; the passes by rows
 Geveci, "Flying edges", LDAV 2015.
 """
 
+from typing import Any
+
+import numpy as np
+
 from ..arrays.prefix_sum import scan_two
-from ..lang import (
-    array,
-    bit_count,
-    float64,
-    func,
-    int32,
-    kernel,
-    launch,
-    loop,
-    struct,
-    tid,
-    vec3,
-    vec3i,
-    vec4i,
-    vector,
-)
+from ..lang import array, bit_count, float64, func, int32, kernel, launch, loop, struct, tid, vec3, vec3i, vec4i, vector
 from ..memory import empty
 from .bit_rows import LOW_31, WORD, above, bit, bits_below, has_next, lowest_bit, with_below
 from .cube_table import MAX_TRIANGLES, CubeTables, device_tables
@@ -57,7 +46,7 @@ class SurfaceEdges:
     words: array(dtype=vec4i)
     offsets: array(dtype=int32)
 
-    def __init__(self, grid, tables):
+    def __init__(self, grid: Any, tables: Any) -> None:
         device = grid.signs.device
         self.words, counts = empty(grid.rows * grid.width, vec4i, device), empty(2 * grid.rows, int32, device)
         launch(count_surface_kernel, grid.rows, [grid, tables, self, counts])
@@ -98,15 +87,15 @@ def surface_cases(row: int, w: int, cells: int, grid: SignGrid) -> tuple[int, in
 
     The eight words of signs are read once: what a body writes might lie among them, as far as compilers know.
     """
-    left = cells + 0
-    a = int(0)
-    b = int(0)
-    c = int(0)
-    d = int(0)
-    e = int(0)
-    f = int(0)
-    g = int(0)
-    h = int(0)
+    left = cells
+    a = 0
+    b = 0
+    c = 0
+    d = 0
+    e = 0
+    f = 0
+    g = 0
+    h = 0
     if left != 0:
         a = sign_word(row, w, grid)
         b = sign_word(row + grid.ny, w, grid)
@@ -130,8 +119,8 @@ def crossing_edges(row: int, w: int, grid: SignGrid) -> vec4i:
     """(0, x, y, z): the edges of the samples of a word that cross the level, by axis."""
     y = row % grid.ny
     a = sign_word(row, w, grid)
-    ex = int(0)
-    ey = int(0)
+    ex = 0
+    ey = 0
     ez = (a ^ signs_above(row, w, grid)) & has_next(w, grid.nz)
     if row + grid.ny < grid.rows:
         ex = a ^ sign_word(row + grid.ny, w, grid)
@@ -139,7 +128,7 @@ def crossing_edges(row: int, w: int, grid: SignGrid) -> vec4i:
         ey = a ^ sign_word(row + 1, w, grid)
     if grid.has_gaps[0] != 0:  # an edge needs one whole cell of the four around it
         along_x = with_below(grid.whole, row, w, grid.width)
-        along_y = along_x + 0
+        along_y = along_x
         along_z = grid.whole[row * grid.width + w]
         if y > 0:
             along_x = along_x | with_below(grid.whole, row - 1, w, grid.width)
@@ -159,14 +148,14 @@ def crossing_edges(row: int, w: int, grid: SignGrid) -> vec4i:
 def count_surface_kernel(grid: SignGrid, tables: CubeTables, edges: SurfaceEdges, counts: array(dtype=int32)):
     """Per row: the edge words, and in `counts` the vertices of all rows followed by the triangles of all rows."""
     i = tid()
-    vertices = int(0)
-    triangles = int(0)
-    has_cells = int(0)
+    vertices = 0
+    triangles = 0
+    has_cells = 0
     if i % grid.ny + 1 < grid.ny and i + grid.ny < grid.rows:
         has_cells = 1
     for w in range(grid.width):
         crossing = crossing_edges(i, w, grid)
-        cells = int(0)
+        cells = 0
         if has_cells == 1:
             cells = surface_cells(i, w, grid)
         edges.words[i * grid.width + w] = vec4i(vertices, crossing[1], crossing[2], crossing[3])
@@ -225,7 +214,7 @@ def word_of(row: int, w: int, grid: SignGrid, edges: SurfaceEdges) -> vec4i:
 @func
 def x_edges_above(word: vec4i, row: int, w: int, grid: SignGrid, edges: SurfaceEdges) -> int:
     """Of the samples above those of a word, whether their edges along x cross the level."""
-    carry = int(0)
+    carry = 0
     if w + 1 < grid.width:
         carry = edges.words[row * grid.width + w + 1][1] << 31
     return ((word[1] >> 1) & LOW_31) | carry
@@ -257,8 +246,8 @@ def write_triangles_kernel(grid: SignGrid, edges: SurfaceEdges, tables: CubeTabl
         low_x = vec4i(0, 0, 0, 0)
         high = vec4i(0, 0, 0, 0)
         high_x = vec4i(0, 0, 0, 0)
-        low_above = int(0)
-        low_x_above = int(0)
+        low_above = 0
+        low_x_above = 0
         if cells != 0:
             low = word_of(i, w, grid, edges)
             low_x = word_of(i + grid.ny, w, grid, edges)
@@ -285,7 +274,7 @@ def write_triangles_kernel(grid: SignGrid, edges: SurfaceEdges, tables: CubeTabl
                 n += 1
 
 
-def extract_surface(field, shape, level, origin, spacing):
+def extract_surface(field: Any, shape: Any, level: Any, origin: np.ndarray, spacing: Any):
     """The surface where a field passes a level.
 
     Args:

@@ -4,21 +4,12 @@ One thread a pixel. A normal is the gradient of the trilinear distance over one 
 as it was seen; brightness is the trilinear mean of the seen voxels around, smooth enough to have slopes.
 """
 
+from collections.abc import Sequence
+from typing import Any
+
+from ..array_types import Device, Scalars, Vectors
 from ..arrays.block_keys import key_block
-from ..lang import (
-    NAN,
-    array,
-    float32,
-    func,
-    int32,
-    kernel,
-    launch,
-    mat33d,
-    sqrt,
-    struct,
-    tid,
-    vec3,
-)
+from ..lang import NAN, array, float32, func, int32, kernel, launch, mat33d, sqrt, struct, tid, vec3
 from ..memory import empty
 from .block_rows import SeenBlocks
 from .camera_rays import CameraRays, ray_of
@@ -69,10 +60,20 @@ class RayImages:
     has_intensities: int
     in_camera: int
 
-    def __init__(self, count, device, *, points=False, normals=True, colors=False, shares=None, in_camera=False):
+    def __init__(
+        self,
+        count: int,
+        device: Device,
+        *,
+        points: bool = False,
+        normals: bool = True,
+        colors: bool = False,
+        shares: Sequence[float] | None = None,
+        in_camera: bool = False,
+    ) -> None:
         """Room for so many pixels; brightness is made where its `shares` are given."""
 
-        def room(dtype, is_wanted):
+        def room(dtype: Any, is_wanted: bool) -> Scalars | Vectors:
             return empty(count if is_wanted else 1, dtype, device)
 
         self.has_points, self.has_colors, self.has_intensities = int(points), int(colors), int(shares is not None)
@@ -171,8 +172,8 @@ def slopes_at(block: int, x: int, y: int, z: int, f: vec3, c: octet, seen: SeenB
 @func
 def brightness_of(voxels: cube, f: vec3, seen: SeenBlocks, shares: vec3) -> float:
     """The trilinear mean brightness of the seen ones of a cell's voxels; 0 where there are none."""
-    total = float(0.0)
-    weight = float(0.0)
+    total = 0.0
+    weight = 0.0
     n = int(8)
     for c in range(n):
         voxel = voxels[c]
@@ -184,7 +185,7 @@ def brightness_of(voxels: cube, f: vec3, seen: SeenBlocks, shares: vec3) -> floa
                 shade = voxel_color(voxel, seen.blocks)
                 total += share * (shares[0] * shade[0] + shares[1] * shade[1] + shares[2] * shade[2])
                 weight += share
-    bright = float(0.0)
+    bright = 0.0
     if weight > 0.0:
         bright = total / (weight * (255.0 * COLOR_SCALE))
     return bright
@@ -244,7 +245,7 @@ def shade_hits_kernel(rays: CameraRays, seen: SeenBlocks, images: RayImages):
         images.normals[i] = normal
 
 
-def shade_hits(rays, seen, images):
+def shade_hits(rays: CameraRays, seen: SeenBlocks, images: RayImages) -> None:
     """Make the pictures that are asked for, from depth and `met`."""
     if images.has_points or images.has_normals or images.has_colors or images.has_intensities:
         launch(shade_hits_kernel, images.depth.size, [rays, seen, images])

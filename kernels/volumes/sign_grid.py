@@ -4,6 +4,10 @@ A thread a word: reads the field once, 4 B a sample, and writes 8 B a word, 4 mo
 that are not finite. On CUDA the lanes of a warp read neighbouring samples and pack a word together.
 """
 
+from typing import Any
+
+import numpy as np
+
 from ..lang import (
     array,
     atomic_max,
@@ -41,7 +45,7 @@ class SampledField:
     origin: vec3
     spacing: vec3
 
-    def __init__(self, values, shape, level, origin, spacing):
+    def __init__(self, values: Any, shape: Any, level: Any, origin: np.ndarray, spacing: Any) -> None:
         self.values, (self.nx, self.ny, self.nz), self.level = values, shape, level
         self.origin, self.spacing = vec3(*origin), vec3(*spacing)
 
@@ -69,7 +73,7 @@ class SignGrid:
     whole: array(dtype=int32)
     has_gaps: array(dtype=int32)
 
-    def __init__(self, field):
+    def __init__(self, field: Any) -> None:
         device, self.ny, self.nz = field.values.device, field.ny, field.nz
         self.width, self.rows = -(-field.nz // WORD), field.nx * field.ny
         self.signs, self.finite, self.whole = (empty(self.rows * self.width, int32, device) for _ in range(3))
@@ -87,8 +91,8 @@ def pack_signs_kernel(field: SampledField, grid: SignGrid):
     row = i // grid.width
     first = (i - row * grid.width) * WORD
     size = min(field.nz - first, WORD)
-    below = int(0)
-    known = int(0)
+    below = 0
+    known = 0
     if size == WORD:  # a count that compilers know: vector code
         for j in range(WORD):
             value = field.values[row, first + j]
@@ -110,15 +114,15 @@ def pack_lanes_kernel(field: SampledField, grid: SignGrid):
     """A warp packs the words of its threads in turn, a sample a lane: neighbouring lanes read neighbouring samples."""
     i = tid()
     lane = i % WORD
-    below = int(0)
-    known = int(0)
+    below = 0
+    known = 0
     n = int(WORD)
     for turn in range(n):
         word = i - lane + turn
         row = word // grid.width
         k = (word - row * grid.width) * WORD + lane
-        is_below = int(0)
-        is_known = int(0)
+        is_below = 0
+        is_known = 0
         if row < grid.rows and k < field.nz:
             value = field.values[row, k]
             is_below = int(value < field.level)
@@ -149,7 +153,7 @@ def find_whole_cells_kernel(grid: SignGrid):
         return
     y = i % grid.ny
     for w in range(grid.width):
-        cells = int(0)
+        cells = 0
         if y + 1 < grid.ny and i + grid.ny < grid.rows:
             cells = has_next(w, grid.nz) & finite_pairs(i, w, grid) & finite_pairs(i + 1, w, grid)
             cells = cells & finite_pairs(i + grid.ny, w, grid) & finite_pairs(i + grid.ny + 1, w, grid)

@@ -7,11 +7,13 @@ grid over the frame's box where that is small, else listed and sorted: both give
 """
 
 import math
+from typing import Any
 
 import numpy as np
 
 from ..algebra.camera import Camera, pixel_ray
 from ..algebra.transform import Transform, transform_point
+from ..array_types import Device, LongIntegers, Scalars
 from ..arrays.block_keys import AXIS_BITS, BIAS, block_key
 from ..arrays.packed_keys import NO_KEY
 from ..arrays.select import positions_of
@@ -49,7 +51,7 @@ def first_crossing(start: float64, step: int, delta: float64) -> float64:
     """Ray parameter at which a ray leaves its first cell along one axis."""
     t = float64(NO_CROSSING)
     if step > 0:
-        t = (floor(start) + float64(1.0) - start) * delta
+        t = (floor(start) + 1.0 - start) * delta
     if step < 0:
         t = (start - floor(start)) * delta
     return t
@@ -58,11 +60,11 @@ def first_crossing(start: float64, step: int, delta: float64) -> float64:
 @func
 def step_along(d: float64) -> int:
     """The sign of a direction: -1, 0 or 1."""
-    s = int(0)
-    if d > float64(0.0):
-        s = int(1)
-    if d < float64(0.0):
-        s = int(-1)
+    s = 0
+    if d > 0.0:
+        s = 1
+    if d < 0.0:
+        s = -1
     return s
 
 
@@ -70,8 +72,8 @@ def step_along(d: float64) -> int:
 def crossing_length(d: float64) -> float64:
     """Ray parameter between two crossings along one axis."""
     t = float64(NO_CROSSING)
-    if d != float64(0.0):
-        t = float64(1.0) / abs(d)
+    if d != 0.0:
+        t = 1.0 / abs(d)
     return t
 
 
@@ -93,7 +95,7 @@ def blocks_on_way(a: vec3d, b: vec3d, slots: int) -> tuple[int, int, int, int]:
     tz = first_crossing(a[2], sz, dz)
     for slot in range(slots):
         yield slot, x, y, z
-        if min(tx, min(ty, tz)) > float64(1.0):
+        if min(tx, min(ty, tz)) > 1.0:
             break
         if tx <= ty and tx <= tz:
             x += sx
@@ -126,13 +128,13 @@ class BlockMarks:
     slots: int
     keys: array(dtype=int64)
 
-    def __init__(self, low, size, ray_count, slots, device):
+    def __init__(self, low: np.ndarray, size: np.ndarray, ray_count: int, slots: int, device: Device) -> None:
         self.is_dense = int(size.prod() <= MAX_GRID)
         self.low, self.size, self.slots = vec3i(*low.astype(int)), vec3i(*size.astype(int)), slots
         self.grid = zeros(int(size.prod()) if self.is_dense else 1, uint8, device)
         self.keys = empty(1, int64, device) if self.is_dense else full(ray_count * slots, NO_KEY, int64, device)
 
-    def touched(self):
+    def touched(self) -> LongIntegers:
         """The keys of the touched blocks, int64, ascending."""
         if self.is_dense and self.grid.device.is_cpu:
             x, y, z = np.unravel_index(np.flatnonzero(download(self.grid)), self.size)
@@ -155,7 +157,7 @@ def leave_mark(x: int, y: int, z: int, ray: int, slot: int, marks: BlockMarks):
         cy = y - marks.low[1]
         cz = z - marks.low[2]
         if cx >= 0 and cy >= 0 and cz >= 0 and cx < marks.size[0] and cy < marks.size[1] and cz < marks.size[2]:
-            marks.grid[(cx * marks.size[1] + cy) * marks.size[2] + cz] = uint8(1)  # all threads write the same
+            marks.grid[(cx * marks.size[1] + cy) * marks.size[2] + cz] = 1  # all threads write the same
     else:
         marks.keys[ray * marks.slots + slot] = block_key(x, y, z)
 
@@ -176,9 +178,9 @@ def walk_rays_kernel(
     u = min((i % columns) * stride, camera.width - 1)  # the last column and row too
     v = min((i // columns) * stride, depth.shape[0] // camera.width - 1)
     d = float64(depth[v * camera.width + u])
-    if d > float64(0.0):
+    if d > 0.0:
         ray = pixel_ray(float64(u), float64(v), camera)
-        near = max(d - truncation, float64(0.0))
+        near = max(d - truncation, 0.0)
         a = transform_point(ray * near, T_volume_camera) / block_size
         b = transform_point(ray * (d + truncation), T_volume_camera) / block_size
         for slot, x, y, z in blocks_on_way(a, b, marks.slots):
@@ -196,18 +198,20 @@ def encode_cells_kernel(cells: array(dtype=int32), marks: BlockMarks, keys: arra
     keys[i] = block_key(x + marks.low[0], y + marks.low[1], z + marks.low[2])
 
 
-def ray_stride(farthest, camera, block_size):
+def ray_stride(farthest: float, camera: Any, block_size: float) -> int:
     """Every how many-th pixel's ray is walked, where no depth is beyond `farthest` [m]."""
     spacing = farthest / min(camera.fx, camera.fy)
     return int(np.clip(block_size / 2 / spacing, 1, MAX_STRIDE)) if spacing > 0 else MAX_STRIDE
 
 
-def ray_grid(camera, stride):
+def ray_grid(camera: Any, stride: int) -> tuple[int, int]:
     """(columns, rows) of rays, the last column and row of pixels among them."""
     return -(-(camera.width - 1) // stride) + 1, -(-(camera.height - 1) // stride) + 1
 
 
-def frame_box(farthest, camera, T_volume_camera, truncation, voxel_size):
+def frame_box(
+    farthest: float, camera: Any, T_volume_camera: np.ndarray, truncation: float, voxel_size: float
+) -> tuple[np.ndarray, np.ndarray, int]:
     """What a frame can touch with no depth beyond `farthest` [m].
 
     Returns:
@@ -226,12 +230,14 @@ def frame_box(farthest, camera, T_volume_camera, truncation, voxel_size):
     return low, size, slots
 
 
-def beyond_reach(low, size):
+def beyond_reach(low: np.ndarray, size: np.ndarray) -> bool:
     """Whether a box has blocks that have no key."""
     return not max(np.abs(low).max(), np.abs(low + size).max()) < BIAS
 
 
-def touched_blocks(depth, farthest, camera, T_volume_camera, truncation, voxel_size):
+def touched_blocks(
+    depth: Scalars, farthest: float, camera: Any, T_volume_camera: np.ndarray, truncation: float, voxel_size: float
+) -> LongIntegers:
     """The keys of the blocks within the truncation of a depth frame, ascending.
 
     Args:
@@ -263,12 +269,12 @@ def touched_blocks(depth, farthest, camera, T_volume_camera, truncation, voxel_s
     return marks.touched()
 
 
-def box_keys(x, y, z):
+def box_keys(x: np.ndarray, y: np.ndarray, z: np.ndarray) -> np.ndarray:
     """Keys of blocks by their coordinates, NumPy arrays; as block_keys.block_key."""
     return (((x + BIAS) << AXIS_BITS | (y + BIAS)) << AXIS_BITS) | (z + BIAS)
 
 
-def block_box(keys):
+def block_box(keys: np.ndarray) -> np.ndarray:
     """Block coordinates of a NumPy array of keys, int64 [m, 3]."""
     mask = (1 << AXIS_BITS) - 1
     return np.stack([keys >> (2 * AXIS_BITS), (keys >> AXIS_BITS) & mask, keys & mask], axis=1) - BIAS

@@ -12,29 +12,18 @@ Positions count from the camera's own voxel, so that float32 is exact far from t
 and leaves a cell follows from the cell alone, so a picture does not depend on which cells it passed before.
 """
 
+from typing import Any
+
+import numpy as np
+
 from ..algebra.plain_min_max import larger, smaller
 from ..arrays.block_keys import block_key
 from ..arrays.hash_table import find_position
-from ..lang import (
-    array,
-    bits_float,
-    float32,
-    floor,
-    func,
-    int32,
-    int64,
-    kernel,
-    launch,
-    tid,
-    vec2,
-    vec3,
-    vec3i,
-    vec4,
-)
+from ..lang import array, bits_float, float32, floor, func, int32, int64, kernel, launch, tid, vec2, vec3, vec3i, vec4
 from .block_rows import AROUND, SeenBlocks
 from .block_signs import HALF, BlockSigns, signs_of
 from .camera_rays import TILE, CameraRays, ray_of
-from .ray_images import shade_hits
+from .ray_images import RayImages, shade_hits
 from .tsdf_blocks import SIDE
 from .voxel_samples import (
     MIDDLE,
@@ -121,7 +110,7 @@ def hit_unseen(ends: vec4, block: int, corner: vec3i, ray: vec3, rays: CameraRay
     m_d = nearest_value(middle, block, corner, ray, rays, seen)
     a = ends[0]
     a_d = ends[1]
-    hit = float(0.0)
+    hit = 0.0
     if m_d <= 0.0 and a_d > 0.0 and a_d < UNSEEN:
         hit = zero_between(a, a_d, middle, m_d)
     if m_d < UNSEEN:
@@ -154,7 +143,7 @@ def hit_in_cell(
 
     `ends` holds the entry, the distance there as far as the cell before told it, else UNSEEN, and the exit.
     """
-    hit = float(0.0)
+    hit = 0.0
     before = ends[1]
     after = float(UNSEEN)
     corners = cell_distances(block, cell[0] - corner[0], cell[1] - corner[1], cell[2] - corner[2], seen)
@@ -180,9 +169,9 @@ def cell_beyond(t: float, exits: vec3, low: vec3i, size: int, ahead: vec3i, ray:
 
     Branches, not choices: foreseen, they let the next cell begin before this one's exit is known.
     """
-    x = low[0] + 0
-    y = low[1] + 0
-    z = low[2] + 0
+    x = low[0]
+    y = low[1]
+    z = low[2]
     if size > 1:
         x = clamped(t, rays.start[0], ray[0], low[0], size)
         y = clamped(t, rays.start[1], ray[1], low[1], size)
@@ -214,8 +203,8 @@ def cast_rays_kernel(
     ahead = vec3i(-int(inverse[0] > 0.0), -int(inverse[1] > 0.0), -int(inverse[2] > 0.0))  # all bits where it goes up
     t = max(rays.nearest, bits_float(rays.nears[tile]) * EARLIER)
     last = min(rays.farthest, bits_float(rays.fars[tile]))
-    hit = float(0.0)
-    steps = int(0)
+    hit = 0.0
+    steps = 0
     if t <= last:
         cell = floor_cell(rays.start + ray * t)
         before = float(UNSEEN)  # the distance at the entry, where the cell before told it
@@ -225,7 +214,7 @@ def cast_rays_kernel(
             ((cell[1] + rays.base[1]) & -SIDE) - rays.base[1],
             ((cell[2] + rays.base[2]) & -SIDE) - rays.base[2],
         )
-        parts = int(0)
+        parts = 0
         if block >= 0:
             parts = signs.parts[block]
         while t <= last and hit == 0.0 and steps < MAX_STEPS:
@@ -234,11 +223,11 @@ def cast_rays_kernel(
             y = cell[1] - corner[1]
             z = cell[2] - corner[2]
             size = int(SIDE)
-            is_candidate = int(0)
+            is_candidate = 0
             if parts != 0:
                 size = int(HALF)
                 if ((parts >> ((x >> 2) * 4 + (y >> 2) * 2 + (z >> 2))) & 1) == 1:
-                    size = int(1)
+                    size = 1
                     is_candidate = int(signs.cells[block * SIDE + x] >> int64(y * SIDE + z)) & 1
             low = vec3i(corner[0] + (x & -size), corner[1] + (y & -size), corner[2] + (z & -size))
             tx = (float(low[0] + (ahead[0] & size)) - rays.start[0]) * inverse[0]
@@ -251,8 +240,8 @@ def cast_rays_kernel(
                 hit = found[0]
                 after = found[1]
             if hit == 0.0:
-                before = after + 0.0
-                t = leave + 0.0
+                before = after
+                t = leave
                 cell = cell_beyond(t, vec3(tx, ty, tz), low, size, ahead, ray, rays)
                 dx = (cell[0] - corner[0]) >> 3
                 dy = (cell[1] - corner[1]) >> 3
@@ -263,7 +252,7 @@ def cast_rays_kernel(
                     else:
                         block = block_at(cell, rays.base, seen)
                     corner = vec3i(corner[0] + dx * SIDE, corner[1] + dy * SIDE, corner[2] + dz * SIDE)
-                    parts = int(0)
+                    parts = 0
                     if block >= 0:
                         parts = signs.parts[block]
         met[pixel] = block
@@ -272,7 +261,9 @@ def cast_rays_kernel(
     depth[pixel] = hit
 
 
-def cast_rays(seen, camera, T_volume_camera, nearest, farthest, images):
+def cast_rays(
+    seen: SeenBlocks, camera: Any, T_volume_camera: np.ndarray, nearest: float, farthest: float, images: RayImages
+) -> None:
     """What a camera sees of a volume.
 
     Args:

@@ -12,9 +12,12 @@ SIGGRAPH 1996, section 3.3 for the mean; Kaehler, Prisacariu and Murray, ECCV 20
 """
 
 import itertools
+from collections.abc import Sequence
+from typing import Any
 
 import numpy as np
 
+from ..array_types import Device, Keys
 from ..arrays.block_keys import BIAS, block_key, key_block
 from ..arrays.changes import Changes
 from ..arrays.concatenation import concatenate_rows
@@ -72,7 +75,7 @@ class MovedVolume:
     shrink: float64
     has_color: int
 
-    def __init__(self, blocks, matrix, shrink, has_color):
+    def __init__(self, blocks: VoxelBlocks, matrix: np.ndarray, shrink: Any, has_color: bool) -> None:
         """`matrix` is the float64 [4, 4] of R and t."""
         self.seen, self.shrink, self.has_color = SeenBlocks(blocks, 0.0), shrink, int(has_color)
         self.R, self.t = mat33d(*matrix[:3, :3].ravel()), vec3d(*matrix[:3, 3])
@@ -81,8 +84,8 @@ class MovedVolume:
 @func
 def snapped(a: float64) -> float64:
     """A coordinate in voxels, whole where it is all but whole."""
-    whole = floor(a + float64(0.5))
-    b = a + float64(0.0)
+    whole = floor(a + 0.5)
+    b = a
     if abs(a - whole) < float64(SNAP):
         b = whole
     return b
@@ -104,7 +107,7 @@ def block_at(a: float64) -> int:
 @func
 def block_around(b: vec3i, moved: MovedVolume) -> int:
     """The position of a volume's block, or -1."""
-    found = int(-1)
+    found = -1
     if max(max(abs(b[0]), abs(b[1])), abs(b[2])) < BIAS - 1:
         found = find_position(block_key(b[0], b[1], b[2]), moved.seen.blocks.table)
     return found
@@ -113,9 +116,9 @@ def block_around(b: vec3i, moved: MovedVolume) -> int:
 @func
 def share_of(f: float64, side: int) -> float64:
     """What the lower or the upper of two voxels counts at a fraction between them."""
-    share = float64(1.0) - f
+    share = 1.0 - f
     if side == 1:
-        share = f + float64(0.0)
+        share = f
     return share
 
 
@@ -128,20 +131,20 @@ def sample_volume(q: vec3d, block: int, b: vec3i, moved: MovedVolume) -> sample:
     fx = q[0] - float64(x)
     fy = q[1] - float64(y)
     fz = q[2] - float64(z)
-    mean = sample(float64(0.0))
-    lacking = int(0)
+    mean = sample(0.0)
+    lacking = 0
     n = int(8)
     for c in range(n):
         dx = c >> 2
         dy = (c >> 1) & 1
         dz = c & 1
         share = share_of(fx, dx) * share_of(fy, dy) * share_of(fz, dz)
-        if share > float64(0.0):
+        if share > 0.0:
             voxel = voxel_near(block, x - b[0] * SIDE + dx, y - b[1] * SIDE + dy, z - b[2] * SIDE + dz, moved.seen)
             weight = float64(0.0)
             if voxel >= 0:
                 weight = float64(moved.seen.blocks.weights[voxel])
-            if weight > float64(0.0):
+            if weight > 0.0:
                 mean[0] += share * float64(moved.seen.blocks.distances[voxel])
                 mean[1] += share * weight
                 if moved.has_color == 1:
@@ -150,22 +153,22 @@ def sample_volume(q: vec3d, block: int, b: vec3i, moved: MovedVolume) -> sample:
             else:
                 lacking += 1
     if lacking > 0:
-        mean[1] = float64(0.0)
+        mean[1] = 0.0
     return mean
 
 
 @func
 def fold_sample(voxel: int, found: sample, moved: MovedVolume, blocks: VoxelBlocks):
     """Fold what another volume holds at a voxel's place into the voxel's mean."""
-    weight = max(floor(found[1] + float64(0.5)), float64(1.0))
+    weight = max(floor(found[1] + 0.5), 1.0)
     old = float64(blocks.weights[voxel])
     total = old + weight
-    d = min(max(found[0] * moved.shrink, float64(-1.0)), float64(1.0))
+    d = min(max(found[0] * moved.shrink, -1.0), 1.0)
     blocks.distances[voxel] = float((float64(blocks.distances[voxel]) * old + d * weight) / total)
     if moved.has_color == 1:
         for k in range(3):
             shade = (float64(blocks.colors[voxel, k]) * old + found[2 + k] * weight) / total
-            blocks.colors[voxel, k] = uint16(int(floor(shade + float64(0.5))))
+            blocks.colors[voxel, k] = uint16(int(floor(shade + 0.5)))
     blocks.weights[voxel] = uint16(int(min(total, float64(MAX_WEIGHT))))
 
 
@@ -180,7 +183,7 @@ def fold_volume_kernel(touched: array(dtype=int32), run: int, moved: MovedVolume
     y = corner[1] * SIDE + first // SIDE % SIDE
     z = corner[2] * SIDE + first % SIDE
     last = vec3i(BIAS, BIAS, BIAS)
-    block = int(-1)
+    block = -1
     for j in range(run):
         q = place_in(x, y, z + j, moved)
         b = vec3i(block_at(q[0]), block_at(q[1]), block_at(q[2]))
@@ -189,7 +192,7 @@ def fold_volume_kernel(touched: array(dtype=int32), run: int, moved: MovedVolume
             last = vec3i(b[0], b[1], b[2])
         if block >= 0:
             found = sample_volume(q, block, b, moved)
-            if found[1] > float64(0.0):
+            if found[1] > 0.0:
                 fold_sample(own * BLOCK_VOXELS + first % BLOCK_VOXELS + j, found, moved, blocks)
 
 
@@ -213,7 +216,7 @@ class BlockReach:
     half_back: vec3d
     slots: int
 
-    def __init__(self, back):
+    def __init__(self, back: Any) -> None:
         """`back` is the float64 [4, 4] of R_back and t_back."""
         there = np.linalg.inv(back)
         half = np.abs(there[:3, :3]).sum(axis=1) * HALF
@@ -231,9 +234,7 @@ def list_reached_kernel(own_keys: array(dtype=int64), reach: BlockReach, reached
     per_block = reach.slots * reach.slots * reach.slots
     slot = i % per_block
     corner = key_block(own_keys[i // per_block])
-    middle = vec3d(
-        float64(corner[0]) + float64(0.5), float64(corner[1]) + float64(0.5), float64(corner[2]) + float64(0.5)
-    )
+    middle = vec3d(float64(corner[0]) + 0.5, float64(corner[1]) + 0.5, float64(corner[2]) + 0.5)
     middle = middle * float64(EDGE)
     p = reach.R @ middle + reach.t
     x = block_at(p[0] - reach.half[0]) + slot // (reach.slots * reach.slots)
@@ -241,7 +242,7 @@ def list_reached_kernel(own_keys: array(dtype=int64), reach: BlockReach, reached
     z = block_at(p[2] - reach.half[2]) + slot % reach.slots
     inner = vec3d(float64(x * SIDE), float64(y * SIDE), float64(z * SIDE)) + vec3d(3.5, 3.5, 3.5)
     back = reach.R_back @ inner + reach.t_back - middle
-    apart = int(0)
+    apart = 0
     for axis in range(3):
         if abs(p[axis] - inner[axis]) > reach.half[axis] + float64(HALF):
             apart += 1
@@ -257,7 +258,7 @@ def list_reached_kernel(own_keys: array(dtype=int64), reach: BlockReach, reached
 def mark_seen_blocks_kernel(blocks: VoxelBlocks, seen: array(dtype=uint8)):
     """1 for each block with a voxel that was seen."""
     i = tid()
-    some = int(0)
+    some = 0
     n = int(BLOCK_VOXELS)
     for j in range(n):
         if int(blocks.weights[i * BLOCK_VOXELS + j]) > 0:
@@ -265,7 +266,7 @@ def mark_seen_blocks_kernel(blocks: VoxelBlocks, seen: array(dtype=uint8)):
     seen[i] = uint8(some)
 
 
-def reached_blocks(blocks, back):
+def reached_blocks(blocks: VoxelBlocks, back: Any):
     """The keys of the blocks that a moved volume may reach, int64, ascending.
 
     Args:
@@ -290,7 +291,7 @@ def reached_blocks(blocks, back):
     return _distinct(parts, device)
 
 
-def _distinct(parts, device):
+def _distinct(parts: Sequence[Keys], device: Device):
     """The distinct keys of several ascending lists, ascending."""
     parts = [part for part in parts if part.size]
     if not parts:
@@ -298,7 +299,7 @@ def _distinct(parts, device):
     return parts[0] if len(parts) == 1 else UniqueKeys(concatenate_rows(parts)).keys
 
 
-def check_reach(keys, back):
+def check_reach(keys: np.ndarray, back: np.ndarray) -> None:
     """Refuse a moved volume that reaches beyond what blocks have keys for; NumPy keys of its blocks, at least one."""
     boxes = block_box(keys)
     low, high = boxes.min(axis=0) * SIDE, (boxes.max(axis=0) + 1) * SIDE
@@ -308,10 +309,13 @@ def check_reach(keys, back):
     low = np.floor(moved.min(axis=0)) - 2
     if beyond_reach(low, np.ceil(moved.max(axis=0)) + 2 - low):
         far = np.abs(moved).max()
-        raise ValueError(f"poses: a volume reaches {far:.3g} blocks from the result's origin; the limit is {BIAS:,}")
+        reach = f"poses: a volume reaches {far:.3g} blocks from the result's origin; the limit is {BIAS:,}"
+        raise ValueError(f"{reach}; bring the poses nearer or take a larger voxel_size")
 
 
-def fuse_moved(volumes, backs, colored, voxel_size, truncation, has_color, device):
+def fuse_moved(
+    volumes: Any, backs: Any, colored: Any, voxel_size: float, truncation: float, has_color: bool, device: Device
+):
     """The VoxelBlocks of several, each moved.
 
     Args:
@@ -337,7 +341,7 @@ def fuse_moved(volumes, backs, colored, voxel_size, truncation, has_color, devic
     return drop_unseen(result)
 
 
-def blocks_of(keys, voxel_size, truncation, has_color, device):
+def blocks_of(keys: Keys, voxel_size: float, truncation: float, has_color: bool, device: Device):
     """VoxelBlocks of these distinct keys, none of whose voxels was seen."""
     blocks = VoxelBlocks(voxel_size, truncation, has_color, device)
     blocks.reserve(keys.size)
@@ -348,7 +352,7 @@ def blocks_of(keys, voxel_size, truncation, has_color, device):
     return blocks
 
 
-def drop_unseen(blocks):
+def drop_unseen(blocks: VoxelBlocks):
     """The VoxelBlocks without those of which no voxel was seen."""
     count = blocks.count
     if not count:

@@ -8,6 +8,11 @@ A frame is folded in whole or not at all, whatever interrupts it (arrays/changes
 voxels was made, new blocks lie behind those that count.
 """
 
+from typing import Any
+
+import numpy as np
+
+from ..array_types import Array1, Array2, Device, Integers, Keys, Scalars
 from ..arrays.changes import Changes
 from ..arrays.hash_table import HashTable, list_keys, number_new
 from ..arrays.select import gather_rows, positions_of
@@ -49,24 +54,25 @@ class VoxelBlocks:
     colors: array(dtype=uint16, ndim=2)
     changes: Changes
 
-    def __init__(self, voxel_size, truncation, has_color, device):
+    def __init__(self, voxel_size: float, truncation: float, has_color: bool, device: Device) -> None:
         self.voxel_size, self.truncation, self.has_color, self.device = voxel_size, truncation, has_color, device
         self.changes, self.table, self.keys = Changes(0, device), HashTable(device), empty(0, int64, device)
-        self.record, self.kept, self.latest = FrameRecord(device), {}, (0, None)
+        self.record, self.kept = FrameRecord(device), {}
+        self.latest: tuple[int, Any] = (0, None)
         self.reserve(FIRST_CAPACITY)
 
     @property
-    def count(self):
+    def count(self) -> int:
         """Blocks."""
         self._settle()
         return self._counted()
 
-    def _counted(self):
+    def _counted(self) -> int:
         value = self.changes.value
         return value.counted if isinstance(value, FrameCounts) else value
 
     @property
-    def frame_count(self):
+    def frame_count(self) -> int:
         """Frames that were folded in."""
         self._settle()
         return self.changes.count
@@ -77,12 +83,12 @@ class VoxelBlocks:
         voxels = (self.distances, self.weights, self.colors)
         return sum(a.capacity for a in (*voxels, self.keys, self.table.keys, self.table.positions))
 
-    def reserve(self, count):
+    def reserve(self, count: int) -> None:
         """Make room for so many blocks, at least doubling, and keep those that count."""
         if count > self.keys.size:
             self._move(min(MAX_BLOCKS, max(count, 2 * self.keys.size)))
 
-    def _move(self, capacity):
+    def _move(self, capacity: int) -> None:
         """Arrays for so many blocks, with those that count."""
         voxels = capacity * BLOCK_VOXELS
         keys = empty(capacity, int64, self.device)
@@ -97,18 +103,18 @@ class VoxelBlocks:
         """Bytes that a block takes, with its key and its slots in the table."""
         return BLOCK_VOXELS * (12 if self.has_color else 6) + 56
 
-    def has_room(self, count):
+    def has_room(self, count: int):
         """Whether so many blocks have room, in the table too."""
         return count <= self.keys.size and 2 * self.keys.size <= self.table.capacity
 
-    def make_room(self, count):
+    def make_room(self, count: int) -> None:
         """Make room for so many blocks and no more, in the table too."""
         if count > self.keys.size:
             self._move(count)
         if not self.has_room(count):
             self._list_keys()
 
-    def _copy_to(self, keys, distances, weights, colors):
+    def _copy_to(self, keys: Keys, distances: Scalars, weights: Array1[uint16], colors: Array2[uint16]) -> None:
         """Copy the blocks that count to the front of other arrays."""
         count = self._counted()
         if not count:  # nor any arrays, at first
@@ -120,7 +126,7 @@ class VoxelBlocks:
         if self.has_color:
             copy(colors, self.colors, count=3 * voxels)
 
-    def begin(self, keys):
+    def begin(self, keys: Keys) -> Integers:
         """Begin a frame over the blocks with these int64 keys, and give their positions, int32; new ones are appended.
 
         They count, and so does the frame, once a launch that writes to voxels notes `changes`, and `end` follows.
@@ -149,19 +155,19 @@ class VoxelBlocks:
         self.record.readback.forget()
         return counts
 
-    def end(self):
+    def end(self) -> None:
         """The launch of the frame that was begun is made."""
         self.changes.end()
 
-    def _settle(self):
+    def _settle(self) -> None:
         """Bring a frame that was interrupted to its end where its launch was made, else undo it (sync)."""
         self.changes.settle(self._list_keys)
 
-    def _list_keys(self):
+    def _list_keys(self) -> None:
         room = self.keys.size if self.device.is_cuda else 0  # where launches insert without asking the host
         self.table = list_keys(self.keys, self._counted(), room)
 
-    def clone(self):
+    def clone(self) -> "VoxelBlocks":
         """The same blocks in arrays of their own."""
         count, other = self.count, VoxelBlocks(self.voxel_size, self.truncation, self.has_color, self.device)
         other.reserve(count)
@@ -170,7 +176,7 @@ class VoxelBlocks:
         other.record = FrameRecord(self.device, count)
         return other
 
-    def fill(self, arrays):
+    def fill(self, arrays: dict[str, np.ndarray]) -> None:
         """Take blocks over from NumPy arrays "keys", "distances", "weights" and, where there are any, "colors", into a
         volume that has none."""
         count = len(arrays["keys"])
@@ -182,7 +188,7 @@ class VoxelBlocks:
         self.record = FrameRecord(self.device, count)
 
 
-def check_block_count(count):
+def check_block_count(count: int) -> None:
     """Refuse more blocks than 32 bits can index."""
     if count > MAX_BLOCKS:
         raise ValueError(f"the volume would need {count:,} blocks, more than {MAX_BLOCKS:,}; take larger voxels")

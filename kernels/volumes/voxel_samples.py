@@ -47,7 +47,7 @@ def nearest_voxel(p: vec3, block: int, corner: vec3i, seen: SeenBlocks) -> int:
 def voxel_around(block: int, x: int, y: int, z: int, seen: SeenBlocks) -> int:
     """As voxel_near, without a branch but the last."""
     other = seen.neighbors[block * AROUND + MIDDLE + 9 * (x >> 3) + 3 * (y >> 3) + (z >> 3)]
-    voxel = int(-1)
+    voxel = -1
     if other >= 0:
         voxel = other * BLOCK_VOXELS + ((x & 7) * SIDE + (y & 7)) * SIDE + (z & 7)
     return voxel

@@ -6,3 +6,5 @@ from .options import NonRigidOptimizerOption as NonRigidOptimizerOption
 from .options import RigidOptimizerOption as RigidOptimizerOption
 from .results import ColorMapResult as ColorMapResult
 from .results import NothingSeenError as NothingSeenError
+from .textured_mesh import TexturedMesh as TexturedMesh
+from .texturing import texture_mesh as texture_mesh

@@ -9,6 +9,7 @@ import numpy as np
 import warp as wp
 from numpy.typing import NDArray
 
+from ...cameras.trajectory import Trajectory
 from ...kernels.arrays.select import gather_rows, invert_mask, positions_of
 from ...kernels.lang import loop_while
 from ...kernels.memory import download
@@ -26,9 +27,8 @@ from ...kernels.textures.vertex_views import (
 )
 from ...kernels.textures.warp_steps import WarpSearch
 from ...pcd.cloud import PointCloud
-from ...pcd.io.trajectory import Trajectory
-from ..mesh import TriangleMesh
-from ..posed_images import Names, PosedImages, check_images
+from ..mesh.mesh import TriangleMesh
+from ..mesh.posed_images import Names, PosedImages, check_images
 from .options import NonRigidOptimizerOption, RigidOptimizerOption
 from .results import ColorMapResult, NothingSeenError
 
@@ -235,7 +235,7 @@ def _conclude(
     before = float(np.sqrt(download(state.error)[0]))
     turns = int(download(state.turns)[0]) - 1  # the first looks at the poses given
     return ColorMapResult(
-        mesh._with(vertex_colors=colors),
+        mesh.with_arrays(vertex_colors=colors),
         Trajectory(_world_poses(mesh, images, given, search.pictures), given.timestamps, given.ids),
         download(seen).astype(bool),
         search.sightings.counts.copy(),
@@ -253,9 +253,9 @@ def _fill_unseen(mesh: TriangleMesh, colors: wp.array, seen: wp.array, neighbor_
     if not neighbor_count or not known.size or not rows.size:
         return
     vertices = mesh.array("vertices")
-    places = PointCloud._from_arrays({"points": gather_rows(vertices, known)}, mesh.origin)
+    places = PointCloud.from_device_arrays({"points": gather_rows(vertices, known)}, mesh.origin)
     nearest = min(neighbor_count, known.size)
-    neighbors, _, _ = search_nearest(places._search_tree(), gather_rows(vertices, rows), nearest)
+    neighbors, _, _ = search_nearest(places.search_tree(), gather_rows(vertices, rows), nearest)
     fill_colors(colors, rows, neighbors, known)
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 
-from ...pcd.checks import check_count, check_positive
+from ...core.checks import check_count, check_positive
 
 MOST_REACH = 64  # [px] of a boundary: beyond it little of a picture is left
 MOST_ANCHORS = 256  # down a picture: every few pixels one

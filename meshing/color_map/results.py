@@ -9,10 +9,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ...cameras.trajectory import Trajectory
 from ...kernels.memory import download
 from ...kernels.textures.posed_pictures import PosedPictures, Warps, unwarp_pixels
-from ...pcd.io.trajectory import Trajectory
-from ..mesh import TriangleMesh
+from ..mesh.mesh import TriangleMesh
 
 
 class NothingSeenError(ValueError):

@@ -17,7 +17,7 @@ def main() -> None:
     """Run the command; Ctrl-C while it is loaded is one line and exit code 130 too."""
     if signal.getsignal(signal.SIGINT) is signal.default_int_handler:
         signal.signal(signal.SIGINT, _leave)
-    from .app.cli import main as run  # what loads click and the commands
+    from .app.shell.cli import main as run  # what loads click and the commands
 
     run()
 

@@ -34,7 +34,7 @@ def _no_name(package: str, name: str, known: Iterable[str]) -> str:
     message = f"module {package!r} has no attribute {name!r}"
     if name.startswith("_"):
         return message
-    from .pcd.known_names import OPEN3D_NAMES, nearest_name
+    from .core.known_names import OPEN3D_NAMES, nearest_name
 
     near = nearest_name(name, known)
     return f"{message}{near}{' ' if near else '; '}{OPEN3D_NAMES}"
@@ -47,6 +47,7 @@ def _read(package: str) -> dict[str, str]:
     homes = {}
     for node in ast.parse(stub).body:
         if isinstance(node, ast.ImportFrom):
+            base = package.rsplit(".", node.level - 1)[0]
             for alias in node.names:
-                homes[alias.name] = f"{package}.{node.module or alias.name}"
+                homes[alias.name] = f"{base}.{node.module or alias.name}"
     return homes

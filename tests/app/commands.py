@@ -5,8 +5,8 @@ from pathlib import Path
 
 from click.testing import CliRunner, Result
 
-from pointloom.app.cli import cli
-from pointloom.pcd.devices import resolve_device
+from pointloom.app.shell.cli import cli
+from pointloom.core.devices import resolve_device
 
 
 def run(*words: object) -> Result:

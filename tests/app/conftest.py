@@ -8,10 +8,12 @@ import numpy as np
 import pytest
 
 import pointloom as loom
-from pointloom.app import console
-from pointloom.app.room import room_loop_sequence, write_room_sequence
+from pointloom.app.scenes.room import room_loop_sequence, write_room_sequence
+from pointloom.app.shell import console
+from pointloom.files.frames.recordings import record_frames
 from pointloom.kernels.language import notices
-from pointloom.pcd.io.recordings import record_frames
+
+from ..rgbd.sequences import Part
 
 pytest.register_assert_rewrite("tests.app.commands")  # its asserts tell what they compare, as those of tests do
 
@@ -52,27 +54,6 @@ def made_frames(tmp_path_factory) -> Path:
 def frames(made_frames, tmp_path) -> Path:
     """A folder of 6 small frames that a test may damage."""
     return Path(shutil.copytree(made_frames, tmp_path / "frames"))
-
-
-class Part:
-    """The first frames of a sequence, one in `every` of it."""
-
-    def __init__(self, sequence, count: int, every: int = 1):
-        self.sequence, self.count, self.every = sequence, count, every
-        self.intrinsic, self.depth_scale = sequence.intrinsic, sequence.depth_scale
-
-    def __len__(self) -> int:
-        return self.count
-
-    def __iter__(self):
-        return (self.read(i) for i in range(self.count))
-
-    @property
-    def poses(self) -> np.ndarray:
-        return self.sequence.poses[: self.count * self.every : self.every]
-
-    def read(self, index):
-        return self.sequence.read(index * self.every)
 
 
 @pytest.fixture(scope="session")

@@ -3,7 +3,7 @@
 import pytest
 
 import pointloom as loom
-from pointloom.app.clean import clean_file
+from pointloom.app.jobs.clean import clean_file
 
 from .commands import answer, names_in, poor_answer, run
 from .toolbox_scene import NOT_FINITE, REPEATED, STRAY, rows_of
@@ -57,7 +57,7 @@ def test_each_stage_is_announced_and_timed(scene, tmp_path):
         progress=lambda stage, done, total: stages.append(stage),
     )
     assert stages == ["read", "non-finite", "duplicate", "statistical", "radius", "write"]
-    assert list(report["seconds"]) == stages
+    assert list(report.done.seconds) == stages
 
 
 def test_clean_writes_no_file_of_removed_points_where_none_is(cloud, tmp_path):

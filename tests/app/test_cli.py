@@ -11,14 +11,16 @@ import numpy as np
 import pytest
 
 import pointloom as loom
-from pointloom.app import doctor
-from pointloom.app.cli import cli
-from pointloom.app.console import format_bytes
+from pointloom.app.jobs.clouds import ConvertReport
+from pointloom.app.jobs.job import Done
+from pointloom.app.shell import doctor
+from pointloom.app.shell.cli import cli
+from pointloom.core import cuda_driver
+from pointloom.core.wording import format_bytes
+from pointloom.files.pictures.image_files import write_png
+from pointloom.files.points import ply
 from pointloom.kernels import launches
 from pointloom.kernels.language import taichi_compiler
-from pointloom.pcd import cuda_driver
-from pointloom.pcd.io import ply
-from pointloom.pcd.io.image_files import write_png
 
 from .commands import answer, names_in, run
 
@@ -44,7 +46,7 @@ def start(program: str, *words: object) -> subprocess.Popen:
 def test_help_loads_nothing_heavy():
     program = f"""
 import json
-from pointloom.app.cli import cli
+from pointloom.app.shell.cli import cli
 for words in ([], *([name] for name in {COMMANDS!r})):
     try:
         cli.main([*words, "--help"])
@@ -235,7 +237,7 @@ def fault(error):
     ],
 )
 def test_whatever_is_raised_becomes_one_line(error, message, monkeypatch):
-    monkeypatch.setattr("pointloom.app.clouds.convert_file", fault(error))
+    monkeypatch.setattr("pointloom.app.jobs.clouds.convert_file", fault(error))
     monkeypatch.delenv("POINTLOOM_TRACEBACK", raising=False)
     result = run("convert", "a.ply", "b.ply")
     assert result.exit_code == 1
@@ -244,7 +246,7 @@ def test_whatever_is_raised_becomes_one_line(error, message, monkeypatch):
 
 
 def test_the_traceback_comes_when_asked_for(monkeypatch):
-    monkeypatch.setattr("pointloom.app.clouds.convert_file", fault(IndexError("list index")))
+    monkeypatch.setattr("pointloom.app.jobs.clouds.convert_file", fault(IndexError("list index")))
     monkeypatch.setenv("POINTLOOM_TRACEBACK", "1")
     result = run("convert", "a.ply", "b.ply")
     assert "Traceback (most recent call last)" in result.stderr
@@ -256,9 +258,9 @@ def test_a_warning_is_one_line_on_stderr(cloud, tmp_path, monkeypatch):
         with warnings.catch_warnings():
             warnings.simplefilter("always")
             warnings.warn("one core only", RuntimeWarning, stacklevel=1)
-        return {"kind": "mesh", "points": 0, "left_out": [], "seconds": {}, "files": [], "poor": None}
+        return ConvertReport(Done("convert", "a.ply", {}, (), (), None), "mesh", 0, 0)
 
-    monkeypatch.setattr("pointloom.app.clouds.convert_file", warn)
+    monkeypatch.setattr("pointloom.app.jobs.clouds.convert_file", warn)
     result = run("convert", cloud, tmp_path / "out.ply", "--json")
     assert result.stderr == "warning: one core only\n"
     assert json.loads(result.stdout)["poor"] is None
@@ -283,9 +285,9 @@ def test_a_signal_while_writing_leaves_nothing(cloud, tmp_path, number, code):
 import signal
 import time
 signal.signal(signal.SIGINT, signal.default_int_handler)  # "make test &" in a script starts with it ignored
-from pointloom.app.cli import main
-from pointloom.pcd.io import ply
-from pointloom.pcd.io.image_files import write_png
+from pointloom.app.shell.cli import main
+from pointloom.files.points import ply
+from pointloom.files.pictures.image_files import write_png
 def stall(*_args, **_options):
     print("writing", file=sys.stderr, flush=True)
     time.sleep(60)
@@ -327,7 +329,7 @@ def test_ctrl_c_between_commands_of_click_is_one_line():
     program = """
 import signal
 signal.signal(signal.SIGINT, signal.default_int_handler)
-from pointloom.app import cli, group
+from pointloom.app.shell import cli, group
 def interrupt(*_args, **_options):
     raise KeyboardInterrupt
 group.CompileNotice.__enter__ = interrupt

@@ -3,7 +3,7 @@
 import numpy as np
 
 import pointloom as loom
-from pointloom.app.cluster import TAB20
+from pointloom.app.jobs.cluster import TAB20
 
 from .commands import answer, poor_answer, run
 from .toolbox_scene import FIRST_BLOB, FLOOR, REPEATED, SECOND_BLOB, STRAY, rows_of

@@ -7,17 +7,30 @@ import pytest
 from click.testing import CliRunner
 from PIL import Image
 
-from pointloom.app import demo_object
-from pointloom.app.cli import cli
-from pointloom.app.demo import LARGEST_RMSE, _why_poor, run_demo
-from pointloom.app.room import surface_errors
-from pointloom.meshing.mesh_files import read_triangle_mesh
-from pointloom.pcd.errors import DeviceError, FileError
+from pointloom.app.demos import demo_object
+from pointloom.app.demos.demo import LARGEST_RMSE, FuseTrial, _why_poor
+from pointloom.app.demos.demo_results import SurfaceErrors
+from pointloom.app.demos.trial import run_trial
+from pointloom.app.scenes.room import surface_errors
+from pointloom.app.shell.cli import cli
+from pointloom.core.errors import DeviceError, FileError
+from pointloom.meshing.mesh.mesh_files import read_triangle_mesh
 
 from .commands import names_in
 
 OUTPUTS = ["report.json", "room.ply", "room.png", "sofa.ply", "sofa.png"]
 SMALL = {"frame_count": 6, "voxel_size": 0.08}
+
+
+def run_demo(folder, *, device="auto", overwrite=False, progress=None, **options):
+    """The report of a trial run, in JSON's types."""
+    trial = FuseTrial(**options)
+    return run_trial(folder, trial, device=device, overwrite=overwrite, progress=progress).to_json()
+
+
+def errors_of(rmse):
+    """Errors of a surface whose root mean square is so many voxels."""
+    return SurfaceErrors(0.0, rmse, 0.0, 0.0, 1.0, voxel_size=1.0)
 
 
 @pytest.fixture(autouse=True)
@@ -28,6 +41,7 @@ def small_sofa(monkeypatch):
     monkeypatch.setattr(demo_object, "LARGEST_RMSE", 0.02)
 
 
+@pytest.mark.slow
 def test_the_demo_leaves_a_mesh_a_picture_and_a_report(device, tmp_path):
     report = run_demo(tmp_path / "demo", **SMALL, device=device)
     assert names_in(tmp_path / "demo") == OUTPUTS
@@ -52,6 +66,7 @@ def test_the_demo_leaves_a_mesh_a_picture_and_a_report(device, tmp_path):
     assert np.asarray(Image.open(tmp_path / "demo" / "sofa.png")).std() > 20
 
 
+@pytest.mark.slow
 def test_the_errors_are_those_of_the_vertices(tmp_path):
     report = run_demo(tmp_path / "demo", **SMALL)
     errors = surface_errors(read_triangle_mesh(tmp_path / "demo" / "room.ply").vertices)
@@ -60,6 +75,7 @@ def test_the_errors_are_those_of_the_vertices(tmp_path):
     assert report["errors"]["within_half_voxel"] == pytest.approx(np.mean(errors <= 0.04), abs=1e-3)
 
 
+@pytest.mark.slow
 def test_without_noise_the_error_is_below_three_tenths_of_a_voxel(tmp_path):
     report = run_demo(tmp_path / "demo", frame_count=60, voxel_size=0.03, noise=False)
     assert report["errors"]["rmse_voxels"] < 0.3
@@ -67,6 +83,7 @@ def test_without_noise_the_error_is_below_three_tenths_of_a_voxel(tmp_path):
     assert LARGEST_RMSE["no noise"] == 0.3
 
 
+@pytest.mark.slow
 def test_two_runs_give_the_same_bits_and_another_seed_others(tmp_path):
     for name, seed in (("first", 0), ("second", 0), ("third", 1)):
         run_demo(tmp_path / name, **SMALL, seed=seed)
@@ -75,6 +92,7 @@ def test_two_runs_give_the_same_bits_and_another_seed_others(tmp_path):
         assert first == second != third
 
 
+@pytest.mark.slow
 def test_an_existing_output_is_kept_unless_forced(tmp_path):
     (tmp_path / "room.png").write_bytes(b"kept")
     with pytest.raises(FileError, match=r"room\.png: exists already"):
@@ -117,6 +135,7 @@ def test_a_folder_that_cannot_be_made_is_named(tmp_path):
             run_demo(tmp_path / place, **SMALL)
 
 
+@pytest.mark.slow
 def test_the_command_prints_a_table_or_one_json_object(tmp_path):
     words = ["demo", "-o", str(tmp_path / "demo"), "--frames", "6", "--voxel", "0.08"]
     shown = CliRunner().invoke(cli, words)
@@ -137,6 +156,7 @@ def test_the_command_prints_a_table_or_one_json_object(tmp_path):
     assert json.loads(again.stdout) == json.loads((tmp_path / "demo" / "report.json").read_text())
 
 
+@pytest.mark.slow
 def test_a_coarse_demo_is_a_poor_result(tmp_path, monkeypatch):
     monkeypatch.setitem(LARGEST_RMSE, "noise", 0.001)
     result = CliRunner().invoke(cli, ["demo", "-o", str(tmp_path / "demo"), "--frames", "6", "--voxel", "0.08"])
@@ -147,7 +167,7 @@ def test_a_coarse_demo_is_a_poor_result(tmp_path, monkeypatch):
 
 @pytest.mark.parametrize(("noise", "limit"), [(True, 1.0), (False, 0.3)])
 def test_a_demo_is_poor_beyond_its_own_limit_and_not_at_it(noise, limit):
-    assert _why_poor({"rmse_voxels": limit}, noise) is None
-    assert "is 0.31 voxels, more than 0.3;" in _why_poor({"rmse_voxels": 0.31}, False)
-    assert f"more than {limit:g}; take more frames" in _why_poor({"rmse_voxels": 1.01 * limit}, noise)
+    assert _why_poor(errors_of(limit), noise) is None
+    assert "is 0.31 voxels, more than 0.3;" in _why_poor(errors_of(0.31), False)
+    assert f"more than {limit:g}; take more frames" in _why_poor(errors_of(1.01 * limit), noise)
     assert "the mesh is empty" in _why_poor(None, noise)

@@ -2,10 +2,11 @@
 
 import numpy as np
 
-from pointloom.app import demo_object
-from pointloom.app.demo_object import LARGEST_RMSE, make_sofa, scan_sofa, sofa_line, why_poor
-from pointloom.app.furniture import furnished_room, sofa
-from pointloom.pcd.devices import resolve_device
+from pointloom.app.demos import demo_object
+from pointloom.app.demos.demo_object import LARGEST_RMSE, SofaFigures, make_sofa, scan_sofa
+from pointloom.app.scenes.furniture import furnished_room, sofa
+from pointloom.core.devices import resolve_device
+from pointloom.core.timing import Clock
 
 
 def test_points_lie_off_the_surface_by_the_noise_and_not_without(device, monkeypatch):
@@ -26,11 +27,13 @@ def test_normals_look_out_of_the_sofa(monkeypatch):
 
 
 def test_the_surface_is_closed_and_near_the_true_one():
-    mesh, figures, seconds = make_sofa(seed=3, noise=True, device=resolve_device("cpu"))
-    assert figures["watertight"] and len(mesh) == figures["triangles"]
-    assert figures["median"] < 0.0012 and figures["rmse"] < 0.002
-    assert list(seconds) == ["scan", "poisson"]
-    assert "closed; off the true surface by" in sofa_line(figures)
+    clock = Clock()
+    mesh, figures = make_sofa(seed=3, noise=True, device=resolve_device("cpu"), clock=clock)
+    told = figures.to_json()
+    assert told["watertight"] and len(mesh) == told["triangles"]
+    assert figures.median < 0.0012 and figures.rmse < 0.002
+    assert list(clock.seconds) == ["scan", "poisson"]
+    assert "closed; off the true surface by" in str(figures)
 
 
 def test_a_seed_gives_the_same_bits_and_another_one_others(monkeypatch):
@@ -40,8 +43,9 @@ def test_a_seed_gives_the_same_bits_and_another_one_others(monkeypatch):
 
 
 def test_a_surface_is_poor_beyond_the_limit_and_not_at_it():
-    assert why_poor({"rmse": LARGEST_RMSE}) is None
-    assert why_poor({"rmse": 1.02 * LARGEST_RMSE}) == "the sofa's surface is off by 5.1 mm, more than 5"
+    at, beyond = (SofaFigures({}, 9, 0.0, factor * LARGEST_RMSE, 0.0) for factor in (1, 1.02))
+    assert at.why_poor() is None
+    assert beyond.why_poor() == "the sofa's surface is off by 5.1 mm, more than 5"
 
 
 def test_the_sofa_is_part_of_the_room():

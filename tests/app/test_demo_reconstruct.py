@@ -6,12 +6,14 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from pointloom.app import demo_reconstruct
-from pointloom.app.console import to_json
-from pointloom.app.demo_reconstruct import LARGEST_ATE, LARGEST_MEDIAN, OUTPUTS, _why_poor, run_reconstruct_demo
-from pointloom.app.room import surface_errors
-from pointloom.meshing.mesh_files import read_triangle_mesh
-from pointloom.pcd.io.trajectory import read_trajectory
+from pointloom.app.demos import demo_reconstruct
+from pointloom.app.demos.demo_reconstruct import LARGEST_ATE, LARGEST_MEDIAN, OUTPUTS, ReconstructTrial, _why_poor
+from pointloom.app.demos.demo_results import SurfaceErrors
+from pointloom.app.demos.trial import run_trial
+from pointloom.app.scenes.room import surface_errors
+from pointloom.cameras.trajectory import read_trajectory
+from pointloom.core.wording import to_json
+from pointloom.meshing.mesh.mesh_files import read_triangle_mesh
 
 from .commands import answer, names_in, refusal, run
 
@@ -23,7 +25,7 @@ def short_walk(monkeypatch, walk):
 
 
 def test_the_demo_leaves_a_mesh_a_picture_both_paths_and_a_report(tmp_path, device):
-    report = run_reconstruct_demo(tmp_path / "demo", voxel_size=0.05, device=device)
+    report = run_trial(tmp_path / "demo", ReconstructTrial(voxel_size=0.05), device=device).to_json()
     assert names_in(tmp_path / "demo") == sorted(OUTPUTS)
     assert json.loads((tmp_path / "demo" / "report.json").read_text()) == json.loads(to_json(report))
     assert np.asarray(Image.open(tmp_path / "demo" / "room.png")).std() > 5
@@ -36,6 +38,7 @@ def test_the_demo_leaves_a_mesh_a_picture_both_paths_and_a_report(tmp_path, devi
     assert report["errors"]["median"] < 0.01
 
 
+@pytest.mark.slow
 def test_the_command_prints_a_table_or_one_json_object(tmp_path):
     words = ["demo", "reconstruct", "-o", tmp_path / "demo", "--voxel", 0.05]
     shown = run(*words)
@@ -54,4 +57,5 @@ def test_too_few_frames_leave_no_folder(tmp_path):
 @pytest.mark.parametrize(("ate", "median", "count"), [(1.0, 1.0, 0), (1.01, 1.0, 1), (1.0, 1.01, 1), (2.0, 2.0, 2)])
 def test_a_demo_is_poor_beyond_its_limits_and_not_at_them(ate, median, count):
     path = {"absolute": {"m": {"rmse": ate * LARGEST_ATE}}}
-    assert len(_why_poor({"path_errors": path, "errors": {"median": median * LARGEST_MEDIAN}})) == count
+    errors = SurfaceErrors(median * LARGEST_MEDIAN, 0.0, 0.0, 0.0, 1.0, voxel_size=0.02)
+    assert len(_why_poor(path, errors)) == count

@@ -9,12 +9,17 @@ from PIL import Image
 from scipy.spatial.transform import Rotation
 
 import pointloom as loom
-from pointloom.app import demo_video
-from pointloom.app.console import to_json
-from pointloom.app.demo_video import OUTPUTS, _why_poor, run_video_demo, seen_points, video_demo_fields
-from pointloom.app.room import surface_errors
-from pointloom.app.room_video import room_video_frames
-from pointloom.pcd.io.trajectory import read_trajectory
+from pointloom.app.demos import demo_video
+from pointloom.app.demos.demo_video import OUTPUTS, Judgement, VideoTrial, seen_points
+from pointloom.app.demos.trial import run_trial
+from pointloom.app.scenes.error_figures import CameraErrors, DepthErrors, ErrorFigures, MeshErrors
+from pointloom.app.scenes.room import surface_errors
+from pointloom.app.scenes.room_video import room_video_frames
+from pointloom.cameras.trajectory import read_trajectory
+from pointloom.core.wording import to_json
+from pointloom.meshing.mesh.mesh_files import read_triangle_mesh
+from pointloom.photos.sfm.verdict import Verdict
+from pointloom.photos.video.result import StageReport, VideoFigures, VideoResult
 
 from .commands import answer, names_in, poor_answer, refusal, run
 
@@ -33,7 +38,7 @@ class MadeJob:
         self.placed = TAKEN[:placed]
         self.calls = []
 
-    def __call__(self, source, output, *, settings, trajectory, picture, work, device, progress):
+    def __call__(self, source, settings, *, outputs, work, device, progress):
         self.calls.append((Path(source), settings))
         assert Path(source).exists()
         progress("depth: pictures", 1, 2)
@@ -50,19 +55,26 @@ class MadeJob:
             if self.with_mesh:
                 corners = [[0.0, 0.0, 0.005], [5, 0, 0.005], [5, 4, 0.005], [0, 4, 0.005]]
                 mesh = loom.TriangleMesh(corners, [[0, 1, 2], [0, 2, 3]]).subdivide_midpoint(4)
-                loom.write_triangle_mesh(output, mesh)
-                loom.write_trajectory(trajectory, loom.Trajectory(self.frames.poses[list(self.placed)]))
-                Image.new("RGB", (8, 8), (200, 100, 0)).save(picture)
-                files = [str(output), str(trajectory), str(picture)]
-        made = {"registered_count": len(self.placed), "picture_count": len(TAKEN)} if model else None
-        return {
-            "frames": {"kept": len(TAKEN), "frames": FRAMES},
-            "model": made,
-            "undistorted": {"pictures": 1} if model else None,
-            "stages": {"frames": {"seconds": 0.5, "kept": False}},
-            "files": files,
-            "poor": self.told,
-        }
+                loom.write_triangle_mesh(outputs.mesh, mesh)
+                loom.write_trajectory(outputs.trajectory, loom.Trajectory(self.frames.poses[list(self.placed)]))
+                Image.new("RGB", (8, 8), (200, 100, 0)).save(outputs.picture)
+                files = [str(outputs.mesh), str(outputs.trajectory), str(outputs.picture)]
+        verdict = Verdict(len(TAKEN), len(self.placed), (len(self.placed),), 100, 50.0, 8.0, 30.0, 0.4, ())
+        told = StageReport(False, {"seconds": 0.5}, {"kept": len(TAKEN), "frames": FRAMES})
+        return VideoResult(
+            source=str(source),
+            device=str(device),
+            mesh=read_triangle_mesh(outputs.mesh) if files else None,
+            cloud=None,
+            model=model,
+            fit=None,
+            figures=VideoFigures(FRAMES, len(TAKEN), (), verdict, (), only_turned=False),
+            reasons=() if self.told is None else (self.told,),
+            stages={"frames": told, "undistorted": None if model is None else told},
+            files=tuple(files),
+            work=str(work),
+            peak_bytes=0,
+        )
 
     def _model(self):
         if not self.placed:
@@ -85,6 +97,11 @@ class MadeJob:
             yield loom.mvs.DepthMap(depth, there[..., None] * np.float32([0, 0, -1]), there.astype(np.float32))
 
 
+def run_demo(folder, progress=None):
+    """The report of a short trial run, in JSON's types."""
+    return run_trial(folder, VideoTrial(FRAMES), progress=progress).to_json()
+
+
 @pytest.fixture
 def job(monkeypatch):
     """Puts a made-up job in the place of the true one, and small frames in that of the video's."""
@@ -93,7 +110,7 @@ def job(monkeypatch):
 
     def install(**options):
         made = MadeJob(frames, **options)
-        monkeypatch.setattr(demo_video, "mesh_video", made)
+        monkeypatch.setattr(demo_video, "reconstruct", made)
         return made
 
     return install
@@ -101,7 +118,7 @@ def job(monkeypatch):
 
 def test_the_demo_finds_the_errors_that_were_planted(tmp_path, job):
     made, said = job(), []
-    report = run_video_demo(tmp_path / "demo", frame_count=FRAMES, progress=lambda *step: said.append(step))
+    report = run_demo(tmp_path / "demo", progress=lambda *step: said.append(step))
     assert report["poor"] is None
     assert report["cameras"]["scale"] == pytest.approx(UNIT, rel=1e-6)
     assert report["cameras"]["m"]["max"] < 1e-6 and report["cameras"]["deg"]["max"] < 1e-3
@@ -117,7 +134,7 @@ def test_the_demo_finds_the_errors_that_were_planted(tmp_path, job):
 
 def test_the_demo_leaves_its_files_and_nothing_else(tmp_path, job):
     job()
-    report = run_video_demo(tmp_path / "demo", frame_count=FRAMES)
+    report = run_demo(tmp_path / "demo")
     assert names_in(tmp_path / "demo") == sorted(OUTPUTS)
     assert report["files"] == [str(tmp_path / "demo" / name) for name in OUTPUTS]
     assert json.loads((tmp_path / "demo" / "report.json").read_text()) == json.loads(to_json(report))
@@ -128,7 +145,7 @@ def test_the_demo_leaves_its_files_and_nothing_else(tmp_path, job):
 def test_without_ffmpeg_the_job_gets_a_folder_of_pictures(tmp_path, job, monkeypatch):
     made = job()
     monkeypatch.setattr(demo_video.shutil, "which", lambda _: None)
-    report = run_video_demo(tmp_path / "demo", frame_count=FRAMES)
+    report = run_demo(tmp_path / "demo")
     assert made.calls[0][0].name == "pictures" and report["poor"] is None
     assert names_in(tmp_path / "demo") == sorted(OUTPUTS[1:])
 
@@ -152,7 +169,7 @@ def test_the_command_prints_a_table_or_one_json_object(tmp_path, job):
         ({"holes": 0.7}, ["of the depth is kept, less than 75.0%"]),
         ({"told": "the job says so"}, ["the job says so"]),
         ({"with_mesh": False}, ["there is no mesh"]),
-        ({"placed": 0, "told": "no two pictures"}, ["no two pictures", "there is no mesh"]),
+        ({"placed": 0, "told": "no two pictures"}, ["no two pictures", "0 of 5 pictures were", "there is no mesh"]),
     ],
 )
 def test_a_missed_bar_is_a_poor_result_and_the_report_stays(tmp_path, job, options, reasons):
@@ -162,20 +179,17 @@ def test_a_missed_bar_is_a_poor_result_and_the_report_stays(tmp_path, job, optio
     for reason in reasons:
         assert reason in report["poor"]
     assert "report.json" in names_in(tmp_path / "demo")
-    assert video_demo_fields(report)
+    assert report["video"]["command"] == "video" and "files" not in report["video"]
 
 
 @pytest.mark.parametrize(("factor", "count"), [(1.0, 0), (1.01, 5)])
 def test_a_demo_is_poor_beyond_its_limits_and_not_at_them(factor, count):
     d = demo_video
-    report = {
-        "video": {"model": {"registered_count": 30, "picture_count": 30}},
-        "cameras": {"percent": {"rmse": factor * d.LARGEST_CENTER}, "m": {"rmse": 1.0}},
-        "depth": {"kept": d.LEAST_KEPT / factor, "median_relative": factor * d.LARGEST_DEPTH}
-        | {"within": d.LEAST_WITHIN / factor},
-        "surface": {"median": factor * d.LARGEST_MEDIAN},
-    }
-    assert len(_why_poor(report)) == count
+    centers = ErrorFigures(factor * d.LARGEST_CENTER, 0.0, 0.0)
+    cameras = CameraErrors(30, 1.0, [], 1.0, ErrorFigures(1.0, 1.0, 1.0), centers, centers)
+    depth = DepthErrors(30, d.LEAST_KEPT / factor, factor * d.LARGEST_DEPTH, 0.0, d.LEAST_WITHIN / factor, 1.0)
+    surface = MeshErrors(9, factor * d.LARGEST_MEDIAN, 0.0, 0.0, 0.0, 1.0, 1.0)
+    assert len(Judgement(cameras, depth, surface).why_poor()) == count
 
 
 def test_an_interrupted_demo_leaves_nothing(tmp_path, job, monkeypatch):
@@ -186,7 +200,7 @@ def test_an_interrupted_demo_leaves_nothing(tmp_path, job, monkeypatch):
 
     monkeypatch.setattr(demo_video, "judge", interrupt)
     with pytest.raises(KeyboardInterrupt):
-        run_video_demo(tmp_path / "demo", frame_count=FRAMES)
+        run_demo(tmp_path / "demo")
     assert names_in(tmp_path) == []
 
 

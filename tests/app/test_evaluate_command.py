@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 import pointloom as loom
-from pointloom.app.pictures.trajectory_plot import TRUTH, trajectory_plot
-from pointloom.pcd.io.image_files import read_color
-from pointloom.pcd.io.trajectory import Trajectory, read_trajectory, write_trajectory
+from pointloom.cameras.trajectory import Trajectory, read_trajectory, write_trajectory
+from pointloom.drawing.render.trajectory_plot import TRUTH, trajectory_plot
+from pointloom.files.pictures.image_files import read_color
 
 from .commands import answer, refusal, run
 from .surface_poses import path_of, turned
@@ -28,12 +28,7 @@ def paths(tmp_path) -> tuple[Path, Path]:
 
 @pytest.mark.parametrize(
     ("align", "options"),
-    [
-        ("none", {"align": None}),
-        ("first", {"align": "first"}),
-        ("se3", {}),
-        ("sim3", {"with_scale": True}),
-    ],
+    [("none", {"align": None}), ("first", {"align": "first"}), ("se3", {}), ("sim3", {"with_scale": True})],
 )
 def test_evaluate_prints_what_the_library_finds(paths, align, options):
     report = answer("evaluate", *paths, "--align", align)

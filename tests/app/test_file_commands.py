@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 
 import pointloom as loom
-from pointloom.pcd.io.image_files import write_png
-from pointloom.pcd.io.trajectory import Trajectory, write_trajectory
+from pointloom.cameras.trajectory import Trajectory, write_trajectory
+from pointloom.files.pictures.image_files import write_png
 
 from .commands import answer, names_in, run
 

@@ -6,9 +6,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from pointloom.app.fuse import fuse_dataset
-from pointloom.app.refine import why_refinement_poor
-from pointloom.pcd.io.trajectory import read_trajectory
+import pointloom as loom
+from pointloom.cameras.trajectory import read_trajectory
+from pointloom.rgbd.fusion.refine import PoseRefinement
 
 from .commands import answer, poor_answer, refusal, run
 
@@ -72,10 +72,10 @@ def test_without_refine_poses_are_taken_as_they_are(walked, tmp_path):
 
 
 def test_refined_poses_are_the_same_bits_each_time(walk, device):
-    first, second = (fuse_dataset(walk, voxel_size=0.05, refine=True, device=device) for _ in range(2))
+    first, second = (loom.fuse(walk, voxel_size=0.05, refine=True, device=device) for _ in range(2))
     np.testing.assert_array_equal(first.T_world_camera, second.T_world_camera)
     np.testing.assert_array_equal(first.mesh.vertices, second.mesh.vertices)
-    json.dumps(first.refinement, allow_nan=False)
+    json.dumps(first.to_json()["refinement"], allow_nan=False)
 
 
 def test_outputs_are_checked_before_the_frames_are(tmp_path):
@@ -91,5 +91,7 @@ def test_frames_without_poses_are_sent_to_reconstruct(walked, tmp_path):
 
 @pytest.mark.parametrize(("kept", "is_poor"), [(0, False), (5, False), (6, True), (9, True)])
 def test_more_than_half_kept_is_poor(kept, is_poor):
-    figures = {"kept": [{"frame": i, "reason": "r"} for i in range(kept)]}
-    assert (why_refinement_poor(figures, 11) is not None) == is_poor
+    refined = (0.0,) * (10 - kept)
+    refinement = PoseRefinement({i + 1: "r" for i in range(kept)}, refined, refined)
+    assert refinement.frame_count == 11
+    assert (refinement.poor is not None) == is_poor

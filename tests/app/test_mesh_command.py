@@ -1,5 +1,6 @@
 """mesh: the library's surfaces, normals made where there are none, verdicts on what is torn or in pieces."""
 
+import dataclasses
 import json
 
 import numpy as np
@@ -9,8 +10,11 @@ from PIL import Image
 
 import pointloom as loom
 from pointloom import TriangleMesh
-from pointloom.app.cli import cli
-from pointloom.app.mesh import _why_doubted, _why_poor, describe_surface, looks_inwards
+from pointloom.app.shell.cli import cli
+from pointloom.core.audience import to_shell
+from pointloom.drawing.render.surface_picture import looks_inwards
+from pointloom.meshing.mesh.mesh_summary import describe_surface
+from pointloom.meshing.mesh.surface_result import MadeUp, NormalsUsed, SurfaceResult
 
 from .commands import answer, names_in, poor_answer, refusal, run
 
@@ -69,7 +73,10 @@ def test_the_surface_is_the_library_s_with_normals_made_and_the_sparsest_vertice
     [
         ("ball", ["--radii", "0.1,0.2"], lambda cloud: TriangleMesh.from_point_cloud_ball_pivoting(cloud, [0.1, 0.2])),
         ("ball", [], TriangleMesh.from_point_cloud_ball_pivoting),
-        ("alpha", ["--alpha", "2"], lambda cloud: TriangleMesh.from_point_cloud_alpha_shape(cloud, 2.0)),
+        pytest.param(
+            *("alpha", ["--alpha", "2"], lambda cloud: TriangleMesh.from_point_cloud_alpha_shape(cloud, 2.0)),
+            marks=pytest.mark.slow,
+        ),
     ],
 )
 def test_the_other_methods_are_the_library_s_too(ball, tmp_path, method, options, make):
@@ -214,26 +221,26 @@ def test_a_torn_surface_is_poor_and_written(ball, tmp_path, monkeypatch):
 
 def test_the_figures_of_a_surface_are_those_of_its_edges_and_parts():
     sheet = describe_surface(grid())
-    assert (sheet["edges"], sheet["boundary_edges"], sheet["crowded_edges"]) == (385, 44, 0)
-    assert (sheet["area"], sheet["parts"], sheet["largest_share"], sheet["watertight"]) == (121.0, 1, 1.0, False)
+    assert (sheet.edges, sheet.boundary_edges, sheet.crowded_edges) == (385, 44, 0)
+    assert (sheet.area, sheet.parts, sheet.largest_share, sheet.watertight) == (121.0, 1, 1.0, False)
+    assert sheet.bounds == ((0.0, 0.0, 0.0), (11.0, 11.0, 0.0))
     fan = TriangleMesh([[0, 0, 0], [0, 0, 1], [1, 0, 0], [0, 1, 0], [-1, 0, 0]], [[0, 1, 2], [0, 1, 3], [0, 1, 4]])
-    assert describe_surface(fan)["crowded_edges"] == 1
-    assert describe_surface(closed())["watertight"]
+    assert describe_surface(fan).crowded_edges == 1
+    assert describe_surface(closed()).watertight
     nothing = describe_surface(TriangleMesh())
-    assert (nothing["triangles"], nothing["largest_share"], nothing["bounds"]) == (0, 0.0, None)
+    assert (nothing.triangles, nothing.largest_share, nothing.bounds) == (0, 0.0, None)
 
 
-GOOD = {
-    "made_up": 0.05,
-    "far": 0.2,
-    "better_quantile": 0.1,
-    "triangles": 900,
-    "edges": 1000,
-    "boundary_edges": 100,
-    "crowded_edges": 10,
-    "largest_share": 0.9,
-    "parts": 3,
-}
+LIMITS = {"triangles": 900, "edges": 1000, "boundary_edges": 100, "crowded_edges": 10, "largest_share": 0.9, "parts": 3}
+NEEDLESS = NormalsUsed("not needed", given=False, disagreement=None)
+
+
+def why_poor(method, made_up=0.05, **figures):
+    """What the command says of a surface at all limits but for some figures."""
+    summary = dataclasses.replace(describe_surface(TriangleMesh()), **LIMITS | figures)
+    found = MadeUp(made_up, far=0.2, better_quantile=0.1)
+    result = SurfaceResult(TriangleMesh(), method, {}, NEEDLESS, 5, 5, (), summary, found)
+    return result.why_poor(to_shell)
 
 
 @pytest.mark.parametrize(
@@ -247,8 +254,8 @@ GOOD = {
 )
 def test_a_surface_is_poor_beyond_a_limit_and_not_at_it(figures, word):
     for method, remedy in (("poisson", "--density-quantile"), ("ball", "--radii")):
-        assert _why_poor(GOOD, method, 5) is None
-        said = _why_poor(GOOD | figures, method, 5)
+        assert why_poor(method) is None
+        said = why_poor(method, **figures)
         assert (
             said is not None
             and word in said
@@ -257,16 +264,16 @@ def test_a_surface_is_poor_beyond_a_limit_and_not_at_it(figures, word):
 
 
 def test_an_alpha_shape_may_have_a_tenth_of_crowded_edges_and_hollows_are_told_apart_from_nothing():
-    assert _why_poor(GOOD | {"crowded_edges": 100}, "alpha", 5) is None
-    assert "10.1% of its edges have three triangles" in str(_why_poor(GOOD | {"crowded_edges": 101}, "alpha", 5))
-    said = str(_why_poor(GOOD | {"largest_share": 0.5}, "alpha", 5))
+    assert why_poor("alpha", crowded_edges=100) is None
+    assert "10.1% of its edges have three triangles" in str(why_poor("alpha", crowded_edges=101))
+    said = str(why_poor("alpha", largest_share=0.5))
     assert "50.0% of the area are islands or the walls of hollows, 2 of them" in said and "a larger --alpha" in said
 
 
 def test_normals_are_doubted_beyond_a_tenth():
-    made = {"normals": "made of the 30 nearest points", "disagreement": 0.1}
-    assert _why_doubted(made) is None
-    said = _why_doubted(made | {"disagreement": 0.2})
+    made = NormalsUsed("made of the 30 nearest points", given=False, disagreement=0.1)
+    assert made.why_doubted() is None
+    said = dataclasses.replace(made, disagreement=0.2).why_doubted()
     assert said is not None and "though they were oriented" in said
 
 

@@ -7,7 +7,7 @@ import pytest
 
 import pointloom as loom
 from pointloom import TriangleMesh
-from pointloom.pcd.io.image_files import read_color
+from pointloom.files.pictures.image_files import read_color
 
 from .commands import answer, names_in, poor_answer, refusal, run
 
@@ -215,6 +215,7 @@ def test_surfaces_farther_apart_than_asked_are_a_poor_result(ball, larger, tmp_p
     assert answer("compare-meshes", ball, larger, "--max", 0.1)["poor"] is None
 
 
+@pytest.mark.slow
 def test_meshes_of_other_units_are_a_poor_result(ball, tmp_path):
     other = write(tmp_path / "mm.ply", TriangleMesh.create_sphere(1000.0, 20))
     assert "other units" in poor_answer("compare-meshes", ball, other)["poor"]
@@ -224,13 +225,7 @@ def test_meshes_of_other_units_are_a_poor_result(ball, tmp_path):
 
 
 @pytest.mark.parametrize(
-    "words",
-    [
-        ("clean-mesh",),
-        ("simplify", "--ratio", 0.5),
-        ("smooth-mesh",),
-        ("sample-mesh", "--points", 5),
-    ],
+    "words", [("clean-mesh",), ("simplify", "--ratio", 0.5), ("smooth-mesh",), ("sample-mesh", "--points", 5)]
 )
 def test_files_that_are_no_meshes_are_named(tmp_path, words):
     (tmp_path / "broken.ply").write_bytes(b"ply\nformat ascii 1.0\nelement vertex 3\n")

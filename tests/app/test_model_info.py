@@ -6,8 +6,8 @@ import pytest
 
 import pointloom as loom
 
-from ..pcd.io.test_metashape import camera, document
-from ..pcd.sfm_models import ring_model
+from ..files.sfm_models import ring_model
+from ..files.test_metashape import camera, document
 from .commands import answer, run
 
 MODEL = ring_model()

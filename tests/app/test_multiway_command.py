@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import pointloom as loom
-from pointloom.pcd.io.trajectory import read_trajectory
+from pointloom.cameras.trajectory import read_trajectory
 
 from .commands import answer, names_in, poor_answer, refusal, run
 from .surface_poses import VOXEL, bumpy, moved, turned

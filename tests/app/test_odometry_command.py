@@ -9,9 +9,9 @@ import numpy as np
 import pytest
 
 import pointloom as loom
-from pointloom.app import console
-from pointloom.app.odometry import odometry_of_folder
-from pointloom.pcd.io.trajectory import Trajectory, read_trajectory, write_trajectory
+from pointloom.app.jobs.odometry import odometry_of_folder
+from pointloom.app.shell import console
+from pointloom.cameras.trajectory import Trajectory, read_trajectory, write_trajectory
 from pointloom.registration import LidarOdometry
 
 from .commands import answer, names_in, poor_answer, refusal, run

@@ -11,9 +11,10 @@ import pytest
 from click.testing import CliRunner, Result
 
 import pointloom as loom
-from pointloom.app import pipes, tables
-from pointloom.app.cli import cli
-from pointloom.pcd.io.formats import READERS, WRITTEN
+from pointloom.app.shell import pipes
+from pointloom.app.shell.cli import cli
+from pointloom.files.meshes import tables
+from pointloom.files.points.formats import READERS, WRITTEN
 
 from .commands import run
 
@@ -132,6 +133,7 @@ def test_a_terminal_is_no_pipe(cloud, words, end):
 
 
 @pytest.mark.skipif(not Path("/dev/full").exists(), reason="this system has no /dev/full")
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "words", [["info", "CLOUD", "--json"], ["info", "CLOUD"], ["convert", "CLOUD", "-", "--to", "ply"]]
 )
@@ -145,6 +147,7 @@ def test_a_full_disk_behind_standard_output_is_one_line(cloud, words):
     assert b"Exception ignored" not in stderr
 
 
+@pytest.mark.slow
 def test_a_reader_that_has_enough_is_told_nothing(cloud):
     read, write = os.pipe()
     os.close(read)

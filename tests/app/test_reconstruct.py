@@ -7,15 +7,15 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from pointloom.app import reconstruct_slam
-from pointloom.app.frames import open_folder
-from pointloom.app.reconstruct import reconstruct_folder
-from pointloom.app.slam import corrections
-from pointloom.app.surface_weights import least_weight
-from pointloom.app.track import make_slam, track_frames
-from pointloom.meshing.mesh_files import read_triangle_mesh
-from pointloom.pcd.io.image_files import read_depth, write_png
-from pointloom.pcd.io.trajectory import read_trajectory
+from pointloom.app.jobs.model_outputs import ModelOutputs
+from pointloom.app.jobs.reconstruct import StageOptions, reconstruct_folder
+from pointloom.cameras.trajectory import read_trajectory
+from pointloom.files.frames.frames import open_folder
+from pointloom.files.pictures.image_files import read_depth, write_png
+from pointloom.meshing.mesh.mesh_files import read_triangle_mesh
+from pointloom.meshing.volume.surface_weights import least_weight
+from pointloom.rgbd.slam import corrections, looped_model
+from pointloom.rgbd.slam.tracking import make_slam, track_with
 
 from .commands import answer, names_in, poor_answer, refusal, run
 
@@ -97,7 +97,7 @@ class Closure:
 @pytest.fixture
 def made_up(monkeypatch):
     """Submaps of some 3 frames, without loops."""
-    monkeypatch.setattr(reconstruct_slam, "SUBMAP_FRAMES", 3)
+    monkeypatch.setattr(looped_model, "SUBMAP_FRAMES", 3)
     monkeypatch.setattr(corrections, "close_loops", Closure)
     return lambda loops: monkeypatch.setattr(Closure, "loops", loops)
 
@@ -125,8 +125,9 @@ def test_without_loops_the_surface_is_the_tracked_one(walked, tmp_path, made_up)
     """Not the one that is made anew from the submaps, in which frames that two of them share count twice."""
     plain = answer("reconstruct", walked, "-o", tmp_path / "plain.ply", *COARSE)
     dataset = open_folder(walked)
-    slam = make_slam(dataset, voxel_size=0.05, depth_max=4.0, device="cpu")
-    track_frames(dataset, slam)
+    sizes = {"voxel_size": 0.05, "depth_max": 4.0, "device": "cpu"}
+    slam = make_slam(dataset, **sizes)
+    track_with(slam, dataset, **sizes)
     mesh = slam.extract_triangle_mesh(weight_threshold=least_weight(len(dataset)))
     assert np.array_equal(read_triangle_mesh(tmp_path / "plain.ply").vertices, mesh.vertices)
     assert plain["submaps"] == 3
@@ -165,6 +166,7 @@ def test_fragments_become_a_mesh_and_leave_their_stages(walked, tmp_path, small_
     assert (tmp_path / "mesh-fragments" / "fragments").is_dir()
 
 
+@pytest.mark.slow
 def test_slac_takes_up_the_stages_and_bends_the_frames(walked, tmp_path, small_fragments):
     words = ["reconstruct", walked, *small_fragments, "--work", tmp_path / "work"]
     plain = answer(*words, "-o", tmp_path / "plain.ply")
@@ -186,6 +188,7 @@ def test_slac_of_a_single_fragment_says_that_it_had_nothing_to_do(walked, tmp_pa
     assert "slac       nothing to align: no two fragments overlap" in shown.stdout
 
 
+@pytest.mark.slow
 def test_an_earlier_run_is_kept_taken_up_or_replaced(walked, tmp_path, small_fragments):
     words = ["reconstruct", walked, *small_fragments, "--work", tmp_path / "work"]
     (tmp_path / "work" / "fragments").mkdir(parents=True)  # all that a run left that was interrupted at once
@@ -201,20 +204,23 @@ def test_an_earlier_run_is_kept_taken_up_or_replaced(walked, tmp_path, small_fra
 
 
 def test_an_interrupted_run_is_taken_up(walked, tmp_path):
-    options = {"method": "fragments", "voxel_size": 0.05, "work": tmp_path / "work"}
+    outputs = ModelOutputs(tmp_path / "mesh.ply")
 
     def interrupt(stage, done, total):
         if stage == "integrate" and done == 2:
             raise KeyboardInterrupt
 
     with pytest.raises(KeyboardInterrupt):
-        reconstruct_folder(walked, tmp_path / "mesh.ply", **options, progress=interrupt)
+        stages = StageOptions(work=tmp_path / "work")
+        reconstruct_folder(walked, outputs, stages=stages, voxel_size=0.05, progress=interrupt)
     assert names_in(tmp_path) == ["walk", "work"]
-    report = reconstruct_folder(walked, tmp_path / "mesh.ply", **options, resume=True)
+    stages = StageOptions(work=tmp_path / "work", resume=True)
+    report = reconstruct_folder(walked, outputs, stages=stages, voxel_size=0.05).to_json()
     assert report["resumed"]["fragments"] == 1
     assert report["files"] == [str(tmp_path / "mesh.ply")]
 
 
+@pytest.mark.slow
 def test_frames_that_are_not_in_the_model_are_told(walked, tmp_path, small_fragments):
     cover(walked, 7)
     report = poor_answer("reconstruct", walked, "-o", tmp_path / "mesh.ply", *small_fragments)
@@ -268,7 +274,7 @@ def test_an_interruption_leaves_nothing(walked, tmp_path):
             raise KeyboardInterrupt
 
     with pytest.raises(KeyboardInterrupt):
-        reconstruct_folder(walked, tmp_path / "mesh.ply", progress=interrupt)
+        reconstruct_folder(walked, ModelOutputs(tmp_path / "mesh.ply"), progress=interrupt)
     assert names_in(tmp_path) == ["walk"]
 
 
@@ -279,7 +285,7 @@ def test_an_interruption_leaves_nothing(walked, tmp_path):
     ("folder", "words", "placed"),
     [
         ("rgbd-cupoch-redwood5", [], 5),
-        ("rgbd-nvblox-3dmatch/seq-01", [], 3),  # its other two are far from these
+        pytest.param("rgbd-nvblox-3dmatch/seq-01", [], 3, marks=pytest.mark.slow),  # its other two are far from these
         ("rgbd-slambook-ch7", ["--depth-scale", 5000], 2),
     ],
 )

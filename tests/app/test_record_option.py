@@ -40,6 +40,7 @@ def frame_count(path: Path) -> int:
         return getattr(image, "n_frames", 1)
 
 
+@pytest.mark.slow
 def test_register_records_every_iteration_and_finds_the_same_pose(pair, tmp_path):
     file = tmp_path / "icp.gif"
     words = ["register", *pair, *VOXEL, "--init", "identity"]

@@ -8,7 +8,9 @@ import pytest
 from PIL import Image
 
 import pointloom as loom
-from pointloom.app.register import METHODS, choose_voxel_size, register_files
+from pointloom.app.jobs.register import register_files
+from pointloom.registration import choose_voxel_size
+from pointloom.registration.globally.pair import METHODS
 
 from ..registration.room_corners import ONE, OTHER, corner
 from .commands import answer, chosen_device, names_in, poor_answer, refusal, run
@@ -227,7 +229,7 @@ def test_rooms_that_share_nothing_but_walls_are_a_poor_result(tmp_path, rng, ini
 
 
 def test_a_score_of_a_half_is_a_poor_result(near, monkeypatch):
-    monkeypatch.setattr("pointloom.app.register.rate_registration", lambda *_: 0.5)
+    monkeypatch.setattr("pointloom.registration.globally.pair.rate_registration", lambda *_: 0.5)
     assert poor_answer("register", *near, *VOXEL, "--init", "identity")["score"] == 0.5
 
 
@@ -252,7 +254,7 @@ def test_register_tells_its_stages(near):
     stages = []
     report = register_files(*near, voxel_size=0.1, progress=lambda stage, done, total: stages.append(stage))
     assert stages == ["read", "search", "refine", "write"]
-    assert list(report["seconds"]) == ["read", "voxels", "search", "refine", "rate", "write"]
+    assert list(report.done.seconds) == ["read", "voxels", "search", "refine", "rate", "write"]
 
 
 @pytest.mark.parametrize(

@@ -3,11 +3,11 @@
 import numpy as np
 import pytest
 
-from pointloom.app.furniture import SIZE, furnished_room
-from pointloom.app.room import room_pose, room_sequence, surface_errors, write_room_sequence
+from pointloom.app.scenes.furniture import SIZE, furnished_room
+from pointloom.app.scenes.room import room_pose, room_sequence, surface_errors, write_room_sequence
+from pointloom.core.errors import FileError
+from pointloom.files.frames.datasets import open_dataset
 from pointloom.kernels.scenes.primitives import CYLINDER
-from pointloom.pcd.errors import FileError
-from pointloom.pcd.io.datasets import open_dataset
 
 SMALL = {"width": 160, "height": 120}
 
@@ -69,6 +69,7 @@ def test_two_runs_give_the_same_bits_and_another_seed_gives_other_noise(device):
     assert (first.depth != other.depth).mean() > 0.5
 
 
+@pytest.mark.slow
 def test_noise_follows_its_model(device):
     noisy, exact = room_sequence(6, device=device), room_sequence(6, noise=False, device=device)
     scaled = []

@@ -5,9 +5,9 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 import pointloom as loom
-from pointloom.app.room import room_views
-from pointloom.app.room_errors import camera_errors, depth_errors, room_mesh_errors
-from pointloom.app.room_video import room_video_poses
+from pointloom.app.scenes.room import room_views
+from pointloom.app.scenes.room_errors import camera_errors, depth_errors, room_mesh_errors
+from pointloom.app.scenes.room_video import room_video_poses
 
 
 def moved(poses, scale, turn, shift):
@@ -23,10 +23,10 @@ def moved(poses, scale, turn, shift):
 def test_cameras_in_another_unit_and_frame_have_no_error(scale):
     truths = room_video_poses(9)
     found = camera_errors(moved(truths, scale, (20, -70, 130), (5, -3, 400)), truths)
-    assert found["compared"] == 9
-    assert found["scale"] == pytest.approx(1 / scale, rel=1e-9)
-    assert found["m"]["max"] < 1e-9 and found["deg"]["max"] < 1e-4
-    assert found["extent_m"] == pytest.approx(np.linalg.norm(np.ptp(truths[:, :3, 3], axis=0)))
+    assert found.compared == 9
+    assert found.scale == pytest.approx(1 / scale, rel=1e-9)
+    assert found.m.max < 1e-9 and found.deg.max < 1e-4
+    assert found.extent_m == pytest.approx(np.linalg.norm(np.ptp(truths[:, :3, 3], axis=0)))
 
 
 def test_planted_errors_of_cameras_are_found_at_their_size():
@@ -34,19 +34,19 @@ def test_planted_errors_of_cameras_are_found_at_their_size():
     poses = truths.copy()
     poses[:, :3, 3] += rng.normal(0, 0.002, (60, 3))
     found = camera_errors(moved(poses, 3.0, (1, 2, 3), (4, 5, 6)), truths)
-    assert found["m"]["rmse"] == pytest.approx(0.002 * 3**0.5, rel=0.1)
-    assert found["percent"]["rmse"] == pytest.approx(100 * found["m"]["rmse"] / found["extent_m"])
+    assert found.m.rmse == pytest.approx(0.002 * 3**0.5, rel=0.1)
+    assert found.percent.rmse == pytest.approx(100 * found.m.rmse / found.extent_m)
     turned = truths.copy()
     turned[:, :3, :3] @= Rotation.from_rotvec(np.radians(rng.normal(0, 0.1, (60, 3)))).as_matrix()
     found = camera_errors(moved(turned, 3.0, (1, 2, 3), (4, 5, 6)), truths)
-    assert found["deg"]["rmse"] == pytest.approx(0.1 * 3**0.5, rel=0.2)
-    assert found["m"]["max"] < 1e-9
+    assert found.deg.rmse == pytest.approx(0.1 * 3**0.5, rel=0.2)
+    assert found.m.max < 1e-9
 
 
 def test_similarity_takes_the_model_to_the_truth():
     truths = room_video_poses(12)
     poses = moved(truths, 4.0, (10, 20, 30), (1, 2, 3))
-    T = np.array(camera_errors(poses, truths)["transformation"])
+    T = np.array(camera_errors(poses, truths).transformation)
     np.testing.assert_allclose((T @ poses)[:, :3, 3], truths[:, :3, 3], atol=1e-9)
 
 
@@ -77,30 +77,30 @@ def test_planted_errors_of_depth_are_found_at_their_size():
     depth = truth * np.where(np.arange(50) < 10, 1.02, 1.004)
     depth[:8] = 0
     found = depth_errors([(depth, truth)])
-    assert found["kept"] == pytest.approx(0.8)
-    assert found["median_relative"] == pytest.approx(0.004)
-    assert found["within"] == pytest.approx(0.8)
-    assert found["complete"] == pytest.approx(0.64)
-    assert found["p90_relative"] == pytest.approx(0.02)
+    assert found.kept == pytest.approx(0.8)
+    assert found.median_relative == pytest.approx(0.004)
+    assert found.within == pytest.approx(0.8)
+    assert found.complete == pytest.approx(0.64)
+    assert found.p90_relative == pytest.approx(0.02)
 
 
 def test_what_has_no_true_depth_does_not_count():
     truth, depth = np.zeros((4, 4)), np.ones((4, 4))
     truth[0] = 1
-    assert depth_errors([(depth, truth)])["kept"] == 1.0
+    assert depth_errors([(depth, truth)]).kept == 1.0
     assert depth_errors([(depth, truth * 0)]) is None
     assert depth_errors([]) is None
     nothing = depth_errors([(depth * 0, truth)])
-    assert nothing["kept"] == 0 and np.isnan(nothing["median_relative"])
+    assert nothing.kept == 0 and np.isnan(nothing.median_relative)
 
 
 def test_pictures_count_alike_whatever_their_size():
     small, large = np.ones((2, 2)), np.ones((50, 50))
-    assert depth_errors([(small, small), (0 * large, large)])["kept"] == 0.5
+    assert depth_errors([(small, small), (0 * large, large)]).kept == 0.5
 
 
 def test_an_error_at_the_limit_is_within():
-    assert depth_errors([(np.full((1, 3), 2.02), np.full((1, 3), 2.0))])["within"] == 1.0
+    assert depth_errors([(np.full((1, 3), 2.02), np.full((1, 3), 2.0))]).within == 1.0
 
 
 @pytest.mark.parametrize("shapes", [((4, 4), (4, 5)), ((4,), (4,)), ((2, 2, 2), (2, 2, 2))])
@@ -117,9 +117,9 @@ def test_a_mesh_of_the_floor_is_right_and_covers_the_floor_alone(device):
     floor = np.column_stack([rng.uniform(0.5, 4.5, 60), rng.uniform(0.5, 3.5, 60), np.zeros(60)])
     wall = np.column_stack([rng.uniform(0.5, 4.5, 20), np.full(20, 4.0), rng.uniform(1, 2, 20)])
     found = room_mesh_errors(mesh, np.concatenate([floor, wall]))
-    assert found["vertices"] == len(mesh.vertices)
-    assert found["covered"] == 0.75
-    assert found["median"] < 0.0051 and found["within"] > 0.8
+    assert found.vertices == len(mesh.vertices)
+    assert found.covered == 0.75
+    assert found.median < 0.0051 and found.within > 0.8
 
 
 def test_an_empty_mesh_has_no_errors():

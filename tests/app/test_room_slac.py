@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import pointloom as loom
-from pointloom.app.room import room_sequence, surface_errors
+from pointloom.app.scenes.room import room_sequence, surface_errors
 from pointloom.registration import PoseGraph, PoseGraphEdge, PoseGraphNode
 from pointloom.registration.rigid import fit_pose, invert_pose
 
@@ -55,6 +55,7 @@ class BentRound:
         return moved(fit_pose(np.concatenate(found), np.concatenate(truth)), mesh.vertices)
 
 
+@pytest.mark.slow
 @pytest.mark.slow_on_emulated_cuda("fuses 62 frames")
 def test_a_room_seen_by_a_camera_that_bends_is_nearer_to_the_truth_after_slac():
     scene = BentRound()

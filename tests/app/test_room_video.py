@@ -7,13 +7,13 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from pointloom.app import room_video
-from pointloom.app.recording import video
-from pointloom.app.room import surface_errors
-from pointloom.app.room_video import room_video_frames, room_video_poses, write_room_video
-from pointloom.pcd.camera import read_pinhole_camera_intrinsic
-from pointloom.pcd.errors import FileError
-from pointloom.pcd.io.trajectory import read_trajectory
+from pointloom.app.scenes import room_video
+from pointloom.app.scenes.room import surface_errors
+from pointloom.app.scenes.room_video import room_video_frames, room_video_poses, write_room_video
+from pointloom.cameras.camera import read_pinhole_camera_intrinsic
+from pointloom.cameras.trajectory import read_trajectory
+from pointloom.core.errors import FileError
+from pointloom.drawing.recording import video
 
 from .commands import names_in
 

@@ -6,8 +6,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from pointloom.app.cluster import cluster_fields
-from pointloom.app.console import format_share
+from pointloom.app.jobs.cluster import ClusterReport, ClusterSize
+from pointloom.app.jobs.job import Done
+from pointloom.core.wording import format_share
 
 
 @pytest.mark.parametrize(
@@ -22,10 +23,10 @@ def test_a_share_has_digits_enough(share, text):
 
 
 def test_a_little_noise_is_not_none():
-    largest = [{"label": 0, "points": 113_611}]
-    report = {"points_in": 113_662, "points": 113_662, "clusters": 1, "largest": largest, "noise": 51, "eps": 0.05}
-    report |= {"min_points": 10, "seconds": {}, "left_out": [], "files": []}
-    assert ("noise", "51 of 113,662 points, 0.04%") in cluster_fields(report)
+    largest = (ClusterSize(0, 113_611),)
+    done = Done("cluster", "a.ply", {}, (), (), None)
+    report = ClusterReport(done, "cpu", 113_662, 113_662, 0.05, 10, clusters=1, largest=largest, noise=51)
+    assert ("noise", "51 of 113,662 points, 0.04%") in report.fields()
 
 
 @given(st.integers(1, 10**9).flatmap(lambda total: st.tuples(st.integers(0, total), st.just(total))))

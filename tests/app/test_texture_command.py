@@ -1,14 +1,15 @@
 """The command `texture`: files, figures, and what makes a result poor."""
 
+import json
+
 import numpy as np
 import pytest
 
 import pointloom as loom
-from pointloom.app import texture
-from pointloom.app.fuse import fuse_dataset
-from pointloom.app.room import write_room_sequence
-from pointloom.pcd.io.datasets import open_dataset
-from pointloom.pcd.io.image_files import read_color
+from pointloom.app.scenes.room import write_room_sequence
+from pointloom.core.wording import to_json
+from pointloom.files.frames.datasets import open_dataset
+from pointloom.files.pictures.image_files import read_color
 
 from .commands import answer, names_in, poor_answer, refusal, run
 
@@ -18,7 +19,7 @@ def scan(tmp_path_factory):
     """Frames of the room, and a mesh of them without colours."""
     folder = tmp_path_factory.mktemp("texture")
     write_room_sequence(folder / "room", frame_count=12, width=160, height=120)
-    fused = fuse_dataset(open_dataset(folder / "room"), voxel_size=0.06).mesh
+    fused = loom.fuse(open_dataset(folder / "room"), voxel_size=0.06).mesh
     bare = loom.TriangleMesh(fused.vertices, fused.triangles)
     loom.write_triangle_mesh(folder / "bare.ply", bare)
     uvs = np.zeros((len(bare), 3, 2))
@@ -32,6 +33,7 @@ def scan(tmp_path_factory):
     return folder
 
 
+@pytest.mark.slow
 def test_vertices_take_the_colors_of_the_frames(scan, tmp_path):
     report = answer("texture", scan / "bare.ply", scan / "room", "-o", tmp_path / "out.ply", "--device", "cpu")
     assert report["command"] == "texture" and report["method"] == "rigid" and report["frames"] == 12
@@ -39,8 +41,15 @@ def test_vertices_take_the_colors_of_the_frames(scan, tmp_path):
     assert report["size"] is None and report["poor"] is None
     mesh = loom.read_triangle_mesh(tmp_path / "out.ply")
     assert len(mesh) == report["triangles"] and np.ptp(mesh.vertex_colors) > 0.5
+    bare, frames = loom.read_triangle_mesh(scan / "bare.ply", device="cpu"), loom.open_dataset(scan / "room")
+    found = loom.color_map.texture_mesh(bare, frames)  # the same call in Python
+    loom.write_triangle_mesh(tmp_path / "called.ply", found.mesh)
+    assert (tmp_path / "called.ply").read_bytes() == (tmp_path / "out.ply").read_bytes()
+    figures = json.loads(to_json(found.to_json()))
+    assert figures == {key: report[key] for key in figures}
 
 
+@pytest.mark.slow
 def test_a_texture_is_filled_where_the_mesh_has_coordinates(scan, tmp_path):
     words = ["texture", scan / "mapped.obj", scan / "room", "-o", tmp_path / "out.glb", "--size", "256"]
     report = answer(*words, "--method", "non-rigid", "--every", "2", "--device", "cpu")
@@ -50,6 +59,7 @@ def test_a_texture_is_filled_where_the_mesh_has_coordinates(scan, tmp_path):
     assert mesh.vertex_colors is None
 
 
+@pytest.mark.slow
 def test_an_atlas_is_made_where_the_mesh_has_no_coordinates(scan, tmp_path):
     pytest.importorskip("xatlas")
     words = ["texture", scan / "bare.ply", scan / "room", "-o", tmp_path / "out.obj", "--size", "512"]
@@ -72,6 +82,8 @@ def test_the_summary_tells_what_was_done(scan, tmp_path):
     assert result.exit_code == 0, result.stderr
     for word in ("of the vertices", "residual", "moved", "out.ply"):
         assert word in result.stdout
+    bare, frames = loom.read_triangle_mesh(scan / "bare.ply"), loom.open_dataset(scan / "room", every=2)
+    assert "\n".join(result.stdout.splitlines()[1:-3]) == str(loom.color_map.texture_mesh(bare, frames))
 
 
 def test_frames_of_another_place_are_a_poor_result_and_write_nothing(scan, tmp_path):
@@ -87,15 +99,6 @@ def test_frames_that_show_little_are_a_poor_result(scan, tmp_path):
     report = poor_answer(*words, "--depth-max", "2")
     assert "only" in report["poor"] and "of the vertices" in report["poor"]
     assert (tmp_path / "out.ply").exists()
-
-
-def test_pictures_that_agree_no_better_are_a_poor_result():
-    figures = {"seen_share": 0.9, "blind_frames": 0, "frames": 10, "residual_before": 0.05, "residual": 0.0499}
-    assert "agree no better" in str(texture._why_poor(figures, "rigid"))
-    assert texture._why_poor(figures, "none") is None
-    assert texture._why_poor(figures | {"residual": 0.03}, "rigid") is None
-    assert texture._why_poor(figures | {"residual_before": 0.005, "residual": 0.005}, "rigid") is None
-    assert "6 of 10 frames" in str(texture._why_poor(figures | {"residual": 0.0, "blind_frames": 6}, "rigid"))
 
 
 def test_bad_input_ends_with_an_error_that_names_it(scan, tmp_path):

@@ -7,10 +7,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from pointloom.app import track as track_module
-from pointloom.app.track import track_folder
-from pointloom.pcd.io.image_files import read_depth, write_png
-from pointloom.pcd.io.trajectory import read_trajectory
+from pointloom.app.jobs.track import track_folder
+from pointloom.cameras.trajectory import read_trajectory
+from pointloom.files.pictures.image_files import read_depth, write_png
+from pointloom.rgbd.slam import tracking
 
 from .commands import answer, names_in, poor_answer, refusal, run
 
@@ -58,7 +58,7 @@ def guided(monkeypatch):
 
     def use(fates=None):
         tracker = Guided(fates)
-        monkeypatch.setattr(track_module, "make_slam", lambda *_, **__: tracker)
+        monkeypatch.setattr(tracking, "make_slam", lambda *_, **__: tracker)
         return tracker
 
     use()

@@ -13,8 +13,8 @@ import pytest
 from click.testing import CliRunner
 
 import pointloom as loom
-from pointloom.app.cli import cli
-from pointloom.app.viewer.detail_tree import DetailTree
+from pointloom.app.shell.cli import cli
+from pointloom.drawing.viewer.detail_tree import DetailTree
 
 from .commands import answer, names_in, refusal, run
 
@@ -66,10 +66,11 @@ def test_a_screenshot_needs_no_browser(cloud, mesh, trajectory, tmp_path):
     assert (picture < 250).any(axis=2).sum() > 10_000
 
 
+@pytest.mark.slow
 def test_pictures_and_pages_need_no_viser(cloud, tmp_path):
     program = (
         "import sys; sys.modules['viser'] = None\n"
-        "from pointloom.app.cli import main\n"
+        "from pointloom.app.shell.cli import main\n"
         f"sys.argv = ['pointloom', 'view', {str(cloud)!r}, '--screenshot', 'a.png', '--save-html', 'a.html']\n"
         "main()\n"
     )
@@ -123,7 +124,7 @@ def test_a_cloud_may_come_through_a_pipe(cloud, tmp_path):
 
 
 def test_without_the_extra_the_line_to_run_is_said_before_files_are_read(tmp_path, monkeypatch):
-    for name in [name for name in sys.modules if name.startswith(("viser", "pointloom.app.viewer.hub"))]:
+    for name in [name for name in sys.modules if name.startswith(("viser", "pointloom.drawing.viewer.hub"))]:
         monkeypatch.delitem(sys.modules, name)
     monkeypatch.setitem(sys.modules, "viser", None)
     (tmp_path / "broken.ply").write_text("ply\n")
@@ -216,6 +217,7 @@ def test_wrong_calls_exit_with_2(cloud, tmp_path, monkeypatch, words, hint):
 # -- the server -------------------------------------------------------------------------------------------------------
 
 
+@pytest.mark.slow
 def test_the_page_is_told_on_stderr_and_ctrl_c_frees_the_port(cloud):
     with socket.create_server(("127.0.0.1", 0)) as line:
         port = line.getsockname()[1]
@@ -251,6 +253,7 @@ def test_a_large_file_is_seen_while_it_is_read(tmp_path, rng, monkeypatch):
     assert shown == [{"large.ply: a first look": 10_000}, {"large.ply": 30_000}]
 
 
+@pytest.mark.slow
 def test_json_tells_the_address_and_nothing_else(cloud):
     process = start(cloud, "--port", 0, "--json")
     assert process.stderr is not None

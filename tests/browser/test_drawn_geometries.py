@@ -11,7 +11,7 @@ from click.testing import CliRunner
 from PIL import Image
 
 import pointloom as loom
-from pointloom.app.cli import cli
+from pointloom.app.shell.cli import cli
 
 from .pixels import count_pixels, middle_of, wait_for_picture, wait_until_still
 from .viewer_scenes import BLUE, BRICK, GREEN, HEIGHT, RED, WHITE, brick, grid_cloud, sphere

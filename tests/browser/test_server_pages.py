@@ -7,7 +7,7 @@ from collections.abc import Iterator
 import numpy as np
 import pytest
 
-from pointloom.app.viewer.server import ViewerServer
+from pointloom.drawing.viewer.server import ViewerServer
 
 from .conftest import REBOUND
 from .pixels import count_pixels, wait_for_picture, wait_until

@@ -10,8 +10,8 @@ import numpy as np
 import pytest
 
 import pointloom as loom
-from pointloom.app.viewer.tools.picking import project
-from pointloom.app.viewer.viewer import Viewer
+from pointloom.drawing.viewer.tools.picking import project
+from pointloom.drawing.viewer.viewer import Viewer
 
 from .pixels import count_pixels, wait_for_picture, wait_until, wait_until_still
 

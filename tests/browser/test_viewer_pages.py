@@ -7,7 +7,7 @@ import contextlib
 import numpy as np
 from websockets.exceptions import ConnectionClosed
 
-from ..app.viewer.pages import CAMERA, page_of, say
+from ..drawing.viewer.pages import CAMERA, page_of, say
 from .pixels import count_pixels, picture, wait_for_picture, wait_until, wait_until_still
 from .viewer_scenes import BLUE, BRICK, HEIGHT, RED, WIDTH, at, brick, changed, grid_cloud, press, sphere
 

@@ -58,7 +58,7 @@ import numpy as np
 from pointloom.kernels.arrays.select import positions_of
 from pointloom.kernels.lang import uint8
 from pointloom.kernels.memory import upload
-from pointloom.pcd.devices import resolve_device
+from pointloom.core.devices import resolve_device
 
 mask = upload(np.array([0, 1, 1, 0], np.uint8), uint8, resolve_device("cuda:0"))
 found = positions_of(mask).numpy().tolist()

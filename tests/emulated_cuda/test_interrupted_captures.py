@@ -7,10 +7,10 @@ import threading
 import numpy as np
 import pytest
 
+from pointloom.core.devices import resolve_device
 from pointloom.kernels.lang import int32, launch, loop_while
 from pointloom.kernels.language import device_lock
 from pointloom.kernels.memory import download, upload
-from pointloom.pcd.devices import resolve_device
 
 SOURCE = """
 @kernel

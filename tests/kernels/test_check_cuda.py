@@ -35,6 +35,7 @@ def compiled(write_kernels):
     return check_cuda.compile_module(module.__name__, (90,))
 
 
+@pytest.mark.slow
 def test_a_module_compiles_with_its_reductions(compiled):
     names = " ".join(compiled.usage[90])
     for name in ("copy_kernel", "mix_kernel", "sum_rows_tiles", "sum_rows_fold_tiles"):
@@ -79,6 +80,7 @@ def test_a_failure_is_reported_and_the_rest_goes_on(write_kernels, capsys):
     assert "modules failed: 2" in printed.out
 
 
+@pytest.mark.slow
 def test_a_named_module_is_compiled_alone(capsys):
     assert check_cuda.main(["pointloom.kernels.arrays.bounds"]) == 0
     first, last = (line for line in capsys.readouterr().out.splitlines() if not line.startswith(" "))

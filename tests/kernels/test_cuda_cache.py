@@ -114,6 +114,7 @@ print(built.key, hashlib.sha256(built.code["sm90.ptx"].packed).hexdigest())
 """
 
 
+@pytest.mark.slow
 def test_a_constant_that_warp_s_hash_does_not_see_is_compiled_anew(tmp_path):
     """Warp's hash counts the low 32 bits of a whole number, so both modules have one folder."""
     source = """
@@ -157,6 +158,7 @@ def command(folder, *options):
     )
 
 
+@pytest.mark.slow
 def test_an_interrupted_build_writes_nothing_and_goes_on_where_it_stopped(tmp_path):
     build = command(tmp_path, "--architectures", "90", "--only", SELECT, "pointloom.kernels.surface.normals")
     assert build.stdout.readline().startswith("[1/2] ")
@@ -178,10 +180,7 @@ def test_an_interrupted_build_writes_nothing_and_goes_on_where_it_stopped(tmp_pa
 
 @pytest.mark.parametrize(
     ("options", "message"),
-    [
-        (["--architectures", "33"], "does not compile for sm_33"),
-        (["--architectures"], "no architecture"),
-    ],
+    [(["--architectures", "33"], "does not compile for sm_33"), (["--architectures"], "no architecture")],
 )
 def test_an_architecture_that_is_none_is_refused_by_name(capsys, options, message):
     with pytest.raises(SystemExit):

@@ -9,10 +9,10 @@ import numpy as np
 import pytest
 import warp as wp
 
+from pointloom.core.devices import resolve_device
 from pointloom.kernels import memory
 from pointloom.kernels.lang import vec3, vec3d
 from pointloom.kernels.memory import cast, download, upload
-from pointloom.pcd.devices import resolve_device
 
 
 def test_an_uploaded_array_is_a_copy(device, rng):
@@ -103,7 +103,7 @@ import resource
 import numpy as np
 from pointloom.kernels import memory
 from pointloom.kernels.lang import float32, vec3
-from pointloom.pcd.devices import resolve_device
+from pointloom.core.devices import resolve_device
 
 cpu = resolve_device("cpu")
 values = np.zeros(2**27, np.float32)

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
+from pointloom.core.devices import resolve_device
 from pointloom.kernels.lang import vec3
 from pointloom.kernels.memory import upload
-from pointloom.pcd.devices import resolve_device
 
 
 def vectors(device, values):

@@ -66,6 +66,7 @@ def test_the_faces_are_those_of_open3d(device, rng, alpha):
     )
 
 
+@pytest.mark.slow
 @pytest.mark.slow_on_emulated_cuda("8,171 stars")
 def test_the_faces_of_the_whole_bunny_are_those_of_open3d(device, data):
     path = data / "reg-bunny-scans" / "reconstruction" / "bun_zipper_res2.ply"
@@ -234,6 +235,7 @@ def test_an_alpha_that_is_too_small_makes_an_empty_mesh(device, rng):
     assert [len(mesh) > 0 for mesh in alpha_shape(cloud, [1e-5, 0.5, 1e-9, 5e-324])] == [False, True, False, False]
 
 
+@pytest.mark.slow
 def test_alphas_beyond_all_radii_give_the_hull_of_a_cloud_of_moderate_size(device, rng):
     cloud = PointCloud(rng.random((2000 if device == "cpu" else 200, 3)), device=device)
     hull = alpha_shape(cloud, math.inf)

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from scipy.spatial.transform import Rotation
 
 import pointloom as loom
-from pointloom.meshing import ball_pivoting
+from pointloom.meshing.mesh import ball_pivoting
 
 pivot = loom.TriangleMesh.from_point_cloud_ball_pivoting
 UP = (0.0, 0.0, 1.0)
@@ -193,7 +193,7 @@ def test_radii_are_doubled_until_most_points_have_a_neighbor(device, rng):
     assert (triangles >= 400).all(axis=1).sum() >= 150  # of 162
 
 
-@pytest.mark.parametrize("scan", ["bun_zipper.ply", "bun045.ply"])
+@pytest.mark.parametrize("scan", [pytest.param("bun_zipper.ply", marks=pytest.mark.slow), "bun045.ply"])
 def test_radii_from_the_spacing_make_most_of_a_scan(data, scan):
     folder = data / "reg-bunny-scans"
     if scan == "bun_zipper.ply":

@@ -11,7 +11,7 @@ from hypothesis.extra import numpy as hnp
 from scipy.spatial import cKDTree
 
 from pointloom import TriangleMesh, marching_cubes
-from pointloom.pcd.errors import DeviceError
+from pointloom.core.errors import DeviceError
 
 SHAPES = [(2, 2, 2), (2, 3, 2), (5, 4, 31), (3, 7, 32), (6, 3, 33), (4, 5, 34), (3, 3, 63), (2, 4, 64), (5, 2, 65)]
 
@@ -60,6 +60,7 @@ def test_a_smooth_surface_has_the_vertices_and_triangles_of_scikit_image(device,
         assert cKDTree(theirs).query(ours)[0].max() < 1e-4  # [samples] float32 at indices up to 255
 
 
+@pytest.mark.slow
 def test_the_count_at_384_samples_is_that_of_scikit_image():
     assert len(marching_cubes(wavy_ball(384))) == 695_564
 
@@ -84,6 +85,7 @@ def test_noise_of_any_shape_is_closed_when_its_border_is_outside(device, shape):
         assert signed_volume(mesh) > 0
 
 
+@pytest.mark.slow
 def test_a_large_noise_field_with_every_case_in_it_is_closed_and_manifold(device):
     field = bordered(noise((40, 41, 70)))
     below = (field < 0).astype(int)

@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from scipy.spatial.transform import Rotation
 
 from pointloom import TriangleMesh, marching_cubes, read_triangle_mesh, write_triangle_mesh
-from pointloom.pcd.errors import DeviceError, FileError
+from pointloom.core.errors import DeviceError, FileError
 
 TETRAHEDRON = ([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
 FAR = np.array([5.0e5, 5.4e6, 100.0])
@@ -287,7 +287,7 @@ def test_kernel_made_meshes_share_the_arrays_that_they_are_given(device, layout)
         "flat": lambda: wp.array(rows.ravel(), dtype=wp.int32, device=device),
         "table": lambda: wp.array(rows, dtype=wp.int32, device=device),
     }[layout]()
-    mesh = TriangleMesh._from_arrays(vertices, triangles, origin=FAR)
+    mesh = TriangleMesh.from_device_arrays(vertices, triangles, origin=FAR)
     assert mesh.array("vertices").ptr == vertices.ptr
     assert mesh.array("triangles").ptr == triangles.ptr
     del triangles

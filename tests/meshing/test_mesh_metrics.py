@@ -29,6 +29,7 @@ def test_the_two_directions_are_told_apart(device):
     assert found.mean[0] == 0 and found.mean[1] > 0.5
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("shift", [np.zeros(3), FAR])
 def test_means_are_those_of_many_points_wherever_the_meshes_are(device, shift):
     a, b = torus(), torus(30, 9)

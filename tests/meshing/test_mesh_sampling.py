@@ -9,7 +9,7 @@ from scipy.spatial import cKDTree
 
 import pointloom as loom
 from pointloom import TriangleMesh
-from pointloom.meshing import mesh_sampling
+from pointloom.meshing.mesh import mesh_sampling
 
 FAR = np.array([5.0e5, 5.4e6, 100.0])
 SQUARE = ([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], [[0, 1, 2], [0, 2, 3]])

@@ -67,6 +67,7 @@ def test_levels_that_differ_leave_no_crack(device):
     assert assert_only_the_cube_cuts(mesh, points, 1.3) == 0 and mesh.is_watertight()
 
 
+@pytest.mark.slow
 @pytest.mark.filterwarnings("ignore::pointloom.NormalsWarning")
 @pytest.mark.slow_on_emulated_cuda("thirty trees, on the CPU alone")
 @settings(deadline=None, max_examples=30)
@@ -78,7 +79,7 @@ def test_no_crack_whatever_the_points(seed, count, depth, power):
         mesh, densities = poisson(points, normals, depth)
         assert_only_the_cube_cuts(mesh, points)
         assert np.isfinite(mesh.vertices).all() and np.isfinite(densities).all()
-        assert not mesh._topology().has_split_vertex
+        assert not mesh.edge_topology().has_split_vertex
 
 
 def test_an_open_scan_ends_at_the_sides_of_the_cube(device):
@@ -140,6 +141,7 @@ print(len(mesh), hashlib.sha256(b"".join(part.tobytes() for part in parts)).hexd
 """
 
 
+@pytest.mark.slow
 @pytest.mark.slow_on_emulated_cuda("its processes run on the CPU alone")
 def test_one_and_two_threads_give_the_same_bits():
     pytest.importorskip("taichi")

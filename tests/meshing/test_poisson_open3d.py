@@ -44,6 +44,7 @@ def test_the_surface_is_as_near_to_the_true_one(device, tolerances, kind, depth,
 
 
 @pytest.mark.slow_on_emulated_cuda("trees of 100,000 cells")
+@pytest.mark.slow
 @pytest.mark.parametrize(("kind", "depth", "noise"), DEEPER)
 def test_a_deeper_surface_is_as_near_to_the_true_one(device, tolerances, kind, depth, noise):
     test_the_surface_is_as_near_to_the_true_one(device, tolerances, kind, depth, noise)

@@ -11,8 +11,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import pointloom as loom
+from pointloom.core.errors import DeviceError
 from pointloom.kernels.lang import uint16
-from pointloom.pcd.errors import DeviceError
 
 from .tsdf_scenes import (
     RADIUS,
@@ -64,6 +64,7 @@ def test_two_runs_give_the_same_bits(device):
     assert all_bits(device) == all_bits(device)
 
 
+@pytest.mark.slow
 @pytest.mark.slow_on_emulated_cuda("its processes run on the CPU alone")
 def test_one_and_two_threads_give_the_same_bits():
     pytest.importorskip("taichi")

@@ -8,7 +8,7 @@ import pytest
 import pointloom as loom
 from pointloom.kernels.lang import cpu_compiler
 from pointloom.kernels.volumes import device_frames
-from pointloom.meshing.block_count import BlockCount
+from pointloom.meshing.volume.block_count import BlockCount
 
 from .tsdf_scenes import SMALL, fingerprint, small_frames
 

@@ -11,8 +11,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import pointloom as loom
+from pointloom.core.errors import FileError
 from pointloom.kernels.arrays.block_keys import BIAS
-from pointloom.pcd.errors import FileError
 
 CAMERA = loom.PinholeCameraIntrinsic(32, 24, 31.0, 29.0, 15.3, 11.7)
 

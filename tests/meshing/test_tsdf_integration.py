@@ -4,10 +4,10 @@ import numpy as np
 import pytest
 
 import pointloom as loom
+from pointloom.cameras.images import upload_depth
 from pointloom.kernels.images.depth import largest_depth
 from pointloom.kernels.volumes import tsdf_blocks
 from pointloom.kernels.volumes.tsdf_blocks import block_box, touched_blocks
-from pointloom.pcd.images import upload_depth
 
 from .tsdf_scenes import (
     SMALL,

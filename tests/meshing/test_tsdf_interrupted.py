@@ -12,7 +12,7 @@ from ..interruptions import run_lines
 from .tsdf_scenes import fingerprint
 
 FILES = (
-    "meshing/tsdf.py", "kernels/volumes/voxel_blocks.py", "kernels/volumes/integrate.py",
+    "meshing/volume/tsdf.py", "kernels/volumes/voxel_blocks.py", "kernels/volumes/integrate.py",
     "kernels/volumes/device_frames.py", "kernels/volumes/frame_record.py", "kernels/arrays/hash_table.py",
     "kernels/arrays/changes.py",
 )  # fmt: skip
@@ -60,6 +60,7 @@ def interrupt_everywhere(begin, states, blocks, every=1):
     assert outcomes == {0, 1}
 
 
+@pytest.mark.slow
 def test_a_frame_is_in_or_not_after_an_interruption_at_any_line(device, tmp_path, monkeypatch):
     without_spare_room(device, monkeypatch)
     volume = begun(device)

@@ -5,11 +5,11 @@ import pytest
 from scipy.spatial import cKDTree
 
 import pointloom as loom
-from pointloom.app.room import room_sequence, surface_errors
+from pointloom.app.scenes.room import room_sequence, surface_errors
+from pointloom.cameras.images import upload_depth
+from pointloom.files.frames.datasets import open_dataset
 from pointloom.kernels.images.depth import largest_depth
 from pointloom.kernels.volumes.tsdf_blocks import SIDE, block_box, touched_blocks
-from pointloom.pcd.images import upload_depth
-from pointloom.pcd.io.datasets import open_dataset
 
 VOXEL, TRUNCATION, DEPTH_MAX = 0.02, 0.08, 3.0
 
@@ -115,6 +115,7 @@ def two_way(a, b):
     return result
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("name", "every", "threshold"), [("rgbd-7scenes-redkitchen", 20, 3), ("rgbd-cupoch-redwood5", 1, 1)]
 )
@@ -149,6 +150,7 @@ def test_a_cast_view_shows_the_depth_of_a_frame(device, data):
     assert np.abs(view.colors[both] - frame.color[both] / 255.0).mean() < 0.1
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("voxel_size", "limit"), [(0.03, 0.3), (0.02, 0.3)])
 def test_the_room_without_noise_is_met_within_a_third_of_a_voxel(device, voxel_size, limit):
     sequence = room_sequence(60, width=320, height=240, noise=False, device=device)

@@ -37,9 +37,7 @@ def test_vertices_and_triangles_are_those_of_open3d(device, voxel_size):
 
 @settings(deadline=None, max_examples=60)
 @given(
-    st.lists(st.tuples(*[st.integers(0, 11)] * 3), max_size=40),
-    st.integers(0, 2**31),
-    st.sampled_from([0.2, 0.5, 0.9]),
+    st.lists(st.tuples(*[st.integers(0, 11)] * 3), max_size=40), st.integers(0, 2**31), st.sampled_from([0.2, 0.5, 0.9])
 )
 def test_they_are_those_of_open3d_whatever_the_triangles(triangles, seed, voxel_size):
     """Opposite ones, repeated ones, vertices without triangles."""

@@ -6,6 +6,7 @@ where not, 2 where the list or the tests themselves are wrong: then nothing is s
 
     make mutants ARGS="--only kernels/volumes"     those with this in their name or file
     make mutants ARGS="--list"                     what there is
+    make mutants ARGS="--all"                      with the tests of `make test-all`, not those of `make test`
 """
 
 from __future__ import annotations
@@ -25,10 +26,15 @@ from pathlib import Path
 from typing import NamedTuple
 
 ROOT = Path(__file__).resolve().parents[2]
-COPIED = ("kernels", "pcd", "registration", "meshing", "app", "src", "tests", "benchmarks", "pyproject.toml")
+COPIED = (
+    *("kernels", "core", "cameras", "pcd", "files", "registration", "meshing", "rgbd", "drawing", "photos", "app"),
+    *("src", "tests", "benchmarks", "pyproject.toml"),
+)
 LEAST_NOTICED = 0.95
 TIME_LIMIT = 600  # [s] of the tests of one mutant; an endless loop is noticed
 PASSED, FAILED, BROKEN = 0, 1, 2  # pytest's exit codes; 2 where a test file cannot even be imported
+NONE_LEFT = 5  # pytest's exit code where a choice of tests leaves out all that are named
+QUICK = ("-m", "not slow", "--compilers", "warp")  # the choice of `make test`, as in the Makefile
 
 
 class ListError(Exception):
@@ -119,12 +125,18 @@ def copy_tree(root: Path, to: Path) -> Path:
     return to
 
 
-def run_tests(tree: Path, tests: Sequence[str]) -> tuple[int | None, str]:
-    """Pytest's exit code and last lines for some tests of a tree; None where the time limit ended them."""
+def run_tests(tree: Path, tests: Sequence[str], choice: Sequence[str]) -> tuple[int | None, str]:
+    """Pytest's exit code and last lines for some tests of a tree; None where the time limit ended them.
+
+    Args:
+        tree: The copy.
+        tests: Files or single tests.
+        choice: Which of these to run, as options of pytest.
+    """
     environment = {name: value for name, value in os.environ.items() if not name.startswith(("PYTEST_", "POINTLOOM_"))}
     # no bytecode: a change within a second that keeps the length of a file would run as the file before it
     environment |= {"PYTHONDONTWRITEBYTECODE": "1", "PYTHONPATH": str(tree / "src")}
-    command = [sys.executable, "-m", "pytest", "-x", "-q", "--no-header", *tests]
+    command = [sys.executable, "-m", "pytest", "-x", "-q", "--no-header", *choice, *tests]
     try:
         done = subprocess.run(
             command, cwd=tree, env=environment, capture_output=True, text=True, check=False, timeout=TIME_LIMIT
@@ -134,19 +146,19 @@ def run_tests(tree: Path, tests: Sequence[str]) -> tuple[int | None, str]:
     return done.returncode, done.stdout[-3000:] + done.stderr[-1000:]
 
 
-def check_tests(tree: Path, mutants: Sequence[Mutant]) -> None:
+def check_tests(tree: Path, mutants: Sequence[Mutant], choice: Sequence[str]) -> None:
     """Run all tests that the mutants name as the tree is: a test that fails anyway notices nothing.
 
     Raises:
         ListError: One does not pass.
     """
-    code, output = run_tests(tree, sorted({test for mutant in mutants for test in mutant.tests}))
-    if code != PASSED:
+    code, output = run_tests(tree, sorted({test for mutant in mutants for test in mutant.tests}), choice)
+    if code not in (PASSED, NONE_LEFT):
         raise ListError(f"the tests do not pass without any mutant (pytest's exit code {code}):\n{output}")
 
 
-def try_mutant(tree: Path, mutant: Mutant) -> Outcome:
-    """Apply a mutant to a copy, run its tests, and put the file back.
+def try_mutant(tree: Path, mutant: Mutant, choice: Sequence[str]) -> Outcome:
+    """Apply a mutant to a copy, run those of its tests that are chosen, and put the file back.
 
     Raises:
         ListError: Its tests could not be run at all.
@@ -155,17 +167,17 @@ def try_mutant(tree: Path, mutant: Mutant) -> Outcome:
     text, before = mutated(tree, mutant), path.read_bytes()
     path.write_text(text, encoding="utf-8")
     try:
-        code, output = run_tests(tree, mutant.tests)
+        code, output = run_tests(tree, mutant.tests, choice)
     finally:
         path.write_bytes(before)
-    if code is not None and code > BROKEN:
+    if code is not None and code > BROKEN and code != NONE_LEFT:
         raise ListError(f"{mutant.name}: its tests could not be run (pytest's exit code {code}):\n{output}")
     said = [line for line in output.splitlines() if line.startswith(("FAILED ", "ERROR "))]
     reason = said[0].split(" - ")[0] if said else {None: f"no end in {TIME_LIMIT} s"}.get(code, f"exit code {code}")
-    return Outcome(mutant, "" if code == PASSED else reason, time.monotonic() - start)
+    return Outcome(mutant, "" if code in (PASSED, NONE_LEFT) else reason, time.monotonic() - start)
 
 
-def try_all(root: Path, mutants: Sequence[Mutant], jobs: int) -> list[Outcome]:
+def try_all(root: Path, mutants: Sequence[Mutant], jobs: int, choice: Sequence[str] = ()) -> list[Outcome]:
     """Try all mutants, each in one of `jobs` copies of the tree, and print a line for each as it is done.
 
     Raises:
@@ -179,13 +191,13 @@ def try_all(root: Path, mutants: Sequence[Mutant], jobs: int) -> list[Outcome]:
             copies.put(copy_tree(root, Path(folder, str(number))))
         tree = copies.get()
         print(f"{len(mutants)} mutants; first their tests without any", flush=True)
-        check_tests(tree, mutants)
+        check_tests(tree, mutants, choice)
         copies.put(tree)
 
         def work(mutant: Mutant) -> Outcome:
             tree = copies.get()
             try:
-                return try_mutant(tree, mutant)
+                return try_mutant(tree, mutant, choice)
             finally:
                 copies.put(tree)
 
@@ -208,6 +220,7 @@ def main(words: Sequence[str] | None = None, *, root: Path = ROOT, folder: Path 
     parser.add_argument("--only", default="", metavar="TEXT", help="those with this text in their name or file")
     parser.add_argument("--jobs", type=int, default=1, metavar="N", help="how many at once (each takes all cores)")
     parser.add_argument("--list", action="store_true", help="check the list and print it; run nothing")
+    parser.add_argument("--all", action="store_true", help="also with tests that `make test` leaves out")
     options = parser.parse_args(words)
     try:
         every = read_mutants(folder or Path(__file__).parent)
@@ -218,7 +231,7 @@ def main(words: Sequence[str] | None = None, *, root: Path = ROOT, folder: Path 
             check_list(root, mutants)
             print("\n".join(f"{m.file:<42} {m.name}" for m in mutants))
             return 0
-        outcomes = try_all(root, mutants, options.jobs)
+        outcomes = try_all(root, mutants, options.jobs, () if options.all else QUICK)
     except ListError as error:
         print(error, file=sys.stderr)
         return 2

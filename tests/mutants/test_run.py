@@ -25,6 +25,8 @@ def tree(tmp_path):
     plain = "-p no:dash -p no:hypothesispytest -p no:benchmark"  # which take seconds to start
     settings = f'[tool.pytest.ini_options]\npythonpath = ["."]\naddopts = "{plain}"\n'
     (tmp_path / "pyproject.toml").write_text(settings)
+    option = 'def pytest_addoption(parser):\n    parser.addoption("--compilers")\n'
+    (tmp_path / "tests" / "conftest.py").write_text(option)
     return tmp_path
 
 
@@ -36,6 +38,7 @@ def run(tree, *mutants, words=()):
     return main(words, root=tree, folder=tree / "list")
 
 
+@pytest.mark.slow
 def test_a_mutant_that_no_test_notices_is_a_failure_that_names_it(tree, capsys):
     assert run(tree, NOTICED, UNNOTICED) == 1
     shown = capsys.readouterr().out
@@ -54,6 +57,17 @@ def test_a_test_that_fails_without_any_mutant_notices_nothing(tree, capsys):
     assert run(tree, NOTICED) == 2
     shown = capsys.readouterr()
     assert "the tests do not pass without any mutant" in shown.err and "noticed" not in shown.out
+
+
+@pytest.mark.slow
+def test_a_mutant_that_slow_tests_alone_notice_is_noticed_with_all_tests(tree, capsys):
+    slow = f"import pytest\n{TEST.format(0)}".replace("def test", "@pytest.mark.slow\ndef test")
+    (tree / "tests" / "test_clamp.py").write_text(slow)
+    with (tree / "pyproject.toml").open("a") as settings:
+        settings.write('markers = ["slow"]\n')
+    assert run(tree, NOTICED) == 1
+    assert "0 of 1 noticed" in capsys.readouterr().out
+    assert run(tree, NOTICED, words=["--all"]) == 0
 
 
 @pytest.mark.parametrize(

@@ -99,6 +99,7 @@ def holds_all(oracle, points):
     return len(wider.get_point_indices_within_bounding_box(o3d.utility.Vector3dVector(np.array(points)))) == len(points)
 
 
+@pytest.mark.slow
 def test_no_frame_of_a_fine_search_gives_a_smaller_box(device, rng, tolerances):
     """200,000 frames, then steps from the best of them that grow smaller, for each cloud."""
     frames = np.stack([random_rotation(rng) for _ in range(2000)])

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import pointloom as loom
-from pointloom.pcd.coordinates import ORIGIN_LIMIT
+from pointloom.core.coordinates import ORIGIN_LIMIT
 
 from .full_clouds import EXTRAS, UTM, assert_same, contents, full_cloud, rigid
 

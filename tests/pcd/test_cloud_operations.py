@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import pointloom as loom
-from pointloom.pcd.devices import check_same_device
+from pointloom.core.devices import check_same_device
 
 from .full_clouds import EXTRAS, UTM, assert_same, contents, full_cloud, rigid
 

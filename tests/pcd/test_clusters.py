@@ -119,9 +119,7 @@ def test_labels_of_made_clouds_are_open3ds(device, shape, eps, min_points, rng, 
 # ------------------------------------------------------------------------------------------------ brute force
 
 coordinates = st.one_of(
-    st.integers(-3, 3).map(float),
-    st.integers(-40, 40).map(lambda k: k / 4),
-    st.sampled_from([np.nan, np.inf, -np.inf]),
+    st.integers(-3, 3).map(float), st.integers(-40, 40).map(lambda k: k / 4), st.sampled_from([np.nan, np.inf, -np.inf])
 )
 clouds = st.lists(st.tuples(coordinates, coordinates, coordinates), max_size=50)
 
@@ -355,6 +353,7 @@ print([(int(r.max()), hashlib.sha256(r.tobytes()).hexdigest()[:16]) for r in res
 """
 
 
+@pytest.mark.slow
 @pytest.mark.slow_on_emulated_cuda("its processes run on the CPU alone")
 def test_any_number_of_threads_gives_the_same_bits():
     digests = []

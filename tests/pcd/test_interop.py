@@ -17,7 +17,7 @@ from hypothesis import strategies as st
 from hypothesis.extra import numpy as st_numpy
 
 import pointloom as loom
-from pointloom.pcd import exchange
+from pointloom.core import exchange
 
 
 class Shared:
@@ -99,6 +99,7 @@ def test_operations_on_a_shared_cloud_give_what_they_give_on_a_copy(rng, device)
         np.testing.assert_array_equal(getattr(results[0], field), getattr(results[1], field))
 
 
+@pytest.mark.slow
 def test_the_source_lives_as_long_as_the_cloud_and_no_longer():
     class Array(np.ndarray):
         pass

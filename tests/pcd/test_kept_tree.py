@@ -9,11 +9,11 @@ import numpy as np
 import pytest
 
 import pointloom as loom
+from pointloom.core.devices import resolve_device
 from pointloom.kernels.arrays.fingerprint import fingerprint
 from pointloom.kernels.lang import vec3
 from pointloom.kernels.memory import download, upload
 from pointloom.pcd import kept_tree
-from pointloom.pcd.devices import resolve_device
 
 
 @pytest.fixture
@@ -59,12 +59,12 @@ def test_registration_takes_the_trees_that_its_clouds_keep(device, rng, builds):
 
 def test_other_points_have_a_tree_of_their_own(device, rng, builds):
     cloud = loom.PointCloud(rng.random((500, 3)), device=device)
-    cloud._search_tree()
+    cloud.search_tree()
     moved = cloud.transform(np.eye(4))
     chosen = cloud.select_by_index(np.arange(100))
     deep, loaded = copy.deepcopy(cloud), pickle.loads(pickle.dumps(cloud))
     for other in (moved, chosen, deep, loaded):
-        assert other._search_tree() is not cloud._search_tree()
+        assert other.search_tree() is not cloud.search_tree()
     assert builds == [500, 500, 100, 500, 500]
 
 
@@ -84,7 +84,7 @@ def test_points_that_were_written_in_place_are_noticed(device, rng, builds):
     points = np.float32(rng.random((700, 3)))
     cloud = loom.PointCloud.from_dlpack(points)
     lent = loom.PointCloud(points, device=device)
-    lent._search_tree()
+    lent.search_tree()
     view = lent.array("points").numpy()
     for changed, array in ((cloud, points), (lent, view)):
         for step in range(3):
@@ -113,7 +113,7 @@ def test_pickled_buffers_are_copies(rng):
 def test_the_tree_goes_with_the_last_cloud(device, rng):
     cloud = loom.PointCloud(rng.random((300, 3)), device=device)
     shared = cloud.estimate_normals(max_nn=5)
-    tree, points = weakref.ref(cloud._search_tree()), weakref.ref(cloud._device_array("points"))
+    tree, points = weakref.ref(cloud.search_tree()), weakref.ref(cloud.device_array("points"))
     gc.disable()  # nothing may wait for the collector: it does not know how full the device is
     try:
         del cloud
@@ -147,9 +147,9 @@ def test_a_fingerprint_changes_with_any_bit_and_any_exchange(device, rng, count)
 def test_the_kept_tree_is_right_after_smoothing_with_fixed_neighbourhoods(device, rng):
     """That pass moves points by place on the curve; it must not move those of the tree that the cloud keeps."""
     cloud = loom.PointCloud(rng.random((900, 3)), device=device)
-    before = download(cloud._search_tree().points).copy()
+    before = download(cloud.search_tree().points).copy()
     cloud.smooth_laplacian(iterations=3, use_fixed_neighborhoods=True)
-    np.testing.assert_array_equal(download(cloud._search_tree().points), before)
+    np.testing.assert_array_equal(download(cloud.search_tree().points), before)
 
 
 # ------------------------------------------------------------------------------------------------ squares of distances

@@ -46,8 +46,7 @@ def test_a_mesh_has_each_edge_once():
     mesh = loom.TriangleMesh.create_icosahedron()
     lines = loom.LineSet.create_from_triangle_mesh(mesh)
     legacy = o3d.geometry.TriangleMesh(
-        o3d.utility.Vector3dVector(mesh.vertices.copy()),
-        o3d.utility.Vector3iVector(np.array(mesh.triangles, np.int32)),
+        o3d.utility.Vector3dVector(mesh.vertices.copy()), o3d.utility.Vector3iVector(np.array(mesh.triangles, np.int32))
     )
     theirs = np.asarray(o3d.geometry.LineSet.create_from_triangle_mesh(legacy).lines)
     assert len(lines) == 30

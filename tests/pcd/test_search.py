@@ -88,6 +88,7 @@ assert np.array_equal(np.sort(indices[0]), np.arange(-1, len(points))) and count
 """
 
 
+@pytest.mark.slow
 def test_asking_for_more_neighbours_than_a_large_cloud_has_ends():
     """In a process of its own: a walk that left the boxes of so many points read memory that was not there."""
     environment = os.environ | {"POINTLOOM_CPU": "warp", "PYTHONPATH": os.pathsep.join(p for p in sys.path if p)}
@@ -340,6 +341,7 @@ print([hashlib.sha256(np.ascontiguousarray(r).tobytes()).hexdigest()[:16] for r 
 """
 
 
+@pytest.mark.slow
 @pytest.mark.slow_on_emulated_cuda("its processes run on the CPU alone")
 def test_one_and_two_threads_give_the_same_bits():
     digests = []

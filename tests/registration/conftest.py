@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import importlib.util
-import sys
-from pathlib import Path
 from types import SimpleNamespace
 
 import numpy as np
 import pytest
+
+import pointloom as loom
 
 from .hilly_clouds import hills
 from .poses import as_pose, moved
@@ -39,37 +38,50 @@ def surface_pair():
 
 
 @pytest.fixture(scope="session")
-def kitti_pair(data):
-    """Two LiDAR scans of 69,000 points and `T`, which takes the source's coordinates to the target's."""
-    import pointloom as loom
+def kitti_pair(data, made_street):
+    """Two LiDAR scans of 69,000 points and `T`, which takes the source's coordinates to the target's.
 
-    folder = data / "reg-small-gicp"
-    read = loom.read_point_cloud
-    return SimpleNamespace(
-        source=read(folder / "source.ply").points,
-        target=read(folder / "target.ply").points,
-        T=np.loadtxt(folder / "T_target_source.txt"),
-    )
+    A fresh clone, which has no KITTI, takes each other ray of the made-up street with noise of 2 cm, as far apart.
+    """
+    if not hasattr(data, "is_shipped"):
+        folder = data / "reg-small-gicp"
+        return SimpleNamespace(
+            source=loom.read_point_cloud(folder / "source.ply").points,
+            target=loom.read_point_cloud(folder / "target.ply").points,
+            T=np.loadtxt(folder / "T_target_source.txt"),
+        )
+    rng, points = np.random.default_rng(3), made_street.drive(1, speed=0.0, beams=64, azimuths=2000, noise=0.0).scans[0]
+    T = as_pose(np.radians(0.71) * np.array([0.0, 0.0, 1.0]), [0.5, 0.05, 0.0])
+    target, source = (half + rng.normal(0, 0.02, half.shape) for half in (points[::2], points[1::2]))
+    return SimpleNamespace(source=moved(source, np.linalg.inv(T)), target=target, T=T)
 
 
 @pytest.fixture(scope="session")
 def kitchen_pair(data):
-    """Fragments 4 (source) and 0 (target) of a kitchen, 55 % overlap, and `T`: 12.7 degrees and 0.69 m."""
-    import pointloom as loom
+    """Fragments 4 (source) and 0 (target) of a kitchen, 55 % overlap, and `T`: 12.7 degrees and 0.69 m.
 
-    folder = data / "reg-teaser-3dmatch" / "data"
-    read = loom.read_point_cloud
+    A fresh clone, which has no 3DMatch, takes two frames of a living room, the source turned by as much.
+    """
+    if not hasattr(data, "is_shipped"):
+        folder = data / "reg-teaser-3dmatch" / "data"
+        return SimpleNamespace(
+            source=loom.read_point_cloud(folder / "cloud_bin_4.ply").points,
+            target=loom.read_point_cloud(folder / "cloud_bin_0.ply").points,
+            T=np.loadtxt(folder / "T_0_from_4.txt"),
+        )
+    folder, camera = data / "rgbd-cupoch-redwood5", loom.PinholeCameraIntrinsic(640, 480, 525.0, 525.0, 319.5, 239.5)
+    poses = loom.read_trajectory(folder / "trajectory.log").poses
+    depths = [loom.read_depth(folder / "depth" / f"{k:05d}.png") for k in (0, 4)]
+    target, source = (loom.PointCloud.from_depth_image(depth, camera, stride=2).points for depth in depths)
+    turned = as_pose(np.radians(12.7) * np.array([0.36, 0.48, 0.8]), [0.4, -0.4, 0.4])
     return SimpleNamespace(
-        source=read(folder / "cloud_bin_4.ply").points,
-        target=read(folder / "cloud_bin_0.ply").points,
-        T=np.loadtxt(folder / "T_0_from_4.txt"),
+        source=moved(source, turned), target=target, T=np.linalg.inv(poses[2]) @ poses[4] @ np.linalg.inv(turned)
     )
 
 
 @pytest.fixture(scope="session")
 def full_pair(surface_pair):
     """The clouds of `surface_pair` with all that any estimator asks for, and T."""
-    import pointloom as loom
 
     def whole(points, paint):
         colors = 0.5 + 0.4 * np.sin(paint @ np.array([[5, 1, 2], [3, 6, 2], [2, 2, 7]]))
@@ -92,16 +104,9 @@ def hilly_pair():
 
 
 @pytest.fixture(scope="session")
-def street():
+def street(made_street):
     """The module benchmarks/street.py: drives of a scanner through a made-up street."""
-    spec = importlib.util.spec_from_file_location(
-        "odometry_street", Path(__file__).parents[2] / "benchmarks" / "street.py"
-    )
-    module = importlib.util.module_from_spec(spec)
-    sys.modules["odometry_street"] = module
-    spec.loader.exec_module(module)
-    yield module
-    sys.modules.pop("odometry_street")
+    return made_street
 
 
 @pytest.fixture(scope="session")

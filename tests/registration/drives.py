@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 
 import pointloom as loom
-from pointloom.pcd.io.trajectory import Trajectory
+from pointloom.cameras.trajectory import Trajectory
 from pointloom.registration import LidarOdometry
 
 ROOT = Path(__file__).parents[2]

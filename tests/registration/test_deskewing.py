@@ -44,7 +44,7 @@ def test_a_scan_is_as_if_taken_at_its_end(device, tolerances, twist, unit, start
 
 @pytest.mark.parametrize("angle", [0.0, 1e-12, 1e-7, 1e-5, 1e-3, 1.0, 3.0])
 def test_a_twist_is_the_logarithm_of_a_pose(angle):
-    from pointloom.registration.deskewing import twist_of
+    from pointloom.registration.lidar.deskewing import twist_of
     from pointloom.registration.rigid import pose_of
 
     twist = np.array([0.6 * angle, -0.8 * angle, 0.0, 1.0, 2.0, -3.0])
@@ -56,7 +56,7 @@ def test_a_twist_is_the_logarithm_of_a_pose(angle):
 
 def test_a_twist_of_a_long_way_with_a_small_turn_is_exact():
     """Just below the angle from which a series is taken; its second term is 2 micrometres here."""
-    from pointloom.registration.deskewing import SMALL_ANGLE, twist_of
+    from pointloom.registration.lidar.deskewing import SMALL_ANGLE, twist_of
     from pointloom.registration.rigid import pose_of
 
     for angle in (0.9 * SMALL_ANGLE, 1.1 * SMALL_ANGLE):

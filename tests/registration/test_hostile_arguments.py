@@ -7,7 +7,9 @@ Records that operations return are left out, too.
 from __future__ import annotations
 
 import contextlib
+import tempfile
 from functools import cache
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -60,6 +62,7 @@ reg.correspondences_from_features(source_features=features, target_features=feat
 reg.deskew_point_cloud(cloud=source, T_start_end=pose, timestamps=times)
 reg.evaluate_registration(source=source, target=target, max_correspondence_distance=0.2, transformation=pose)
 reg.evaluate_trajectory(estimate=trajectory, truth=trajectory, align="first", delta=1, lengths=[1.0], max_time_difference=0.1)
+reg.fit_to_positions(model=model, positions=positions, max_error=0.1, seed=0)
 reg.get_information_matrix_from_point_clouds(source=source, target=target, max_correspondence_distance=0.2, transformation=pose)
 reg.global_optimization(pose_graph=graph, method=levenberg, criteria=criteria, option=option)
 reg.iterate_odometry(scans=[source, source], device="cpu")
@@ -67,8 +70,10 @@ reg.list_scans(folder="nowhere")
 reg.multi_scale_icp(source=source, target=target, voxel_sizes=[0.3, 0.1], criteria_list=[rules, rules], max_correspondence_distances=[0.4, 0.2], init=pose, estimation_method=to_points, callback_after_iteration=None)
 reg.rate_registration(source=source, target=target, transformation=pose, max_correspondence_distance=0.2)
 reg.read_pose_graph(path="nowhere.json")
+reg.read_positions(path=gps, names=["a", "b", "c", "d"])
 reg.register_fragments(clouds=[source, target], voxel_size=0.2, neighbors=1, seed=0, known=[], progress=None)
 reg.register_globally(source=source, target=target, voxel_size=0.2, seed=0)
+reg.register_pair(source=source, target=target, init=pose, method="point-to-plane", voxel_size=0.2, distance=0.4, progress=None)
 reg.registration_colored_icp(source=source, target=target, max_correspondence_distance=0.2, init=pose, estimation_method=None, criteria=rules, overlap=0.9)
 reg.registration_fgr_based_on_correspondence(source=source, target=target, corres=corres, option=None, seed=0)
 reg.registration_fgr_based_on_feature_matching(source=source, target=target, source_feature=features, target_feature=features, option=None, seed=0)
@@ -81,6 +86,7 @@ reg.registration_robust_based_on_correspondence(source=source, target=target, co
 reg.registration_robust_based_on_feature_matching(source=source, target=target, source_feature=features, target_feature=features, noise_bound=0.1, seed=0)
 reg.registration_symmetric_icp(source=source, target=target, max_correspondence_distance=0.2, init=pose, estimation_method=None, criteria=rules, overlap=0.9)
 reg.run_odometry(scans=[source, source], timestamps=None, progress=None, device="cpu")
+reg.scale_from_known(model=model, a="a", b=three, distance=1.0)
 reg.summarize_steps(steps=[])
 reg.write_pose_graph(path="graph.json", pose_graph=graph)
 """  # noqa: E501
@@ -92,7 +98,7 @@ HOMES = {
 }  # fmt: skip
 RESULTS = {
     "ErrorStatistics", "FragmentPair", "FragmentsResult", "GlobalOptimizationReport", "OdometryStep", "OdometrySummary",
-    "RegistrationResult", "SegmentError", "TrajectoryError",
+    "PairRegistration", "RegistrationResult", "SegmentError", "SimilarityFit", "TrajectoryError",
 }  # fmt: skip
 # Base classes are not made, and their methods stand in the table with the classes that have them; what an estimator
 # does inside a registration no user calls.
@@ -113,6 +119,11 @@ def things() -> dict[str, Any]:
     rng = np.random.default_rng(0)
     points = rng.random((60, 3)) * [1, 1, 0.2]
     cloud = loom.PointCloud(points, colors=rng.random((60, 3)), dopplers=rng.random(60)).estimate_normals(max_nn=10)
+    gps = Path(tempfile.mkdtemp()) / "gps.txt"
+    gps.write_text("a 1 0 0\nb 3 0 0\nc 1 2 0\nd 1 0 2\n")
+    poses = np.tile(np.eye(4), (4, 1, 1))
+    poses[1:, :3, 3] = -np.eye(3)
+    lens = loom.CameraModel("PINHOLE", 16, 12, [10.0, 10.0, 8.0, 6.0])
     nodes, edge = [reg.PoseGraphNode(), reg.PoseGraphNode()], reg.PoseGraphEdge(0, 1)
     return dict(
         reg=reg, source=cloud, target=loom.PointCloud(points + 0.01, colors=rng.random((60, 3)), normals=cloud.normals),
@@ -129,6 +140,8 @@ def things() -> dict[str, Any]:
         by_edges=reg.CorrespondenceCheckerBasedOnEdgeLength(),
         by_normal=reg.CorrespondenceCheckerBasedOnNormal(0.5),
         by_rotation=reg.CorrespondenceCheckerBasedOnSourceRotation([1.0, 1.0, 1.0]),
+        model=loom.SfmModel(["a", "b", "c", "d"], [lens] * 4, poses), gps=str(gps),
+        positions={"a": (1, 0, 0), "b": (3, 0, 0), "c": (1, 2, 0), "d": (1, 0, 2)},
         odometry=lambda: reg.LidarOdometry(max_range=10.0, min_range=0.01),
     )  # fmt: skip
 

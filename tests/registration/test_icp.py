@@ -274,6 +274,7 @@ for method in methods:
 """
 
 
+@pytest.mark.slow
 @pytest.mark.slow_on_emulated_cuda("its processes run on the CPU alone")
 def test_any_number_of_threads_gives_the_same_bits():
     runs = []

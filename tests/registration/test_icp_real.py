@@ -265,6 +265,7 @@ def parted_kitchen(kitchen_pair):
     return pair
 
 
+@pytest.mark.slow
 def test_parts_that_share_a_fifth_stay_where_they_belong(device, parted_kitchen, to_open3d, angle_between):
     """From a degree off: with all pairs within 0.3 m both libraries end farther off, with the overlap found nearer."""
     pair = parted_kitchen

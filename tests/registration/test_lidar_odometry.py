@@ -13,7 +13,7 @@ from scipy.spatial import cKDTree
 from scipy.spatial.transform import Rotation
 
 import pointloom as loom
-from pointloom.pcd.io.trajectory import Trajectory
+from pointloom.cameras.trajectory import Trajectory
 from pointloom.registration import LidarOdometry, evaluate_trajectory
 
 from .drives import ROOT, clouds, follow, truth_of
@@ -28,6 +28,7 @@ def weaving(street):
 # ------------------------------------------------------------------------------------------------ the path
 
 
+@pytest.mark.slow
 def test_a_hundred_scans_drift_by_less_than_one_percent_and_deskewing_matters(device, weaving):
     odometry = follow(weaving, device)
     error = evaluate_trajectory(Trajectory(odometry.poses), truth_of(weaving), align="first", lengths=[25, 50, 100])
@@ -143,11 +144,11 @@ def plane_weights(tree, place, reach) -> np.ndarray:
 
 @pytest.mark.parametrize("reach", [0.0, 0.8])
 def test_a_scan_lies_where_the_loop_written_out_puts_it(device, kitti_pair, tolerances, reach):
+    from pointloom.core.devices import resolve_device
     from pointloom.kernels.lang import vec3
     from pointloom.kernels.memory import upload
     from pointloom.kernels.odometry.map_icp import CONVERGED, MapPairs, align_to_map
     from pointloom.kernels.odometry.voxel_map import VoxelMap
-    from pointloom.pcd.devices import resolve_device
 
     where = resolve_device(device)
     voxel_map = VoxelMap(1.0, 20, where)
@@ -193,11 +194,11 @@ def test_a_scan_lies_where_the_loop_written_out_puts_it(device, kitti_pair, tole
 
 @pytest.mark.parametrize("in_table", [True, False])
 def test_scans_are_thinned_to_the_first_point_of_each_voxel(device, lidar, monkeypatch, in_table):
+    from pointloom.core.devices import resolve_device
     from pointloom.kernels.lang import vec3
     from pointloom.kernels.memory import upload
     from pointloom.kernels.odometry import odometry_sampling
     from pointloom.kernels.odometry.odometry_sampling import first_in_voxels
-    from pointloom.pcd.devices import resolve_device
 
     if not in_table:  # as with voxels so small that their keys and the points' numbers do not fit into one entry
         monkeypatch.setattr(odometry_sampling, "ENTRY_BITS", 0)
@@ -212,7 +213,7 @@ def test_scans_are_thinned_to_the_first_point_of_each_voxel(device, lidar, monke
 
 
 def test_the_threshold_follows_the_predictions_errors():
-    from pointloom.registration.scan_matching import AdaptiveThreshold
+    from pointloom.registration.lidar.scan_matching import AdaptiveThreshold
 
     threshold = AdaptiveThreshold(2.0, 0.1, 50.0, sqsum=4.0)
     start = np.tile(np.eye(4), (3, 1, 1))
@@ -258,6 +259,7 @@ def test_a_driver_may_write_all_scans_into_one_buffer(fast_drive):
     np.testing.assert_array_equal(reused.poses, apart.poses)
 
 
+@pytest.mark.slow
 @pytest.mark.slow_on_emulated_cuda("its processes run on the CPU alone")
 def test_the_number_of_threads_does_not_matter(tmp_path, fast_drive):
     np.savez(tmp_path / "drive.npz", *fast_drive.scans[:4], *fast_drive.times[:4])
@@ -280,11 +282,11 @@ print(hashlib.sha256(odometry.poses.tobytes() + odometry.map.points.tobytes()).h
 
 @pytest.mark.parametrize("turns", [1, 2, 5])
 def test_a_scan_takes_as_many_turns_as_it_may_and_says_so(device, rng, turns):
+    from pointloom.core.devices import resolve_device
     from pointloom.kernels.lang import vec3
     from pointloom.kernels.memory import upload
     from pointloom.kernels.odometry.map_icp import EXHAUSTED, MapPairs, align_to_map
     from pointloom.kernels.odometry.voxel_map import VoxelMap
-    from pointloom.pcd.devices import resolve_device
 
     where = resolve_device(device)
     points = rng.uniform(-3, 3, (400, 3)).astype(np.float32)
@@ -297,7 +299,7 @@ def test_a_scan_takes_as_many_turns_as_it_may_and_says_so(device, rng, turns):
 
 @pytest.mark.parametrize(("shift", "count"), [(0.0, 1), (0.05, 1), (0.1, 1), (0.11, 2)])
 def test_errors_up_to_the_smallest_motion_say_nothing_of_the_prediction(shift, count):
-    from pointloom.registration.scan_matching import AdaptiveThreshold
+    from pointloom.registration.lidar.scan_matching import AdaptiveThreshold
 
     deviation = np.eye(4)
     deviation[1, 3] = shift

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 import pointloom as loom
-from pointloom.pcd.errors import DeviceError
-from pointloom.pcd.io.trajectory import read_trajectory, write_trajectory
+from pointloom.cameras.trajectory import read_trajectory, write_trajectory
+from pointloom.core.errors import DeviceError
 from pointloom.registration import LidarOdometry, iterate_odometry, list_scans, run_odometry
 
 from .drives import clouds, follow, truth_of

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
+import pytest
 
 import pointloom as loom
 from pointloom.registration import LidarOdometry
@@ -10,7 +11,7 @@ from pointloom.registration import LidarOdometry
 from ..interruptions import run_lines
 
 FILES = (
-    "registration/lidar_odometry.py", "registration/scan_matching.py", "kernels/odometry/voxel_map.py",
+    "registration/lidar/lidar_odometry.py", "registration/lidar/scan_matching.py", "kernels/odometry/voxel_map.py",
     "kernels/arrays/hash_table.py", "kernels/arrays/changes.py",
 )  # fmt: skip
 SHIFTS = (0.0, 0.4, 0.8, 9.0, 9.4)  # voxels are dropped on the way; the fourth scan is far from where it should be
@@ -39,6 +40,7 @@ def state_of(odometry):
     return odometry.poses.tobytes(), threshold.sqsum, threshold.count, points[np.lexsort(points.T)].tobytes()
 
 
+@pytest.mark.slow
 def test_a_scan_is_part_of_the_run_or_not_after_an_interruption_at_any_line(device):
     clouds = scans(device)
     straight = [state_of(odometry_over(clouds[:n])) for n in range(len(clouds) + 1)]

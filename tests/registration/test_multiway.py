@@ -48,6 +48,7 @@ def worst_shift(poses: np.ndarray, truth: np.ndarray, members: list[int], points
     return worst
 
 
+@pytest.mark.slow
 def test_fragments_in_any_order_come_into_the_frame_of_the_first(device, fragments):
     order = [3, 0, 4, 1, 2]
     clouds = [loom.PointCloud(fragments.clouds[k], device=device) for k in order]
@@ -87,8 +88,8 @@ def test_empty_clouds_are_left_out(fragments):
 def test_progress_counts_the_pairs(fragments):
     seen = []
     clouds = [loom.PointCloud(p) for p in fragments.clouds[:3]]
-    reg.register_fragments(clouds, voxel_size=0.06, neighbors=1, progress=lambda *counts: seen.append(counts))
-    assert seen == [(0, 2), (1, 2), (2, 2)]
+    reg.register_fragments(clouds, voxel_size=0.06, neighbors=1, progress=lambda *step: seen.append(step))
+    assert seen == [("pairs", 0, 2), ("pairs", 1, 2), ("pairs", 2, 2)]
 
 
 def test_a_known_pair_is_refined_and_not_sought(fragments):
@@ -98,8 +99,8 @@ def test_a_known_pair_is_refined_and_not_sought(fragments):
     near[:3, 3] += 0.02
     seen = []
     known = [reg.FragmentPair(1, 0, near, 0.0, 1.0)]
-    found = reg.register_fragments(clouds, voxel_size=0.06, known=known, progress=lambda *counts: seen.append(counts))
-    assert seen == [(0, 0)]
+    found = reg.register_fragments(clouds, voxel_size=0.06, known=known, progress=lambda *step: seen.append(step))
+    assert seen == [("pairs", 0, 0)]
     assert [(pair.source, pair.target) for pair in found.pairs] == [(1, 0)]
     assert worst_shift(found.poses, fragments.poses[:2], [0, 1], fragments.clouds[0][::50]) < 0.01
 
@@ -133,6 +134,7 @@ def test_wrong_arguments_say_what_is_wrong():
 SCANS = ("bun000", "bun045", "bun090", "bun180", "bun270", "bun315", "chin", "ear_back", "top2", "top3")
 
 
+@pytest.mark.slow
 def test_ten_scans_of_the_bunny_come_together_from_no_guess(data):
     import open3d as o3d
 
@@ -154,7 +156,7 @@ def test_the_information_of_a_pair_is_about_the_sources_own_coordinates(device, 
     from scipy.spatial import cKDTree
     from scipy.spatial.transform import Rotation
 
-    from pointloom.registration.multiway import REACH, FragmentPair, _refine
+    from pointloom.registration.pose_graphs.multiway import REACH, FragmentPair, _refine
 
     size, T = 0.06, np.eye(4)
     T[:3, :3], T[:3, 3] = Rotation.from_rotvec([1.2, -0.7, 2.0]).as_matrix(), [50, -20, 30]
@@ -174,7 +176,7 @@ def test_the_information_of_a_pair_is_about_the_sources_own_coordinates(device, 
 
 
 def test_pairs_support_each_other_where_they_close_a_way_round_and_only_there(fragments):
-    from pointloom.registration.multiway import FragmentPair, _agreement
+    from pointloom.registration.pose_graphs.multiway import FragmentPair, _agreement
 
     clouds = [loom.PointCloud(p[::20]) for p in fragments.clouds[:3]]
     between = {(s, t): np.linalg.inv(fragments.poses[t]) @ fragments.poses[s] for s, t in ((0, 1), (1, 2), (0, 2))}

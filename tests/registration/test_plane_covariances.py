@@ -4,10 +4,9 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from pointloom.kernels.algebra.transform import widen
-from pointloom.kernels.icp.plane_covariances import plane_covariances, plane_covariances_from_normals, plane_information
-from pointloom.kernels.lang import array, float64, kernel, launch, tid, vec3
-from pointloom.kernels.memory import empty, upload
+from pointloom.kernels.icp.plane_covariances import plane_covariances, plane_covariances_from_normals
+from pointloom.kernels.lang import vec3
+from pointloom.kernels.memory import upload
 from pointloom.kernels.search.point_tree import PointTree
 
 
@@ -83,29 +82,3 @@ def test_fewer_than_five_points_have_round_covariances(device, count):
         found[:-1], np.tile(np.diag([1, 1, 1e-3 if count == 5 else 1]), (count, 1, 1)), atol=1e-7
     )
     assert np.isnan(found[-1]).all()
-
-
-@kernel
-def invert_planes_kernel(
-    a: array(dtype=vec3), b: array(dtype=vec3), epsilon: float64, out: array(dtype=float64, ndim=2)
-):
-    i = tid()
-    C = plane_information(widen(a[i]), widen(b[i]), epsilon)
-    for row in range(3):
-        for column in range(3):
-            out[i, 3 * row + column] = C[row, column]
-
-
-@pytest.mark.parametrize("epsilon", [1e-3, 1e-6, 0.9])
-def test_the_information_of_two_planes_is_the_inverse_of_their_sum(device, epsilon, rng):
-    a = rng.normal(size=(200, 3))
-    b = np.where(rng.random((200, 1)) < 0.5, rng.normal(size=(200, 3)), a + rng.normal(size=(200, 3)) * 0.01)
-    b[0], b[1] = a[0], -a[1]
-    a, b = ((v / np.linalg.norm(v, axis=1, keepdims=True)).astype(np.float32) for v in (a, b))
-    a[2], b[2], b[3] = [1, 0, 0], [-1, 0, 0], 0
-    out = empty((200, 9), float64, device)
-    launch(invert_planes_kernel, 200, [upload(a, vec3, device), upload(b * 4, vec3, device), epsilon, out])
-    units = [v / np.maximum(np.linalg.norm(v, axis=1, keepdims=True), 1e-9) for v in (a.astype(float), b.astype(float))]
-    expected = np.linalg.inv(sum(np.eye(3) + (epsilon - 1) * v[:, :, None] * v[:, None, :] for v in units))
-    scale = np.abs(expected).max(axis=(1, 2), keepdims=True)
-    np.testing.assert_allclose(out.numpy().reshape(-1, 3, 3) / scale, expected / scale, atol=1e-9)

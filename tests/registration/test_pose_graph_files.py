@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 from scipy.spatial.transform import Rotation
 
 from pointloom import registration as reg
-from pointloom.pcd.errors import FileError
+from pointloom.core.errors import FileError
 
 
 def graph_of(count=4, seed=0) -> reg.PoseGraph:

@@ -10,14 +10,10 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.spatial.transform import Rotation
 
-from pointloom.registration.pose_graph import GraphArrays
-from pointloom.registration.pose_graph_system import (
-    EdgeMeasurements,
-    NodePoses,
-    NormalEquations,
-)
-from pointloom.registration.quaternions import quaternions_of
-from pointloom.registration.rigid import nearest_rotations, rotations_of
+from pointloom.core.quaternions import nearest_rotations, rotations_to_quaternions
+from pointloom.registration.pose_graphs.pose_graph import GraphArrays
+from pointloom.registration.pose_graphs.pose_graph_system import EdgeMeasurements, NodePoses, NormalEquations
+from pointloom.registration.rigid import rotations_of
 
 HALF_TURNS = [[np.pi, 0, 0], [0, np.pi, 0], [0, 0, np.pi], [np.pi / 2**0.5] * 2 + [0]]
 
@@ -126,7 +122,7 @@ def test_rotations_and_quaternions_are_scipys(vector):
     R = rotations_of(np.array([vector]))
     expected = Rotation.from_rotvec(vector)
     np.testing.assert_allclose(R[0], expected.as_matrix(), rtol=0, atol=5e-15)
-    quaternion = quaternions_of(R)[0]
+    quaternion = rotations_to_quaternions(R)[0]
     assert quaternion[3] >= 0
     assert abs(abs(quaternion @ expected.as_quat()) - 1) < 1e-14
     np.testing.assert_allclose(Rotation.from_quat(quaternion).as_matrix(), R[0], rtol=0, atol=1e-14)
@@ -135,7 +131,7 @@ def test_rotations_and_quaternions_are_scipys(vector):
 @pytest.mark.parametrize("vector", [[0, 0, 0], [1e-9, 0, 0], [1e-170, 0, 0], *HALF_TURNS])
 def test_rotations_are_exact_near_no_turn_and_half_a_turn(vector):
     R = rotations_of(np.array([vector], float))
-    quaternion = quaternions_of(R)[0]
+    quaternion = rotations_to_quaternions(R)[0]
     angle = np.linalg.norm(vector)
     expected = np.append(np.sinc(angle / (2 * np.pi)) / 2 * np.array(vector), np.cos(angle / 2))
     sign = np.sign(quaternion @ expected)

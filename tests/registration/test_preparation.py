@@ -7,7 +7,7 @@ import pointloom as loom
 from pointloom.kernels.icp.color_gradients import average_colors
 from pointloom.kernels.icp.plane_covariances import plane_covariances, plane_covariances_from_normals
 from pointloom.kernels.lang import float32
-from pointloom.registration.preparation import (
+from pointloom.registration.icp.preparation import (
     colored_source,
     colored_target,
     doppler_measurements,
@@ -51,7 +51,7 @@ def test_a_coloured_target_has_gradients_of_twice_the_distance(device, rng):
 def test_covariances_are_the_clouds_own_then_its_normals_then_its_neighbours(device, rng, tolerances):
     cloud = loom.PointCloud(wavy(rng, 400), device=device)
     near = generalized_covariances(cloud, 1e-3).numpy()
-    np.testing.assert_array_equal(near, plane_covariances(cloud._search_tree(), 20, 1e-3).numpy())
+    np.testing.assert_array_equal(near, plane_covariances(cloud.search_tree(), 20, 1e-3).numpy())
     tilted = cloud.estimate_normals(max_nn=5)
     by_normals = generalized_covariances(tilted, 0.01).numpy()
     np.testing.assert_array_equal(by_normals, plane_covariances_from_normals(tilted.array("normals"), 0.01).numpy())

@@ -59,6 +59,7 @@ def test_any_size_of_sample_finds_it(device, rng, ransac_n, angle_between):
     assert angle_between(result.transformation, case.T) < 0.05 and result.fitness > 0.99
 
 
+@pytest.mark.slow
 def test_scale_is_found_where_it_is_asked_for(device, rng, angle_between):
     case = made_up(rng, outliers=0.7, scale=1.7)
     method = reg.TransformationEstimationPointToPoint(with_scaling=True)
@@ -333,6 +334,7 @@ for result in (ransac, fgr):
 """
 
 
+@pytest.mark.slow
 @pytest.mark.slow_on_emulated_cuda("its processes run on the CPU alone")
 def test_bits_do_not_depend_on_the_number_of_threads():
     outputs = []
@@ -347,7 +349,7 @@ def test_bits_do_not_depend_on_the_number_of_threads():
 
 
 def test_the_stricter_of_two_checkers_counts_on_the_device():
-    from pointloom.registration.checkers import checks_of
+    from pointloom.registration.globally.checkers import checks_of
 
     normal, edges, distance, rotation = (
         reg.CorrespondenceCheckerBasedOnNormal, reg.CorrespondenceCheckerBasedOnEdgeLength,

@@ -31,10 +31,7 @@ def kitchen(kitchen_pair):
 
 
 def tutorial_checkers(library, distance=DISTANCE):
-    return [
-        library.CorrespondenceCheckerBasedOnEdgeLength(0.9),
-        library.CorrespondenceCheckerBasedOnDistance(distance),
-    ]
+    return [library.CorrespondenceCheckerBasedOnEdgeLength(0.9), library.CorrespondenceCheckerBasedOnDistance(distance)]
 
 
 @pytest.fixture(scope="module")

@@ -9,7 +9,7 @@ from scipy.spatial.transform import Rotation
 import pointloom as loom
 from pointloom.kernels.poses.overlap_evidence import AGREEING_AT, MATCHED_AT, NEAR_AT, weigh_overlap
 from pointloom.kernels.surface.hollow_side import Surface, find_sides
-from pointloom.registration.rating import Evidence, surface_of
+from pointloom.registration.globally.rating import Evidence, surface_of
 from pointloom.registration.rigid import symmetric_matrices
 
 from .poses import as_pose, moved
@@ -156,6 +156,7 @@ def test_right_and_wrong_poses_of_rooms_are_told_apart(device, kitchen_pair, rng
         assert rate(*clouds, wrong, 0.075) < 0.3, k
 
 
+@pytest.mark.slow
 def test_right_and_wrong_poses_of_streets_are_told_apart(device, data):
     points, poses = submaps(data)
     clouds = [loom.PointCloud(p, device=device) for p in points]
@@ -239,6 +240,7 @@ def test_the_evidence_is_that_of_brute_force(device, rng):
     np.testing.assert_allclose(matched, (J * weights[:, None]).T @ J, rtol=1e-2, atol=1.0)
 
 
+@pytest.mark.slow
 def test_beside_planes_the_evidence_is_that_of_the_points_beside_them(device, rng):
     points = [corner(rng, ONE, 12000) for _ in range(2)]
     source, target = (surface_of(loom.PointCloud(p, device=device), 0.06) for p in points)

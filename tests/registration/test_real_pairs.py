@@ -128,6 +128,7 @@ def test_submaps_of_a_turn_come_together(submaps, angle_between, i, j):
     assert found.converged
 
 
+@pytest.mark.slow
 def test_submaps_that_share_a_third_come_together_or_are_not_believed(submaps, angle_between):
     clouds, poses = submaps
     source, target = (loom.PointCloud(clouds[k]) for k in (4, 0))
@@ -144,6 +145,7 @@ def test_submaps_that_share_a_third_come_together_or_are_not_believed(submaps, a
 # ------------------------------------------------------------------------------------------------ a room
 
 
+@pytest.mark.slow
 def test_a_kitchen_ends_where_icp_from_the_true_pose_does(kitchen_pair, angle_between, tolerances):
     target = loom.PointCloud(kitchen_pair.target).voxel_down_sample(0.025).points
     source = loom.PointCloud(kitchen_pair.source).voxel_down_sample(0.025).points
@@ -166,6 +168,7 @@ def test_the_kitchen_lies_closer_under_the_pose_found_than_under_the_published_o
         assert ours.fitness > gain * published.fitness and ours.inlier_rmse <= 1.01 * published.inlier_rmse
 
 
+@pytest.mark.slow
 def test_kinect_views_close_ways_round(data, angle_between, tolerances):
     folder = data / "pcl-data-tutorials" / "pairwise"
     views = [finite_points(folder / f"capture000{k}.pcd") for k in (1, 2, 3)]
@@ -199,6 +202,7 @@ def test_a_rigid_copy_is_found_to_the_last_digits(device, dragon, angle_between,
     assert shift_between(result.transformation, T) < tolerances.copy_distance and result.fitness == 1
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", range(3))
 def test_a_rigid_copy_is_found_from_anywhere(dragon, angle_between, tolerances, seed):
     source, target, T = dragon
@@ -218,6 +222,7 @@ def test_two_halves_that_share_a_third_are_ten_degrees_apart(data, angle_between
     assert angle_between(end, T) < 0.01 and shift_between(end, T) < 0.005 and found.converged
 
 
+@pytest.mark.slow
 def test_an_object_is_found_in_its_whole_scene(data, angle_between, tolerances):
     folder = data / "pcl-tests" / "test"
     carton, scene = (finite_points(folder / f"{n}.pcd") for n in ("milk_color", "milk_cartoon_all_small_clorox"))
@@ -249,6 +254,7 @@ def test_four_hundred_points_of_two_scans_are_enough(data, bunny, angle_between)
         assert angle_between(end, T) < 0.6 and shift_between(end, T) < 0.001 and found.score > 0.9
 
 
+@pytest.mark.slow
 def test_no_wrong_pose_of_two_range_scans_is_believed(bunny, angle_between):
     scans, poses = bunny
     assert len(scans) == 10

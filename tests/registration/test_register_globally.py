@@ -90,6 +90,7 @@ def test_range_scans_of_an_object_come_together(device, data, rng, left, right, 
     assert angle < limit and distance < 0.001 and result.score > 0.8
 
 
+@pytest.mark.slow
 def test_scans_that_hardly_overlap_are_not_believed(device, data):
     for left, right in (("bun000", "bun180"), ("bun180", "top3"), ("bun090", "bun270")):
         clouds = [loom.PointCloud(scan(data, name)[::2], device=device) for name in (left, right)]
@@ -139,6 +140,7 @@ def test_lidar_scans_come_together(device, kitti_pair, tolerances):
     assert result.score > 0.9
 
 
+@pytest.mark.slow
 def test_an_object_is_found_in_its_scene(device, data):
     folder = data / "pcl-tests" / "test"
     milk = loom.read_point_cloud(folder / "milk_color.pcd").remove_non_finite_points()
@@ -257,6 +259,7 @@ def test_two_runs_give_the_same_bits(device, hilly_pair):
     assert results[0].score == results[1].score and results[0].fitness == results[1].fitness
 
 
+@pytest.mark.slow
 @pytest.mark.slow_on_emulated_cuda("its processes run on the CPU alone")
 def test_bits_do_not_depend_on_the_number_of_threads():
     program = (

@@ -9,8 +9,8 @@ from hypothesis import strategies as st
 
 import pointloom as loom
 from pointloom.kernels.lang import cpu_compiler
-from pointloom.registration import robust_global
-from pointloom.registration.robust_global import rate_support
+from pointloom.registration.globally import robust_global
+from pointloom.registration.globally.robust_global import rate_support
 
 from .hilly_clouds import misplacement, random_pose
 from .poses import moved
@@ -38,6 +38,7 @@ def test_the_pose_is_found_among_wrong_correspondences(device, rng, tolerances, 
     assert result.score > 0.8 and result.converged and result.reason == "converged"
 
 
+@pytest.mark.slow
 def test_one_right_correspondence_in_a_hundred_is_enough_in_ten_thousand(device, rng, tolerances):
     p, q, pairs, T = rough_pair(rng, 10000, 100, noise=0.002)
     source, target = loom.PointCloud(p, device=device), loom.PointCloud(q, device=device)
@@ -141,6 +142,7 @@ def test_score_grows_with_the_lead_over_the_next():
     assert np.all(np.diff(scores) > 0) and scores[-1] > 0.99
 
 
+@pytest.mark.slow
 def test_features_find_the_pose_and_the_clouds_rate_it(device, hilly_pair, angle_between):
     source, target, T = hilly_pair
     clouds = []

@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 
 import pointloom as loom
+from pointloom.core.devices import resolve_device
 from pointloom.kernels.icp.robust_weights import Loss, robust_weight
 from pointloom.kernels.lang import array, float64, kernel, launch, tid
 from pointloom.kernels.memory import empty, upload
-from pointloom.pcd.devices import resolve_device
 
 reg = loom.registration
 SCALES = (1e-3, 0.3, 1.0, 40.0)
@@ -77,8 +77,7 @@ def test_the_general_kernel_holds_the_others():
 
 
 @pytest.mark.parametrize(
-    ("limit", "near", "step"),
-    [(0.0, 1e-6, 1e-5), (0.0, -1e-6, 1e-5), (2.0, 2 - 2.1e-3, 1e-2), (-math.inf, -9e6, 1e-5)],
+    ("limit", "near", "step"), [(0.0, 1e-6, 1e-5), (0.0, -1e-6, 1e-5), (2.0, 2 - 2.1e-3, 1e-2), (-math.inf, -9e6, 1e-5)]
 )
 def test_the_general_weights_have_no_steps(limit, near, step):
     """The largest is at 2: shapes as near as 2e-3 are taken for 2, as Open3D has it."""

@@ -28,6 +28,7 @@ def aligned(bent):
     return rigid, *slac.run_slac_optimizer_for_fragments(bent.clouds, bent.graph)
 
 
+@pytest.mark.slow
 def test_fragments_that_a_camera_bent_agree_once_it_is_known(aligned):
     rigid, solved, _ = aligned
     assert solved.report.rmse[0] == rigid.report.rmse[0] > 0.012
@@ -56,12 +57,14 @@ def test_the_grid_finds_how_the_camera_bends(bent, aligned):
     assert np.sqrt((after**2).sum(axis=1).mean()) < 0.5 * np.sqrt((before**2).sum(axis=1).mean())
 
 
+@pytest.mark.slow
 def test_what_is_straight_stays_straight(straight):
     solved, grid = slac.run_slac_optimizer_for_fragments(straight.clouds, straight.graph)
     shifts = np.linalg.norm(grid.get_curr_positions() - grid.get_init_positions(), axis=1)
     assert np.median(shifts) < 0.001 and shifts.max() < 0.005 and straight.error(solved, grid) < 0.002
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("bends", [True, False], ids=["bent", "rigid"])
 def test_poses_that_are_off_come_back(straight, bends):
     rng = np.random.default_rng(1)
@@ -89,6 +92,7 @@ def test_the_first_fragment_keeps_its_pose_and_the_graph_given_stays(bent, align
     )
 
 
+@pytest.mark.slow
 def test_the_same_bits_come_twice_and_files_change_nothing(bent, aligned, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     _, first, first_grid = aligned
@@ -177,11 +181,11 @@ def test_fragments_may_be_files(tmp_path):
         loom.write_point_cloud(tmp_path / f"{i}.pcd", cloud)
     steps = []
     read = slac.run_rigid_optimizer_for_fragments(
-        [tmp_path / "0.pcd", str(tmp_path / "1.pcd")], graph, progress=lambda done, total: steps.append((done, total))
+        [tmp_path / "0.pcd", str(tmp_path / "1.pcd")], graph, progress=lambda *step: steps.append(step)
     )
     given = slac.run_rigid_optimizer_for_fragments(clouds, graph)
     assert np.abs(read.nodes[1].pose - given.nodes[1].pose).max() < 1e-6
-    assert steps == [(i, 5) for i in range(6)]
+    assert steps == [("slac", i, 5) for i in range(6)]
 
 
 def test_mistakes_are_named():

@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from hypothesis.extra import numpy as hnp
 from scipy.spatial.transform import Rotation
 
-from pointloom.pcd.io.trajectory import Trajectory
+from pointloom.cameras.trajectory import Trajectory
 from pointloom.registration import evaluate_trajectory
 
 

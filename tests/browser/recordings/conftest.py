@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from pointloom.app.recording import page as page_module
-from pointloom.app.recording.page import write_page
+from pointloom.drawing.recording import page as page_module
+from pointloom.drawing.recording.page import write_page
 
 from .scenes import SETTLED, wait_for
 

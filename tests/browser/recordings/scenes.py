@@ -8,8 +8,8 @@ from collections.abc import Callable
 import numpy as np
 
 import pointloom as loom
-from pointloom.app.pictures.view import View
-from pointloom.app.recording.timeline import Frame, Placed, Shape, Timeline
+from pointloom.drawing.recording.timeline import Frame, Placed, Shape, Timeline
+from pointloom.drawing.render.view import View
 
 from ..pixels import picture, seen, wait_until
 

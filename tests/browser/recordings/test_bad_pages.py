@@ -3,19 +3,11 @@
 import numpy as np
 import pytest
 
-from pointloom.app.recording.page import write_page
-from pointloom.app.recording.timeline import Frame, Placed, Shape, Timeline
+from pointloom.drawing.recording.page import write_page
+from pointloom.drawing.recording.timeline import Frame, Placed, Shape, Timeline
 
 from ..pixels import wait_until
-from .scenes import (
-    from_above,
-    grid,
-    one_frame,
-    stage,
-    two_clouds,
-    wait_for,
-    wait_for_stage,
-)
+from .scenes import from_above, grid, one_frame, stage, two_clouds, wait_for, wait_for_stage
 
 HOSTILE = "</script ><img src=x onerror=\"document.title='taken'\"><b>bold"
 

@@ -4,22 +4,10 @@ import math
 
 import numpy as np
 
-from pointloom.app.recording.timeline import Frame, Placed, Shape, Timeline
+from pointloom.drawing.recording.timeline import Frame, Placed, Shape, Timeline
 
 from ..pixels import count_pixels
-from .scenes import (
-    BLUE,
-    GREEN,
-    RED,
-    SETTLED,
-    from_above,
-    grid,
-    is_reddish,
-    stage,
-    two_clouds,
-    wait_for,
-    wait_for_stage,
-)
+from .scenes import BLUE, GREEN, RED, SETTLED, from_above, grid, is_reddish, stage, two_clouds, wait_for, wait_for_stage
 
 
 def test_mouse_and_keys_move_the_camera_and_r_brings_it_back(open_recording):

@@ -4,22 +4,10 @@ import math
 
 import numpy as np
 
-from pointloom.app.recording.timeline import Frame, Placed, Shape, Timeline
+from pointloom.drawing.recording.timeline import Frame, Placed, Shape, Timeline
 
 from ..pixels import count_pixels, is_color, middle_of, picture
-from .scenes import (
-    BLUE,
-    RED,
-    SETTLED,
-    from_above,
-    grid,
-    is_reddish,
-    moved,
-    stage,
-    statistics,
-    two_clouds,
-    wait_for,
-)
+from .scenes import BLUE, RED, SETTLED, from_above, grid, is_reddish, moved, stage, statistics, two_clouds, wait_for
 
 
 def test_playing_moves_the_red_cloud_and_ends_where_it_began(open_recording):

@@ -2,10 +2,10 @@
 
 import numpy as np
 
+from pointloom.core.devices import resolve_device
 from pointloom.kernels.algebra.angles import angle_of
 from pointloom.kernels.lang import array, float64, kernel, launch, tid
 from pointloom.kernels.memory import empty, upload
-from pointloom.pcd.devices import resolve_device
 
 
 @kernel

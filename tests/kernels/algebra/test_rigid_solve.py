@@ -6,6 +6,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.spatial.transform import Rotation
 
+from pointloom.core.devices import resolve_device
 from pointloom.kernels.algebra.rigid_solve import (
     diagonalize,
     eigensystem,
@@ -23,7 +24,6 @@ from pointloom.kernels.algebra.rigid_solve import (
 )
 from pointloom.kernels.lang import array, float64, func, kernel, launch, mat44d, tid, vec3d
 from pointloom.kernels.memory import empty, upload, zeros
-from pointloom.pcd.devices import resolve_device
 from pointloom.registration.rigid import fit_pose as fit_by_svd
 
 UPPER = np.triu_indices(6)

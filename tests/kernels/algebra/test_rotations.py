@@ -3,10 +3,10 @@
 import numpy as np
 import pytest
 
+from pointloom.core.devices import resolve_device
 from pointloom.kernels.algebra.rotations import best_rotation
 from pointloom.kernels.lang import array, kernel, launch, mat33d, tid
 from pointloom.kernels.memory import empty, upload
-from pointloom.pcd.devices import resolve_device
 
 
 @kernel

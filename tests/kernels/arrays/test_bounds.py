@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from pointloom.core.devices import resolve_device
 from pointloom.kernels.arrays.bounds import RUN, bound_points
 from pointloom.kernels.lang import vec3
 from pointloom.kernels.memory import upload
-from pointloom.pcd.devices import resolve_device
 
 
 @pytest.mark.parametrize("size", [1, RUN - 1, RUN, RUN + 1, 2 * RUN + 1])

@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from pointloom.core.devices import resolve_device
 from pointloom.kernels.arrays.key_starts import find_key_starts
 from pointloom.kernels.lang import int32, int64
 from pointloom.kernels.memory import download, empty, upload
-from pointloom.pcd.devices import resolve_device
 
 
 @pytest.mark.parametrize("count", [0, 1, 1000])

@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from pointloom.core.devices import resolve_device
 from pointloom.kernels.arrays.prefix_sum import RUN, exclusive_scan, scan_two, sum_counts
 from pointloom.kernels.lang import int32
 from pointloom.kernels.memory import upload
-from pointloom.pcd.devices import resolve_device
 
 
 @pytest.mark.parametrize("size", [0, 1, 2, RUN - 1, RUN, RUN + 1, 3 * RUN + 7])

@@ -6,10 +6,10 @@ import itertools
 
 import numpy as np
 
+from pointloom.core.devices import resolve_device
 from pointloom.kernels.arrays.run_sums import average_vec3, first_rows, sum_columns
 from pointloom.kernels.lang import float64, int32, vec3
 from pointloom.kernels.memory import upload
-from pointloom.pcd.devices import resolve_device
 
 
 def test_means_over_runs_are_those_of_float64(device, rng):

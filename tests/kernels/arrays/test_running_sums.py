@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from pointloom.core.devices import resolve_device
 from pointloom.kernels.arrays.running_sums import running_sums
 from pointloom.kernels.lang import float64
 from pointloom.kernels.memory import download, upload
-from pointloom.pcd.devices import resolve_device
 
 
 def sums_of(values: np.ndarray, device: str) -> np.ndarray:

@@ -3,10 +3,10 @@
 import numpy as np
 import pytest
 
+from pointloom.core.devices import resolve_device
 from pointloom.kernels.arrays.runs import CUDA_LEAST, CUDA_THREADS, Runs, elements_of, row_of
 from pointloom.kernels.lang import array, atomic_add, int32, kernel, launch, tid
 from pointloom.kernels.memory import download, zeros
-from pointloom.pcd.devices import resolve_device
 
 LENGTH = 64  # of a run on the CPU
 

@@ -8,6 +8,7 @@ import warp as wp
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from pointloom.core.devices import resolve_device
 from pointloom.kernels.arrays.segment_blocks import SegmentBlocks
 from pointloom.kernels.lang import (
     BLOCK,
@@ -26,7 +27,6 @@ from pointloom.kernels.lang import (
 )
 from pointloom.kernels.language import segment_launches
 from pointloom.kernels.memory import empty, full, upload, zeros
-from pointloom.pcd.devices import resolve_device
 
 pair = vector(2, float64)
 SIZES = [0, 1, 2, 7, BLOCK - 1, BLOCK, BLOCK + 1, 0, 3 * BLOCK + 5, 0]

@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from pointloom.core.devices import resolve_device
 from pointloom.kernels.arrays.select import gather_rows, positions_of
 from pointloom.kernels.lang import float32, float64, int32, int64, uint8, uint16, vec3
 from pointloom.kernels.memory import upload
-from pointloom.pcd.devices import resolve_device
 
 
 @pytest.mark.parametrize("size", [0, 1, 2, 255, 256, 257, 70_001])

@@ -3,10 +3,10 @@
 import numpy as np
 import pytest
 
+from pointloom.core.devices import resolve_device
 from pointloom.kernels.arrays.side_by_side import SideBySide
 from pointloom.kernels.lang import array, float32, float64, int32, kernel, launch, mat44d, tid, vec3d
 from pointloom.kernels.memory import download, fill
-from pointloom.pcd.devices import resolve_device
 
 
 @kernel

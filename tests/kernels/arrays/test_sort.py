@@ -8,12 +8,12 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
+from pointloom.core.devices import resolve_device
 from pointloom.kernels.arrays.prefix_sum import exclusive_scan
 from pointloom.kernels.arrays.select import positions_of
 from pointloom.kernels.arrays.sort import LEAST_RUN, argsort_keys
 from pointloom.kernels.lang import int32, int64, uint8
 from pointloom.kernels.memory import upload
-from pointloom.pcd.devices import resolve_device
 
 SIZES = [0, 1, 2, 255, 256, 257, 70_001]
 

@@ -3,10 +3,10 @@
 import numpy as np
 import pytest
 
+from pointloom.core.devices import resolve_device
 from pointloom.kernels.arrays.subsets import draw_rows, other_rows, sort_rows, step_rows
 from pointloom.kernels.lang import cpu_compiler, int32
 from pointloom.kernels.memory import upload
-from pointloom.pcd.devices import resolve_device
 
 
 @pytest.mark.parametrize(("count", "step"), [(0, 1), (1, 1), (1, 9), (10, 3), (9, 3), (5, 2**40)])

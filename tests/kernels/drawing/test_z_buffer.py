@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from pointloom.core.devices import resolve_device
 from pointloom.kernels import memory
 from pointloom.kernels.algebra.camera import Camera
 from pointloom.kernels.arrays.packed_keys import NO_KEY
@@ -11,7 +12,6 @@ from pointloom.kernels.drawing.points import Splat, count_in_squares, draw_point
 from pointloom.kernels.drawing.triangles import draw_triangles
 from pointloom.kernels.drawing.z_buffer import DepthBuffer, View
 from pointloom.kernels.lang import int32, vec3
-from pointloom.pcd.devices import resolve_device
 
 WIDTH, HEIGHT = 64, 48
 CAMERA = Camera(WIDTH, HEIGHT, 50.0, 50.0, 31.5, 23.5)
@@ -278,11 +278,7 @@ def test_depth_along_a_line_is_that_of_the_line(device):
 
 @pytest.mark.parametrize(
     "ends",
-    [
-        [[0, 0.5, -5.0], [0.0, 0.5, 5.0]],
-        [[-1e6, 0.1, 1.0], [1e6, 0.1, 1.0]],
-        [[0.0, 0.1, 0.0], [0.0, 0.1, 3.0]],
-    ],
+    [[[0, 0.5, -5.0], [0.0, 0.5, 5.0]], [[-1e6, 0.1, 1.0], [1e6, 0.1, 1.0]], [[0.0, 0.1, 0.0], [0.0, 0.1, 3.0]]],
     ids=["from behind", "far out on both sides", "from beside the eye"],
 )
 def test_lines_are_seen_as_far_as_they_lie_in_the_picture(device, ends):

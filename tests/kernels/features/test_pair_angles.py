@@ -3,10 +3,10 @@
 import numpy as np
 import pytest
 
+from pointloom.core.devices import resolve_device
 from pointloom.kernels.features.pair_angles import UNSURE, exact_bins, quick_bins
 from pointloom.kernels.lang import array, int32, kernel, launch, tid, vec3
 from pointloom.kernels.memory import empty, upload
-from pointloom.pcd.devices import resolve_device
 
 
 @kernel

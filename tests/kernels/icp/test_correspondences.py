@@ -7,6 +7,7 @@ from hypothesis import strategies as st
 from scipy.spatial import cKDTree
 from scipy.spatial.transform import Rotation
 
+from pointloom.core.devices import resolve_device
 from pointloom.kernels.icp.jobs import Jobs
 from pointloom.kernels.icp.loop import RegistrationLoop
 from pointloom.kernels.lang import vec3
@@ -14,7 +15,6 @@ from pointloom.kernels.memory import download, upload
 from pointloom.kernels.search.many_clouds import ManyClouds
 from pointloom.kernels.search.point_forest import PointForest
 from pointloom.kernels.search.tree_search import reach_of
-from pointloom.pcd.devices import resolve_device
 
 ALONE = pytest.mark.parametrize("alone", [False, True], ids=["lanes", "alone"])
 

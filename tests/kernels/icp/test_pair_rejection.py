@@ -6,6 +6,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.spatial.transform import Rotation
 
+from pointloom.core.devices import resolve_device
 from pointloom.kernels.icp.jobs import Jobs
 from pointloom.kernels.icp.loop import RegistrationLoop
 from pointloom.kernels.icp.pair_rejection import PairRejection
@@ -13,7 +14,6 @@ from pointloom.kernels.lang import vec3
 from pointloom.kernels.memory import download, upload
 from pointloom.kernels.search.many_clouds import ManyClouds
 from pointloom.kernels.search.point_forest import PointForest
-from pointloom.pcd.devices import resolve_device
 
 
 def matched(device, sources, targets, source_of=None, target_of=None, *, distance=1e3, poses=None):

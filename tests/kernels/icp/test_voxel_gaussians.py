@@ -9,8 +9,9 @@ import pointloom as loom
 from pointloom.kernels.icp.plane_covariances import plane_covariances
 from pointloom.kernels.icp.voxel_gaussians import (
     VoxelGaussians,
+    cell_of,
+    find_cell_gaussian,
     find_nearest_gaussian,
-    find_voxel_gaussian,
     gaussian_covariance,
     gaussian_mean,
     gaussian_weight,
@@ -33,7 +34,7 @@ def find_gaussians_kernel(
     i = tid()
     row = -1
     if steps < 0:
-        row = find_voxel_gaussian(queries[i], segments[i], voxels)
+        row = find_cell_gaussian(cell_of(queries[i], voxels.grid), segments[i], voxels)
     else:
         row = find_nearest_gaussian(queries[i], segments[i], steps, voxels)
     found[i] = row

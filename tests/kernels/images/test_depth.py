@@ -5,11 +5,11 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from pointloom.core.devices import resolve_device
 from pointloom.kernels.algebra.camera import Camera
 from pointloom.kernels.images.depth import RUN, PixelGrid, color_pixels, largest_depth, metric_depth, unproject_depth
 from pointloom.kernels.lang import float32, uint8, uint16
 from pointloom.kernels.memory import upload
-from pointloom.pcd.devices import resolve_device
 
 from ..vectors import rotation
 

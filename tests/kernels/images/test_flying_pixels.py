@@ -3,10 +3,10 @@
 import numpy as np
 import pytest
 
+from pointloom.core.devices import resolve_device
 from pointloom.kernels.images.flying_pixels import drop_flying
 from pointloom.kernels.lang import float32
 from pointloom.kernels.memory import download, upload
-from pointloom.pcd.devices import resolve_device
 
 
 def kept(depth, device, reach=4, jump=0.03):

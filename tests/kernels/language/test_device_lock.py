@@ -7,11 +7,14 @@ import threading
 from types import SimpleNamespace
 
 import numpy as np
+import pytest
 
+from pointloom.core.devices import resolve_device
 from pointloom.kernels.lang import int32
 from pointloom.kernels.language import device_lock, taichi_compiler
 from pointloom.kernels.memory import cast, clone, contiguous, download, empty, fill, host_view, move, upload
-from pointloom.pcd.devices import resolve_device
+
+pytestmark = pytest.mark.both_compilers
 
 
 def device_array(released):

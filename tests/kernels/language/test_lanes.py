@@ -24,6 +24,8 @@ from pointloom.kernels.lang import (
 from pointloom.kernels.language.source import KernelLanguageError
 from pointloom.kernels.memory import download, empty, upload
 
+pytestmark = pytest.mark.both_compilers
+
 
 @struct
 class Row:

@@ -11,6 +11,8 @@ import warp as wp
 
 from pointloom.kernels import lang
 
+pytestmark = pytest.mark.both_compilers
+
 X = np.array([0.25, -1.5, 3.0, 0.7, -0.1, 100.0, -7.9, 0.0])
 WHOLE = np.array([0, 1, 2, 3, 7, 100, 30, 5])
 SIGNED = np.array([0, -1, 2, -3, 7, -100, 30, -5])

@@ -10,9 +10,11 @@ import numpy as np
 import pytest
 import warp as wp
 
+from pointloom.core.devices import resolve_device
 from pointloom.kernels import lang, launches, memory
 from pointloom.kernels.language import device_lock
-from pointloom.pcd.devices import resolve_device
+
+pytestmark = pytest.mark.both_compilers
 
 SOURCE = """
 V3 = vector(3, float64)
@@ -181,6 +183,7 @@ print(taichi_compiler.start().thread_count, total.numpy().tobytes().hex())
 """
 
 
+@pytest.mark.slow
 def test_a_reduction_gives_the_same_bits_for_every_number_of_threads(kernels, rng):
     folder = str(Path(kernels.__file__).parent)
     found = []

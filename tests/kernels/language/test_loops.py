@@ -6,6 +6,8 @@ import pytest
 from pointloom.kernels import lang, memory
 from pointloom.kernels.language.source import KernelLanguageError
 
+pytestmark = pytest.mark.both_compilers
+
 WALKS = """
 LIMIT = 4
 STEP = 3

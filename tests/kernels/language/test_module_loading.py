@@ -14,6 +14,8 @@ import warp as wp
 from pointloom.kernels import lang
 from pointloom.kernels.language import module_loading
 
+pytestmark = pytest.mark.both_compilers
+
 SRC = str(Path(__file__).parents[3] / "src")
 
 # Counts what Warp compiles for the CPU, in an operation of a few modules.
@@ -56,6 +58,7 @@ def finished(process):
     return json.loads(out)
 
 
+@pytest.mark.slow
 def test_four_processes_at_once_compile_each_module_once_between_them(tmp_path):
     found = [finished(process) for process in [start(PROGRAM, tmp_path) for _ in range(4)]]
     compiled = [name for each in found for name in each["compiled"]]
@@ -127,6 +130,7 @@ print(json.dumps(dict(sorted(hashes.items()))))
 """
 
 
+@pytest.mark.slow
 def test_what_a_module_holds_does_not_depend_on_what_was_used_first():
     """Else a cache would have as many of it as there are programs."""
     found = []

@@ -9,6 +9,8 @@ import warp as wp
 from pointloom.kernels import lang, launches
 from pointloom.kernels.language import notices
 
+pytestmark = pytest.mark.both_compilers
+
 
 def records(caplog) -> list[str]:
     return [record.getMessage() for record in caplog.records if record.name == "pointloom"]

@@ -11,9 +11,11 @@ import numpy as np
 import pytest
 import warp as wp
 
+from pointloom.core.devices import resolve_device
 from pointloom.kernels import lang, launches, memory
 from pointloom.kernels.language.prepared_launches import TaichiLaunch, WarpLaunch
-from pointloom.pcd.devices import resolve_device
+
+pytestmark = pytest.mark.both_compilers
 
 SOURCE = """
 @kernel

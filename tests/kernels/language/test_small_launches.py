@@ -10,6 +10,8 @@ import warp as wp
 
 from pointloom.kernels import lang, launches
 
+pytestmark = pytest.mark.both_compilers
+
 SOURCE = """
 @kernel
 def scale_kernel(a: array(dtype=float), factor: float, out: array(dtype=float)):
@@ -117,12 +119,14 @@ print([name for name in ("taichi", "scipy.spatial", "scipy.sparse", "PIL", "rich
 """
 
 
+@pytest.mark.slow
 def test_a_first_small_operation_loads_neither_taichi_nor_scipy(monkeypatch):
     monkeypatch.delenv("POINTLOOM_CPU", raising=False)
     done = subprocess.run([sys.executable, "-c", FIRST], capture_output=True, text=True, timeout=300, check=False)
     assert (done.returncode, done.stdout.strip()) == (0, "[]"), done.stderr
 
 
+@pytest.mark.slow
 def test_threads_that_launch_a_kernel_first_at_once_check_it_once(write_kernels, monkeypatch):
     monkeypatch.delenv("POINTLOOM_CPU", raising=False)
     kernel = write_kernels("first_at_once", SOURCE).scale_kernel

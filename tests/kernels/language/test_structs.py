@@ -8,6 +8,8 @@ import pytest
 from pointloom.kernels import lang, memory
 from pointloom.kernels.language.source import KernelLanguageError
 
+pytestmark = pytest.mark.both_compilers
+
 STRUCTURES = """
 @struct
 class Curve:

@@ -16,6 +16,8 @@ import pytest
 from pointloom.kernels.language import taichi_lifetime
 from pointloom.kernels.language.taichi_lifetime import KernelFolder, TaichiUnavailableError, require_threads
 
+pytestmark = pytest.mark.both_compilers
+
 SMALL_WORK = """
 from pointloom.kernels.arrays.sort import positions
 from pointloom.kernels.lang import current_cpu_compiler
@@ -54,6 +56,7 @@ def kernels(cache: Path) -> set[str]:
 # ------------------------------------------------------------------------------------------------ the folder
 
 
+@pytest.mark.slow
 def test_what_a_killed_process_left_behind_does_not_keep_others_from_the_folder(cache, run):
     """Taichi's own lock is a file that nobody removes when its process is gone."""
     cache.mkdir(parents=True)
@@ -65,6 +68,7 @@ def test_what_a_killed_process_left_behind_does_not_keep_others_from_the_folder(
     assert kernels(cache)
 
 
+@pytest.mark.slow
 def test_kernels_whose_files_are_gone_are_kept_again(cache, run):
     run()
     before = kernels(cache)
@@ -74,6 +78,7 @@ def test_kernels_whose_files_are_gone_are_kept_again(cache, run):
     assert kernels(cache) == before
 
 
+@pytest.mark.slow
 def test_a_program_whose_folder_goes_away_ends_well(run):
     """Taichi's destructor would throw, and the process abort."""
     done = run(
@@ -136,6 +141,7 @@ def refuse_a_second_thread() -> None:
     resource.setrlimit(resource.RLIMIT_STACK, (1 << 46, resource.getrlimit(resource.RLIMIT_STACK)[1]))
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(
     resource.getrlimit(resource.RLIMIT_STACK)[1] != resource.RLIM_INFINITY, reason="the size of stacks is limited"
 )
@@ -171,6 +177,7 @@ def test_threads_that_were_started_to_see_whether_they_may_be_are_ended(monkeypa
     assert threading.active_count() == before
 
 
+@pytest.mark.slow
 def test_kernels_compile_in_whatever_thread_asks_for_them_first(run):
     """LLVM would abort: "Opaque pointers are only supported in -opaque-pointers mode"."""
     done = run(
@@ -197,11 +204,13 @@ def test_kernels_compile_in_whatever_thread_asks_for_them_first(run):
     assert (done.returncode, done.stderr) == (0, "")
 
 
+@pytest.mark.slow
 def test_no_thread_asks_the_internet_for_a_newer_taichi(cache, run):
     assert_silent(run("import threading\nassert threading.active_count() == 1"))
     assert not (cache.parent / "version_info").exists()
 
 
+@pytest.mark.slow
 def test_a_fork_that_comes_to_its_end_ends(run):
     """Taichi's destructor would wait for threads that a fork does not have."""
     done = run(
@@ -211,11 +220,12 @@ def test_a_fork_that_comes_to_its_end_ends(run):
         if child == 0:
             sys.exit(3)
         assert os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]) == 3
-        """,
+        """
     )
     assert done.returncode == 0, done.stderr
 
 
+@pytest.mark.slow
 def test_a_handler_at_exit_can_still_work(run):
     """Handlers run in the reverse order of their registration: this one when ours has ended Taichi."""
     done = run(

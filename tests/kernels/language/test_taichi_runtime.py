@@ -7,6 +7,8 @@ import textwrap
 
 import pytest
 
+pytestmark = pytest.mark.both_compilers
+
 PROGRAM = """
 import sys, warnings
 warnings.simplefilter("error")
@@ -59,11 +61,13 @@ def assert_silent(done: subprocess.CompletedProcess) -> None:
     assert (done.stdout, done.stderr, done.returncode) == ("", "", 0)
 
 
+@pytest.mark.slow
 def test_warp_alone_needs_no_taichi(run):
     done = run("assert check() == 'warp'\nassert 'taichi' not in sys.modules", POINTLOOM_CPU="warp")
     assert_silent(done)
 
 
+@pytest.mark.slow
 def test_taichi_serves_in_silence_and_survives_a_restart_by_the_program(run):
     program = """
         assert check() == "taichi"
@@ -83,6 +87,7 @@ def test_taichi_serves_in_silence_and_survives_a_restart_by_the_program(run):
     )  # the program's own ti.init
 
 
+@pytest.mark.slow
 def test_starting_taichi_leaves_numpy_its_subnormal_numbers(run):
     program = """
         tiny = np.array([1e-45, 1e-40], np.float32)
@@ -92,6 +97,7 @@ def test_starting_taichi_leaves_numpy_its_subnormal_numbers(run):
     assert_silent(run(program, POINTLOOM_CPU="taichi"))
 
 
+@pytest.mark.slow
 def test_a_taichi_that_the_program_started_is_used_as_it_stands(run):
     """Its fields live on, its settings come back, and in our kernels ours hold: NaN is no number, 2.0 is float32."""
     program = """
@@ -118,6 +124,7 @@ def test_a_taichi_that_the_program_started_is_used_as_it_stands(run):
     assert_silent(run(program, ENABLE_TAICHI_HEADER_PRINT="False", TI_ENABLE_PYBUF="0"))
 
 
+@pytest.mark.slow
 def test_a_taichi_that_does_not_import_is_replaced_with_one_warning(run, tmp_path):
     package = tmp_path / "broken" / "taichi"
     package.mkdir(parents=True)
@@ -172,11 +179,13 @@ assert size == count(0)[0] and len(messages) == 1 and "spawn" in messages[0], (s
 """
 
 
+@pytest.mark.slow
 def test_a_fork_after_taichi_ran_works_on_one_core_and_says_why():
     done = subprocess.run([sys.executable, "-c", FORK], capture_output=True, text=True, timeout=120)
     assert done.returncode == 0, done.stderr
 
 
+@pytest.mark.slow
 def test_an_unwritable_home_still_runs(tmp_path):
     program = "import numpy as np, pointloom as l; print(len(l.PointCloud(np.zeros((9, 3))).voxel_down_sample(1.0)))"
     environment = {k: v for k, v in os.environ.items() if k not in ("XDG_CACHE_HOME", "WARP_CACHE_PATH")}
@@ -190,6 +199,7 @@ def test_an_unwritable_home_still_runs(tmp_path):
     assert (done.returncode, done.stdout.strip()) == (0, "1"), done.stderr
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("threads", ["many", "0", "100000", "9" * 5000])
 def test_a_thread_count_that_is_no_number_or_senseless_is_refused_by_name(threads):
     program = "import pointloom as l; l.PointCloud([[0.0, 0, 0]]).voxel_down_sample(1.0)"

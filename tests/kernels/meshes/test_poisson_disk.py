@@ -7,12 +7,12 @@ import heapq
 import numpy as np
 import pytest
 
+from pointloom.core.devices import resolve_device
 from pointloom.kernels.lang import vec3
 from pointloom.kernels.memory import download, upload
 from pointloom.kernels.meshes import poisson_disk
 from pointloom.kernels.search import neighbor_limits
 from pointloom.kernels.search.point_tree import PointTree
-from pointloom.pcd.devices import resolve_device
 
 
 def by_rounds(points: np.ndarray, kept: int, widest: float, device: str) -> np.ndarray:

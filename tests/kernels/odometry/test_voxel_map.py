@@ -40,8 +40,8 @@ def search(write_kernels):
 
 
 def make_map(device, size=1.0, room=ROOM):
+    from pointloom.core.devices import resolve_device
     from pointloom.kernels.odometry.voxel_map import VoxelMap
-    from pointloom.pcd.devices import resolve_device
 
     return VoxelMap(size, room, resolve_device(device))
 

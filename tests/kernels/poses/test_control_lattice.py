@@ -3,11 +3,11 @@
 import numpy as np
 import pytest
 
+from pointloom.core.devices import resolve_device
 from pointloom.kernels.arrays.block_keys import AXIS_BITS, BIAS
 from pointloom.kernels.lang import vec3, vec3d
 from pointloom.kernels.memory import download, upload, write
 from pointloom.kernels.poses.control_lattice import bend_normals, bend_points, make_lattice, motion_of
-from pointloom.pcd.devices import resolve_device
 
 SIZE = 0.375
 

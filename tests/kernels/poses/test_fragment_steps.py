@@ -4,12 +4,12 @@ import numpy as np
 import pytest
 from scipy.spatial import cKDTree
 
+from pointloom.core.devices import resolve_device
 from pointloom.kernels.lang import vec3
 from pointloom.kernels.memory import download, upload, write
 from pointloom.kernels.poses.control_lattice import make_lattice
 from pointloom.kernels.poses.fragment_rows import Fragments, Pairs
 from pointloom.kernels.poses.fragment_steps import DAMPING, FragmentStep, StepSystem
-from pointloom.pcd.devices import resolve_device
 
 from .test_control_lattice import SIZE, bend_in_numpy, corners_of
 

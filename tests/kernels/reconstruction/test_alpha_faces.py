@@ -41,7 +41,7 @@ SETS = {
 def find(points, alphas, device="cpu"):
     """Faces and tetrahedra for each alpha."""
     cloud = PointCloud(points, device=device)
-    tree = cloud._search_tree()
+    tree = cloud.search_tree()
     rows = tree.order[: tree.count]
     found = alpha_faces.find_alpha_shapes(tree, rows, len(cloud), alphas, True)
     return [(download(faces).reshape(-1, 3), download(corners).reshape(-1, 4)) for faces, corners in found]

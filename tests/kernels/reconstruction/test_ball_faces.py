@@ -19,7 +19,7 @@ from pointloom.kernels.reconstruction.ball_faces import BallPoints, list_faces
 def faces_of(points, normals, radius, device):
     """The triangles as rows of the cloud, the lowest first, none left out or refused; and their circles' widths."""
     cloud = loom.PointCloud(points, normals=normals, device=device, origin=[0, 0, 0])
-    tree = cloud._search_tree()
+    tree = cloud.search_tree()
     asked = full(tree.count, 1, uint8, tree.device)
     ball = BallPoints(tree, gather_rows(cloud.array("normals"), tree.order), asked, radius)
     corners, widths = list_faces(ball, positions(tree.count, tree.device))

@@ -7,6 +7,7 @@ import itertools
 import numpy as np
 import pytest
 
+from pointloom.core.devices import resolve_device
 from pointloom.kernels.arrays.select import gather_rows, positions_of
 from pointloom.kernels.lang import int32, vec3, vec3i
 from pointloom.kernels.memory import download, upload
@@ -15,7 +16,6 @@ from pointloom.kernels.remeshing.collapse_mesh import CORNER, FREE, LINE
 from pointloom.kernels.remeshing.decimation import Decimation
 from pointloom.kernels.remeshing.edge_choice import choose_edges
 from pointloom.kernels.remeshing.edge_collapse import cheapest_edges, collapse_edges
-from pointloom.pcd.devices import resolve_device
 
 from ...meshing.simplification_scenes import bumpy_torus, grid
 

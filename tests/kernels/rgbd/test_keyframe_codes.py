@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from pointloom.core.devices import resolve_device
 from pointloom.kernels.lang import float32, uint8
 from pointloom.kernels.memory import download, upload, zeros
 from pointloom.kernels.rgbd.keyframe_codes import FERNS, compare_codes, encode_frame
-from pointloom.pcd.devices import resolve_device
 
 WIDTH, HEIGHT = 40, 30
 

@@ -5,12 +5,12 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from pointloom.cameras.camera import PinholeCameraIntrinsic
+from pointloom.core.devices import resolve_device
 from pointloom.kernels.lang import float32
 from pointloom.kernels.memory import download, upload
 from pointloom.kernels.rgbd.moved_pixels import FreeSpace, hide_moved
-from pointloom.pcd.camera import PinholeCameraIntrinsic
-from pointloom.pcd.devices import resolve_device
-from pointloom.registration.odometry.frames import OdometryFrame
+from pointloom.rgbd.odometry.frames import OdometryFrame
 
 CAMERA = PinholeCameraIntrinsic(64, 48, 60.0, 60.0, 31.5, 23.5)
 WALL = 2.0  # [m]
@@ -20,7 +20,7 @@ def hidden(device, before, now, T=None):
     """Which pixels of `now` are hidden by the frame `before`."""
     earlier = OdometryFrame(before.astype(np.float32), CAMERA, device=device)
     depth = upload(now.astype(np.float32).reshape(-1), float32, resolve_device(device))
-    views = [(FreeSpace(earlier._levels), np.eye(4) if T is None else T)]
+    views = [(FreeSpace(earlier.levels), np.eye(4) if T is None else T)]
     kept = download(hide_moved(depth, CAMERA, views)).reshape(now.shape)
     assert ((kept == now.astype(np.float32)) | (kept == 0)).all()
     return (kept == 0) & (now > 0)
@@ -82,6 +82,6 @@ def test_either_of_two_earlier_frames_tells(device):
     seen = [OdometryFrame(f.astype(np.float32), CAMERA, device=device) for f in (with_box(20), wall())]
     depth = upload(now.astype(np.float32).reshape(-1), float32, resolve_device(device))
     for order in ([0, 1], [1, 0]):
-        views = [(FreeSpace(seen[k]._levels), np.eye(4)) for k in order]
+        views = [(FreeSpace(seen[k].levels), np.eye(4)) for k in order]
         kept = download(hide_moved(depth, wide, views)).reshape(now.shape)
         assert np.array_equal(kept == 0, now < WALL)

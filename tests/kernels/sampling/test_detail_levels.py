@@ -3,11 +3,11 @@
 import numpy as np
 import pytest
 
+from pointloom.core.devices import resolve_device
 from pointloom.kernels.lang import vec3
 from pointloom.kernels.memory import upload
 from pointloom.kernels.sampling import detail_levels
 from pointloom.kernels.sampling.detail_levels import DEPTH, LAST_CELL, LEVELS, NODE_BITS, find_levels
-from pointloom.pcd.devices import resolve_device
 
 
 def plain_priority(index):

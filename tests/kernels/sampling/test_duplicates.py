@@ -3,11 +3,11 @@
 import numpy as np
 import pytest
 
+from pointloom.core.devices import resolve_device
 from pointloom.kernels.lang import vec3
 from pointloom.kernels.memory import upload
 from pointloom.kernels.sampling import duplicates
 from pointloom.kernels.sampling.duplicates import first_occurrences
-from pointloom.pcd.devices import resolve_device
 
 
 @pytest.mark.parametrize("hash_bits", [1, 3, 50])

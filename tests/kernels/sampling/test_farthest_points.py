@@ -3,12 +3,12 @@
 import numpy as np
 import pytest
 
+from pointloom.core.devices import resolve_device
 from pointloom.kernels.lang import vec3
 from pointloom.kernels.memory import upload
 from pointloom.kernels.sampling import farthest_points
 from pointloom.kernels.sampling.farthest_points import choose_farthest
 from pointloom.kernels.search.point_tree import PointTree
-from pointloom.pcd.devices import resolve_device
 
 SHAPES = {"in turn": False, "at once": True}
 

@@ -9,10 +9,10 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from pointloom.core.devices import resolve_device
 from pointloom.kernels.lang import vec3
 from pointloom.kernels.memory import upload
 from pointloom.kernels.sampling.voxel_keys import VoxelGroups
-from pointloom.pcd.devices import resolve_device
 
 
 def group(device, points, size):

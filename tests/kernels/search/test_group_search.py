@@ -4,6 +4,7 @@ whatever the room for candidates, on every device, the neighbours are the same."
 import numpy as np
 import pytest
 
+from pointloom.core.devices import resolve_device
 from pointloom.kernels.lang import array, cpu_compiler, float32, int32, kernel, launch, tid, vec3
 from pointloom.kernels.memory import download, empty, full, upload
 from pointloom.kernels.search import group_scratch
@@ -11,7 +12,6 @@ from pointloom.kernels.search.group_scratch import GroupScratch
 from pointloom.kernels.search.group_search import gather_candidates
 from pointloom.kernels.search.point_tree import LEAF, PointTree
 from pointloom.kernels.search.tree_search import search_nearest
-from pointloom.pcd.devices import resolve_device
 
 
 @kernel

@@ -3,13 +3,13 @@
 import numpy as np
 import pytest
 
+from pointloom.core.devices import resolve_device
 from pointloom.kernels.lang import vec3
 from pointloom.kernels.memory import upload
 from pointloom.kernels.search import nearest_point
 from pointloom.kernels.search.nearest_point import NO_POINT, find_nearest
 from pointloom.kernels.search.point_tree import PointTree
 from pointloom.kernels.search.tree_search import search_nearest
-from pointloom.pcd.devices import resolve_device
 
 
 def clouds(rng):

@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from pointloom.core.devices import resolve_device
 from pointloom.kernels.features.fpfh import sum_histograms
 from pointloom.kernels.features.spfh import count_angles
 from pointloom.kernels.lang import float32, int32, vec3
@@ -11,7 +12,6 @@ from pointloom.kernels.search import group_scratch
 from pointloom.kernels.search.neighbor_limits import Neighborhood
 from pointloom.kernels.search.point_tree import PointTree
 from pointloom.kernels.surface.neighbor_moments import sum_neighbor_moments
-from pointloom.pcd.devices import resolve_device
 
 SEARCHES = [(0.2, 12), (np.inf, 12), (0.2, None), (np.inf, None), (0.2, 1), (1e-6, 5), (1e9, 20)]
 

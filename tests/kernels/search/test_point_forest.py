@@ -3,11 +3,11 @@
 import numpy as np
 import pytest
 
+from pointloom.core.devices import resolve_device
 from pointloom.kernels.lang import vec3
 from pointloom.kernels.memory import download, upload
 from pointloom.kernels.search.point_forest import PointForest
 from pointloom.kernels.search.point_tree import BUCKET, FAN, PointTree
-from pointloom.pcd.devices import resolve_device
 
 
 @pytest.mark.parametrize("count", [1, 5, BUCKET, BUCKET + 1, BUCKET * FAN + 3, 20_011])

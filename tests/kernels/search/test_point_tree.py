@@ -5,6 +5,7 @@ import itertools
 import numpy as np
 import pytest
 
+from pointloom.core.devices import resolve_device
 from pointloom.kernels.lang import array, int32, int64, kernel, launch, tid, vec3
 from pointloom.kernels.memory import empty, upload, zeros
 from pointloom.kernels.search.bucket_walk import next_bucket, start_walk
@@ -12,7 +13,6 @@ from pointloom.kernels.search.hilbert_order import HilbertOrder, hilbert_codes, 
 from pointloom.kernels.search.neighbor_keys import keep_nearest, sort_keys, thin_keys
 from pointloom.kernels.search.point_tree import BUCKET, FAN, LEAF, PointTree
 from pointloom.kernels.search.tree_search import reach_of
-from pointloom.pcd.devices import resolve_device
 
 
 @kernel

@@ -5,11 +5,11 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from pointloom.core.devices import resolve_device
 from pointloom.kernels.lang import vec3
 from pointloom.kernels.memory import download, upload
 from pointloom.kernels.search.point_forest import HEIGHTS, PointForest
 from pointloom.kernels.search.point_tree import BUCKET, FAN, LEAF, SIDES, PointTree
-from pointloom.pcd.devices import resolve_device
 
 COUNTS = [0, 1, LEAF, LEAF + 1, BUCKET, BUCKET + 1, FAN * BUCKET, FAN * BUCKET + 1, 64 * BUCKET + 9, 70_001]
 

@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from pointloom.core.devices import resolve_device
 from pointloom.kernels.lang import float32, uint8, vec3
 from pointloom.kernels.memory import download, upload, zeros
 from pointloom.kernels.segmentation.ground import DIAGONAL, DILATION, EROSION, HeightGrid, reaches
-from pointloom.pcd.devices import resolve_device
 
 
 def grid_of(heights, device):

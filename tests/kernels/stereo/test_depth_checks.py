@@ -6,11 +6,11 @@ import numpy as np
 import pytest
 import warp as wp
 
-from pointloom.app.mvs.filtering import pair_of
 from pointloom.kernels.memory import download, upload
 from pointloom.kernels.stereo.depth_checks import SAME_SURFACE, DepthChecks
+from pointloom.photos.mvs.filtering import pair_of
 
-from ...app.mvs.made_maps import cameras, true_map
+from ...photos.mvs.made_maps import cameras, true_map
 
 HALF = 0.5
 

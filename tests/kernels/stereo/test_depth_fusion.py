@@ -7,11 +7,11 @@ import pytest
 import warp as wp
 
 import pointloom as loom
-from pointloom.app.mvs.filtering import pair_of
 from pointloom.kernels.memory import download, upload
 from pointloom.kernels.stereo.depth_fusion import Agreement, DepthPixels, Gathered, gather_pixels, make_points
+from pointloom.photos.mvs.filtering import pair_of
 
-from ...app.mvs.made_maps import cameras, true_map
+from ...photos.mvs.made_maps import cameras, true_map
 from .test_depth_checks import lifted, moved, oracle, seen
 
 HALF = 0.5

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from pointloom.core.devices import resolve_device
 from pointloom.kernels.lang import float32, launch, uint8, vec4
 from pointloom.kernels.memory import download, empty, upload
 from pointloom.kernels.stereo.brightness import resize_brightness_kernel
@@ -12,7 +13,6 @@ from pointloom.kernels.stereo.inverse_planes import refine_planes_kernel
 from pointloom.kernels.stereo.patch_costs import BAD, Reference, Sources
 from pointloom.kernels.stereo.patch_match import Turn, spread_planes, start_planes
 from pointloom.kernels.stereo.plane_results import finish_planes
-from pointloom.pcd.devices import resolve_device
 
 WIDTH, HEIGHT, FOCAL, BASELINE = 40, 30, 40.0, 0.2
 LENS = (FOCAL, FOCAL, 19.5, 14.5)

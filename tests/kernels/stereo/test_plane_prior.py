@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import numpy as np
 
+from pointloom.core.devices import resolve_device
 from pointloom.kernels.lang import float32, vec4
 from pointloom.kernels.memory import download, upload
 from pointloom.kernels.stereo.patch_costs import Reference, Sources
 from pointloom.kernels.stereo.patch_match import start_planes
 from pointloom.kernels.stereo.plane_prior import judge_places, take_priors
-from pointloom.pcd.devices import resolve_device
 
 WIDTH, HEIGHT, FOCAL, BASELINE, SHIFT = 60, 30, 40.0, 0.2, 4
 TRUE = SHIFT / (FOCAL * BASELINE)

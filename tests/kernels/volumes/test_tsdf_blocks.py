@@ -69,6 +69,7 @@ def distance_between(a, b, blocks):
     return result
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("truncation", [0.08, 0.02, 0.5])
 def test_blocks_are_those_that_the_rays_visit(device, rng, truncation):
     """Against sampled rays in float64 (none left out) and against the slabs of each block (none too many)."""

@@ -1,0 +1,1 @@
+"""Demos that measure themselves against the truth."""

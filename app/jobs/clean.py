@@ -1,0 +1,132 @@
+"""Points that should not be there, removed from a file: `clean_file`."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, Unpack
+
+import numpy as np
+
+from ...core.errors import FileError, FilePath
+from ...core.reports import Fields
+from ...core.wording import format_share
+from ...pcd.cloud import PointCloud
+from ...pcd.probes import distance_of_nearest, probe_points, rounded_up
+from ...pcd.search import NearestNeighborSearch
+from .job import Job, Settings
+from .rows import RowsReport, read_rows
+
+# A radius that removes more than this share of the points was likely meant for another cloud or unit.
+_MOST_BY_RADIUS = 0.5
+
+
+@dataclass(frozen=True)
+class CleanReport(RowsReport):
+    """What `clean_file` did.
+
+    Attributes:
+        filters: By filter, in their order: how many points it "removed", and its options.
+    """
+
+    filters: dict[str, dict[str, float]]
+
+    def fields(self) -> Fields:
+        """The counts, of each filter too."""
+        lines = []
+        for name, figures in self.filters.items():
+            options = {option: value for option, value in figures.items() if option != "removed"}
+            stated = ", ".join(f"{option.replace('_', ' ')} {value:,}" for option, value in options.items())
+            lines.append(f"{figures['removed']:,} {name.replace('_', '-')}" + (f" ({stated})" if stated else ""))
+        count = f"{self.points:,} of {self.points_in:,}"
+        return [("points", count), ("removed", "\n".join(lines)), *self.closing(self.device)]
+
+
+def clean_file(
+    source: FilePath,
+    output: FilePath,
+    *,
+    duplicates: bool = False,
+    statistical: tuple[int, float] | None = None,
+    radius: tuple[float, int] | None = None,
+    removed: FilePath | None = None,
+    **settings: Unpack[Settings],
+) -> CleanReport:
+    """Write a cloud without the points that filters remove, one filter after the other in the order given here.
+
+    Points that are not finite go first, always.
+
+    Args:
+        source: A cloud; of a mesh the vertices count.
+        output: A cloud.
+        duplicates: Remove all but the first of the points at one position, equal in float32 about the origin.
+        statistical: Neighbours and ratio as of `PointCloud.remove_statistical_outlier`; None for no such filter.
+        radius: Radius [m] and neighbours needed as of `PointCloud.remove_radius_outlier`; None for no such filter.
+        removed: A file for the points that were removed; not written where there are none.
+        settings: As of `Settings`.
+
+    Returns:
+        What was done. Nothing is written where no point is left.
+
+    Raises:
+        FileError: A file that cannot be read or written, or one name for both outputs.
+        ValueError: A limit out of range.
+        DeviceError: No such device.
+    """
+    if removed is not None and Path(removed).resolve() == Path(output).resolve():
+        raise FileError(removed, "is to hold both what is kept and what is removed", remedy="Give two names")
+    job = Job("clean", source, **settings)
+    job.check(output)
+    job.check(removed)
+    rows = read_rows(job)
+    left, counts, hint = rows.cloud, {}, None
+    for name, (keep, options) in _filters(duplicates, statistical, radius).items():
+        with job.stage(name.replace("_", "-")):
+            before, left = left, keep(left, **options)
+        counts[name] = {"removed": len(before) - len(left), **options}
+        if name == "radius":
+            hint = _radius_hint(before, left, **options)
+    if len(left):
+        kept = rows.of(left)
+        gone = np.setdiff1d(rows.of(rows.cloud), kept, assume_unique=True)
+        if removed is not None and len(gone):
+            job.write_points(rows.take(gone), removed)
+        job.write_points(rows.take(kept), output)
+    else:
+        hint = f"{hint or 'no point is finite, so none is left'}; nothing was written"
+    return CleanReport(job.done(hint), str(job.device), len(rows.cloud), len(left), counts)
+
+
+def _filters(
+    duplicates: bool, statistical: tuple[int, float] | None, radius: tuple[float, int] | None
+) -> dict[str, tuple[Callable[..., PointCloud], dict[str, Any]]]:
+    """The filters by name in their order: what leaves the points that stay, and its options."""
+    filters: dict[str, Any] = {"non_finite": (PointCloud.remove_non_finite_points, {})}
+    if duplicates:
+        filters["duplicate"] = (PointCloud.remove_duplicated_points, {})
+    if statistical is not None:
+        filters["statistical"] = (_without_statistical, dict(zip(("neighbors", "ratio"), statistical, strict=True)))
+    if radius is not None:
+        filters["radius"] = (_without_lonely, dict(zip(("radius", "min_neighbors"), radius, strict=True)))
+    return filters
+
+
+def _without_statistical(cloud: PointCloud, neighbors: int, ratio: float) -> PointCloud:
+    return cloud.remove_statistical_outlier(neighbors, ratio)[0]
+
+
+def _without_lonely(cloud: PointCloud, radius: float, min_neighbors: int) -> PointCloud:
+    return cloud.remove_radius_outlier(min_neighbors, radius)[0]
+
+
+def _radius_hint(before: PointCloud, after: PointCloud, *, radius: float, min_neighbors: int) -> str | None:
+    """What to say of a radius that removed most of the points."""
+    count, gone = len(before), len(before) - len(after)
+    if gone <= _MOST_BY_RADIUS * count:
+        return None
+    lonely = f"{format_share(gone / count)} of the points have fewer than {min_neighbors} others within {radius:g} m"
+    distance = distance_of_nearest(NearestNeighborSearch(before), probe_points(before), min_neighbors + 1)
+    if distance is None or distance < radius:  # too few points, or a sample that is not like the whole
+        return f"{lonely}; take a larger --radius or fewer --min-neighbors"
+    return f"{lonely}; half of them have as many within {rounded_up(distance):g} m: take a larger --radius"

@@ -1,0 +1,50 @@
+"""The mesh of a file mended: `clean_mesh_file`."""
+
+from __future__ import annotations
+
+from typing import Unpack
+
+from ...core.audience import to_shell
+from ...core.errors import FilePath
+from ...files.meshes import tables
+from ...meshing.mesh.cleaned_mesh import clean_mesh
+from .announced_stages import AnnouncedStages
+from .job import Job, Settings
+from .result_report import ResultReport
+
+
+def clean_mesh_file(
+    source: FilePath,
+    output: FilePath,
+    *,
+    merge: float | None = None,
+    fill: float | None = None,
+    min_triangles: int = 1,
+    min_area: float = 0.0,
+    **settings: Unpack[Settings],
+) -> ResultReport:
+    """Write a mesh without what is commonly wrong with one, and say what was done and what is still wrong.
+
+    Args:
+        source: A mesh.
+        output: A mesh.
+        merge, fill: As `merge_distance` and `hole_size` of `clean_mesh`.
+        min_triangles, min_area: As of `clean_mesh`.
+        settings: As of `Settings`.
+
+    Returns:
+        What was done, with the CleanedMesh. Nothing is written where no triangle is left.
+
+    Raises:
+        FileError: A file that cannot be read or written.
+        ValueError: A number out of range.
+        DeviceError: No such device.
+    """
+    job = Job("clean-mesh", source, **settings)
+    job.check(output, tables.MESHES, what="meshes")
+    mesh = job.read_mesh()
+    with AnnouncedStages(job.clock, job.tell) as told:
+        sizes = {"merge_distance": merge, "hole_size": fill, "min_area": min_area}
+        found = clean_mesh(mesh, **sizes, min_triangles=min_triangles, progress=told)
+    job.write_mesh(found.mesh, output)
+    return ResultReport(job.done(found.why_poor(to_shell)), found, str(mesh.device))

@@ -1,0 +1,223 @@
+"""Files of points to files of points: `convert_file`, `downsample_file` and `estimate_normals_of_file`.
+
+Each checks its output before the work and returns what was done; `poor` says why a result is poor.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Unpack
+
+import numpy as np
+
+from ...core.errors import FileError, FilePath
+from ...core.reports import Fields
+from ...core.wording import format_share
+from ...files.meshes import tables
+from ...files.points.formats import WRITTEN
+from ...files.table import MeshTable
+from .job import Job, JobReport, Settings
+
+if TYPE_CHECKING:
+    from ...pcd.cloud import PointCloud
+
+WITH_NORMALS = (".ply", ".pcd", ".npz", ".xyzn", ".las", ".laz", ".e57")
+
+
+@dataclass(frozen=True)
+class ConvertReport(JobReport):
+    """What `convert_file` did.
+
+    Attributes:
+        kind: "mesh" or "point cloud": what was written.
+        points: How many points, or vertices of a mesh.
+        triangles: How many triangles; None of a cloud.
+    """
+
+    kind: str
+    points: int
+    triangles: int | None = None
+
+    def title(self, source: str) -> str:
+        """The file and its kind."""
+        return f"{source}: {self.kind}"
+
+    def to_json(self) -> dict[str, Any]:
+        """All of it in JSON's types; of a cloud without triangles."""
+        return {name: value for name, value in super().to_json().items() if name != "triangles" or value is not None}
+
+    def fields(self) -> Fields:
+        """The counts."""
+        count = f"{self.points:,}"
+        if self.triangles is None:
+            return [("points", count), *self.closing()]
+        return [("vertices", count), ("triangles", f"{self.triangles:,}"), *self.closing()]
+
+
+def convert_file(
+    source: FilePath, output: FilePath, *, as_text: bool = False, overwrite: bool = False
+) -> ConvertReport:
+    """Write a cloud or mesh in another format, every value as the file has it.
+
+    A mesh becomes a cloud of its vertices where the output holds no triangles. In .las and .laz coordinates are rounded
+    to thousandths, unless the source is such a file too: then its steps and coordinate system are kept.
+
+    Args:
+        source: A cloud, or a mesh (.ply .obj .stl .off .glb).
+        output: A cloud (.ply .pcd .npz .xyz .xyzn .xyzrgb .pts .las .laz .e57) or a mesh (as the source).
+        as_text: Text instead of binary, for .ply and .pcd.
+        overwrite: Replace the output if it exists.
+
+    Raises:
+        FileError: A file that cannot be read or written, or a cloud for a format of meshes.
+    """
+    job = Job("convert", source, as_text=as_text, overwrite=overwrite)
+    allowed = (*WRITTEN, *(suffix for suffix in tables.MESHES if suffix not in WRITTEN))
+    job.check(output, allowed, what="clouds and meshes")
+    with job.stage("read"):
+        table = tables.read_table(source)
+    suffix = Path(output).suffix.lower()
+    if isinstance(table, MeshTable) and suffix in tables.MESHES:
+        with job.stage("write"):
+            job.wrote(output, tables.write_mesh_table(output, table, **job.form))
+        return ConvertReport(job.done(), "mesh", len(table.vertices), len(table.triangles))
+    if suffix not in WRITTEN:
+        raise FileError(source, f"holds no triangles, which {suffix} needs", remedy="Write .ply or .pcd")
+    if isinstance(table, MeshTable):
+        job.left_out += ["triangles"] + ["textures"] * (table.triangle_uvs is not None)
+        table = tables.points_of(table)
+    job.write_points(table, output)
+    return ConvertReport(job.done(), "point cloud", len(table.points))
+
+
+@dataclass(frozen=True)
+class DownsampleReport(JobReport):
+    """What `downsample_file` did.
+
+    Attributes:
+        device: Where it was computed.
+        voxel_size: Edge of a voxel [m].
+        points_in, points: How many points before and after.
+    """
+
+    device: str
+    voxel_size: float
+    points_in: int
+    points: int
+
+    def fields(self) -> Fields:
+        """The counts."""
+        count = f"{self.points:,} of {self.points_in:,}, one a voxel of {self.voxel_size:g} m"
+        return [("points", count), *self.closing(self.device)]
+
+
+def downsample_file(
+    source: FilePath, output: FilePath, voxel_size: float, **settings: Unpack[Settings]
+) -> DownsampleReport:
+    """Write one point for each occupied voxel of a cloud: the mean of its points and of their attributes.
+
+    Args:
+        source: A cloud; of a mesh the vertices count.
+        output: A cloud.
+        voxel_size: Edge of a voxel [m].
+        settings: As of `Settings`.
+
+    Returns:
+        What was done. Nothing is written where no point is left.
+
+    Raises:
+        FileError: A file that cannot be read or written.
+        ValueError: A voxel size that is not positive, or far too small.
+        DeviceError: No such device.
+    """
+    job = Job("downsample", source, **settings)
+    job.check(output)
+    cloud = job.read_cloud()
+    with job.stage("downsample"):
+        small = cloud.voxel_down_sample(voxel_size)
+    poor = None if len(small) else "no point is finite, so none is left; nothing was written"
+    if len(small):
+        job.write_cloud(small, output)
+    return DownsampleReport(job.done(poor), str(cloud.device), voxel_size, len(cloud), len(small))
+
+
+@dataclass(frozen=True)
+class NormalsReport(JobReport):
+    """What `estimate_normals_of_file` did.
+
+    Attributes:
+        device: Where it was computed.
+        radius: Within which neighbours lie [m], or None.
+        max_nn: Neighbours at most.
+        points: How many points.
+    """
+
+    device: str
+    radius: float | None
+    max_nn: int
+    points: int
+
+    def fields(self) -> Fields:
+        """The counts."""
+        return [("points", f"{self.points:,}"), *self.closing(self.device)]
+
+
+def estimate_normals_of_file(
+    source: FilePath,
+    output: FilePath,
+    *,
+    radius: float | None = None,
+    max_nn: int = 30,
+    towards: tuple[float, float, float] | None = None,
+    direction: tuple[float, float, float] | None = None,
+    **settings: Unpack[Settings],
+) -> NormalsReport:
+    """Write a cloud with a normal at each point, from the plane through its neighbours.
+
+    Args:
+        source: A cloud; of a mesh the vertices count.
+        output: A cloud in a format that holds normals (.ply .pcd .npz .xyzn .las .laz .e57).
+        radius: Neighbours lie closer than this [m]; None takes the nearest however far.
+        max_nn: Neighbours at most, the point itself included.
+        towards: Turn normals to the side of this place [m].
+        direction: Turn normals to the side of this direction.
+        settings: As of `Settings`.
+
+    Raises:
+        FileError: A file that cannot be read or written.
+        ValueError: A limit out of range.
+        DeviceError: No such device.
+    """
+    job = Job("normals", source, **settings)
+    job.check(output, WITH_NORMALS, what="normals")
+    cloud = job.read_cloud()
+    with job.stage("normals"):
+        with_normals = cloud.estimate_normals(radius=radius, max_nn=max_nn)
+        if towards is not None:
+            with_normals = with_normals.orient_normals_towards_camera_location(towards)
+        if direction is not None:
+            with_normals = with_normals.orient_normals_to_align_with_direction(direction)
+    with job.stage("check"):
+        poor = None if radius is None else _why_poor(cloud, radius)
+    job.write_cloud(with_normals, output)
+    return NormalsReport(job.done(poor), str(cloud.device), radius, max_nn, len(cloud))
+
+
+def _why_poor(cloud: PointCloud, radius: float) -> str | None:
+    """Whether the radius is so small that most points find no plane, by a sample of them."""
+    from ...pcd.probes import distance_of_nearest, probe_points, rounded_up
+    from ...pcd.search import NearestNeighborSearch
+
+    probes, search = probe_points(cloud), NearestNeighborSearch(cloud)
+    if not len(probes):
+        return "no point is finite, so none has a normal"
+    lonely = float(np.mean(search.hybrid_search(probes, radius, 3).counts < 3))
+    if lonely <= 0.5:
+        return None
+    few = f"{format_share(lonely)} of the points have fewer than 3 neighbours within {radius:g} m"
+    reason = f"{few}, so their normals say nothing"
+    third = distance_of_nearest(search, probes, 3)
+    if third is None:
+        return f"{reason}; the cloud has not so many"
+    return f"{reason}; half of them have 3 within {rounded_up(third):g} m: take a larger --radius"

@@ -1,0 +1,159 @@
+"""The points of a file, labelled by cluster: `cluster_file`."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, Unpack
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...core.errors import FilePath
+from ...core.reports import Fields
+from ...core.wording import format_share
+from ...drawing.render.colormaps import PALETTE
+from ...files.points.formats import WRITTEN
+from ...pcd.cloud import PointCloud
+from ...pcd.probes import distance_of_nearest, probe_points, rounded_up
+from ...pcd.search import NearestNeighborSearch
+from .job import Job, Settings
+from .rows import LABELLED, RowsReport, label_rows, read_rows, take_rows
+
+LABEL = "label"
+_COLORED = (*LABELLED, ".xyzrgb", ".pts", ".e57")
+_SHOWN = 10  # the largest clusters, whose sizes are reported
+
+# Those of matplotlib's "tab20", which label files have been painted with so far.
+TAB20 = PALETTE[:20]
+
+
+@dataclass(frozen=True)
+class ClusterSize:
+    """A cluster by its label, and how many points it has."""
+
+    label: int
+    points: int
+
+
+@dataclass(frozen=True)
+class ClusterReport(RowsReport):
+    """What `cluster_file` did.
+
+    Attributes:
+        eps, min_points: As of `cluster_file`.
+        clusters: How many clusters.
+        largest: The largest of them.
+        noise: How many points are in none.
+        replaced: Names of what the file had already.
+    """
+
+    eps: float
+    min_points: int
+    clusters: int
+    largest: tuple[ClusterSize, ...]
+    noise: int
+    replaced: tuple[str, ...] = ()
+
+    def fields(self) -> Fields:
+        """How many clusters, the sizes of the largest, the share of noise."""
+        total = self.points_in
+        sizes = ", ".join(f"{cluster.points:,} (label {cluster.label})" for cluster in self.largest)
+        fields = [
+            ("clusters", f"{self.clusters:,}, eps {self.eps:g} m, min points {self.min_points}"),
+            ("largest", sizes or "none"),
+            ("noise", f"{self.noise:,} of {total:,} points, {format_share(self.noise / max(total, 1))}"),
+        ]
+        if self.points != total:
+            fields.append(("kept", f"{self.points:,} points"))
+        return [*fields, *self.closing(self.device, self.replaced)]
+
+
+def cluster_file(
+    source: FilePath,
+    output: FilePath,
+    *,
+    eps: float,
+    min_points: int = 10,
+    largest: int | None = None,
+    paint: bool = False,
+    **settings: Unpack[Settings],
+) -> ClusterReport:
+    """Write a cloud with the cluster of each point as the attribute `label`: int32, -1 for noise.
+
+    Args:
+        source: A cloud; of a mesh the vertices count.
+        output: A cloud, in a format that holds labels, or colours with `paint`, or any with `largest`.
+        eps: Distance of neighbours [m], as of `PointCloud.cluster_dbscan`.
+        min_points: Neighbours that make a core, the point included.
+        largest: Keep only so many clusters, the largest, under the labels that they have anyway; None keeps all points.
+        paint: Colour the points by their label, noise black.
+        settings: As of `Settings`.
+
+    Returns:
+        What was done. Nothing is written where no point is left.
+
+    Raises:
+        FileError: A file that cannot be read or written.
+        ValueError: A limit out of range.
+        DeviceError: No such device.
+    """
+    formats, what = (_COLORED, "labels or colours") if paint else (LABELLED, "labels")
+    if largest is not None:
+        formats, what = WRITTEN, "clouds"
+    job = Job("cluster", source, **settings)
+    job.check(output, formats, what=what)
+    rows = read_rows(job)
+    with job.stage("cluster"):
+        labels = rows.cloud.cluster_dbscan(eps, min_points)
+    sizes = np.bincount(labels[labels >= 0])
+    ranked = np.argsort(-sizes, kind="stable")
+    with job.stage("check"):
+        poor = _why_poor(rows.cloud, sizes, eps, min_points)
+    table, replaced = label_rows(rows.table, LABEL, labels)
+    if paint:
+        replaced = ["colors"] * (table.colors is not None) + replaced
+        table.colors = _paint(labels)
+    kept = np.arange(len(labels)) if largest is None else np.flatnonzero(np.isin(labels, ranked[:largest]))
+    if len(kept):
+        job.write_points(table if largest is None else take_rows(table, kept), output)
+    else:
+        poor = f"{poor or 'no point is left'}; nothing was written"
+    counts = [ClusterSize(int(label), int(sizes[label])) for label in ranked[:_SHOWN]]
+    return ClusterReport(
+        job.done(poor),
+        str(job.device),
+        len(labels),
+        len(kept),
+        eps,
+        min_points,
+        clusters=len(sizes),
+        largest=tuple(counts),
+        noise=int((labels < 0).sum()),
+        replaced=tuple(replaced),
+    )
+
+
+def _paint(labels: NDArray[np.int32]) -> NDArray[np.float32]:
+    """A colour for each label, the same again after 20; black for -1."""
+    colors = (TAB20 / 255).astype(np.float32)[labels % len(TAB20)]
+    colors[labels < 0] = 0
+    return colors
+
+
+def _why_poor(cloud: PointCloud, sizes: NDArray[Any], eps: float, min_points: int) -> str | None:
+    """Whether the clusters tell no points apart, with the eps that may."""
+    finite = len(cloud.remove_non_finite_points())
+    if not finite:
+        return "no point is finite, so none is in a cluster"
+    if len(sizes) > 1 or (len(sizes) == 1 and sizes[0] < finite):
+        return None
+    search, probes = NearestNeighborSearch(cloud), probe_points(cloud)
+    if len(sizes):
+        distance = distance_of_nearest(search, probes, min_points, share=0.9)
+        hint = f"one cluster holds all {finite:,} finite points; take a smaller --eps"
+        return f"{hint}, such as {rounded_up(distance):g}" if distance and rounded_up(distance) < eps else hint
+    distance = distance_of_nearest(search, probes, min_points)
+    lonely = f"all points are noise: none has {min_points} within {eps:g} m, itself included"
+    if distance is None:
+        return f"{lonely}; take a larger --eps or fewer --min-points"
+    return f"{lonely}; half of them have as many within {rounded_up(distance):g} m: take a larger --eps"

@@ -1,0 +1,136 @@
+"""How far the meshes of two files lie apart: `compare_mesh_files`."""
+
+from __future__ import annotations
+
+import os
+from dataclasses import dataclass
+from typing import Any, Unpack
+
+import numpy as np
+
+from ...core.audience import to_shell
+from ...core.errors import FileError, FilePath
+from ...core.reports import Fields
+from ...core.wording import plain
+from ...drawing.render.error_picture import draw_errors
+from ...drawing.render.picture_files import check_picture, save_picture
+from ...drawing.render.surface_picture import looks_inwards
+from ...files.meshes import tables
+from ...meshing.mesh.mesh import TriangleMesh
+from ...meshing.mesh.mesh_comparison import MeshComparison, compare_meshes
+from ...meshing.mesh.mesh_files import mesh_table, read_triangle_mesh
+from .job import Job, JobReport, Settings
+
+MAP_FORMATS = (".ply", ".obj", ".glb", ".off")  # that hold colours at vertices
+
+_TITLE = "distances of A from B, at the vertices of A"
+
+
+@dataclass(frozen=True)
+class ErrorMaps:
+    """Where the distances of the first mesh from the second are drawn.
+
+    Attributes:
+        mesh: A file for the first mesh, coloured by them.
+        picture: A .png file for a picture of it, with a histogram.
+    """
+
+    mesh: FilePath | None = None
+    picture: FilePath | None = None
+
+    def check(self, job: Job) -> None:
+        """Hold that they can be written, before any work.
+
+        Raises:
+            FileError: A format without colours at vertices, or a place that cannot be written.
+        """
+        job.check(self.mesh, MAP_FORMATS, what="coloured meshes")
+        if self.picture is not None:
+            check_picture(self.picture, overwrite=job.form["overwrite"])
+
+    def write(self, job: Job, first: TriangleMesh, second: TriangleMesh) -> None:
+        """Write those that are asked for."""
+        if self.mesh is None and self.picture is None:
+            return
+        with job.stage("map"):
+            colored, distances = first.compute_error_map(second)
+        if self.picture is not None:
+            with job.stage("picture"):
+                image = draw_errors(first, np.asarray(distances), _TITLE, back_faces=not looks_inwards(first))
+                save_picture(self.picture, image, overwrite=job.form["overwrite"])
+        if self.mesh is not None:
+            tables.write_mesh_table(self.mesh, mesh_table(colored), overwrite=job.form["overwrite"])
+        for path in (self.mesh, self.picture):
+            if path is not None:
+                job.wrote(path)
+
+
+@dataclass(frozen=True)
+class ComparisonReport(JobReport):
+    """What `compare_mesh_files` did.
+
+    Attributes:
+        second: The file of the second mesh; the first is the source.
+        found: How far they lie apart.
+    """
+
+    second: str
+    found: MeshComparison
+
+    def to_json(self) -> dict[str, Any]:
+        """All of it in JSON's types."""
+        done = self.done
+        files = {"command": done.command, "first": done.source, "second": self.second}
+        ends = {"seconds": done.seconds, "left_out": done.left_out, "files": done.files}
+        found = {name: value for name, value in self.found.to_json().items() if name != "poor"}
+        return plain(files | found | ends | {"poor": self.poor})
+
+    def fields(self) -> Fields:
+        """What was found, and what any command ends in."""
+        return [*self.found.fields(), *self.closing(self.found.device)]
+
+
+def compare_mesh_files(
+    first: FilePath,
+    second: FilePath,
+    *,
+    samples: int = 100_000,
+    thresholds: list[float] | None = None,
+    limit: float | None = None,
+    maps: ErrorMaps | None = None,
+    seed: int = 0,
+    **settings: Unpack[Settings],
+) -> ComparisonReport:
+    """Measure how far the surfaces of two meshes lie apart.
+
+    Args:
+        first: A mesh.
+        second: The mesh that it is held against.
+        samples, thresholds, limit, seed: As of `compare_meshes`.
+        maps: Where the distances are drawn; None for nowhere.
+        settings: As of `Settings`.
+
+    Returns:
+        What was done, with the MeshComparison.
+
+    Raises:
+        FileError: A file that cannot be read or written, or a mesh without area.
+        ValueError: A number out of range.
+        DeviceError: No such device.
+    """
+    job, drawn = Job("compare-meshes", first, **settings), maps or ErrorMaps()
+    drawn.check(job)
+    where = job.device
+    with job.stage("read"):
+        meshes = [_read(path, where) for path in (first, second)]
+    with job.stage("compare"):
+        found = compare_meshes(*meshes, thresholds=thresholds, samples=samples, limit=limit, seed=seed)
+    drawn.write(job, *meshes)
+    return ComparisonReport(job.done(found.why_poor(to_shell)), os.fspath(second), found)
+
+
+def _read(path: FilePath, device: Any) -> TriangleMesh:
+    mesh = read_triangle_mesh(path, device=device)
+    if not mesh.get_surface_area() > 0:
+        raise FileError(path, "holds no triangle with an area, so no distance can be taken")
+    return mesh

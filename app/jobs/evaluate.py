@@ -1,0 +1,138 @@
+"""How far a trajectory lies from the true one: `evaluate_files`."""
+
+from __future__ import annotations
+
+import os
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...cameras.trajectory import Trajectory, read_trajectory
+from ...core.errors import FileError, FilePath
+from ...core.reports import Fields, Report
+from ...drawing.render.picture_files import check_picture, save_picture
+from ...registration.trajectories.trajectory_error import (
+    ErrorStatistics,
+    SegmentError,
+    TrajectoryError,
+    evaluate_trajectory,
+)
+
+# How the estimate is brought onto the truth: arguments of `evaluate_trajectory`.
+ALIGNMENTS: dict[str, dict[str, Any]] = {
+    "none": {"align": None},
+    "first": {"align": "first"},
+    "se3": {"align": True},
+    "sim3": {"align": True, "with_scale": True},
+}
+
+
+@dataclass(frozen=True)
+class EvaluateReport(Report):
+    """What `evaluate_files` found.
+
+    Attributes:
+        poses, truth: The files that were compared.
+        found: The errors.
+        files: What was written.
+    """
+
+    poses: str
+    truth: str
+    found: TrajectoryError
+    files: tuple[str, ...] = ()
+    poor: None = None
+
+    def to_json(self) -> dict[str, Any]:
+        """All of it on one level."""
+        read = {"command": "evaluate", "poses": self.poses, "truth": self.truth}
+        return read | self.found.to_json() | {"files": list(self.files), "poor": self.poor}
+
+    def fields(self) -> Fields:
+        """The errors, and the picture where there is one."""
+        return self.found.fields() + [("files", ", ".join(self.files))] * bool(self.files)
+
+
+def evaluate_files(
+    poses: FilePath, truth: FilePath, *, align: str = "se3", picture: FilePath | None = None, overwrite: bool = False
+) -> EvaluateReport:
+    """The errors of a file of poses.
+
+    Args:
+        poses: The trajectory to judge: .log, .tum, .kitti, .txt or .json.
+        truth: The true one, in any of these formats.
+        align: One of ALIGNMENTS.
+        picture: A .png file for a picture of both paths.
+        overwrite: Replace the picture if it exists.
+
+    Raises:
+        FileError: A file that cannot be read or written, or trajectories that do not belong together.
+        ValueError: No such alignment.
+    """
+    if align not in ALIGNMENTS:
+        raise ValueError(f"align: expected one of {', '.join(ALIGNMENTS)}, got {align!r}")
+    if picture is not None:
+        check_picture(picture, overwrite=overwrite)
+    estimate, true_path = read_trajectory(poses), read_trajectory(truth)
+    found = compare(estimate, true_path, poses, truth, align)
+    files: tuple[str, ...] = ()
+    if picture is not None:
+        title = f"{Path(poses).name} against {Path(truth).name}, aligned by {align}"
+        save_picture(picture, _draw_paths(estimate, true_path, found, title), overwrite=overwrite)
+        files = (os.fspath(picture),)
+    return EvaluateReport(os.fspath(poses), os.fspath(truth), found, files)
+
+
+def compare(
+    estimate: Trajectory, truth: Trajectory, poses: FilePath, true_path: FilePath, align: str
+) -> TrajectoryError:
+    """The errors of a trajectory; the paths name the two in messages.
+
+    Raises:
+        FileError: Trajectories that do not belong together.
+    """
+    if (estimate.timestamps is None or truth.timestamps is None) and len(estimate) != len(truth):
+        reason = f"has {len(estimate)} poses, and {os.fspath(true_path)} has {len(truth)}"
+        remedy = "Give files with as many poses, or both as TUM with timestamps"
+        raise FileError(poses, reason, remedy=remedy)
+    try:
+        return evaluate_trajectory(estimate, truth, **ALIGNMENTS[align])
+    except ValueError as error:
+        raise FileError(poses, f"cannot be compared with {os.fspath(true_path)}: {error}") from error
+
+
+def _draw_paths(estimate: Trajectory, truth: Trajectory, found: TrajectoryError, title: str) -> NDArray[np.uint8]:
+    """Both paths where they were compared, the estimate as it was aligned."""
+    from ...drawing.render.trajectory_plot import trajectory_plot  # starts what runs kernels: figures alone need none
+
+    rows, true_rows = found.pairs.T
+    T = found.transformation
+    path = estimate.poses[rows, :3, 3] @ T[:3, :3].T + T[:3, 3]
+    times = None if truth.timestamps is None else truth.timestamps[true_rows]
+    return trajectory_plot(path, truth.poses[true_rows, :3, 3], times=times, title=title).to_numpy()
+
+
+def describe_errors(found: TrajectoryError) -> dict[str, Any]:
+    """`TrajectoryError.to_json`, for reports that are dicts."""
+    return found.to_json()
+
+
+def error_fields(errors: dict[str, Any]) -> Fields:
+    """`TrajectoryError.fields` of what `describe_errors` gave."""
+    kinds = [ErrorStatistics(**errors[kind][unit]) for kind in ("absolute", "relative") for unit in ("m", "deg")]
+    names = ("length_m", "percent", "deg_per_m", "count")
+    segments = tuple(SegmentError(*(segment[name] for name in names)) for segment in errors["segments"])
+    found: tuple[Any, ...] = (
+        np.zeros((errors["compared"], 2), np.int64),
+        np.array(errors["transformation"]),
+        errors["scale"],
+        *kinds,
+        segments,
+        errors["segment_percent"],
+        errors["segment_deg_per_m"],
+        errors["align"],
+    )
+    return TrajectoryError(*found).fields()

@@ -1,0 +1,102 @@
+"""A folder of RGB-D frames as a command opens it, and what its report says of it."""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Sequence
+from typing import Any
+
+from ...cameras.camera import read_pinhole_camera_intrinsic
+from ...core.errors import DatasetError, FileError, FilePath, PointloomError
+from ...core.reports import Fields
+from ...files.frames.datasets import RGBDDataset, open_dataset, open_frames
+from ...files.frames.frames import camera_line, describe_camera, describe_folder, open_folder, why_doubted
+
+
+@dataclasses.dataclass(frozen=True)
+class FolderOptions:
+    """Which frames of a folder are taken, and as what.
+
+    Attributes:
+        layout: How the folder names its files, as of `open_frames`.
+        intrinsic: A camera as Open3D's JSON, if it is another than the folder says.
+        every: Take every k-th frame, beginning with the first.
+        depth_scale: Stored depth of one metre, if it is another than the folder says; not with posed frames.
+    """
+
+    layout: str = "auto"
+    intrinsic: FilePath | None = None
+    every: int = 1
+    depth_scale: float | None = None
+
+
+@dataclasses.dataclass(frozen=True)
+class FrameFolder:
+    """A folder that was opened.
+
+    Attributes:
+        path: The folder, as it was given.
+        dataset: Its frames.
+        intrinsic: The file of the camera, where one was given.
+    """
+
+    path: FilePath
+    dataset: RGBDDataset
+    intrinsic: FilePath | None
+
+    @classmethod
+    def open(cls, path: FilePath, options: FolderOptions) -> FrameFolder:
+        """Open a folder of frames that need no poses.
+
+        Raises:
+            FileError: As `open_folder`.
+        """
+        return cls(path, open_folder(path, **dataclasses.asdict(options)), options.intrinsic)
+
+    @classmethod
+    def open_posed(cls, path: FilePath, options: FolderOptions) -> FrameFolder:
+        """Open a folder of posed frames.
+
+        Raises:
+            FileError: As `open_dataset`, or one that says where frames without any pose can go.
+        """
+        camera = None if options.intrinsic is None else read_pinhole_camera_intrinsic(options.intrinsic)
+        given: dict[str, Any] = {"layout": options.layout, "intrinsic": camera, "every": options.every}
+        try:
+            return cls(path, open_dataset(path, **given), options.intrinsic)
+        except DatasetError as error:
+            if not _has_no_poses(path, given):
+                raise
+            remedy = "pointloom reconstruct takes frames without, pointloom track finds them"
+            raise FileError(path, "holds no poses", remedy=remedy) from error
+
+    @property
+    def camera_doubt(self) -> str | None:
+        """Why the camera may be that of other pictures."""
+        return why_doubted(self.dataset, describe_camera(self.dataset, self.intrinsic)["source"])
+
+    def to_json(self) -> dict[str, Any]:
+        """What was opened, in JSON's types."""
+        return describe_folder(self.path, self.dataset, self.intrinsic)
+
+    def among(self, fields: Fields, *, before: str) -> Fields:
+        """Labels and values of a result, with what was left out behind its frames, and the camera before a label."""
+        camera = camera_line(describe_camera(self.dataset, self.intrinsic))
+        return with_camera(fields, camera, self.dataset.left_out, before=before)
+
+
+def with_camera(fields: Fields, camera: str, left_out: Sequence[str], *, before: str) -> Fields:
+    """Labels and values with what was left out behind the frames, and the camera before a label."""
+    told: Fields = []
+    for label, value in fields:
+        lost = left_out if label == "frames" else ()
+        told += [("camera", camera)] if label == before else []
+        told.append((label, f"{value}\n{len(lost)} left out, the first {lost[0]}" if lost else value))
+    return told
+
+
+def _has_no_poses(path: FilePath, given: dict[str, Any]) -> bool:
+    try:
+        return all(frame.T_world_camera is None for frame in open_frames(path, **given).frames)
+    except PointloomError:
+        return False

@@ -1,0 +1,225 @@
+"""Job: what the commands share that work on files of points or triangles, and JobReport: what they say of it."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import TYPE_CHECKING, Any, Self, TypedDict
+
+from ...core import outputs
+from ...core.devices import resolve_device
+from ...core.errors import FilePath
+from ...core.progress import ReportProgress, say_nothing
+from ...core.reports import Fields, Report, values_of
+from ...core.timing import Clock
+from ...core.wording import plain
+from ...files.meshes import tables
+from ...files.points.formats import WRITTEN
+from ...files.table import MeshTable, PointTable
+
+if TYPE_CHECKING:  # what runs kernels is loaded where it is used: a file is converted without
+    from ...meshing.mesh.mesh import TriangleMesh
+    from ...pcd.cloud import PointCloud
+
+
+class Settings(TypedDict, total=False):
+    """How a command works, whatever it does.
+
+    Attributes:
+        device: Where to compute; "auto" takes the first GPU, else the CPU.
+        as_text: Text instead of binary, for .ply and .pcd.
+        overwrite: Replace outputs that exist.
+        progress: Called with each stage when it begins.
+    """
+
+    device: Any
+    as_text: bool
+    overwrite: bool
+    progress: ReportProgress | None
+
+
+class Form(TypedDict):
+    """How files are written: as_text and overwrite of `Settings`."""
+
+    as_text: bool
+    overwrite: bool
+
+
+@dataclass(frozen=True)
+class Done:
+    """What every command on files does.
+
+    Attributes:
+        command: Its name.
+        source: What was read.
+        seconds: The time that each stage took, in their order.
+        left_out: Names of what the outputs cannot hold.
+        files: What was written.
+        poor: Why the result is poor, or None.
+    """
+
+    command: str
+    source: str
+    seconds: dict[str, float]
+    left_out: tuple[str, ...]
+    files: tuple[str, ...]
+    poor: str | None
+
+
+@dataclass(frozen=True)
+class JobReport(Report):
+    """What a command on files did; each command has its kind, with what it found.
+
+    Attributes:
+        done: What all commands have in common; first in JSON, and its seconds and files last for people.
+    """
+
+    done: Done
+
+    @property
+    def poor(self) -> str | None:
+        """Why the result is poor, or None."""
+        return self.done.poor
+
+    def to_json(self) -> dict[str, Any]:
+        """All of it in JSON's types, on one level."""
+        own = {name: value for name, value in values_of(self).items() if name != "done"}
+        return plain(values_of(self.done) | own)
+
+    def title(self, source: str) -> str:
+        """What stands above the fields; `source` is what the user calls the file."""
+        return source
+
+    def with_file(self, path: FilePath) -> Self:
+        """The report, with one more file that was written."""
+        return replace(self, done=replace(self.done, files=(*self.done.files, os.fspath(path))))
+
+    def closing(self, device: str | None = None, replaced: Iterable[str] = ()) -> Fields:
+        """What the fields of any command end in: what was replaced and left out, seconds and files."""
+        fields = []
+        if names := ", ".join(replaced):
+            fields.append(("replaced", f"{names} of the input"))
+        if self.done.left_out:
+            fields.append(("left out", f"{', '.join(self.done.left_out)} (the output cannot hold them)"))
+        parts = ", ".join(f"{stage} {value:.2f}" for stage, value in self.done.seconds.items())
+        where = f" on {device}" if device is not None else ""
+        return [*fields, ("seconds", parts + where), ("files", ", ".join(self.done.files) or "none")]
+
+
+class Job:
+    """The way of a command from files to files: outputs checked, stages told and timed, and the report of it.
+
+    Args:
+        command: Its name.
+        source: What is read.
+        device, as_text, overwrite, progress: As of `Settings`.
+
+    Attributes:
+        source: What is read.
+        tell: The progress, or what says nothing.
+        clock: The seconds of the stages.
+        left_out: Names of what the outputs cannot hold.
+        files: What was written.
+        form: Options of the functions that write files.
+    """
+
+    def __init__(
+        self,
+        command: str,
+        source: FilePath,
+        *,
+        device: Any = "auto",
+        as_text: bool = False,
+        overwrite: bool = False,
+        progress: ReportProgress | None = None,
+    ):
+        self._command, self._device = command, device
+        self.source, self.tell, self.clock = source, progress or say_nothing, Clock()
+        self.form: Form = {"as_text": as_text, "overwrite": overwrite}
+        self.left_out: list[str] = []
+        self.files: list[str] = []
+
+    @cached_property
+    def device(self) -> Any:
+        """Where to compute, looked up when it is first asked for.
+
+        Raises:
+            DeviceError: No such device.
+        """
+        return resolve_device(self._device)
+
+    def check(self, output: FilePath | None, formats: tuple[str, ...] = WRITTEN, *, what: str = "clouds") -> None:
+        """Hold that an output can be written, before any work; None stands for none.
+
+        Raises:
+            FileError: Not one of the formats, which hold `what`, or a place that cannot be written.
+        """
+        if output is not None:
+            outputs.check_output(output, formats, what=what, **self.form)
+
+    @contextmanager
+    def stage(self, name: str, *, told: bool = True) -> Iterator[None]:
+        """Tell of a stage, unless it is not to be told, and count its seconds."""
+        if told:
+            self.tell(name, 0, 0)
+        self.clock.restart()
+        yield
+        self.clock.stop(name)
+
+    def read_points(self) -> PointTable:
+        """The points of the source as its file has them; of a mesh the vertices, which leaves its triangles out."""
+        table = tables.read_table(self.source)
+        if isinstance(table, MeshTable):
+            self.left_out.append("triangles")
+            return tables.points_of(table)
+        return table
+
+    def read_cloud(self) -> PointCloud:
+        """The points of the source with all their attributes, on the device."""
+        from ...files.points.point_cloud import cloud_of
+
+        where = self.device
+        with self.stage("read"):
+            return cloud_of(self.read_points(), self.source, device=where)
+
+    def read_mesh(self) -> TriangleMesh:
+        """The mesh of the source, on the device."""
+        from ...meshing.mesh.mesh_files import read_triangle_mesh
+
+        where = self.device
+        with self.stage("read"):
+            return read_triangle_mesh(self.source, device=where)
+
+    def write_points(self, table: PointTable, output: FilePath) -> None:
+        """Write points, whole or not at all; in LAS with the source's steps where it is such a file."""
+        with self.stage("write"):
+            self.wrote(output, tables.write_cloud_table(output, table, source=self.source, **self.form))
+
+    def write_cloud(self, cloud: PointCloud, output: FilePath) -> None:
+        """Write a cloud with all its attributes, as `write_points`."""
+        from ...files.points.point_cloud import table_of
+
+        with self.stage("write"):
+            table = table_of(cloud)
+            self.wrote(output, tables.write_cloud_table(output, table, source=self.source, **self.form))
+
+    def write_mesh(self, mesh: TriangleMesh, output: FilePath) -> None:
+        """Write a mesh, whole or not at all; one without triangles is not written."""
+        from ...meshing.mesh.mesh_files import mesh_table
+
+        if len(mesh):
+            with self.stage("write"):
+                self.wrote(output, tables.write_mesh_table(output, mesh_table(mesh), **self.form))
+
+    def wrote(self, output: FilePath, left_out: Iterable[str] = ()) -> None:
+        """Note that an output was written, and what it cannot hold."""
+        self.left_out += [name for name in left_out if name not in self.left_out]
+        self.files.append(os.fspath(output))
+
+    def done(self, poor: str | None = None) -> Done:
+        """What was done so far."""
+        seconds, source = dict(self.clock.seconds), os.fspath(self.source)
+        return Done(self._command, source, seconds, tuple(self.left_out), tuple(self.files), poor)

@@ -1,0 +1,59 @@
+"""The points of a file to a surface through them: `mesh_file`."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from ...core.audience import to_shell
+from ...core.errors import FilePath
+from ...core.progress import ReportProgress
+from ...drawing.render.picture_files import check_picture, save_picture
+from ...drawing.render.surface_picture import draw_surface
+from ...files.meshes import tables
+from ...meshing.mesh.cloud_surface import create_surface
+from .announced_stages import AnnouncedStages
+from .job import Job
+from .result_report import ResultReport
+
+
+def mesh_file(
+    source: FilePath,
+    output: FilePath,
+    *,
+    picture: FilePath | None = None,
+    device: Any = "auto",
+    as_text: bool = False,
+    overwrite: bool = False,
+    progress: ReportProgress | None = None,
+    **options: Any,
+) -> ResultReport:
+    """Write a surface through the points of a cloud, and a picture of it; outputs are checked before the work.
+
+    Args:
+        source: A cloud; of a mesh the vertices count.
+        output: A .ply, .obj, .stl, .off or .glb file; STL holds no normals and colours, which are then left out.
+        picture: A .png file for a picture of the mesh.
+        device, as_text, overwrite, progress: As of `Settings`.
+        options: As of `create_surface`.
+
+    Returns:
+        What was done, with the SurfaceResult. An empty mesh is not written.
+
+    Raises:
+        FileError: A file that cannot be read, or an output that cannot be written.
+        ValueError: What the method refuses.
+        DeviceError: No such device.
+    """
+    job = Job("mesh", source, device=device, as_text=as_text, overwrite=overwrite, progress=progress)
+    job.check(output, tables.MESHES, what="meshes")
+    if picture is not None:
+        check_picture(picture, overwrite=overwrite)
+    cloud = job.read_cloud()
+    with AnnouncedStages(job.clock, job.tell) as told:
+        result = create_surface(cloud, progress=told, **options)
+    job.write_mesh(result.mesh, output)
+    if picture is not None and len(result.mesh):
+        with job.stage("picture"):
+            save_picture(picture, draw_surface(result.mesh), overwrite=overwrite)
+        job.wrote(picture)
+    return ResultReport(job.done(result.why_poor(to_shell)), result, str(cloud.device))

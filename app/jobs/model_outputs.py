@@ -1,0 +1,73 @@
+"""The files that a model of RGB-D frames is written to: the mesh, a picture of it, the camera's path."""
+
+from __future__ import annotations
+
+import dataclasses
+import os
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...cameras.pose_files import check_trajectory_output, write_poses
+from ...cameras.trajectory import Trajectory
+from ...core.errors import FilePath
+from ...core.outputs import check_output
+from ...drawing.render.picture_files import check_picture
+from ...drawing.render.scene_view import draw_scene
+from ...files.meshes.tables import MESHES
+from ...meshing.mesh.mesh import TriangleMesh
+from ...meshing.mesh.mesh_files import write_triangle_mesh
+
+
+@dataclasses.dataclass(frozen=True)
+class ModelOutputs:
+    """Where a model goes.
+
+    Attributes:
+        mesh: A .ply, .obj, .stl, .off or .glb file; STL holds no colours, which are then left out.
+        picture: A .png file for a picture of the mesh.
+        trajectory: A file for the poses: .txt or .tum (TUM's format), .log.
+    """
+
+    mesh: FilePath
+    picture: FilePath | None = None
+    trajectory: FilePath | None = None
+
+    def check(self, *, overwrite: bool) -> None:
+        """Be sure that all can be written, before the work.
+
+        Raises:
+            FileError: An unknown format, a file that exists, or a place that cannot be written.
+        """
+        check_output(self.mesh, MESHES, what="meshes", overwrite=overwrite)
+        if self.trajectory is not None:
+            check_trajectory_output(self.trajectory, overwrite=overwrite)
+        if self.picture is not None:
+            check_picture(self.picture, overwrite=overwrite)
+
+    def write_mesh(self, mesh: TriangleMesh, T_world_camera: NDArray[np.float64], *, overwrite: bool) -> list[str]:
+        """Write a mesh and the picture of it, taken from where the cameras were; gives the files' names.
+
+        Raises:
+            FileError: A file that cannot be written.
+        """
+        held = mesh
+        if Path(self.mesh).suffix.lower() == ".stl":
+            held = TriangleMesh.from_device_arrays(mesh.array("vertices"), mesh.array("triangles"), origin=mesh.origin)
+        write_triangle_mesh(self.mesh, held, overwrite=overwrite)
+        if self.picture is None:
+            return [os.fspath(self.mesh)]
+        draw_scene(self.picture, mesh, T_world_camera, overwrite=overwrite)
+        return [os.fspath(self.mesh), os.fspath(self.picture)]
+
+    def write_trajectory(self, trajectory: Trajectory, *, overwrite: bool) -> list[str]:
+        """Write the poses, where they are asked for; gives the file's name.
+
+        Raises:
+            FileError: The file cannot be written.
+        """
+        if self.trajectory is None:
+            return []
+        write_poses(self.trajectory, trajectory, overwrite=overwrite)
+        return [os.fspath(self.trajectory)]

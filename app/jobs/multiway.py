@@ -1,0 +1,174 @@
+"""The clouds of a folder brought into one frame: `register_folder`."""
+
+from __future__ import annotations
+
+import os
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from ...cameras.trajectory import write_trajectory
+from ...core.errors import FileError, FilePath
+from ...core.progress import ReportProgress
+from ...core.reports import Fields
+from ...files.meshes import tables
+from ...files.points.point_cloud import table_of
+from ...files.points.scan_files import list_scans
+from ...pcd.cloud import PointCloud
+from ...registration.pose_graphs.multiway import FragmentsResult, register_fragments
+from ...registration.pose_graphs.pose_graph_files import write_pose_graph
+from ...registration.voxel_size import choose_voxel_size
+from .job import Job, JobReport
+from .register import read_cloud
+
+_SHOWN = 5  # clouds that could not be placed, by name
+
+
+@dataclass(frozen=True)
+class MultiwayReport(JobReport):
+    """What `register_folder` did.
+
+    Attributes:
+        device: Where it was computed.
+        voxel_size: Edge of the voxels [m].
+        voxel_size_given: Whether it was given, not chosen.
+        clouds: The names of the files.
+        points: How many points they have.
+        found: Where they lie.
+    """
+
+    device: str
+    voxel_size: float
+    voxel_size_given: bool
+    clouds: tuple[str, ...]
+    points: int
+    found: FragmentsResult
+
+    def to_json(self) -> dict[str, Any]:
+        """All of it on one level, clouds by their names."""
+        report = super().to_json()
+        points = report.pop("points")
+        del report["found"]
+        return report | {"points": points} | self.found.to_json(self.clouds)
+
+    def fields(self) -> Fields:
+        """How many clouds were placed, by which pairs, and in whose frame."""
+        (_, placed), (_, pairs), _ = self.found.fields()
+        chosen = "" if self.voxel_size_given else ", chosen from the clouds"
+        return [
+            ("clouds", f"{placed}, {self.points:,} points"),
+            ("voxels", f"{self.voxel_size:g} m{chosen}"),
+            ("pairs", pairs),
+            ("frame", f"that of {self.clouds[self.found.reference]}"),
+            *self.closing(self.device),
+        ]
+
+
+def register_folder(
+    folder: FilePath,
+    output: FilePath,
+    *,
+    voxel_size: float | None = None,
+    neighbors: int | None = None,
+    merged: FilePath | None = None,
+    graph: FilePath | None = None,
+    device: Any = "auto",
+    overwrite: bool = False,
+    progress: ReportProgress | None = None,
+) -> MultiwayReport:
+    """Find where the clouds of a folder lie, and write their poses; outputs are checked before the work.
+
+    Args:
+        folder: Clouds of one kind, taken in natural order of their names.
+        output: A .log file of poses, T_reference_cloud; the first number of each is that of its cloud, from 0.
+        voxel_size: Edge of the voxels that the clouds are thinned to [m]; None chooses it from them.
+        neighbors: As of `register_fragments`.
+        merged: A cloud of all that could be placed, with the attributes that all of them have.
+        graph: A .json file for the pose graph.
+        device: Where to compute.
+        overwrite: Replace outputs that exist.
+        progress: Called with each stage, and in that of the pairs with how many are done and how many there are.
+
+    Returns:
+        What was done; it is poor where clouds could not be placed, which the outputs leave out. Nothing is written
+        where no two clouds lie on each other.
+
+    Raises:
+        FileError: A file that cannot be read or written, or fewer than two clouds.
+        ValueError: A length that is not positive, or no neighbours.
+        DeviceError: No such device.
+    """
+    job = Job("multiway", folder, device=device, overwrite=overwrite, progress=progress)
+    _check_outputs(job, output, merged, graph)
+    where, paths, clouds = job.device, _list_clouds(folder), []
+    with job.stage("read", told=False):
+        for done, path in enumerate(paths):
+            job.tell("read", done, len(paths))
+            clouds.append(read_cloud(path, where))
+        job.tell("read", len(paths), len(paths))
+    with job.stage("voxels", told=False):
+        size = choose_voxel_size(*clouds) if voxel_size is None else voxel_size
+    with job.stage("register", told=False):
+        found = register_fragments(clouds, voxel_size=size, neighbors=neighbors, progress=job.tell)
+    is_written = int(found.placed.sum()) > 1
+    with job.stage("write", told=is_written):
+        if is_written:
+            _write_results(job, found, clouds, output, merged, graph)
+    names = tuple(path.name for path in paths)
+    lost = [name for name, is_placed in zip(names, found.placed, strict=True) if not is_placed]
+    done = job.done(_why_poor(lost, len(names), is_written))
+    points = sum(len(cloud) for cloud in clouds)
+    return MultiwayReport(done, str(where), size, voxel_size is not None, names, points, found)
+
+
+def _check_outputs(job: Job, output: FilePath, merged: FilePath | None, graph: FilePath | None) -> None:
+    job.check(output, (".log",), what="poses")
+    job.check(merged)
+    if merged is not None and Path(merged).resolve().parent == Path(job.source).resolve():
+        reason = f"lies in {os.fspath(job.source)}, where the next run would take it for one of the clouds"
+        raise FileError(merged, reason, remedy="Choose another folder")
+    job.check(graph, (".json",), what="pose graphs")
+
+
+def _list_clouds(folder: FilePath) -> list[Path]:
+    paths = list_scans(folder)
+    if len(paths) < 2:
+        raise FileError(folder, f"holds one cloud, {paths[0].name}; two are needed", remedy="Give another folder")
+    return paths
+
+
+def _write_results(
+    job: Job,
+    found: FragmentsResult,
+    clouds: list[PointCloud],
+    output: FilePath,
+    merged: FilePath | None,
+    graph: FilePath | None,
+) -> None:
+    """Write what is asked for; left out is what the merged cloud cannot hold, or not all clouds have."""
+    write_trajectory(output, found.trajectory, overwrite=job.form["overwrite"])
+    job.wrote(output)
+    if graph is not None:
+        write_pose_graph(graph, found.pose_graph, overwrite=job.form["overwrite"])
+        job.wrote(graph)
+    if merged is not None:
+        whole = found.merge(clouds)
+        named = dict.fromkeys(name for i in np.flatnonzero(found.placed) for name in _names_of(clouds[i]))
+        lost = [name for name in named if name not in _names_of(whole)]
+        job.wrote(merged, [*lost, *tables.write_cloud_table(merged, table_of(whole), **job.form)])
+
+
+def _names_of(cloud: PointCloud) -> list[str]:
+    vectors = {"normals": cloud.has_normals, "colors": cloud.has_colors}
+    return [*(name for name, is_there in vectors.items() if is_there), *cloud.attributes]
+
+
+def _why_poor(lost: list[str], count: int, is_written: bool) -> str | None:
+    if not lost:
+        return None
+    if not is_written:
+        return f"no two of the {count} clouds lie on each other; nothing was written; try another --voxel"
+    names = ", ".join(lost[:_SHOWN]) + (" and more" if len(lost) > _SHOWN else "")
+    return f"{len(lost)} of {count} clouds could not be placed: {names}; try another --voxel, or more --loops"

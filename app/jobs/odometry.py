@@ -1,0 +1,164 @@
+"""The path of a scanner from a folder of its scans: `odometry_of_folder`."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from ...cameras.trajectory import Trajectory, read_trajectory, write_trajectory
+from ...core.errors import FileError, FilePath
+from ...core.progress import ReportProgress
+from ...core.reports import Fields, values_of
+from ...core.wording import format_seconds, plain
+from ...files.points.point_cloud import read_point_cloud
+from ...files.points.scan_files import list_scans
+from ...registration.lidar.lidar_odometry import LidarOdometry
+from ...registration.lidar.lidar_steps import OdometrySummary, summarize_steps
+from ...registration.trajectories.trajectory_error import TrajectoryError
+from .evaluate import compare
+from .job import Job, JobReport
+
+FORMATS = {"kitti": (".txt", ".kitti"), "tum": (".txt", ".tum")}  # extensions of each
+
+
+@dataclass(frozen=True)
+class OdometryReport(JobReport):
+    """What `odometry_of_folder` did.
+
+    Attributes:
+        format: Of the poses.
+        device: Where it was computed.
+        voxel_size, max_range, min_range: As of `LidarOdometry`.
+        found: The path.
+        points: How many points all scans have.
+        errors: Against the true path, where it is known.
+    """
+
+    format: str
+    device: str
+    voxel_size: float
+    max_range: float
+    min_range: float
+    found: OdometrySummary
+    points: int
+    errors: TrajectoryError | None
+
+    @property
+    def scans_per_second(self) -> float:
+        """How many scans were registered in a second."""
+        return self.found.scan_count / max(self.done.seconds["register"], 1e-9)
+
+    def to_json(self) -> dict[str, Any]:
+        """All of it on one level."""
+        path = self.found.to_json()
+        speed = {"scans": path.pop("scans"), "points": self.points, "scans_per_second": self.scans_per_second}
+        own = {name: value for name, value in values_of(self).items() if name not in ("done", "found", "points")}
+        ending = {"errors": own.pop("errors"), "seconds": self.done.seconds, "files": self.done.files}
+        beginning = {"command": self.done.command, "folder": self.done.source}
+        return plain(beginning | own | speed | path | ending | {"poor": self.poor})
+
+    def fields(self) -> Fields:
+        """The path, and its errors where they are known."""
+        (_, scans), *path = self.found.fields()
+        reach = f"from {self.min_range:g} to {self.max_range:g} m"
+        return [
+            ("scans", f"{scans}, {self.points:,} points, {self.scans_per_second:.1f} scans/s"),
+            ("map", f"voxels of {self.voxel_size:g} m, points {reach}"),
+            *path,
+            *([] if self.errors is None else self.errors.fields()),
+            ("seconds", f"{format_seconds(self.done.seconds)} on {self.device}"),
+            ("files", ", ".join(self.done.files) or "none"),
+        ]
+
+
+def odometry_of_folder(
+    folder: FilePath,
+    output: FilePath,
+    *,
+    format: str | None = None,
+    voxel_size: float | None = None,
+    max_range: float = 100.0,
+    min_range: float = 5.0,
+    truth: FilePath | None = None,
+    device: Any = "auto",
+    overwrite: bool = False,
+    progress: ReportProgress | None = None,
+) -> OdometryReport:
+    """Find the pose of each scan of a folder, and write them; the output and the truth are checked before the work.
+
+    Args:
+        folder: The scans, in natural order of their names: .bin as KITTI has them, or clouds.
+        output: A file of poses: .txt, .kitti or .tum.
+        format: "kitti" or "tum"; None goes by the extension, and takes KITTI's for .txt. TUM's times are the numbers
+            of the scans.
+        voxel_size, max_range, min_range: As of `LidarOdometry`.
+        truth: A file of the scanner's true poses, one a scan.
+        device: Where to compute.
+        overwrite: Replace the output if it exists.
+        progress: Called with the number of scans done and that of all.
+
+    Returns:
+        What was done; the errors are aligned by se3. Nothing is written where no scan has points in range.
+
+    Raises:
+        FileError: A file that cannot be read or written, fewer than two scans, or not one true pose a scan.
+        ValueError: A length out of range.
+        DeviceError: No such device.
+    """
+    job = Job("odometry", folder, device=device, overwrite=overwrite, progress=progress)
+    form = _check_output(job, output, format)
+    odometry = LidarOdometry(voxel_size=voxel_size, max_range=max_range, min_range=min_range, device=job.device)
+    scans = list_scans(folder)
+    if len(scans) < 2:
+        raise FileError(folder, f"holds one scan, {scans[0].name}; odometry needs two", remedy="Give another folder")
+    true_path = None if truth is None else read_trajectory(truth)
+    if true_path is not None and len(true_path) != len(scans):
+        reason = f"has {len(true_path)} poses, and {os.fspath(folder)} has {len(scans)} scans"
+        raise FileError(truth or "", reason, remedy="Give the true pose of each scan")
+    points = _register_scans(job, odometry, scans)
+    found, path, errors = summarize_steps(odometry.steps), Trajectory(odometry.poses), None
+    if found.has_seen:
+        with job.stage("write", told=False):
+            write_trajectory(output, path, format=form, overwrite=overwrite)
+        job.wrote(output)
+        if true_path is not None and truth is not None:
+            errors = compare(path, true_path, folder, truth, "se3")
+    done = job.done(_why_poor(found, max_range, min_range))
+    sizes = odometry.voxel_size, max_range, min_range
+    return OdometryReport(done, form, str(job.device), *sizes, found, points, errors)
+
+
+def _register_scans(job: Job, odometry: LidarOdometry, scans: Sequence[Path]) -> int:
+    """Bring all scans into the map; gives how many points they have."""
+    points = 0
+    job.tell("scans", 0, len(scans))
+    for number, path in enumerate(scans, 1):
+        with job.stage("read", told=False):
+            scan = read_point_cloud(path, device=job.device)
+        with job.stage("register", told=False):
+            odometry.register(scan)
+        points += len(scan)
+        job.tell("scans", number, len(scans))
+    return points
+
+
+def _check_output(job: Job, output: FilePath, format: str | None) -> str:
+    """The format of the poses, once it is sure that they can be written."""
+    suffix = Path(output).suffix.lower()
+    if format is None:
+        format = "tum" if suffix == ".tum" else "kitti"
+    if format not in FORMATS:
+        raise ValueError(f"format: expected one of {', '.join(FORMATS)}, got {format!r}")
+    job.check(output, FORMATS[format], what=f"poses as {format}")
+    return format
+
+
+def _why_poor(found: OdometrySummary, max_range: float, min_range: float) -> str | None:
+    """Why the result is poor, in the words of the command's options."""
+    reason = found.why_poor(f"from {min_range:g} to {max_range:g} m of the scanner")
+    if not found.has_seen:
+        return f"{reason}; nothing was written; change --min-range or --max-range"
+    return reason and reason.replace("another max_range", "another --max-range")

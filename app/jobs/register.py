@@ -1,0 +1,169 @@
+"""One cloud of a file brought onto another: `register_files`.
+
+What is written is the pose, and the source with all it has, moved.
+"""
+
+from __future__ import annotations
+
+import os
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+
+from ...cameras.pose_files import write_pose
+from ...cameras.trajectory import read_pose
+from ...core.errors import FileError, FilePath
+from ...core.progress import ReportProgress
+from ...core.reports import Fields
+from ...drawing.render.pair_picture import draw_pair
+from ...drawing.render.picture_files import check_picture
+from ...files.meshes import tables
+from ...files.points.point_cloud import cloud_of, table_of
+from ...files.table import MeshTable
+from ...pcd.cloud import PointCloud
+from ...pcd.probes import probe_points
+from ...registration.globally.pair import METHODS, PairRegistration, UnfitCloudError, register_pair
+from .announced_stages import AnnouncedStages
+from .job import Job, JobReport
+
+IDENTITY, GLOBAL = "identity", "global"
+
+_REMEDIES = {
+    "colors": "Choose another --method, such as point-to-plane",
+    "voxels": "Take a smaller --voxel, or a cloud with more points",
+}
+
+
+@dataclass(frozen=True)
+class RegisterReport(JobReport):
+    """What `register_files` did.
+
+    Attributes:
+        target: The cloud that stays.
+        device: Where it was computed.
+        found: The pose; its `init` is what the user said.
+    """
+
+    target: str
+    device: str
+    found: PairRegistration
+
+    def to_json(self) -> dict[str, Any]:
+        """All of it on one level."""
+        report = super().to_json()
+        return report | report.pop("found")
+
+    def fields(self) -> Fields:
+        """How the pose came about, how good it is, and the pose."""
+        return [*self.found.fields(), *self.closing(self.device)]
+
+
+def register_files(
+    source: FilePath,
+    target: FilePath,
+    *,
+    output: FilePath | None = None,
+    init: FilePath = GLOBAL,
+    method: str = "point-to-plane",
+    voxel_size: float | None = None,
+    distance: float | None = None,
+    aligned: FilePath | None = None,
+    picture: FilePath | None = None,
+    device: Any = "auto",
+    overwrite: bool = False,
+    progress: ReportProgress | None = None,
+) -> RegisterReport:
+    """Find the pose that brings one cloud onto another, and write what is asked for; outputs are checked first.
+
+    Args:
+        source: The cloud that moves; of a mesh the vertices count.
+        target: The cloud that stays.
+        output: A .txt file for the pose T_target_source, four rows of four numbers with all digits.
+        init: Where to begin: "global" searches, "identity" takes the clouds as they lie, else a file with such a pose.
+        method, voxel_size, distance: As of `register_pair`.
+        aligned: A file for the source on the target, with all its attributes.
+        picture: A .png file for both clouds before (left) and after (right).
+        device, overwrite, progress: As of `Settings`.
+
+    Returns:
+        What was done. Nothing is written where no point found a correspondence.
+
+    Raises:
+        FileError: A file that cannot be read or written, or a cloud that is empty or lacks colours.
+        ValueError: A length that is not positive, or no such method.
+        DeviceError: No such device.
+    """
+    if method not in METHODS:
+        raise ValueError(f"method: expected one of {', '.join(METHODS)}, got {method!r}")
+    job = Job("register", source, device=device, overwrite=overwrite, progress=progress)
+    job.check(output, (".txt",), what="poses")
+    job.check(aligned)
+    if picture is not None:
+        check_picture(picture, overwrite=overwrite)
+    where, start = job.device, _start(init)
+    with job.stage("read"):
+        clouds = read_cloud(source, where), read_cloud(target, where)
+    try:
+        with AnnouncedStages(job.clock, job.tell, untold=("voxels", "rate")) as tell:
+            options: dict[str, Any] = {"method": method, "voxel_size": voxel_size, "distance": distance}
+            found = register_pair(*clouds, init=start, progress=tell, **options)
+    except UnfitCloudError as error:
+        path = source if error.role == "source" else target
+        reason = error.reason.replace(f"method={method!r}", f"--method {method}")
+        raise FileError(path, reason, remedy=_REMEDIES[error.lacks]) from error
+    with job.stage("write"):
+        if found.result.fitness > 0:
+            _write_results(job, clouds, found, output, aligned, picture, target)
+    poor = _why_poor(found, str(init))
+    return RegisterReport(job.done(poor), os.fspath(target), str(where), replace(found, init=os.fspath(init)))
+
+
+def read_cloud(path: FilePath, device: Any) -> PointCloud:
+    """A cloud with all its attributes; of a mesh the vertices.
+
+    Raises:
+        FileError: It cannot be read, or holds no finite point.
+    """
+    table = tables.read_table(path)
+    cloud = cloud_of(tables.points_of(table) if isinstance(table, MeshTable) else table, path, device=device)
+    if not len(probe_points(cloud)):
+        held = f"{len(cloud):,} points, none of them finite" if len(cloud) else "no point"
+        raise FileError(path, f"holds {held}, so there is nothing to register", remedy="Give another cloud")
+    return cloud
+
+
+def _start(init: FilePath) -> np.ndarray | None:
+    """The pose to begin from; None where it is searched for."""
+    if str(init) == GLOBAL:
+        return None
+    return np.eye(4) if str(init) == IDENTITY else read_pose(init)
+
+
+def _write_results(
+    job: Job,
+    clouds: tuple[PointCloud, PointCloud],
+    found: PairRegistration,
+    output: FilePath | None,
+    aligned: FilePath | None,
+    picture: FilePath | None,
+    target: FilePath,
+) -> None:
+    """Write what is asked for."""
+    T, form = found.transformation, job.form
+    if output is not None:
+        write_pose(output, T, overwrite=form["overwrite"])
+        job.wrote(output)
+    if aligned is not None:
+        job.wrote(aligned, tables.write_cloud_table(aligned, table_of(clouds[0].transform(T)), source=target, **form))
+    if picture is not None:
+        draw_pair(picture, *clouds, T, overwrite=form["overwrite"])
+        job.wrote(picture)
+
+
+def _why_poor(found: PairRegistration, init: str) -> str | None:
+    """Why the result is poor, with what to try."""
+    if found.poor is None:
+        return None
+    written = "" if found.result.fitness > 0 else "; nothing was written"
+    return f"{found.poor}{written}; try {'another --voxel' if init == GLOBAL else '--init global'}"

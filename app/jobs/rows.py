@@ -1,0 +1,83 @@
+"""Rows: the points of a file, for the commands that choose or label them.
+
+Operations see the positions alone. What is written are rows of the file as the file has them: no value is rounded on
+its way through float32, and attributes take no room on the device.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...files.points.point_cloud import origin_of
+from ...files.table import PointTable
+from ...pcd.cloud import PointCloud
+from .job import Job, JobReport
+
+LABELLED = (".ply", ".pcd", ".npz", ".las", ".laz")  # formats that hold an attribute of any name
+
+
+class Rows(NamedTuple):
+    """The points of a file.
+
+    Attributes:
+        table: Points and attributes as the file has them.
+        cloud: The positions, with their rows in the table as the attribute "row".
+    """
+
+    table: PointTable
+    cloud: PointCloud
+
+    def of(self, cloud: PointCloud) -> NDArray[np.int32]:
+        """Where the points of a part of the cloud stand in the table."""
+        return cloud["row"]
+
+    def take(self, rows: NDArray[Any]) -> PointTable:
+        """Some points of the table."""
+        return take_rows(self.table, rows)
+
+
+@dataclass(frozen=True)
+class RowsReport(JobReport):
+    """What a command did that chooses or labels points.
+
+    Attributes:
+        device: Where it was computed.
+        points_in, points: How many points were read and are left.
+    """
+
+    device: str
+    points_in: int
+    points: int
+
+
+def read_rows(job: Job) -> Rows:
+    """The points of a job's source, on its device.
+
+    Raises:
+        FileError: It cannot be read.
+        DeviceError: No such device.
+    """
+    where = job.device
+    with job.stage("read"):
+        table = job.read_points()
+        rows = np.arange(len(table.points), dtype=np.int32)
+        cloud = PointCloud(table.points, device=where, origin=origin_of(table, job.source), row=rows)
+    return Rows(table, cloud)
+
+
+def take_rows(table: PointTable, rows: NDArray[Any]) -> PointTable:
+    """Some points of a table, which then have no grid."""
+    normals = None if table.normals is None else table.normals[rows]
+    colors = None if table.colors is None else table.colors[rows]
+    return PointTable(table.points[rows], normals, colors, {n: values[rows] for n, values in table.attributes.items()})
+
+
+def label_rows(table: PointTable, name: str, labels: NDArray[np.int32]) -> tuple[PointTable, list[str]]:
+    """A table with labels as an attribute, and the names of what that replaces."""
+    attributes = table.attributes | {name: labels}
+    labelled = PointTable(table.points, table.normals, table.colors, attributes, table.grid)
+    return labelled, [name] if name in table.attributes else []

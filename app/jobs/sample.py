@@ -1,0 +1,95 @@
+"""Fewer points of a file that stand for all: `sample_file`."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Unpack
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...core.errors import FileError, FilePath
+from ...core.reports import Fields
+from ...files.points.point_cloud import cloud_of, table_of
+from .job import Job, Settings
+from .rows import Rows, RowsReport, read_rows
+
+WAYS = {
+    "every": "one in {:,}",
+    "ratio": "a share of {:g} at random, seed {seed}",
+    "farthest": "the farthest from each other",
+    "voxel": "one a voxel of {:g} m, the mean",
+    "nearest": "one a voxel of {:g} m, the nearest to the mean",
+}
+
+
+@dataclass(frozen=True)
+class SampleReport(RowsReport):
+    """What `sample_file` did.
+
+    Attributes:
+        by, amount, seed: As of `sample_file`.
+    """
+
+    by: str
+    amount: float
+    seed: int
+
+    def fields(self) -> Fields:
+        """The counts, and the way of choosing."""
+        way = WAYS[self.by].format(self.amount, seed=self.seed)
+        return [("points", f"{self.points:,} of {self.points_in:,}, {way}"), *self.closing(self.device)]
+
+
+def sample_file(
+    source: FilePath, output: FilePath, *, by: str, amount: float, seed: int = 0, **settings: Unpack[Settings]
+) -> SampleReport:
+    """Write fewer points of a cloud, chosen in one of five ways.
+
+    Args:
+        source: A cloud; of a mesh the vertices count.
+        output: A cloud.
+        by: "every" for every so many-th point, "ratio" for a share at random, "farthest" for so many points spread over
+            the cloud, "voxel" for the means of voxels, "nearest" for the points nearest to these means.
+        amount: The step, the share, the count, or the edge of a voxel [m].
+        seed: Of the choice at random.
+        settings: As of `Settings`.
+
+    Returns:
+        What was done. Nothing is written where no point is left.
+
+    Raises:
+        FileError: A file that cannot be read or written, or has fewer finite points than are to be chosen.
+        ValueError: No such way, or an amount out of range.
+        DeviceError: No such device.
+    """
+    if by not in WAYS:
+        raise ValueError(f"by: expected one of {', '.join(WAYS)}, got {by!r}")
+    job = Job("sample", source, **settings)
+    job.check(output)
+    rows = read_rows(job)
+    with job.stage("sample"):
+        if by == "voxel":
+            cloud = cloud_of(rows.table, source, device=job.device)
+            table = table_of(cloud.voxel_down_sample(amount))
+        else:
+            table = rows.take(_choose(rows, source, by, amount, seed))
+    count = len(table.points)
+    if count:
+        job.write_points(table, output)
+    poor = None if count else f"no point is left of {len(rows.cloud):,}; nothing was written"
+    return SampleReport(job.done(poor), str(job.device), len(rows.cloud), count, by, amount, seed)
+
+
+def _choose(rows: Rows, source: FilePath, by: str, amount: float, seed: int) -> NDArray[np.int32]:
+    """The rows of the points that are chosen."""
+    if by == "every":
+        return rows.of(rows.cloud.uniform_down_sample(int(amount)))
+    if by == "ratio":
+        return rows.of(rows.cloud.random_down_sample(amount, seed))
+    if by == "nearest":
+        return rows.of(rows.cloud.voxel_down_sample(amount, "nearest"))
+    finite = rows.cloud.remove_non_finite_points()
+    if amount > len(finite):
+        raise FileError(source, f"has {len(finite):,} finite points, of which {amount:,} cannot be chosen")
+    return rows.of(finite.farthest_point_down_sample(int(amount)))

@@ -1,0 +1,86 @@
+"""Points on the surface of a file's mesh: `sample_mesh_file`."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Unpack
+
+from ...core.errors import FilePath
+from ...core.reports import Fields
+from .job import Job, JobReport, Settings
+
+
+@dataclass(frozen=True)
+class MeshSamplesReport(JobReport):
+    """What `sample_mesh_file` did.
+
+    Attributes:
+        device: Where it was computed.
+        vertices_in, triangles_in: What the mesh has.
+        points: How many were drawn.
+        even: Whether they are spread evenly.
+        seed: What chose them.
+        area: Of the mesh [m^2].
+    """
+
+    device: str
+    vertices_in: int
+    triangles_in: int
+    points: int
+    even: bool
+    seed: int
+    area: float
+
+    def fields(self) -> Fields:
+        """The counts, and how far the points lie apart."""
+        how = "evenly" if self.even else "each by itself"
+        spacing = (self.area / self.points) ** 0.5 if self.points else 0.0
+        return [
+            ("triangles", f"{self.triangles_in:,}, {self.area:.4g} m^2"),
+            ("points", f"{self.points:,}, drawn {how}, seed {self.seed}; one in {spacing:.3g} m squared"),
+            *self.closing(self.device),
+        ]
+
+
+def sample_mesh_file(
+    source: FilePath,
+    output: FilePath,
+    *,
+    count: int,
+    even: bool = False,
+    triangle_normals: bool = False,
+    seed: int = 0,
+    **settings: Unpack[Settings],
+) -> MeshSamplesReport:
+    """Write points on the surface of a mesh as a cloud.
+
+    Args:
+        source: A mesh.
+        output: A cloud.
+        count: How many.
+        even: Spread them evenly (Poisson disk) instead of drawing each by itself.
+        triangle_normals: Give them the normals of their triangles.
+        seed: Chooses the points.
+        settings: As of `Settings`.
+
+    Returns:
+        What was done. Nothing is written where the mesh has no area.
+
+    Raises:
+        FileError: A file that cannot be read or written.
+        ValueError: A count out of range.
+        DeviceError: No such device.
+    """
+    job = Job("sample-mesh", source, **settings)
+    job.check(output)
+    mesh = job.read_mesh()
+    area, points = mesh.get_surface_area(), 0
+    poor = None if area > 0 else "the mesh has no area to draw points from; nothing was written"
+    if poor is None:
+        with job.stage("sample"):
+            draw = mesh.sample_points_poisson_disk if even else mesh.sample_points_uniformly
+            cloud = draw(count, use_triangle_normal=triangle_normals, seed=seed)
+            points = len(cloud)
+        job.write_cloud(cloud, output)
+    before = len(mesh.vertices), len(mesh)
+    return MeshSamplesReport(job.done(poor), str(mesh.device), *before, points, even, seed, area)

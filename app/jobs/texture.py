@@ -1,0 +1,181 @@
+"""The colours of posed frames onto a mesh of the same place: `texture_folder`."""
+
+from __future__ import annotations
+
+import os
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from ...cameras.camera import read_pinhole_camera_intrinsic
+from ...core.audience import to_shell
+from ...core.checks import check_count
+from ...core.devices import resolve_device
+from ...core.errors import FileError, FilePath
+from ...core.outputs import check_output
+from ...core.progress import ReportProgress, say_nothing
+from ...core.reports import Fields, Report
+from ...core.timing import Clock, peak_bytes
+from ...core.wording import format_bytes, format_seconds, plain
+from ...drawing.render.picture_files import check_picture
+from ...drawing.render.scene_view import draw_scene
+from ...files.frames.datasets import RGBDDataset, open_dataset
+from ...meshing.color_map.results import NothingSeenError
+from ...meshing.color_map.textured_mesh import TexturedMesh, task_fields
+from ...meshing.color_map.texturing import DEPTH_MAX, texture_mesh
+from ...meshing.mesh.mesh import TriangleMesh
+from ...meshing.mesh.mesh_files import read_triangle_mesh, write_triangle_mesh
+from .announced_stages import AnnouncedStages
+
+WITH_ATLAS = (".obj", ".glb")
+WRITTEN = (".ply", *WITH_ATLAS)
+SIZE = 2048  # texels a side: 3 mm each on the walls of a room
+
+_NOTHING = "no frame shows anything of the mesh, and nothing was written; are both in one frame of coordinates?"
+
+
+def texture_folder(
+    mesh: FilePath,
+    folder: FilePath,
+    output: FilePath,
+    *,
+    method: str = "rigid",
+    size: int = SIZE,
+    depth_max: float = DEPTH_MAX,
+    intrinsic: FilePath | None = None,
+    device: Any = "auto",
+    picture: FilePath | None = None,
+    overwrite: bool = False,
+    progress: ReportProgress | None = None,
+    **layout: Any,
+) -> TextureReport:
+    """Write a mesh with the colours of posed frames; outputs are checked before the work.
+
+    Args:
+        mesh: A mesh, in the frame of the poses.
+        folder: As `open_dataset` takes it, with `layout` and `every`.
+        output: A .ply for a colour at each vertex, an .obj or .glb for a texture.
+        method, depth_max: As of `texture_mesh`.
+        size: Texels a side of the texture.
+        intrinsic: A camera as Open3D's JSON, if it is another than the folder says.
+        device: Where to compute.
+        picture: A .png file for a picture of the mesh, with the colours at its vertices.
+        overwrite: Replace outputs that exist.
+        progress: Called with the stage, how many of its steps are done, and how many there are.
+        layout: layout and every, as of `open_dataset`.
+
+    Returns:
+        What was done, as `TexturedMesh` says it. Where no frame shows anything of the mesh nothing is written.
+
+    Raises:
+        FileError: A file that cannot be read, or an output that cannot be written.
+        ValueError: An unknown method, a mesh without vertices, or a number out of range.
+        DeviceError: No such device.
+    """
+    check_count("size", size)
+    check_output(output, WRITTEN, what="coloured meshes", overwrite=overwrite)
+    if picture is not None:
+        check_picture(picture, overwrite=overwrite)
+    where, clock, with_atlas = resolve_device(device), Clock(), Path(output).suffix.lower() in WITH_ATLAS
+    camera = None if intrinsic is None else read_pinhole_camera_intrinsic(intrinsic)
+    shape = read_triangle_mesh(mesh, device=where)
+    if with_atlas and not len(shape):
+        raise FileError(mesh, "has no triangles, which a texture needs", remedy="Write a .ply for colours at vertices")
+    dataset = _open_colored(folder, intrinsic=camera, **layout)
+    clock.stop("read")
+    task = Task(os.fspath(mesh), os.fspath(folder), dataset.layout, shape, method, len(dataset), float(depth_max))
+    how: dict[str, Any] = {"method": method, "size": size if with_atlas else None, "depth_max": depth_max}
+    try:
+        tell = progress or say_nothing
+        with AnnouncedStages(clock, tell, first="read", part_of={"frames": "read"}) as told:
+            found = texture_mesh(shape, dataset, **how, progress=told)
+    except NothingSeenError:
+        return TextureReport(task, None, clock.seconds, [])
+    files = _write(found, output, picture, overwrite=overwrite)
+    clock.stop("write")
+    return TextureReport(task, found, clock.seconds, files)
+
+
+@dataclass(frozen=True)
+class Task:
+    """What is to be coloured, and by what.
+
+    Attributes:
+        mesh, dataset: The file and the folder, as they were given.
+        layout: Of the folder.
+        shape: The mesh.
+        method: As of `texture_mesh`.
+        frame_count: How many frames.
+        depth_max: Farther pixels show nothing [m].
+    """
+
+    mesh: str
+    dataset: str
+    layout: str
+    shape: TriangleMesh
+    method: str
+    frame_count: int
+    depth_max: float
+
+    def to_json(self) -> dict[str, Any]:
+        """All but the mesh itself in JSON's types."""
+        files = {"command": "texture", "mesh": self.mesh, "dataset": self.dataset, "layout": self.layout}
+        how = {"device": str(self.shape.device), "method": self.method, "frames": self.frame_count}
+        sizes = {"vertices": self.shape.array("vertices").size, "triangles": len(self.shape)}
+        return files | how | {"depth_max": self.depth_max} | sizes
+
+
+@dataclass(frozen=True)
+class TextureReport(Report):
+    """What `texture_folder` did.
+
+    Attributes:
+        task: What was asked for.
+        found: The coloured mesh; None where no frame shows anything of it.
+        seconds: Of each stage.
+        files: What was written.
+        peak_bytes: The most memory that was held.
+    """
+
+    task: Task
+    found: TexturedMesh | None
+    seconds: dict[str, float]
+    files: list[str]
+    peak_bytes: int = field(default_factory=peak_bytes)
+
+    @property
+    def poor(self) -> str | None:
+        """Why the result is poor, or None."""
+        return _NOTHING if self.found is None else self.found.why_poor(to_shell)
+
+    def to_json(self) -> dict[str, Any]:
+        """All of it in JSON's types."""
+        found = {} if self.found is None else self.found.to_json()
+        figures = {name: value for name, value in found.items() if name != "poor"}
+        cost = {"seconds": self.seconds, "peak_bytes": self.peak_bytes}
+        return plain(self.task.to_json() | figures | cost | {"files": self.files, "poor": self.poor})
+
+    def fields(self) -> Fields:
+        """What the result says, what it took, and what was written."""
+        task = self.task
+        return [
+            *(self.found.fields() if self.found else task_fields(task.shape, task.frame_count, task.depth_max)),
+            ("seconds", format_seconds(self.seconds)),
+            ("memory", f"{format_bytes(self.peak_bytes)} at most"),
+            ("files", ", ".join(self.files) or "none"),
+        ]
+
+
+def _open_colored(folder: FilePath, **options: Any) -> RGBDDataset:
+    dataset = open_dataset(folder, **options)
+    if any(files.color is None for files in dataset.frames):
+        raise FileError(dataset.folder, "its frames have no colour, which is what a mesh would take from them")
+    return dataset
+
+
+def _write(found: TexturedMesh, output: FilePath, picture: FilePath | None, *, overwrite: bool) -> list[str]:
+    write_triangle_mesh(output, found.mesh, overwrite=overwrite)
+    if picture is None:
+        return [os.fspath(output)]
+    draw_scene(picture, found.colors.mesh, found.colors.trajectory.poses, overwrite=overwrite)
+    return [os.fspath(output), os.fspath(picture)]

@@ -1,0 +1,308 @@
+"""A furnished room of 5 x 4 x 2.6 m as a list of solids: what it holds, where, and in which colours.
+
+The frame is x right along the long wall, y into the room, z up [m], with the origin in a corner of the floor. The
+window is in the wall y = 4, the door in the wall x = 5.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+
+from ...kernels.scenes.room import CHECKER, GLOW, PLANKS, STRIPES, Room
+from .solid_builder import Color, SolidBuilder
+
+SIZE = (5.0, 4.0, 2.6)  # [m]
+LAMP = (2.5, 2.0, 2.2)  # [m] the light below the ceiling
+WALL = 0.2  # [m] thickness of the walls, and depth of the window's recess
+
+_WHITE: Color = (0.93, 0.92, 0.89)
+_OAK: Color = (0.74, 0.55, 0.35)
+_WALNUT: Color = (0.42, 0.27, 0.17)
+_STEEL: Color = (0.45, 0.47, 0.50)
+
+
+def furnished_room() -> SolidBuilder:
+    """All solids of the room."""
+    room = SolidBuilder()
+    for add in (_shell, _window, _sofa, _rug, _table, _shelf, _lamps, _pictures, _small_things):
+        room.place(0, 0)
+        add(room)
+    return room
+
+
+def sofa() -> SolidBuilder:
+    """The solids of the sofa alone, where it stands."""
+    alone = SolidBuilder()
+    _sofa(alone)
+    return alone
+
+
+def build_room(device: Any) -> Room:
+    """The furnished room on a device, ready to be looked at."""
+    parts = furnished_room()
+    margin = WALL + 0.15
+    low, high = (-margin, -margin, -margin), tuple(s + margin for s in SIZE)
+    solids = parts.solids(device)
+    return Room(solids, np.array(parts.paints), np.array(parts.patterns), lamp=LAMP, low=low, high=high)
+
+
+def _shell(room: SolidBuilder) -> None:
+    x, y, z = SIZE
+    w = WALL
+    long, wide = x + 2 * w, y + 2 * w
+    room.box(
+        (x / 2, y / 2, -w / 2), (long, wide, w), (0.72, 0.53, 0.36), second=(0.50, 0.34, 0.22), pattern=(PLANKS, 0.14)
+    )
+    room.box((x / 2, y / 2, z + w / 2), (long, wide, w), _WHITE)
+    room.box((-w / 2, y / 2, z / 2), (w, wide, z), (0.56, 0.68, 0.70))
+    room.box((x + w / 2, y / 2, z / 2), (w, wide, z), _WHITE)
+    room.box((x / 2, -w / 2, z / 2), (x, w, z), (0.90, 0.84, 0.72))
+    for low, high in ((0.0, 1.6), (3.4, x)):
+        room.box(((low + high) / 2, y + w / 2, z / 2), (high - low, w, z), _WHITE)
+    room.box((2.5, y + w / 2, 0.45), (1.8, w, 0.9), _WHITE)
+    room.box((2.5, y + w / 2, 2.375), (1.8, w, 0.45), _WHITE)
+    skirting = (0.97, 0.96, 0.94)
+    room.box((x / 2, y - 0.01, 0.05), (x, 0.02, 0.1), skirting)
+    room.box((x / 2, 0.01, 0.05), (x, 0.02, 0.1), skirting)
+    room.box((0.01, y / 2, 0.05), (0.02, y, 0.1), skirting)
+    # the door
+    room.box((x - 0.02, 3.3, 1.02), (0.04, 0.92, 2.04), (0.86, 0.87, 0.85))
+    for low in (0.18, 1.1):
+        room.box((x - 0.045, 3.3, low + 0.38), (0.02, 0.62, 0.76), (0.80, 0.81, 0.79), radius=0.008)
+    room.cylinder((x - 0.06, 2.93, 1.02), 0.014, 0.06, _STEEL, tilt=(1, 90))
+    room.sphere((x - 0.105, 2.93, 1.02), 0.033, (0.80, 0.66, 0.30))
+
+
+def _window(room: SolidBuilder) -> None:
+    x, y, z, frame = 2.5, SIZE[1] + WALL, 1.5, (0.97, 0.97, 0.97)
+    room.box((x, y + 0.05, z), (1.9, 0.1, 1.4), (0.62, 0.80, 0.95), second=(0.70, 0.86, 0.97), pattern=(STRIPES, 0.3))
+    for side in (-0.87, 0.0, 0.87):
+        room.box((x + side, y - 0.03, z), (0.06, 0.06, 1.2), frame)
+    for height in (-0.57, 0.57):
+        room.box((x, y - 0.03, z + height), (1.8, 0.06, 0.06), frame)
+    room.box((x, y - 0.13, 0.885), (2.0, 0.38, 0.03), frame, radius=0.008)
+    for side in (-1, 1):
+        for fold in range(5):
+            at = x + side * (0.98 + 0.09 * fold)
+            room.cylinder(
+                (at, 3.93, 1.2), 0.05, 2.3, (0.80, 0.46, 0.33), second=(0.72, 0.38, 0.27), pattern=(STRIPES, 0.06)
+            )
+    room.cylinder((x, 3.93, 2.38), 0.014, 3.1, _STEEL, tilt=(1, 90))
+    for rib in range(11):
+        room.box((x - 0.5 + 0.1 * rib, 3.9, 0.42), (0.06, 0.09, 0.56), (0.95, 0.94, 0.92), radius=0.028)
+
+
+def _sofa(room: SolidBuilder) -> None:
+    cloth, dark = (0.30, 0.42, 0.47), (0.24, 0.35, 0.40)
+    room.place(0.55, 1.9, turn=-90)  # at the wall x = 0; its x runs along the wall, its y into the room
+    room.box((0, 0.0, 0.24), (2.0, 0.84, 0.24), dark, radius=0.05)
+    room.box((0, -0.36, 0.52), (2.0, 0.2, 0.62), cloth, radius=0.08)
+    for side in (-1, 1):
+        room.box((side * 0.96, 0.02, 0.38), (0.22, 0.86, 0.5), cloth, radius=0.09)
+        room.box((side * 0.43, 0.08, 0.42), (0.84, 0.7, 0.17), (0.36, 0.49, 0.54), radius=0.06)
+        for depth in (-0.34, 0.34):
+            room.cylinder((side * 0.88, depth, 0.06), 0.025, 0.12, _WALNUT)
+    mustard, rose = (0.88, 0.66, 0.22), (0.78, 0.36, 0.34)
+    stripes = (STRIPES, 0.06)
+    room.box(
+        (-0.66, -0.14, 0.68),
+        (0.42, 0.15, 0.42),
+        mustard,
+        radius=0.07,
+        tilt=(0, 22),
+        second=(0.95, 0.88, 0.7),
+        pattern=stripes,
+    )
+    room.box(
+        (0.62, -0.14, 0.68),
+        (0.42, 0.15, 0.42),
+        rose,
+        radius=0.07,
+        tilt=(0, 24),
+        second=(0.9, 0.75, 0.68),
+        pattern=(CHECKER, 0.07),
+    )
+
+
+def _rug(room: SolidBuilder) -> None:
+    """The rug and a low round table in front of the sofa."""
+    room.place(1.75, 1.95)
+    room.box(
+        (0, 0, 0.01),
+        (1.7, 2.3, 0.02),
+        (0.72, 0.25, 0.22),
+        radius=0.009,
+        second=(0.88, 0.80, 0.66),
+        pattern=(CHECKER, 0.19),
+    )
+    room.cylinder(
+        (-0.05, 0.05, 0.40), 0.40, 0.035, _OAK, rounding=0.012, second=(0.66, 0.47, 0.29), pattern=(STRIPES, 0.05)
+    )
+    for corner in range(3):
+        angle = math.radians(120 * corner + 20)
+        at = (-0.05 + 0.26 * math.cos(angle), 0.05 + 0.26 * math.sin(angle), 0.2)
+        room.cylinder(at, 0.022, 0.4, _WALNUT)
+    room.cylinder(
+        (-0.2, 0.1, 0.465),
+        0.042,
+        0.095,
+        (0.90, 0.90, 0.92),
+        rounding=0.006,
+        second=(0.2, 0.4, 0.7),
+        pattern=(CHECKER, 0.04),
+    )
+    room.box((0.12, 0.16, 0.43), (0.21, 0.28, 0.022), (0.15, 0.35, 0.60), tilt=(2, 25))
+    room.box((0.12, 0.15, 0.452), (0.19, 0.25, 0.022), (0.85, 0.80, 0.70), tilt=(2, 12))
+
+
+def _table(room: SolidBuilder) -> None:
+    room.place(3.75, 1.75, turn=8)
+    room.box((0, 0, 0.735), (0.85, 1.4, 0.04), _OAK, radius=0.012, second=(0.64, 0.45, 0.28), pattern=(PLANKS, 0.12))
+    for x in (-0.36, 0.36):
+        for y in (-0.63, 0.63):
+            room.cylinder((x, y, 0.36), 0.032, 0.72, _OAK)
+    # a plate of fruit, a laptop and a mug
+    room.cylinder((0.02, 0.32, 0.775), 0.17, 0.04, (0.93, 0.93, 0.90), rounding=0.018)
+    fruit = ((-0.06, 0.30, (0.85, 0.25, 0.18)), (0.06, 0.27, (0.95, 0.60, 0.15)), (0.03, 0.40, (0.55, 0.72, 0.22)))
+    for x, y, color in fruit:
+        room.sphere((x, y, 0.835), 0.045, color)
+    room.sphere((0.01, 0.325, 0.895), 0.043, (0.90, 0.75, 0.20))
+    room.box(
+        (0.08, -0.32, 0.763),
+        (0.25, 0.35, 0.016),
+        _STEEL,
+        radius=0.006,
+        second=(0.2, 0.2, 0.22),
+        pattern=(CHECKER, 0.03),
+    )
+    room.box(
+        (-0.075, -0.32, 0.875),
+        (0.012, 0.35, 0.23),
+        (0.22, 0.24, 0.28),
+        radius=0.005,
+        tilt=(1, -14),
+        second=(0.3, 0.55, 0.75),
+        pattern=(CHECKER, 0.08),
+    )
+    room.cylinder((0.28, 0.02, 0.80), 0.04, 0.09, (0.80, 0.30, 0.25), rounding=0.006)
+    for x, y, turn in ((-0.72, 0.28, -85), (0.76, -0.28, 97)):
+        _chair(room, 3.75 + x, 1.75 + y, turn)
+
+
+def _chair(room: SolidBuilder, x: float, y: float, turn: float) -> None:
+    """A chair whose front looks along its own y."""
+    wood, seat = _WALNUT, (0.86, 0.80, 0.68)
+    room.place(x, y, turn=turn)
+    room.box((0, 0, 0.45), (0.42, 0.42, 0.05), seat, radius=0.022, second=(0.75, 0.66, 0.52), pattern=(STRIPES, 0.05))
+    for side in (-0.18, 0.18):
+        room.cylinder((side, 0.18, 0.215), 0.02, 0.43, wood)
+        room.cylinder((side, -0.19, 0.46), 0.02, 0.92, wood)
+    for height in (0.62, 0.74, 0.87):
+        room.box((0, -0.195, height), (0.38, 0.022, 0.075), wood, radius=0.01)
+
+
+def _shelf(room: SolidBuilder) -> None:
+    """A bookcase at the wall y = 0, with books and a few other things."""
+    room.place(1.3, 0.17)
+    wood, back = (0.80, 0.66, 0.48), (0.66, 0.52, 0.36)
+    for side in (-0.63, 0.63):
+        room.box((side, 0, 0.95), (0.03, 0.32, 1.9), wood)
+    for board in range(6):
+        room.box((0, 0, 0.075 + 0.362 * board), (1.24, 0.32, 0.03), wood)
+    room.box((0, -0.155, 0.95), (1.26, 0.01, 1.9), back)
+    covers = (
+        (0.62, 0.20, 0.18), (0.18, 0.33, 0.52), (0.86, 0.70, 0.32), (0.25, 0.45, 0.32), (0.88, 0.84, 0.76),
+        (0.42, 0.24, 0.42), (0.85, 0.46, 0.22), (0.20, 0.22, 0.26), (0.45, 0.62, 0.70),
+    )  # fmt: skip
+    book = 0
+    for board, runs in enumerate((((-0.58, 14),), ((-0.58, 6), (0.20, 7)), ((-0.30, 11),), ((-0.58, 8), (0.36, 4)))):
+        floor = 0.09 + 0.362 * board
+        for start, count in runs:
+            x = start
+            for _ in range(count):
+                thick = 0.032 + 0.008 * (book * 7 % 5)
+                height = 0.20 + 0.014 * (book * 11 % 7)
+                color = covers[book * 5 % 9]
+                room.box((x + thick / 2, -0.03, floor + height / 2), (thick, 0.21, height), color)
+                x += thick + 0.004
+                book += 1
+    room.sphere(
+        (-0.46, 0.0, 0.09 + 0.362 * 2 + 0.11),
+        0.11,
+        (0.25, 0.50, 0.75),
+        second=(0.35, 0.62, 0.35),
+        pattern=(CHECKER, 0.07),
+    )
+    room.box((0.02, 0.0, 0.09 + 0.362 * 3 + 0.1), (0.2, 0.14, 0.2), (0.72, 0.56, 0.60), radius=0.02)
+    room.cylinder((-0.40, 0, 0.09 + 0.362 * 4 + 0.11), 0.075, 0.22, (0.35, 0.55, 0.52), rounding=0.03)
+    room.cylinder(
+        (0.0, 0, 0.09 + 0.362 * 4 + 0.06),
+        0.10,
+        0.12,
+        (0.90, 0.86, 0.80),
+        second=(0.75, 0.42, 0.3),
+        pattern=(CHECKER, 0.06),
+    )
+    room.sphere((0.36, 0, 0.09 + 0.362 * 4 + 0.09), 0.09, (0.85, 0.80, 0.30))
+
+
+def _lamps(room: SolidBuilder) -> None:
+    shade = (0.98, 0.93, 0.80)
+    room.cylinder((LAMP[0], LAMP[1], 2.55), 0.24, 0.10, (0.98, 0.95, 0.88), rounding=0.04, pattern=(GLOW, 1.0))
+    room.place(0.45, 3.45)
+    room.cylinder((0, 0, 0.015), 0.15, 0.03, _STEEL, rounding=0.01)
+    room.cylinder((0, 0, 0.72), 0.014, 1.4, _STEEL)
+    room.cylinder((0, 0, 1.55), 0.19, 0.30, shade, second=(0.92, 0.82, 0.62), pattern=(STRIPES, 0.05))
+    room.sphere((0, 0, 1.72), 0.035, _STEEL)
+
+
+def _pictures(room: SolidBuilder) -> None:
+    frame = (0.16, 0.15, 0.15)
+    room.place(0, 1.9, 1.55)  # above the sofa
+    for y, wide, high, first, second, kind in (
+        (-0.55, 0.70, 0.50, (0.85, 0.55, 0.30), (0.20, 0.35, 0.45), (CHECKER, 0.11)),
+        (0.25, 0.50, 0.66, (0.90, 0.86, 0.78), (0.65, 0.20, 0.22), (PLANKS, 0.07)),
+    ):
+        room.box((0.015, y, 0), (0.03, wide, high), frame)
+        room.box((0.03, y, 0), (0.012, wide - 0.08, high - 0.08), first, second=second, pattern=kind)
+    room.place(3.7, 0, 1.5)
+    room.box((0, 0.015, 0), (1.0, 0.03, 0.7), frame)
+    room.box((0, 0.03, 0), (0.9, 0.012, 0.6), (0.25, 0.42, 0.55), second=(0.92, 0.72, 0.42), pattern=(CHECKER, 0.15))
+    room.place(5.0, 1.3, 1.6)
+    room.cylinder((-0.02, 0, 0), 0.17, 0.04, (0.95, 0.95, 0.95), rounding=0.008, tilt=(1, 90))
+    room.box((-0.045, 0.03, 0.045), (0.008, 0.014, 0.13), frame, tilt=(0, -35))
+    room.box((-0.045, -0.03, 0.02), (0.008, 0.014, 0.09), frame, tilt=(0, 60))
+
+
+def _small_things(room: SolidBuilder) -> None:
+    # a plant with leaves of capsules
+    room.place(4.55, 0.45)
+    room.cylinder((0, 0, 0.17), 0.17, 0.34, (0.78, 0.42, 0.28), rounding=0.02)
+    room.cylinder((0, 0, 0.55), 0.016, 0.5, (0.35, 0.27, 0.15))
+    for leaf in range(14):
+        angle, lift, high = leaf * 137.5, 25 + 8 * (leaf % 6), 0.55 + 0.035 * leaf
+        room.place(4.55, 0.45, high, turn=angle)
+        green = (0.20 + 0.03 * (leaf % 4), 0.48 + 0.04 * (leaf % 3), 0.22)
+        c, s = math.cos(math.radians(lift)), math.sin(math.radians(lift))
+        room.box((0.19 * c, 0, 0.19 * s), (0.36, 0.11, 0.03), green, radius=0.015, tilt=(1, -lift))
+    room.place(0, 0)
+    room.sphere(
+        (2.45, 0.62, 0.13), 0.13, (0.92, 0.92, 0.90), second=(0.85, 0.22, 0.20), pattern=(CHECKER, 0.11), tilt=(0, 30)
+    )
+    room.place(2.9, 3.2, turn=20)  # a pouf and a box of toys below the window
+    room.cylinder(
+        (0, 0, 0.2), 0.27, 0.4, (0.55, 0.42, 0.62), rounding=0.09, second=(0.64, 0.52, 0.70), pattern=(STRIPES, 0.07)
+    )
+    room.place(4.35, 3.0, turn=-12)
+    room.box(
+        (-0.25, 0.45, 0.14),
+        (0.42, 0.3, 0.28),
+        (0.30, 0.55, 0.70),
+        radius=0.02,
+        second=(0.92, 0.90, 0.85),
+        pattern=(CHECKER, 0.09),
+    )
+    room.box((-0.25, 0.45, 0.35), (0.28, 0.22, 0.14), (0.85, 0.72, 0.25), radius=0.02, tilt=(2, 30))

@@ -1,0 +1,361 @@
+"""A made-up scan of a furnished room, with its truth: RGB-D frames, poses, and the distance of any point from the room.
+
+The room is furniture.py's. A camera walks four rounds through it (`room_sequence`): along the furniture, along the
+ceiling, and twice across the room from farther out; or it is carried along a closed loop at 30 Hz
+(`room_loop_sequence`), with what a hand and a cheap camera do to its pictures (room_effects.py). Everything is a
+function of the frame number and the seed.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import functools
+import os
+import shutil
+import tempfile
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...cameras.camera import PinholeCameraIntrinsic, write_pinhole_camera_intrinsic
+from ...core.checks import check_count, check_list, check_name, check_number, check_rigid, check_rows
+from ...core.devices import resolve_device
+from ...core.errors import FileError
+from ...files.frames.datasets import Frame
+from ...files.pictures.image_files import write_png
+from ...kernels.lang import current_cpu_compiler, uint8, vec3d
+from ...kernels.memory import download, upload
+from ...kernels.scenes.color_noise import measure_colors
+from ...kernels.scenes.depth_noise import measure_depth
+from ...kernels.scenes.primitives import distance_to_solids
+from ...kernels.scenes.room import Room
+from ...kernels.scenes.value_noise import grain_pixels
+from .furniture import build_room, furnished_room
+from .room_effects import RoomEffects, person_in
+from .room_paths import LOOPS, room_pose
+
+DEPTH_SCALE = 1000.0  # noisy depth is stored in whole millimetres
+RATE = 30.0  # [Hz] of the loops
+COLOR_NOISE = 2.0  # [of 255] standard deviation of a textured picture's noise, as of a telephone's camera indoors
+
+
+@dataclasses.dataclass(frozen=True, eq=False, kw_only=True)
+class RoomFrame(Frame):
+    """A frame of the room.
+
+    Args:
+        depth: Shape [h, w]: uint16 in millimetres, 0 where nothing was measured; without noise float32 in metres.
+        color: Shape [h, w, 3], uint8 RGB; None where the sequence has none.
+        T_world_camera: Camera to world, shape [4, 4] [m]; the true pose.
+        intrinsic: The camera of both pictures.
+        name: Name of the frame, as in its file names.
+        timestamp: When it was taken [s], where the sequence has times.
+    """
+
+    T_world_camera: NDArray[np.float64]
+    intrinsic: PinholeCameraIntrinsic
+
+
+class RoomSequence:
+    """Frames of the furnished room, rendered one at a time as they are asked for; see `room_sequence`.
+
+    Attributes:
+        intrinsic: The camera of all frames.
+        depth_scale: Stored depth of one metre: 1000 with noise, 1 without.
+    """
+
+    def __init__(
+        self,
+        frame_count: int,
+        intrinsic: PinholeCameraIntrinsic,
+        seed: int,
+        noise: bool,
+        device: Any,
+        path: Callable[[float], NDArray[np.float64]] = room_pose,
+        effects: RoomEffects | None = None,
+        texture: bool = False,
+        color_noise: float = 0.0,
+    ):
+        self.frame_count, self.intrinsic, self.seed, self.noise = frame_count, intrinsic, seed, noise
+        self._texture, self._color_noise = texture, color_noise
+        self.depth_scale = DEPTH_SCALE if noise else 1.0
+        self._room, self._path, self._effects = _kept_room(str(device), current_cpu_compiler()), path, effects
+
+    def __len__(self) -> int:
+        return self.frame_count
+
+    def __iter__(self) -> Iterator[RoomFrame]:
+        return (self.read(i) for i in range(self.frame_count))
+
+    @property
+    def poses(self) -> NDArray[np.float64]:
+        """The true poses of all frames, camera to world, shape [n, 4, 4] [m]; nothing is rendered."""
+        return np.array([self._path(i / self.frame_count) for i in range(self.frame_count)])
+
+    def read(self, index: int) -> RoomFrame:
+        """Frame `index`, counted from 0; the same each time it is asked for.
+
+        Raises:
+            IndexError: No such frame.
+        """
+        if not 0 <= index < self.frame_count:
+            raise IndexError(f"index: expected 0 to {self.frame_count - 1}, got {index}")
+        camera, effects, share = self.intrinsic, self._effects, index / self.frame_count
+        width, height = camera.width, camera.height
+        T = self._path(share)
+        room = self._room if effects is None or not effects.person else person_in(self._room, T, share)
+        depth, incidence, colors = self._look(room, T)
+        if self.noise:
+            depth = measure_depth(depth, incidence, width, height, seed=self.seed, frame=index)
+        values = np.array(download(depth), np.float32).reshape(height, width)  # sync
+        measured = np.rint(values * DEPTH_SCALE).astype(np.uint16) if self.noise else values
+        color, time = np.array(download(colors), np.uint8).reshape(height, width, 3), None
+        if effects is not None:
+            shutter = [self._path((index + offset) / self.frame_count) for offset in effects.shutter_offsets()]
+            others = (np.array(download(self._look(room, other)[2])).reshape(color.shape) for other in shutter)
+            measured, color = effects.spoil(index, measured, color, others)
+            time = index / RATE
+        if self._color_noise and color is not None:
+            color = self._with_noise(index, color)
+        return RoomFrame(
+            depth=measured, color=color, T_world_camera=T, intrinsic=camera, name=f"frame-{index:06d}", timestamp=time
+        )
+
+    def _look(self, room: Room, T_world_camera: NDArray[np.float64]) -> tuple[Any, Any, Any]:
+        """Depth, incidence and colours of a view, as `Room.render`, with the surfaces' grain where it is asked for."""
+        depth, incidence, colors = room.render(self.intrinsic, T_world_camera)
+        if self._texture:
+            colors = grain_pixels(self.intrinsic, T_world_camera, depth, colors)
+        return depth, incidence, colors
+
+    def _with_noise(self, index: int, color: NDArray[np.uint8]) -> NDArray[np.uint8]:
+        """A picture as the sensor gives it: noise is the last that light meets."""
+        light = upload(np.ascontiguousarray(color).reshape(-1), uint8, self._room.device)
+        noisy = measure_colors(light, sigma=self._color_noise, seed=self.seed, frame=index)
+        return np.array(download(noisy), np.uint8).reshape(color.shape)  # sync
+
+
+@functools.lru_cache(maxsize=2)
+def _kept_room(device: str, compiler: str) -> Room:
+    """The room on a device; its light takes seconds to make, and nothing ever changes it."""
+    return build_room(resolve_device(device))
+
+
+def room_sequence(
+    frame_count: int = 120,
+    *,
+    width: int = 640,
+    height: int = 480,
+    seed: int = 0,
+    noise: bool = True,
+    texture: bool = False,
+    color_noise: float | None = None,
+    device: Any = "cpu",
+) -> RoomSequence:
+    """RGB-D frames of the furnished room along a smooth walk.
+
+    Args:
+        frame_count: Frames of the whole walk of four rounds; 120 are 12 to 15 degrees and some 15 cm apart.
+        width: Columns [px].
+        height: Rows [px]; the focal length is 525 px at 640 columns, as of PrimeSense cameras.
+        seed: Chooses the noise.
+        noise: Depth as of a structured-light camera (Nguyen et al. 2012: 1.2 mm standard deviation near, 14 mm at 3 m;
+            nothing at grazing angles, little beside edges, whole millimetres). Without it depth is exact.
+        texture: Surfaces with a grain of three sizes, 12 cm to 15 mm, by which pictures can be matched; else they are
+            plain, or of few colours.
+        color_noise: Standard deviation of the colour camera's noise [of 255]; None is 2 with texture and 0 without.
+        device: Where to render.
+
+    Returns:
+        A sequence of `RoomFrame`: iterate, or `read(i)`.
+
+    Raises:
+        TypeError: Counts or a seed that are not whole numbers.
+        ValueError: Counts below 1; noise below 0 or above 255.
+        DeviceError: No such device.
+
+    Notes:
+        Same bits from run to run on one device. Frames are rendered when they are read and not kept.
+    """
+    frame_count, seed = check_count("frame_count", frame_count), check_count("seed", seed, minimum=0)
+    camera, where = _prime_sense(width, height), resolve_device(device)
+    grain: dict[str, Any] = {"texture": bool(texture), "color_noise": _checked_noise(color_noise, texture)}
+    return RoomSequence(frame_count, camera, seed, bool(noise), where, **grain)
+
+
+def room_loop_sequence(
+    frame_count: int = 600,
+    path: str = "round",
+    *,
+    width: int = 640,
+    height: int = 480,
+    seed: int = 0,
+    noise: bool = True,
+    color: bool = True,
+    blur: float = 0.0,
+    exposure: float = 0.0,
+    covered: tuple[int, int] | None = None,
+    person: bool = False,
+    texture: bool = False,
+    color_noise: float | None = None,
+    device: Any = "cpu",
+) -> RoomSequence:
+    """RGB-D frames of the furnished room from a camera that is carried along a closed loop, at 30 Hz.
+
+    Args:
+        frame_count: Frames of the loop; the one after the last would be the first. 600 are 5 to 15 mm and up to 1.5
+            degrees apart, as of a camera in a hand; fewer are farther apart.
+        path: "round", about the middle of the room, or "eight", along it; each sees 95 % of the room.
+        width, height, seed, noise, texture, color_noise, device: As `room_sequence`.
+        color: With colour; else it is None in all frames.
+        blur: How long the shutter of the colour camera is open, as a share of the time between two frames: its picture
+            is the mean of five. Depth has no blur.
+        exposure: How much brighter or darker colour becomes, in waves of a few seconds that run down the rows as they
+            are exposed one after another: 0.5 is 1.5 times as bright to 1.5 times as dark.
+        covered: First covered frame and the first one after, in which depth is blank and colour black.
+        person: Somebody walks before the camera, into the view and out of it.
+
+    Returns:
+        A sequence of `RoomFrame` with timestamps: iterate, or `read(i)`; `poses` has the true ones without rendering.
+
+    Raises:
+        TypeError, ValueError: As `room_sequence`; an unknown path; a share below 0; covered frames that are not there.
+        DeviceError: No such device.
+
+    Notes:
+        Same bits from run to run on one device. Frames are rendered when they are read and not kept; blur takes four
+        more renderings a frame.
+    """
+    frame_count, seed = check_count("frame_count", frame_count), check_count("seed", seed, minimum=0)
+    if check_name("path", path) not in LOOPS:
+        raise ValueError(f"path: expected one of {tuple(LOOPS)}, got {path!r}")
+    effects = RoomEffects.checked(frame_count, seed, color, blur, exposure, covered, person)
+    camera, where = _prime_sense(width, height), resolve_device(device)
+    grain: dict[str, Any] = {"texture": bool(texture), "color_noise": _checked_noise(color_noise, texture)}
+    return RoomSequence(frame_count, camera, seed, bool(noise), where, LOOPS[path], effects, **grain)
+
+
+def room_views(
+    poses: Any,
+    intrinsic: PinholeCameraIntrinsic,
+    *,
+    seed: int = 0,
+    noise: bool = False,
+    texture: bool = True,
+    color_noise: float | None = None,
+    device: Any = "cpu",
+) -> RoomSequence:
+    """RGB-D frames of the furnished room from given places, by a given camera.
+
+    Args:
+        poses: Camera to world, shape [n, 4, 4] [m]; n >= 1. The room is 5 x 4 x 2.6 m, its corner at the origin.
+        intrinsic: The camera of all frames.
+        seed, noise, texture, color_noise, device: As `room_sequence`; without noise, depth is exact.
+
+    Returns:
+        A sequence of `RoomFrame`, one a pose.
+
+    Raises:
+        TypeError, ValueError: As `room_sequence`; poses of another shape, none, or such that are not rigid.
+        DeviceError: No such device.
+    """
+    places = [check_rigid(f"poses[{i}]", T) for i, T in enumerate(check_list("poses", poses, "poses"))]
+    if not places:
+        raise ValueError("poses: expected at least one, got none")
+    frame_count = len(places)
+    seed, where = check_count("seed", seed, minimum=0), resolve_device(device)
+    grain: dict[str, Any] = {"texture": bool(texture), "color_noise": _checked_noise(color_noise, texture)}
+
+    def path(share: float) -> NDArray[np.float64]:
+        return places[min(round(share * frame_count), frame_count - 1)]
+
+    return RoomSequence(frame_count, intrinsic, seed, bool(noise), where, path, **grain)
+
+
+def _checked_noise(color_noise: Any, texture: Any) -> float:
+    """The noise of the colour camera [of 255]."""
+    if color_noise is None:
+        return COLOR_NOISE if texture else 0.0
+    value = check_number("color_noise", color_noise)
+    if not 0 <= value <= 255:
+        raise ValueError(f"color_noise: expected 0 to 255, got {value}")
+    return value
+
+
+def _prime_sense(width: int, height: int) -> PinholeCameraIntrinsic:
+    width, height = check_count("width", width), check_count("height", height)
+    focal = 525.0 * width / 640
+    return PinholeCameraIntrinsic(width, height, focal, focal, (width - 1) / 2, (height - 1) / 2)
+
+
+def surface_errors(points: Any, *, device: Any = "cpu") -> NDArray[np.float64]:
+    """Distance of points from the room's true surface.
+
+    Args:
+        points: Shape [n, 3] [m], in the frame of the room.
+        device: Where to measure.
+
+    Returns:
+        Shape [n], float64 [m], not negative; NaN for points that are not finite. Exact in the room's air; behind a
+        surface by more than the solid is thick, a lower bound.
+
+    Raises:
+        ValueError: Another shape.
+
+    Example:
+        >>> surface_errors([[2.5, 3.0, 1.9], [1.0, 3.5, 2.59]]).round(3).tolist()
+        [0.7, 0.01]
+    """
+    values = check_rows("points", points, 3, dtype=np.float64)
+    solids = furnished_room().solids(resolve_device(device))
+    distances = distance_to_solids(upload(values, vec3d, solids.device), solids)
+    return np.abs(download(distances))  # sync
+
+
+def write_room_sequence(
+    folder: str | os.PathLike[str],
+    *,
+    frame_count: int = 120,
+    width: int = 640,
+    height: int = 480,
+    seed: int = 0,
+    device: Any = "cpu",
+) -> None:
+    """Write the noisy frames of the room as a folder in the layout of 7-Scenes.
+
+    The folder takes its name when all is written: frame-NNNNNN.depth.png (millimetres), .color.png, .pose.txt, and
+    camera-intrinsics.json.
+
+    Raises:
+        FileError: The folder exists already, or cannot be made.
+        TypeError, ValueError: As `room_sequence`.
+    """
+    folder = Path(folder)
+    if folder.exists():
+        raise FileError(folder, "exists already", remedy="Give the name of a new folder")
+    if not folder.absolute().parent.is_dir():
+        raise FileError(folder, f"the folder {folder.absolute().parent} does not exist", remedy="Make it first")
+    sequence = room_sequence(frame_count, width=width, height=height, seed=seed, device=device)
+    try:
+        part = Path(tempfile.mkdtemp(prefix=f".{folder.name}.", suffix=".part", dir=folder.absolute().parent))
+    except OSError as error:
+        raise FileError(folder, f"cannot be made: {error.strerror or error}") from error
+    try:
+        write_pinhole_camera_intrinsic(part / "camera-intrinsics.json", sequence.intrinsic)
+        for frame in sequence:
+            depth = np.asarray(frame.depth, np.uint16)
+            write_png(part / f"{frame.name}.depth.png", depth)
+            assert frame.color is not None
+            write_png(part / f"{frame.name}.color.png", frame.color)
+            pose = check_rigid("T_world_camera", frame.T_world_camera)
+            rows = ("\t".join(f"{value:.17g}" for value in row) for row in pose)
+            (part / f"{frame.name}.pose.txt").write_text("\n".join(rows) + "\n")
+        part.chmod(0o755)
+        part.rename(folder)
+    except OSError as error:
+        raise FileError(folder, f"cannot be written: {error.strerror or error}") from error
+    finally:
+        shutil.rmtree(part, ignore_errors=True)

@@ -1,0 +1,52 @@
+"""How a command ends: its report printed, and the exit code that goes with it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any, Protocol
+
+from ...core.reports import Fields
+from .console import print_fields, print_json
+from .group import poor_result
+
+
+class CommandReport(Protocol):
+    """What a command says of what it did."""
+
+    @property
+    def poor(self) -> str | None:
+        """Why the result is poor, or None."""
+        ...
+
+    def fields(self) -> Fields:
+        """For people."""
+        ...
+
+    def to_json(self) -> dict[str, Any]:
+        """For programs."""
+        ...
+
+
+def answer_with(report: CommandReport, title: str, as_json: bool, *, err: bool = False) -> int:
+    """Print a report, as JSON or as labels and values below a title (to stderr with `err`), and give its exit code."""
+    if as_json:
+        print_json(report.to_json())
+    else:
+        print_fields(report.fields(), title=title, err=err)
+    return poor_result(report.poor)
+
+
+def give_answer(
+    report: dict[str, Any],
+    fields_of: Callable[[dict[str, Any]], list[tuple[str, str]]],
+    title: str,
+    as_json: bool,
+    *,
+    err: bool = False,
+) -> int:
+    """`answer_with` of a report that is a dict, whose fields a function makes."""
+    if as_json:
+        print_json(report)
+    else:
+        print_fields(fields_of(report), title=title, err=err)
+    return poor_result(report.get("poor"))

@@ -1,0 +1,310 @@
+"""The command line: `pointloom COMMAND`. What a command does lies in a module of its own, loaded when it runs.
+
+Nothing heavy is imported here: `pointloom --help` and each `COMMAND --help` answer at once.
+"""
+
+from __future__ import annotations
+
+import signal
+from pathlib import Path
+from types import FrameType
+from typing import Any
+
+import click
+
+from ... import __version__  # pyright: ignore[reportMissingImports]
+from . import (
+    depth_command,
+    frame_commands,
+    mesh_command,
+    mesh_toolbox,
+    registration_commands,
+    texture_command,
+    toolbox,
+    video_command,
+    view,
+)
+from .answer import answer_with, give_answer
+from .cloud_command import Answer, from_cloud_to_cloud
+from .console import Progress, print_fields, print_json
+from .group import ERROR, INTERRUPTED, TERMINATED, CommandLine, report_error
+from .options import FILE, LENGTH, device_option, force_option, json_option, refuse
+from .pipes import from_option, open_pipes
+
+_SETTINGS = {"help_option_names": ["-h", "--help"], "max_content_width": 110}
+
+_EPILOG = """\b
+Exit codes: 0 done, 1 error, 2 wrong call, 3 done with a poor result, 130 interrupted.
+POINTLOOM_CPU=taichi|warp chooses the compiler of CPU kernels; POINTLOOM_TRACEBACK=1 shows where an error arose.
+"""
+
+
+@click.group("pointloom", cls=CommandLine, context_settings=_SETTINGS, epilog=_EPILOG)
+@click.version_option(__version__, "-V", "--version", prog_name="pointloom")
+def cli() -> None:
+    """Point clouds, scans and RGB-D frames to clouds and meshes, on a GPU or on all CPU cores.
+
+    \b
+    pointloom demo                            a trial run that needs no data
+    pointloom reconstruct FRAMES -o mesh.ply  a folder of RGB-D frames to a coloured mesh
+    pointloom track FRAMES -o poses.txt       ... to the path of the camera
+    pointloom fuse FRAMES -o mesh.ply         ... with known poses to a mesh
+    pointloom video FILE -o mesh.ply          a video, or a folder of pictures, to a coloured mesh
+    pointloom texture mesh.ply FRAMES -o out.glb           its colours, sharper
+    pointloom depth PHOTO --model NET.onnx -o cloud.ply    ... a photograph to a cloud
+    pointloom info FILE                       what a file holds
+    pointloom view FILES                      how it looks, in the browser or as a picture
+    pointloom convert scan.las scan.ply       another format, nothing rounded
+
+    \b
+    pointloom clean scan.ply out.ply                       without outliers
+    pointloom sample scan.ply out.ply --voxel 0.05         fewer points
+    pointloom crop scan.ply out.ply --box 0 0 0 5 5 2.5    a part of it
+    pointloom plane scan.ply floor.ply --distance 0.02     the floor, and where it lies
+    pointloom cluster scan.ply out.ply --eps 0.05 --paint  what hangs together
+    pointloom mesh scan.ply mesh.ply                       a surface through it
+
+    \b
+    pointloom register scan2.ply scan1.ply -o T.txt        one cloud onto another, from any pose
+    pointloom multiway SCANS -o poses.log                  all clouds of a folder
+    pointloom odometry SCANS -o poses.txt                  the path of a LiDAR
+    pointloom evaluate poses.txt truth.txt                 its errors
+
+    Clouds are read and written as .ply .pcd .npz .xyz .xyzn .xyzrgb .pts .las .laz .e57, with all their attributes;
+    .csv, .txt and KITTI's .bin are read. Meshes are .ply .obj .stl .off .glb. A - stands for standard input or
+    output:
+
+    \b
+    zcat scan.ply.gz | pointloom clean - - --from ply --to ply | pointloom info - --from ply
+    """
+
+
+for command in (
+    *toolbox.COMMANDS,
+    *mesh_command.COMMANDS,
+    *mesh_toolbox.COMMANDS,
+    *frame_commands.COMMANDS,
+    *texture_command.COMMANDS,
+    *video_command.COMMANDS,
+    *depth_command.COMMANDS,
+    *registration_commands.COMMANDS,
+    *view.COMMANDS,
+):
+    cli.add_command(command)
+
+
+@cli.command(short_help="Say what files and folders hold.")
+@click.argument("files", nargs=-1, required=True, type=FILE, metavar="FILE...")
+@from_option()
+@json_option()
+def info(files: tuple[Path, ...], read_as: str | None, as_json: bool) -> int:
+    """Say what each FILE holds: counts, attributes, bounds, origin, points that are not finite.
+
+    \b
+    clouds        .ply .pcd .npz .xyz .xyzn .xyzrgb .pts .csv .txt .bin .las .laz .e57
+    meshes        .ply .obj .stl .off .glb
+    trajectories  .log .tum .kitti .txt .json
+    cameras       .json, .txt of a 3x3 matrix
+    models        folders of COLMAP (cameras, images, points3D), .xml of Metashape
+    pictures      .png .jpg, depth maps as 16-bit .png or .npy
+    data sets     folders of RGB-D frames
+    folders       of clouds and meshes, one line each
+
+    The origin is the point that positions are counted from in float32 (other than zero beyond 10 km).
+
+    \b
+    pointloom info scan.ply trajectory.log frames/
+    """
+    from ..jobs.info import BrokenFile, Description, describe
+
+    reports: list[Description | BrokenFile] = []
+    with open_pipes(files, read_as=read_as) as ends:
+        for path, source in zip(files, ends.sources, strict=True):
+            try:
+                with ends.errors_renamed():
+                    reports.append(ends.rename(describe(source)))
+            except (ValueError, TypeError, OSError) as error:
+                reports.append(BrokenFile(str(path), report_error(error)))
+    found = [report for report in reports if isinstance(report, Description)]
+    broken = [report.broken for report in found if report.broken]
+    for error in broken:
+        click.echo(f"error: {error}", err=True)
+    failed = bool(broken) or len(found) < len(reports)
+    if as_json:
+        print_json({"command": "info", "files": reports})
+        return ERROR if failed else 0
+    for report in found:
+        print_fields(report.fields(), title=f"{report.path}: {report.kind}")
+    return ERROR if failed else 0
+
+
+@cli.command(short_help="Check this machine: versions, devices, compilers.")
+@json_option()
+def doctor(as_json: bool) -> int:
+    """Check this machine: versions, cores, GPUs, and a small kernel by each compiler on each device.
+
+    Exit code 3 where CPU kernels fall back to one core, a device fails, or the driver is too old for Warp; the line
+    that mends it is shown.
+
+    \b
+    pointloom doctor --json
+    """
+    from .doctor import diagnose, doctor_fields
+
+    return give_answer(diagnose(), doctor_fields, f"pointloom {__version__}", as_json)
+
+
+@cli.command(short_help="Write a cloud or mesh in another format.")
+@from_cloud_to_cloud(device=False)
+def convert(source: Path, output: Path, **options: Any) -> Answer:
+    """Write the cloud or mesh IN to OUT, whose extension names the format; no value is rounded that OUT can hold.
+
+    \b
+    clouds  .ply .pcd .npz .xyz .xyzn .xyzrgb .pts .las .laz .e57, and from .csv .txt .bin
+    meshes  .ply .obj .stl .off .glb
+
+    What OUT cannot hold is left out, and the summary names it; a mesh becomes a cloud of its vertices that way. LAS and
+    LAZ hold coordinates in steps: those of IN where it is such a file, else thousandths.
+
+    \b
+    pointloom convert scan.las scan.ply
+    """
+    from ..jobs.clouds import convert_file
+
+    return convert_file(source, output, **options)
+
+
+@cli.command(short_help="Keep one point for each voxel of a cloud.")
+@click.option("--voxel", type=LENGTH, required=True, metavar="M", help="Edge of a voxel [m].")
+@from_cloud_to_cloud()
+def downsample(source: Path, output: Path, voxel: float, **options: Any) -> Answer:
+    """Write to OUT one point for each voxel of the cloud IN that holds any: the mean of its points.
+
+    Normals, colours and attributes in floating point are averaged too; whole numbers are those of the first point.
+    For points of IN as they are, see pointloom sample --voxel M --nearest.
+
+    \b
+    pointloom downsample scan.ply small.ply --voxel 0.05
+    """
+    from ..jobs.clouds import downsample_file
+
+    return downsample_file(source, output, voxel, **options)
+
+
+@cli.command(short_help="Estimate the normals of a cloud.")
+@click.option(
+    "--radius", type=LENGTH, metavar="M", help="Neighbours lie closer than this [m]; any distance if not given."
+)
+@click.option(
+    "--max-nn",
+    type=click.IntRange(min=3),
+    default=30,
+    show_default=True,
+    metavar="N",
+    help="Neighbours at most, itself included.",
+)
+@click.option(
+    "--towards", type=float, nargs=3, metavar="X Y Z", help="Turn normals towards this place, as a scanner's."
+)
+@click.option("--direction", type=float, nargs=3, metavar="X Y Z", help="Turn normals to the side of this direction.")
+@from_cloud_to_cloud()
+def normals(source: Path, output: Path, **options: Any) -> Answer:
+    """Write the cloud IN to OUT with a normal at each point, from the plane through its nearest neighbours.
+
+    Normals keep the side of those that IN has; --towards and --direction choose one.
+
+    \b
+    pointloom normals scan.ply out.ply --radius 0.1 --towards 0 0 1.5
+    """
+    from ..jobs.clouds import estimate_normals_of_file
+
+    if options["towards"] is not None and options["direction"] is not None:
+        refuse("--towards and --direction choose different sides; give one")
+    return estimate_normals_of_file(source, output, **options)
+
+
+@cli.command(short_help="Fuse or reconstruct a made-up room; needs no data.")
+@click.argument(
+    "form", type=click.Choice(["fuse", "reconstruct", "video"]), default="fuse", metavar="[fuse|reconstruct|video]"
+)
+@click.option(
+    "-o",
+    "--output",
+    "folder",
+    type=FILE,
+    default="pointloom-demo",
+    show_default=True,
+    metavar="FOLDER",
+    help="Where results go.",
+)
+@click.option(
+    "--frames",
+    "frame_count",
+    type=click.IntRange(min=1),
+    metavar="N",
+    help="Length of the walk; 120, 300 to reconstruct, and 240 of a video, if not given.",
+)
+@click.option(
+    "--voxel",
+    "voxel_size",
+    type=LENGTH,
+    metavar="M",
+    help="Edge of a voxel [m]; 0.02 if not given. A video has its own.",
+)
+@click.option(
+    "--seed", type=click.IntRange(min=0), default=0, show_default=True, metavar="N", help="Chooses the noise."
+)
+@click.option("--noise/--no-noise", default=True, help="Depth and pictures as of a camera (default), or exact.")
+@device_option()
+@json_option()
+@force_option()
+def demo(form: str, folder: Path, device: str, as_json: bool, force: bool, **options: Any) -> int:
+    """Render a furnished room, make a mesh of the pictures, and hold it against the true surface.
+
+    \b
+    fuse         with their poses; then scan the sofa, and make a surface of the points. Leaves room.ply, room.png,
+                 sofa.ply, sofa.png and report.json in the folder, which is made
+    reconstruct  without their poses: the camera is tracked along a walk that comes back to where it began, and how far
+                 it drifted is told. Leaves room.ply, room.png, poses.log, truth.log and report.json
+    video        without depth and poses: a video of the room goes through `pointloom video`. Leaves room.mp4, mesh.ply,
+                 mesh.png, poses.log, truth.log and report.json
+
+    \b
+    pointloom demo -o demo --frames 60
+    pointloom demo reconstruct -o walk
+    pointloom demo video -o filmed
+    """
+    given = {name: value for name, value in options.items() if value is not None}
+    if form == "video" and "voxel_size" in given:
+        refuse("--voxel is for depth frames: of a video the voxels follow from the pictures")
+    if form == "video":
+        from ..demos.demo_video import VideoTrial as Trial
+    elif form == "reconstruct":
+        from ..demos.demo_reconstruct import ReconstructTrial as Trial
+    else:
+        from ..demos.demo import FuseTrial as Trial
+    from ..demos.trial import TITLE, run_trial
+
+    with Progress() as progress:
+        report = run_trial(folder, Trial(**given), device=device, overwrite=force, progress=progress)
+    return answer_with(report, TITLE, as_json)
+
+
+def _terminate(number: int, frame: FrameType | None) -> None:
+    raise SystemExit(TERMINATED)
+
+
+def main() -> None:
+    """Run the command that the process was started with; what asks it to end leaves nothing half-written."""
+    try:
+        if signal.getsignal(signal.SIGINT) is not signal.SIG_IGN:  # as it is where a script starts the command with &
+            signal.signal(signal.SIGINT, signal.default_int_handler)
+        signal.signal(signal.SIGTERM, _terminate)
+        cli()
+    except KeyboardInterrupt:  # between two commands of click, which tells all others
+        click.echo("interrupted", err=True)
+        raise SystemExit(INTERRUPTED) from None
+
+
+if __name__ == "__main__":
+    main()

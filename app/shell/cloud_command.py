@@ -1,0 +1,61 @@
+"""The frame of the commands from one file of points to another: IN, OUT, the options that all share, and the answer."""
+
+from __future__ import annotations
+
+import functools
+from collections.abc import Callable
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, TypeAlias
+
+import click
+
+from .answer import answer_with
+from .options import FILE, Decorator, ascii_option, device_option, force_option, json_option
+from .pipes import INPUT, from_option, open_pipes, to_option
+
+if TYPE_CHECKING:
+    from ..jobs.job import JobReport
+
+Answer: TypeAlias = "JobReport"
+
+
+def from_cloud_to_cloud(*, device: bool = True) -> Callable[[Callable[..., Answer]], Callable[..., int]]:
+    """Give a command IN and OUT, either of them `-`, and after its own options those that all such commands share.
+
+    The function gets source and output as files, overwrite, as_text and (with `device`) device beside its own options,
+    and returns its report.
+    """
+
+    def decorate(function: Callable[..., Answer]) -> Callable[..., int]:
+        @functools.wraps(function)
+        def command(
+            source: Path,
+            output: Path,
+            read_as: str | None,
+            write_as: str | None,
+            as_json: bool,
+            force: bool,
+            **options: Any,
+        ) -> int:
+            with open_pipes([source], output, read_as=read_as, write_as=write_as, as_json=as_json) as ends:
+                report = function(source=ends.sources[0], output=ends.output, overwrite=force, **options)
+            title = INPUT if read_as else str(source)
+            report = ends.rename(report)
+            return answer_with(report, report.title(title), as_json, err=ends.writes_pipe)
+
+        shared: list[Decorator] = [
+            click.argument("source", type=FILE, metavar="IN"),
+            click.argument("output", type=FILE, metavar="OUT"),
+            *([device_option()] if device else []),
+            ascii_option(),
+            from_option(),
+            to_option(),
+            json_option(),
+            force_option(),
+        ]
+        decorated: Callable[..., int] = command
+        for add in reversed(shared):
+            decorated = add(decorated)
+        return decorated
+
+    return decorate

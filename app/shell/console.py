@@ -1,0 +1,122 @@
+"""What the commands say: progress on stderr; a summary or one JSON object on stdout.
+
+Nothing heavy is imported here, so that `--help` stays quick; rich comes in with the first progress bar.
+"""
+
+from __future__ import annotations
+
+import logging
+import sys
+import time
+from collections.abc import Iterable
+from types import TracebackType
+from typing import Any
+
+import click
+
+from ...core.reports import rows_of
+from ...core.wording import to_json
+
+# Seconds between lines of progress where stderr is a file: a log of a long run grows by 12 lines a minute.
+LINE_INTERVAL = 5.0
+
+
+class OutputLostError(OSError):
+    """Standard output cannot be written any more: its disk is full, or nobody reads it."""
+
+
+class Progress:
+    """Progress on stderr: a bar in a terminal, a line now and then elsewhere. Call it as `ReportProgress`.
+
+    Args:
+        rates: Tell how many steps are done in a second too.
+    """
+
+    def __init__(self, *, rates: bool = False):
+        self._rates, self._began = rates, time.monotonic()
+        self._bar: Any = None
+        self._tasks: dict[str, Any] = {}
+        self._last_line = time.monotonic()
+
+    def __enter__(self) -> Progress:
+        if sys.stderr.isatty():
+            from rich.console import Console
+            from rich.progress import BarColumn, MofNCompleteColumn, TextColumn, TimeElapsedColumn, TimeRemainingColumn
+            from rich.progress import Progress as Bar
+
+            columns = (TextColumn("{task.description:<10}"), BarColumn(), MofNCompleteColumn())
+            times = (TimeElapsedColumn(), TextColumn("left"), TimeRemainingColumn())
+            rates = (TextColumn("{task.fields[rate]}"),) if self._rates else ()
+            self._bar = Bar(*columns, *times, *rates, console=Console(stderr=True), transient=True)
+            self._bar.start()
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        if self._bar is not None:
+            self._bar.stop()
+
+    def __call__(self, stage: str, done: int, total: int) -> None:
+        """Show that `done` of `total` steps of a stage are done; total 0 where nobody knows."""
+        if self._bar is None:
+            self._tell(stage, done, total)
+            return
+        if stage not in self._tasks:
+            self._tasks[stage] = self._bar.add_task(stage, total=total or None, rate="")
+        self._bar.update(self._tasks[stage], completed=done, rate=self._rate(stage, done))
+
+    def _tell(self, stage: str, done: int, total: int) -> None:
+        now = time.monotonic()
+        if now - self._last_line >= LINE_INTERVAL:
+            self._last_line = now
+            text = f"{stage}: {done} of {total}" if total else stage
+            click.echo(f"{text} {self._rate(stage, done)}".rstrip(), err=True)
+
+    def _rate(self, stage: str, done: int) -> str:
+        """The mean rate so far, where it is told."""
+        return f"{done / max(time.monotonic() - self._began, 1e-3):.1f} {stage}/s" if self._rates and done else ""
+
+
+class CompileNotice(logging.Handler):
+    """Says on stderr, once, that kernels are compiled: a record of the library's logger."""
+
+    def __init__(self):
+        super().__init__(logging.INFO)
+        self._logger = logging.getLogger("pointloom")
+        self._said = False
+
+    def __enter__(self) -> None:
+        self._level = self._logger.level
+        self._logger.setLevel(logging.INFO)
+        self._logger.addHandler(self)
+
+    def __exit__(self, *_: object) -> None:
+        self._logger.removeHandler(self)
+        self._logger.setLevel(self._level)
+
+    def emit(self, record: logging.LogRecord) -> None:
+        """Say it."""
+        if not self._said:
+            self._said = True
+            click.echo("compiling kernels for their first use on this machine; later runs start at once", err=True)
+
+
+def print_json(report: dict[str, Any]) -> None:
+    """Print one JSON object; what is not a finite number becomes null."""
+    _say(to_json(report))
+
+
+def print_fields(fields: Iterable[tuple[str, str]], *, title: str = "", err: bool = False) -> None:
+    """Print labels and values in two columns, below a title; a value of several lines keeps its column."""
+    if title:
+        _say(title, err)
+    for row in rows_of(fields):
+        _say(row, err)
+
+
+def _say(line: str, err: bool = False) -> None:
+    try:
+        click.echo(line, err=err)
+    except OSError as error:
+        raise OutputLostError(error.errno, error.strerror, "standard error" if err else "standard output") from error

@@ -1,0 +1,143 @@
+"""The command line as a whole: exit codes, errors in one line, and what a misspelt command may have meant.
+
+0 is done, 1 an error, 2 a wrong call, 3 done with a poor result, 130 interrupted. A command's function returns its
+code (None for 0) and raises whatever the library raises.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import sys
+import warnings
+from collections.abc import Sequence
+from typing import Any
+
+import click
+
+from .console import CompileNotice, OutputLostError, print_json
+
+ERROR, USAGE, POOR, INTERRUPTED, TERMINATED = 1, 2, 3, 130, 143
+
+# The library's remedies in the words of the command line.
+_OPTIONS = {
+    "overwrite=True": "--force",
+    "layout=,": "--layout,",
+    "intrinsic=": "--intrinsic",
+    "depth_scale=": "--depth-scale",
+}
+
+TRACEBACK = "POINTLOOM_TRACEBACK"
+
+_NoCommand: Any = getattr(click.exceptions, "NoArgsIsHelpError", ())  # click 8.1 prints the help and exits by itself
+
+
+class CommandLine(click.Group):
+    """A click group that turns what its commands raise into one line on stderr and an exit code."""
+
+    def main(
+        self,
+        args: Sequence[str] | None = None,
+        prog_name: str | None = None,
+        complete_var: str | None = None,
+        standalone_mode: bool = True,
+        **extra: Any,
+    ) -> Any:
+        """Run the command that the arguments name, then leave the process with its exit code."""
+        words = list(sys.argv[1:] if args is None else args)
+        try:
+            with warnings.catch_warnings(), CompileNotice():
+                warnings.showwarning = _show_warning
+                code = super().main(words, prog_name or "pointloom", complete_var, standalone_mode=False, **extra)
+        except _NoCommand as error:
+            error.show()
+            code = USAGE
+        except Exception as error:
+            code, message = _exit_code(error), report_error(error)
+            if isinstance(error, click.UsageError) and error.ctx is not None:
+                click.echo(f"See '{error.ctx.command_path} --help'.", err=True)
+            if "--json" in words:
+                with contextlib.suppress(OutputLostError):
+                    print_json({"error": message, "exit_code": code})
+        sys.exit(_flushed(code or 0))
+
+    def resolve_command(
+        self, ctx: click.Context, args: list[str]
+    ) -> tuple[str | None, click.Command | None, list[str]]:
+        """Find the command, or name the nearest one."""
+        names = self.list_commands(ctx)
+        if args[0] in names or args[0].startswith("-"):
+            return super().resolve_command(ctx, args)
+        from difflib import get_close_matches
+
+        near = get_close_matches(args[0].lower(), names, n=1, cutoff=0.5)
+        hint = f"did you mean {near[0]}?" if near else f"the commands are {', '.join(names)}"
+        raise click.UsageError(f"no command {args[0]!r}; {hint}", ctx)
+
+
+def poor_result(reason: str | None) -> int:
+    """The exit code for a result: 3, with the reason on stderr, where there is one to call it poor."""
+    if not reason:
+        return 0
+    click.echo(f"poor result: {reason}", err=True)
+    return POOR
+
+
+def report_error(error: Exception) -> str:
+    """Say on stderr what went wrong, with the traceback if the user asks for it; returns the message."""
+    if os.environ.get(TRACEBACK, "") not in ("", "0"):
+        import traceback
+
+        traceback.print_exception(error, file=sys.stderr)
+    message = _message(error)
+    click.echo(message if isinstance(error, click.Abort) else f"error: {message}", err=True)
+    return message
+
+
+def _flushed(code: int) -> int:
+    """The exit code once all is written; 1 where it cannot be.
+
+    What cannot be written is dropped: Python would try again at its end, and say so in lines of its own.
+    """
+    try:
+        sys.stdout.flush()
+    except OSError:
+        nowhere = os.open(os.devnull, os.O_WRONLY)
+        os.dup2(nowhere, sys.stdout.fileno())
+        return code or ERROR
+    return code
+
+
+def _exit_code(error: Exception) -> int:
+    if isinstance(error, click.UsageError):
+        return USAGE
+    return INTERRUPTED if isinstance(error, click.Abort) else ERROR
+
+
+def _message(error: Exception) -> str:
+    if isinstance(error, click.Abort):
+        return "interrupted"
+    if isinstance(error, click.ClickException):
+        text = error.format_message().rstrip(".")
+        return text[:1].lower() + text[1:]
+    if isinstance(error, MemoryError):
+        what = f": {error}" if str(error) else ""
+        return f"out of memory{what}. A larger --voxel, a smaller --depth-max or fewer frames (--every) need less"
+    if isinstance(error, OSError) and error.strerror:
+        return f"{error.filename}: {error.strerror}" if error.filename else error.strerror
+    ours = type(error).__module__.startswith("pointloom.") or str(error).startswith("POINTLOOM_")
+    if ours or isinstance(error, ValueError | TypeError | OSError):
+        text = str(error) or type(error).__name__
+        for argument, option in _OPTIONS.items():
+            text = text.replace(argument, option)
+        return text
+    return (
+        f"unexpected {type(error).__name__}: {error}. This is a fault of pointloom; "
+        f"set {TRACEBACK}=1 to see where, and report it with what that shows"
+    )
+
+
+def _show_warning(
+    message: Warning | str, category: Any, filename: str, lineno: int, file: Any = None, line: str | None = None
+) -> None:
+    click.echo(f"warning: {message}", err=True)

@@ -1,0 +1,156 @@
+"""What the options of the commands share: their types, checked before anything heavy is loaded."""
+
+from __future__ import annotations
+
+import functools
+import math
+import os
+import re
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any, NoReturn
+
+import click
+
+from ...drawing.recording.extensions import RECORDINGS
+
+Decorator = Callable[[Callable[..., Any]], Callable[..., Any]]
+
+
+class Length(click.ParamType):
+    """A length in metres: a finite number above 0."""
+
+    name = "metres"
+    what = "a length in metres above 0"
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> float:
+        """The length, or a usage error."""
+        try:
+            number = float(value)
+        except ValueError:
+            number = math.nan
+        if not (math.isfinite(number) and number > 0):
+            self.fail(f"expected {self.what}, got {value!r}", param, ctx)
+        return number
+
+
+class Scale(Length):
+    """A finite number above 0."""
+
+    name = "number"
+    what = "a number above 0"
+
+
+class DeviceName(click.ParamType):
+    """The name of a device; whether it exists is looked up later."""
+
+    name = "device"
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> str:
+        """The name, or a usage error."""
+        if not re.fullmatch(r"auto|cpu|cuda(:\d+)?", value):
+            self.fail(f"expected auto, cpu or cuda:N (such as cuda:0), got {value!r}", param, ctx)
+        return value
+
+
+class RecordingFile(click.Path):
+    """A file for a recording, whose suffix says the format."""
+
+    name = "file"
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
+        """The path, or a usage error."""
+        path = Path(os.fsdecode(super().convert(value, param, ctx)))
+        if path.suffix.lower() not in RECORDINGS:
+            self.fail(f"expected a name that ends in {', '.join(RECORDINGS)}, got {value!r}", param, ctx)
+        return path
+
+
+LENGTH = Length()
+SCALE = Scale()
+FILE = click.Path(path_type=Path)
+
+
+def device_option() -> Decorator:
+    """`--device auto|cpu|cuda:0`."""
+    text = "Where to compute: auto takes the first GPU, else the CPU."
+    return click.option(
+        "--device", type=DeviceName(), default="auto", show_default=True, metavar="auto|cpu|cuda:N", help=text
+    )
+
+
+def json_option() -> Decorator:
+    """`--json`."""
+    return click.option("--json", "as_json", is_flag=True, help="Print one JSON object on stdout, nothing else.")
+
+
+def force_option() -> Decorator:
+    """`--force`."""
+    return click.option("--force", is_flag=True, help="Replace outputs that exist.")
+
+
+def frame_options(*, posed: bool = True, depth_max: float | None = 4.0) -> Decorator:
+    """`--layout`, `--intrinsic`, `--every`, `--depth-max`: which frames of a folder, and what of them.
+
+    Where they need not be posed, `pictures` is a layout too, and `--depth-scale` says its unit.
+    """
+    layouts = ["auto", "7scenes", "redwood", "tum", *([] if posed else ["pictures"])]
+    scale = click.option(
+        "--depth-scale", type=SCALE, metavar="N", help="Stored depth of one metre, if it is another than usual."
+    )
+    options = [
+        click.option(
+            "--layout",
+            type=click.Choice(layouts),
+            default="auto",
+            show_default=True,
+            help="How the folder names its files.",
+        ),
+        click.option(
+            "--intrinsic", type=FILE, metavar="JSON", help="The camera, if it is another than the folder says."
+        ),
+        *([] if posed else [scale]),
+        click.option("--every", type=click.IntRange(min=1), default=1, metavar="N", help="Take every N-th frame."),
+        click.option(
+            "--depth-max",
+            type=LENGTH,
+            default=depth_max,
+            show_default=True,
+            metavar="M",
+            help="Farthest depth used [m]" + ("." if depth_max else "; 4, or what --config says, if not given."),
+        ),
+    ]
+    return lambda command: functools.reduce(lambda inner, option: option(inner), reversed(options), command)
+
+
+def picture_option() -> Decorator:
+    """`--picture`."""
+    return click.option("--picture", type=FILE, metavar="PNG", help="Draw the mesh as well.")
+
+
+def record_option(what: str) -> Decorator:
+    """`--record`."""
+    text = f"Record {what}: .html (a page that plays), .gif, .webp or .mp4."
+    return click.option("--record", "record_as", type=RecordingFile(), metavar="FILE", help=text)
+
+
+def refuse(message: str) -> NoReturn:
+    """End the command as a wrong call."""
+    raise click.UsageError(message, click.get_current_context())
+
+
+def refuse_same(**files: Path | None) -> None:
+    """Refuse two outputs in one file; each is named by the option that gives it."""
+    taken: dict[Path, str] = {}
+    for name, path in files.items():
+        if path is None:
+            continue
+        option = f"--{name.replace('_', '-')}"
+        first = taken.setdefault(path.resolve(), option)
+        if first != option:
+            refuse(f"{option} is the file of {first}, {path}; give another name")
+
+
+def ascii_option() -> Decorator:
+    """`--ascii`."""
+    return click.option("--ascii", "as_text", is_flag=True, help="Write PLY or PCD as text; binary by default.")

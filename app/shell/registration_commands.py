@@ -1,0 +1,196 @@
+"""The commands that find poses or judge them: register, multiway, odometry, evaluate.
+
+As in cli.py nothing heavy is imported here; what a command does lies in the module of its name.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import click
+
+from .answer import answer_with
+from .console import Progress
+from .options import FILE, LENGTH, device_option, force_option, json_option, record_option, refuse, refuse_same
+from .pipes import from_option, open_pipes
+from .toolbox import COUNT, Number
+
+STARTS = ("identity", "global")
+RANGE = Number("a distance in metres, 0 or above", lambda number: 0 <= number < float("inf"))
+
+
+@click.command(short_help="Bring one cloud onto another.")
+@click.argument("source", type=FILE, metavar="A")
+@click.argument("target", type=FILE, metavar="B")
+@click.option("-o", "--output", type=FILE, metavar="TXT", help="Write the pose: four rows of four numbers, all digits.")
+@click.option(
+    "--init",
+    default="global",
+    show_default=True,
+    metavar="global|identity|FILE",
+    help="Where to begin: search, as the clouds lie, or a file as -o writes it.",
+)
+@click.option(
+    "--method",
+    type=click.Choice(["point-to-point", "point-to-plane", "symmetric", "generalized", "colored"]),
+    default="point-to-plane",
+    show_default=True,
+    help="What ICP brings together.",
+)
+@click.option("--voxel", "voxel_size", type=LENGTH, metavar="M", help="Thin both to voxels of this edge [m].")
+@click.option(
+    "--distance", type=LENGTH, metavar="M", help="Correspondences lie closer than this [m]; 2 voxels if not given."
+)
+@click.option("--aligned", type=FILE, metavar="FILE", help="Write the cloud A where it lies on B.")
+@click.option("--picture", type=FILE, metavar="PNG", help="Draw A orange and B blue, before (left) and after (right).")
+@record_option("every step of ICP, A orange and B blue")
+@device_option()
+@from_option()
+@json_option()
+@force_option()
+def register(
+    source: Path, target: Path, init: str, read_as: str | None, as_json: bool, force: bool, **options: Any
+) -> int:
+    """Find the pose that brings the cloud A onto the cloud B: B's coordinates of a point are T times A's.
+
+    Both are thinned to voxels; --init global then finds a start whatever their poses, and ICP refines it. Without
+    --voxel the edge is a 32nd of the distance from the middle within which 3 of 4 points lie, of the smaller cloud.
+    From a start that was given, ICP begins with voxels 4 and 2 times as large, unless --distance is given too.
+    Methods to planes estimate the normals of clouds that have none, within 3 voxels. One of A and B may be -, standard
+    input.
+
+    The exit code is 3 where the surfaces hardly lie on each other (a score below 0.5 of 1), or less than 10 % of A
+    has a correspondence. Poses and pictures are written even then.
+
+    \b
+    pointloom register scan2.ply scan1.ply -o T.txt --picture both.png
+    pointloom register scan2.ply scan1.ply --init T.txt --voxel 0.02 --aligned moved.ply
+    """
+    if init not in STARTS and not Path(init).exists():
+        refuse(f"--init: expected global, identity or a file of a pose, got {init!r}, which is no file")
+    refuse_same(**{name: options[name] for name in ("output", "aligned", "picture")}, record=options["record_as"])
+    from ..jobs.register import register_files
+    from .recording_command import recorded
+
+    with open_pipes([source, target], read_as=read_as) as ends, Progress() as progress:
+        report = recorded(register_files, *ends.sources, init=init, overwrite=force, progress=progress, **options)
+    return answer_with(ends.rename(report), f"{source} onto {target}", as_json)
+
+
+@click.command(short_help="Bring all clouds of a folder into one frame.")
+@click.argument("folder", type=FILE, metavar="DIR")
+@click.option("-o", "--output", type=FILE, required=True, metavar="LOG", help="The poses, as Open3D's .log.")
+@click.option("--voxel", "voxel_size", type=LENGTH, metavar="M", help="Thin the clouds to voxels of this edge [m].")
+@click.option(
+    "--loops",
+    "neighbors",
+    type=COUNT,
+    metavar="N",
+    help="Try each cloud with the N after it; all of up to 40 clouds, else 5, if not given.",
+)
+@click.option("--merged", type=FILE, metavar="FILE", help="Write all clouds that could be placed as one.")
+@click.option("--graph", type=FILE, metavar="JSON", help="Write the pose graph, as Open3D's .json.")
+@record_option("the pairs that are tried, and where the clouds end up")
+@device_option()
+@json_option()
+@force_option()
+def multiway(folder: Path, output: Path, as_json: bool, force: bool, **options: Any) -> int:
+    """Find where the clouds of DIR lie on each other, from any poses, and write T_reference_cloud of each.
+
+    They are taken in natural order (scan2 before scan10). Pairs are registered as by pointloom register --init global;
+    a pose graph weighs them against each other and drops those that contradict the rest. Without --voxel the edge is
+    the median of those that register would choose. The .log names each cloud by its number, from 0, and leaves out
+    those that could not be placed; there are such where the exit code is 3.
+
+    \b
+    pointloom multiway scans -o poses.log --merged all.ply
+    """
+    refuse_same(**{name: options[name] for name in ("merged", "graph")}, output=output, record=options["record_as"])
+    from ..jobs.multiway import register_folder
+    from .recording_command import recorded
+
+    with Progress() as progress:
+        report = recorded(register_folder, folder, output, overwrite=force, progress=progress, **options)
+    return answer_with(report, str(folder), as_json)
+
+
+@click.command(short_help="Find the path of a LiDAR from its scans.")
+@click.argument("folder", type=FILE, metavar="DIR")
+@click.option("-o", "--output", type=FILE, required=True, metavar="POSES", help="The poses: .txt, .kitti or .tum.")
+@click.option(
+    "--format",
+    type=click.Choice(["kitti", "tum"]),
+    help="By the extension if not given; kitti for .txt. Times of tum are the scans' numbers.",
+)
+@click.option(
+    "--voxel", "voxel_size", type=LENGTH, metavar="M", help="Edge of the map's voxels [m]; 1 % of --max-range."
+)
+@click.option(
+    "--max-range", type=LENGTH, default=100.0, show_default=True, metavar="M", help="Farther points do not count [m]."
+)
+@click.option(
+    "--min-range", type=RANGE, default=5.0, show_default=True, metavar="M", help="Nearer points do not count [m]."
+)
+@click.option("--truth", type=FILE, metavar="FILE", help="The scanner's true poses: print the errors.")
+@record_option("scan after scan with the map and the path")
+@device_option()
+@json_option()
+@force_option()
+def odometry(folder: Path, output: Path, as_json: bool, force: bool, **options: Any) -> int:
+    """Register the scans of DIR one after another, and write the pose of each: T_first_scan.
+
+    Scans are .bin files as KITTI has them, or clouds, in natural order (scan2 before scan10); those whose points have
+    times are straightened. Indoors take a smaller --max-range, and --min-range 0.5. The exit code is 3 where a scan
+    did not overlap those before it (its pose is then that of constant velocity), where one lies beside the map of those
+    before it, or where many did not come to rest: the path is then likely lost, and the summary names the scans.
+
+    \b
+    pointloom odometry velodyne -o poses.txt
+    pointloom odometry velodyne -o poses.txt --truth truth.txt
+    """
+    if options["min_range"] >= options["max_range"]:
+        refuse(f"--min-range {options['min_range']:g} leaves nothing within --max-range {options['max_range']:g}")
+    refuse_same(output=output, record=options["record_as"])
+    from ..jobs.odometry import odometry_of_folder
+    from .recording_command import recorded
+
+    with Progress(rates=True) as progress:
+        report = recorded(odometry_of_folder, folder, output, overwrite=force, progress=progress, **options)
+    return answer_with(report, str(folder), as_json)
+
+
+@click.command(short_help="Hold a trajectory against the true one.")
+@click.argument("poses", type=FILE, metavar="POSES")
+@click.argument("truth", type=FILE, metavar="TRUTH")
+@click.option(
+    "--align",
+    type=click.Choice(["none", "first", "se3", "sim3"]),
+    default="se3",
+    show_default=True,
+    help="How POSES are brought onto TRUTH.",
+)
+@click.option("--picture", type=FILE, metavar="PNG", help="Draw both paths, and the error along the way.")
+@json_option()
+@force_option()
+def evaluate(poses: Path, truth: Path, align: str, picture: Path | None, as_json: bool, force: bool) -> int:
+    """Print how far the trajectory POSES lies from TRUTH: .log, .tum, .kitti, .txt or .json, each in any format.
+
+    Poses belong together by time where both files have times (.tum), else by number. They are aligned not at all, by
+    the first pose, or in least squares without (se3) or with a scale (sim3).
+
+    \b
+      ATE       distances of the aligned positions
+      RPE       errors of the motions from each pose to the next
+      segments  errors over 100 to 800 m of the path as KITTI has them, for those lengths that the path has
+
+    \b
+    pointloom evaluate poses.txt truth.txt --align first --picture path.png
+    """
+    from ..jobs.evaluate import evaluate_files
+
+    report = evaluate_files(poses, truth, align=align, picture=picture, overwrite=force)
+    return answer_with(report, f"{poses} against {truth}", as_json)
+
+
+COMMANDS = (register, multiway, odometry, evaluate)

@@ -1,0 +1,58 @@
+"""The command `texture`: the colours of posed frames onto a mesh. As in cli.py nothing heavy is imported here."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import click
+
+from .answer import answer_with
+from .console import Progress
+from .options import FILE, device_option, force_option, frame_options, json_option, picture_option, refuse_same
+
+METHODS = ("rigid", "non-rigid", "none")
+
+
+@click.command(short_help="Colour a mesh by posed RGB-D frames.")
+@click.argument("mesh", type=FILE)
+@click.argument("frames", type=FILE)
+@click.option("-o", "--output", type=FILE, required=True, metavar="OUT", help="The coloured mesh: .ply, .obj or .glb.")
+@click.option("--method", type=click.Choice(METHODS), default="rigid", show_default=True, help="How pictures may move.")
+@click.option(
+    "--size", type=click.IntRange(16, 16384), default=2048, show_default=True, metavar="N", help="Texels a side."
+)
+@frame_options()
+@device_option()
+@picture_option()
+@json_option()
+@force_option()
+def texture(mesh: Path, frames: Path, output: Path, as_json: bool, force: bool, **options: Any) -> int:
+    """Write to OUT the mesh MESH with the colours of FRAMES, a folder of posed RGB-D frames as `fuse` takes it.
+
+    \b
+    .ply        a colour at each vertex
+    .obj .glb   a texture; where MESH has no texture coordinates an atlas is made
+
+    \b
+    rigid      the poses move until the pictures agree at each vertex
+    non-rigid  and the pictures are bent, which takes up the distortion of lenses
+    none       poses and pictures as they are
+
+    The exit code is 3 where the frames show little of the mesh or nothing, and where the pictures agree no better than
+    before.
+
+    \b
+    pointloom fuse redkitchen/seq-01 -o kitchen.ply --every 5
+    pointloom texture kitchen.ply redkitchen/seq-01 -o sharp.ply --every 5 --picture sharp.png
+    pointloom texture kitchen.ply redkitchen/seq-01 -o kitchen.glb --method non-rigid --size 4096
+    """
+    from ..jobs.texture import texture_folder
+
+    refuse_same(output=output, picture=options["picture"])
+    with Progress() as progress:
+        report = texture_folder(mesh, frames, output, overwrite=force, progress=progress, **options)
+    return answer_with(report, f"{mesh} and {frames} ({report.task.layout})", as_json)
+
+
+COMMANDS = (texture,)

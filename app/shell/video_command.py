@@ -1,0 +1,114 @@
+"""The command `video`: pictures alone to a mesh. As in cli.py nothing heavy is imported here."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+from typing import Any
+
+import click
+
+from .answer import answer_with
+from .console import Progress
+from .options import FILE, SCALE, device_option, force_option, json_option, picture_option, refuse, refuse_same
+
+
+class KnownDistance(click.ParamType):
+    """Two pictures and the distance of their cameras [m], such as 12,48,1.5."""
+
+    name = "pictures"
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> tuple[str, str, float]:
+        """The two names and the length, or a usage error."""
+        parts = [part.strip() for part in value.split(",")]
+        try:
+            metres = float(parts[-1])
+        except ValueError:
+            metres = math.nan
+        if len(parts) != 3 or not all(parts) or not (math.isfinite(metres) and metres > 0):
+            self.fail(f"expected two pictures and metres above 0, such as 12,48,1.5, got {value!r}", param, ctx)
+        return parts[0], parts[1], metres
+
+
+MESH = "The mesh, .ply .obj .stl .off .glb."
+
+
+@click.command(short_help="A video, or a folder of pictures, to a mesh.")
+@click.argument("source", type=FILE, metavar="VIDEO|FOLDER")
+@click.option("-o", "--output", type=FILE, required=True, metavar="MESH", help=MESH)
+@click.option("--work", type=FILE, metavar="DIR", help="Keep the stages' files and report.json in this folder.")
+@click.option("--resume", is_flag=True, help="Keep what an earlier run left in that folder.")
+@click.option(
+    "--max-frames",
+    type=click.IntRange(min=2),
+    default=150,
+    show_default=True,
+    metavar="N",
+    help="The most pictures that are used.",
+)
+@click.option(
+    "--max-size",
+    type=click.IntRange(min=64),
+    default=960,
+    show_default=True,
+    metavar="PX",
+    help="Longest side of the pictures that depth is found in.",
+)
+@click.option("--intrinsic", type=FILE, metavar="JSON", help="The camera (Open3D's JSON); found if not given.")
+@click.option("--scale", type=SCALE, metavar="F", help="Metres in a unit of the model.")
+@click.option("--known", type=KnownDistance(), metavar="A,B,M", help="Pictures A and B were taken M metres apart.")
+@click.option("--align", type=FILE, metavar="FILE", help="Known places of cameras: poses, or lines `name x y z` [m].")
+@click.option("--cloud", type=FILE, metavar="FILE", help="Write the fused points as well.")
+@click.option("--trajectory", type=FILE, metavar="POSES", help="Write the poses: .txt or .tum (TUM), .log.")
+@click.option("--seed", type=click.IntRange(min=0), default=0, show_default=True, metavar="N", help="Of what is drawn.")
+@device_option()
+@picture_option()
+@json_option()
+@force_option()
+def video(source: Path, output: Path, as_json: bool, force: bool, **options: Any) -> int:
+    """Make a coloured mesh of VIDEO, or of the pictures in FOLDER: nothing else is needed.
+
+    \b
+    frames             sharp frames, where the camera has moved
+    features, matches  what can be recognised in them, and what they share of it
+    model              where they were taken, and what the lens is like
+    undistorted        the pictures as a lens without distortion shows them
+    depth              each picture matched with others, pixel by pixel
+    fused, mesh        what several pictures agree on, as points and as a surface
+
+    The size of things cannot be seen in pictures: the unit is arbitrary unless --scale, --known or --align tells it.
+    Pictures are named in --known and --align by their file or by the number of the frame.
+
+    With --work each stage's files stay, and --resume makes only what is missing or made from something else: another
+    --max-size begins at undistorted, another --scale makes the mesh alone.
+
+    The exit code is 3 where fewer than 60 % of the pictures could be placed, where they fall apart into several
+    models, where the camera turned without moving, and where less than 20 % of the depth is confirmed; the remedy is
+    told, and a mesh is written where there is one.
+
+    \b
+    pointloom video walk.mp4 -o room.ply --picture room.png
+    pointloom video photos/ -o room.ply --work stages --known IMG_0012,IMG_0040,1.5
+    pointloom video walk.mp4 -o room.ply --work stages --resume --max-size 1280 --force
+    """
+    given = [name for name in ("scale", "known", "align") if options[name] is not None]
+    if len(given) > 1:
+        refuse(f"--{given[0]} and --{given[1]} both settle the unit; give one")
+    if options["resume"] and options["work"] is None:
+        refuse("--resume goes with --work, the folder of the earlier run")
+    refuse_same(output=output, **{name: options[name] for name in ("cloud", "trajectory", "picture")})
+    from ...photos.video.job import reconstruct
+    from ...photos.video.outputs import Outputs
+    from ...photos.video.settings import Settings
+    from ...photos.video.units import Units
+
+    units = Units(**{name: options.pop(name) for name in ("scale", "known", "align")})
+    names = ("max_frames", "max_size", "intrinsic", "seed")
+    settings = Settings(units=units, **{name: options.pop(name) for name in names})
+    outputs = Outputs(output, **{name: options.pop(name) for name in ("cloud", "trajectory", "picture")})
+    with Progress() as progress:
+        result = reconstruct(source, settings, outputs=outputs, overwrite=force, progress=progress, **options)
+    return answer_with(result, result.source, as_json)
+
+
+COMMANDS = (video,)

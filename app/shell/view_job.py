@@ -1,0 +1,244 @@
+"""What `pointloom view` does: `ViewJob`."""
+
+from __future__ import annotations
+
+import dataclasses
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from ...core.atomic import check_writable
+from ...core.errors import FileError
+from ...core.reports import Fields, Report
+from ...core.timing import Clock
+from ...core.wording import plain
+from ...drawing.render.geometries import Named
+from ...drawing.render.open3d_views import read_view
+from ...drawing.render.picture_files import check_picture, save_picture
+from ...drawing.viewer.coloring_choice import choices_of
+from ...drawing.viewer.detail_tree import DetailTree
+from ...drawing.viewer.items import make_item
+from ...drawing.viewer.stills import as_entry, with_colors, write_geometries
+from ...drawing.viewer.view_files import first_looks, read_scene
+from ...pcd.cloud import PointCloud
+from .answer import answer_with
+from .console import Progress, print_json
+from .pipes import INPUT, Ends
+
+SIZE = (1280, 960)  # of pictures [px]
+FIRST_LOOK = 250_000  # points of a large file that are shown while it is read
+
+
+def check_outputs(screenshot: Path | None, page: Path | None, *, force: bool) -> None:
+    """Hold that the outputs can be written, before any work.
+
+    Raises:
+        FileError: Another extension, or a place that cannot be written.
+    """
+    if screenshot is not None:
+        check_picture(screenshot, overwrite=force)
+    if page is not None:
+        if page.suffix.lower() not in (".html", ".htm"):
+            raise FileError(page, "pages are written as .html", remedy="Give a name that ends in .html")
+        check_writable(page, overwrite=force)
+
+
+class ViewJob:
+    """Files to show or to draw.
+
+    Args:
+        ends: The files to show, and what to call those that stand for pipes.
+        color_by, colormap: Of the clouds.
+        view_file: Open3D's view JSON.
+        point_size: [px].
+        max_points: Of the page.
+        force: Replace outputs that exist.
+        port, host, no_open: Of the server.
+
+    Raises:
+        FileError: A file that is missing, damaged or of no kind that is shown.
+        ValueError: No cloud has what it is to be coloured by.
+    """
+
+    def __init__(
+        self,
+        ends: Ends,
+        *,
+        color_by: str | None,
+        colormap: str | None,
+        view_file: Path | None,
+        point_size: float | None,
+        max_points: int,
+        force: bool,
+        **server: Any,
+    ):
+        self.files, self._ends = ends.sources, ends
+        self.title = ", ".join(INPUT if str(path) in ends.names else path.name for path in self.files)
+        self.force, self.max_points, self.server = force, max_points, server
+        self.color_by, self.colormap, self.point_size = color_by, colormap, point_size
+        self.clock = Clock()
+        self.view = None if view_file is None else read_view(view_file, width=SIZE[0], height=SIZE[1])
+        for path in self.files:
+            if not path.exists():
+                raise FileError(path, "does not exist")
+        self.named: list[Named] = []
+        self.trees: dict[str, DetailTree] = {}
+
+    def read(self) -> None:
+        """Read the files."""
+        style = {"point_size": self.point_size} if self.point_size is not None else {}
+        with Progress() as progress:
+            options: dict[str, Any] = {"max_points": self.max_points, "color_by": self.color_by, "progress": progress}
+            named, trees = read_scene(list(self.files), style, **options)
+        names = {
+            name: INPUT for path, (name, _, _) in zip(self.files, named, strict=True) if str(path) in self._ends.names
+        }
+        self.named = [(names.get(name, name), geometry, style) for name, geometry, style in named]
+        self.trees = {names.get(name, name): tree for name, tree in trees.items()}
+        self._check_color()
+        self.clock.stop("read")
+
+    def write(self, screenshot: Path | None, page: Path | None, as_json: bool) -> int:
+        """Draw a picture, write a page, or both."""
+        self.read()
+        named, written = self._colored(), []
+        if screenshot is not None:
+            self._draw(named, screenshot)
+            written.append(screenshot)
+            self.clock.stop("draw")
+        if page is not None:
+            write_geometries(page, named, self.max_points, view=self.view, title=self.title, overwrite=self.force)
+            written.append(page)
+            self.clock.stop("write page")
+        report = dataclasses.replace(self._report(), files=tuple(map(str, written)), seconds=self.clock.seconds)
+        title = ", ".join(self._ends.rename([str(path) for path in self.files]))
+        return answer_with(self._ends.rename(report), title, as_json)
+
+    def serve(self, as_json: bool) -> int:
+        """Show the files in the browser until the last page has gone; Ctrl-C is raised."""
+        from ...drawing.viewer.draw import announce, open_page
+        from ...drawing.viewer.viewer import Viewer
+
+        sizes: dict[str, Any] = {} if self.point_size is None else {"point_size": self.point_size}
+        port, host = self.server["port"], self.server["host"]
+
+        def open_up() -> None:
+            announce(viewer)
+            if not self.server["no_open"]:
+                open_page(viewer)
+
+        with Viewer(port=port, host=host, title=self.title, max_points=self.max_points, **sizes) as viewer:
+            if self.view is not None:
+                viewer.set_view(self.view)
+            first: list[Named] = []
+            if not self._ends.names:  # what comes through a pipe has been waited for
+                first = first_looks(self.files, min(self.max_points, FIRST_LOOK), larger_than=self.max_points)
+            if first:
+                viewer.add_all(first)
+                open_up()
+            self.read()  # once it is known that there can be a server
+            viewer.add_all(self.named, self.trees)
+            for name, _, _ in first:
+                viewer.remove(name)
+            if self.color_by is not None:
+                viewer.color_by(self.color_by, colormap=self.colormap)
+            if not first:
+                open_up()
+            if as_json:
+                print_json(self._ends.rename(self._report()).to_json() | {"url": viewer.url, "ssh": viewer.ssh_line})
+            viewer.wait()
+        return 0
+
+    def _draw(self, named: list[Named], path: Path) -> None:
+        from ...drawing.render.render import render
+
+        entries = [as_entry(one) for one in named]
+        picture = render(entries, camera=self.view, size=SIZE, color_bar=self.color_by is not None)
+        save_picture(path, picture, overwrite=self.force)
+
+    def _colored(self) -> list[Named]:
+        """The geometries with what pictures take as their style."""
+        found: list[Named] = []
+        for name, geometry, style in self.named:
+            if name in self.trees:
+                geometry = with_colors(make_item(name, 0, geometry, style, self.trees[name]))
+            if isinstance(geometry, PointCloud) and self.color_by in choices_of(geometry):
+                style = dataclasses.replace(style, color_by=self.color_by, colormap=self.colormap, color=None)
+            found.append((name, geometry, style))
+        return found
+
+    def _check_color(self) -> None:
+        if self.color_by is None:
+            return
+        known: list[str] = []
+        for name, geometry, _ in self.named:
+            if isinstance(geometry, PointCloud):
+                known += [choice for choice in choices_of(geometry) if choice not in known]
+                if name in self.trees and self.trees[name].colors_of(np.zeros(0, np.int64)) is not None:
+                    known.append("rgb")
+        if self.color_by not in known:
+            there = f"there are {', '.join(known)}" if known else "and there is no cloud"
+            raise ValueError(f"--color-by: no cloud here has {self.color_by!r}; {there}")
+
+    def _report(self) -> ViewReport:
+        shown = []
+        for name, geometry, _ in self.named:
+            count = len(geometry) if isinstance(geometry, PointCloud) else None
+            shown.append(Shown(name, type(geometry).__name__, count))
+        return ViewReport(tuple(str(path) for path in self.files), tuple(shown))
+
+
+@dataclasses.dataclass(frozen=True)
+class Shown:
+    """A geometry that is shown.
+
+    Attributes:
+        name, kind: What it is called, and its type.
+        points: How many a cloud has; None of what is none.
+    """
+
+    name: str
+    kind: str
+    points: int | None
+
+    def to_json(self) -> dict[str, Any]:
+        """The same in JSON's types."""
+        count = {} if self.points is None else {"points": self.points}
+        return {"name": self.name, "kind": self.kind, **count}
+
+
+@dataclasses.dataclass(frozen=True)
+class ViewReport(Report):
+    """What `pointloom view` shows, or wrote.
+
+    Attributes:
+        inputs: The files.
+        geometries: What they hold.
+        files: What was written; None where the page was served.
+        seconds: Of each stage; None where the page was served.
+    """
+
+    inputs: tuple[str, ...]
+    geometries: tuple[Shown, ...]
+    files: tuple[str, ...] | None = None
+    seconds: dict[str, float] | None = None
+
+    @property
+    def poor(self) -> None:
+        """Nothing is poor here."""
+
+    def to_json(self) -> dict[str, Any]:
+        """All of it in JSON's types."""
+        shown = {"command": "view", "inputs": self.inputs, "geometries": [one.to_json() for one in self.geometries]}
+        written = {} if self.files is None else {"files": self.files, "seconds": self.seconds}
+        return plain(shown | written)
+
+    def fields(self) -> Fields:
+        """What is shown, what it took, and what was written."""
+        shown = [
+            f"{one.name}: {one.kind}" + ("" if one.points is None else f", {one.points:,} points")
+            for one in self.geometries
+        ]
+        seconds = ", ".join(f"{stage} {value:.2f}" for stage, value in (self.seconds or {}).items())
+        return [("shown", "\n".join(shown)), ("seconds", seconds), ("files", ", ".join(self.files or ()))]

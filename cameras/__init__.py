@@ -1,0 +1,1 @@
+"""Cameras, their images and lenses, and the paths that they take."""

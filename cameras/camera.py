@@ -1,0 +1,211 @@
+"""The pinhole camera: what it measures in pixels, checked once, and Open3D's JSON files of it.
+
+Pixel centres have whole coordinates: a point (x, y, z) [m] in the camera frame (x right, y down, z forward) is seen at
+u = fx x / z + cx, v = fy y / z + cy, and the upper left pixel covers -0.5..0.5 on both axes. There is no skew and no
+lens distortion: pictures must be undistorted first.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import json
+import os
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..core.atomic import atomic_write
+from ..core.checks import LARGEST_NUMBER as LARGEST_NUMBER
+from ..core.checks import check_count, check_number, check_positive, check_shape
+from ..core.errors import FileError
+from ..core.json_files import check_keys, read_json_object
+
+# Keys that Open3D and its sensor recorders write beside the intrinsic; none of them changes what a pixel sees.
+# Any other key is refused, as it may (distortion coefficients, a crop).
+_HARMLESS_KEYS = frozenset(
+    (
+        *("class_name", "version_major", "version_minor", "color_format", "color_mode", "depth_format", "depth_mode"),
+        *("depth_scale", "device_name", "fps", "serial_number", "stream_length_usec"),
+    )
+)
+
+MOST_PIXELS = 2**16  # a side: wider than any camera or panorama
+MOST_IN_ALL = 2**28  # pixels: 2 GB of what each of them sees
+
+
+def check_pixels(name: str, value: Any) -> int:
+    """The length of a picture's side [px]."""
+    return check_count(name, value, maximum=MOST_PIXELS, because="no camera or panorama is larger; scale it")
+
+
+@dataclasses.dataclass(frozen=True)
+class PinholeCameraIntrinsic:
+    """Size and projection of a pinhole camera.
+
+    Args:
+        width: Columns of its pictures [px].
+        height: Rows of its pictures [px].
+        fx: Focal length along x [px].
+        fy: Focal length along y [px].
+        cx: Column of the principal point [px]; may lie outside the picture, as in a crop.
+        cy: Row of the principal point [px].
+
+    Raises:
+        TypeError: Not numbers.
+        ValueError: A size or focal length that is not positive, a value that is not finite, a side of more than 2^16
+            pixels, or more than 2^28 in all.
+
+    Example:
+        >>> camera = PinholeCameraIntrinsic.prime_sense_default()
+        >>> camera.width, camera.fx, camera.cx
+        (640, 525.0, 319.5)
+        >>> camera.scaled(0.5).cx
+        159.5
+    """
+
+    width: int
+    height: int
+    fx: float
+    fy: float
+    cx: float
+    cy: float
+
+    def __post_init__(self):
+        for name in ("width", "height"):
+            object.__setattr__(self, name, check_pixels(name, getattr(self, name)))
+        if self.width * self.height > MOST_IN_ALL:
+            raise ValueError(f"width, height: {self.width} x {self.height} pixels are more than 2^28; scale the camera")
+        for name in ("fx", "fy"):
+            object.__setattr__(self, name, check_positive(name, getattr(self, name)))
+        for name in ("cx", "cy"):
+            object.__setattr__(self, name, check_number(name, getattr(self, name)))
+
+    @property
+    def matrix(self) -> NDArray[np.float64]:
+        """The calibration matrix K, shape [3, 3] [px]; a new array each time."""
+        return np.array([[self.fx, 0.0, self.cx], [0.0, self.fy, self.cy], [0.0, 0.0, 1.0]])
+
+    def scaled(self, factor: float) -> PinholeCameraIntrinsic:
+        """The camera of the same pictures resized by `factor`.
+
+        The size is rounded to whole pixels, and each axis is scaled by the ratio that results. Picture borders keep
+        their place: c' = (c + 0.5) factor - 0.5, which is what resizing by area or interpolation does. (Open3D halves
+        c itself, which belongs to pictures made by keeping every second pixel.)
+
+        Raises:
+            ValueError: The factor is not positive, or leaves no pixel.
+        """
+        factor = check_positive("factor", factor)
+        largest = MOST_PIXELS / max(self.width, self.height)
+        if factor > largest:
+            raise ValueError(f"factor: {factor} makes a side of more than 2^16 pixels; expected at most {largest:.4g}")
+        width, height = round(self.width * factor), round(self.height * factor)
+        if width < 1 or height < 1:
+            raise ValueError(f"factor: {factor} leaves no pixel of a {self.width} x {self.height} picture")
+        sx, sy = width / self.width, height / self.height
+        cx, cy = (self.cx + 0.5) * sx - 0.5, (self.cy + 0.5) * sy - 0.5
+        return PinholeCameraIntrinsic(width, height, self.fx * sx, self.fy * sy, cx, cy)
+
+    @classmethod
+    def prime_sense_default(cls) -> PinholeCameraIntrinsic:
+        """PrimeSense, Kinect v1 and Xtion cameras: 640 x 480, f 525, c (319.5, 239.5)."""
+        return cls(640, 480, 525.0, 525.0, 319.5, 239.5)
+
+    @classmethod
+    def kinect2_depth_default(cls) -> PinholeCameraIntrinsic:
+        """The depth camera of Kinect v2: 512 x 424."""
+        return cls(512, 424, 365.456, 365.456, 254.878, 205.395)
+
+    @classmethod
+    def kinect2_color_default(cls) -> PinholeCameraIntrinsic:
+        """The colour camera of Kinect v2: 1920 x 1080."""
+        return cls(1920, 1080, 1059.9718, 1059.9718, 975.7193, 545.9533)
+
+    @classmethod
+    def from_matrix(cls, K: Any, width: int, height: int) -> PinholeCameraIntrinsic:
+        """The camera with calibration matrix K, shape [3, 3] [px].
+
+        Raises:
+            ValueError: Another shape, a last row other than (0, 0, 1), skew, or values out of range.
+        """
+        K = check_shape("K", K, (3, 3))
+        if not np.isfinite(K).all():
+            raise ValueError("K: expected finite numbers, got NaN or infinite entries")
+        if np.abs(K[2] - (0, 0, 1)).max() > 1e-9:
+            raise ValueError(f"K: expected the last row (0, 0, 1), got {K[2].tolist()}")
+        if K[0, 1] != 0 or K[1, 0] != 0:
+            raise ValueError(f"K: expected no skew, got K[0, 1] = {K[0, 1]} and K[1, 0] = {K[1, 0]}")
+        return cls(width, height, *(float(K[place]) for place in ((0, 0), (1, 1), (0, 2), (1, 2))))
+
+
+def read_pinhole_camera_intrinsic(path: str | os.PathLike[str]) -> PinholeCameraIntrinsic:
+    """Read a camera from Open3D's JSON.
+
+    Either `{"width", "height", "intrinsic_matrix"}` with the 9 numbers of K column by column, or a
+    PinholeCameraParameters object `{"intrinsic": {...}, "extrinsic": [...]}`, of which only the intrinsic is taken.
+    Recorder metadata beside it (`serial_number`, `depth_scale` and the like) are passed over; other keys are refused,
+    since they may change the projection.
+
+    Raises:
+        FileError: Unreadable, not JSON, or a key that is missing, unknown or out of range.
+
+    Example:
+        >>> import pointloom as loom
+        >>> camera = loom.PinholeCameraIntrinsic(640, 480, 525.0, 525.0, 319.5, 239.5)
+        >>> loom.write_pinhole_camera_intrinsic("camera.json", camera)
+        >>> loom.read_pinhole_camera_intrinsic("camera.json") == camera
+        True
+    """
+    content = read_json_object(path)
+    where = ""
+    if "intrinsic" in content:
+        check_keys(path, content, required={"intrinsic"}, optional=_HARMLESS_KEYS | {"extrinsic"})
+        content, where = content["intrinsic"], "intrinsic."
+        if not isinstance(content, dict):
+            raise FileError(path, "expected an object", where="key intrinsic")
+    keys = {"width", "height", "intrinsic_matrix"}
+    check_keys(path, content, required=keys, optional=_HARMLESS_KEYS, where=where)
+    K = read_json_matrix(path, content["intrinsic_matrix"], 3, where=f"key {where}intrinsic_matrix")
+    try:
+        return PinholeCameraIntrinsic.from_matrix(K, content["width"], content["height"])
+    except (TypeError, ValueError) as error:
+        remedy = "The matrix is stored column by column: [fx, 0, 0, 0, fy, 0, cx, cy, 1]"
+        raise FileError(path, str(error), where=f"object {where[:-1]}" if where else "", remedy=remedy) from error
+
+
+def write_pinhole_camera_intrinsic(path: str | os.PathLike[str], intrinsic: PinholeCameraIntrinsic) -> None:
+    """Write a camera as Open3D's JSON, all digits kept; an existing file is replaced.
+
+    Raises:
+        FileError: The place cannot be written.
+
+    Example:
+        >>> import pointloom as loom
+        >>> camera = loom.PinholeCameraIntrinsic(640, 480, 525.0, 525.0, 319.5, 239.5)
+        >>> loom.write_pinhole_camera_intrinsic("camera.json", camera)
+        >>> loom.read_pinhole_camera_intrinsic("camera.json") == camera
+        True
+    """
+    if not isinstance(intrinsic, PinholeCameraIntrinsic):
+        raise TypeError(f"intrinsic: expected a PinholeCameraIntrinsic, got {type(intrinsic).__name__}")
+    text = json.dumps(intrinsic_to_json(intrinsic), indent=4)
+    with atomic_write(path) as file:
+        file.write(text.encode() + b"\n")
+
+
+def intrinsic_to_json(intrinsic: PinholeCameraIntrinsic) -> dict[str, Any]:
+    """The object that Open3D's JSON files hold for a camera."""
+    columns = intrinsic.matrix.T.ravel().tolist()
+    return {"width": intrinsic.width, "height": intrinsic.height, "intrinsic_matrix": columns}
+
+
+def read_json_matrix(path: str | os.PathLike[str], values: Any, side: int, *, where: str) -> NDArray[np.float64]:
+    """The square matrix that a JSON list holds column by column."""
+    if not isinstance(values, list) or len(values) != side * side:
+        found = f"{len(values)}" if isinstance(values, list) else f"a {type(values).__name__}"
+        raise FileError(path, f"expected a list of {side * side} numbers, got {found}", where=where)
+    for value in values:
+        if isinstance(value, bool) or not isinstance(value, int | float) or abs(value) > LARGEST_NUMBER:
+            raise FileError(path, f"expected finite numbers, got {str(value)[:40]!r}", where=where)
+    return np.array(values, np.float64).reshape(side, side).T

@@ -1,0 +1,347 @@
+"""Cameras with lenses: COLMAP's models, which structure from motion writes, and Agisoft Metashape's.
+
+Pixel centres are whole numbers here as everywhere in pointloom. COLMAP and Metashape have them at halves: `params` are
+kept as their files store them, and what takes or gives pixels takes and gives ours.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+from collections.abc import Callable
+from functools import cached_property
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ..core.checks import (
+    check_count,
+    check_finite,
+    check_list,
+    check_name,
+    check_number,
+    check_numeric,
+    check_share,
+    shown,
+)
+from ..core.known_names import nearest_name
+from .camera import MOST_IN_ALL, MOST_PIXELS, PinholeCameraIntrinsic, check_pixels
+from .lens_projection import DIVISION, EQUIDISTANT, FIELD_OF_VIEW, PERSPECTIVE, UNIFIED, Lens
+
+HALF = 0.5  # COLMAP's principal point less ours [px]
+SMALLEST, LARGEST = 0.2, 2.0  # of the lens picture's sides: what COLMAP lets a straightened one have
+
+
+class _Model(NamedTuple):
+    number: int | None  # in COLMAP's binary files; None where it has no such model
+    params: str
+    terms: Callable[[list[float]], dict[str, Any]]  # of what stands behind the principal point
+
+
+def _radial(k: list[float]) -> dict[str, Any]:
+    return {"radial": (*k, *[0.0] * (4 - len(k)))}
+
+
+def _fisheye(k: list[float]) -> dict[str, Any]:
+    return {"kind": EQUIDISTANT, **_radial(k)}
+
+
+def _opencv(k: list[float]) -> dict[str, Any]:
+    return {**_radial(k[:2]), "tangential": tuple(k[2:])}
+
+
+def _full_opencv(k: list[float]) -> dict[str, Any]:
+    return {**_radial([*k[:2], k[4]]), "tangential": tuple(k[2:4]), "rational": tuple(k[5:])}
+
+
+def _thin_prism(k: list[float]) -> dict[str, Any]:
+    return {**_fisheye([*k[:2], *k[4:6]]), "tangential": tuple(k[2:4]), "prism": tuple(k[6:])}
+
+
+def _metashape(k: list[float]) -> dict[str, Any]:
+    return {**_radial(k[:4]), "tangential": (k[5], k[4])}  # its p1 and p2 are OpenCV's the other way round
+
+
+MODELS = {
+    "SIMPLE_PINHOLE": _Model(0, "f, cx, cy", _radial),
+    "PINHOLE": _Model(1, "fx, fy, cx, cy", _radial),
+    "SIMPLE_RADIAL": _Model(2, "f, cx, cy, k", _radial),
+    "RADIAL": _Model(3, "f, cx, cy, k1, k2", _radial),
+    "OPENCV": _Model(4, "fx, fy, cx, cy, k1, k2, p1, p2", _opencv),
+    "OPENCV_FISHEYE": _Model(5, "fx, fy, cx, cy, k1, k2, k3, k4", _fisheye),
+    "FULL_OPENCV": _Model(6, "fx, fy, cx, cy, k1, k2, p1, p2, k3, k4, k5, k6", _full_opencv),
+    "FOV": _Model(7, "fx, fy, cx, cy, omega", lambda k: {"kind": FIELD_OF_VIEW, "shape": (abs(k[0]), 0.0)}),
+    "SIMPLE_RADIAL_FISHEYE": _Model(8, "f, cx, cy, k", _fisheye),
+    "RADIAL_FISHEYE": _Model(9, "f, cx, cy, k1, k2", _fisheye),
+    "THIN_PRISM_FISHEYE": _Model(10, "fx, fy, cx, cy, k1, k2, p1, p2, k3, k4, sx1, sy1", _thin_prism),
+    "SIMPLE_DIVISION": _Model(12, "f, cx, cy, k", lambda k: {"kind": DIVISION, "shape": (k[0], 0.0)}),
+    "DIVISION": _Model(13, "fx, fy, cx, cy, k", lambda k: {"kind": DIVISION, "shape": (k[0], 0.0)}),
+    "SIMPLE_FISHEYE": _Model(14, "f, cx, cy", _fisheye),
+    "FISHEYE": _Model(15, "fx, fy, cx, cy", _fisheye),
+    "EUCM": _Model(16, "fx, fy, cx, cy, alpha, beta", lambda k: {"kind": UNIFIED, "shape": (k[0], k[1])}),
+    "METASHAPE": _Model(None, "f, cx, cy, k1, k2, k3, k4, p1, p2, b1, b2", _metashape),
+    "METASHAPE_FISHEYE": _Model(
+        None, "f, cx, cy, k1, k2, k3, k4, p1, p2, b1, b2", lambda k: {"kind": EQUIDISTANT, **_metashape(k)}
+    ),
+}
+MODEL_NUMBERS = {model.number: name for name, model in MODELS.items() if model.number is not None}
+_SIDES = "no camera or panorama is larger"
+UNREAD = {11: "RAD_TAN_THIN_PRISM_FISHEYE", 17: "EQUIRECTANGULAR"}  # COLMAP's, of another family
+
+
+@dataclasses.dataclass(frozen=True)
+class CameraModel:
+    """A camera with a lens: what it makes of rays, and of pixels.
+
+    Args:
+        model: SIMPLE_PINHOLE, PINHOLE, SIMPLE_RADIAL, RADIAL, OPENCV, OPENCV_FISHEYE, FULL_OPENCV, FOV,
+            SIMPLE_RADIAL_FISHEYE, RADIAL_FISHEYE, THIN_PRISM_FISHEYE, SIMPLE_DIVISION, DIVISION, SIMPLE_FISHEYE,
+            FISHEYE or EUCM as COLMAP has them; METASHAPE and METASHAPE_FISHEYE for what Agisoft's lenses have more
+            (f, cx, cy, k1, k2, k3, k4, p1, p2, b1, b2).
+        width: Columns of its pictures [px].
+        height: Rows of its pictures [px].
+        params: The numbers of the model in COLMAP's order, exactly as its files store them: its principal point has
+            the upper left corner of the picture at (0, 0), so that it is ours + 0.5.
+
+    Raises:
+        TypeError: Not numbers.
+        ValueError: An unknown model, another count of parameters, numbers that are not finite, a focal length that is
+            not positive, a size out of range.
+
+    Notes:
+        A strong lens turns back at some radius. What lies beyond has no pixel and no ray here (NaN), where COLMAP's
+        `img_from_cam` gives a number. Rays 90 degrees and more off the axis have none either. With tangential or prism
+        factors far beyond those of lenses (0.02 is large) two rays may share a pixel, which then gives one of them.
+
+    Example:
+        >>> import pointloom as loom
+        >>> camera = loom.CameraModel("SIMPLE_RADIAL", 640, 480, [500, 320, 240, -0.1])
+        >>> camera.project([[0.5, 0, 1]]).round(3).tolist()
+        [[563.25, 239.5]]
+        >>> camera.unproject([[563.25, 239.5]]).round(6).tolist()
+        [[0.5, 0.0, 1.0]]
+    """
+
+    model: str
+    width: int
+    height: int
+    params: tuple[float, ...]
+
+    def __post_init__(self):
+        if check_name("model", self.model) not in MODELS:
+            if self.model in UNREAD.values():
+                raise ValueError(f"model: {self.model} is not read; undistort its pictures with COLMAP first")
+            raise ValueError(f"model: unknown {shown(self.model)}{nearest_name(self.model, MODELS)}; {_known_models()}")
+        for name in ("width", "height"):
+            object.__setattr__(self, name, check_pixels(name, getattr(self, name)))
+        if self.width * self.height > MOST_IN_ALL:
+            raise ValueError(f"width, height: {self.width} x {self.height} pixels are more than 2^28; scale the camera")
+        numbers = tuple(check_number("params", value) for value in check_list("params", self.params, "numbers"))
+        names = MODELS[self.model].params
+        if len(numbers) != len(names.split(", ")):
+            raise ValueError(f"params: {self.model} takes {names}; got {len(numbers)} numbers")
+        check_finite("params", np.array(numbers))
+        object.__setattr__(self, "params", numbers)
+        focal, (first, second) = self._lens.focal, self._lens.shape
+        if self._lens.kind == FIELD_OF_VIEW and not abs(first) < math.pi:
+            raise ValueError(f"params: expected omega between -pi and pi, got {first:g}; it is an angle [rad]")
+        if self._lens.kind == UNIFIED and not (0 <= first <= 1 and second > 0):
+            raise ValueError(f"params: expected alpha in 0..1 and beta > 0, got {first:g} and {second:g}")
+        if not min(focal) > 1e-6:
+            raise ValueError(f"params: expected focal lengths above 1e-6 px, got {focal[0]:g} and {focal[1]:g}")
+
+    @cached_property
+    def _lens(self) -> Lens:
+        names, numbers = MODELS[self.model].params.split(", "), list(self.params)
+        at = names.index("cx")
+        fx, fy = numbers[0], numbers[at - 1]
+        skew = 0.0
+        terms = numbers[at + 2 :]
+        if names[-1] == "b2":
+            fx, skew, terms = fx + numbers[-2], numbers[-1], terms[:-2]
+        center = (numbers[at] - HALF, numbers[at + 1] - HALF)
+        across = max(abs(center[0]), abs(self.width - 1 - center[0])) / max(fx, 1e-300)
+        down = max(abs(center[1]), abs(self.height - 1 - center[1])) / max(fy, 1e-300)
+        given = {"kind": PERSPECTIVE, **MODELS[self.model].terms(terms)}
+        return Lens(focal=(fx, fy), center=center, extent=math.hypot(across, down), skew=skew, **given)
+
+    @property
+    def is_pinhole(self) -> bool:
+        """Whether the lens bends nothing, so that pictures need no straightening."""
+        return self._lens.is_pinhole and self._lens.skew == 0
+
+    @property
+    def intrinsic(self) -> PinholeCameraIntrinsic:
+        """The pinhole camera that this one is.
+
+        Raises:
+            ValueError: The lens bends rays: straighten the pictures first, see `undistorted`.
+        """
+        if not self.is_pinhole:
+            raise ValueError(f"model: {self.model} bends rays; straighten pictures with loom.undistort_picture")
+        (fx, fy), (cx, cy) = self._lens.focal, self._lens.center
+        return PinholeCameraIntrinsic(self.width, self.height, fx, fy, cx, cy)
+
+    @classmethod
+    def from_intrinsic(cls, intrinsic: PinholeCameraIntrinsic) -> CameraModel:
+        """The PINHOLE model of a pinhole camera.
+
+        Raises:
+            TypeError: No PinholeCameraIntrinsic.
+        """
+        if not isinstance(intrinsic, PinholeCameraIntrinsic):
+            raise TypeError(f"intrinsic: expected a PinholeCameraIntrinsic, got {type(intrinsic).__name__}")
+        params = (intrinsic.fx, intrinsic.fy, intrinsic.cx + HALF, intrinsic.cy + HALF)
+        return cls("PINHOLE", intrinsic.width, intrinsic.height, params)
+
+    def project(self, points: ArrayLike) -> NDArray[np.float64]:
+        """Where points are seen.
+
+        Args:
+            points: In the camera's frame (x right, y down, z forward), shape [n, 3].
+
+        Returns:
+            Columns and rows, shape [n, 2] [px], inside the picture or not; NaN where a point is not in front of the
+            camera or the lens does not reach it.
+
+        Raises:
+            TypeError: Not numbers.
+            ValueError: Another shape.
+
+        Example:
+            >>> import pointloom as loom
+            >>> loom.CameraModel("PINHOLE", 640, 480, [500, 500, 320, 240]).project([[0, 0, 2], [0, 0, -2]]).tolist()
+            [[319.5, 239.5], [nan, nan]]
+        """
+        given = _check_columns("points", points, 3)
+        with np.errstate(all="ignore"):
+            rays = given[:, :2] / given[:, 2:]
+        rays[~(given[:, 2] > 0)] = np.nan
+        return self._lens.project(rays)
+
+    def unproject(self, pixels: ArrayLike) -> NDArray[np.float64]:
+        """The rays that pixels see.
+
+        Args:
+            pixels: Columns and rows, shape [n, 2] [px].
+
+        Returns:
+            Rays with z = 1 in the camera's frame, shape [n, 3]; NaN where the lens has no inverse.
+
+        Raises:
+            TypeError: Not numbers.
+            ValueError: Another shape.
+
+        Notes:
+            Newton's method from the solution without tangential terms; what does not solve the equation to 1e-12 is
+            NaN.
+
+        Example:
+            >>> import pointloom as loom
+            >>> camera = loom.CameraModel("SIMPLE_RADIAL", 640, 480, [200, 320, 240, -0.2])  # turns 172 px off
+            >>> camera.unproject([[319.5, 239.5], [519.5, 239.5]]).tolist()
+            [[0.0, 0.0, 1.0], [nan, nan, nan]]
+        """
+        rays = self._lens.unproject(_check_columns("pixels", pixels, 2))
+        depth = np.where(np.isfinite(rays[:, :1]), 1.0, np.nan)
+        return np.concatenate([rays, depth], axis=1)
+
+    def undistorted(
+        self, *, blank_share: float = 0.0, max_size: int | None = None, size: tuple[int, int] | None = None
+    ) -> PinholeCameraIntrinsic:
+        """The pinhole camera that this one's straightened pictures have.
+
+        COLMAP's rule: focal lengths and, in share of the sides, the principal point stay; each side is made so long
+        that the picture holds what the lens saw along the whole border (`blank_share` 1: nothing is lost, corners are
+        blank), or no more than that (0: next to nothing is blank), or lies between, at 0.2 to 2 times the lens's own
+        side. A pinhole stays as it is.
+
+        Args:
+            blank_share: 0 to 1, how much of the way from the smaller picture to the larger.
+            max_size: The longest side may have [px]; a larger picture is made smaller in proportion.
+            size: Width and height [px] to which the picture is resized, whatever its proportions; not with `max_size`.
+
+        Returns:
+            The camera, pixel centres being whole.
+
+        Raises:
+            TypeError: Not numbers.
+            ValueError: A number out of range, both sizes, or a lens without an inverse anywhere along a border.
+
+        Example:
+            >>> import pointloom as loom
+            >>> camera = loom.CameraModel("SIMPLE_RADIAL", 640, 480, [500, 320, 240, -0.1])
+            >>> straight = camera.undistorted()
+            >>> straight.width, straight.height, straight.fx
+            (668, 490, 500.0)
+        """
+        share = check_share("blank_share", blank_share)
+        if max_size is not None and size is not None:
+            raise ValueError("max_size, size: give one of them")
+        longest = None if max_size is None else check_count("max_size", max_size, maximum=MOST_PIXELS, because=_SIDES)
+        sides = None if size is None else _check_size(size)
+        width, height = (self.width, self.height) if self.is_pinhole else _straight_size(self, share)
+        (fx, fy), center = self._lens.focal, self._lens.center
+        straight = PinholeCameraIntrinsic(self.width, self.height, fx, fy, *center)
+        if (width, height) != (self.width, self.height):  # what stays keeps its bits
+            cx, cy = (center[0] + HALF) * width / self.width - HALF, (center[1] + HALF) * height / self.height - HALF
+            straight = PinholeCameraIntrinsic(width, height, fx, fy, cx, cy)
+        if longest is not None and longest < max(width, height):
+            factor = longest / max(width, height)  # rounded down to whole pixels, as COLMAP's Rescale does
+            sides = max(round(width * factor), 1), max(round(height * factor), 1)
+        return straight if sides is None else _resized(straight, *sides)
+
+
+def _straight_size(camera: CameraModel, blank_share: float) -> tuple[int, int]:
+    """Width and height of the straightened picture at the focal length of the lens."""
+    width, height = camera.width, camera.height
+    center = [value + HALF for value in camera._lens.center]  # as COLMAP counts, for the borders at 0 and width
+    rows, columns = np.arange(height, dtype=np.float64), np.arange(width, dtype=np.float64)
+    lengths = []
+    for axis, side, along in ((0, width, rows), (1, height, columns)):
+        pixels = np.zeros((2, len(along), 2))
+        pixels[:, :, 1 - axis], pixels[1, :, axis] = along, side - 1
+        seen = camera._lens.unproject(pixels.reshape(-1, 2))[:, axis].reshape(2, -1)
+        seen = seen * camera._lens.focal[axis] + center[axis]
+        if not np.isfinite(seen).any(axis=1).all():
+            name = ("left or right", "upper or lower")[axis]
+            raise ValueError(
+                f"params: {camera.model} has no inverse along the {name} border; is the calibration right?"
+            )
+        before, after = center[axis], side - HALF - center[axis]
+        with np.errstate(all="ignore"):
+            low, high = before / (before - np.nanmin(seen[0])), after / (np.nanmax(seen[1]) - before)
+            least = min(low, high)
+            most = max(before / (before - np.nanmax(seen[0])), after / (np.nanmin(seen[1]) - before))
+            scale = 1.0 / (least * blank_share + most * (1.0 - blank_share))
+        scale = min(max(scale, SMALLEST), LARGEST) if scale == scale else 1.0
+        lengths.append(max(int(scale * side), 1))
+    return lengths[0], lengths[1]
+
+
+def _resized(camera: PinholeCameraIntrinsic, width: int, height: int) -> PinholeCameraIntrinsic:
+    """The camera of pictures resized to these sides; their borders keep their place."""
+    sx, sy = width / camera.width, height / camera.height
+    cx, cy = (camera.cx + HALF) * sx - HALF, (camera.cy + HALF) * sy - HALF
+    return PinholeCameraIntrinsic(width, height, camera.fx * sx, camera.fy * sy, cx, cy)
+
+
+def _check_size(size: Any) -> tuple[int, int]:
+    sides = [check_pixels("size", side) for side in check_list("size", size, "two sides [px]")]
+    if len(sides) != 2:
+        raise ValueError(f"size: expected width and height, got {len(sides)} numbers")
+    return sides[0], sides[1]
+
+
+def _check_columns(name: str, values: Any, width: int) -> NDArray[np.float64]:
+    array = check_numeric(name, values)
+    if array.size == 0 and len(array.shape) and array.shape[0] == 0:
+        array = array.reshape(0, width)
+    if array.ndim != 2 or array.shape[1] != width:
+        raise ValueError(f"{name}: expected shape [n, {width}], got {list(array.shape)}")
+    return array.astype(np.float64)
+
+
+def _known_models() -> str:
+    return f"known are {', '.join(MODELS)}"

@@ -1,0 +1,270 @@
+"""Filters on depth images: less noise, no edges, normals, half the size.
+
+All take a depth image as an array of shape [h, w] (integers are divided by `depth_scale`, floats are metres) and give
+float32 metres, or an RGBDImage and give an RGBDImage on its device. Pixels without depth (0) never count and are never
+filled. The same bits from run to run; memory for one more image.
+"""
+
+from __future__ import annotations
+
+from typing import Any, TypeVar, cast
+
+import numpy as np
+import warp as wp
+from numpy.typing import ArrayLike, NDArray
+
+from ..core.array_libraries import Form, form_of
+from ..core.checks import check_count, check_number, check_numeric, check_positive
+from ..core.gpu_arrays import device_for, take_numbers
+from ..kernels.images.depth import PixelGrid, pixel_normals
+from ..kernels.images.depth_filters import erode_edges, filter_bilateral, halve_color, halve_depth
+from .camera import MOST_PIXELS, PinholeCameraIntrinsic
+from .images import RGBDImage, check_intrinsic, upload_color, upload_depth
+
+Depth = TypeVar("Depth", RGBDImage, NDArray[Any])
+
+MOST_KERNEL = 255  # [px] 51,000 products a pixel: minutes an image on a few cores
+DEPTH_DIFF = 0.14  # [m] what Open3D takes for another surface when it halves depth
+
+
+def filter_depth_bilateral(
+    depth: Depth,
+    kernel_size: int = 5,
+    value_sigma: float = 0.03,
+    dist_sigma: float = 2.0,
+    *,
+    depth_scale: float = 1000.0,
+    device: Any = None,
+) -> Depth:
+    """Average each depth with those around it that are much the same.
+
+    A pixel at distance r and with a depth that differs by v weighs exp(-r^2 / (2 dist_sigma^2) - v^2 / (2
+    value_sigma^2)), so noise goes and edges stay.
+
+    Args:
+        depth: Shape [h, w], or an RGBDImage, whose colours stay.
+        kernel_size: Width of the disc of pixels [px], up to 255: its radius is kernel_size // 2.
+        value_sigma: Deviation of the weight over differences of depth [m].
+        dist_sigma: Deviation of the weight over pixels [px].
+        depth_scale: Integer units a metre of an array.
+        device: Where an array is filtered; None for the GPU that it lies on, else the CPU.
+
+    Returns:
+        Depth [m] of the same size; 0 where there was none.
+
+    Raises:
+        ValueError: A wrong shape, or a number out of range.
+
+    Notes:
+        Open3D's Image.filter_bilateral on the CPU (its CUDA form takes a square), without its holes, which count there
+        as depth 0. Tomasi and Manduchi 1998, "Bilateral filtering for gray and color images".
+
+    Example:
+        >>> import numpy as np, pointloom as loom
+        >>> depth = np.array([[1.0, 1.01, 2.0, 2.02, 0.0]])
+        >>> loom.filter_depth_bilateral(depth, 3).round(3)
+        array([[1.002, 1.008, 2.004, 2.016, 0.   ]], dtype=float32)
+    """
+    reason = "the time grows with its square; halve the image with pyrdown_depth, or filter twice"
+    radius = check_count("kernel_size", kernel_size, maximum=MOST_KERNEL, because=reason) // 2
+    value, distance = check_positive("value_sigma", value_sigma), check_positive("dist_sigma", dist_sigma)
+    metric, height, width = _metric(depth, depth_scale, device)
+    return _like(depth, filter_bilateral(metric, width, height, radius, value, distance), height, width)
+
+
+def erode_depth_edges(
+    depth: Depth, radius: int = 3, depth_threshold: float = 0.1, *, depth_scale: float = 1000.0, device: Any = None
+) -> Depth:
+    """Drop the pixels beside edges and holes, where sensors mix near and far.
+
+    Args:
+        depth: Shape [h, w], or an RGBDImage, whose colours stay.
+        radius: How many pixels go on each side of an edge, and around a hole [px]; diagonals count as one.
+        depth_threshold: Neighbouring pixels whose depths differ by more are an edge [m].
+        depth_scale: Integer units a metre of an array.
+        device: Where an array is filtered; None for the GPU that it lies on, else the CPU.
+
+    Returns:
+        Depth [m] of the same size; 0 where it was dropped. The border of the image is no edge.
+
+    Raises:
+        ValueError: A wrong shape, or a number out of range.
+
+    Example:
+        >>> import numpy as np, pointloom as loom
+        >>> loom.erode_depth_edges(np.array([[1.0, 1.0, 1.0, 2.0, 2.0, 2.0]]), 1).tolist()
+        [[1.0, 1.0, 0.0, 0.0, 2.0, 2.0]]
+    """
+    reason = "no image is larger"
+    size = check_count("radius", radius, minimum=0, maximum=MOST_PIXELS, because=reason)
+    jump = check_positive("depth_threshold", depth_threshold)
+    metric, height, width = _metric(depth, depth_scale, device)
+    return _like(depth, erode_edges(metric, width, height, size, jump), height, width)
+
+
+def create_normal_map(
+    depth: RGBDImage | ArrayLike,
+    intrinsic: PinholeCameraIntrinsic,
+    invalid_fill: float = 0.0,
+    *,
+    depth_scale: float = 1000.0,
+    device: Any = None,
+) -> NDArray[np.float32]:
+    """The normal of the surface at each pixel, from the differences to the points on the right and below.
+
+    Args:
+        depth: Shape [h, w], or an RGBDImage.
+        intrinsic: The camera, of the image's size.
+        invalid_fill: What stands in all components where one of the three pixels has no depth, and in the last row
+            and column.
+        depth_scale: Integer units a metre of an array.
+        device: Where an array's normals are computed.
+
+    Returns:
+        Unit normals in the camera's frame, towards the camera, float32 [h, w, 3].
+
+    Raises:
+        ValueError: A wrong shape, or a camera of another size.
+
+    Notes:
+        Open3D's Image.create_vertex_map and create_normal_map in one, in float64. Noisy depth wants
+        `filter_depth_bilateral` first, and `erode_depth_edges` takes away what spans two surfaces.
+
+    Example:
+        >>> import numpy as np, pointloom as loom
+        >>> camera = loom.PinholeCameraIntrinsic(3, 2, 1.0, 1.0, 1.0, 0.5)
+        >>> loom.create_normal_map(np.ones((2, 3)), camera)[0, 0].tolist()
+        [0.0, 0.0, -1.0]
+    """
+    fill = check_number("invalid_fill", invalid_fill, allow_nan=True, allow_infinite=True)
+    metric, height, width = _metric(depth, depth_scale, device)
+    camera = check_intrinsic(intrinsic, width, height)
+    normals, _ = pixel_normals(metric, PixelGrid(width, height, 1), camera, np.eye(3), fill)
+    form = Form(depth.array_library, False) if isinstance(depth, RGBDImage) else form_of(depth)
+    return form.hand_out(normals, shape=(height, width))
+
+
+def pyrdown_depth(
+    depth: Depth, diff_threshold: float = DEPTH_DIFF, *, depth_scale: float = 1000.0, device: Any = None
+) -> Depth:
+    """A depth image of half the size: every second pixel, smoothed over 5 x 5 pixels of the same surface.
+
+    Args:
+        depth: Shape [h, w], or an RGBDImage, whose colours are halved by `pyrdown_color`.
+        diff_threshold: Depths that differ by as much from the pixel's own do not count [m].
+        depth_scale: Integer units a metre of an array.
+        device: Where an array is filtered; None for the GPU that it lies on, else the CPU.
+
+    Returns:
+        Depth [m] of shape [h // 2, w // 2]; 0 where the pixel had none. Its camera has half of fx, fy, cx and cy (not
+        that of `PinholeCameraIntrinsic.scaled`, since pixel (u, v) is pixel (2 u, 2 v) of the image before).
+
+    Raises:
+        ValueError: A wrong shape, fewer than 2 rows or columns, or a threshold that is not positive.
+
+    Notes:
+        Open3D's PyrDownDepth, after KinectFusion's: Newcombe et al. 2011, section 3.3.
+
+    Example:
+        >>> import numpy as np, pointloom as loom
+        >>> loom.pyrdown_depth(np.array([[1.0, 1.1, 5.0, 5.0], [1.1, 1.0, 5.0, 0.0]])).round(3)
+        array([[1.048, 5.   ]], dtype=float32)
+    """
+    jump = check_positive("diff_threshold", diff_threshold)
+    metric, height, width = _metric(depth, depth_scale, device)
+    _check_halves("depth", height, width)
+    halved = halve_depth(metric, width, height, jump)
+    if isinstance(depth, RGBDImage):
+        color = halve_color(depth.color_array, width, height)
+        return RGBDImage.from_device_arrays(color, halved, height // 2, width // 2, depth.array_library)
+    return _like(depth, halved, height // 2, width // 2)
+
+
+def pyrdown_color(color: ArrayLike, *, device: Any = None) -> NDArray[np.uint8]:
+    """A colour image of half the size: every second pixel after a Gaussian of 5 x 5 pixels and deviation 1.
+
+    Args:
+        color: 8-bit colours, shape [h, w, 3], or grey [h, w].
+        device: Where it is filtered.
+
+    Returns:
+        Colours, uint8 [h // 2, w // 2, 3], grey repeated; rounded, halves up.
+
+    Raises:
+        ValueError: A wrong shape, or fewer than 2 rows or columns.
+        TypeError: Not 8-bit.
+
+    Notes:
+        Open3D's Image.pyrdown where sizes are even; for odd sizes that one takes pixels off the grid of the depth.
+
+    Example:
+        >>> import numpy as np, pointloom as loom
+        >>> loom.pyrdown_color(np.full((480, 640), 7, np.uint8)).shape
+        (240, 320, 3)
+    """
+    where, form = device_for(color, device), form_of(color)
+    image = check_numeric("color", color) if form.on_host else take_numbers("color", color, where)
+    height, width = image.shape[:2] if image.ndim >= 2 else (0, 0)
+    _check_halves("color", height, width)
+    pixels = upload_color(image, height, width, where)
+    return form.hand_out(halve_color(pixels, width, height), shape=(height // 2, width // 2, 3))
+
+
+def create_depth_pyramid(
+    depth: Depth,
+    levels: int = 3,
+    diff_threshold: float = DEPTH_DIFF,
+    *,
+    depth_scale: float = 1000.0,
+    device: Any = None,
+) -> list[Depth]:
+    """A depth image and its halves, the largest first; see `pyrdown_depth`.
+
+    Args:
+        depth: Shape [h, w], or an RGBDImage.
+        levels: Images in all.
+        diff_threshold: As in `pyrdown_depth`.
+        depth_scale: Integer units a metre of an array.
+        device: Where an array is filtered; None for the GPU that it lies on, else the CPU.
+
+    Raises:
+        ValueError: As `pyrdown_depth`; levels < 1 or more than the size can be halved.
+
+    Example:
+        >>> import numpy as np, pointloom as loom
+        >>> [image.shape for image in loom.create_depth_pyramid(np.ones((480, 640)))]
+        [(480, 640), (240, 320), (120, 160)]
+    """
+    count = check_count("levels", levels)
+    if isinstance(depth, RGBDImage):
+        first = depth
+    else:
+        metric, height, width = _metric(depth, depth_scale, device)
+        first = _like(depth, metric, height, width)
+    images = [first]
+    for _ in range(count - 1):
+        images.append(pyrdown_depth(images[-1], diff_threshold, device=device))
+    return cast("list[Depth]", images)
+
+
+# ---------------------------------------------------------------------------------------------- internals
+
+
+def _metric(depth: Any, depth_scale: float, device: Any) -> tuple[wp.array, int, int]:
+    """Metres on the device, flat; height and width."""
+    if isinstance(depth, RGBDImage):
+        return depth.depth_array, depth.height, depth.width
+    metric, _, height, width = upload_depth(depth, depth_scale, np.inf, device_for(depth, device))
+    return metric, height, width
+
+
+def _like(depth: Any, metric: wp.array, height: int, width: int) -> Any:
+    """Metres in the form of the image that they come from."""
+    if isinstance(depth, RGBDImage):
+        return RGBDImage.from_device_arrays(depth.color_array, metric, height, width, depth.array_library)
+    return form_of(depth).hand_out(metric, shape=(height, width))
+
+
+def _check_halves(name: str, height: int, width: int) -> None:
+    if min(height, width) < 2:
+        raise ValueError(f"{name}: expected at least 2 x 2 pixels to halve, got {width} x {height}")

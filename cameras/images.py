@@ -1,0 +1,309 @@
+"""Depth and colour images: what the operations take, checked once."""
+
+from __future__ import annotations
+
+from typing import Any, Self
+
+import numpy as np
+import warp as wp
+from numpy.typing import ArrayLike, NDArray
+
+from ..core.array_libraries import NUMPY, library_of, view_as
+from ..core.checks import check_positive, is_on_gpu
+from ..core.gpu_arrays import INTEGERS, device_for, take_numbers
+from ..kernels.arrays.row_numbers import limits_of
+from ..kernels.images.depth import decode_depth, intensity_of, metric_depth
+from ..kernels.lang import float32, float64, int64, uint8, uint16
+from ..kernels.memory import cast, download, empty, fill_column, upload
+from .camera import PinholeCameraIntrinsic
+
+MOST_RAW = 65535  # of integer depths
+TOO_DEEP = "depth: integer depths must lie in 0..65535; convert larger ones to float metres"
+RAW_TRUNC = 7.0  # [m] where Open3D cuts the frames of data sets with long ranges
+
+
+class RGBDImage:
+    """A depth image in metres with a colour or grey image of the same size, on one device.
+
+    Args:
+        color: 8-bit colours, shape [h, w, 3], or grey [h, w].
+        depth: Shape [h, w]; integers are divided by `depth_scale`, floats are metres.
+        depth_scale: Integer units a metre.
+        depth_trunc: Farthest depth kept [m]; beyond it a pixel has no measurement (0).
+        device: Where the images go; None for the GPU that the depth lies on, else the CPU.
+
+    Raises:
+        ValueError: Wrong shapes, or depth and colour of different sizes.
+        TypeError: Wrong element types.
+
+    Attributes:
+        depth_array: The depth on its device, float32 [h * w] [m], 0 where there is none.
+        color_array: Colours on the device, uint8 [h * w, 3], or brightness, float32 [h * w].
+        width: Columns [px].
+        height: Rows [px].
+        device: Where the arrays are.
+
+    Example:
+        >>> import numpy as np, pointloom as loom
+        >>> rgbd = loom.RGBDImage(np.zeros((2, 3, 3), np.uint8), np.full((2, 3), 1500, np.uint16))
+        >>> float(rgbd.depth[0, 0]), rgbd.width, rgbd.height
+        (1.5, 3, 2)
+    """
+
+    def __init__(
+        self,
+        color: ArrayLike,
+        depth: ArrayLike,
+        *,
+        depth_scale: float = 1000.0,
+        depth_trunc: float = 3.0,
+        device: Any = None,
+    ):
+        where = device_for(depth, device)
+        self.depth_array, _, self.height, self.width = upload_depth(
+            depth, depth_scale, depth_trunc, where, limit="depth_trunc"
+        )
+        self.color_array = upload_color(color, self.height, self.width, where)
+        self.device, self._library = where, library_of(depth)
+
+    @classmethod
+    def from_color_and_depth(
+        cls,
+        color: ArrayLike,
+        depth: ArrayLike,
+        depth_scale: float = 1000.0,
+        depth_trunc: float = 3.0,
+        convert_rgb_to_intensity: bool = True,
+        *,
+        device: Any = None,
+    ) -> Self:
+        """An RGB-D image with Open3D's defaults: the colours become brightness.
+
+        Args:
+            color: 8-bit colours, shape [h, w, 3], or grey [h, w].
+            depth: Shape [h, w]; integers are divided by `depth_scale`, floats are metres (Open3D divides them too).
+            depth_scale: Integer units a metre.
+            depth_trunc: Farthest depth kept [m] (Open3D drops it itself).
+            convert_rgb_to_intensity: Keep 0.299 R + 0.587 G + 0.114 B, 0..1, in place of colours.
+            device: Where the images go; None for the GPU that the depth lies on, else the CPU.
+
+        Raises:
+            ValueError: Wrong shapes, or depth and colour of different sizes.
+            TypeError: Wrong element types.
+
+        Example:
+            >>> import numpy as np, pointloom as loom
+            >>> red = np.full((1, 1, 3), (255, 0, 0), np.uint8)
+            >>> rgbd = loom.RGBDImage.from_color_and_depth(red, np.full((1, 1), 2000, np.uint16))
+            >>> round(float(rgbd.color[0, 0]), 3)
+            0.299
+        """
+        image = cls(color, depth, depth_scale=depth_scale, depth_trunc=depth_trunc, device=device)
+        if convert_rgb_to_intensity:
+            image.color_array = intensity_of(image.color_array)
+        return image
+
+    @classmethod
+    def from_redwood_format(
+        cls, color: ArrayLike, depth: ArrayLike, convert_rgb_to_intensity: bool = True, *, device: Any = None
+    ) -> Self:
+        """A frame of the Redwood data sets: millimetres, cut at 4 m; see `from_color_and_depth`."""
+        return cls.from_color_and_depth(color, depth, 1000.0, 4.0, convert_rgb_to_intensity, device=device)
+
+    @classmethod
+    def from_tum_format(
+        cls, color: ArrayLike, depth: ArrayLike, convert_rgb_to_intensity: bool = True, *, device: Any = None
+    ) -> Self:
+        """A frame of the TUM RGB-D data sets: 5000 units a metre, cut at 4 m; see `from_color_and_depth`."""
+        return cls.from_color_and_depth(color, depth, 5000.0, 4.0, convert_rgb_to_intensity, device=device)
+
+    @classmethod
+    def from_sun_format(
+        cls, color: ArrayLike, depth: ArrayLike, convert_rgb_to_intensity: bool = True, *, device: Any = None
+    ) -> Self:
+        """A frame of SUN3D: millimetres turned left by three bits, cut at 7 m; see `from_color_and_depth`.
+
+        Args:
+            color: As there.
+            depth: The file's numbers, shape [h, w], integers of 16 bits.
+            convert_rgb_to_intensity: As there.
+            device: Where the images go; None for the GPU that the depth lies on, else the CPU.
+
+        Raises:
+            ValueError, TypeError: As there; depth that is no integers.
+        """
+        return cls._from_raw("sun", color, depth, convert_rgb_to_intensity, device)
+
+    @classmethod
+    def from_nyu_format(
+        cls, color: ArrayLike, depth: ArrayLike, convert_rgb_to_intensity: bool = True, *, device: Any = None
+    ) -> Self:
+        """A raw frame of NYU Depth v2: 351.3 / (1092.5 - d) metres, bytes swapped, cut at 7 m.
+
+        Args:
+            color: As in `from_color_and_depth`.
+            depth: The numbers as a reader of .pgm gives them (their bytes stand the other way round than in other
+                .pgm files, which is mended here), shape [h, w], integers of 16 bits.
+            convert_rgb_to_intensity: As there.
+            device: Where the images go; None for the GPU that the depth lies on, else the CPU.
+
+        Raises:
+            ValueError, TypeError: As there; depth that is no integers.
+        """
+        return cls._from_raw("nyu", color, depth, convert_rgb_to_intensity, device)
+
+    @property
+    def depth(self) -> NDArray[np.float32]:
+        """Depth [m], float32 [h, w]; 0 where there is none."""
+        return download(self.depth_array).reshape(self.height, self.width).copy()
+
+    @property
+    def color(self) -> NDArray[Any]:
+        """Colours, uint8 [h, w, 3]; or brightness 0..1, float32 [h, w], where they were converted to it."""
+        pixels = download(self.color_array)
+        return pixels.reshape(self.height, self.width, *pixels.shape[1:]).copy()
+
+    def __repr__(self) -> str:
+        return f"RGBDImage({self.width} x {self.height}, {self.device})"
+
+    # ------------------------------------------------------------------------------------------ internals
+
+    @classmethod
+    def _from_raw(cls, layout: str, color: Any, depth: Any, to_intensity: bool, device: Any) -> Self:
+        where = device_for(depth, device)
+        raw, height, width = _upload_raw(depth, where)
+        metric, _ = metric_depth(decode_depth(raw, layout), 1000.0, RAW_TRUNC)
+        pixels = upload_color(color, height, width, where)
+        colors = intensity_of(pixels) if to_intensity else pixels
+        return cls.from_device_arrays(colors, metric, height, width, library_of(depth))
+
+    @classmethod
+    def from_device_arrays(
+        cls, color: wp.array, depth: wp.array, height: int, width: int, library: str = NUMPY
+    ) -> Self:
+        """An image over device arrays that are known to be right; no copy."""
+        image = cls.__new__(cls)
+        image.color_array, image.depth_array, image.height, image.width = color, depth, height, width
+        image.device, image._library = depth.device, library
+        return image
+
+    @property
+    def array_library(self) -> str:
+        """The library whose arrays operations return: that of the depth which the image was made of."""
+        return self._library
+
+
+def upload_depth(
+    depth: Any, depth_scale: float, depth_max: float, device: Any, *, limit: str = "depth_max"
+) -> tuple[wp.array, wp.array, int, int]:
+    """A depth image as float32 metres on the device, flat; its largest depth (see largest_depth); height and width.
+
+    Integers are divided by `depth_scale`; floats are metres already. Zero, negative, NaN and infinite depths, and
+    those beyond `depth_max`, become 0: no measurement. Errors call that one by the name `limit`.
+    """
+    raw, scale, farthest, height, width = upload_raw_depth(depth, depth_scale, depth_max, device, limit=limit)
+    metric, largest = metric_depth(raw, scale, farthest)
+    return metric, largest, height, width
+
+
+def upload_raw_depth(
+    depth: Any, depth_scale: float, depth_max: float, device: Any, *, limit: str = "depth_max"
+) -> tuple[wp.array, float, float, int, int]:
+    """A checked depth image on the device, flat, as uint16 or float32; the scale; the limit; height and width."""
+    image: Any = take_numbers("depth", depth, device) if is_on_gpu(depth) else _as_array("depth", depth)
+    _check_size(image)
+    scale = check_positive("depth_scale", depth_scale)
+    farthest = check_positive(limit, depth_max, allow_infinite=True)
+    if is_on_gpu(depth):
+        raw = _flat_floats(image) if image.dtype in (wp.float16, float32, float64) else _flat_integers(image)
+    elif image.dtype.kind == "f":
+        with np.errstate(over="ignore"):  # a depth beyond float32 is infinite: no measurement
+            raw = upload(image.reshape(-1), float32, device)
+    else:
+        raw = _upload_raw(image, device)[0]
+    return raw, scale, farthest, image.shape[0], image.shape[1]
+
+
+def _as_array(name: str, values: Any) -> NDArray[Any]:
+    try:
+        return np.asarray(values)
+    except (ValueError, TypeError) as error:
+        raise TypeError(f"{name}: expected numbers, got {type(values).__name__} ({error})") from error
+
+
+def _check_size(image: Any) -> None:
+    if image.ndim != 2 or 0 in image.shape:
+        raise ValueError(f"depth: expected shape [h, w], got {list(image.shape)}")
+
+
+def _flat_floats(image: wp.array) -> wp.array:
+    """Depths on a GPU as float32, flat: the image's own memory where it holds that."""
+    flat = view_as(image, image.dtype, (image.size,))
+    return flat if image.dtype == float32 else cast(flat, float32)
+
+
+def _flat_integers(image: wp.array) -> wp.array:
+    """Integer depths on a GPU as uint16, flat: the image's own memory where it holds that."""
+    if image.dtype not in INTEGERS:
+        raise TypeError(f"depth: expected integers or floats, got {image.dtype.__name__}")
+    flat = view_as(image, image.dtype, (image.size,))
+    if image.dtype == uint16:
+        return flat
+    low, high = limits_of(cast(flat, int64))
+    if low < 0 or high > MOST_RAW:
+        raise ValueError(TOO_DEEP)
+    return cast(flat, uint16)
+
+
+def _upload_raw(depth: Any, device: Any) -> tuple[wp.array, int, int]:
+    """Integer depths as uint16 on the device, flat; height and width."""
+    if is_on_gpu(depth):
+        given = take_numbers("depth", depth, device)
+        _check_size(given)
+        return _flat_integers(given), given.shape[0], given.shape[1]
+    image = _as_array("depth", depth)
+    _check_size(image)
+    if image.dtype.kind not in "iu":
+        expected = "the file's integers" if image.dtype.kind == "f" else "integers or floats"
+        raise TypeError(f"depth: expected {expected}, got {image.dtype}")
+    if image.dtype != np.uint16 and (image.min() < 0 or image.max() > MOST_RAW):
+        raise ValueError(TOO_DEEP)
+    return upload(image.reshape(-1), uint16, device), image.shape[0], image.shape[1]
+
+
+def upload_color(color: Any, height: int, width: int, device: Any) -> wp.array:
+    """An 8-bit colour image on the device, uint8 [h * w, 3]; grey is repeated."""
+    image = take_numbers("color", color, device) if is_on_gpu(color) else _as_array("color", color)
+    kind = image.dtype if isinstance(image, np.ndarray) else wp.dtype_to_numpy(image.dtype)
+    if kind != np.uint8:
+        raise TypeError(f"color: expected uint8, got {np.dtype(kind)}; scale floats by 255 and round")
+    if image.ndim == 2:
+        image = np.repeat(image[:, :, None], 3, axis=2) if isinstance(image, np.ndarray) else _repeated(image)
+    if image.ndim != 3 or image.shape[2] != 3:
+        raise ValueError(f"color: expected shape [h, w, 3], got {list(image.shape)}")
+    if image.shape[:2] != (height, width):
+        have = f"{image.shape[1]} x {image.shape[0]}"
+        raise ValueError(f"color: {have} pixels, but the depth image has {width} x {height}; resize one of them")
+    if not isinstance(image, np.ndarray):
+        return view_as(image, uint8, (height * width, 3))
+    return upload(image.reshape(-1, 3), uint8, device)
+
+
+def _repeated(grey: wp.array) -> wp.array:
+    """A grey image on a GPU, [h, w], as one of three colours."""
+    rows, columns = grey.shape
+    pixels = empty((rows * columns, 3), uint8, grey.device)
+    for channel in range(3):
+        fill_column(pixels, channel, view_as(grey, uint8, (grey.size,)))
+    return view_as(pixels, uint8, (rows, columns, 3))
+
+
+def check_intrinsic(intrinsic: Any, width: int, height: int) -> PinholeCameraIntrinsic:
+    """The intrinsic, once it fits the image."""
+    if not isinstance(intrinsic, PinholeCameraIntrinsic):
+        kind = type(intrinsic).__name__
+        raise TypeError(f"intrinsic: expected a PinholeCameraIntrinsic, got {kind}; see its from_matrix")
+    if (intrinsic.width, intrinsic.height) != (width, height):
+        expected = f"{intrinsic.width} x {intrinsic.height}"
+        raise ValueError(f"intrinsic: made for {expected} pixels, but the image has {width} x {height}")
+    return intrinsic

@@ -1,0 +1,372 @@
+"""Camera trajectories in the four text formats in use: Open3D's .log and .json, TUM, KITTI.
+
+All are given as T_world_camera, camera to world; Open3D's JSON stores the inverse and is turned round. Rotations are
+returned as they stand in the file: real data have them rounded, so up to 0.02 from orthonormal is admitted and nothing
+is silently mended.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import json
+import os
+from collections.abc import Iterable, Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..core.atomic import atomic_write, check_writable
+from ..core.checks import check_name, check_numeric, check_rigid, check_shape
+from ..core.errors import FileError
+from ..core.json_files import check_keys, read_json_object
+from ..core.quaternions import nearest_rotations, quaternions_to_rotations, rotations_to_quaternions
+from .camera import LARGEST_NUMBER, PinholeCameraIntrinsic, intrinsic_to_json, read_json_matrix
+
+FORMATS = ("log", "tum", "kitti", "json")
+
+# Open3D (0.20) ends this comment without a line break, so that the first pose of its TUM files stands behind it.
+_OPEN3D_TUM_HEADER = "# TUM trajectory, format: <t> <x> <y> <z> <qx> <qy> <qz> <qw>"
+
+# How far from 1 the length of a quaternion may be: 4 decimals leave 1e-4; more is not a rotation.
+_QUATERNION_TOLERANCE = 1e-2
+
+Line = tuple[int, list[str]]
+
+
+@dataclasses.dataclass(frozen=True, eq=False)
+class Trajectory:
+    """The poses of a moving camera.
+
+    Args:
+        poses: T_world_camera of each frame, shape [n, 4, 4], float64 [m].
+        timestamps: Time of each pose, shape [n] [s]; None where the format has none.
+        ids: The whole numbers that a .log file gives with each pose, shape [n, 3]; None elsewhere. The first is the
+            number of the frame.
+
+    Raises:
+        TypeError: Not numbers.
+        ValueError: Shapes that do not fit.
+
+    Example:
+        >>> import numpy as np, pointloom as loom
+        >>> loom.Trajectory(np.tile(np.eye(4), (3, 1, 1)), timestamps=[0.0, 0.1, 0.2])
+        Trajectory(3 poses, timestamps)
+    """
+
+    poses: NDArray[np.float64]
+    timestamps: NDArray[np.float64] | None = None
+    ids: NDArray[np.int64] | None = None
+
+    def __post_init__(self):
+        poses = check_numeric("poses", self.poses)
+        if poses.ndim != 3 or poses.shape[1:] != (4, 4):
+            raise ValueError(f"poses: expected shape [n, 4, 4], got {list(poses.shape)}")
+        object.__setattr__(self, "poses", poses.astype(np.float64, copy=False))
+        if self.timestamps is not None:
+            object.__setattr__(self, "timestamps", check_shape("timestamps", self.timestamps, (len(poses),)))
+        if self.ids is not None:
+            ids = check_numeric("ids", self.ids)
+            if ids.ndim != 2 or len(ids) != len(poses) or ids.dtype.kind not in "iu":
+                shape = f"{list(ids.shape)} of {ids.dtype}"
+                raise ValueError(f"ids: expected whole numbers of shape [{len(poses)}, k], got {shape}")
+            object.__setattr__(self, "ids", ids.astype(np.int64, copy=False))
+
+    def __len__(self) -> int:
+        return len(self.poses)
+
+    def __repr__(self) -> str:
+        parts = [f"{len(self)} poses", *(["timestamps"] if self.timestamps is not None else [])]
+        return f"Trajectory({', '.join([*parts, *(['ids'] if self.ids is not None else [])])})"
+
+
+def read_trajectory(path: str | os.PathLike[str]) -> Trajectory:
+    """Read a trajectory; the name and the columns decide the format.
+
+    - `.log`: three whole numbers and four matrix rows a pose, camera to world (Open3D, Redwood).
+    - `.json`: Open3D's PinholeCameraTrajectory, extrinsics world to camera, column by column; its intrinsics are not
+      looked at.
+    - `.txt` with 8 columns, `.tum`: `timestamp tx ty tz qx qy qz qw`. Quaternions within 1e-2 of unit length are
+      normalised.
+    - `.txt` with 12 columns, `.kitti`: the upper three matrix rows, camera to world.
+
+    In the text formats lines that begin with `#` and blank lines are passed over.
+
+    Returns:
+        The poses; n >= 1.
+
+    Raises:
+        FileError: Unreadable, of another format, empty, or a pose that is not rigid; names the line.
+
+    Example:
+        >>> import numpy as np, pointloom as loom
+        >>> poses = np.tile(np.eye(4), (3, 1, 1))
+        >>> poses[:, 0, 3] = 0, 1, 2
+        >>> loom.write_trajectory("path.tum", loom.Trajectory(poses, timestamps=[0.0, 0.1, 0.2]))
+        >>> loom.read_trajectory("path.tum")
+        Trajectory(3 poses, timestamps)
+    """
+    suffix = Path(path).suffix.lower()
+    if suffix == ".json":
+        return _read_json(path)
+    if suffix not in (".log", ".txt", ".tum", ".kitti"):
+        raise FileError(
+            path, f"unknown kind of trajectory {suffix!r}", remedy="Known are .log, .json, .txt, .tum, .kitti"
+        )
+    lines = read_lines(path)
+    if not lines:
+        raise FileError(path, "holds no pose")
+    if suffix == ".log":
+        return _read_log(path, lines)
+    columns = len(lines[0][1])
+    if columns == 8 and suffix != ".kitti":
+        return read_timed_poses(path, lines)
+    if columns == 12 and suffix != ".tum":
+        return _read_kitti(path, lines)
+    expected = {".tum": "8 columns", ".kitti": "12 columns"}.get(suffix, "8 columns (TUM) or 12 (KITTI)")
+    raise FileError(
+        path,
+        f"expected {expected}, got {columns}",
+        where=f"line {lines[0][0]}",
+        remedy="Name it .log if it is Open3D's format",
+    )
+
+
+def write_trajectory(
+    path: str | os.PathLike[str],
+    trajectory: Trajectory,
+    *,
+    format: str | None = None,
+    intrinsic: PinholeCameraIntrinsic | None = None,
+    overwrite: bool = True,
+) -> None:
+    """Write a trajectory with all digits, so that reading it again gives the same poses.
+
+    What a format cannot hold is left out: only TUM keeps timestamps, only .log keeps ids. Where they are missing, TUM
+    gets the first id or else the index of the pose as its time, and .log gets `i i i+1`, both as Open3D does. TUM
+    stores the rotation nearest to the matrix, which is the matrix itself when that is orthonormal.
+
+    Args:
+        path: Place of the file.
+        trajectory: At least one pose.
+        format: "log", "tum", "kitti" or "json"; None goes by the extension, where .txt says too little.
+        intrinsic: The camera; the JSON format needs one, the others have no place for it.
+        overwrite: Replace an existing file.
+
+    Raises:
+        ValueError: No pose, a pose that is not rigid, an unknown format, or JSON without intrinsic.
+        FileError: The extension and the format disagree, or the place cannot be written.
+
+    Example:
+        >>> import numpy as np, pointloom as loom
+        >>> poses = np.tile(np.eye(4), (3, 1, 1))
+        >>> poses[:, 0, 3] = 0, 1, 2
+        >>> loom.write_trajectory("path.tum", loom.Trajectory(poses, timestamps=[0.0, 0.1, 0.2]))
+        >>> loom.read_trajectory("path.tum")
+        Trajectory(3 poses, timestamps)
+    """
+    format = _output_format(path, format)
+    if not isinstance(trajectory, Trajectory):
+        raise TypeError(f"trajectory: expected a Trajectory, got {type(trajectory).__name__}")
+    check_writable(path, overwrite=overwrite)
+    if not len(trajectory):
+        raise ValueError("trajectory: expected at least one pose, got none")
+    for i, T_world_camera in enumerate(trajectory.poses):
+        check_rigid(f"trajectory.poses[{i}]", T_world_camera)
+    if format == "json":
+        if intrinsic is None:
+            raise ValueError("intrinsic: the JSON format stores the camera with each pose, got None")
+        text = _format_json(trajectory.poses, intrinsic)
+    elif format == "tum":
+        text = _format_tum(trajectory)
+    elif format == "kitti":
+        text = "".join(_format_row(T[:3].ravel()) for T in trajectory.poses)
+    else:
+        text = _format_log(trajectory)
+    with atomic_write(path, overwrite=overwrite) as file:
+        file.write(text.encode())
+
+
+def read_pose(path: str | os.PathLike[str]) -> NDArray[np.float64]:
+    """Read one pose, four rows of four numbers, shape [4, 4].
+
+    Raises:
+        FileError: Unreadable, another number of rows or columns, or not rigid.
+    """
+    lines = read_lines(path)
+    if len(lines) != 4:
+        raise FileError(path, f"expected 4 rows of a pose, got {len(lines)}")
+    return _rigid(path, [parse_floats(path, line, 4) for line in lines], lines[0][0])
+
+
+def read_lines(path: str | os.PathLike[str]) -> list[Line]:
+    """The lines of a text file that are neither blank nor comments, as (line number, columns)."""
+    try:
+        text = Path(path).read_bytes().decode("utf-8-sig")
+    except OSError as error:
+        raise FileError(path, f"cannot be read: {error.strerror or error}") from error
+    except UnicodeDecodeError as error:
+        raise FileError(path, "not a text file", where=f"byte {error.start}") from error
+    lines = []
+    for number, line in enumerate(text.splitlines(), 1):
+        if line.startswith(_OPEN3D_TUM_HEADER):
+            line = line[len(_OPEN3D_TUM_HEADER) :]
+        columns = line.split()
+        if columns and not columns[0].startswith("#"):
+            lines.append((number, columns))
+    return lines
+
+
+def parse_floats(path: str | os.PathLike[str], line: Line, count: int) -> list[float]:
+    """The finite numbers of a line that must hold exactly `count` of them."""
+    number, columns = line
+    if len(columns) != count:
+        raise FileError(path, f"expected {count} numbers, got {len(columns)} columns", where=f"line {number}")
+    try:
+        values = [float(column) for column in columns]
+    except ValueError as error:
+        raise FileError(path, f"not a number: {error}"[:200], where=f"line {number}") from error
+    if "_" in "".join(columns) or not all(abs(value) < LARGEST_NUMBER for value in values):
+        raise FileError(path, "expected finite numbers", where=f"line {number}")
+    return values
+
+
+def _read_log(path: str | os.PathLike[str], lines: list[Line]) -> Trajectory:
+    if len(lines) % 5:
+        reason = f"ends within a pose: {len(lines)} lines, where each pose takes 5"
+        raise FileError(path, reason, where=f"line {lines[-1][0]}", remedy="The file may be cut off")
+    poses, ids = [], []
+    for start in range(0, len(lines), 5):
+        ids.append(_parse_ids(path, lines[start]))
+        rows = [parse_floats(path, line, 4) for line in lines[start + 1 : start + 5]]
+        poses.append(_rigid(path, rows, lines[start + 1][0]))
+    return Trajectory(np.array(poses), ids=np.array(ids, np.int64))
+
+
+def _parse_ids(path: str | os.PathLike[str], line: Line) -> list[int]:
+    number, columns = line
+    try:
+        ids = [int(column) for column in columns]
+    except ValueError:
+        ids = []
+    if len(ids) != 3 or any(abs(i) >= 2**63 for i in ids):
+        reason = f"expected three whole numbers before a pose, got {' '.join(columns)[:60]!r}"
+        raise FileError(path, reason, where=f"line {number}")
+    return ids
+
+
+def read_timed_poses(path: str | os.PathLike[str], lines: list[Line]) -> Trajectory:
+    """Lines of a time and a pose, as TUM writes them."""
+    table = np.array([parse_floats(path, line, 8) for line in lines])
+    quaternions = table[:, 4:]
+    lengths = np.linalg.norm(quaternions, axis=1)
+    wrong = np.flatnonzero(~(np.abs(lengths - 1) <= _QUATERNION_TOLERANCE))
+    if len(wrong):
+        row = wrong[0]
+        raise FileError(
+            path,
+            f"expected a unit quaternion qx qy qz qw, got {quaternions[row].tolist()} of length {lengths[row]:.4g}",
+            where=f"line {lines[row][0]}",
+        )
+    poses = np.tile(np.eye(4), (len(table), 1, 1))
+    poses[:, :3, :3] = quaternions_to_rotations(quaternions / lengths[:, None])
+    poses[:, :3, 3] = table[:, 1:4]
+    return Trajectory(poses, timestamps=table[:, 0].copy())
+
+
+def _read_kitti(path: str | os.PathLike[str], lines: list[Line]) -> Trajectory:
+    poses = []
+    for line in lines:
+        values = parse_floats(path, line, 12)
+        poses.append(_rigid(path, [values[:4], values[4:8], values[8:], [0.0, 0.0, 0.0, 1.0]], line[0]))
+    return Trajectory(np.array(poses))
+
+
+def _read_json(path: str | os.PathLike[str]) -> Trajectory:
+    content = read_json_object(path)
+    versions = {"version_major", "version_minor"}
+    check_keys(path, content, required={"class_name", "parameters"}, optional=versions)
+    if content["class_name"] != "PinholeCameraTrajectory":
+        reason = f"expected PinholeCameraTrajectory, got {str(content['class_name'])[:60]!r}"
+        raise FileError(path, reason, where="key class_name")
+    parameters = content["parameters"]
+    if not isinstance(parameters, list) or not parameters:
+        raise FileError(path, "expected a list of at least one camera", where="key parameters")
+    poses = []
+    for i, camera in enumerate(parameters):
+        place = f"parameters[{i}]"
+        if not isinstance(camera, dict):
+            raise FileError(path, "expected an object", where=f"key {place}")
+        optional = {"class_name", "intrinsic", *versions}
+        check_keys(path, camera, required={"extrinsic"}, optional=optional, where=f"{place}.")
+        T_camera_world = read_json_matrix(path, camera["extrinsic"], 4, where=f"key {place}.extrinsic")
+        poses.append(np.linalg.inv(_rigid(path, T_camera_world, where=f"key {place}.extrinsic")))
+    return Trajectory(np.array(poses))
+
+
+def _rigid(path: str | os.PathLike[str], rows: Any, line: int = 0, *, where: str = "") -> NDArray[np.float64]:
+    try:
+        return check_rigid("pose", rows)
+    except ValueError as error:
+        raise FileError(path, str(error), where=where or f"line {line}") from error
+
+
+def _output_format(path: str | os.PathLike[str], format: str | None) -> str:
+    suffix = Path(path).suffix.lower()
+    implied = suffix[1:] if suffix[1:] in FORMATS else None
+    if format is None and implied is None:
+        remedy = f"Give format= one of {', '.join(FORMATS)}"
+        raise FileError(path, f"the extension {suffix!r} does not tell the format", remedy=remedy)
+    if format is not None and check_name("format", format) not in FORMATS:
+        raise ValueError(f"format: expected one of {FORMATS}, got {format!r}")
+    allowed = {"log": {".log"}, "json": {".json"}, "tum": {".tum", ".txt"}, "kitti": {".kitti", ".txt"}}
+    if format is not None and suffix not in allowed[format]:
+        raise FileError(path, f"{format} files end in {' or '.join(sorted(allowed[format]))}, got {suffix!r}")
+    return format or str(implied)
+
+
+def _format_row(values: Iterable[float]) -> str:
+    return " ".join(repr(float(value)) for value in values) + "\n"
+
+
+def _format_log(trajectory: Trajectory) -> str:
+    ids = trajectory.ids
+    if ids is None:
+        order = np.arange(len(trajectory))
+        ids = np.stack([order, order, order + 1], axis=1)
+    elif ids.shape[1] != 3:
+        raise ValueError(f"trajectory.ids: the .log format takes 3 numbers a pose, got {ids.shape[1]}")
+    parts = []
+    for numbers, T_world_camera in zip(ids.tolist(), trajectory.poses, strict=True):
+        parts.append(" ".join(map(str, numbers)) + "\n")
+        parts.extend(_format_row(row) for row in T_world_camera)
+    return "".join(parts)
+
+
+def _format_tum(trajectory: Trajectory) -> str:
+    times: Sequence[float] = range(len(trajectory))
+    if trajectory.timestamps is not None:
+        if not np.isfinite(trajectory.timestamps).all():
+            raise ValueError("trajectory.timestamps: expected finite times, got NaN or infinite ones")
+        times = trajectory.timestamps.tolist()
+    elif trajectory.ids is not None and trajectory.ids.shape[1]:
+        times = trajectory.ids[:, 0].tolist()
+    quaternions = rotations_to_quaternions(nearest_rotations(trajectory.poses[:, :3, :3]))
+    rows = np.concatenate([trajectory.poses[:, :3, 3], quaternions], axis=1)
+    lines = (_format_row((time, *row)) for time, row in zip(times, rows.tolist(), strict=True))
+    return "# timestamp tx ty tz qx qy qz qw\n" + "".join(lines)
+
+
+def _format_json(poses: NDArray[np.float64], intrinsic: PinholeCameraIntrinsic) -> str:
+    version = {"version_major": 1, "version_minor": 0}
+    parameters = [
+        {
+            "class_name": "PinholeCameraParameters",
+            "extrinsic": T_camera_world.T.ravel().tolist(),
+            "intrinsic": intrinsic_to_json(intrinsic),
+            **version,
+        }
+        for T_camera_world in np.linalg.inv(poses)
+    ]
+    return json.dumps({"class_name": "PinholeCameraTrajectory", "parameters": parameters, **version}, indent=1) + "\n"

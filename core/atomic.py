@@ -1,0 +1,66 @@
+"""Outputs appear whole or not at all: written beside their place under a temporary name, then renamed."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import tempfile
+from collections.abc import Iterator
+from pathlib import Path
+from typing import IO
+
+from .errors import FileError
+
+_REPLACE = "Give another name, or overwrite=True to replace it"
+
+
+def check_writable(path: str | os.PathLike[str], *, overwrite: bool = True) -> Path:
+    """The path, once it is sure that a file can be made there; call it before any long work.
+
+    Raises:
+        FileError: The folder is missing or read-only, the path is a folder, or the file exists and may not be replaced.
+    """
+    path = Path(path)
+    folder = path.parent
+    if not folder.is_dir():
+        raise FileError(path, f"the folder {folder} does not exist", remedy="Make the folder first")
+    if path.is_dir():
+        raise FileError(path, "is a folder", remedy="Give the name of a file")
+    if path.exists() and not overwrite:
+        raise FileError(path, "exists already", remedy=_REPLACE)
+    if not os.access(folder, os.W_OK | os.X_OK):
+        raise FileError(path, f"the folder {folder} is not writable", remedy="Choose another folder")
+    return path
+
+
+@contextlib.contextmanager
+def atomic_write(path: str | os.PathLike[str], *, overwrite: bool = True) -> Iterator[IO[bytes]]:
+    """A binary file that takes its name when the block ends without an error, and is removed otherwise."""
+    path = check_writable(path, overwrite=overwrite)
+    handle, name = tempfile.mkstemp(prefix=f".{path.name}.", suffix=".part", dir=path.parent)
+    part = Path(name)
+    try:
+        with os.fdopen(handle, "wb") as file:
+            yield file
+            file.flush()
+        mode = path.stat().st_mode & 0o777 if path.exists() else 0o666 & ~_umask()
+        part.chmod(mode)
+        if overwrite:
+            part.replace(path)
+        else:
+            os.link(part, path)  # fails where another process made the file meanwhile
+            part.unlink()
+    except FileExistsError as error:
+        part.unlink(missing_ok=True)
+        raise FileError(path, "exists already", remedy=_REPLACE) from error
+    except BaseException as error:
+        part.unlink(missing_ok=True)
+        if isinstance(error, OSError) and error.strerror:
+            raise FileError(path, f"cannot be written: {error.strerror}") from error
+        raise
+
+
+def _umask() -> int:
+    mask = os.umask(0)
+    os.umask(mask)
+    return mask

@@ -1,0 +1,325 @@
+"""The one place that checks what users pass in: shapes, types, ranges; every message names the argument."""
+
+from __future__ import annotations
+
+import math
+import operator
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .progress import ReportProgress, say_nothing
+
+MOST_SEED = 2**31 - 1
+MOST_COUNT = 2**31 - 1  # device code counts in 32 bits
+LARGEST_NUMBER = 1e100  # no length in pixels or metres is larger; beyond it products of three numbers overflow
+SHOWN = 80  # characters of a value that a message quotes
+DLPACK_GPUS = (2, 13)  # kDLCUDA, kDLCUDAManaged
+
+
+def shown(value: Any) -> str:
+    """A value as a message quotes it, cut where it is long."""
+    if isinstance(value, int) and value.bit_length() > 128:
+        return f"a whole number of {value.bit_length()} bits"
+    text = repr(value)
+    return text if len(text) <= SHOWN else f"{text[: SHOWN - 3]}..."
+
+
+def is_on_gpu(values: Any) -> bool:
+    """Whether this is an array in the memory of a GPU."""
+    if isinstance(values, np.ndarray | list | tuple | int | float | type):
+        return False
+    where = getattr(values, "__dlpack_device__", None)
+    if where is None:
+        return hasattr(values, "__cuda_array_interface__")
+    try:
+        kind = where()[0]
+    except (RuntimeError, TypeError, ValueError, BufferError):
+        return False  # an array that cannot be shared: whoever reads it says why
+    return int(getattr(kind, "value", kind)) in DLPACK_GPUS
+
+
+def check_rows(name: str, values: Any, width: int, *, rows: int | None = None, dtype: Any = None) -> NDArray[Any]:
+    """An array-like as a numeric array of shape [n, width], copied only where it must be.
+
+    Raises:
+        TypeError: Not numeric.
+        ValueError: Another shape; the message gives the one expected and the one found.
+    """
+    array = check_numeric(name, values)
+    if array.ndim != 2 or array.shape[1] != width:
+        if array.size == 0 and array.ndim <= 2 and len(array) == 0:
+            array = array.reshape(0, width)
+        else:
+            raise ValueError(f"{name}: expected shape [n, {width}], got {list(array.shape)}")
+    if rows is not None and len(array) != rows:
+        raise ValueError(
+            f"{name}: expected shape [{rows}, {width}] as the cloud has {rows} points, got {list(array.shape)}"
+        )
+    return array if dtype is None else _cast(name, array, dtype)
+
+
+def _cast(name: str, array: NDArray[Any], dtype: Any) -> NDArray[Any]:
+    """The array in another type; a finite number that becomes infinite there is an error."""
+    with np.errstate(over="ignore", invalid="ignore"):  # infinity, and NaN that signals
+        cast = array.astype(dtype, copy=False)
+    if cast.dtype.itemsize < array.dtype.itemsize and array.dtype.kind == cast.dtype.kind == "f":
+        lost = np.isinf(cast) & np.isfinite(array)
+        if lost.any():
+            raise ValueError(f"{name}: {array[lost][0]} is beyond the range of {cast.dtype}")
+    return cast
+
+
+def check_shape(name: str, values: Any, shape: tuple[int, ...], *, dtype: Any = np.float64) -> NDArray[Any]:
+    """An array-like of exactly this shape."""
+    array = check_numeric(name, values)
+    if array.shape != shape:
+        raise ValueError(f"{name}: expected shape {list(shape)}, got {list(array.shape)}")
+    return array.astype(dtype, copy=False)
+
+
+def check_finite(name: str, array: NDArray[Any]) -> NDArray[Any]:
+    """The array, once no number in it is NaN, infinite or beyond 1e100."""
+    if not np.isfinite(array).all():
+        raise ValueError(f"{name}: expected finite numbers, got {shown(array.tolist())}")
+    if not (np.abs(array) <= LARGEST_NUMBER).all():
+        raise ValueError(f"{name}: expected numbers up to {LARGEST_NUMBER:g}, got {shown(array.tolist())}")
+    return array
+
+
+def check_color(name: str, color: Any) -> NDArray[np.float64]:
+    """Red, green and blue, each 0 to 1."""
+    rgb = check_shape(name, color, (3,))
+    if not ((rgb >= 0) & (rgb <= 1)).all():
+        remedy = "; divide 8-bit colours by 255" if (rgb > 1).any() else ""
+        raise ValueError(f"{name}: expected 0..1, got {rgb.tolist()}{remedy}")
+    return rgb
+
+
+def check_numeric(name: str, values: Any) -> NDArray[Any]:
+    """An array-like of real numbers or booleans as a NumPy array.
+
+    Raises:
+        TypeError: Not numeric, or memory of a GPU, which is never copied to the host silently.
+    """
+    if is_on_gpu(values):
+        kind = type(values).__name__
+        raise TypeError(f"{name}: expected an array on the host, got a {kind} on a GPU; download it first")
+    try:
+        array = np.asarray(values)
+    except (ValueError, TypeError, RuntimeError) as error:  # RuntimeError: a tensor of torch that requires a gradient
+        raise TypeError(f"{name}: expected numbers, got {type(values).__name__} ({error})") from error
+    if array.dtype.kind not in "biuf":
+        found = type(values).__name__ if array.dtype == object else array.dtype
+        raise TypeError(f"{name}: expected real numbers, got {found}")
+    return array
+
+
+def check_number(name: str, value: Any, *, allow_nan: bool = False, allow_infinite: bool = False) -> float:
+    """A real number, finite unless said otherwise.
+
+    Raises:
+        TypeError: No number; a truth value, a string of digits and an array are none.
+        ValueError: NaN or infinite, or a whole number beyond float64.
+    """
+    if isinstance(value, bool | np.bool_ | str | bytes | bytearray) or getattr(value, "ndim", 0):
+        raise TypeError(f"{name}: expected a number, got {shown(value)}")
+    try:
+        number = float(value)
+    except (TypeError, ValueError) as error:
+        raise TypeError(f"{name}: expected a number, got {shown(value)}") from error
+    except OverflowError as error:
+        raise ValueError(f"{name}: expected a finite number in float64, got {shown(value)}") from error
+    if (math.isnan(number) and not allow_nan) or (math.isinf(number) and not allow_infinite):
+        raise ValueError(f"{name}: expected a finite number, got {shown(value)}")
+    return number
+
+
+def check_positive(
+    name: str, value: Any, *, allow_zero: bool = False, allow_infinite: bool = False, maximum: float = math.inf
+) -> float:
+    """A finite number above zero (or zero itself, or infinity, where allowed), and not above `maximum`.
+
+    Raises:
+        TypeError: No number.
+        ValueError: Out of range.
+    """
+    number = check_number(name, value, allow_nan=True, allow_infinite=True)
+    if not number >= 0 or (number == 0 and not allow_zero) or (math.isinf(number) and not allow_infinite):
+        expected = f"{'a' if allow_infinite else 'a finite'} number {'>= 0' if allow_zero else '> 0'}"
+        raise ValueError(f"{name}: expected {expected}, got {shown(value)}")
+    if number > maximum:
+        raise ValueError(f"{name}: expected a number up to {maximum:g}, got {shown(value)}")
+    return number
+
+
+def check_share(name: str, value: Any) -> float:
+    """A number in 0..1."""
+    share = check_number(name, value, allow_nan=True, allow_infinite=True)
+    if not 0 <= share <= 1:
+        raise ValueError(f"{name}: expected a share from 0 to 1, got {shown(value)}")
+    return share
+
+
+def check_count(
+    name: str, value: Any, *, minimum: int = 1, maximum: int = MOST_COUNT, because: str = "counts have 32 bits"
+) -> int:
+    """A whole number from `minimum` to `maximum`.
+
+    Args:
+        name: Of the argument.
+        value: What was given.
+        minimum: The least.
+        maximum: The most.
+        because: Why there is a most, for the message, and what to do.
+
+    Raises:
+        TypeError: No whole number; a truth value and 3.0 are none.
+        ValueError: Out of range.
+    """
+    try:
+        if isinstance(value, bool | np.bool_):
+            raise TypeError
+        number = operator.index(value)
+    except TypeError as error:
+        raise TypeError(f"{name}: expected a whole number, got {shown(value)}") from error
+    if number < minimum:
+        raise ValueError(f"{name}: expected a whole number >= {minimum}, got {shown(value)}")
+    if number > maximum:
+        raise ValueError(f"{name}: expected a whole number up to {maximum:,}, got {shown(value)}: {because}")
+    return number
+
+
+def check_indices(name: str, values: Any, count: int, *, of: str, hint: str = "") -> NDArray[Any]:
+    """Whole numbers of some of `count` rows, any shape, as [k] from 0: those below 0 count from the end.
+
+    Args:
+        name: Of the argument.
+        values: What was given.
+        count: How many rows there are.
+        of: What has them, for the message.
+        hint: What to do instead of other numbers, for the message.
+
+    Raises:
+        TypeError: Not whole numbers.
+        IndexError: One beyond the rows.
+    """
+    rows = check_numeric(name, values).reshape(-1)
+    if not rows.size:
+        return rows.astype(np.int64)
+    if rows.dtype.kind not in "iu":
+        raise TypeError(f"{name}: expected whole numbers, got {rows.dtype}{hint}")
+    low, high = rows.min(), rows.max()
+    if low < -count or high >= count:
+        raise IndexError(f"{name}: {low}..{high} reach beyond a {of}")
+    return rows if low >= 0 else np.where(rows < 0, rows.astype(np.int64) + count, rows)
+
+
+def check_list(name: str, values: Any, of: str) -> list[Any]:
+    """Several things as a list; `of` says in the message what they are.
+
+    Raises:
+        TypeError: One thing, or a string.
+    """
+    if isinstance(values, str | bytes | dict):
+        raise TypeError(f"{name}: expected a list of {of}, got {shown(values)}")
+    try:
+        return list(values)
+    except TypeError as error:
+        raise TypeError(f"{name}: expected a list of {of}, got {type(values).__name__}") from error
+
+
+def check_textures(name: str, values: Any) -> tuple[NDArray[np.uint8], ...]:
+    """Pictures for textures, read-only copies.
+
+    Raises:
+        TypeError: Not a list of arrays.
+        ValueError: A picture that is not uint8 of shape [height, width, 3 or 4], or has no pixels.
+    """
+    pictures = []
+    for number, value in enumerate(check_list(name, values, "pictures")):
+        picture = check_numeric(f"{name}[{number}]", value)
+        if picture.dtype != np.uint8 or picture.ndim != 3 or picture.shape[2] not in (3, 4) or not picture.size:
+            raise ValueError(
+                f"{name}[{number}]: expected uint8 [height, width, 3 or 4], got {picture.dtype} {list(picture.shape)}"
+            )
+        pictures.append(picture.copy())
+        pictures[-1].flags.writeable = False
+    return tuple(pictures)
+
+
+def check_name(name: str, value: Any) -> str:
+    """A string that names something."""
+    if not isinstance(value, str):
+        raise TypeError(f"{name}: expected a string, got {type(value).__name__}")
+    return value
+
+
+def check_callback(name: str, value: Any) -> Any:
+    """Something that can be called, or None."""
+    if value is not None and not callable(value):
+        raise TypeError(f"{name}: expected a function or None, got {type(value).__name__}")
+    return value
+
+
+def check_progress(value: Any) -> ReportProgress:
+    """What is to be called with the progress of a job, or silence for None.
+
+    Raises:
+        TypeError: It cannot be called.
+    """
+    return check_callback("progress", value) or say_nothing
+
+
+def check_search(radius: Any, max_nn: Any) -> tuple[float, int | None]:
+    """The limits of a search for neighbours: radius [m], infinite where there is none, and count, None for all.
+
+    Raises:
+        ValueError: Neither is given, or one is out of range.
+    """
+    if radius is None and max_nn is None:
+        raise ValueError("radius, max_nn: give at least one of them")
+    reach = math.inf if radius is None else check_positive("radius", radius)
+    return reach, None if max_nn is None else check_count("max_nn", max_nn)
+
+
+def check_seed(seed: Any) -> int:
+    """A whole number from 0 to 2^31 - 1, as counter-based random numbers take it."""
+    if isinstance(seed, int) and seed > MOST_SEED:
+        raise ValueError(f"seed: expected a whole number below 2^31, got {shown(seed)}")
+    return check_count("seed", seed, minimum=0, maximum=MOST_SEED)
+
+
+def check_rigid(name: str, matrix: Any, *, tolerance: float = 0.02) -> NDArray[np.float64]:
+    """A 4x4 rigid motion in float64, its rotation within `tolerance` of orthonormal.
+
+    The tolerance admits the poses of real data sets, whose rotations were rounded to a few digits; a matrix with
+    scale, shear, reflection, NaN or a last row other than (0, 0, 0, 1) is refused.
+    """
+    T = check_shape(name, matrix, (4, 4))
+    if not np.isfinite(T).all():
+        raise ValueError(f"{name}: expected a rigid motion, got NaN or infinite entries")
+    check_finite(name, T)
+    if np.abs(T[3] - (0, 0, 0, 1)).max() > 1e-6:
+        raise ValueError(f"{name}: expected a rigid motion with last row (0, 0, 0, 1), got {T[3].tolist()}")
+    R = T[:3, :3]
+    with np.errstate(over="ignore", invalid="ignore"):
+        error, determinant = np.abs(R @ R.T - np.eye(3)).max(), np.linalg.det(R)
+    if not error <= tolerance or determinant < 0:  # not of NaN, which is what huge entries come to
+        raise ValueError(
+            f"{name}: expected a rigid motion, got a rotation part with R R^T - I up to {error:.3g} "
+            f"and determinant {determinant:.3g}"
+        )
+    return T
+
+
+def check_transformation(name: str, matrix: Any) -> NDArray[np.float64]:
+    """A finite, invertible 4x4 affine transformation in float64."""
+    T = check_shape(name, matrix, (4, 4))
+    if not np.isfinite(T).all() or np.abs(T[3] - (0, 0, 0, 1)).max() > 1e-9:
+        raise ValueError(f"{name}: expected a finite affine 4x4 matrix with last row (0, 0, 0, 1), got {T.tolist()}")
+    check_finite(name, T)
+    if np.linalg.matrix_rank(T[:3, :3]) < 3:
+        raise ValueError(f"{name}: expected an invertible matrix, got {T.tolist()}")
+    return T

@@ -1,0 +1,131 @@
+"""Coordinates as float32 relative to a float64 origin, so that kernels stay exact far from zero.
+
+A float32 holds 7 digits: at UTM coordinates (5e5, 5.4e6) that is half a metre. Relative to an origin inside the cloud
+it is a tenth of a millimetre a kilometre away.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .checks import LARGEST_NUMBER
+
+ORIGIN_LIMIT = 1.0e4  # [m] coordinates beyond this move the origin: below it float32 resolves 1 mm
+MEDIAN_SAMPLE = 4096  # points whose median becomes the origin
+_MOST_DECIMALS = 12  # of an origin: more would be float64's own rounding
+FLOAT32_MAX = float(np.finfo(np.float32).max)
+
+
+def quiet() -> np.errstate:
+    """NumPy without warnings of NaN, signalling ones too, and infinities, which are kept and counted nowhere."""
+    return np.errstate(invalid="ignore", over="ignore")
+
+
+@quiet()
+def split_origin(
+    points: NDArray[Any], origin: NDArray[np.float64] | None = None
+) -> tuple[NDArray[np.float32], NDArray[np.float64]]:
+    """Points of shape [n, 3] as float32 relative to an origin, and that origin as float64 [3].
+
+    Args:
+        points: Finite or not; integers and float64 are taken exactly.
+        origin: The origin to use; None takes zero where no finite coordinate exceeds 1e4, else the median of the
+            finite points rounded to whole metres. That lies where most points are; one stray return would pull the
+            middle of their box away from all of them, and the points with it into coarser steps of float32.
+
+    Raises:
+        ValueError: The finite points lie so far apart that float32 cannot hold them about any origin. With an origin
+            given, such points become infinite instead.
+    """
+    if origin is None:
+        origin = choose_origin(points)
+    if not origin.any():
+        return np.ascontiguousarray(points, dtype=np.float32), origin
+    return (points.astype(np.float64, copy=False) - origin).astype(np.float32), origin
+
+
+@quiet()
+def choose_origin(points: NDArray[Any], steps: NDArray[np.float64] | None = None) -> NDArray[np.float64]:
+    """The origin of points of shape [n, 3], float64 [3]: zero, or the median of the finite points in whole metres.
+
+    Args:
+        points: Finite or not.
+        steps: The steps in which a file holds the coordinates, shape [3]. An axis whose steps float32 would not tell
+            apart, such as one of degrees in steps of 1e-7, moves to the median in whole thousands of steps, if most
+            points lie nearer to it.
+
+    Raises:
+        ValueError: The finite points lie so far apart that float32 cannot hold them about any origin.
+    """
+    origin = np.zeros(3)
+    if points.size and not (points.min() >= -ORIGIN_LIMIT and points.max() <= ORIGIN_LIMIT):
+        low, high = finite_box(points)
+        if max(np.abs(low).max(), np.abs(high).max()) > LARGEST_NUMBER:
+            reach = f"{low.tolist()}..{high.tolist()}"
+            raise ValueError(f"points: {reach} reach beyond float32 about their middle, and {LARGEST_NUMBER:g} m")
+        if max(np.abs(low).max(), np.abs(high).max()) > ORIGIN_LIMIT:
+            origin = middle_of(points)
+            if max((high - origin).max(), (origin - low).max()) > FLOAT32_MAX:
+                origin = np.round(low / 2 + high / 2)
+            if max((high - origin).max(), (origin - low).max()) > FLOAT32_MAX:
+                raise ValueError(f"points: {low.tolist()}..{high.tolist()} reach beyond float32 about their middle")
+    return origin if steps is None or not points.size else _refine(origin, _most(points), steps)
+
+
+def middle_of(points: NDArray[Any]) -> NDArray[np.float64]:
+    """The median of the finite points in whole metres."""
+    return np.round(np.median(_most(points), axis=0))
+
+
+def _refine(
+    origin: NDArray[np.float64], sample: NDArray[np.float64], steps: NDArray[np.float64]
+) -> NDArray[np.float64]:
+    refined, middle = origin.copy(), np.median(sample, axis=0)
+    for axis, step in enumerate(steps):
+        decimals = min(max(-math.ceil(math.log10(1000 * step)), -30), _MOST_DECIMALS)
+        nearer = np.round(middle[axis], decimals)
+        before, after = (float(np.median(np.abs(sample[:, axis] - place))) for place in (origin[axis], nearer))
+        if np.spacing(np.float32(2 * before)) > step and after < before / 2:  # twice: half the points lie further out
+            refined[axis] = nearer
+    return refined
+
+
+def _most(points: NDArray[Any]) -> NDArray[np.float64]:
+    """The finite points, or a sample where they are many; one at zero where there are none.
+
+    Points at zero do not count, which many scanners write where they measured nothing.
+    """
+    for step in (len(points) // MEDIAN_SAMPLE | 1, 1):  # odd, so that it does not fall in step with an image's rows
+        part = points[::step].astype(np.float64)
+        part = part[np.isfinite(part).all(axis=1) & part.any(axis=1)]
+        if len(part):
+            return part
+    return np.zeros((1, 3))
+
+
+@quiet()
+def finite_box(points: NDArray[Any]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """The lowest and highest coordinates of the finite points, as float64 [3] each; zeros where none is finite."""
+    if points.dtype.kind != "f":
+        points = points.astype(np.float64)
+    # By columns: NumPy's reduction along the first of two axes is five times slower for rows of three.
+    low = np.array([column.min(initial=np.inf) for column in points.T])
+    high = np.array([column.max(initial=-np.inf) for column in points.T])
+    if not (np.isfinite(low).all() and np.isfinite(high).all()):
+        finite = points[np.isfinite(points).all(axis=1)]
+        if not len(finite):
+            return np.zeros(3), np.zeros(3)
+        low, high = finite.min(axis=0), finite.max(axis=0)
+    return low.astype(np.float64), high.astype(np.float64)
+
+
+def describe_bounds(points: NDArray[Any]) -> dict[str, list[float]] | None:
+    """The box around the finite points in JSON's types, as `format_bounds` takes it; None where none is finite."""
+    if not np.isfinite(points).all(axis=1).any():
+        return None
+    low, high = finite_box(points)
+    return {"min": low.tolist(), "max": high.tolist()}

@@ -1,0 +1,244 @@
+"""Arguments that lie on a GPU: taken as they are where type and layout allow, else converted there.
+
+Nothing goes through the host but single numbers that decide something: a flag, the limits of indices, the sample of
+points that an origin is chosen by. `checks.py` does the same for what lies on the host.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import warp as wp
+from numpy.typing import NDArray
+
+from ..kernels.arrays.bounds import bound_points
+from ..kernels.arrays.origins import reaches_beyond, shift_rays, subtract_origin
+from ..kernels.arrays.row_numbers import limits_of, resolve_rows
+from ..kernels.images.depth import PixelGrid, color_pixels
+from ..kernels.lang import float32, float64, int32, int64, uint8, vec3, vec3d, vec3i
+from ..kernels.memory import cast, contiguous, download, empty, upload
+from .array_libraries import view_as
+from .checks import check_rows, is_on_gpu
+from .coordinates import MEDIAN_SAMPLE, ORIGIN_LIMIT, middle_of
+from .devices import check_same_device, resolve_device
+from .exchange import share
+
+INTEGERS = (wp.int8, wp.int16, int32, int64, uint8, wp.uint16, wp.uint32, wp.uint64)
+REALS = (*INTEGERS, wp.bool, wp.float16, float32, float64)
+
+
+def device_for(values: Any, device: Any) -> Any:
+    """The device that a user asks for; where None, the GPU that an array lies on, else the CPU."""
+    if device is not None or not is_on_gpu(values):
+        return resolve_device(device)
+    return share("array", values).device
+
+
+def take_numbers(name: str, values: Any, device: Any = None) -> wp.array:
+    """An array on a GPU as real numbers, of any shape, without gaps; vectors have their components as last axis.
+
+    Args:
+        name: Of the argument.
+        values: The array, of any library.
+        device: Where it has to be; None for anywhere.
+
+    Raises:
+        TypeError: It cannot be shared, or holds no real numbers.
+        DeviceError: It is on another device.
+    """
+    array = share(name, values)
+    if device is not None:
+        check_same_device(name, array.device, device)
+    scalar, width = getattr(array.dtype, "_wp_scalar_type_", array.dtype), getattr(array.dtype, "_shape_", ())
+    if scalar not in REALS:
+        raise TypeError(f"{name}: expected real numbers, got {getattr(scalar, '__name__', scalar)}")
+    shape = (*array.shape, *width)
+    if not array.size:
+        return empty(shape, scalar, array.device)
+    array = contiguous(array)
+    return view_as(array, scalar, shape) if width else array
+
+
+def take_rows(name: str, values: Any, width: int, device: Any = None, *, rows: int | None = None) -> wp.array:
+    """Real numbers of shape [n, width], checked as `check_rows` does it."""
+    array = take_numbers(name, values, device)
+    if array.ndim != 2 or array.shape[1] != width:
+        if array.size or array.shape[0]:
+            raise ValueError(f"{name}: expected shape [n, {width}], got {list(array.shape)}")
+        array = empty((0, width), array.dtype, array.device)
+    if rows is not None and array.shape[0] != rows:
+        found = list(array.shape)
+        raise ValueError(f"{name}: expected shape [{rows}, {width}] as the cloud has {rows} points, got {found}")
+    return array
+
+
+def take_vectors(name: str, values: Any, device: Any, *, rows: int | None = None) -> wp.array:
+    """Numbers of shape [n, 3] as an array of vec3."""
+    array = take_rows(name, values, 3, device, rows=rows)
+    return view_as(_as(array, float32), vec3, (array.shape[0],))
+
+
+def take_colors(values: Any, device: Any, count: int) -> wp.array:
+    """Colours of shape [n, 3] as an array of vec3: 0..1, or 8-bit ones divided by 255."""
+    array = take_rows("colors", values, 3, device, rows=count)
+    if array.dtype == uint8:
+        return color_pixels(array, PixelGrid(count, 1, 1)) if count else empty(0, vec3, device)
+    colors = view_as(_as(array, float32), vec3, (count,))
+    low, high, finite = bound_points(colors)  # sync
+    if count and not (finite == count and low.min() >= -1e-3 and high.max() <= 1 + 1e-3):
+        remedy = "; divide 8-bit colours by 255" if high.max() > 1 else ""
+        found = f"{low.min()}..{high.max()}" if finite == count else "NaN or infinite ones"
+        raise ValueError(f"colors: expected 0..1, got {found}{remedy}")
+    return colors
+
+
+def take_points(
+    name: str, values: Any, origin: NDArray[np.float64] | None, device: Any = None, *, rows: int | None = None
+) -> tuple[wp.array, NDArray[np.float64]]:
+    """Positions of shape [n, 3] as an array of vec3 about an origin, and the origin, chosen as `split_origin` does.
+
+    The array's own memory where it holds float32 and the origin is zero.
+
+    Raises:
+        ValueError: Another shape, or finite points that float32 does not hold about the origin that was chosen.
+    """
+    array = take_rows(name, values, 3, device, rows=rows)
+    count, start = array.shape[0], origin
+    if array.dtype == float32 and (start is None or not start.any()):
+        points = view_as(array, vec3, (count,))
+        if start is not None or not count or not reaches_beyond(points, ORIGIN_LIMIT):
+            return points, np.zeros(3) if start is None else start
+    wide = view_as(_as(array, float64), vec3d, (count,))
+    is_far = start is None and count > 0 and reaches_beyond(wide, ORIGIN_LIMIT)
+    if start is None:
+        start = _middle_of(wide) if is_far else np.zeros(3)
+    local, lost = subtract_origin(wide, start)
+    if is_far and download(lost)[0]:  # sync
+        raise ValueError(f"{name}: they reach beyond float32 about their middle, {start.tolist()}")
+    return local, start
+
+
+def take_places(name: str, values: Any, origin: NDArray[np.float64], device: Any) -> tuple[wp.array, tuple[int, ...]]:
+    """Positions of shape [..., 3] as vec3 [n] about an origin, and their leading shape."""
+    array = take_numbers(name, values, device)
+    if not array.ndim or array.shape[-1] != 3:
+        raise ValueError(f"{name}: expected shape [..., 3], got {list(array.shape)}")
+    leading = tuple(array.shape[:-1])
+    flat = view_as(array, array.dtype, (int(np.prod(leading, dtype=np.int64)), 3))
+    return take_points(name, flat, origin, device)[0], leading
+
+
+def take_rays(values: Any, origin: NDArray[np.float64], device: Any) -> tuple[wp.array, tuple[int, ...]]:
+    """Rays of shape [..., 6] as float32 [6 n] with their starts about an origin, and their leading shape."""
+    array = take_numbers("rays", values, device)
+    if not array.ndim or array.shape[-1] != 6:
+        raise ValueError(f"rays: expected shape [..., 6], got {list(array.shape)}")
+    flat = view_as(array, array.dtype, (array.size,))
+    local = shift_rays(_as(flat, float64), origin) if origin.any() else _as(flat, float32)
+    return local, tuple(array.shape[:-1])
+
+
+def take_column(name: str, values: Any, device: Any, rows: int) -> wp.array:
+    """An attribute of shape [n] or [n, c], in its own type."""
+    array = take_numbers(name, values, device)
+    if array.ndim not in (1, 2) or array.shape[0] != rows:
+        raise ValueError(f"{name}: expected shape [{rows}] or [{rows}, c], got {list(array.shape)}")
+    return array
+
+
+def take_indices(name: str, values: Any, device: Any, count: int, *, of: str, hint: str = "") -> wp.array:
+    """Whole numbers in -count .. count - 1 as int32 rows; the array's own memory where it holds such.
+
+    Args:
+        name: Of the argument.
+        values: The array, of any shape.
+        device: Where it has to be.
+        count: Of the rows that there are.
+        of: What has them, for the message: "cloud of 3 points".
+        hint: What to do where they are no whole numbers.
+
+    Raises:
+        TypeError: Not whole numbers.
+        IndexError: One beyond the rows.
+    """
+    array = take_numbers(name, values, device)
+    if not array.size:
+        return empty(0, int32, device)
+    if array.dtype not in INTEGERS:
+        raise TypeError(f"{name}: expected whole numbers, got {array.dtype.__name__}{hint}")
+    flat = view_as(array, array.dtype, (array.size,))
+    numbers = _as(flat, int64)
+    low, high = limits_of(numbers)
+    if low < -count or high >= count:
+        raise IndexError(f"{name}: {low}..{high} reach beyond a {of}")
+    return flat if low >= 0 and flat.dtype == int32 else resolve_rows(numbers, count)
+
+
+def take_corners(values: Any, device: Any, count: int) -> wp.array:
+    """Triangles of shape [t, 3] as vec3i, each of whose corners is one of so many vertices.
+
+    Raises:
+        TypeError: Not whole numbers.
+        ValueError: Another shape, or a vertex that does not exist.
+    """
+    if not is_on_gpu(values):
+        rows = check_rows("triangles", values, 3)
+        if rows.size and rows.dtype.kind not in "iu":
+            raise TypeError(f"triangles: expected whole numbers, got {rows.dtype}")
+        array = upload(rows.astype(np.int64), int64, device)
+    else:
+        array = take_rows("triangles", values, 3, device)
+    if not array.size:
+        return empty(0, vec3i, device)
+    if array.dtype not in INTEGERS:
+        raise TypeError(f"triangles: expected whole numbers, got {array.dtype.__name__}")
+    low, high = limits_of(_as(view_as(array, array.dtype, (array.size,)), int64))
+    if low < 0 or high >= count:
+        raise ValueError(f"triangles: {low}..{high}, but there are vertices 0..{count - 1} only")
+    return view_as(_as(array, int32), vec3i, (array.shape[0],))
+
+
+def take_mask(name: str, values: Any, device: Any, count: int) -> wp.array:
+    """Booleans of shape [n] as uint8."""
+    array = take_numbers(name, values, device)
+    if array.dtype != wp.bool or tuple(array.shape) != (count,):
+        found = f"{array.dtype.__name__} {list(array.shape)}"
+        raise ValueError(f"{name}: expected booleans of shape [{count}], got {found}")
+    return view_as(array, uint8, (count,))
+
+
+def take_pairs(values: Any, device: Any, counts: tuple[int, int]) -> wp.array:
+    """Correspondences (source index, target index) as int32 [m, 2].
+
+    Raises:
+        ValueError: Another shape.
+        TypeError: Not whole numbers.
+        IndexError: An index beyond its cloud.
+    """
+    array = take_rows("corres", values, 2, device)
+    if not array.size:
+        return empty((0, 2), int32, device)
+    if array.dtype not in INTEGERS:
+        raise TypeError(f"corres: expected whole numbers (source index, target index), got {array.dtype.__name__}")
+    numbers = _as(view_as(array, array.dtype, (array.size,)), int64)
+    for column, (name, count) in enumerate(zip(("source", "target"), counts, strict=True)):
+        low, high = limits_of(numbers, column, 2)
+        if low < 0 or high >= count:
+            raise IndexError(f"corres: {name} indices {low}..{high} reach beyond a cloud of {count} points")
+    return _as(array, int32)
+
+
+def _as(array: wp.array, dtype: Any) -> wp.array:
+    """The array with elements of a type; itself where they are."""
+    return array if array.dtype == dtype else cast(array, dtype)
+
+
+def _middle_of(points: wp.array) -> NDArray[np.float64]:
+    """The median of those points of an array of vec3d that `split_origin` would look at.
+
+    Only these go to the host, some 4,096; all do where none of them is finite.
+    """
+    sample = download(contiguous(points[:: points.size // MEDIAN_SAMPLE | 1]))  # sync
+    usable = np.isfinite(sample).all(axis=1) & sample.any(axis=1)
+    return middle_of(sample if usable.any() else download(points))

@@ -1,0 +1,69 @@
+"""JSON objects read strictly: no NaN, no infinity, no key given twice."""
+
+from __future__ import annotations
+
+import json
+import math
+import os
+from pathlib import Path
+from typing import Any
+
+from .checks import LARGEST_NUMBER as LARGEST_NUMBER
+from .errors import FileError
+
+
+def read_json_object(path: str | os.PathLike[str]) -> dict[str, Any]:
+    """The JSON object in a file, read strictly: no NaN, no infinity, no key given twice.
+
+    Raises:
+        FileError: Unreadable or not such an object; syntax errors name the line.
+    """
+    try:
+        content = json.loads(
+            Path(path).read_bytes(), object_pairs_hook=_unique_pairs, parse_constant=_refuse, parse_float=_finite
+        )
+    except OSError as error:
+        raise FileError(path, f"cannot be read: {error.strerror or error}") from error
+    except json.JSONDecodeError as error:
+        raise FileError(path, f"not JSON: {error.msg}", where=f"line {error.lineno}, column {error.colno}") from error
+    except (ValueError, RecursionError) as error:
+        raise FileError(path, f"not valid JSON: {error}") from error
+    if not isinstance(content, dict):
+        raise FileError(path, f"expected a JSON object, got a {type(content).__name__}")
+    return content
+
+
+def check_keys(
+    path: str | os.PathLike[str],
+    content: dict[str, Any],
+    *,
+    required: set[str] | frozenset[str],
+    optional: set[str] | frozenset[str] = frozenset(),
+    where: str = "",
+) -> None:
+    """Refuse a JSON object that lacks a key or has one of unknown meaning; `where` is its place, such as "a."."""
+    missing, unknown = sorted(required - content.keys()), sorted(content.keys() - required - optional)
+    if missing:
+        raise FileError(path, "missing", where=f"key {where}{missing[0]}", remedy=f"Expected {sorted(required)}")
+    if unknown:
+        reason = "of unknown meaning"
+        raise FileError(path, reason, where=f"key {where}{unknown[0]}", remedy="Remove it if it has no bearing here")
+
+
+def _unique_pairs(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
+    content = dict(pairs)
+    if len(content) != len(pairs):
+        names = [name for name, _ in pairs]
+        raise ValueError(f"key {next(name for name in names if names.count(name) > 1)!r} is given twice")
+    return content
+
+
+def _refuse(constant: str) -> Any:
+    raise ValueError(f"{constant} is not a number")
+
+
+def _finite(text: str) -> float:
+    value = float(text)
+    if not math.isfinite(value):
+        raise ValueError(f"{text[:40]} is too large")
+    return value

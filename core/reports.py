@@ -1,0 +1,60 @@
+"""What was done or found, for people and for programs: `Report`."""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Iterable
+from typing import Any
+
+from .wording import plain
+
+# Labels and values, as people read them; a value may have several lines.
+Fields = list[tuple[str, str]]
+
+
+class Report:
+    """A frozen dataclass that tells what it holds.
+
+    `str(report)` is for people: `fields()`, its labels and values, in two columns. `to_json()` is for programs: its
+    attributes by name in JSON's types, what is not a finite number as None. A kind of report gives `fields`, and its
+    own `to_json` where the attributes are not what programs want to know.
+    """
+
+    def fields(self) -> Fields:
+        """Labels and values, in the order in which people read them."""
+        raise NotImplementedError
+
+    def to_json(self) -> dict[str, Any]:
+        """The same in JSON's types."""
+        return {name: plain(value) for name, value in values_of(self).items()}
+
+    def __str__(self) -> str:
+        return in_columns(self.fields())
+
+
+def values_of(report: Any) -> dict[str, Any]:
+    """The attributes of a dataclass by name, as they are."""
+    return {field.name: getattr(report, field.name) for field in dataclasses.fields(report)}
+
+
+def rows_of(fields: Iterable[tuple[str, str]]) -> list[str]:
+    """Labels and values in two columns, a row a line; a value of several lines keeps its column."""
+    pairs = list(fields)
+    width = max((len(label) for label, _ in pairs), default=0)
+    rows = []
+    for label, value in pairs:
+        first, *others = value.split("\n")
+        rows.append(f"  {label:<{width}}  {first}".rstrip())
+        rows += [f"  {'':<{width}}  {line}" for line in others]
+    return rows
+
+
+def in_columns(fields: Iterable[tuple[str, str]]) -> str:
+    """Labels and values in two columns, set in by two, as one text.
+
+    Example:
+        >>> print(in_columns([("frames", "12"), ("mesh", "empty")]))
+          frames  12
+          mesh    empty
+    """
+    return "\n".join(rows_of(fields))

@@ -1,0 +1,157 @@
+"""Stages of a long job: each makes one folder, whole or not at all, and says in a record what it was made from.
+
+A stage's files appear under their name when all are written; then the record is, with digests of the files and of what
+they were made from: the settings that bear on the stage, and the files of the stages before. So a later run keeps
+what would come out the same again, also where an earlier stage was made anew and gave the same bytes.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import json
+import shutil
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from . import watching
+from .errors import FileError
+from .json_files import read_json_object
+from .progress import ReportProgress
+from .records import RECORDS, digest_of, read_record, record_file, write_record
+from .timing import Clock, peak_bytes_of_all
+from .wording import to_json
+
+PART = ".part"  # behind the name of a folder that is not whole yet
+
+
+@dataclass(frozen=True, eq=False)
+class Made:
+    """What a stage left.
+
+    Attributes:
+        name: The stage's.
+        folder: Where its files lie.
+        digest: Of the files: equal digests are equal files.
+        told: What it says of itself, in JSON's types.
+        cost: "seconds" and "cpu_seconds" of the run that made it, and "peak_bytes", the most that this process, or one
+            that it waited for, had held by then.
+        kept: Whether an earlier run made it.
+    """
+
+    name: str
+    folder: Path
+    digest: str
+    told: dict[str, Any]
+    cost: dict[str, float]
+    kept: bool
+
+
+@dataclass(frozen=True, eq=False)
+class Stage:
+    """One step of a job.
+
+    Attributes:
+        name: Of the stage, its folder and its record.
+        make: Writes the files into the empty folder that it is given, tells how far it is (step, done, of how many),
+            and gives what is to be told of it. It reads nothing but the files of `after`.
+        settings: What else decides its files, in JSON's types.
+        after: The stages whose files it reads.
+        version: Raised where it begins to make something else of the same.
+    """
+
+    name: str
+    make: Callable[[Path, ReportProgress], Mapping[str, Any]]
+    settings: Mapping[str, Any] = field(default_factory=dict)
+    after: tuple[Made, ...] = ()
+    version: int = 1
+
+    @property
+    def made_from(self) -> str:
+        """Digest of all that decides its files."""
+        return digest_of([self.name, self.version, dict(self.settings), [[m.name, m.digest] for m in self.after]])
+
+
+class Chain:
+    """Runs stages in one folder.
+
+    Args:
+        root: The job's folder, which is there.
+        names: Of all stages that there may be.
+        resume: Keep what an earlier run left and what still fits; else all that stages left is removed first.
+        progress: Called with "stage: step", how many are done, and how many there are (0: nobody knows).
+
+    Raises:
+        FileError: What an earlier run left cannot be removed.
+    """
+
+    def __init__(self, root: Path, names: Sequence[str], *, resume: bool, progress: ReportProgress):
+        self.root, self.made = root, dict[str, Made]()
+        self._resume, self._progress = resume, progress
+        with _told_as_file_errors(root):
+            (root / RECORDS).mkdir(exist_ok=True)
+            for name in names:
+                _remove(root / f"{name}{PART}")
+            if not resume:
+                for name in names:
+                    record_file(root, name).unlink(missing_ok=True)
+                    _remove(root / name)
+
+    def run(self, stage: Stage) -> Made:
+        """Run a stage, or keep what it left.
+
+        Raises:
+            FileError: A file that cannot be written, as on a full disk. Whatever the stage raises; what was finished
+                before stays.
+        """
+        record = record_file(self.root, stage.name)
+        found = read_record(record, stage.name, self.root, stage.made_from) if self._resume else None
+        result = found or self._make(stage)
+        digest = digest_of(read_json_object(record)["files"])
+        made = Made(stage.name, self.root / stage.name, digest, result["told"], result["cost"], found is not None)
+        self.made[stage.name] = made
+        return made
+
+    def _make(self, stage: Stage) -> dict[str, Any]:
+        watching.report("stage", name=stage.name)
+        folder, part = self.root / stage.name, self.root / f"{stage.name}{PART}"
+        record = record_file(self.root, stage.name)
+        clock = Clock()
+        with _told_as_file_errors(part):
+            try:
+                part.mkdir()
+                told = stage.make(part, lambda step, *of: self._tell(stage.name, step, *of))
+                record.unlink(missing_ok=True)
+                _remove(folder)
+                part.rename(folder)
+            except BaseException:
+                shutil.rmtree(part, ignore_errors=True)
+                raise
+            files = sorted(path for path in folder.rglob("*") if path.is_file())
+        clock.stop(stage.name)
+        seconds, cpu = clock.seconds[stage.name], clock.cpu_seconds[stage.name]
+        cost = {"seconds": round(seconds, 3), "cpu_seconds": round(cpu, 3), "peak_bytes": peak_bytes_of_all()}
+        result = {"told": json.loads(to_json(dict(told))), "cost": cost}
+        write_record(record, stage.name, stage.made_from, self.root, files, result)
+        return result
+
+    def _tell(self, name: str, step: str, done: int, total: int) -> None:
+        self._progress(name if step in ("", name) else f"{name}: {step}", done, total)
+
+
+@contextlib.contextmanager
+def _told_as_file_errors(path: Path) -> Iterator[None]:
+    try:
+        yield
+    except OSError as error:
+        if error.strerror is None:
+            raise
+        raise FileError(error.filename or path, f"cannot be written: {error.strerror}") from error
+
+
+def _remove(folder: Path) -> None:
+    if folder.is_dir() and not folder.is_symlink():
+        shutil.rmtree(folder)
+    else:
+        folder.unlink(missing_ok=True)

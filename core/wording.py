@@ -1,0 +1,70 @@
+"""Results in words: numbers as people read them, and reports as JSON text.
+
+Nothing heavy is imported here, so that `--help` stays quick.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import json
+import math
+from collections.abc import Iterable
+from typing import Any
+
+
+def format_share(share: float) -> str:
+    """A share as a percentage, with digits enough that only nothing is 0.0% and only all is 100.0%."""
+    rest = min(share, 1 - share)
+    digits = max(1, math.ceil(-math.log10(100 * rest))) if rest > 0 else 1
+    return f"{share:.{digits}%}"
+
+
+def format_bytes(count: float) -> str:
+    """A number of bytes as people read it: "1.5 MiB"."""
+    for unit in ("B", "KiB", "MiB"):
+        if count < 1024:
+            return f"{count:.0f} B" if unit == "B" else f"{count:.1f} {unit}"
+        count /= 1024
+    return f"{count:.1f} GiB"
+
+
+def format_seconds(seconds: dict[str, float]) -> str:
+    """Seconds of each stage and of all: "open 0.02, integrate 1.21, all 1.23"."""
+    parts = [f"{stage} {value:.2f}" for stage, value in seconds.items()]
+    return ", ".join([*parts, f"all {sum(seconds.values()):.2f}"])
+
+
+def format_triple(values: Iterable[float]) -> str:
+    """Three coordinates, to a tenth of a millimetre."""
+    return "[" + ", ".join(f"{value:.4f}" for value in values) + "]"
+
+
+def format_bounds(bounds: dict[str, Any] | None) -> str:
+    """The lowest and highest corner of a box, or that there is none."""
+    if bounds is None:
+        return "none: no finite point"
+    return f"{format_triple(bounds['min'])} to {format_triple(bounds['max'])}"
+
+
+def to_json(report: dict[str, Any]) -> str:
+    """A report as JSON text, indented; what is not a finite number becomes null."""
+    return json.dumps(plain(report), indent=2, allow_nan=False, ensure_ascii=False)
+
+
+def plain(value: Any) -> Any:
+    """A value in JSON's own types; what is not a finite number becomes None."""
+    if callable(getattr(value, "to_json", None)):  # a Report
+        return value.to_json()
+    if dataclasses.is_dataclass(value) and not isinstance(value, type):
+        return {field.name: plain(getattr(value, field.name)) for field in dataclasses.fields(value)}
+    if isinstance(value, dict):
+        return {str(key): plain(item) for key, item in value.items()}
+    if isinstance(value, list | tuple):
+        return [plain(item) for item in value]
+    if callable(as_list := getattr(value, "tolist", None)):  # NumPy's arrays and numbers
+        return plain(as_list())
+    if isinstance(value, float):
+        return value if value - value == 0 else None
+    if value is None or isinstance(value, bool | int | str):
+        return value
+    return str(value)

@@ -1,0 +1,5 @@
+"""The extensions of recordings; nothing heavy is imported here, so that `--help` stays quick."""
+
+from __future__ import annotations
+
+RECORDINGS = (".html", ".gif", ".webp", ".mp4")

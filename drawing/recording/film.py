@@ -1,0 +1,210 @@
+"""The frames of a recording as pictures: one view for all of them, labels above, plotted values beneath."""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+from collections.abc import Iterator, Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...core.progress import ReportProgress, say_nothing
+from ..render.canvas import Canvas
+from ..render.legends import cut_text, letter_size
+from ..render.parts import Triple
+from ..render.view import View, fit_view
+from .script import Look
+from .shapes import spread_rows
+from .stills import Stills
+from .timeline import Shape, Timeline
+
+Picture = NDArray[np.uint8]
+
+LOOKED_AT = 1_000  # positions of each shape that a view is fitted to
+# Points farther from the middle than this many times the distance within which most of them lie may be outside: what
+# only the farthest rays of a scanner reached.
+FAR, MOST, FEWEST = 2.5, 0.8, 50
+STRIP = 0.22  # of the height, for plots
+PANELS = 4  # plots side by side; further values are left out
+LEAST_STRIP, LEAST_PANEL = 40, 80  # [px] below which nothing could be read
+PAST, WHOLE, GROUND = (0.1, 0.35, 0.75), (0.78, 0.8, 0.83), (1.0, 1.0, 1.0)
+
+
+def view_frames(timeline: Timeline, look: Look | None, width: int, height: int) -> View:
+    """The closest view that shows all frames of a timeline whole, in world coordinates.
+
+    Args:
+        timeline: The recording.
+        look: A direction and what is up; None for the usual one.
+        width: Columns [px].
+        height: Rows [px].
+    """
+    samples: dict[int, NDArray[np.float64]] = {}
+    seen: dict[tuple[int, bytes], NDArray[np.float64]] = {}
+    for frame in timeline.frames:
+        for placed in frame.shown.values():
+            for number in placed.shapes:
+                key = number, b"" if placed.pose is None else placed.pose.tobytes()
+                if key in seen:
+                    continue
+                if number not in samples:
+                    samples[number] = _core(timeline.shapes[number])
+                points, T = samples[number], placed.pose
+                seen[key] = points if T is None else points @ T[:3, :3].T + T[:3, 3]
+    points = np.concatenate([np.empty((0, 3)), *seen.values()])
+    options: dict[str, Any] = {} if look is None else {"direction": look[0], "up": look[1]}
+    view = fit_view(points, **options, width=width, height=_picture_height(timeline, width, height))
+    T = view.T_world_camera.copy()
+    T[:3, 3] += timeline.origin
+    return dataclasses.replace(view, T_world_camera=T)
+
+
+class Film:
+    """Draws the frames of a timeline.
+
+    Args:
+        timeline: The recording.
+        view: Where from, in world coordinates; its size is not taken.
+        width, height: Of the pictures [px].
+        background: Red, green and blue, 0 to 1.
+        device: Where to draw.
+    """
+
+    def __init__(self, timeline: Timeline, view: View, width: int, height: int, background: Triple, device: Any = None):
+        self.timeline, self.width, self.height, self.background = timeline, width, height, background
+        self._names = _plotted(timeline, width, height)
+        self._picture_height = _picture_height(timeline, width, height)
+        self._stills = Stills(timeline, _sized(view, width, self._picture_height), background, device)
+        self._plots = _Plots(timeline, self._names, width, height - self._picture_height, device)
+
+    def __len__(self) -> int:
+        return len(self.timeline.frames)
+
+    def draw(self, number: int) -> Picture:
+        """A frame, shape [height, width, 3], uint8."""
+        frame = self.timeline.frames[number]
+        canvas = self._stills.draw(frame)
+        size = letter_size(canvas)
+        texts = [text for text in (self.timeline.title, frame.label) if text]
+        lines = [
+            (cut_text(text, size, self.width - 2 * size), size, (1 + 1.5 * k) * size) for k, text in enumerate(texts)
+        ]
+        canvas.texts(lines, size=size, anchor="upper left", halo=self.background)
+        picture = canvas.to_numpy()
+        return np.vstack([picture, self._plots.draw(number)]) if self._names else picture
+
+    def frames(self, say: ReportProgress = say_nothing) -> Iterator[Picture]:
+        """All frames in order; each that is drawn is told."""
+        for number in range(len(self)):
+            say("drawing", number, len(self))
+            yield self.draw(number)
+        say("drawing", len(self), len(self))
+
+
+class _Plots:
+    """The strip of plots: what is the same in all frames is drawn once.
+
+    Args:
+        timeline: The recording.
+        names: Of the values.
+        width, height: Of the strip [px].
+        device: Where to draw.
+    """
+
+    def __init__(self, timeline: Timeline, names: Sequence[str], width: int, height: int, device: Any):
+        self._names, self._count = names, len(timeline.frames)
+        self._values = [np.array([frame.values.get(name, math.nan) for frame in timeline.frames]) for name in names]
+        self._panel, self._height = width / max(len(names), 1), height
+        if not names:
+            return
+        self._ground = Canvas.blank(width, height, GROUND, device)
+        self._size = letter_size(self._ground)
+        self._limits = [_limits(values) for values in self._values]
+        for k, values in enumerate(self._values):
+            left, top, right, bottom = self._box(k)
+            self._ground.rectangle(left, top, right - left, bottom - top, outline=WHOLE)
+            for run in _runs(self._places(k, values)):
+                self._ground.polyline(run, color=WHOLE, width=1.5)
+
+    def draw(self, number: int) -> Picture:
+        """The strip at a frame."""
+        canvas = self._ground.copy()
+        for k, (name, values) in enumerate(zip(self._names, self._values, strict=True)):
+            places = self._places(k, values)
+            for run in _runs(places[: number + 1]):
+                canvas.polyline(run, color=PAST, width=2.0)
+            known = np.flatnonzero(np.isfinite(values[: number + 1]))
+            left, top, right, _ = self._box(k)
+            text = name
+            if len(known):
+                canvas.dots(places[known[-1]][None], radius=3.5, color=PAST)
+                text = f"{name}  {values[known[-1]]:.4g}"
+            canvas.text(cut_text(text, self._size, right - left), left, top - 0.7 * self._size, size=self._size)
+        return canvas.to_numpy()
+
+    def _box(self, k: int) -> tuple[float, float, float, float]:
+        size = self._size
+        return k * self._panel + size, 1.6 * size, (k + 1) * self._panel - size, self._height - 0.6 * size
+
+    def _places(self, k: int, values: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Where values lie in the strip [px]; NaN where there are none."""
+        left, top, right, bottom = self._box(k)
+        low, high = self._limits[k]
+        across = left + 4 + (right - left - 8) * np.arange(self._count) / max(self._count - 1, 1)
+        down = bottom - 4 - (bottom - top - 8) * (values - low) / (high - low)
+        return np.column_stack([across, down])
+
+
+def _plotted(timeline: Timeline, width: int, height: int) -> list[str]:
+    """The names of values that are plotted in pictures of a size, in the order in which they came."""
+    if round(STRIP * height / 2) * 2 < LEAST_STRIP:
+        return []
+    names = dict.fromkeys(name for frame in timeline.frames for name in frame.values)
+    return list(names)[: min(PANELS, width // LEAST_PANEL)]
+
+
+def _picture_height(timeline: Timeline, width: int, height: int) -> int:
+    """The rows that plots leave, an even number of an even one."""
+    return height - round(STRIP * height / 2) * 2 if _plotted(timeline, width, height) else height
+
+
+def _limits(values: NDArray[np.float64]) -> tuple[float, float]:
+    finite = values[np.isfinite(values)]
+    if not len(finite):
+        return 0.0, 1.0
+    low, high = float(finite.min()), float(finite.max())
+    return (low, high) if high > low else (low - 0.5 * (abs(low) or 1), high + 0.5 * (abs(high) or 1))
+
+
+def _runs(places: NDArray[np.float64]) -> list[NDArray[np.float64]]:
+    """The parts of a curve between gaps."""
+    known = np.isfinite(places).all(axis=1)
+    ends = np.flatnonzero(np.diff(np.concatenate([[0], known.astype(int), [0]])))
+    return [places[a:b] for a, b in ends.reshape(-1, 2).tolist() if b - a > 1]
+
+
+def _core(shape: Shape) -> NDArray[np.float64]:
+    """Some positions of a shape, of points without the farthest ones."""
+    points = shape.positions[spread_rows(len(shape.positions), LOOKED_AT)].astype(np.float64)
+    if shape.kind != "points" or len(points) < FEWEST:
+        return points
+    gaps = np.linalg.norm(points - np.median(points, axis=0), axis=1)
+    return points[gaps <= FAR * np.quantile(gaps, MOST)]
+
+
+def _sized(view: View, width: int, height: int) -> View:
+    """The view with pictures of another size that show as much of the scene's height and width as fits."""
+    camera = view.intrinsic
+    scale = min(width / camera.width, height / camera.height)
+    changed = dataclasses.replace(
+        camera,
+        width=width,
+        height=height,
+        fx=camera.fx * scale,
+        fy=camera.fy * scale,
+        cx=(width - 1) / 2 + (camera.cx - (camera.width - 1) / 2) * scale,
+        cy=(height - 1) / 2 + (camera.cy - (camera.height - 1) / 2) * scale,
+    )
+    return dataclasses.replace(view, intrinsic=changed)

@@ -1,0 +1,395 @@
+"""What an algorithm does, recorded: `record`."""
+
+from __future__ import annotations
+
+import contextlib
+import dataclasses
+import os
+from collections.abc import Iterable, Sequence
+from pathlib import Path
+from types import TracebackType
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...core.checks import check_count, check_name, check_number, check_positive, check_progress, check_transformation
+from ...core.progress import ReportProgress
+from ...core.watching import watch
+from ..render.geometries import STYLE_KEYS, Style
+from ..render.parts import Matrix, Triple
+from ..render.view import View
+from .film import view_frames
+from .script import Stage
+from .scripts import Scripts
+from .shapes import ShapeStore, Sketch, pose_about, sketch, usual_size
+from .timeline import Frame, Placed, Timeline
+from .writers import check_recording, write_recording
+
+MAX_POINTS, MAX_FRAMES, FASTEST = 200_000, 600, 100.0
+MOST_BYTES = 2**29  # of shapes; beyond, every second frame goes
+WORTH = 0.9  # of the bytes that stay where frames go: more, and what fills them is no matter of frames
+
+
+def record(
+    path: str | os.PathLike[str],
+    *,
+    fps: float = 10.0,
+    size: tuple[int, int] = (960, 720),
+    max_points: int = MAX_POINTS,
+    max_frames: int = MAX_FRAMES,
+    title: str = "",
+    view: View | None = None,
+    background: Triple = (1.0, 1.0, 1.0),
+    automatic: bool = True,
+    overwrite: bool = True,
+    progress: ReportProgress | None = None,
+) -> Recorder:
+    """Record what algorithms do inside a `with` block, as a page that plays, an animation or a video.
+
+    Steps of ICP, fused and tracked frames, scans of LiDAR odometry, clusters, planes, registered fragments become
+    frames by themselves; others are made by hand: `add`, `update`, `set_pose`, `plot`, `step`.
+
+    Args:
+        path: .html (one file that plays from disk, with plots), .gif, .webp, or .mp4 (by an ffmpeg program).
+        fps: Frames a second; a .gif holds up to 50.
+        size: Width and height of an animation [px]; a video's are made even.
+        max_points: Clouds of more points are sampled, meshes of more vertices simplified; the title says so.
+        max_frames: With more, every second frame is dropped, and every second one from then on.
+        title: Stands above the frames.
+        view: Where from; None shows all frames whole.
+        background: Red, green and blue, 0 to 1.
+        automatic: Whether algorithms called inside are recorded.
+        overwrite: Replace a file that exists.
+        progress: Called with "drawing", how many frames are done, and how many there are, while an animation is
+            written.
+
+    Returns:
+        A Recorder, to be used in a `with` block; the file is written at its end.
+
+    Raises:
+        FileError: A suffix that is not known, a place that cannot be written, or no ffmpeg: before any work.
+        TypeError, ValueError: An argument out of range.
+
+    Notes:
+        Results are the same bits with and without a recording; ICP waits for the device once an iteration meanwhile.
+        An error or Ctrl-C ends the block as ever; what was recorded until then is written, and the title says so.
+        Other threads are not recorded. A shape that does not change is stored once; the memory is that of the shapes,
+        up to 512 MB, beyond which frames are dropped as beyond `max_frames`.
+
+    Example:
+        >>> import os, tempfile, numpy as np, pointloom as loom
+        >>> points = np.random.default_rng(0).random((200, 3))
+        >>> target, source = loom.PointCloud(points), loom.PointCloud(points + 0.02)
+        >>> with tempfile.TemporaryDirectory() as folder:
+        ...     with loom.record(f"{folder}/icp.html") as r:
+        ...         result = loom.registration.registration_icp(source, target, 0.1)
+        ...     os.listdir(folder), len(r.timeline.frames) == result.iterations + 1
+        (['icp.html'], True)
+    """
+    return Recorder(
+        path,
+        fps=fps,
+        size=size,
+        max_points=max_points,
+        max_frames=max_frames,
+        title=title,
+        view=view,
+        background=background,
+        automatic=automatic,
+        overwrite=overwrite,
+        progress=progress,
+    )
+
+
+class Recorder:
+    """A recording in the making; see `record`.
+
+    Attributes:
+        path: The file.
+        max_points: As of `record`.
+    """
+
+    def __init__(
+        self,
+        path: str | os.PathLike[str],
+        *,
+        fps: float,
+        size: tuple[int, int],
+        max_points: int,
+        max_frames: int,
+        title: str,
+        view: View | None,
+        background: Triple,
+        automatic: bool,
+        overwrite: bool,
+        progress: ReportProgress | None,
+    ):
+        if view is not None and not isinstance(view, View):
+            raise TypeError(f"view: expected a View, got {type(view).__name__}")
+        self.path = Path(path)
+        self.max_points = check_count("max_points", max_points)
+        self._max_frames = check_count("max_frames", max_frames, minimum=2)
+        self._fps = check_positive("fps", fps, maximum=FASTEST)
+        self._title, self._view, self._overwrite = check_name("title", title), view, bool(overwrite)
+        self._size, self._background = _check_size(size), background
+        self._say = check_progress(progress)
+        check_recording(self.path, fps=self._fps, background=background, overwrite=self._overwrite)
+        self._store, self._most_bytes = ShapeStore(), MOST_BYTES
+        self._origin: NDArray[np.float64] | None = None
+        self._device: Any = None
+        self._held: dict[str, _Held] = {}
+        self._counts: dict[str, tuple[int, int]] = {}
+        self._values: dict[str, float] = {}
+        self._frames: list[Frame] = []
+        self._last: Frame | None = None  # where it was left out
+        self._seen, self._stride, self._is_dirty, self._is_discarded = 0, 1, False, False
+        self._scripts = Scripts(self) if automatic else None
+        self._owner: Stage | None = None
+        self._owners: dict[str, Stage] = {}
+        self._watching = contextlib.ExitStack()
+
+    def __repr__(self) -> str:
+        return f"Recorder({os.fspath(self.path)}, {len(self._frames)} frames, {len(self._store.shapes)} shapes)"
+
+    def __enter__(self) -> Recorder:
+        if self._scripts is not None:
+            self._watching.enter_context(watch(self._scripts.take))
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        self._watching.close()
+        if self._is_discarded:
+            return
+        if error is None:
+            self.save()
+        elif self._frames:
+            try:
+                self.save(note=f"ended by {type(error).__name__}")
+            except Exception as second:  # the first error is the one to be heard
+                error.add_note(f"and the recording could not be written: {second}")
+
+    # ------------------------------------------------------------------------------------------ by hand
+
+    def add(self, name: str, geometry: Any, **style: Any) -> None:
+        """Show a geometry under a name from the next step on, in place of what has that name.
+
+        Args:
+            name: What it is called.
+            geometry: Whatever `loom.render` draws.
+            **style: color, point_size, color_by, ... as in dictionaries of `loom.render`.
+
+        Raises:
+            TypeError: No geometry, or another kind of argument.
+            ValueError: A style that does not exist, or out of range.
+        """
+        name, chosen = check_name("name", name), _style_of(style)
+        pose = self._held[name].pose if name in self._held and chosen.pose is None else None
+        self._hold(name, sketch(geometry, chosen, self.max_points), chosen, pose)
+
+    def update(self, name: str, geometry: Any, **style: Any) -> None:
+        """Show another geometry under a name that is there, with its style and pose unless others are given.
+
+        Raises:
+            KeyError: Nothing has that name.
+            TypeError, ValueError: As `add`.
+        """
+        held = self._known(name)
+        chosen = dataclasses.replace(held.style, **_fields_of(style))
+        pose = held.pose if chosen.pose is None else None
+        self._hold(name, sketch(geometry, chosen, self.max_points), chosen, pose)
+
+    def set_pose(self, name: str, pose: Any) -> None:
+        """Move what has a name: 4x4, from its own coordinates to the world; costs no copy of it.
+
+        Raises:
+            KeyError: Nothing has that name.
+            ValueError: No transformation.
+        """
+        held, T = self._known(name), np.array(check_transformation("pose", pose))
+        self._held[name] = dataclasses.replace(held, pose=T)
+        self._is_dirty = True
+
+    def remove(self, name: str) -> None:
+        """Show it no longer.
+
+        Raises:
+            KeyError: Nothing has that name.
+        """
+        self._known(name)
+        del self._held[name]
+        self._is_dirty = True
+
+    def plot(self, name: str, value: float) -> None:
+        """Plot a number beside the next frame; a NaN leaves a gap.
+
+        Raises:
+            TypeError: No number, or no name.
+        """
+        number = check_number("value", value, allow_nan=True, allow_infinite=True)
+        self._values[check_name("name", name)] = number
+        self._is_dirty = True
+
+    def step(self, label: str = "") -> None:
+        """Make a frame of what is shown now, and of the numbers plotted since the last one."""
+        shown = {name: held.placed(self.origin) for name, held in self._held.items()}
+        frame = Frame(shown, check_name("label", label), self._values)
+        self._values, self._is_dirty, self._last = {}, False, None
+        if self._seen % self._stride:
+            self._last = frame
+        else:
+            self._frames.append(frame)
+        self._seen += 1
+        if len(self._frames) > self._max_frames:
+            self._thin()
+        if self._store.size > self._most_bytes:
+            self._forget()
+        while self._store.size > self._most_bytes and len(self._frames) > 2:
+            before = self._store.size
+            self._thin()
+            if self._store.size > WORTH * before:
+                self._most_bytes = 2 * self._store.size
+
+    # ------------------------------------------------------------------------------------------ the file
+
+    @property
+    def names(self) -> list[str]:
+        """What is shown now."""
+        return list(self._held)
+
+    @property
+    def origin(self) -> NDArray[np.float64]:
+        """Where positions count from [m]: that of the first geometry."""
+        return np.zeros(3) if self._origin is None else self._origin
+
+    @property
+    def timeline(self) -> Timeline:
+        """The recording so far."""
+        frames = [*self._frames, *([] if self._last is None else [self._last])]
+        return Timeline(self.origin, self._store.shapes, frames, self._title_of(frames), self._fps)
+
+    def discard(self) -> None:
+        """Write nothing at the end of the block."""
+        self._is_discarded = True
+
+    def save(self, *, note: str = "") -> None:
+        """Write the file, whole or not at all; the end of the `with` block does so.
+
+        Args:
+            note: Said in the title.
+
+        Raises:
+            ValueError: Nothing was recorded.
+            FileError: The place cannot be written, or ffmpeg failed.
+        """
+        if self._scripts is not None:
+            self._scripts.finish()
+        if self._is_dirty:
+            self.step()
+        self._forget()
+        timeline = self.timeline
+        if not timeline.frames:
+            reason = "nothing was recorded: no algorithm inside the block reports its steps, and step() was not called"
+            raise ValueError(f"{os.fspath(self.path)}: {reason}")
+        if note:
+            timeline.title = ", ".join([timeline.title, note] if timeline.title else [note])
+        look = None if self._scripts is None else self._scripts.look
+        view = view_frames(timeline, look, *self._size) if self._view is None else self._view
+        options: dict[str, Any] = {"view": view, "background": self._background, "overwrite": self._overwrite}
+        write_recording(self.path, timeline, size=self._size, say=self._say, device=self._device, **options)
+
+    # ------------------------------------------------------------------------------------------ internals
+
+    def _hold(self, name: str, drawn: Sketch, style: Style, pose: Matrix | None) -> None:
+        if self._origin is None and drawn.shapes:
+            self._origin, self._device = drawn.origin.copy(), drawn.device
+        numbers = tuple(self._store.add(shape) for shape in drawn.shapes)
+        self._held[name] = _Held(numbers, drawn.origin, style, drawn.pose if pose is None else pose)
+        self._counts[name] = drawn.drawn, drawn.total
+        self._is_dirty = True
+
+    def _show(
+        self,
+        name: str,
+        drawn: Sequence[tuple[Any, dict[str, Any]]],
+        max_points: int,
+        owner: Stage,
+        total: int | None = None,
+    ) -> None:
+        """Show geometries of one frame of reference under one name, for an algorithm; what others showed goes."""
+        if self._owner is not owner:
+            for earlier in [name for name, by in self._owners.items() if by is not owner and name in self._held]:
+                del self._held[earlier]
+            self._owner, self._owners = owner, {}
+        self._owners[name] = owner
+        if len(drawn) > 1:  # points of one cloud are of one size, in however many parts they are
+            whole = sum(len(geometry) for geometry, _ in drawn)
+            drawn = [(geometry, {"point_size": usual_size(whole), **style}) for geometry, style in drawn]
+        styles = [_style_of(style) for _, style in drawn]
+        sketches = [sketch(geometry, style, max_points) for (geometry, _), style in zip(drawn, styles, strict=True)]
+        shapes = [shape for each in sketches for shape in each.shapes]
+        count, all_points = sum(each.drawn for each in sketches), sum(each.total for each in sketches)
+        counts = {"drawn": count, "total": all_points if total is None else total}
+        self._hold(name, dataclasses.replace(sketches[0], shapes=shapes, **counts), styles[0], None)
+
+    def _known(self, name: str) -> _Held:
+        if check_name("name", name) not in self._held:
+            raise KeyError(f"{name!r} is not shown; add it first. Shown are {sorted(self._held)}")
+        return self._held[name]
+
+    def _thin(self) -> None:
+        """Drop every second frame, and every second one from now on."""
+        self._frames, self._stride = self._frames[::2], 2 * self._stride
+        self._forget()
+
+    def _forget(self) -> None:
+        """Drop the shapes of frames that were dropped."""
+        now = Frame({name: held.placed(self.origin) for name, held in self._held.items()})
+        last = [] if self._last is None else [self._last]
+        *kept, now = self._store.keep_used([*self._frames, *last, now])
+        self._last = kept.pop() if last else None
+        self._frames = kept
+        self._held = {n: dataclasses.replace(held, shapes=now.shown[n].shapes) for n, held in self._held.items()}
+
+    def _title_of(self, frames: Iterable[Frame]) -> str:
+        shown = {name for frame in frames for name in frame.shown}
+        notes = [
+            f"{n}: {k:,} of {total:,} points" for n, (k, total) in self._counts.items() if n in shown and k < total
+        ]
+        if self._stride > 1:
+            notes.append(f"one of {self._stride} steps")
+        return ", ".join([self._title, *notes] if self._title else notes)
+
+
+@dataclasses.dataclass(frozen=True, eq=False)
+class _Held:
+    """What is shown under a name: the numbers of its shapes, where they count from, and how it is drawn and lies."""
+
+    shapes: tuple[int, ...]
+    origin: NDArray[np.float64]
+    style: Style
+    pose: Matrix | None
+
+    def placed(self, origin: NDArray[np.float64]) -> Placed:
+        return Placed(self.shapes, pose_about(self.pose, self.origin, origin))
+
+
+def _style_of(style: dict[str, Any]) -> Style:
+    return Style(**_fields_of(style))
+
+
+def _fields_of(style: dict[str, Any]) -> dict[str, Any]:
+    unknown = [key for key in style if key not in STYLE_KEYS]
+    if unknown:
+        raise ValueError(f"style: expected {', '.join(STYLE_KEYS)}, got {unknown[0]!r}")
+    return style
+
+
+def _check_size(size: Any) -> tuple[int, int]:
+    if not isinstance(size, tuple | list) or len(size) != 2:
+        raise ValueError(f"size: expected width and height, got {size!r}")
+    limits: dict[str, Any] = {"minimum": 16, "maximum": 8192, "because": "frames are held whole"}
+    width, height = (check_count("size", side, **limits) for side in size)
+    return width, height

@@ -1,0 +1,326 @@
+"""Text, lines and shapes on a picture: `Canvas`.
+
+Places are in pixels: column 0, row 0 is the centre of the first pixel. Colours are red, green and blue, 0 to 1. What
+lies outside the picture is not drawn, places that are not finite neither.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any, Self
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ...core.checks import check_count, check_finite, check_number, check_positive, check_rows, check_shape, check_share
+from ...core.devices import resolve_device
+from ...kernels.drawing import canvas as strokes
+from ...kernels.drawing.canvas import MOST_STROKES, Paint, Sheet, clip_box
+from ...kernels.lang import uint8
+from ...kernels.memory import clone, download, empty, upload
+from .clipping import clip_segments
+from .lettering import lettering
+
+Color = Sequence[float]
+
+BLACK = (0.1, 0.1, 0.1)
+WHITE = (1.0, 1.0, 1.0)
+HALO = 2  # [px] of light around letters on a picture
+
+_ACROSS = {"left": 0.0, "center": 0.5, "right": 1.0}
+_DOWN = ("upper", "middle", "lower")
+
+
+class Canvas:
+    """A picture to draw on, on a device; what is drawn later lies above.
+
+    Args:
+        picture: uint8 device array [3 * width * height], row by row; it is drawn into, not copied.
+        width, height: Pixels.
+
+    Notes:
+        Same bits on every device and with both compilers. 4 B of memory a pixel besides the picture's 3.
+
+    Example:
+        >>> canvas = Canvas.blank(160, 40)
+        >>> canvas.text("25.0 °C", 80, 20, size=16, anchor="center")
+        >>> canvas.to_numpy().shape
+        (40, 160, 3)
+    """
+
+    def __init__(self, picture: Any, width: int, height: int):
+        self.width, self.height = check_count("width", width), check_count("height", height)
+        if picture.size != 3 * self.width * self.height:
+            raise ValueError(f"picture: expected {3 * self.width * self.height} numbers, got {picture.size}")
+        self.sheet, self.device = Sheet(picture, self.width, self.height), picture.device
+        self._no_colors: Any = empty(0, uint8, self.device)
+
+    @classmethod
+    def blank(cls, width: int, height: int, background: Color = WHITE, device: Any = None) -> Self:
+        """A picture of one colour."""
+        width, height = check_count("width", width), check_count("height", height)
+        pixels = np.tile(np.array(_color_bytes("background", background), np.uint8), width * height)
+        return cls(upload(pixels, uint8, resolve_device(device)), width, height)
+
+    @classmethod
+    def of_image(cls, image: NDArray[np.uint8], device: Any = None) -> Self:
+        """A copy of a picture, shape [h, w, 3]."""
+        values = _check_image(image)
+        return cls(upload(values.ravel(), uint8, resolve_device(device)), values.shape[1], values.shape[0])
+
+    def to_numpy(self) -> NDArray[np.uint8]:
+        """The picture, shape [h, w, 3] (one sync)."""
+        return download(self.sheet.picture).reshape(self.height, self.width, 3).copy()
+
+    def copy(self) -> Self:
+        """A picture of its own with the same content."""
+        return type(self)(clone(self.sheet.picture), self.width, self.height)
+
+    def text_width(self, text: str, size: float = 14) -> int:
+        """How wide a text is [px]."""
+        return lettering().width(str(text), size)
+
+    def text(
+        self,
+        text: str,
+        x: float,
+        y: float,
+        *,
+        size: float = 14,
+        color: Color = BLACK,
+        anchor: str = "left",
+        halo: Color | None = None,
+        turned: bool = False,
+    ) -> None:
+        """Write one line of text.
+
+        Args:
+            text: Letters of ASCII and some signs; a box stands for others.
+            x, y: Where [px]; rounded to whole pixels, so that letters stay crisp.
+            size: Of the letters [px]: 12, 14, 16, 20, 24 or 32; others take the nearest.
+            color: Of the letters.
+            anchor: What of the text lies there: "left", "center" or "right", alone for the middle of its height, or
+                behind "upper" or "lower" (for capital letters), as "upper left".
+            halo: The colour of a seam around the letters, so that they read on any ground.
+            turned: Upwards, as along the left axis of a plot; the anchor turns with it.
+        """
+        self.texts([(text, x, y)], size=size, color=color, anchor=anchor, halo=halo, turned=turned)
+
+    def texts(
+        self,
+        entries: Sequence[tuple[str, float, float]],
+        *,
+        size: float = 14,
+        color: Color = BLACK,
+        anchor: str = "left",
+        halo: Color | None = None,
+        turned: bool = False,
+    ) -> None:
+        """Write several texts (text, x, y) at once, as `text`."""
+        paint = self._paint(color, 1.0)
+        seam = None if halo is None else self._paint(halo, 0.85, name="halo")
+        down, across = _split_anchor(anchor)
+        letters = lettering()
+        rows = [
+            _place(letters, str(text), x, y, check_positive("size", size), down, across, turned)
+            for text, x, y in entries
+        ]
+        glyphs = np.concatenate(rows) if rows else np.empty((0, 5), np.int32)
+        if not len(glyphs):
+            return
+        wide, high = (glyphs[:, 2], glyphs[:, 1]) if turned else (glyphs[:, 1], glyphs[:, 2])
+        top = glyphs[:, 4] - (high - 1 if turned else 0)
+        ends = [glyphs[:, 3].min(), top.min(), (glyphs[:, 3] + wide).max() - 1, (top + high).max() - 1]
+        left, upper, right, lower = (int(end) for end in ends)
+        if seam is not None:
+            strokes.cover_glyphs(self.sheet, glyphs, letters.atlas(self.device), turned=turned)
+            box = clip_box(self.sheet, left - HALO, upper - HALO, right + HALO, lower + HALO)
+            strokes.blend_halo(self.sheet, box, HALO, seam)
+        else:
+            strokes.cover_glyphs(self.sheet, glyphs, letters.atlas(self.device), turned=turned)
+        strokes.blend(self.sheet, clip_box(self.sheet, left, upper, right, lower), paint)
+
+    def line(
+        self,
+        x0: float,
+        y0: float,
+        x1: float,
+        y1: float,
+        *,
+        color: Color = BLACK,
+        width: float = 1.0,
+        opacity: float = 1.0,
+    ) -> None:
+        """Draw a straight line with round ends."""
+        self.segments([[x0, y0, x1, y1]], color=color, width=width, opacity=opacity)
+
+    def polyline(
+        self,
+        points: ArrayLike,
+        *,
+        color: Color = BLACK,
+        colors: ArrayLike | None = None,
+        width: float = 1.0,
+        closed: bool = False,
+        opacity: float = 1.0,
+    ) -> None:
+        """Draw lines from each point to the next, shape [n, 2]; a point that is not finite is a gap.
+
+        `colors`, uint8 [n - 1, 3] (or [n, 3] closed), gives each line its own.
+        """
+        path = check_rows("points", points, 2, dtype=np.float64)
+        after = np.roll(path, -1, axis=0)
+        ends = np.hstack([path, after]) if closed else np.hstack([path, after])[:-1]
+        self.segments(ends, color=color, colors=colors, width=width, opacity=opacity)
+
+    def segments(
+        self,
+        segments: ArrayLike,
+        *,
+        color: Color = BLACK,
+        colors: ArrayLike | None = None,
+        width: float = 1.0,
+        opacity: float = 1.0,
+    ) -> None:
+        """Draw lines (x, y, x, y), shape [n, 4], with round ends; `colors`, uint8 [n, 3], gives each its own."""
+        ends = check_rows("segments", segments, 4, dtype=np.float64)
+        width = check_positive("width", width)
+        table = None if colors is None else check_rows("colors", colors, 3, rows=len(ends), dtype=np.uint8)
+        reach = width / 2 + 2
+        high = self.width - 1 + reach, self.height - 1 + reach
+        ends, kept = clip_segments(ends, (-reach, -reach), high)
+        for start in range(0, len(ends), MOST_STROKES):
+            part = ends[start : start + MOST_STROKES]
+            chosen = None if table is None else table[kept[start : start + MOST_STROKES]]
+            paint = self._paint(color, opacity, chosen)
+            columns, rows = part[:, ::2], part[:, 1::2]
+            box = self._box(columns.min(), rows.min(), columns.max(), rows.max(), reach)
+            strokes.cover_segments(self.sheet, part.astype(np.float32), width)
+            strokes.blend(self.sheet, box, paint)
+
+    def dots(
+        self,
+        points: ArrayLike,
+        *,
+        radius: float = 3.0,
+        color: Color = BLACK,
+        colors: ArrayLike | None = None,
+        opacity: float = 1.0,
+    ) -> None:
+        """Draw filled circles about points [n, 2]; `colors`, uint8 [n, 3], gives each its own."""
+        places = check_rows("points", points, 2, dtype=np.float64)
+        diameter = 2 * check_positive("radius", radius)
+        self.segments(np.hstack([places, places]), color=color, colors=colors, width=diameter, opacity=opacity)
+
+    def circle(
+        self,
+        x: float,
+        y: float,
+        radius: float,
+        *,
+        fill: Color | None = None,
+        outline: Color | None = None,
+        width: float = 1.0,
+        opacity: float = 1.0,
+    ) -> None:
+        """Draw a circle: filled, with an outline that lies inside, or both."""
+        center = check_number("x", x), check_number("y", y)
+        radius, width = check_positive("radius", radius), check_positive("width", width)
+        box = self._box(*center, *center, radius + 1)
+        for color, inner in self._seen(box, (fill, -2.0), (outline, max(radius - width, -2.0))):
+            strokes.cover_ring(self.sheet, box, center, radius, inner)
+            strokes.blend(self.sheet, box, self._paint(color, opacity))
+
+    def rectangle(
+        self,
+        x: float,
+        y: float,
+        width: float,
+        height: float,
+        *,
+        fill: Color | None = None,
+        outline: Color | None = None,
+        line_width: float = 1.0,
+        opacity: float = 1.0,
+    ) -> None:
+        """Draw a rectangle, filled, with an outline that lies inside, or both.
+
+        Its first column is x and its first row y: whole numbers fill whole pixels.
+        """
+        x, y = check_number("x", x), check_number("y", y)
+        width = check_positive("width", width, allow_zero=True)
+        height = check_positive("height", height, allow_zero=True)
+        line = check_positive("line_width", line_width)
+        left, top, right, bottom = x - 0.5, y - 0.5, x - 0.5 + width, y - 0.5 + height
+        box = self._box(left, top, right, bottom, 1)
+        inner = (left + line, top + line, right - line, bottom - line)
+        for color, hole in self._seen(box, (fill, (0.0, 0.0, 0.0, 0.0)), (outline, inner)):
+            strokes.cover_box(self.sheet, box, (left, top, right, bottom), hole)
+            strokes.blend(self.sheet, box, self._paint(color, opacity))
+
+    def image(self, image: NDArray[np.uint8], x: int, y: int) -> None:
+        """Copy a picture, shape [h, w, 3], with its first pixel at column x, row y."""
+        values = _check_image(image)
+        x, y = check_count("x", x, minimum=-(2**20)), check_count("y", y, minimum=-(2**20))
+        box = clip_box(self.sheet, x, y, x + values.shape[1] - 1, y + values.shape[0] - 1)
+        if box[2] * box[3]:
+            table = upload(values.ravel(), uint8, self.device)
+            strokes.copy_image(self.sheet, box, table, values.shape[1], x, y)
+
+    def _box(self, left: float, top: float, right: float, bottom: float, reach: float) -> tuple[int, int, int, int]:
+        """The cells within a reach of a box, clipped."""
+        limits = np.array([left - reach, top - reach, right + reach, bottom + reach])
+        most = float(max(self.width, self.height) + 1)
+        low, high = np.floor(limits[:2].clip(-1, most)).tolist(), np.ceil(limits[2:].clip(-1, most)).tolist()
+        return clip_box(self.sheet, *map(int, low), *map(int, high))
+
+    @staticmethod
+    def _seen(box: tuple[int, int, int, int], *strokes: tuple[Color | None, Any]) -> list[tuple[Color, Any]]:
+        """The strokes that have a colour, none where the box holds no cell."""
+        return [(color, hole) for color, hole in strokes if color is not None and box[2] * box[3]]
+
+    def _paint(self, color: Color, opacity: float, colors: Any = None, *, name: str = "color") -> Paint:
+        share = round(255 * check_share("opacity", opacity))
+        table = self._no_colors if colors is None else upload(np.ascontiguousarray(colors).ravel(), uint8, self.device)
+        return Paint(_color_bytes(name, color), share, table)
+
+
+def _color_bytes(name: str, color: Color) -> tuple[int, int, int]:
+    shares = check_finite(name, check_shape(name, color, (3,)))
+    red, green, blue = np.floor(shares.clip(0, 1) * 255 + 0.5).astype(int).tolist()
+    return red, green, blue
+
+
+def _check_image(image: Any) -> NDArray[np.uint8]:
+    values = np.asarray(image)
+    if values.ndim != 3 or values.shape[2] != 3 or values.dtype != np.uint8 or not values.size:
+        raise ValueError(f"image: expected uint8 of shape [h, w, 3], got {values.dtype} of {list(values.shape)}")
+    return np.ascontiguousarray(values)
+
+
+def _split_anchor(anchor: str) -> tuple[str, float]:
+    """("middle", 0.0) of "left"."""
+    down, _, across = anchor.rpartition(" ")
+    down = down or "middle"
+    if across not in _ACROSS or down not in _DOWN:
+        raise ValueError(f"anchor: expected left, center or right, alone or behind upper or lower, got {anchor!r}")
+    return down, _ACROSS[across]
+
+
+def _place(
+    letters: Any, text: str, x: float, y: float, size: float, down: str, across: float, turned: bool
+) -> NDArray[np.int32]:
+    """The letters of a text where an anchor lies at a place; none where that is not finite or far outside."""
+    if not (np.isfinite(x) and np.isfinite(y) and abs(x) < 2**20 and abs(y) < 2**20):
+        return np.empty((0, 5), np.int32)
+    glyphs = letters.set(text, size)
+    cap = letters.cap_height(size)
+    fall = {"upper": cap, "middle": (cap + 1) // 2, "lower": 1}[down]  # capitals end in the row above the pen
+    column, row = int(np.floor(x + 0.5)), int(np.floor(y + 0.5))
+    back = int(letters.width(text, size) * across)
+    if turned:  # along the text is up, and down of the text is right
+        along, below = glyphs[:, 3] - back, glyphs[:, 4] + fall
+        return np.column_stack([glyphs[:, :3], column + below, row - along]).astype(np.int32)
+    glyphs[:, 3] += column - back
+    glyphs[:, 4] += row + fall
+    return glyphs

@@ -1,0 +1,70 @@
+"""A mesh coloured by its distances from another, with a colour bar and a histogram: `draw_errors`."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...kernels.drawing.value_colors import Ramp, color_values
+from ...kernels.lang import float32
+from ...kernels.memory import download, upload
+from ...meshing.mesh.mesh import TriangleMesh
+from .axes import Area
+from .canvas import Canvas
+from .coloring import Coloring
+from .colormaps import MISSING, colormap_table
+from .legends import draw_color_bar
+from .plots import draw_histogram
+from .render import render
+
+COLORMAP = "viridis"  # as of `TriangleMesh.compute_error_map`
+BACKDROP = (0.88, 0.89, 0.91)
+_WIDTH, _HEIGHT = 1600, 900  # [px] of the whole
+_MESH, _BAR = 860, 140  # [px] wide: the mesh, and the colour bar at its right
+_SHOWN = 0.98  # of the vertices lie below the last colour: few that are far off leave colours to the rest
+
+
+def draw_errors(
+    mesh: TriangleMesh, distances: NDArray[np.float32], title: str, *, back_faces: bool = True
+) -> NDArray[np.uint8]:
+    """Draw a mesh coloured by distances at its vertices, and their histogram beside it.
+
+    Args:
+        mesh: The mesh.
+        distances: At its vertices [m], shape [n]; grey where not finite.
+        title: Above the histogram.
+        back_faces: Draw faces that look away; without them one sees into a room.
+
+    Returns:
+        Shape [900, 1600, 3], uint8.
+    """
+    finite = distances[np.isfinite(distances)].astype(np.float64)
+    largest = float(np.quantile(finite, _SHOWN)) if len(finite) else 0.0
+    limits = 0.0, largest or float(finite.max(initial=0.0)) or 1.0
+    place = mesh.device
+    ramp = Ramp(colormap_table(COLORMAP), limits, MISSING, place)
+    colors = color_values(upload(distances, float32, place), ramp)
+    colored = mesh.copy()
+    colored.vertex_colors = download(colors)
+    image = render(
+        {"geometry": colored, "shaded": True, "back_faces": back_faces}, size=(_MESH, _HEIGHT), background=BACKDROP
+    )
+    left = Canvas.blank(_MESH + _BAR, _HEIGHT, BACKDROP, place)
+    left.image(image, 0, 0)
+    coloring = Coloring(colors, "values", limits, COLORMAP, has_missing=len(finite) < len(distances))
+    draw_color_bar(left, coloring, "distance [m]")
+    canvas = Canvas.blank(_WIDTH, _HEIGHT, device=place)
+    canvas.image(left.to_numpy(), 0, 0)
+    area = Area(left.width, 0, _WIDTH - left.width, _HEIGHT)
+    marks = [("median", float(np.median(finite))), ("largest", float(finite.max()))] if len(finite) else []
+    draw_histogram(
+        canvas,
+        area,
+        distances,
+        title=title,
+        labels=("distance [m]", "vertices"),
+        colormap=COLORMAP,
+        color_limits=limits,
+        marks=marks,
+    )
+    return canvas.to_numpy()

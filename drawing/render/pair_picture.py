@@ -1,0 +1,88 @@
+"""A picture of two clouds before and after one of them moved: `draw_pair`."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...core.coordinates import split_origin
+from ...pcd.cloud import PointCloud
+from .picture_files import save_picture
+from .render import render
+from .view import Triple, fit_view
+
+Matrix = NDArray[np.float64]
+
+ORANGE, BLUE = (1.0, 0.706, 0.0), (0.0, 0.651, 0.929)  # as in Open3D's tutorials: the source, the target
+
+_PANEL, _GAP = 960, 8  # [px]
+_DISC = 3.0  # [px]
+_LEAN = 0.35  # of the view, off the axis that it goes along
+_FLAT = 0.35  # thinner than this times its width, by standard deviations, a cloud is seen from above
+_BEFORE = 0.5  # [standard deviations] of z that a camera keeps off what it sees
+
+# Share of a cloud's points that may lie outside the picture: those that only the farthest rays of a scanner reached.
+_LEFT_OUT = 0.02
+
+
+def draw_pair(path: Any, source: PointCloud, target: PointCloud, T: Matrix, *, overwrite: bool = True) -> None:
+    """Draw the target (blue) with the source (orange) as it lies, left, and under a pose, right.
+
+    Args:
+        path: A .png file.
+        source, target: The clouds, on one device.
+        T: T_target_source, 4x4.
+        overwrite: Replace the file if it exists.
+
+    Raises:
+        FileError: The place cannot be written.
+    """
+    still = _finite(target.points)
+    direction, up = usual_look(still)
+    panels = []
+    for moved in (source, source.transform(T)):
+        core = np.vstack([_core(still), _core(_finite(moved.points))])
+        view = fit_view(core, direction=direction, up=up, width=_PANEL, height=_PANEL)
+        pair = [{"geometry": _bare(target), "color": BLUE}, {"geometry": _bare(moved), "color": ORANGE}]
+        panels.append(render(pair, view, point_size=_DISC))
+    gap = np.full((_PANEL, _GAP, 3), 255, np.uint8)
+    save_picture(path, np.hstack([panels[0], gap, panels[1]]), overwrite=overwrite)
+
+
+def _bare(cloud: PointCloud) -> PointCloud:
+    """The cloud whose points show which lie behind others, as light on normals does not."""
+    return cloud.without("normals") if cloud.has_normals else cloud
+
+
+def _finite(points: Matrix) -> Matrix:
+    return points[np.isfinite(points).all(axis=1)]
+
+
+def _core(points: Matrix) -> Matrix:
+    """The points without the farthest ones."""
+    gaps = np.linalg.norm(points - np.median(points, axis=0), axis=1)
+    return points[gaps <= np.quantile(gaps, 1 - _LEFT_OUT)]
+
+
+def usual_look(points: Matrix) -> tuple[Triple, Triple]:
+    """A direction to look along, and what is up.
+
+    What lies before zero along z was seen by a camera there, with y down. Other clouds are seen along the axis in which
+    they are flattest: from above those as flat as streets and terrain, else from before; z is up, or y along z.
+    """
+    spreads = (points - np.median(points, axis=0)).std(axis=0)
+    x, y, z = np.eye(3)
+    nearest = np.quantile(points[:, 2], _LEFT_OUT)
+    if nearest > _BEFORE * spreads[2] and not split_origin(points)[1].any():
+        return _triple(z + _LEAN * (0.5 * x + y)), _triple(-y)
+    axis = int(np.argmin(spreads))
+    flat, up = np.eye(3)[axis], y if axis == 2 else z
+    lean = 2 * _LEAN if spreads[axis] < _FLAT * np.sort(spreads)[1] else -_LEAN
+    return _triple(-flat + lean * up), _triple(up)
+
+
+def _triple(vector: NDArray[np.float64]) -> Triple:
+    x, y, z = vector.tolist()
+    return x, y, z

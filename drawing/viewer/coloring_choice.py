@@ -1,0 +1,74 @@
+"""What the clouds of a viewer are coloured by: `ColoringChoice`."""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Collection
+from typing import Any
+
+from ...pcd.cloud import PointCloud
+from ..render.coloring import Coloring, color_cloud
+from ..render.colormaps import check_colormap
+from .items import Item
+
+COLORMAPS = ("viridis", "turbo", "gray", "coolwarm", "jet")
+
+
+@dataclasses.dataclass(frozen=True)
+class ColoringChoice:
+    """One choice for all clouds.
+
+    Args:
+        by: What is shown; None for each cloud's own colours.
+        colormap: Of values; None for the usual one.
+        limits: The values at its ends; None finds them, for each cloud its own.
+    """
+
+    by: str | None = None
+    colormap: str | None = None
+    limits: tuple[float, float] | None = None
+
+    def of(self, item: Item) -> Coloring | None:
+        """The colours of a cloud; None for its own, which it keeps where it has no such thing."""
+        if item.cloud is None:
+            return None
+        if self.by is not None and self.by in choices_of(item.cloud):
+            by_values = {"colormap": self.colormap, "limits": self.limits}
+            return color_cloud(item.cloud, self.by, **by_values)
+        style = item.style
+        if style.color_by is not None:
+            return color_cloud(item.cloud, style.color_by, colormap=style.colormap, limits=style.limits)
+        return None
+
+    def checked(self, by: str | None, colormap: str | None, limits: Any, items: Collection[Item]) -> ColoringChoice:
+        """Another choice, held against the clouds that there are.
+
+        Raises:
+            ValueError: No cloud has such a thing, or values out of range.
+        """
+        if colormap is not None:
+            check_colormap(colormap)
+        if by is not None:
+            clouds = [item.cloud for item in items if item.cloud is not None]
+            known = list(dict.fromkeys(name for cloud in clouds for name in choices_of(cloud)))
+            if by not in known:
+                raise ValueError(f"by: no cloud here has {by!r}; there are {', '.join(known) or 'no clouds'}")
+        choice = ColoringChoice(by, colormap, limits)
+        for item in items:  # limits are checked where they are used
+            choice.of(item)
+        return choice
+
+
+def choices_of(cloud: PointCloud) -> list[str]:
+    """What a cloud can be coloured by."""
+    given = ["rgb"] * bool(cloud.has_colors) + ["normal"] * bool(cloud.has_normals)
+    columns = [name for name in cloud.attributes if len(cloud.array(name).shape) == 1]
+    return [*given, "height", "x", "y", *columns]
+
+
+def shown_coloring(items: Collection[Item]) -> Coloring | None:
+    """The coloring that a legend tells: of the first cloud that is seen and has one with a meaning."""
+    for item in items:
+        if item.visible and item.coloring is not None and item.coloring.kind != "rgb":
+            return item.coloring
+    return None

@@ -1,0 +1,387 @@
+"""A multi-resolution tree over a cloud or a file of points: `DetailTree`, of which a view takes what matters to it."""
+
+from __future__ import annotations
+
+import dataclasses
+import functools
+import math
+import os
+from collections.abc import Callable, Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...core.checks import (
+    check_count,
+    check_finite,
+    check_indices,
+    check_list,
+    check_name,
+    check_numeric,
+    check_positive,
+    check_progress,
+)
+from ...core.devices import resolve_device
+from ...core.progress import ReportProgress
+from ...files.growing import GrowingColumns
+from ...files.points.in_parts import open_in_parts
+from ...files.points.point_cloud import read_point_cloud
+from ...kernels.arrays.bounds import bound_points
+from ...kernels.lang import vec3
+from ...kernels.memory import download, upload
+from ...kernels.sampling.detail_levels import NODE_BITS, find_levels
+from ...pcd.cloud import PointCloud
+from ...pcd.point_arrays import check_cloud
+from ..render.view import View, check_view
+from .detail_files import bytes_at, columns_of, no_attribute
+from .detail_nodes import NodeTable, make_nodes
+
+Points = NDArray[np.float32]
+
+_PART = 1 << 19  # points read at a time: some 50 MB while they are decoded
+_READING = 50  # hundredths of the time that reading takes
+
+# No node is taken to be nearer than this share of its half width, so that those that the camera stands in have an order
+# among others: 200 pixels a spacing are enough to come first.
+_NEAREST = 0.1
+
+_PROBES = 64  # points of a node that tell how much of it is in view
+
+_SMALLEST_SIDE = 1e-30  # [m] of the cube: below it halvings would leave float32
+
+
+@dataclasses.dataclass(frozen=True, eq=False)
+class Node:
+    """What is sent of a node.
+
+    Attributes:
+        positions: About `middle` [m], float32 [k, 3].
+        middle: Middle of the node's cube [m], float64 [3].
+        half: Half of that cube's side [m].
+        indices: Points of the cloud or file, int64 [k].
+        colors: uint8 [k, 3], or None where there are none.
+    """
+
+    positions: Points
+    middle: NDArray[np.float64]
+    half: float
+    indices: NDArray[np.int64]
+    colors: NDArray[np.uint8] | None
+
+
+class DetailTree:
+    """Points in nodes from coarse to fine, each point in one node: what is drawn of a node and of those around it adds
+    up to the cloud.
+
+    A node of level L holds points no two of which share a voxel of side / 2^L / 128, as no two of all nodes down to
+    that level do, but for the few that join it where nothing lies deeper. Points that are not finite are in no node.
+
+    Attributes:
+        origin: Where the tree's own float32 positions start [m], float64 [3].
+        count: Points in nodes.
+        low, high: Bounds of the points [m], float64 [3]; zero where there are none.
+        spacings: Voxel side of each node's level [m], float64 [m].
+        counts: Points of each node, int64 [m].
+        middles, halves: Cubes that hold the nodes' points [m], float64 [m, 3] and [m].
+        attributes: Further values of the points of a file by name, in its order.
+
+    Notes:
+        Same nodes from run to run and on every device. Memory: 4 B a point beside a cloud; 16 B of a file and 3 B for
+        its colours. While it is built, 20 B more.
+
+    Example:
+        >>> import numpy as np, pointloom as loom
+        >>> cloud = loom.PointCloud(np.random.default_rng(0).random((20_000, 3)) * (1, 1, 0))
+        >>> tree = loom.DetailTree.from_cloud(cloud)
+        >>> tree.count, sum(len(tree.node(i).indices) for i in range(len(tree)))
+        (20000, 20000)
+        >>> view = loom.fit_view(cloud.points, width=64, height=48)
+        >>> nodes = tree.select(view, budget=15_000)
+        >>> nodes[0], int(tree.counts[nodes].sum()) <= 15_000
+        (0, True)
+    """
+
+    def __init__(
+        self,
+        positions: Any,
+        origin: NDArray[np.float64],
+        colors: Callable[[NDArray[np.int64]], NDArray[np.uint8]] | None,
+        attributes: dict[str, NDArray[Any]] | None = None,
+    ):
+        """From vec3 positions on a device; `from_cloud` and `from_file` are what to call."""
+        self.origin, self._colors = np.asarray(origin, np.float64), colors
+        self.attributes: dict[str, NDArray[Any]] = attributes or {}
+        low, high, count = bound_points(positions)
+        self._corner, self._side = _cube(low, high) if count else (np.zeros(3), 1.0)
+        self.low, self.high = (ends.astype(np.float64) + self.origin if count else np.zeros(3) for ends in (low, high))
+        table = make_nodes(*find_levels(positions, self._corner, self._side))
+        self._positions: Points = download(positions).reshape(-1, 3)
+        self.count = len(table.order)
+        self._place(table)
+
+    def _place(self, table: NodeTable) -> None:
+        self._order, self._firsts, self.counts = table.order, table.firsts, table.counts
+        corner = self._corner + self.origin
+        sides = self._side / 2.0 ** table.depths.astype(np.float64)
+        self.halves, self.middles = sides / 2, corner + (table.cells + 0.5) * sides[:, None]
+        self.levels, self._names = table.levels, table.names
+        self.spacings = self._side / 2.0 ** (table.levels.astype(np.float64) + NODE_BITS)
+        # the whole cell of the level, which a part shares with the others: a child never counts as nearer than it
+        widths = self._side / 2.0 ** table.levels.astype(np.float64)
+        cells = table.cells >> (table.depths - table.levels).astype(np.int64)[:, None]
+        self._level_halves, self._level_middles = widths / 2, corner + (cells + 0.5) * widths[:, None]
+
+    @classmethod
+    def from_cloud(cls, cloud: PointCloud) -> DetailTree:
+        """The tree of a cloud, whose arrays it shares; on a GPU it is built there.
+
+        Args:
+            cloud: Its points, and its colours where it has some.
+
+        Raises:
+            TypeError: No PointCloud.
+        """
+        check_cloud("cloud", cloud)
+        colors: Any = None
+        if cloud.has_colors:
+            colors = functools.partial(bytes_at, download(cloud.device_array("colors")))
+        return cls(cloud.device_array("points"), cloud.origin, colors)
+
+    @classmethod
+    def from_file(
+        cls,
+        path: str | os.PathLike[str],
+        *,
+        attributes: Sequence[str] = (),
+        device: Any = None,
+        progress: ReportProgress | None = None,
+    ) -> DetailTree:
+        """The tree of a file; binary PLY and PCD, LAS and LAZ are read in parts, others whole.
+
+        Args:
+            path: The file, of a kind that `read_point_cloud` reads.
+            attributes: Names of further values to keep.
+            device: Where to build; the tree itself lies in the memory of the host.
+            progress: Called with "reading", how many hundredths are done, and 100.
+
+        Raises:
+            FileError: The file cannot be read, or has no such attribute.
+            TypeError: Attributes that are no list of names.
+            DeviceError: No such device.
+
+        Notes:
+            Memory: 40 B a point at the most, 19 B afterwards, attributes aside.
+        """
+        where, say = resolve_device(device), check_progress(progress)
+        attributes = [
+            check_name(f"attributes[{k}]", name) for k, name in enumerate(check_list("attributes", attributes, "names"))
+        ]
+        say("reading", 0, 100)
+        file = open_in_parts(path)
+        if file is None:
+            cloud = read_point_cloud(path, device=where)
+            missing = [name for name in attributes if name not in cloud.attributes]
+            if missing:
+                raise no_attribute(path, missing[0], list(cloud.attributes))
+            say("reading", _READING, 100)
+            tree = cls.from_cloud(cloud)
+            tree.attributes = {name: cloud[name] for name in attributes}
+        else:
+            columns, origin, done = GrowingColumns(file.count, is_proven=file.is_proven), file.origin(), 0
+            for part in file.parts(_PART):
+                columns.append(columns_of(path, part, origin, attributes))
+                done += len(part.points)
+                say("reading", round(_READING * done / max(file.count, 1)), 100)
+            arrays = columns.finish()
+            colors = arrays.pop("colors", None)
+            positions = upload(arrays.pop("positions"), vec3, where, copied=False)
+            kept = {name[1:]: values for name, values in arrays.items()}
+            tree = cls(positions, origin, None if colors is None else colors.__getitem__, kept)
+        say("reading", 100, 100)
+        return tree
+
+    def __len__(self) -> int:
+        """Number of nodes."""
+        return len(self.counts)
+
+    @property
+    def positions(self) -> Points:
+        """All points about `origin` [m], float32 [n, 3], by index, those that are not finite too: the tree's own."""
+        return self._positions
+
+    def points_of(self, i: int) -> NDArray[np.float64]:
+        """World coordinates of a node's points [m], float64 [k, 3], in the order of `indices_of`.
+
+        Args:
+            i: The node.
+
+        Raises:
+            TypeError, ValueError: No whole number from 0.
+            IndexError: There is no such node.
+        """
+        return self._positions[self._rows_of(i)] + self.origin
+
+    def indices_of(self, i: int) -> NDArray[np.int64]:
+        """Which points of the cloud or file a node holds, int64 [k].
+
+        Args:
+            i: The node.
+
+        Raises:
+            TypeError, ValueError: No whole number from 0.
+            IndexError: There is no such node.
+        """
+        return self._rows_of(i).astype(np.int64)
+
+    def colors_of(self, indices: NDArray[np.int64]) -> NDArray[np.uint8] | None:
+        """The cloud's own colours of points, uint8 [k, 3]; None where it has none.
+
+        Args:
+            indices: Of points of the cloud or file.
+
+        Raises:
+            TypeError: Not whole numbers.
+            IndexError: One beyond the points.
+        """
+        rows = check_indices("indices", indices, len(self._positions), of=f"tree of {len(self._positions)} points")
+        return None if self._colors is None else self._colors(rows)
+
+    def node(self, i: int) -> Node:
+        """A node's points about its middle.
+
+        Args:
+            i: The node.
+
+        Raises:
+            TypeError, ValueError: No whole number from 0.
+            IndexError: There is no such node.
+        """
+        indices = self.indices_of(i)
+        shift = self.origin - self.middles[i]
+        positions = (self._positions[indices] + shift).astype(np.float32)
+        return Node(positions, self.middles[i], float(self.halves[i]), indices, self.colors_of(indices))
+
+    def _rows_of(self, i: int) -> NDArray[np.int32]:
+        if check_count("i", i, minimum=0) >= len(self):
+            raise IndexError(f"i: there is no node {i}: expected 0..{len(self) - 1}")
+        first = int(self._firsts[i])
+        return self._order[first : first + int(self.counts[i])]
+
+    def select(
+        self, view: View, budget: int, *, counts: NDArray[np.int64] | None = None, finest: float = 0.5
+    ) -> list[int]:
+        """The nodes that matter most for a view, coarse before fine.
+
+        Args:
+            view: Where it is taken from, in world coordinates.
+            budget: Points at most; but the first node is always taken.
+            counts: Points that count of each node, shape [m], where some are hidden; 0 up to all of them.
+            finest: A spacing [px] below which finer nodes would change nothing.
+
+        Returns:
+            Nodes within the picture, those with the widest projected spacing first; a node comes after the node that
+            its cell lies in.
+
+        Raises:
+            TypeError: No View, or not numbers.
+            ValueError: Numbers out of range, or not as many counts as nodes.
+        """
+        budget = check_count("budget", budget, minimum=0)
+        counts = self.counts if counts is None else self._check_counts(counts)
+        finest = check_positive("finest", finest, allow_zero=True)
+        gaps = self.pixels(view, self.spacings)
+        seen = np.flatnonzero(self._in_view(view) & (counts > 0))
+        # what the node above already shows finer than that is left out: its own spacing is twice as wide
+        seen = seen[(2 * gaps[seen] > finest) | (self.levels[seen] == 0)]
+        ranked = seen[np.argsort(-gaps[seen], kind="stable")]
+        taken = int(np.searchsorted(np.cumsum(counts[ranked]), budget, side="right"))
+        return ranked[: max(taken, min(1, budget))].tolist()
+
+    def pixels(self, view: View, lengths: Any) -> NDArray[np.float64]:
+        """How long lengths appear at most in a view, where each node's cell is nearest to it.
+
+        Args:
+            view: Where it is taken from, in world coordinates.
+            lengths: One a node, shape [m], or one for all [m].
+
+        Returns:
+            Shape [m] [px].
+
+        Raises:
+            TypeError: No View, or not numbers.
+            ValueError: Not as many lengths as nodes, or such as are not finite.
+        """
+        T, halves = check_view(view).T_world_camera, self._level_halves
+        lengths = check_finite("lengths", check_numeric("lengths", lengths))
+        if lengths.shape not in ((), (len(self),)):
+            raise ValueError(f"lengths: expected shape [{len(self)}], one a node, got {list(lengths.shape)}")
+        beyond = np.maximum(np.abs(self._level_middles - T[:3, 3]) - halves[:, None], 0.0)
+        distances = np.maximum(np.sqrt((beyond * beyond).sum(axis=1)), _NEAREST * halves)
+        return max(view.intrinsic.fx, view.intrinsic.fy) * lengths / distances
+
+    def are_refined(self, nodes: Sequence[int]) -> NDArray[np.bool_]:
+        """Of nodes that are drawn, within which the next level is drawn too, bool [k].
+
+        Args:
+            nodes: Those that are drawn, such as `select` gives.
+
+        Raises:
+            TypeError: Not whole numbers.
+            IndexError: There is no such node.
+        """
+        names = self._names[self._check_nodes(nodes)]
+        return np.isin(names, names >> 3)
+
+    def shares_in_view(self, view: View, nodes: Sequence[int]) -> NDArray[np.float64]:
+        """Which share of the points of nodes lies within a view, 0 to 1, by a few points of each, float64 [k].
+
+        Args:
+            view: Where it is taken from, in world coordinates.
+            nodes: Such as `select` gives.
+
+        Raises:
+            TypeError: No View, or not whole numbers.
+            IndexError: There is no such node.
+        """
+        check_view(view)
+        rows = self._check_nodes(nodes)
+        inward, eye = _inward(view), view.T_world_camera[:3, 3] - self.origin
+        steps = np.arange(_PROBES) / _PROBES
+        places = self._firsts[rows, None] + (self.counts[rows, None] * steps).astype(np.int64)
+        heights = (self._positions[self._order[places]] - eye) @ inward.T
+        return (heights >= 0).all(axis=2).mean(axis=1)
+
+    def _check_nodes(self, nodes: Any) -> NDArray[Any]:
+        return check_indices("nodes", nodes, len(self), of=f"tree of {len(self)} nodes")
+
+    def _check_counts(self, counts: Any) -> NDArray[np.int64]:
+        numbers = check_numeric("counts", counts)
+        if numbers.shape != self.counts.shape:
+            raise ValueError(f"counts: expected shape [{len(self)}], one a node, got {list(numbers.shape)}")
+        if numbers.dtype.kind not in "iu" and numbers.size:
+            raise TypeError(f"counts: expected whole numbers, got {numbers.dtype}")
+        if (numbers < 0).any() or (numbers > self.counts).any():
+            raise ValueError("counts: expected 0 up to the points of each node")
+        return numbers.astype(np.int64, copy=False)
+
+    def _in_view(self, view: View) -> NDArray[np.bool_]:
+        """Which nodes' cubes reach into the pyramid that a view shows."""
+        inward = _inward(view)
+        heights = (self.middles - view.T_world_camera[:3, 3]) @ inward.T
+        return (heights + self.halves[:, None] * np.abs(inward).sum(axis=1) >= 0).all(axis=1)
+
+
+def _cube(low: NDArray[np.float32], high: NDArray[np.float32]) -> tuple[NDArray[np.float64], float]:
+    """The corner and the side of a cube over a box; the side a power of two, so that cells are exact."""
+    corner = low.astype(np.float64)
+    extent = max(float((high - corner).max()), _SMALLEST_SIDE)
+    return corner, 2.0 ** math.ceil(math.log2(extent))
+
+
+def _inward(view: View) -> NDArray[np.float64]:
+    """Normals of the five planes about the pyramid that a view shows, shape [5, 3]; what is inside is above all."""
+    camera, R = view.intrinsic, view.T_world_camera[:3, :3]
+    right, left = (camera.width - 0.5 - camera.cx) / camera.fx, (camera.cx + 0.5) / camera.fx
+    down, up = (camera.height - 0.5 - camera.cy) / camera.fy, (camera.cy + 0.5) / camera.fy
+    return np.array([[1, 0, left], [-1, 0, right], [0, 1, up], [0, -1, down], [0, 0, 1]]) @ R.T

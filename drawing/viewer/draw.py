@@ -1,0 +1,156 @@
+"""Geometries in a window of the browser: `draw`, as Open3D's `draw_geometries`."""
+
+from __future__ import annotations
+
+import dataclasses
+import os
+import sys
+import webbrowser
+from typing import Any
+
+from ...core.checks import check_count
+from ...core.errors import PointloomError
+from ..render.geometries import Named, named_geometries
+from .notebook import StillPicture, in_notebook
+from .viewer import MOST_POINTS, Viewer
+
+
+def draw(
+    geometries: Any,
+    window_name: str = "pointloom",
+    width: int = 1280,
+    height: int = 960,
+    left: int = 50,
+    top: int = 50,
+    point_show_normal: bool = False,
+    mesh_show_wireframe: bool = False,
+    mesh_show_back_face: bool = False,
+    lookat: Any = None,
+    up: Any = None,
+    front: Any = None,
+    zoom: float | None = None,
+    field_of_view: float | None = None,
+    *,
+    port: int = 8080,
+    host: str = "127.0.0.1",
+    max_points: int = MOST_POINTS,
+    block: bool | None = None,
+    open_browser: bool = True,
+) -> Viewer | StillPicture:
+    """Show geometries in the browser, on this machine or over SSH on another one, or in a notebook.
+
+    From a script it says on stderr where the page is, opens a browser where there is a display, and returns when the
+    last page has been closed for five seconds, or with Ctrl-C. In a notebook it returns at once and the cell shows the
+    page.
+
+    Args:
+        geometries: One, a list, a mapping of names to geometries, or dictionaries as Open3D's `draw` takes; all that
+            `loom.render` draws.
+        window_name: Title of the page.
+        width, height: Of pictures, and the height of the frame in a notebook [px]; a page is as large as its window.
+        left, top: Not used: the browser places its windows.
+        point_show_normal: Begin with normals; N in the page.
+        mesh_show_wireframe: Begin with edges; W in the page.
+        mesh_show_back_face: Draw faces that look away.
+        lookat, up, front, zoom, field_of_view: Where from, as in Open3D; none of them: what shows all.
+        port, host: Of the server; see `Viewer`.
+        max_points: Of all clouds together in a page.
+        block: Whether to wait; None waits but in a notebook.
+        open_browser: Open a browser where there is a display.
+
+    Returns:
+        The viewer, closed where `draw` waited. In a notebook where no server can run, a still picture.
+
+    Raises:
+        TypeError: A geometry of no known kind; says what is accepted.
+        ValueError: A parameter out of range.
+        PointloomError: The extra is not installed (but in a notebook), with the line that installs it.
+
+    Example:
+        >>> import pointloom as loom
+        >>> cloud = loom.PointCloud([[0, 0, 0], [1, 0, 0], [0, 1, 0]])
+        >>> viewer = loom.draw([cloud], port=0, block=False, open_browser=False)
+        >>> viewer.close()
+    """
+    named = _with_back_faces(named_geometries(geometries), mesh_show_back_face)
+    size = (check_count("width", width), check_count("height", height))
+    view = {"zoom": zoom, "front": front, "lookat": lookat, "up": up, "field_of_view": field_of_view}
+    notebook = in_notebook()
+    try:
+        viewer = Viewer(port=port, host=host, title=window_name, max_points=max_points, size=size)
+    except PointloomError as error:
+        if not notebook:
+            raise
+        return _still(named, view, size, str(error))
+    try:
+        if any(value is not None for value in view.values()):
+            viewer.set_view({name: value for name, value in view.items() if value is not None})
+        with viewer.lock:  # a page may load meanwhile, and comes in when all is there
+            if not notebook or block:
+                announce(viewer)
+                if open_browser:
+                    open_page(viewer)
+            viewer.add_all(named)
+            viewer.show_normals(point_show_normal)
+            viewer.show_wireframe(mesh_show_wireframe)
+        if notebook and not block:
+            return viewer
+        if block is None or block:
+            wait_for_pages(viewer)
+    except BaseException:
+        viewer.close()
+        raise
+    return viewer
+
+
+draw_geometries = draw  # for those who come from Open3D
+
+
+def wait_for_pages(viewer: Viewer) -> None:
+    """Wait as `Viewer.wait` does, then close; Ctrl-C ends the wait as closing a window would."""
+    try:
+        viewer.wait()
+    except KeyboardInterrupt:
+        pass
+    finally:
+        viewer.close()
+
+
+def announce(viewer: Viewer) -> None:
+    """Say on stderr where the page is, and over SSH how to reach it."""
+    lines = []
+    if viewer.server.moved_from is not None:
+        lines.append(f"port {viewer.server.moved_from} is taken; the next free one is {viewer.server.port}")
+    lines.append(f"viewer: {viewer.url} (Ctrl-C ends it)")
+    if viewer.server.exposed:
+        lines.append(f"listening on {viewer.server.host}: whoever reaches this machine sees the scene")
+    if "SSH_CONNECTION" in os.environ:
+        lines.append(f"from your own machine first: {viewer.ssh_line}")
+    print("\n".join(lines), file=sys.stderr, flush=True)
+
+
+def open_page(viewer: Viewer) -> bool:
+    """Open the page in a browser where there is a display to show it; whether one was found."""
+    windows = sys.platform in ("darwin", "win32") or any(os.environ.get(k) for k in ("DISPLAY", "WAYLAND_DISPLAY"))
+    if not windows or "SSH_CONNECTION" in os.environ:
+        return False
+    try:
+        return webbrowser.open(viewer.url)
+    except webbrowser.Error:
+        return False
+
+
+def _with_back_faces(named: list[Named], shown: bool) -> list[Named]:
+    return [
+        (name, geometry, style if style.back_faces is not None else dataclasses.replace(style, back_faces=shown))
+        for name, geometry, style in named
+    ]
+
+
+def _still(named: list[Named], view: dict[str, Any], size: tuple[int, int], reason: str) -> StillPicture:
+    """The picture that the viewer would have begun with."""
+    from ..render.render import render
+    from .stills import as_entry
+
+    camera = {name: value for name, value in view.items() if value is not None} or None
+    return StillPicture(render([as_entry(one) for one in named], camera=camera, size=size), reason)

@@ -1,0 +1,214 @@
+"""What the viewer holds of a geometry: `Item`; and the coordinates of the page: `Frame`."""
+
+from __future__ import annotations
+
+import dataclasses
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...core.quaternions import quaternions_to_rotations, rotations_to_quaternions
+from ...kernels.arrays.bounds import bound_points
+from ...kernels.memory import download
+from ...pcd.cloud import PointCloud
+from ..render.geometries import Style, bounds_of, parts_of
+from ..render.parts import Part, Points, Triangles
+
+Matrix = NDArray[np.float64]
+Bounds = tuple[NDArray[np.float64], NDArray[np.float64]]
+
+# Extents [m] that a browser's camera works well in; others are drawn in another unit of length.
+SMALLEST, LARGEST = 0.05, 1e5
+
+SMALL = 2_000_000  # points whose bounds NumPy finds as soon
+
+SAMPLE = 2000  # points by which it is told how far a cloud is from a camera
+
+
+@dataclasses.dataclass(frozen=True, eq=False)
+class Frame:
+    """The coordinates of the page: about an origin, in metres or a unit in which the scene is neither tiny nor huge.
+
+    Args:
+        origin: Where the page's zero lies [m], shape [3].
+        unit: Metres in one unit of the page.
+    """
+
+    origin: NDArray[np.float64]
+    unit: float = 1.0
+
+    @classmethod
+    def around(cls, bounds: Bounds) -> Frame:
+        """The frame about the middle of a box, in metres unless that is below 5 cm or beyond 100 km."""
+        low, high = bounds
+        extent = float(np.linalg.norm(high - low))
+        unit = 1.0
+        if extent > 0 and not SMALLEST <= extent <= LARGEST:
+            unit = 10.0 ** np.floor(np.log10(extent))
+        return cls((low + high) / 2, unit)
+
+    def place(self, origin: NDArray[np.float64], pose: Matrix | None) -> tuple[NDArray[Any], NDArray[np.float64]]:
+        """The quaternion (w, x, y, z) and the position in the page of what counts from `origin`."""
+        if pose is None:
+            return np.array([1.0, 0.0, 0.0, 0.0]), (origin - self.origin) / self.unit
+        return quaternion(pose[:3, :3]), (pose[:3, :3] @ origin + pose[:3, 3] - self.origin) / self.unit
+
+
+def quaternion(R: Matrix) -> NDArray[np.float64]:
+    """The unit quaternion (w, x, y, z) of a rotation."""
+    return np.roll(rotations_to_quaternions(R[None])[0], 1)
+
+
+def rotation(q: Any) -> Matrix:
+    """The rotation of a quaternion (w, x, y, z)."""
+    xyzw = np.roll(np.asarray(q, np.float64) / np.linalg.norm(q), -1)
+    return quaternions_to_rotations(xyzw[None])[0]
+
+
+@dataclasses.dataclass(eq=False)
+class Item:
+    """A geometry in the scene.
+
+    Args:
+        name: What it is called.
+        number: What its nodes in the page are called by: names may hold anything.
+        geometry: As it was given.
+        style: How it is drawn.
+        parts: What is drawn.
+        cloud: The cloud, where points are all that is drawn.
+        bounds: The lowest and highest corner of the parts [m]; None where nothing is drawn.
+        visible: Whether it is shown.
+        pose: Moves it, on top of the style's; 4x4 or None.
+        coloring: The colours of the cloud in place of its own; None for those.
+        tree: The levels of detail of a large cloud.
+    """
+
+    name: str
+    number: int
+    geometry: Any
+    style: Style
+    parts: list[Part]
+    cloud: PointCloud | None = None
+    bounds: Bounds | None = None
+    visible: bool = True
+    pose: Matrix | None = None
+    coloring: Any = None
+    tree: Any = None
+
+    def __post_init__(self):
+        self._shown: NDArray[np.uint8] | None = None
+        self._sample: NDArray[np.float64] | None = None
+
+    @property
+    def points(self) -> Points | None:
+        """The part with the points, of a cloud."""
+        part = self.parts[0] if self.parts else None
+        return part if isinstance(part, Points) else None
+
+    @property
+    def has_surface(self) -> bool:
+        """Whether there are triangles."""
+        return any(isinstance(part, Triangles) for part in self.parts)
+
+    def pose_of(self, part: Part) -> Matrix | None:
+        """Where a part stands."""
+        if self.pose is None or part.pose is None:
+            return part.pose if self.pose is None else self.pose
+        return self.pose @ part.pose
+
+    def world_bounds(self) -> Bounds | None:
+        """The box around all that is drawn, moved by the pose; None where nothing is."""
+        if self.bounds is None or self.pose is None:
+            return self.bounds
+        ends = np.stack(self.bounds)
+        box = np.array([[ends[i, 0], ends[j, 1], ends[k, 2]] for i in (0, 1) for j in (0, 1) for k in (0, 1)])
+        moved = box @ self.pose[:3, :3].T + self.pose[:3, 3]
+        return moved.min(axis=0), moved.max(axis=0)
+
+    @property
+    def has_colors_in_tree(self) -> bool:
+        """Whether only the levels of detail hold the cloud's own colours, as of a large file."""
+        if self.tree is None or self.cloud is None or self.cloud.has_colors:
+            return False
+        return self.tree.colors_of(np.zeros(0, np.int64)) is not None
+
+    def select(self, indices: Any) -> PointCloud:
+        """Some points of the cloud as a cloud, with the colours of its file."""
+        assert self.cloud is not None
+        some = self.cloud.select_by_index(indices)
+        if self.has_colors_in_tree:
+            some.colors = self.tree.colors_of(np.asarray(indices, np.int64))
+        return some
+
+    def recolor(self, coloring: Any) -> None:
+        """Take other colours; None for its own."""
+        self.coloring, self._shown = coloring, None
+
+    def colors_of(self, indices: Any) -> NDArray[np.uint8]:
+        """The colours of points as they are shown, uint8 [k, 3]."""
+        part = self.points
+        assert part is not None
+        if self._shown is None:
+            values = part.colors if self.coloring is None else self.coloring.colors
+            if self.tree is not None and self.coloring is None and self.style.color is None and not values.size:
+                found = self.tree.colors_of(indices)
+                if found is not None:  # of a file, whose colours only its tree holds
+                    return found
+            if values.size:
+                self._shown = to_bytes(download(values).reshape(-1, 3))
+            else:
+                self._shown = np.broadcast_to(to_bytes([part.plain]), (part.positions.size, 3))
+        return self._shown[indices]
+
+    def sample(self) -> NDArray[np.float64]:
+        """Some of the cloud's points where they stand in the world, shape [k, 3] [m]."""
+        part = self.points
+        assert part is not None
+        if self._sample is None:
+            step = max(1, part.positions.size // SAMPLE)
+            some = download(part.positions).reshape(-1, 3)[::step].astype(np.float64)
+            self._sample = some[np.isfinite(some).all(axis=1)] + part.origin
+        pose = self.pose_of(part)
+        return self._sample if pose is None else self._sample @ pose[:3, :3].T + pose[:3, 3]
+
+
+def make_item(name: str, number: int, geometry: Any, style: Style, tree: Any = None) -> Item:
+    """What the viewer holds of a geometry, and of a cloud perhaps its levels of detail.
+
+    Raises:
+        TypeError: Of no kind that is drawn.
+        ValueError: Arrays that do not belong together.
+    """
+    parts = parts_of(geometry, style)
+    cloud = None
+    if len(parts) == 1 and isinstance(parts[0], Points):
+        cloud = geometry if isinstance(geometry, PointCloud) else _cloud_of(parts[0])
+    return Item(name, number, geometry, style, parts, cloud, _bounds(parts), tree=tree)
+
+
+def _bounds(parts: list[Part]) -> Bounds | None:
+    """The box around parts; None where nothing is drawn."""
+    one = parts[0] if len(parts) == 1 and parts[0].pose is None else None
+    if one is not None and one.positions.device.is_cpu and 0 < one.positions.size <= SMALL:
+        # the first launch of a kernel starts its compiler, which takes longer than all else before the first picture
+        rows = download(one.positions).reshape(-1, 3)
+        rows = rows[np.isfinite(rows).all(axis=1)]
+        return (rows.min(axis=0) + one.origin, rows.max(axis=0) + one.origin) if len(rows) else None
+    drawn = [part for part in parts if part.positions.size and bound_points(part.positions)[2]]
+    return bounds_of(drawn) if drawn else None
+
+
+def _cloud_of(part: Points) -> PointCloud:
+    """The cloud of points that came as an array or a plain object."""
+    held = {"normals": part.normals, "colors": part.colors}
+    rows = {name: np.nan_to_num(download(values)).reshape(-1, 3) for name, values in held.items() if values.size}
+    if "colors" in rows:
+        rows["colors"] = np.clip(rows["colors"], 0, 1)
+    return PointCloud(download(part.positions).reshape(-1, 3) + part.origin, **rows)
+
+
+def to_bytes(colors: Any) -> NDArray[np.uint8]:
+    """Colours 0 to 1 as uint8; what is out of range is cut, what is no number is black."""
+    values = np.nan_to_num(np.asarray(colors, np.float32), nan=0.0, posinf=1.0, neginf=0.0)
+    return (np.clip(values, 0, 1) * np.float32(255) + np.float32(0.5)).astype(np.uint8)

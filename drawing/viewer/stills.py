@@ -1,0 +1,157 @@
+"""A viewer's scene as a picture and as a page of its own."""
+
+from __future__ import annotations
+
+import dataclasses
+import os
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...meshing.mesh.mesh import TriangleMesh
+from ...pcd.cloud import PointCloud
+from ..render.geometries import Named, Style
+from ..render.picture_files import check_picture, save_picture
+from ..render.view import View
+from .coloring_choice import choices_of, shown_coloring
+from .items import Item
+from .sessions import POINT_SIZE
+from .tools.clip_planes import Clip, clip_mesh
+from .whole_cloud import even_share
+
+if TYPE_CHECKING:
+    from .viewer import Viewer
+
+MOST_DRAWN = 20_000_000  # points of a picture, where they are copied for it
+
+
+def draw_scene(
+    viewer: Viewer, view: View, path: str | os.PathLike[str] | None, clip: Clip | None = None
+) -> NDArray[np.uint8]:
+    """The scene as `loom.render` draws it from there, cut by clip planes, and as a .png file where a path is given.
+
+    Raises:
+        FileError: The place cannot be written.
+    """
+    from ..render.render import render
+
+    if path is not None:
+        check_picture(path, overwrite=True)
+    picture = render(
+        [as_entry(named) for named in shown_geometries(viewer, clip)],
+        camera=view,
+        background=tuple(viewer.background.tolist()),
+        color_bar=shown_coloring(viewer.items.values()),
+    )
+    if path is not None:
+        save_picture(path, picture)
+    return picture
+
+
+def write_scene(viewer: Viewer, path: str | os.PathLike[str], *, overwrite: bool) -> None:
+    """The scene as one page that needs no server, with at most `max_points` points.
+
+    Raises:
+        FileError: The place cannot be written.
+    """
+    shown, background = shown_geometries(viewer, viewer.clip_of(None)), viewer.background.tolist()
+    view = viewer.get_view()
+    write_geometries(path, shown, viewer.max_points, view=view, background=background, overwrite=overwrite)
+
+
+def write_geometries(
+    path: str | os.PathLike[str],
+    named: list[Named],
+    max_points: int,
+    *,
+    view: View | None = None,
+    background: Any = (1.0, 1.0, 1.0),
+    title: str = "pointloom",
+    overwrite: bool = True,
+) -> None:
+    """Geometries as one page that needs no server.
+
+    Args:
+        path: The .html file.
+        named: Names, geometries and styles.
+        max_points: Of all together; each has its share.
+        view: Where from; None shows all.
+        background: Red, green and blue, 0 to 1.
+        title: Of the page.
+        overwrite: Replace a file that exists.
+
+    Raises:
+        FileError: The place cannot be written.
+    """
+    from ..recording.page import write_page
+    from ..recording.shapes import ShapeStore, pose_about, sketch
+    from ..recording.timeline import Frame, Placed, Timeline
+
+    store, shown = ShapeStore(), {}
+    sketches = {name: sketch(geometry, style, max_points) for name, geometry, style in named}
+    total = sum(drawn.total for drawn in sketches.values())
+    if total > max_points:
+        sketches = {
+            name: sketch(geometry, style, max(1, max_points * sketches[name].total // total))
+            for name, geometry, style in named
+        }
+    origin = next((drawn.origin for drawn in sketches.values()), np.zeros(3))
+    for name, drawn in sketches.items():
+        numbers = tuple(store.add(shape) for shape in drawn.shapes)
+        shown[name] = Placed(numbers, pose_about(drawn.pose, drawn.origin, origin))
+    timeline = Timeline(origin, store.shapes, [Frame(shown)], title=title)
+    write_page(path, timeline, view=view, background=tuple(background), overwrite=overwrite)
+
+
+def as_entry(named: Named) -> dict[str, Any]:
+    """A geometry as `loom.render` takes it."""
+    name, geometry, style = named
+    given = {field.name: getattr(style, field.name) for field in dataclasses.fields(style)}
+    return {"geometry": geometry, "name": name, **{key: value for key, value in given.items() if value is not None}}
+
+
+def shown_geometries(viewer: Viewer, clip: Clip | None = None) -> list[Named]:
+    """What the viewer shows, in the styles that it shows it in; clouds and meshes as clip planes leave them."""
+    shown = []
+    for item in viewer.items.values():
+        if item.visible:
+            geometry, style = item.geometry if item.cloud is None else with_colors(item), _style(viewer, item)
+            shown.append((item.name, geometry if clip is None else clipped(geometry, clip, style.pose), style))
+    return shown
+
+
+def clipped(geometry: Any, clip: Clip, pose: Any) -> Any:
+    """What clip planes leave of a cloud or a mesh at a pose; of other kinds all."""
+    if not clip.cuts:
+        return geometry
+    if isinstance(geometry, TriangleMesh):
+        return clip_mesh(geometry, clip, pose=pose)
+    if not isinstance(geometry, PointCloud) or not len(geometry):
+        return geometry
+    return geometry.select_by_index(np.flatnonzero(clip.keeper(pose)(geometry.points, np.arange(len(geometry)))))
+
+
+def with_colors(item: Item) -> PointCloud:
+    """The cloud of an item; of a file whose colours its levels of detail hold, at most 20 million points with them."""
+    cloud = item.cloud
+    assert cloud is not None
+    if not item.has_colors_in_tree:
+        return cloud
+    rows = even_share(len(cloud), MOST_DRAWN)
+    return item.select(np.arange(len(cloud)) if rows is None else rows)
+
+
+def _style(viewer: Viewer, item: Item) -> Style:
+    changed: dict[str, Any] = {}
+    style, choice = item.style, viewer.coloring
+    if item.pose is not None:
+        changed["pose"] = item.pose if style.pose is None else item.pose @ style.pose
+    if item.cloud is not None:
+        if not style.metric:
+            changed["point_size"] = viewer.point_size * (style.point_size or POINT_SIZE) / POINT_SIZE
+        if choice.by is not None and choice.by in choices_of(item.cloud):
+            changed |= {"color_by": choice.by, "colormap": choice.colormap, "limits": choice.limits, "color": None}
+    elif viewer.wireframe and item.has_surface:
+        changed["wireframe"] = True
+    return dataclasses.replace(style, **changed)

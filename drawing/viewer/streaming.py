@@ -1,0 +1,386 @@
+"""What of a cloud a client of the viewer is sent: the nodes that matter for where its camera rests.
+
+A node is one point cloud of viser's scene, below a frame that carries the cloud's pose. Nodes come coarse first in
+batches that are swapped in at once, each hiding what the view no longer needs, so the browser never holds much more
+than its budget in view. Hidden nodes stay in the browser, twice the budget of points, and come back without being
+sent again.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import dataclasses
+import threading
+import warnings
+from collections.abc import Callable, Iterator
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...core.checks import check_count, check_positive, check_rigid, check_shape
+from ..render.view import View, check_view
+from .detail_tree import DetailTree
+from .items import quaternion
+from .wishes import ColorsOf, Keep, Sent, Wish
+
+PLAIN = (89, 128, 158)  # of clouds without colours, as in pictures
+
+# Of one batch: two megabytes, and fewer messages than the 128 that viser sends at a time.
+_BATCH_POINTS, _BATCH_NODES = 200_000, 24
+_FIRST_POINTS = 100_000  # of a view of which nothing is there yet
+
+_HIDDEN = 2  # budgets of points that stay in the browser unseen
+
+# Half a step of float16 at the far end of a node: eleven bits of half its side; below 2^-14 steps shrink no more.
+_HALF_STEP, _LEAST_HALF_STEP = 2.0**-12, 2.0**-25
+_FLOAT16_MAX = 60_000.0
+_MOST_ERROR = 0.25  # [px] that positions may be off
+
+_FILLING = 1.5  # spacings wide, discs leave few gaps
+_RESIZED = 1.25  # a size that differs by less is left
+
+_NOTHING, _MORE, _OVERTAKEN = "nothing", "more", "overtaken"  # of what is to do after a batch
+
+_PASSES = 6  # over a view of which parts are hidden, until the budget is used
+
+# viser says once for each client that went away that nobody will see what it is sent, which is all right here.
+warnings.filterwarnings("ignore", message="Queued a .* on a closed connection")
+
+
+class CloudStream:
+    """One cloud for one client.
+
+    Args:
+        client: viser's ClientHandle; a session that connects again needs a new stream.
+        name: Name of the cloud in the client's scene; its nodes lie below.
+        tree: The cloud.
+        origin: World position of the scene's zero [m], shape [3].
+        budget: Points at most.
+        point_size: Diameter [m]; None for one that closes most gaps, anew for each view, and larger where coarse nodes
+            are all there is.
+        pause: Called between the batches of a view, until the client can take the next; says whether it is still
+            there. None sends them one after the other.
+
+    Notes:
+        Safe from several threads: whoever asks last is served, and who is overtaken returns. A client that has gone
+        away raises nothing. A cloud within the budget is sent whole.
+    """
+
+    def __init__(
+        self,
+        client: Any,
+        name: str,
+        tree: DetailTree,
+        *,
+        origin: Any,
+        budget: int,
+        point_size: float | None = None,
+        pause: Callable[[], bool] | None = None,
+    ):
+        self._client, self._tree, self._name = client, tree, "/" + name.strip("/")
+        self._origin = check_shape("origin", origin, (3,))
+        self._budget = check_count("budget", budget)
+        self._wish = Wish(size=_checked_size(point_size))
+        self._version, self._is_closed, self._pause = 0, False, pause
+        self._asking, self._working = threading.Lock(), threading.Lock()
+        self._sent: dict[int, Sent] = {}  # hidden ones in the order in which they were hidden
+        self._kept: NDArray[np.int64] = tree.counts  # points of each node that count
+        self._pose, self._drawn, self._size = np.eye(4), 0, 0.0
+        self._steps = np.maximum(tree.halves * _HALF_STEP, _LEAST_HALF_STEP)
+        self._steps[tree.halves > _FLOAT16_MAX] = np.inf
+        self._frame: Any = None
+        with self._to_client():
+            self._frame = client.scene.add_frame(self._name, show_axes=False)
+            self._place()
+
+    @property
+    def drawn(self) -> int:
+        """Points that are drawn for the view."""
+        return self._drawn
+
+    @property
+    def total(self) -> int:
+        """Points of the cloud."""
+        return self._tree.count
+
+    @property
+    def point_size(self) -> float:
+        """The diameter [m] that most points are drawn with; 0 before the first view."""
+        return self._size
+
+    def look(self, view: View) -> None:
+        """The camera rests: send what matters for its view and hide the rest."""
+        self._ask(self._pause, view=check_view(view))
+
+    def set_colors(self, colors_of: ColorsOf | None) -> None:
+        """Colour all points anew.
+
+        Args:
+            colors_of: The colours, uint8 [k, 3], of points by index, int64 [k]; None for the cloud's own.
+        """
+        self._ask(colors_of=colors_of, coloring=self._wish.coloring + 1)
+
+    def set_keep(self, keep: Keep | None) -> None:
+        """Hide points.
+
+        Args:
+            keep: Which points stay, bool [k], by position in the cloud's own coordinates (before its pose), float64
+                [k, 3] [m], and index, int64 [k]; None keeps all.
+        """
+        self._ask(keep=keep, keeping=self._wish.keeping + 1)
+
+    def set_point_size(self, size: float | None) -> None:
+        """The diameter of points [m]; None for one that closes most gaps."""
+        self._ask(size=_checked_size(size))
+
+    def set_visible(self, visible: bool) -> None:
+        """Show or hide the cloud."""
+        with self._working, self._to_client():
+            if not self._is_closed:
+                self._frame.visible = bool(visible)
+
+    def set_pose(self, T: Any) -> None:
+        """Move the cloud: T_world_cloud, 4x4; what is near enough is chosen anew."""
+        pose = check_rigid("T", T)
+        with self._working, self._to_client():
+            self._pose = pose
+            if not self._is_closed:
+                self._place()
+        self._ask()
+
+    def close(self) -> None:
+        """Take the cloud out of the scene; twice is no error."""
+        with self._asking:
+            self._version += 1
+        with self._working:
+            if self._is_closed:
+                return
+            with self._to_client():
+                self._frame.remove()
+            self._is_closed, self._drawn = True, 0
+            self._sent.clear()
+
+    # ------------------------------------------------------------------------------------------ whoever asks last
+
+    def _ask(self, pause: Callable[[], bool] | None = None, **wishes: Any) -> None:
+        with self._asking:
+            for name, value in wishes.items():
+                setattr(self._wish, name, value)
+            self._version += 1
+            version = self._version
+        while True:
+            with self._working:
+                is_unfinished = self._serve(version, in_steps=pause is not None)
+            if not is_unfinished or pause is None or not pause():  # others may ask meanwhile, and overtake
+                return
+
+    def _is_overtaken(self, version: int) -> bool:
+        return self._is_closed or version != self._version
+
+    def _serve(self, version: int, *, in_steps: bool) -> bool:
+        """Do what is wished, or the next step of it; whether there is more to do."""
+        with self._asking:
+            wish = dataclasses.replace(self._wish)
+        if self._is_overtaken(version) or wish.view is None:
+            return False
+        view = View(wish.view.intrinsic, np.linalg.inv(self._pose) @ wish.view.T_world_camera)
+        self._forget_masks(wish)
+        for _ in range(_PASSES if wish.keep is not None else 1):
+            kept = self._kept.copy()
+            nodes = self._choose(view)
+            left = self._show(nodes, view, wish, version, in_steps)
+            if left is not _NOTHING or np.array_equal(kept, self._kept):
+                return left is _MORE
+        return False
+
+    def _choose(self, view: View) -> list[int]:
+        """Nodes to draw, coarse first."""
+        if int(self._kept.sum()) > self._budget:
+            return self._tree.select(view, self._budget, counts=self._kept)
+        gaps = self._tree.pixels(view, self._tree.spacings)
+        return [i for i in np.argsort(-gaps, kind="stable").tolist() if self._kept[i]]
+
+    def _forget_masks(self, wish: Wish) -> None:
+        """What of each node counts, where another rule says what is kept."""
+        self._kept = self._tree.counts.copy()
+        for i, sent in self._sent.items():
+            if sent.keeping == wish.keeping:
+                self._kept[i] = sent.count
+
+    # ------------------------------------------------------------------------------------------ the swap
+
+    def _show(self, nodes: list[int], view: View, wish: Wish, version: int, in_steps: bool) -> str:
+        """Bring the client from what it sees to these nodes, or one batch nearer; what is left to do."""
+        sizes = self._sizes(nodes, view, wish)
+        errors = self._tree.pixels(view, self._steps)
+        chosen = set(nodes)
+        spare = [i for i in reversed(self._sent) if self._sent[i].visible and i not in chosen]
+        for batch in self._batches(nodes, errors, wish):
+            made = [(i, self._make(i, bool(errors[i] > _MOST_ERROR), wish)) for i in batch]
+            if self._is_overtaken(version):
+                return _OVERTAKEN
+            with self._to_client(), self._client.atomic():
+                for i, content in made:
+                    self._put(i, content, sizes[i])
+                while spare and self._drawn > self._budget:
+                    self._hide(spare.pop(0))
+            if self._is_overtaken(version):
+                return _OVERTAKEN
+            if in_steps and next(self._batches(nodes, errors, wish), None):
+                return _MORE
+        with self._to_client(), self._client.atomic():
+            for i in spare:
+                self._hide(i)
+            self._resize(sizes)
+            self._drop_hidden()
+        return _NOTHING
+
+    def _batches(self, nodes: list[int], errors: NDArray[np.float64], wish: Wish) -> Iterator[list[int]]:
+        """Nodes that are not there as they should be, some at a time."""
+        batch: list[int] = []
+        points = 0
+        for i in nodes:
+            sent = self._sent.get(i)
+            if sent is not None and sent.visible and self._is_right(sent, errors[i], wish):
+                continue
+            batch.append(i)
+            points += int(self._tree.counts[i])
+            if points >= (_BATCH_POINTS if self._drawn else _FIRST_POINTS) or len(batch) >= _BATCH_NODES:
+                yield batch
+                batch, points = [], 0
+        if batch:
+            yield batch
+
+    def _is_right(self, sent: Sent, error: float, wish: Wish) -> bool:
+        """Whether a node in the browser may stay as it is."""
+        is_near_enough = sent.is_exact or not error > _MOST_ERROR
+        return sent.keeping == wish.keeping and sent.coloring == wish.coloring and is_near_enough
+
+    def _make(self, i: int, is_exact: bool, wish: Wish) -> Callable[[float], Sent] | None:
+        """What to do for a node, made ready: None to show what is there, else what sends it, or its colours, anew."""
+        sent = self._sent.get(i)
+        if sent is not None and sent.keeping == wish.keeping and (sent.is_exact or not is_exact):
+            if sent.coloring == wish.coloring or sent.handle is None:
+                return None
+            colors = self._colors(i, sent.mask, wish)
+
+            def recolor(size: float) -> Sent:
+                sent.handle.colors, sent.coloring = colors, wish.coloring
+                return sent
+
+            return recolor
+        node = self._tree.node(i)
+        mask = None if wish.keep is None else np.asarray(wish.keep(self._tree.points_of(i), node.indices), bool)
+        positions = node.positions if mask is None else node.positions[mask]
+        colors = self._colors(i, mask, wish) if len(positions) else None
+        tag = (is_exact, wish.coloring, wish.keeping)
+        middle = node.middle - self._tree.origin
+
+        def send(size: float) -> Sent:
+            if not len(positions):
+                if sent is not None and sent.handle is not None:
+                    sent.handle.remove()
+                return Sent(None, 0, mask, *tag, size)
+            handle = self._client.scene.add_point_cloud(
+                f"{self._name}/{i}",
+                positions,
+                colors,
+                point_size=size / 2,  # viser's is a radius
+                point_shape="circle",
+                precision="float32" if is_exact else "float16",
+                point_shading="flat",
+                position=tuple(middle.tolist()),
+            )
+            return Sent(handle, len(positions), mask, *tag, size)
+
+        return send
+
+    def _colors(self, i: int, mask: NDArray[np.bool_] | None, wish: Wish) -> Any:
+        indices = self._tree.indices_of(i)
+        indices = indices if mask is None else indices[mask]
+        colors = self._tree.colors_of(indices) if wish.colors_of is None else wish.colors_of(indices)
+        return np.broadcast_to(np.array(PLAIN, np.uint8), (len(indices), 3)) if colors is None else colors
+
+    def _put(self, i: int, content: Callable[[float], Sent] | None, size: float) -> None:
+        before = self._sent.pop(i, None)
+        was_visible = before is not None and before.visible
+        self._drawn -= before.count if before is not None and was_visible else 0
+        sent = before if content is None else content(size)
+        assert sent is not None
+        if not sent.visible and sent.handle is not None:
+            sent.handle.visible = True
+        sent.visible = True
+        self._sent[i] = sent
+        self._kept[i] = sent.count
+        self._drawn += sent.count
+
+    def _hide(self, i: int) -> None:
+        sent = self._sent.pop(i)
+        if sent.handle is not None:
+            sent.handle.visible = False
+        sent.visible = False
+        self._drawn -= sent.count
+        self._sent[i] = sent
+
+    def _drop_hidden(self) -> None:
+        """Forget what was hidden longest."""
+        hidden = [(i, sent) for i, sent in self._sent.items() if not sent.visible]
+        room = _HIDDEN * self._budget
+        for i, sent in reversed(hidden):
+            room -= sent.count
+            if room < 0:
+                if sent.handle is not None:
+                    sent.handle.remove()
+                del self._sent[i]
+
+    # ------------------------------------------------------------------------------------------ sizes and places
+
+    def _sizes(self, nodes: list[int], view: View, wish: Wish) -> dict[int, float]:
+        """The diameter of each node's points: one for all, but that coarse ends of what is drawn have wider gaps."""
+        if wish.size is not None or not nodes:
+            self._size = wish.size or self._size
+            return dict.fromkeys(nodes, self._size)
+        self._size = self._fitting_size(nodes, view)
+        wide = np.where(self._tree.are_refined(nodes), 0.0, _FILLING * self._tree.spacings[nodes])
+        return dict(zip(nodes, np.maximum(wide, self._size).tolist(), strict=True))
+
+    def _fitting_size(self, nodes: list[int], view: View) -> float:
+        """A diameter that closes most gaps: by the level that half the points in view are of or above."""
+        spacings = self._tree.spacings[nodes]
+        counts = self._kept[nodes] * (self._tree.shares_in_view(view, nodes) + 1e-6)  # of none in view all are alike
+        ranks = np.argsort(-spacings, kind="stable")
+        half = np.searchsorted(np.cumsum(counts[ranks]), counts.sum() / 2)
+        size = _FILLING * float(spacings[ranks[min(half, len(nodes) - 1)]])
+        return self._size if self._size / _RESIZED < size < self._size * _RESIZED else size
+
+    def _resize(self, sizes: dict[int, float]) -> None:
+        for i, size in sizes.items():
+            sent = self._sent[i]
+            if sent.handle is not None and sent.size != size:
+                sent.size, sent.handle.point_size = size, size / 2
+
+    def _place(self) -> None:
+        """Put the frame where the pose has it.
+
+        viser sends no pose that differs from the last by less than a 100,000th; so each is preceded by another, which
+        takes its place before it is sent.
+        """
+        position = self._pose[:3, :3] @ self._tree.origin + self._pose[:3, 3] - self._origin
+        wxyz = quaternion(self._pose[:3, :3])
+        with self._client.atomic():
+            self._frame.position, self._frame.wxyz = tuple((position + 1.0).tolist()), tuple((-wxyz).tolist())
+            self._frame.position, self._frame.wxyz = tuple(position.tolist()), tuple(wxyz.tolist())
+
+    @contextlib.contextmanager
+    def _to_client(self) -> Iterator[None]:
+        """viser refuses, or warns where warnings are errors, once the client has gone or closed the scene."""
+        try:
+            yield
+        except (RuntimeError, UserWarning):
+            self._is_closed = True
+            self._drawn = 0
+
+
+def _checked_size(size: float | None) -> float | None:
+    return None if size is None else check_positive("point_size", size)

@@ -1,0 +1,135 @@
+"""What clip planes leave to be seen: a box along the axes and one free plane."""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ....core.checks import check_finite, check_number, check_rows, check_shape, check_transformation
+from ....kernels.drawing import picking
+from ....meshing.mesh.mesh import TriangleMesh
+from ....pcd.cloud import PointCloud
+
+Keep = Callable[[Any, Any], NDArray[np.bool_]]
+
+
+@dataclasses.dataclass(frozen=True, eq=False)
+class Clip:
+    """A box and a half-space of the world; what lies in both is seen, their borders too.
+
+    Args:
+        low, high: The box's ends [m], shape [3]; infinite ones do not cut. NaN is refused.
+        normal: Of the free plane, of any length, towards what is seen; None for no plane.
+        offset: Where the plane lies along the unit normal [m].
+
+    Raises:
+        ValueError: Another shape, an end that is NaN, low above high, or a normal of no length.
+
+    Example:
+        >>> clip = Clip([0, 0, 0], [1, 1, 1], normal=[1, 1, 0], offset=0.5)
+        >>> clip.keep([[0.1, 0.1, 0.1], [0.5, 0.5, 1.0], [2, 0, 0]]).tolist()
+        [False, True, False]
+    """
+
+    low: Any = (-math.inf, -math.inf, -math.inf)
+    high: Any = (math.inf, math.inf, math.inf)
+    normal: Any = None
+    offset: float = 0.0
+
+    def __post_init__(self):
+        for name in ("low", "high"):
+            ends = check_shape(name, getattr(self, name), (3,))
+            if np.isnan(ends).any():
+                raise ValueError(f"{name}: expected numbers, got NaN")
+            object.__setattr__(self, name, ends)
+        if (self.low > self.high).any():
+            raise ValueError(f"low, high: expected low <= high, got {self.low.tolist()} and {self.high.tolist()}")
+        if self.normal is not None:
+            normal = check_finite("normal", check_shape("normal", self.normal, (3,)))
+            length = math.hypot(*normal)
+            if not length > 0:
+                raise ValueError("normal: expected a direction, got one of no length")
+            object.__setattr__(self, "normal", normal / length)
+        object.__setattr__(self, "offset", check_number("offset", self.offset))
+
+    @property
+    def cuts(self) -> bool:
+        """Whether it may hide anything."""
+        return self.normal is not None or bool(np.isfinite(self.low).any() or np.isfinite(self.high).any())
+
+    def heights(self, points: Any) -> list[NDArray[np.float64]]:
+        """How far points [n, 3] lie inside each plane that cuts [m], below 0 outside: float64 [n] each."""
+        places = check_rows("points", points, 3, dtype=np.float64)
+        found = [places[:, i] - self.low[i] for i in range(3) if np.isfinite(self.low[i])]
+        found += [self.high[i] - places[:, i] for i in range(3) if np.isfinite(self.high[i])]
+        return found if self.normal is None else [*found, places @ self.normal - self.offset]
+
+    def keep(self, points: Any, indices: Any = None) -> NDArray[np.bool_]:
+        """Which points [n, 3] of the world are seen, bool [n]; `indices` have no bearing. NaN is not."""
+        places = check_rows("points", points, 3, dtype=np.float64)
+        kept = np.isfinite(places[:, 0]) & np.isfinite(places[:, 1]) & np.isfinite(places[:, 2])
+        for height in self.heights(places):
+            kept &= height >= 0
+        return kept
+
+    def keeper(self, pose: Any = None) -> Keep:
+        """`keep` for points in the coordinates of something that stands in the world at a pose, 4x4."""
+        if pose is None:
+            return self.keep
+        T = check_transformation("pose", pose)
+        return lambda points, indices=None: self.keep(np.asarray(points) @ T[:3, :3].T + T[:3, 3])
+
+
+def hidden_points(cloud: PointCloud, clip: Clip, *, pose: Any = None) -> Any:
+    """What clip planes hide of a cloud: uint8 [n] on its device, 1 for each point outside; None where nothing cuts.
+
+    Args:
+        cloud: The cloud.
+        clip: What is seen, in the world.
+        pose: From the cloud's coordinates to the world's, 4x4.
+    """
+    if not clip.cuts:
+        return None
+    T = np.eye(4) if pose is None else check_transformation("pose", pose).copy()
+    T[:3, 3] += T[:3, :3] @ cloud.origin
+    normal = np.zeros(3) if clip.normal is None else clip.normal
+    offset = -math.inf if clip.normal is None else clip.offset
+    return picking.mask_clipped(cloud.device_array("points"), T, clip.low, clip.high, normal, offset)
+
+
+def clip_mesh(mesh: TriangleMesh, clip: Clip, *, pose: Any = None) -> TriangleMesh:
+    """A mesh cut by clip planes, through its triangles; textures are left behind where anything is cut.
+
+    Args:
+        mesh: The mesh.
+        clip: What is seen, in the world.
+        pose: From the mesh's coordinates to the world's, 4x4.
+
+    Returns:
+        The mesh itself where all of it is seen, else what is left, in its own coordinates; perhaps no triangle.
+
+    Example:
+        >>> import pointloom as loom
+        >>> mesh = loom.TriangleMesh([[0, 0, 0], [4, 0, 0], [0, 4, 0]], [[0, 1, 2]])
+        >>> clip_mesh(mesh, Clip(low=[1, -9, -9], high=[9, 9, 9])).vertices.tolist()
+        [[4.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 3.0, 0.0]]
+    """
+    T = None if pose is None else check_transformation("pose", pose)
+    left = mesh
+    for number in range(len(clip.heights(np.zeros((0, 3))))):
+        if not len(left):
+            break
+        vertices = left.vertices if T is None else left.vertices @ T[:3, :3].T + T[:3, 3]
+        heights = clip.heights(vertices)[number]
+        if not np.isfinite(heights).all():  # a vertex that is nowhere: its triangles go, as those outside do
+            heights = np.where(np.isfinite(heights), heights, -math.inf)
+            left = left.remove_vertices_by_mask(heights == -math.inf)
+            heights = heights[heights > -math.inf]
+        if len(left) and (heights < 0).any():
+            left = left.trim(heights, 0.0, island_ratio=0.0)
+    return left

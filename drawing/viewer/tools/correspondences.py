@@ -1,0 +1,231 @@
+"""Two clouds brought together by pairs of points that someone picked, and by ICP from there."""
+
+from __future__ import annotations
+
+import dataclasses
+import json
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ....cameras.pose_files import write_pose
+from ....core.atomic import atomic_write
+from ....core.checks import check_finite, check_positive, check_rows
+from ....pcd.cloud import PointCloud
+from ....pcd.probes import distance_of_nearest, probe_points
+from ....pcd.search import NearestNeighborSearch
+from ....registration.given_pairs import check_clouds
+from ....registration.icp.estimation import (
+    TransformationEstimation,
+    TransformationEstimationPointToPlane,
+    TransformationEstimationPointToPoint,
+)
+from ....registration.icp.evaluation import evaluate_registration
+from ....registration.icp.icp import registration_icp
+from ....registration.rigid import fit_pose
+
+MIN_PAIRS = 3
+THIN = 0.02  # pairs whose spread across their line is less than this share of that along it tell no rotation about it
+MOST_POINTS = 200_000  # a cloud: more of them are thinned, so that the answer comes while one looks on
+REACH = 3.0  # ICP looks this many times as far as the pairs are off, or as points lie apart
+
+Matrix = NDArray[np.float64]
+
+
+@dataclasses.dataclass(frozen=True, eq=False)
+class PairFit:
+    """The rigid motion that brings the picked source points nearest to the target's.
+
+    Attributes:
+        transformation: T_target_source, float64 [4, 4].
+        rms: Root of the mean squared distance [m] of the pairs under it.
+        residuals: Distance [m] of each pair, float64 [m].
+    """
+
+    transformation: Matrix
+    rms: float
+    residuals: NDArray[np.float64]
+
+
+def fit_pairs(source: Any, target: Any) -> PairFit:
+    """The rigid motion of least squared distances between picked points (Umeyama 1991).
+
+    Args:
+        source: Points of the source [m], shape [m, 3].
+        target: The target's point of each [m], shape [m, 3].
+
+    Raises:
+        ValueError: Fewer than three pairs, other shapes, numbers that are not finite, or points on one line (to a 50th
+            of its length), about which the source could be turned freely.
+
+    Example:
+        >>> fit = fit_pairs([[0, 0, 0], [1, 0, 0], [0, 2, 1]], [[5, 0, 0], [5, 1, 0], [3, 0, 1]])
+        >>> (fit.transformation[:3, 3].round(9) + 0.0).tolist(), round(fit.rms, 9)
+        ([5.0, 0.0, 0.0], 0.0)
+    """
+    moving = check_finite("source", check_rows("source", source, 3, dtype=np.float64))
+    fixed = check_finite("target", check_rows("target", target, 3, rows=len(moving), dtype=np.float64))
+    if len(moving) < MIN_PAIRS:
+        raise ValueError(f"pairs: expected at least three, got {len(moving)}; pick {MIN_PAIRS - len(moving)} more")
+    for name, points in (("source", moving), ("target", fixed)):
+        spread = np.linalg.svd(points - points.mean(axis=0), compute_uv=False)
+        if not spread[1] > THIN * spread[0]:
+            what = "lie in one place" if not spread[0] > 0 else "lie on one line"
+            raise ValueError(f"pairs: the {name}'s points {what}; pick a pair beside it")
+    T = fit_pose(moving, fixed)
+    residuals = np.linalg.norm(moving @ T[:3, :3].T + T[:3, 3] - fixed, axis=1)
+    return PairFit(T, float(np.sqrt(np.mean(residuals**2))), residuals)
+
+
+@dataclasses.dataclass(frozen=True, eq=False)
+class PairRegistration:
+    """Two clouds registered from picked pairs.
+
+    Attributes:
+        fit: What the pairs alone give.
+        transformation: T_target_source, float64 [4, 4]: refined, or that of the pairs where refinement made it worse.
+        fitness: Share of the source's points with a correspondence within `distance`.
+        inlier_rmse: Root mean square of their distances [m].
+        distance: How far correspondences reach [m].
+        refined: Whether `transformation` is ICP's.
+        note: What to tell besides.
+    """
+
+    fit: PairFit
+    transformation: Matrix
+    fitness: float
+    inlier_rmse: float
+    distance: float
+    refined: bool
+    note: str = ""
+
+
+def register_from_pairs(
+    source: PointCloud,
+    target: PointCloud,
+    source_points: Any,
+    target_points: Any,
+    *,
+    refine: bool = True,
+    max_correspondence_distance: float | None = None,
+    on_pose: Callable[[Matrix], None] | None = None,
+) -> PairRegistration:
+    """Register a source onto a target from picked pairs, and from there by ICP.
+
+    Args:
+        source, target: The clouds; of more than 200,000 points each a part, evenly chosen, is looked at.
+        source_points: Picked points of the source [m], shape [m, 3], at least three and not on one line.
+        target_points: The target's point of each [m].
+        refine: Run ICP from the pairs' pose: point to plane, or point to point where the target has no planes.
+        max_correspondence_distance: How far ICP looks [m]; None takes three times the pairs' rms, and no less than
+            three times the usual distance between neighbours.
+        on_pose: Called with T_target_source: of the pairs, then after each iteration, then the one that is returned.
+
+    Raises:
+        ValueError: As `fit_pairs`; a cloud without finite points.
+        TypeError: No clouds.
+        DeviceError: They are on different devices.
+
+    Notes:
+        ICP's pose is taken where it keeps at least nine tenths of the correspondences that the pairs' pose has; else
+        that stays, and `note` says so.
+    """
+    check_clouds(source, target)
+    fit = fit_pairs(source_points, target_points)
+    tell = on_pose or _ignore
+    tell(fit.transformation)
+    thin_source, thin_target = _thinned("source", source), _thinned("target", target)
+    if max_correspondence_distance is None:
+        distance = REACH * max(fit.rms, _spacing(thin_source), _spacing(thin_target))
+        if not distance > 1e-9 * float(np.ptp(check_rows("source_points", source_points, 3), axis=0).max()):
+            raise ValueError("source, target: all points lie in one place, so no distance follows from them")
+    else:
+        distance = check_positive("max_correspondence_distance", max_correspondence_distance)
+    before = evaluate_registration(thin_source, thin_target, distance, fit.transformation)
+    unrefined = PairRegistration(fit, fit.transformation, before.fitness, before.inlier_rmse, distance, False)
+    if not refine:
+        return unrefined
+    if before.fitness == 0:
+        return dataclasses.replace(unrefined, note="no points of the clouds meet there; look at the pairs again")
+    thin_target, method = _method(thin_target)
+    result = registration_icp(
+        thin_source,
+        thin_target,
+        distance,
+        fit.transformation,
+        method,
+        callback_after_iteration=lambda state: tell(np.asarray(state["transformation"])),
+    )
+    if result.fitness < 0.9 * before.fitness:
+        tell(fit.transformation)
+        return dataclasses.replace(unrefined, note="ICP led away from the pairs, so their pose stays")
+    tell(result.transformation)
+    note = "" if not len(result.degenerate_directions) else "the clouds do not determine all motions"
+    pose = result.transformation.copy()
+    return PairRegistration(fit, pose, result.fitness, result.inlier_rmse, distance, True, note)
+
+
+def _ignore(_: Matrix) -> None:
+    """Nobody looks on."""
+
+
+def _thinned(name: str, cloud: PointCloud) -> PointCloud:
+    finite = cloud.remove_non_finite_points()
+    if not len(finite):
+        raise ValueError(f"{name}: no finite points to register")
+    return finite if len(finite) <= MOST_POINTS else finite.uniform_down_sample(-(-len(finite) // MOST_POINTS))
+
+
+def _spacing(cloud: PointCloud) -> float:
+    """The usual distance between neighbours [m]; 0 of a single point."""
+    return distance_of_nearest(NearestNeighborSearch(cloud), probe_points(cloud), 2) or 0.0
+
+
+def _method(target: PointCloud) -> tuple[PointCloud, TransformationEstimation]:
+    """The target with normals, and point to plane; or point to point where there are too few points for planes."""
+    if not target.has_normals:
+        if len(target) < 10:
+            return target, TransformationEstimationPointToPoint()
+        target = target.estimate_normals(max_nn=min(20, len(target)))
+    return target, TransformationEstimationPointToPlane()
+
+
+def save_pairs(
+    path: Any, names: tuple[str, str], indices: Any, source_points: Any, target_points: Any, found: PairRegistration
+) -> None:
+    """Write pairs and what was made of them as JSON, whole or not at all.
+
+    Args:
+        path: Where; an existing file is replaced.
+        names: Of source and target.
+        indices: Pairs (source, target) of point indices, shape [m, 2].
+        source_points, target_points: The points [m], shape [m, 3].
+        found: The registration.
+
+    Raises:
+        FileError: The place cannot be written.
+    """
+    content = {
+        "source": names[0],
+        "target": names[1],
+        "correspondences": check_rows("indices", indices, 2).tolist(),
+        "source_points": check_rows("source_points", source_points, 3, dtype=np.float64).tolist(),
+        "target_points": check_rows("target_points", target_points, 3, dtype=np.float64).tolist(),
+        "residuals": found.fit.residuals.tolist(),
+        "rms": found.fit.rms,
+        "T_target_source_of_pairs": found.fit.transformation.tolist(),
+        "T_target_source": found.transformation.tolist(),
+        "refined": found.refined,
+        "fitness": found.fitness,
+        "inlier_rmse": found.inlier_rmse,
+        "max_correspondence_distance": found.distance,
+    }
+    with atomic_write(path) as file:
+        file.write(json.dumps(content, indent=1).encode() + b"\n")
+
+
+def save_pose(path: Any, T: Matrix) -> None:
+    """Write a pose as four rows of four numbers, which `pointloom register --init` reads."""
+    write_pose(path, T)

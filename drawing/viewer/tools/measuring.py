@@ -1,0 +1,101 @@
+"""Lengths and angles between points, and how they are written."""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ....core.checks import check_finite, check_rows, check_shape
+
+
+@dataclasses.dataclass(frozen=True)
+class Distance:
+    """From one point to another.
+
+    Attributes:
+        length: [m].
+        dx, dy, dz: Along the axes [m].
+        slope: Above the horizontal plane, whose normal is z [degrees], -90 to 90; NaN between equal points.
+    """
+
+    length: float
+    dx: float
+    dy: float
+    dz: float
+    slope: float
+
+
+def distance_between(a: Any, b: Any) -> Distance:
+    """The way from a point to another one.
+
+    Example:
+        >>> distance_between([0, 0, 0], [3, 0, 4])
+        Distance(length=5.0, dx=3.0, dy=0.0, dz=4.0, slope=53.13010235415598)
+    """
+    d = _point("b", b) - _point("a", a)
+    length = math.hypot(*d)
+    slope = math.degrees(math.atan2(d[2], math.hypot(d[0], d[1]))) if length > 0 else math.nan
+    return Distance(length, float(d[0]), float(d[1]), float(d[2]), slope)
+
+
+def path_length(points: Any) -> float:
+    """The length of the way along points, shape [n, 3] [m]; 0 of fewer than two.
+
+    Example:
+        >>> path_length([[0, 0, 0], [1, 0, 0], [1, 2, 0]])
+        3.0
+    """
+    places = check_finite("points", check_rows("points", points, 3, dtype=np.float64))
+    return float(np.linalg.norm(np.diff(places, axis=0), axis=1).sum())
+
+
+def angle_at(a: Any, b: Any, c: Any) -> float:
+    """The angle at b between the ways to a and to c [degrees], 0 to 180; NaN where one of them has no length.
+
+    Example:
+        >>> angle_at([1, 0, 0], [0, 0, 0], [0, 2, 0])
+        90.0
+    """
+    u, v = _point("a", a) - _point("b", b), _point("c", c) - _point("b", b)
+    if not u.any() or not v.any():
+        return math.nan
+    u, v = u / np.abs(u).max(), v / np.abs(v).max()  # neither squares of tiny numbers nor of huge ones
+    return math.degrees(math.atan2(float(np.linalg.norm(np.cross(u, v))), float(u @ v)))
+
+
+def measurements(points: NDArray[np.float64]) -> list[tuple[str, str]]:
+    """What points clicked one after the other measure, as labels and values.
+
+    Of two the distance, its parts along the axes and its slope; of three or more the length of the way and the angle
+    at the last corner, too.
+    """
+    rows: list[tuple[str, str]] = []
+    if len(points) >= 2:
+        last = distance_between(points[-2], points[-1])
+        rows += [("distance", length_text(last.length))]
+        rows += [
+            (f"d{axis}", length_text(value)) for axis, value in zip("xyz", (last.dx, last.dy, last.dz), strict=True)
+        ]
+        rows += [("slope", angle_text(last.slope))]
+    if len(points) >= 3:
+        rows += [("path", f"{length_text(path_length(points))} over {len(points) - 1} parts")]
+        rows += [("angle", angle_text(angle_at(*points[-3:])))]
+    return rows
+
+
+def length_text(value: float) -> str:
+    """A length with four digits behind the comma where it is of ordinary size, else to six digits."""
+    return f"{value:.4f} m" if value == 0 or 1e-2 <= abs(value) < 1e6 else f"{value:.6g} m"
+
+
+def angle_text(value: float) -> str:
+    """An angle in degrees."""
+    return "none" if math.isnan(value) else f"{value:.2f}°"
+
+
+def _point(name: str, value: Any) -> NDArray[np.float64]:
+    return check_finite(name, check_shape(name, value, (3,)))

@@ -1,0 +1,222 @@
+"""The tool that brings two clouds together by pairs of points that one picks."""
+
+from __future__ import annotations
+
+import time
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ....registration.rigid import invert_pose
+from ...render.view import View
+from .measuring import length_text
+from .picking import Pick, Target, world_point
+from .polygon_tool import file_in
+from .stage import Color, Tool, check_room
+
+if TYPE_CHECKING:
+    from .correspondences import PairRegistration
+
+SOURCE_COLOR: Color = (230, 60, 20)
+TARGET_COLOR: Color = (20, 110, 230)
+SECONDS_A_POSE = 0.05  # between poses that are shown while ICP runs
+
+Matrix = NDArray[np.float64]
+
+
+class PairsTool(Tool):
+    """Picks correspondences in turn in source and target, and registers the two from them."""
+
+    label = "Register by pairs"
+    hint = "Click a point of the source, then the same place in the target; after three pairs Enter registers."
+
+    def __init__(self, stage, folder: Path | None = None):
+        super().__init__(stage)
+        self._folder = Path.cwd() if folder is None else folder
+        self._picks: list[Pick] = []  # source, target, source, ...
+        self._found: PairRegistration | None = None
+        self._was: tuple[str, Matrix | None] | None = None
+        self._shown = 0.0
+
+    def start(self) -> None:
+        """Offer the clouds, and what to do with the pairs."""
+        names, gui, ask = self.stage.clouds(), self.stage.client.gui, self.stage.ask
+        if len(names) < 2:
+            raise ValueError(f"two clouds are needed to register one onto the other; the scene shows {len(names)}")
+        self._source = gui.add_dropdown("source", names, initial_value=names[0])
+        self._target = gui.add_dropdown("target", names, initial_value=names[1])
+        self._alone = gui.add_checkbox("show one at a time", False)
+        self._refine = gui.add_checkbox("refine by ICP", True)
+        self._distance = gui.add_number("distance [m], 0: chosen", 0.0, min=0.0)
+        self._file = gui.add_text("file", "pairs.json", hint=f"written to {self._folder}, with the pose as .txt")
+        buttons = (
+            ("Register (Enter)", self.finish),
+            ("Back to the old pose", self.undo_pose),
+            ("Save pairs and pose", self.save),
+        )
+        for label, action in buttons:
+            gui.add_button(label).on_click(lambda _, action=action: ask(action))
+        for choice in (self._source, self._target):
+            choice.on_update(lambda _: ask(self._restart))
+        self._alone.on_update(lambda _: ask(self._show_due))
+
+    def stop(self) -> None:
+        """Show both clouds again."""
+        self._show_only(None)
+
+    def click(self, view: View, x: float, y: float) -> None:
+        """A point of the cloud whose turn it is."""
+        name = self._due()
+        if self._source.value == self._target.value:
+            raise ValueError("source and target are the same cloud: choose two")
+        check_room(self._picks)
+        found = self.stage.pick(view, x, y, [name])
+        if found is None:
+            self.stage.say(f"No point of {name} there. {self._next()}")
+            return
+        self._picks.append(found)
+        self._show(view)
+
+    def undo(self) -> None:
+        """Take back the last point."""
+        if self._picks:
+            self._picks.pop()
+            self._show(self.stage.view())
+
+    def finish(self) -> None:
+        """Register the source onto the target."""
+        stage, count = self.stage, len(self._picks) // 2
+        from .correspondences import MIN_PAIRS, register_from_pairs  # and all of registration with it
+
+        if count < MIN_PAIRS:
+            raise ValueError(f"at least three pairs are needed, there are {count}: pick {MIN_PAIRS - count} more")
+        (source, moving), (target, fixed) = stage.cloud(self._source.value), stage.cloud(self._target.value)
+        places = self._places(moving, fixed)
+        base = stage.pose_of(target)
+        before = source.pose
+        stage.say("Registering…")
+        found = register_from_pairs(
+            moving,
+            fixed,
+            *places,
+            refine=self._refine.value,
+            max_correspondence_distance=self._distance.value or None,
+            on_pose=lambda T: self._move(source, base, T),
+        )
+        self._shown = 0.0
+        self._move(source, base, found.transformation)
+        if self._was is None or self._was[0] != source.name:
+            self._was = source.name, before
+        self._found = found
+        self._show(stage.view())
+        stage.show(_rows(found))
+        note = f" {found.note[0].upper()}{found.note[1:]}." if found.note else ""
+        stage.say(f"{source.name} lies on {target.name} now.{note}")
+
+    def refresh(self) -> None:
+        """Offer the clouds that there are."""
+        names = tuple(self.stage.clouds())
+        if len(names) > 1 and names != tuple(self._source.options):
+            for choice in (self._source, self._target):
+                chosen, choice.options = choice.value, names
+                choice.value = chosen if chosen in names else names[0]
+
+    def undo_pose(self) -> None:
+        """Put the source where it was before the first registration."""
+        if self._was is not None:
+            (name, pose), self._was, self._found = self._was, None, None
+            if name in self.stage.viewer.items:
+                self.stage.viewer.set_pose(name, np.eye(4) if pose is None else pose)
+            self._show(self.stage.view())
+
+    def save(self) -> None:
+        """Write the pairs as JSON and the pose as four rows of numbers beside it."""
+        if self._found is None:
+            raise ValueError("register first: there is no pose to save yet")
+        path = file_in(self._folder, self._file.value, (".json",))
+        text = path.with_suffix(".txt")
+        for place in (path, text):
+            if place.exists():
+                raise ValueError(f"{place.name} exists already: choose another name")
+        names = self._source.value, self._target.value
+        places = self._places(*(self.stage.cloud(name)[1] for name in names))
+        from .correspondences import save_pairs, save_pose
+
+        save_pairs(path, names, self._rows(), *places, self._found)
+        save_pose(text, self._found.transformation)
+        self.stage.say(f"Saved {path.name} and {text.name}.")
+
+    # -- within -------------------------------------------------------------------------------------------------------
+
+    def _due(self) -> str:
+        return self._target.value if len(self._picks) % 2 else self._source.value
+
+    def _next(self) -> str:
+        pair = len(self._picks) // 2 + 1
+        return f"Pair {pair}: click a point of {self._due()}."
+
+    def _rows(self) -> NDArray[np.int64]:
+        count = 2 * (len(self._picks) // 2)
+        return np.array([found.index for found in self._picks[:count]], np.int64).reshape(-1, 2)
+
+    def _places(self, source: Any, target: Any) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """The picked points in the clouds' own coordinates."""
+        rows = self._rows()
+        return source.select_by_index(rows[:, 0]).points, target.select_by_index(rows[:, 1]).points
+
+    def _move(self, source: Any, base: Matrix | None, T: Matrix) -> None:
+        """Show the source where a pose puts it, not too often."""
+        now = time.monotonic()
+        if now - self._shown < SECONDS_A_POSE:
+            return
+        self._shown = now
+        world = T if base is None else base @ T
+        own = source.points.pose
+        self.stage.viewer.set_pose(source.name, world if own is None else world @ invert_pose(own))
+
+    def _restart(self) -> None:
+        self._picks, self._found = [], None
+        self._show(self.stage.view())
+
+    def _show(self, view: View) -> None:
+        stage = self.stage
+        stage.clear()
+        for number, found in enumerate(self._picks):
+            assert found.index is not None
+            item, cloud = stage.cloud(found.name)
+            color = TARGET_COLOR if number % 2 else SOURCE_COLOR
+            place = world_point(Target(found.name, cloud, pose=stage.pose_of(item)), found.index)
+            stage.mark(view, place, f"{'t' if number % 2 else 's'}{number // 2 + 1}", color)
+        stage.show([])
+        self._show_due()
+        stage.say(self._next())
+
+    def _show_due(self) -> None:
+        self._show_only(self._due() if self._alone.value else None)
+
+    def _show_only(self, name: str | None) -> None:
+        """In this page, hide the other one of the two clouds."""
+        session = self.stage.session
+        with self.stage.viewer.lock:
+            for choice in (self._source, self._target):
+                stream = session.streams.get(choice.value)
+                item = self.stage.viewer.items.get(choice.value)
+                if stream is not None and item is not None:
+                    stream.set_visible(item.visible and name in (None, choice.value))
+
+
+def _rows(found: PairRegistration) -> list[tuple[str, str]]:
+    """What a registration is worth, as labels and values."""
+    return [
+        ("rms of the pairs", length_text(found.fit.rms)),
+        (
+            "worst pair",
+            f"{int(found.fit.residuals.argmax()) + 1}, off by {length_text(float(found.fit.residuals.max()))}",
+        ),
+        ("fitness", f"{100 * found.fitness:.1f} %"),
+        ("inlier rmse", length_text(found.inlier_rmse)),
+        ("within", length_text(found.distance)),
+        ("refined by ICP", "yes" if found.refined else "no"),
+    ]

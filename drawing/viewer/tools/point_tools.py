@@ -1,0 +1,86 @@
+"""The tools that need nothing but points: asking for one, and measuring between them."""
+
+from __future__ import annotations
+
+import itertools
+
+import numpy as np
+
+from ...render.view import View
+from .measuring import length_text, measurements
+from .picking import Pick, coordinate_text, describe_row
+from .stage import Tool, check_room
+
+
+class PointTool(Tool):
+    """Shows what is known of the point that is clicked on."""
+
+    label = "Pick a point"
+    hint = "Click on a point or a surface. Escape ends."
+
+    def click(self, view: View, x: float, y: float) -> None:
+        """Show the point's index, coordinates and attributes."""
+        stage, found = self.stage, self.stage.pick(view, x, y)
+        stage.clear()
+        if found is None:
+            stage.show([])
+            stage.say("Nothing there: click nearer to a point.")
+            return
+        rows = [("in", found.name)]
+        if found.index is None:
+            rows += [("triangle", f"{found.triangle:,}")]
+            rows += [(axis, coordinate_text(value, 1e-6)) for axis, value in zip("xyz", found.point, strict=True)]
+        else:
+            rows += describe_row(stage.cloud(found.name)[0].select([found.index]), found.index, found.point)
+        stage.mark(view, found.point, "" if found.index is None else f"{found.index}")
+        stage.show(rows)
+        stage.say(self.hint)
+
+    def undo(self) -> None:
+        """Forget the point."""
+        self.stage.clear()
+        self.stage.show([])
+
+
+class MeasureTool(Tool):
+    """Measures along a path of clicks."""
+
+    label = "Measure"
+    hint = "Click on points or surfaces: two give a distance, more a path and angles. Backspace takes one back."
+
+    def __init__(self, stage):
+        super().__init__(stage)
+        self._picks: list[Pick] = []
+
+    def click(self, view: View, x: float, y: float) -> None:
+        """One point more."""
+        found = self.stage.pick(view, x, y)
+        if found is None:
+            self.stage.say("Nothing there: click nearer to a point.")
+            return
+        check_room(self._picks)
+        self._picks.append(found)
+        self._show(view)
+
+    def undo(self) -> None:
+        """One point less."""
+        if self._picks:
+            self._picks.pop()
+            self._show(self.stage.view())
+
+    def finish(self) -> None:
+        """Begin anew."""
+        self._picks = []
+        self._show(self.stage.view())
+
+    def _show(self, view: View) -> None:
+        stage = self.stage
+        places = np.array([found.point for found in self._picks]).reshape(-1, 3)
+        stage.clear()
+        for place in places:
+            stage.mark(view, place)
+        stage.lines(places)
+        for a, b in itertools.pairwise(places):
+            stage.label((a + b) / 2, length_text(float(np.linalg.norm(b - a))))
+        stage.show(measurements(places))
+        stage.say(self.hint)

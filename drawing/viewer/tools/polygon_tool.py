@@ -1,0 +1,240 @@
+"""The tool that cuts out what lies inside a polygon drawn with the mouse."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ....core.checks import shown
+from ....files.points.point_cloud import write_point_cloud
+from ....pcd.cloud import PointCloud
+from ...render.view import View
+from .picking import project, ray_through
+from .polygon_crop import (
+    AXES,
+    indices_in_volume,
+    looks_along_axis,
+    nearest_axis,
+    polygon_to_volume,
+    save_volume,
+    seen_inside,
+    view_along,
+)
+from .stage import Tool, check_room, style_of
+
+STRAIGHT, FREE = "along an axis", "free view"
+CLOUD_SUFFIXES = (".ply", ".pcd", ".xyz", ".npz", ".las")
+_NAME = re.compile(r"[\w][\w .()+-]{0,99}")
+
+
+def file_in(folder: Path, name: str, suffixes: tuple[str, ...]) -> Path:
+    """The path of a file that a page asks for: a plain name in the program's own folder, and nothing else.
+
+    Raises:
+        ValueError: A name with folders in it, odd characters, or another suffix.
+    """
+    if not _NAME.fullmatch(name) or Path(name).name != name or Path(name).suffix.lower() not in suffixes:
+        raise ValueError(f"file: expected a plain name that ends in {' or '.join(suffixes)}, got {shown(name)}")
+    return folder / name
+
+
+class PolygonTool(Tool):
+    """Draws a polygon, saves it as Open3D's cropped.json and shows what lies inside alone."""
+
+    label = "Crop by polygon"
+    hint = "Click the corners of a polygon; Enter crops, Backspace takes a corner back, Escape ends."
+
+    def __init__(self, stage, folder: Path | None = None):
+        super().__init__(stage)
+        self._folder = Path.cwd() if folder is None else folder
+        self._corners: list[NDArray[np.float64]] = []  # along an axis: in the world; in a free view: [px]
+        self._drawn_in: View | None = None
+        self._before: View | None = None
+        self._undo: tuple[str, str] | None = None
+
+    def start(self) -> None:
+        """Look along the nearest axis, and offer what can be chosen."""
+        names, gui, ask = self.stage.clouds(), self.stage.client.gui, self.stage.ask
+        if not names:
+            raise ValueError("there is no cloud to crop in the scene")
+        self._cloud = gui.add_dropdown("cloud", names, visible=len(names) > 1)
+        self._mode = gui.add_dropdown("view", (STRAIGHT, FREE))
+        self._file = gui.add_text("file", "cropped.json", hint=f"written to {self._folder}")
+        buttons = (("Look along x", "X"), ("Look along y", "Y"), ("Look along z", "Z"))
+        for label, axis in buttons:
+            gui.add_button(label).on_click(lambda _, axis=axis: ask(lambda: self._align(axis)))
+        gui.add_button("Crop (Enter)").on_click(lambda _: ask(self.finish))
+        self._undo_button = gui.add_button("Undo crop", disabled=True)
+        self._undo_button.on_click(lambda _: ask(self.undo_crop))
+        self._mode.on_update(lambda _: ask(self._change_mode))
+        self._before = self.stage.view()
+        self._align()
+
+    def stop(self) -> None:
+        """Look from where one looked before."""
+        self._look_back()
+
+    def click(self, view: View, x: float, y: float) -> None:
+        """One corner more."""
+        check_room(self._corners)
+        if self._mode.value == FREE:
+            if self._drawn_in is not None and not np.allclose(
+                self._drawn_in.T_world_camera, view.T_world_camera, rtol=0, atol=1e-9 + 1e-6 * self._size()
+            ):
+                self._corners = []
+            self._corners.append(np.array([x, y]))
+        elif not looks_along_axis(view):
+            self._align()
+            self.stage.say("The view was turned away from the axes; it is straight again. Click on.")
+            return
+        else:
+            if self._drawn_in is not None and nearest_axis(self._drawn_in) != nearest_axis(view):
+                self._corners = []
+            self._corners.append(self._on_plane(view, x, y))
+        self._drawn_in = view
+        self._show(view)
+
+    def undo(self) -> None:
+        """One corner less."""
+        if self._corners:
+            self._corners.pop()
+            self._show(self.stage.view())
+
+    def finish(self) -> None:
+        """Crop: the cloud inside is shown, the whole one hidden, the file written."""
+        stage = self.stage
+        if len(self._corners) < 3:
+            raise ValueError(f"a polygon has at least three corners, this one has {len(self._corners)}: click on more")
+        item, cloud = stage.cloud(self._cloud.value)
+        view = self._drawn_in
+        assert view is not None
+        pose, polygon = stage.pose_of(item), self._on_screen(view)
+        volume = None
+        if self._mode.value == FREE:
+            path = file_in(self._folder, self._file.value, CLOUD_SUFFIXES)
+            kept = seen_inside(cloud, view, polygon, pose=pose)
+        else:
+            path = file_in(self._folder, self._file.value, (".json",))
+            volume = polygon_to_volume(view, polygon, cloud, pose=pose)
+            kept = indices_in_volume(cloud, volume, pose=pose)
+        if not len(kept):
+            raise ValueError("no point lies inside the polygon; Backspace takes corners back")
+        cropped = item.select(kept)
+        if volume is None:
+            write_point_cloud(path, cropped, overwrite=False)
+            told = f"{len(kept):,} of {len(cloud):,} points, saved to {path.name}."
+        else:
+            save_volume(volume, path)
+            told = f"{len(kept):,} of {len(cloud):,} points; the polygon is saved to {path.name}."
+            told += _difference(cloud, view, polygon, kept, pose)
+        self._swap(item, cropped)
+        self._corners, self._drawn_in = [], None
+        stage.clear()
+        stage.say(told)
+
+    def refresh(self) -> None:
+        """Offer the clouds that there are."""
+        if tuple(self.stage.clouds()) != tuple(self._cloud.options):
+            self._list_clouds(self._cloud.value)
+
+    def undo_crop(self) -> None:
+        """Show the whole cloud again."""
+        if self._undo is not None:
+            whole, part = self._undo
+            self._undo, self._undo_button.disabled = None, True
+            with self.stage.viewer.lock:
+                if part in self.stage.viewer.items:
+                    self.stage.viewer.remove(part)
+                if whole in self.stage.viewer.items:
+                    self.stage.viewer.set_visible(whole, True)
+            self._list_clouds(whole)
+            self.stage.say("All points are shown again.")
+
+    # -- within -------------------------------------------------------------------------------------------------------
+
+    def _swap(self, item: Any, cropped: Any) -> None:
+        """Show the cropped cloud in place of the whole one."""
+        viewer = self.stage.viewer
+        with viewer.lock:
+            name, number = f"{item.name} (cropped)", 2
+            while name in viewer.items:
+                name, number = f"{item.name} (cropped {number})", number + 1
+            viewer.add(name, cropped, **style_of(item))
+            if item.pose is not None:
+                viewer.set_pose(name, item.pose)
+            viewer.set_visible(item.name, False)
+        self._undo, self._undo_button.disabled = (item.name, name), False
+        self._list_clouds(name)
+        self.stage.keep_reach()
+
+    def _list_clouds(self, chosen: str) -> None:
+        names = self.stage.clouds()
+        if names:
+            self._cloud.options = tuple(names)
+            self._cloud.value = chosen if chosen in names else names[0]
+            self._cloud.visible = len(names) > 1
+
+    def _align(self, axis: str | None = None) -> None:
+        """Look along an axis; the nearest one where none is said."""
+        if self._mode.value == FREE:
+            self._mode.value = STRAIGHT
+        low, high = self.stage.item(self._cloud.value).world_bounds() or self.stage.viewer.bounds
+        self.stage.look_from(view_along(self.stage.view(), low, high, axis))
+        self._corners, self._drawn_in = [], None
+        self.stage.clear()
+        self.stage.say(self.hint)
+
+    def _look_back(self) -> None:
+        if self._before is not None:
+            self.stage.look_back(self._before)
+
+    def _change_mode(self) -> None:
+        name = self._file.value
+        self._corners, self._drawn_in = [], None
+        self.stage.clear()
+        if self._mode.value == FREE:
+            self._look_back()
+            if name.endswith(".json"):
+                self._file.value = f"{name.removesuffix('.json')}.ply"
+            self.stage.say(f"{self.hint} What is seen inside is kept, as a cloud: no cropped.json can hold it.")
+        else:
+            if Path(name).suffix in CLOUD_SUFFIXES:
+                self._file.value = f"{Path(name).stem}.json"
+            self._align()
+
+    def _size(self) -> float:
+        low, high = self.stage.viewer.bounds
+        return float(np.linalg.norm(high - low))
+
+    def _on_plane(self, view: View, x: float, y: float) -> NDArray[np.float64]:
+        """Where a click meets the plane through the scene's middle across the axis."""
+        axis = AXES.index(nearest_axis(view)[0])
+        level = float((self.stage.viewer.bounds[0] + self.stage.viewer.bounds[1])[axis]) / 2
+        eye, ray = ray_through(view, x, y)
+        return eye + (level - eye[axis]) / ray[axis] * ray
+
+    def _on_screen(self, view: View) -> NDArray[np.float64]:
+        """The corners as they are seen in a view [px]."""
+        if self._mode.value == FREE:
+            return np.array(self._corners).reshape(-1, 2)
+        return np.array([project(view, corner)[:2] for corner in self._corners]).reshape(-1, 2)
+
+    def _show(self, view: View) -> None:
+        stage = self.stage
+        stage.clear()
+        drawn = self._drawn_in if self._mode.value == FREE and self._drawn_in is not None else view
+        corners = np.array([stage.before_all(drawn, *corner) for corner in self._on_screen(drawn)]).reshape(-1, 3)
+        stage.lines(corners, closed=len(corners) > 2)
+        for corner in corners:
+            stage.mark(drawn, corner)
+        stage.say(f"{len(corners)} corners. {self.hint}")
+
+
+def _difference(cloud: PointCloud, view: View, polygon: Any, kept: Any, pose: Any) -> str:
+    """What perspective has made of the drawn line, in words; mostly nothing."""
+    other = len(np.setxor1d(seen_inside(cloud, view, polygon, pose=pose), kept))
+    return f" {other:,} points at its edge lie on the other side of the line as it was drawn." if other else ""

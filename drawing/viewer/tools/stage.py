@@ -1,0 +1,295 @@
+"""What a tool stands on: one page's camera, what can be picked in it, marks of its own, and a place for words.
+
+All that a tool draws lies in the page's own scene, and goes with `clear`.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import weakref
+from collections.abc import Callable, Iterable
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ....kernels.memory import download
+from ....meshing.scene.raycasting_scene import RaycastingScene
+from ....pcd.cloud import PointCloud
+from ...render.parts import Triangles
+from ...render.view import View
+from ..camera import diagonal, set_reach
+from .clip_planes import Clip, hidden_points
+from .picking import Pick, Rows, Target, as_table, escaped, pick, project, ray_through
+
+if TYPE_CHECKING:
+    from ..items import Item
+    from ..sessions import Session
+
+Matrix = NDArray[np.float64]
+Color = tuple[int, int, int]
+
+MARK: Color = (230, 60, 20)
+MARK_RADIUS = 4.0  # [px]
+LINE_WIDTH = 2.5  # [px]
+MOST_CLICKS = 1000  # that a tool keeps
+
+_scenes: weakref.WeakKeyDictionary[Any, list[tuple[Any, RaycastingScene]]] = weakref.WeakKeyDictionary()
+
+
+def surfaces_of(item: Item) -> list[tuple[Any, RaycastingScene]]:
+    """The surfaces of an item as scenes for rays, each with its part; built when first asked for."""
+    found = _scenes.get(item)
+    if found is None:
+        found = []
+        for part in item.parts:
+            if isinstance(part, Triangles) and part.indices.size:
+                scene = RaycastingScene(part.positions.device)
+                corners = download(part.positions).reshape(-1, 3) + part.origin
+                scene.add_triangles(corners, download(part.indices).reshape(-1, 3))
+                found.append((part, scene))
+        _scenes[item] = found
+    return found
+
+
+class Stage:
+    """One page, for one tool at a time.
+
+    Args:
+        session: The page.
+        run: Has something done in the order in which things are asked for; says whether it will be.
+
+    Attributes:
+        clip: What clip planes leave to be seen.
+    """
+
+    def __init__(self, session: Session, run: Callable[[Callable[[], None]], bool]):
+        self.session, self.viewer, self.client, self.run = session, session.viewer, session.client, run
+        self.clip = Clip()
+        self.status: Any = None  # lines of the panel
+        self.rows: Any = None
+        self._nodes: list[Any] = []
+        self._count = 0
+        self._reach: tuple[float, float, float] | None = None
+        self._hidden: dict[str, tuple[Any, Any, Any, Any]] = {}
+
+    def ask(self, job: Callable[[], None]) -> None:
+        """Have something done in its turn; of too much, nothing."""
+        self.run(job)
+
+    # -- words --------------------------------------------------------------------------------------------------------
+
+    def say(self, text: str) -> None:
+        """Show a line in the panel: plain text, whatever is in it."""
+        self.status.content = escaped(text)
+
+    def show(self, rows: Rows) -> None:
+        """Show labels and values in the panel."""
+        self.rows.content = as_table(rows) if rows else ""
+
+    # -- what there is ------------------------------------------------------------------------------------------------
+
+    def items(self) -> list[Item]:
+        """What is shown, in the order of the scene."""
+        with self.viewer.lock:
+            return [item for item in self.viewer.items.values() if item.visible]
+
+    def clouds(self) -> list[str]:
+        """The names of the clouds that are shown and hold points."""
+        return [item.name for item in self.items() if item.cloud is not None and len(item.cloud)]
+
+    def item(self, name: str) -> Item:
+        """One of them.
+
+        Raises:
+            ValueError: It has gone.
+        """
+        with self.viewer.lock:
+            found = self.viewer.items.get(name)
+        if found is None:
+            raise ValueError(f"{name} is no longer in the scene")
+        return found
+
+    def cloud(self, name: str) -> tuple[Item, PointCloud]:
+        """A cloud of the scene and its item.
+
+        Raises:
+            ValueError: It has gone, or something else is there now.
+        """
+        item = self.item(name)
+        if item.cloud is None:
+            raise ValueError(f"{name} is no cloud any more")
+        return item, item.cloud
+
+    def pose_of(self, item: Item) -> Matrix | None:
+        """Where a cloud stands in the world."""
+        assert item.points is not None
+        return item.pose_of(item.points)
+
+    def targets(self, names: Iterable[str] | None = None) -> list[Target]:
+        """What a click may mean: all that is shown, or the clouds of some names; without what is clipped."""
+        found: list[Target] = []
+        chosen = None if names is None else set(names)
+        for item in self.items():
+            if item.cloud is not None and (chosen is None or item.name in chosen):
+                pose = self.pose_of(item)
+                found.append(Target(item.name, item.cloud, pose=pose, hidden=self._clipped(item, pose)))
+            elif item.cloud is None and chosen is None:
+                found += [Target(item.name, scene=scene, pose=item.pose_of(part)) for part, scene in surfaces_of(item)]
+        return found
+
+    def pick(self, view: View, x: float, y: float, names: Iterable[str] | None = None) -> Pick | None:
+        """What a click means."""
+        found = pick(self.targets(names), view, x, y)
+        if found is not None and found.index is None and not self.clip.keep(found.point[None])[0]:
+            return None  # of a surface that is clipped away
+        return found
+
+    def _clipped(self, item: Item, pose: Matrix | None) -> Any:
+        if not self.clip.cuts:
+            self._hidden.clear()
+            return None
+        assert item.cloud is not None
+        known = self._hidden.get(item.name)
+        if known is None or known[0] is not item or known[1] is not self.clip or known[2] is not pose:
+            known = item, self.clip, pose, hidden_points(item.cloud, self.clip, pose=pose)
+            self._hidden[item.name] = known
+        return known[3]
+
+    # -- marks --------------------------------------------------------------------------------------------------------
+
+    def clear(self) -> None:
+        """Take all marks out of the page."""
+        nodes, self._nodes = self._nodes, []
+        with self.client.atomic():
+            for node in nodes:
+                node.remove()
+
+    def mark(self, view: View, place: NDArray[np.float64], text: str = "", color: Color = MARK) -> None:
+        """A ball of a few pixels at a place of the world, and words beside it."""
+        frame = self.viewer.frame
+        depth = project(view, place)[2]
+        size = max(depth, 1e-3 * diagonal(self.viewer.bounds)) / view.intrinsic.fy / frame.unit
+        position = (place - frame.origin) / frame.unit
+        with self.client.atomic():
+            self._nodes.append(
+                self.client.scene.add_icosphere(
+                    self._name(), MARK_RADIUS * size, color, subdivisions=1, position=position, cast_shadow=False
+                )
+            )
+            if text:
+                self._nodes.append(
+                    self.client.scene.add_label(self._name(), text, position=position, anchor="bottom-left")
+                )
+
+    def label(self, place: NDArray[np.float64], text: str) -> None:
+        """Words at a place of the world."""
+        frame = self.viewer.frame
+        position = (place - frame.origin) / frame.unit
+        self._nodes.append(self.client.scene.add_label(self._name(), text, position=position, anchor="bottom-center"))
+
+    def lines(self, places: NDArray[np.float64], color: Color = MARK, *, closed: bool = False) -> None:
+        """A line along places of the world."""
+        frame = self.viewer.frame
+        ends = np.vstack([places, places[:1]]) if closed else places
+        if len(ends) < 2:
+            return
+        local = ((ends - frame.origin) / frame.unit).astype(np.float32)
+        segments = np.stack([local[:-1], local[1:]], axis=1)
+        self._nodes.append(
+            self.client.scene.add_line_segments(
+                self._name(), segments, color, thickness=LINE_WIDTH, thickness_units="screen"
+            )
+        )
+
+    def before_all(self, view: View, x: float, y: float) -> NDArray[np.float64]:
+        """The place in the world that is seen at a pixel, nearer than anything in the scene where that can be."""
+        low, high = self.viewer.bounds
+        size = diagonal(self.viewer.bounds)
+        corners = np.array([[a, b, c] for a in (low[0], high[0]) for b in (low[1], high[1]) for c in (low[2], high[2])])
+        depths = (corners - view.T_world_camera[:3, 3]) @ view.T_world_camera[:3, 2]
+        eye, ray = ray_through(view, x, y)
+        return eye + max(float(depths.min()) - 0.02 * size, 0.01 * size) * ray
+
+    def _name(self) -> str:
+        self._count += 1
+        return f"/tools/{self._count}"
+
+    # -- the camera ---------------------------------------------------------------------------------------------------
+
+    def view(self) -> View:
+        """What the page shows."""
+        return self.session.camera_view()
+
+    def look_from(self, view: View) -> None:
+        """Put the camera there, however far away that is."""
+        frame, size = self.viewer.frame, diagonal(self.viewer.bounds)
+        middle = (self.viewer.bounds[0] + self.viewer.bounds[1]) / 2
+        distance = float((middle - view.T_world_camera[:3, 3]) @ view.T_world_camera[:3, 2])
+        near, far = max(distance - 2 * size, 1e-3 * size), distance + 2 * size
+        self._reach = near / frame.unit, far / frame.unit, 4 * far / frame.unit
+        self.keep_reach()
+        self.session.look_from(view)
+
+    def keep_reach(self) -> None:
+        """Draw what lies far away, after the viewer has set the page's reach for something else."""
+        if self._reach is not None:
+            camera = self.client.camera
+            with self.client.atomic():
+                camera.near, camera.far, camera.max_orbit_distance = self._reach
+
+    def look_back(self, view: View) -> None:
+        """Put the camera where it was before, with the viewer's own reach."""
+        self._reach = None
+        set_reach(self.client, self.viewer.frame, self.viewer.bounds)
+        self.session.look_from(view)
+
+
+def check_room(clicks: list[Any]) -> None:
+    """Refuse one click more than a tool keeps.
+
+    Raises:
+        ValueError: There are as many as that already.
+    """
+    if len(clicks) >= MOST_CLICKS:
+        raise ValueError(f"{MOST_CLICKS} clicks are as many as are kept: finish, or take some back")
+
+
+def style_of(item: Item) -> dict[str, Any]:
+    """How an item is drawn, as `Viewer.add` takes it."""
+    fields = {field.name: field.default for field in dataclasses.fields(item.style)}
+    values = {name: getattr(item.style, name) for name in fields}
+    return {name: value for name, value in values.items() if value is not fields[name] and value is not None}
+
+
+class Tool:
+    """Something that one does with clicks in the scene; the page's toolbox has one of them at work at a time.
+
+    Attributes:
+        label: On its button.
+        hint: What to do, shown as it starts.
+    """
+
+    label = ""
+    hint = ""
+
+    def __init__(self, stage: Stage):
+        self.stage = stage
+
+    def start(self) -> None:
+        """Add controls to the panel, whose folder is open."""
+
+    def click(self, view: View, x: float, y: float) -> None:
+        """Someone clicked at a pixel."""
+
+    def undo(self) -> None:
+        """Take back the last click."""
+
+    def finish(self) -> None:
+        """Do it: what Enter asks for."""
+
+    def refresh(self) -> None:
+        """The scene may have changed."""
+
+    def stop(self) -> None:
+        """Leave nothing behind; the marks are cleared by the toolbox."""

@@ -1,0 +1,198 @@
+"""The tools of one page: their buttons, the keys and clicks that drive the one at work, and their end."""
+
+from __future__ import annotations
+
+import logging
+import threading
+from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from ....core.errors import PointloomError
+from ...render.view import View
+from .clip_controls import ClipControls
+from .pairs_tool import PairsTool
+from .point_tools import MeasureTool, PointTool
+from .polygon_tool import PolygonTool
+from .stage import Stage, Tool
+
+if TYPE_CHECKING:
+    from ..sessions import Session
+
+MOST_WAITING = 64  # jobs that a page may ask for ahead of those that are done
+ACTIVE = "orange"
+KEYS = (
+    ("escape", "End the tool", "stop"),
+    ("backspace", "Take back the last click", "undo"),
+    ("enter", "Finish", "finish"),
+)
+TOOLS: tuple[type[Tool], ...] = (PointTool, MeasureTool, PolygonTool, PairsTool)
+
+log = logging.getLogger("pointloom.viewer")
+
+
+class Toolbox:
+    """The tools of a page, made when it connects and closed when it goes.
+
+    What is asked for is done one after the other in a thread of the page's own, in the order of the clicks.
+
+    Args:
+        session: The page.
+        folder: viser's folder in which the tools are; shared by all pages, while what is in it is this page's.
+        files: Where files are written; None: the folder that the program runs in.
+    """
+
+    def __init__(self, session: Session, folder: Any, *, files: Path | None = None):
+        self.tool: Tool | None = None
+        self._session, self._client = session, session.client
+        self._files = Path.cwd() if files is None else Path(files)
+        self._worker = ThreadPoolExecutor(1, thread_name_prefix="pointloom-tools")
+        self._lock, self._waiting, self._closed = threading.Lock(), 0, False
+        self._is_stale = False
+        self._controls: Any = None
+        self.stage = Stage(session, self.run)
+        gui = self._client.gui
+        with folder:
+            self._folder = gui.add_folder(None)
+        with self._folder:
+            self._buttons = {kind: gui.add_button(kind.label) for kind in TOOLS}
+        # at the top of the panel while a tool is at work, where it is seen without scrolling
+        self._top = gui.add_folder("Tool", order=0.5, visible=False)
+        with self._top:
+            self.stage.status = gui.add_markdown("")
+            self.stage.rows = gui.add_markdown("")
+        for kind, button in self._buttons.items():
+            button.on_click(self._asks(lambda _, kind=kind: self.run(lambda: self.toggle(kind))))
+        self.clip = ClipControls(self.stage, self._folder)
+        for key, label, action in KEYS:
+            command = gui.add_command(label, hotkey=key)  # type: ignore[arg-type]
+            command.on_trigger(self._asks(lambda _, action=action: self.run(lambda: self._key(action))))
+        session.rest(self._on_rest)
+
+    # -- what drives it -----------------------------------------------------------------------------------------------
+
+    def run(self, job: Callable[[], None]) -> bool:
+        """Do something after all that was asked for before, if it is not too much; says whether it will be done."""
+        with self._lock:
+            if self._closed or self._waiting >= MOST_WAITING:
+                return False
+            self._waiting += 1
+            self._worker.submit(self._do, job)
+            return True
+
+    def refresh(self) -> None:
+        """The scene has changed: cut what is new, offer the clouds that there are."""
+        with self._lock:
+            if self._is_stale:  # asked for, and not done yet
+                return
+            self._is_stale = True
+        if not self.run(self._sync):
+            self._is_stale = False
+
+    def start(self, kind: type[Tool]) -> None:
+        """Begin with a tool; the one before ends."""
+        self.stop()
+        tool = kind(self.stage, self._files) if kind in (PolygonTool, PairsTool) else kind(self.stage)  # type: ignore[call-arg]
+        gui = self._client.gui
+        with self._top:
+            self._controls = gui.add_folder(None)
+        self._top.visible = True
+        try:
+            self.stage.say(kind.hint)
+            with self._controls:
+                tool.start()
+        except BaseException:
+            self._controls.remove()
+            self._controls = None
+            raise
+        self.tool = tool
+        self._buttons[kind].color = ACTIVE
+        self._client.scene.on_click()(self._on_click)  # type: ignore[arg-type]  # coroutines are taken as well
+
+    def stop(self) -> None:
+        """End the tool, and take all of it out of the page."""
+        tool, self.tool = self.tool, None
+        if tool is None:
+            return
+        self._client.scene.remove_click_callback(self._on_click)
+        self._buttons[type(tool)].color = None
+        try:
+            tool.stop()
+        finally:
+            self.stage.clear()
+            self._controls.remove()
+            self._controls = None
+            self.stage.show([])
+            self._top.visible = False
+
+    def toggle(self, kind: type[Tool]) -> None:
+        """Begin with a tool, or end it where it is at work."""
+        if isinstance(self.tool, kind):
+            self.stop()
+        else:
+            self.start(kind)
+
+    def close(self) -> None:
+        """The page has gone: its scene and panel with it; what waits is left."""
+        with self._lock:
+            self._closed = True
+        self._worker.shutdown(wait=False, cancel_futures=True)
+        self.clip.close()
+        self.tool = None
+
+    # -- within -------------------------------------------------------------------------------------------------------
+
+    def _asks(self, callback: Callable[[Any], Any]) -> Callable[[Any], Any]:
+        """As viser runs it in the order in which the page's messages come: a coroutine, which only asks."""
+
+        async def ask(event: Any) -> None:
+            callback(event)
+
+        return ask
+
+    async def _on_click(self, event: Any) -> None:
+        view = self._session.camera_view()  # as it is with the click, not when its turn comes
+        x, y = (float(share) for share in event.screen_pos)
+        if not (0 <= x <= 1 and 0 <= y <= 1):
+            return
+        camera = view.intrinsic
+        self.run(lambda: self._click(view, x * camera.width - 0.5, y * camera.height - 0.5))
+
+    def _click(self, view: View, x: float, y: float) -> None:
+        if self.tool is not None:
+            self.tool.click(view, x, y)
+
+    def _key(self, action: str) -> None:
+        if action == "stop":
+            self.stop()
+            self._top.visible = False  # what could not begin has left its reason there
+        elif self.tool is not None:
+            getattr(self.tool, action)()
+
+    def _on_rest(self, _: View) -> None:
+        self.refresh()
+
+    def _sync(self) -> None:
+        self._is_stale = False
+        self.clip.sync()
+        self.stage.keep_reach()
+        if self.tool is not None:
+            self.tool.refresh()
+
+    def _do(self, job: Callable[[], None]) -> None:
+        try:
+            if not self._closed:
+                job()
+        except (PointloomError, ValueError, TypeError, LookupError, OSError, MemoryError) as error:
+            self._tell(str(error.args[0]) if isinstance(error, KeyError) and error.args else str(error))
+        except Exception:  # a page that goes meanwhile, or a fault of ours: the viewer goes on
+            log.debug("a tool", exc_info=True)
+            self._tell("That went wrong; the log of pointloom.viewer says why.")
+        finally:
+            with self._lock:
+                self._waiting -= 1
+
+    def _tell(self, text: str) -> None:
+        if not self._closed:
+            self.stage.say(text)

@@ -1,0 +1,177 @@
+"""Files as the viewer shows them: `read_scene` for `pointloom view`."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import zipfile
+from pathlib import Path
+from typing import Any
+
+from ...cameras.trajectory import read_lines, read_trajectory
+from ...core.devices import resolve_device
+from ...core.errors import FileError
+from ...core.json_files import read_json_object
+from ...core.progress import ReportProgress
+from ...files.ascii_rows import is_number
+from ...files.meshes import tables
+from ...files.points.in_parts import open_in_parts
+from ...files.points.point_cloud import read_point_cloud
+from ...kernels.lang import vec3
+from ...kernels.memory import upload
+from ...meshing.mesh.mesh_files import read_triangle_mesh
+from ...meshing.volume.tsdf import TSDFVolume
+from ...pcd.cloud import PointCloud
+from ...pcd.polygon_volume import SelectionPolygonVolume
+from ..render.geometries import Named, Style, named_geometries
+from .detail_files import sample_file
+from .detail_tree import DetailTree
+
+_COORDINATES = ("rgb", "normal", "height", "x", "y", "z", "label")  # what no attribute has to be kept for
+
+
+def read_scene(
+    paths: list[Path],
+    style: dict[str, Any],
+    *,
+    max_points: int,
+    color_by: str | None = None,
+    progress: ReportProgress | None = None,
+    device: Any = None,
+) -> tuple[list[Named], dict[str, DetailTree]]:
+    """What files hold, each under its name, and the levels of detail of clouds that are too large to be sent whole.
+
+    Args:
+        paths: Clouds, meshes, trajectories, TSDF volumes, polygon volumes.
+        style: Of all.
+        max_points: Larger clouds are read in parts where their format allows, into levels of detail.
+        color_by: The attribute that such a cloud keeps.
+        progress: As of `DetailTree.from_file`, while a large file is read.
+        device: Where it is computed.
+
+    Raises:
+        FileError: A file that is missing, damaged or of no kind that is shown.
+    """
+    entries, trees = {}, {}
+    for path, name in zip(paths, _names(paths), strict=True):
+        tree = _read_large(path, max_points, color_by, progress, device)
+        if tree is None:
+            entries[name] = read_geometry(path, device=device)
+        else:
+            entries[name], trees[name] = _cloud_of(tree), tree
+    if len(entries) > 1:  # several clouds without colours get different ones
+        named = named_geometries([{"geometry": geometry, "name": name, **style} for name, geometry in entries.items()])
+    else:
+        named = [(name, geometry, Style(**style)) for name, geometry in entries.items()]
+    return named, trees
+
+
+def first_looks(paths: list[Path], count: int, *, larger_than: int) -> list[Named]:
+    """Points taken evenly from the large files among some, to be shown while they are read.
+
+    Args:
+        paths: Files.
+        count: Points of each, at most.
+        larger_than: Files of up to so many points are read at once and need none.
+
+    Raises:
+        FileError: A file that cannot be read.
+    """
+    found: list[Named] = []
+    for path, name in zip(paths, _names(paths), strict=True):
+        sample = sample_file(path, count) if _open_large(path, larger_than) is not None else None
+        if sample is not None:
+            found.append((f"{name}: a first look", sample, Style()))
+    return found
+
+
+def read_geometry(path: str | os.PathLike[str], *, device: Any = None) -> Any:
+    """What a file holds, by its name and content.
+
+    Raises:
+        FileError: A file that is missing, damaged or of no kind that is shown.
+    """
+    path, suffix = Path(path), Path(path).suffix.lower()
+    if path.is_dir():
+        raise FileError(path, "is a folder", remedy="Give its files, as in pointloom view folder/*.ply")
+    if not path.exists():
+        raise FileError(path, "does not exist")
+    if suffix == ".json":
+        return _read_json(path)
+    if suffix in (".log", ".tum", ".kitti") or (suffix == ".txt" and _is_trajectory(path)):
+        return read_trajectory(path)
+    if suffix == ".npz" and _is_volume(path):
+        return TSDFVolume.load(path, device=device)
+    if suffix in tables.MESHES and (suffix != ".ply" or tables.is_mesh_file(path)):
+        return read_triangle_mesh(path, device=device)
+    if suffix in tables.READERS:
+        return read_point_cloud(path, device=device)
+    known = " ".join(dict.fromkeys([*tables.READERS, *tables.MESHES, ".log", ".tum", ".kitti", ".json"]))
+    raise FileError(path, f"unknown kind of file {suffix!r}", remedy=f"Shown are {known}")
+
+
+def _names(paths: list[Path]) -> list[str]:
+    """The name of each file, with its folder and then a number where that is taken."""
+    names: list[str] = []
+    for path in paths:
+        name = path.name if path.name not in names else str(path)
+        number, free = 1, name
+        while free in names:
+            number += 1
+            free = f"{name} {number}"
+        names.append(free)
+    return names
+
+
+def _open_large(path: Path, max_points: int) -> Any:
+    """The file of a cloud with more points, to be read in parts; None of anything else."""
+    if path.suffix.lower() not in tables.READERS or not path.is_file():
+        return None
+    if path.suffix.lower() == ".ply" and tables.is_mesh_file(path):
+        return None
+    file = open_in_parts(path)
+    return file if file is not None and file.count > max_points else None
+
+
+def _read_large(
+    path: Path, max_points: int, color_by: str | None, progress: ReportProgress | None, device: Any
+) -> DetailTree | None:
+    """The levels of detail of a cloud with more points; None of anything else."""
+    if _open_large(path, max_points) is None:
+        return None
+    kept = [color_by] if color_by is not None and color_by not in _COORDINATES else []
+    return DetailTree.from_file(path, attributes=kept, progress=progress, device=device)
+
+
+def _cloud_of(tree: DetailTree) -> PointCloud:
+    """The cloud whose levels these are, in the same memory; its colours stay with the tree."""
+    place = resolve_device("cpu")
+    arrays = {"points": upload(tree.positions, vec3, place, copied=False)}
+    cloud = PointCloud.from_device_arrays(arrays, tree.origin)
+    for name, values in tree.attributes.items():
+        cloud[name] = values
+    return cloud
+
+
+def _is_volume(path: Path) -> bool:
+    """Whether an .npz file holds a TSDF volume."""
+    with contextlib.suppress(OSError, zipfile.BadZipFile), zipfile.ZipFile(path) as archive:
+        return {"keys.npy", "distances.npy", "sizes.npy"} <= set(archive.namelist())
+    return False
+
+
+def _is_trajectory(path: Path) -> bool:
+    """Whether a text holds poses: rows of 8 (TUM) or 12 numbers (KITTI), which clouds do not have."""
+    lines = read_lines(path)
+    return bool(lines) and len(lines[0][1]) in (8, 12) and all(is_number(word.encode()) for word in lines[0][1])
+
+
+def _read_json(path: Path) -> Any:
+    content = read_json_object(path)
+    if content.get("class_name") == "SelectionPolygonVolume":
+        return SelectionPolygonVolume.from_json(path)
+    if "parameters" in content:
+        return read_trajectory(path)
+    kind = str(content.get("class_name", "an unknown kind"))[:40]
+    remedy = "Shown are trajectories and polygon volumes; a view of Open3D's goes with --view"
+    raise FileError(path, f"holds {kind}, which is no geometry", remedy=remedy)

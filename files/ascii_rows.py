@@ -1,0 +1,182 @@
+"""Rows of numbers as text, shared by the ASCII forms of PLY and PCD and by the XYZ family.
+
+One row is one line; blank lines count as nothing. Reading takes two vectorised passes: one finds the tokens of each
+line, one parses all of them at once; only a file that fails is walked line by line, to name the first bad one.
+"""
+
+from __future__ import annotations
+
+import re
+import warnings
+from collections.abc import Sequence
+from itertools import chain
+from typing import IO, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..core.errors import FileError
+
+# Rows formatted or packed at a time: large enough to amortise Python, small enough to stay out of memory's way.
+CHUNK_ROWS = 1 << 16
+
+_NUMBER = re.compile(rb"[+-]?(?:\d+\.?\d*(?:e[+-]?\d+)?|\.\d+(?:e[+-]?\d+)?|inf(?:inity)?|nan(?:\(\w*\))?)", re.I)
+
+
+def is_number(word: bytes) -> bool:
+    """Whether a word is a number as these rows have them."""
+    return _NUMBER.fullmatch(word) is not None
+
+
+class AsciiRows:
+    """The non-blank lines of a text body and the numbers in them.
+
+    Args:
+        path: The file, for errors.
+        body: The text behind the header; line ends may be LF, CRLF or CR.
+        first_line: The line number of the body's first line, from 1.
+    """
+
+    def __init__(self, path: Any, body: bytes, first_line: int):
+        if b"\r" in body:
+            body = body.replace(b"\r\n", b"\n").replace(b"\r", b"\n")
+        self._path, self._body, self._first_line = path, body, first_line
+        text = np.frombuffer(body, np.uint8)
+        visible = text > 32
+        begins = visible.copy()
+        begins[1:] &= ~visible[:-1]
+        self._tokens = np.flatnonzero(begins)
+        ends = np.append(np.flatnonzero(text == 10), len(text))
+        tokens_before = np.concatenate(([0], np.searchsorted(self._tokens, ends)))
+        self._lines = np.flatnonzero(np.diff(tokens_before))
+        #: Index of the first token of each row, and one past the last token, shape [rows + 1].
+        self.first = np.append(tokens_before[self._lines], len(self._tokens))
+        self.row_count = len(self._lines)
+
+    def where(self, row: int) -> str:
+        """The place of a row (or of the end of the text), for errors."""
+        line = self._lines[row] if row < self.row_count else self._body.rstrip().count(b"\n")
+        return f"line {self._first_line + int(line)}"
+
+    def widths(self) -> NDArray[np.int64]:
+        """Tokens of each row, shape [rows]."""
+        return np.diff(self.first)
+
+    def check_width(self, begin: int, end: int, width: int) -> None:
+        """Hold that rows begin..end have `width` values each.
+
+        Raises:
+            FileError: The first row that does not, with its line.
+        """
+        wrong = np.flatnonzero(self.widths()[begin:end] != width)
+        if len(wrong):
+            row = begin + int(wrong[0])
+            found = int(self.widths()[row])
+            raise FileError(self._path, f"expected {width} values, found {found}", where=self.where(row))
+
+    def is_parted_by(self, marks: NDArray[np.int64], width: int) -> bool:
+        """Whether each row has `width` values with one mark between each two of them, and none elsewhere.
+
+        Args:
+            marks: Where the separators stood that are blanks now: places in the body, ascending.
+            width: Values of a row.
+        """
+        if len(self._tokens) != self.row_count * width or len(marks) != self.row_count * (width - 1):
+            return False
+        values, between = self._tokens.reshape(-1, width), marks.reshape(-1, width - 1)
+        in_rows = (self.widths() == width).all()
+        return bool(in_rows and (values[:, :-1] < between).all() and (between < values[:, 1:]).all())
+
+    def numbers(self) -> NDArray[np.float64]:
+        """Every token as float64, flat; all integers up to 2^53 are exact.
+
+        Raises:
+            FileError: A token that is no number, or one beyond float64, with its line.
+        """
+        if not len(self._tokens):
+            return np.empty(0)
+        try:
+            with warnings.catch_warnings():
+                warnings.simplefilter("error")  # NumPy before 2.3 warns and stops at the first bad token
+                values = np.fromstring(self._body, dtype=np.float64, sep=" ")
+        except (ValueError, DeprecationWarning):
+            raise self._bad_token() from None
+        if len(values) != len(self._tokens):  # "1-2" parses as two numbers
+            raise self._bad_token()
+        self._check_infinities(values)
+        return values
+
+    def words(self) -> list[bytes]:
+        """Every token as it stands, flat, for integers beyond 2^53."""
+        return self._body.split()
+
+    def _check_infinities(self, values: NDArray[np.float64]) -> None:
+        infinite = np.flatnonzero(np.isinf(values))
+        if not len(infinite):
+            return
+        text = np.frombuffer(self._body, np.uint8)
+        begins = self._tokens[infinite]
+        begins = begins + np.isin(text[begins], list(b"+-"))
+        spelled = np.isin(text[begins], list(b"iI"))
+        if not spelled.all():
+            row = int(np.searchsorted(self.first, infinite[~spelled][0], side="right")) - 1
+            raise FileError(self._path, "a number is beyond the range of float64", where=self.where(row))
+
+    def _bad_token(self) -> FileError:
+        for number, line in enumerate(self._body.split(b"\n")):
+            for token in line.split():
+                if not _NUMBER.fullmatch(token):
+                    shown = token[:40].decode("ascii", "backslashreplace")
+                    return FileError(self._path, f"not a number: {shown!r}", where=f"line {self._first_line + number}")
+        return FileError(self._path, "the text holds something that is not a number")
+
+    def cast(
+        self, values: NDArray[np.float64], dtype: np.dtype[Any], what: str, rows: int | NDArray[np.int64]
+    ) -> NDArray[Any]:
+        """Parsed values in the type that the header declares; `rows` is the first one's row, or the row of each.
+
+        Raises:
+            FileError: A value that the type cannot hold, with its line.
+        """
+        if dtype.kind == "f":
+            with np.errstate(over="ignore"):
+                column = values.astype(dtype)
+            bad = np.isinf(column) & np.isfinite(values)
+        else:
+            limits = np.iinfo(dtype)
+            with np.errstate(invalid="ignore"):
+                bad = ~((values >= limits.min) & (values <= limits.max) & (np.floor(values) == values))
+                column = values.astype(dtype)
+        if bad.any():
+            k = int(np.flatnonzero(bad)[0])
+            row = rows + k if isinstance(rows, int) else int(rows[k])
+            reason = f"{what}: {values[k]:.17g} does not fit the declared type {dtype.name}"
+            raise FileError(self._path, reason, where=self.where(row))
+        return column
+
+
+def write_rows(file: IO[bytes], columns: Sequence[NDArray[Any]], *, line: str | None = None) -> None:
+    """Write columns of shape [n] as lines of text.
+
+    Args:
+        file: Where to.
+        columns: One array a column.
+        line: The %-format of a line, its line end included; by default the values parted by blanks, with digits enough
+            to read the same bits back.
+    """
+    line = row_format(columns) if line is None else line
+    for begin in range(0, len(columns[0]), CHUNK_ROWS):
+        parts = [column[begin : begin + CHUNK_ROWS].tolist() for column in columns]
+        file.write((line * len(parts[0]) % tuple(chain.from_iterable(zip(*parts, strict=True)))).encode("ascii"))
+
+
+def row_format(columns: Sequence[NDArray[Any]]) -> str:
+    """The %-format of a line of these columns, with digits enough to read the same bits back."""
+    return " ".join(_format(column.dtype) for column in columns) + "\n"
+
+
+def _format(dtype: np.dtype[Any]) -> str:
+    """9 and 17 significant digits tell every float32 and float64 apart."""
+    if dtype.kind != "f":
+        return "%d"
+    return "%.9g" if dtype.itemsize <= 4 else "%.17g"

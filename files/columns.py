@@ -1,0 +1,146 @@
+"""Columns of a file and the arrays of a table: stacking triples, colours, and which types a file can hold."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..core.coordinates import quiet
+from ..core.errors import FileError
+
+# Colours that arithmetic has pushed out of 0..1 by no more than this are clipped; anything further is a mistake.
+COLOR_SLACK = 1e-3
+
+
+@quiet()
+def stack_points(columns: Sequence[NDArray[Any]]) -> NDArray[Any]:
+    """Three columns as positions [n, 3]: float32 where all are, float64 otherwise."""
+    single = all(column.dtype.kind == "f" and column.dtype.itemsize == 4 for column in columns)
+    return _stack(columns, np.float32 if single else np.float64)
+
+
+def stack_normals(path: Any, columns: Sequence[NDArray[Any]]) -> NDArray[np.float32]:
+    """Three columns as normals, float32 [n, 3].
+
+    Raises:
+        FileError: A finite component beyond float32.
+    """
+    with quiet():
+        normals = _stack(columns, np.float32)
+    for axis, column in enumerate(columns):
+        if column.dtype.itemsize > 4:
+            bad = np.isinf(normals[:, axis]) & np.isfinite(column)
+            if bad.any():
+                raise FileError(path, "a normal is beyond the range of float32", where=f"row {np.flatnonzero(bad)[0]}")
+    return normals
+
+
+def stack_colors(path: Any, columns: Sequence[NDArray[Any]]) -> NDArray[np.float32]:
+    """Three columns as colours in 0..1, float32 [n, 3].
+
+    16-bit unsigned integers count as parts of 65535, other integers as parts of 255, floating point as it stands.
+
+    Raises:
+        FileError: A colour outside its range, with its row.
+    """
+    kinds = {(column.dtype.kind, column.dtype.itemsize) for column in columns}
+    if len(kinds) > 1:
+        raise FileError(path, "the three colour channels have different types")
+    kind, size = kinds.pop()
+    if kind == "f":
+        with quiet():
+            colors = _stack(columns, np.float32)
+        _refuse_colors(path, _outside(colors), "0..1")
+        return np.clip(colors, 0, 1, out=colors)
+    full = 65535 if (kind, size) == ("u", 2) else 255
+    if (size > 1 and full == 255) or kind == "i":
+        bad = np.logical_or.reduce([(column < 0) | (column > full) for column in columns])
+        _refuse_colors(path, bad, f"0..{full}")
+    colors = _stack(columns, np.float32)
+    colors /= np.float32(full)
+    return colors
+
+
+def colors_to_bytes(path: Any, colors: NDArray[Any]) -> NDArray[np.uint8]:
+    """Colours in 0..1 rounded to 8 bits a channel, shape [n, 3].
+
+    Raises:
+        FileError: A colour that is NaN or outside 0..1, with its row.
+    """
+    _refuse_colors(path, _outside(colors), "0..1")
+    return np.rint(np.clip(colors, 0, 1) * np.float32(255)).astype(np.uint8)
+
+
+def own(column: NDArray[Any]) -> NDArray[Any]:
+    """A copy of a column that no longer looks into the file, in the machine's byte order."""
+    return column.astype(column.dtype.newbyteorder("="), order="C", copy=True)
+
+
+def check_type(path: Any, name: str, values: NDArray[Any], allowed: str, remedy: str) -> None:
+    """Hold that a format can store this attribute in its own type.
+
+    Args:
+        path: The file, for errors.
+        name: The attribute.
+        values: The attribute's array.
+        allowed: NumPy type codes such as "i1", separated by blanks.
+        remedy: What the user can do instead.
+
+    Raises:
+        FileError: It cannot.
+    """
+    if f"{values.dtype.kind}{values.dtype.itemsize}" not in allowed.split():
+        raise FileError(path, f"attribute {name!r}: the format has no type for {values.dtype}", remedy=remedy)
+    if values.ndim == 2 and values.shape[1] == 0:
+        raise FileError(path, f"attribute {name!r} has no components", remedy="Leave it out")
+
+
+def check_name(path: Any, name: str) -> None:
+    """Hold that an attribute's name can stand as one word in a header.
+
+    Raises:
+        FileError: It is empty, or holds blanks or anything but printable ASCII.
+    """
+    if not name or not name.isascii() or not name.isprintable() or " " in name:
+        raise FileError(
+            path, f"attribute {name!r} cannot be named in this format", remedy="Use printable ASCII without blanks"
+        )
+
+
+def _outside(colors: NDArray[Any]) -> NDArray[np.bool_]:
+    """Which rows have a channel that is NaN or beyond 0..1, shape [n]."""
+    with np.errstate(invalid="ignore"):
+        inside = (colors >= -COLOR_SLACK) & (colors <= 1 + COLOR_SLACK)
+    return ~inside[:, 0] | ~inside[:, 1] | ~inside[:, 2]
+
+
+def _refuse_colors(path: Any, bad: NDArray[np.bool_], span: str) -> None:
+    if bad.any():
+        raise FileError(
+            path,
+            f"a colour is outside {span}",
+            where=f"row {int(np.flatnonzero(bad)[0])}",
+            remedy=f"Colours are {span} in every channel",
+        )
+
+
+def _stack(columns: Sequence[NDArray[Any]], dtype: Any) -> NDArray[Any]:
+    """Columns side by side; columns that already lie so in the file are copied in one pass."""
+    rows = np.empty((len(columns[0]), len(columns)), dtype)
+    first = columns[0]
+    step = first.dtype.itemsize
+    addresses = [column.__array_interface__["data"][0] for column in columns]
+    beside = all(
+        column.dtype == first.dtype and column.strides == first.strides and address == addresses[0] + k * step
+        for k, (column, address) in enumerate(zip(columns, addresses, strict=True))
+    )
+    if beside and len(first):
+        shape, strides = rows.shape, (*first.strides, step)
+        rows[...] = np.lib.stride_tricks.as_strided(first, shape, strides, writeable=False)
+    else:
+        for k, column in enumerate(columns):
+            rows[:, k] = column
+    return rows

@@ -1,0 +1,1 @@
+"""RGB-D frames of folders, streams and cameras."""

@@ -1,0 +1,349 @@
+"""How 7-Scenes, Redwood and TUM folders name the files of a frame, and which of them belong together.
+
+Each function takes a folder and gives its frames in order of capture. Only names and text files are read here, no
+picture is opened; a frame that lacks a part is an error that names the file, or is left out where `Demand` says so.
+"""
+
+from __future__ import annotations
+
+import bisect
+import dataclasses
+import re
+from collections import Counter
+from collections.abc import Sequence
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...cameras.trajectory import parse_floats, read_lines, read_pose, read_trajectory
+from ...core.errors import DatasetError
+
+# How far apart in time [s] pictures and poses of a TUM folder may be: the bound of the benchmark's own tools.
+TUM_TOLERANCE = 0.02
+
+# The list of the whole frames of a recording (recordings.py): a name and a time, or -, a line.
+FRAME_TIMES = "frame-times.txt"
+
+_SEVEN_SCENES_NAME = re.compile(r"(frame-(\d+))\.(?:(depth)\.png|(color)\.(?:png|jpg|jpeg)|(pose)\.txt)")
+
+
+@dataclasses.dataclass(frozen=True, eq=False)
+class FrameFiles:
+    """Where a frame lies and where its camera was.
+
+    Args:
+        name: Name of the frame within its data set.
+        depth: The depth map.
+        color: The colour picture; None where the data set has none.
+        T_world_camera: Camera to world, shape [4, 4] [m]; None where it is not known.
+        timestamp: When it was taken [s]; None where the data set has no times.
+    """
+
+    name: str
+    depth: Path
+    color: Path | None
+    T_world_camera: NDArray[np.float64] | None
+    timestamp: float | None = None
+
+
+@dataclasses.dataclass(frozen=True)
+class Demand:
+    """What a frame must have.
+
+    Args:
+        poses: "needed" refuses frames without pose, "taken" takes the poses that are there, "ignored" reads none.
+        skip_missing: Leave out frames that lack a part instead of refusing the folder.
+        left_out: What was left out, with the reason; grows while the folder is listed.
+    """
+
+    poses: str = "needed"
+    skip_missing: bool = False
+    left_out: list[str] = dataclasses.field(default_factory=list)
+
+    def miss(self, path: Path, reason: str, remedy: str) -> None:
+        """Refuse the folder for a part of a frame, or leave that frame out."""
+        if not self.skip_missing:
+            raise DatasetError(path, reason, remedy=remedy)
+        self.left_out.append(f"{path.name}: {reason}")
+
+
+def list_seven_scenes(folder: Path, every: int, demand: Demand | None = None) -> list[FrameFiles]:
+    """Frames of a 7-Scenes folder; only the poses of every k-th are read."""
+    demand = demand or Demand()
+    found, numbers = _gather_seven_scenes(folder)
+    times = read_frame_times(folder)
+    if times is not None:
+        for path in (folder / f"{name}.depth.png" for name in times if name not in found):
+            demand.miss(path, f"missing, though {FRAME_TIMES} lists it", f"Bring it back, or take it off {FRAME_TIMES}")
+    parts = {"depth": "png"}
+    if any("color" in there for there in found.values()):
+        parts["color"] = "png or .jpg"
+    if demand.poses == "needed":
+        parts["pose"] = "txt"
+    whole = []
+    for stem in (numbers[number] for number in sorted(numbers)):
+        if times is not None and stem not in times:
+            continue  # a recording that was interrupted: what is not listed is not whole
+        lacking = next((part for part in parts if part not in found[stem]), None)
+        if lacking is None:
+            whole.append(stem)
+            continue
+        there = ", ".join(path.name for path in found[stem].values())
+        remedy = f"Bring it back, or remove {there} to leave the frame out"
+        demand.miss(folder / f"{stem}.{lacking}.{parts[lacking]}", "missing", remedy)
+    frames = []
+    for stem in whole[::every]:
+        pose = found[stem].get("pose") if demand.poses != "ignored" else None
+        T_world_camera = None if pose is None else read_pose(pose)
+        time = None if times is None else times[stem]
+        frames.append(FrameFiles(stem, found[stem]["depth"], found[stem].get("color"), T_world_camera, time))
+    return frames
+
+
+def _gather_seven_scenes(folder: Path) -> tuple[dict[str, dict[str, Path]], dict[int, str]]:
+    """The parts that are there of each frame, and the names of the frames by their numbers."""
+    found: dict[str, dict[str, Path]] = {}
+    numbers: dict[int, str] = {}
+    for entry in sorted(folder.iterdir()):
+        match = _SEVEN_SCENES_NAME.fullmatch(entry.name)
+        if not match:
+            continue
+        stem, number, part = match[1], int(match[2]), match[match.lastindex or 0]
+        if numbers.setdefault(number, stem) != stem:
+            raise DatasetError(entry, f"has the same number as {numbers[number]}", remedy="Keep one of the two")
+        if part in found.setdefault(stem, {}):
+            raise DatasetError(entry, f"is there beside {found[stem][part].name}", remedy="Keep one of the two")
+        found[stem][part] = entry
+    if not found:
+        raise DatasetError(folder, "holds no frame-NNNNNN.depth.png", remedy="Give the folder that holds the frames")
+    return found, numbers
+
+
+def read_frame_times(folder: Path) -> dict[str, float | None] | None:
+    """Name and time [s] of the whole frames of a recording; None where the folder has no such list.
+
+    A last line without its end is one that was being written when the recording was interrupted, and is not read.
+    """
+    path = folder / FRAME_TIMES
+    if not path.is_file():
+        return None
+    times: dict[str, float | None] = {}
+    lines = read_lines(path)
+    if lines and not path.read_bytes().endswith(b"\n"):
+        lines.pop()
+    for number, columns in lines:
+        where = f"line {number}"
+        if len(columns) != 2 or not re.fullmatch(r"frame-\d+", columns[0]):
+            raise DatasetError(path, "expected the name of a frame and its time, or -", where=where)
+        if columns[0] in times:
+            raise DatasetError(path, f"lists {columns[0]} twice", where=where, remedy="Keep one of the two")
+        times[columns[0]] = None if columns[1] == "-" else parse_floats(path, (number, columns[1:]), 1)[0]
+    return times
+
+
+def list_redwood(folder: Path, demand: Demand | None = None) -> list[FrameFiles]:
+    """Frames of a Redwood folder, depth and colour paired by name and poses by the ids of the log."""
+    demand = demand or Demand()
+    depths = _list_pictures(folder / "depth", (".png",))
+    colors = _find_colors(folder, depths, demand)
+    log = folder / "trajectory.log"
+    poses: dict[Path, NDArray[np.float64]] = {}
+    if log.is_file() and demand.poses != "ignored":
+        poses = _pair_poses(folder, log, depths)
+    elif demand.poses == "needed":
+        remedy = "Each depth map needs a pose, camera to world; open_frames takes frames without"
+        raise DatasetError(log, "missing", remedy=remedy)
+    color_of: dict[Path, Path | None] = dict.fromkeys(depths) if colors is None else {**colors}
+    return [FrameFiles(path.stem, path, color, poses.get(path)) for path, color in color_of.items()]
+
+
+def _pair_poses(folder: Path, log: Path, depths: list[Path]) -> dict[Path, NDArray[np.float64]]:
+    """The pose of each depth map, by the ids of the log."""
+    trajectory = read_trajectory(log)
+    assert trajectory.ids is not None
+    if len(trajectory) != len(depths):
+        raise DatasetError(
+            log,
+            f"holds {len(trajectory)} poses for {len(depths)} depth maps in {folder / 'depth'}",
+            remedy="Remove the depth maps without pose, or complete the log: which belong together cannot be told",
+        )
+    ids = trajectory.ids[:, 0].tolist()
+    numbers = [_first_number(path) for path in depths]
+    if ids == list(range(len(ids))):
+        return dict(zip(depths, trajectory.poses, strict=True))
+    if len(set(ids)) == len(ids) and sorted(ids) == sorted(-1 if n is None else n for n in numbers):
+        by_id = dict(zip(ids, trajectory.poses, strict=True))
+        return {path: by_id[n] for path, n in zip(depths, numbers, strict=True) if n is not None}
+    odd = next((i for i in ids if i not in numbers), ids[0])
+    raise DatasetError(
+        log,
+        f"its ids are neither 0 to {len(ids) - 1} nor the numbers of the depth maps; the first odd one is {odd}",
+        remedy="The first number above each pose must name its frame",
+    )
+
+
+def _list_pictures(folder: Path, suffixes: tuple[str, ...]) -> list[Path]:
+    """The pictures of a folder in the order of the numbers in their names; no stem twice, hidden files apart."""
+    if not folder.is_dir():
+        raise DatasetError(folder, "missing", remedy="Give the folder above it, or another layout")
+    paths = [p for p in folder.iterdir() if p.suffix.lower() in suffixes and not p.name.startswith(".")]
+    if not paths:
+        raise DatasetError(folder, f"holds no picture ({' or '.join(suffixes)})", remedy="Put the frames there")
+    paths.sort(key=lambda path: ([int(number) for number in re.findall(r"\d+", path.stem)], path.name))
+    stems: dict[str, Path] = {}
+    for path in paths:
+        if stems.setdefault(path.stem, path) != path:
+            raise DatasetError(path, f"is there beside {stems[path.stem].name}", remedy="Keep one of the two")
+    return paths
+
+
+def _find_colors(folder: Path, depths: list[Path], demand: Demand) -> dict[Path, Path] | None:
+    """The colour picture of each depth map that has one; None where the folder has no colour at all."""
+    folders = [folder / name for name in ("color", "image", "rgb") if (folder / name).is_dir()]
+    if not folders:
+        return None
+    if len(folders) > 1:
+        raise DatasetError(folders[1], f"is there beside {folders[0].name}", remedy="Keep one folder of colour")
+    colors = _list_pictures(folders[0], (".png", ".jpg", ".jpeg"))
+    depth_keys, color_keys = _pairing_keys(depths, colors)
+    by_key = dict(zip(color_keys, colors, strict=True))
+    pairs = {}
+    for key, path in zip(depth_keys, depths, strict=True):
+        if key in by_key:
+            pairs[path] = by_key.pop(key)
+        else:
+            demand.miss(path, f"has no colour picture in {folders[0]}", "Bring it back, or remove this")
+    for path in by_key.values():
+        demand.miss(path, f"has no depth map in {folder / 'depth'}", "Bring it back, or remove this")
+    return pairs
+
+
+def _pairing_keys(depths: list[Path], colors: list[Path]) -> tuple[Sequence[object], Sequence[object]]:
+    """What names a frame on both sides: the stem where they are alike, else the first number where it is unique."""
+    stems = [path.stem for path in depths], [path.stem for path in colors]
+    if set(stems[0]) == set(stems[1]):
+        return stems
+    numbers = [_first_number(path) for path in depths], [_first_number(path) for path in colors]
+    if all(None not in side and len(set(side)) == len(side) for side in numbers):
+        return numbers
+    if set(stems[0]) & set(stems[1]):
+        return stems
+    for side, paths in zip(numbers, (depths, colors), strict=True):
+        counts = Counter(side)
+        for number, path in zip(side, paths, strict=True):
+            if number is None or counts[number] > 1:
+                reason = "cannot be paired: depth and colour have different names, and its first number is not its own"
+                raise DatasetError(path, reason, remedy="Name both alike, such as 00000.png and 00000.jpg")
+    return stems
+
+
+def _first_number(path: Path) -> int | None:
+    match = re.search(r"\d+", path.stem)
+    return int(match[0]) if match else None
+
+
+def list_tum(folder: Path, demand: Demand | None = None) -> tuple[list[FrameFiles], list[str]]:
+    """Frames of a TUM folder by the times in its lists, and what found no partner, with the reason."""
+    demand = demand or Demand()
+    depth_times, depth_names = _read_listing(folder, "depth.txt")
+    truth = folder / "groundtruth.txt"
+    pose_times, poses = [], np.zeros((0, 4, 4))
+    if truth.is_file() and demand.poses != "ignored":
+        pose_times, poses = _read_timed_poses(truth)
+    elif demand.poses == "needed":
+        remedy = "Each depth map needs a pose, camera to world; open_frames takes frames without"
+        raise DatasetError(truth, "missing", remedy=remedy)
+    color_of: dict[int, int] | None = None
+    color_names: list[str] = []
+    if (folder / "rgb.txt").is_file():
+        color_times, color_names = _read_listing(folder, "rgb.txt")
+        color_of = associate(depth_times, color_times, TUM_TOLERANCE)
+    elif (folder / "rgb").is_dir():
+        raise DatasetError(folder / "rgb.txt", "missing, though there is rgb/", remedy="It tells the times of colour")
+    frames, left_out = [], demand.left_out
+    for i, (time, name) in enumerate(zip(depth_times.tolist(), depth_names, strict=True)):
+        T_world_camera, color = _pose_at(pose_times, poses, time), None
+        if T_world_camera is None and demand.poses == "needed":
+            left_out.append(f"{name}: no pose within {TUM_TOLERANCE} s")
+            continue
+        if color_of is not None:
+            if i not in color_of:
+                left_out.append(f"{name}: no colour within {TUM_TOLERANCE} s")
+                continue
+            color = folder / color_names[color_of[i]]
+        frames.append(FrameFiles(Path(name).stem, folder / name, color, T_world_camera, time))
+    if not frames:
+        reason = f"no depth map has a pose and colour within {TUM_TOLERANCE} s; the first: {left_out[0]}"
+        raise DatasetError(folder, reason, remedy="The clocks of depth.txt, rgb.txt and groundtruth.txt must agree")
+    return frames, left_out
+
+
+def _read_timed_poses(truth: Path) -> tuple[list[float], NDArray[np.float64]]:
+    """Times in order and the poses at them."""
+    trajectory = read_trajectory(truth)
+    if trajectory.timestamps is None:
+        raise DatasetError(truth, "has no times", remedy="Expected timestamp tx ty tz qx qy qz qw")
+    order = np.argsort(trajectory.timestamps, kind="stable")
+    return trajectory.timestamps[order].tolist(), trajectory.poses[order]
+
+
+def _pose_at(times: list[float], poses: NDArray[np.float64], time: float) -> NDArray[np.float64] | None:
+    """The pose closest in time, None where none is close."""
+    if not times:
+        return None
+    nearest = _nearest(times, time)
+    return poses[nearest] if abs(times[nearest] - time) < TUM_TOLERANCE else None
+
+
+def associate(first: NDArray[np.float64], second: NDArray[np.float64], tolerance: float) -> dict[int, int]:
+    """Pair two increasing series of times one to one, the closest first, as the TUM benchmark's associate.py does.
+
+    Args:
+        first: Times, shape [n] [s], increasing.
+        second: Times, shape [m] [s], increasing.
+        tolerance: Pairs are less than this apart [s].
+
+    Returns:
+        Index in `second` of those indices in `first` that have a partner.
+    """
+    starts = np.searchsorted(second, first - tolerance, "left")
+    ends = np.searchsorted(second, first + tolerance, "right")
+    candidates = sorted(
+        (abs(float(first[i] - second[j])), i, j) for i in range(len(first)) for j in range(starts[i], ends[i])
+    )
+    pairs: dict[int, int] = {}
+    taken: set[int] = set()
+    for distance, i, j in candidates:
+        if distance < tolerance and i not in pairs and j not in taken:
+            pairs[i] = j
+            taken.add(j)
+    return pairs
+
+
+def _read_listing(folder: Path, name: str) -> tuple[NDArray[np.float64], list[str]]:
+    """Times, in order, and file names of a TUM list, `timestamp filename` a line."""
+    path = folder / name
+    if not path.is_file():
+        raise DatasetError(path, "missing", remedy="It lists the times and names of the pictures")
+    rows = []
+    for number, columns in read_lines(path):
+        (time,) = parse_floats(path, (number, columns[:1]), 1)
+        entry = " ".join(columns[1:])
+        if not entry or Path(entry).is_absolute() or ".." in Path(entry).parts or "\0" in entry:
+            reason = f"expected a time and the name of a picture in the folder, got {' '.join(columns)[:80]!r}"
+            raise DatasetError(path, reason, where=f"line {number}")
+        if rows and time <= rows[-1][0]:
+            raise DatasetError(path, "expected increasing times", where=f"line {number}", remedy="Sort the list")
+        rows.append((time, entry))
+    if not rows:
+        raise DatasetError(path, "lists no picture", remedy="Fetch the data set again")
+    return np.array([time for time, _ in rows]), [entry for _, entry in rows]
+
+
+def _nearest(times: list[float], time: float) -> int:
+    """Index of the increasing time closest to another, the earlier of two equally close."""
+    after = bisect.bisect_left(times, time)
+    if after == len(times) or (after and time - times[after - 1] <= times[after] - time):
+        return after - 1
+    return after

@@ -1,0 +1,388 @@
+"""Folders of RGB-D frames, with poses or without: 7-Scenes, Redwood / Open3D, TUM, and pictures side by side.
+
+Opening a folder checks everything that can be known without decoding a picture: which files belong together, that
+each has its partner, the poses, and the sizes in the picture headers (about 0.05 ms a file). What does not fit is an
+error that names the file; no frame is made up, and what was left out on purpose is listed in `left_out`.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import os
+import re
+from collections.abc import Iterator
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...cameras.camera import PinholeCameraIntrinsic
+from ...core.checks import check_count, check_name, check_positive
+from ...core.errors import DatasetError, FileError
+from ..pictures.image_files import (
+    PictureHeader,
+    check_color_header,
+    check_depth_header,
+    read_color,
+    read_depth,
+    read_picture_header,
+    resize_color,
+)
+from .dataset_camera import FoundCamera, doubted, find_camera
+from .dataset_layouts import Demand, FrameFiles, list_redwood, list_seven_scenes, list_tum
+from .dataset_pictures import holds_pictures, list_pictures
+from .frame_times import TimeWatch
+
+LAYOUTS = ("7scenes", "redwood", "tum")
+
+# Depth units a metre. TUM stores fifths of a millimetre, the others millimetres.
+_DEPTH_SCALES = {"7scenes": 1000.0, "redwood": 1000.0, "tum": 5000.0}
+
+# 7-Scenes marks pixels without measurement with the largest value; read as metres they would be a wall at 65.5 m.
+_SEVEN_SCENES_INVALID = 65535
+
+
+@dataclasses.dataclass(frozen=True, eq=False)
+class Frame:
+    """A frame in memory.
+
+    Args:
+        depth: Shape [h, w]; 0 where nothing was measured, else metres times the source's `depth_scale` in uint16, or
+            metres in float32.
+        color: Shape [h, w, 3], uint8 RGB; None where there is none.
+        T_world_camera: Camera to world, shape [4, 4] [m]: the truth; None where it is not known.
+        name: Name of the frame within its source.
+        timestamp: When it was taken [s]; None where the source has no times.
+    """
+
+    depth: NDArray[np.uint16] | NDArray[np.float32]
+    color: NDArray[np.uint8] | None
+    T_world_camera: NDArray[np.float64] | None
+    name: str
+    timestamp: float | None = None
+
+
+@dataclasses.dataclass(frozen=True, eq=False)
+class RGBDDataset:
+    """RGB-D frames in a folder, checked by `open_dataset` or `open_frames` and decoded one at a time.
+
+    Args:
+        folder: Where they lie.
+        layout: "7scenes", "redwood", "tum" or "pictures".
+        intrinsic: The camera of both pictures, which are taken as registered to each other.
+        depth_scale: Stored depth of one metre.
+        frames: The files, in order of capture.
+        left_out: What was not taken, with the reason: what a TUM folder holds without partner in time, and with
+            `skip_missing` frames that lack a part.
+        intrinsic_source: Where the camera was found.
+        intrinsic_doubt: Why it may be that of other pictures; empty where nothing speaks against it.
+        resize_color: Colour may have another size and is brought to that of depth.
+    """
+
+    folder: Path
+    layout: str
+    intrinsic: PinholeCameraIntrinsic
+    depth_scale: float
+    frames: list[FrameFiles]
+    left_out: list[str] = dataclasses.field(default_factory=list)
+    intrinsic_source: str = ""
+    intrinsic_doubt: str = ""
+    resize_color: bool = False
+
+    def __len__(self) -> int:
+        return len(self.frames)
+
+    def __iter__(self) -> Iterator[Frame]:
+        return (self.read(i) for i in range(len(self)))
+
+    @property
+    def remarks(self) -> list[str]:
+        """Time stamps that stand still, go back or jump, each naming its frame."""
+        watch = TimeWatch()
+        for files in self.frames:
+            watch.see(files.name, files.timestamp)
+        return watch.remarks
+
+    def read(self, index: int) -> Frame:
+        """Decode a frame; a negative index counts from the end.
+
+        The 65535 with which 7-Scenes marks missing depth is turned into 0; nothing else is changed.
+
+        Raises:
+            IndexError: No such frame.
+            FileError: A picture that is damaged or has changed since the folder was opened.
+        """
+        files = self.frames[index]
+        depth = read_depth(files.depth)
+        color = None if files.color is None else read_color(files.color)
+        size = (self.intrinsic.height, self.intrinsic.width)
+        if color is not None and self.resize_color and color.shape[:2] != size:
+            color = resize_color(color, size, str(files.color))
+        for path, picture in ((files.depth, depth), (files.color, color)):
+            if picture is not None and picture.shape[:2] != size:
+                raise FileError(str(path), "has changed its size since the folder was opened", remedy="Open it again")
+        if depth.dtype != np.uint16:
+            raise FileError(files.depth, "is no 16-bit PNG any more", remedy="Open the folder again")
+        if self.layout == "7scenes":
+            depth[depth == _SEVEN_SCENES_INVALID] = 0
+        return Frame(depth, color, files.T_world_camera, files.name, files.timestamp)
+
+
+def open_dataset(
+    folder: str | os.PathLike[str],
+    *,
+    layout: str = "auto",
+    intrinsic: PinholeCameraIntrinsic | None = None,
+    every: int = 1,
+) -> RGBDDataset:
+    """Open a folder of posed RGB-D frames.
+
+    - `7scenes`: `frame-NNNNNN.depth.png`, `.pose.txt` and, for all frames or none, `.color.png` or `.color.jpg`. The
+      numbers need not follow each other. Millimetres; f 585, c (320, 240).
+    - `redwood`: `depth/`, `trajectory.log` and, if there is colour, one of `color/`, `image/`, `rgb/`. Depth and
+      colour pair by equal names or, where those differ, by the first number in them. As many poses as depth maps:
+      first ids 0..n-1 give poses by order, ids equal to the numbers in the names give them by number, and anything
+      else is refused. Millimetres; PrimeSense intrinsic.
+    - `tum`: `depth.txt`, `groundtruth.txt` and, if there is colour, `rgb.txt`. Depth and colour pair one to one, the
+      closest in time first, less than 0.02 s apart; each pair takes the pose closest in time to its depth map, less
+      than 0.02 s away and not interpolated. Depth maps that find no partner are left out and listed in `left_out`, as
+      every real sequence has some. Depth times 5000; f 525, c (319.5, 239.5).
+
+    The camera is, in this order: `intrinsic`; one of camera-intrinsics.json, camera.json, camera_intrinsic.json,
+    intrinsic.json in the folder (whose `depth_scale`, if any, holds too); camera-intrinsics.txt (as in 7-Scenes and
+    3DMatch), intrinsics.K.txt, intrinsics.txt or K.txt, a 3x3 matrix, in the folder or above a folder `seq-NN`; the
+    default of the layout. `intrinsic_source` says which it was, `intrinsic_doubt` what speaks against it: a principal
+    point far from the middle, a field of view that no such camera has, another file that looks like a camera's.
+
+    Args:
+        folder: The folder.
+        layout: "7scenes", "redwood", "tum", or "auto" to tell from the files present.
+        intrinsic: The camera, if it is another than the folder says.
+        every: Take every k-th frame, beginning with the first.
+
+    Raises:
+        ValueError: An unknown layout.
+        DatasetError: An unknown, ambiguous, empty or incomplete folder; sizes that disagree; `every` below 1.
+        FileError: A file that cannot be read, or a pose that is not rigid.
+
+    Example:
+        >>> import numpy as np, pointloom as loom
+        >>> from pathlib import Path
+        >>> from PIL import Image
+        >>> Path("scans").mkdir()
+        >>> Image.fromarray(np.full((480, 640), 1000, np.uint16)).save("scans/frame-000000.depth.png")
+        >>> np.savetxt("scans/frame-000000.pose.txt", np.eye(4))
+        >>> frames = loom.open_dataset("scans")
+        >>> len(frames), frames.layout, frames.read(0).depth.shape
+        (1, '7scenes', (480, 640))
+    """
+    if check_name("layout", layout) not in ("auto", *LAYOUTS):
+        raise ValueError(f"layout: expected 'auto' or one of {LAYOUTS}, got {layout!r}")
+    folder, every = _check_folder(folder), _check_every(folder, every)
+    chosen = _detect_layout(folder, _layout_marks(folder)) if layout == "auto" else layout
+    return _open(folder, chosen, intrinsic, None, every, Demand(), False)
+
+
+def open_frames(
+    folder: str | os.PathLike[str],
+    *,
+    layout: str = "auto",
+    intrinsic: PinholeCameraIntrinsic | None = None,
+    every: int = 1,
+    depth_scale: float | None = None,
+    poses: bool = True,
+    skip_missing: bool = False,
+    resize_color: bool = False,
+) -> RGBDDataset:
+    """Open a folder of RGB-D frames, whether or not their poses are known.
+
+    The layouts of `open_dataset` where the poses may be missing, all or some; frames without one have
+    `T_world_camera` None. And `pictures`, any folder in which depth and colour lie side by side and one word tells them
+    apart, such as `1.png` and `1_depth.png`, or `img_prev.png`, `dep_prev.png` and `pose_prev.txt` (a matrix, or
+    tx ty tz qx qy qz qw); its camera and its depth scale must be given, as nothing tells them.
+
+    Args:
+        folder: The folder.
+        layout: "7scenes", "redwood", "tum", "pictures", or "auto" to tell from the files present.
+        intrinsic: The camera, if it is another than the folder says.
+        every: Take every k-th frame, beginning with the first.
+        depth_scale: Stored depth of one metre, if it is another than the folder says.
+        poses: Take the poses that lie beside the frames; False does not open them.
+        skip_missing: Leave out frames that lack a picture, each named in `left_out`, instead of refusing the folder.
+        resize_color: Bring colour of another size to that of depth; the two must show the same view.
+
+    Raises:
+        ValueError: An unknown layout; a depth scale that is not positive.
+        DatasetError: An unknown, ambiguous, empty or incomplete folder; sizes that disagree; `every` below 1.
+        FileError: A file that cannot be read, or a pose that is not rigid.
+
+    Example:
+        >>> import numpy as np, pointloom as loom
+        >>> from pathlib import Path
+        >>> from PIL import Image
+        >>> Path("walk").mkdir()
+        >>> Image.fromarray(np.full((480, 640), 1000, np.uint16)).save("walk/frame-000000.depth.png")
+        >>> frames = loom.open_frames("walk")
+        >>> [(frame.name, frame.T_world_camera) for frame in frames]
+        [('frame-000000', None)]
+    """
+    if check_name("layout", layout) not in ("auto", *LAYOUTS, "pictures"):
+        raise ValueError(f"layout: expected 'auto' or one of {(*LAYOUTS, 'pictures')}, got {layout!r}")
+    scale = None if depth_scale is None else check_positive("depth_scale", depth_scale)
+    folder, every = _check_folder(folder), _check_every(folder, every)
+    chosen = _detect_loosely(folder) if layout == "auto" else layout
+    demand = Demand("taken" if poses else "ignored", bool(skip_missing))
+    return _open(folder, chosen, intrinsic, scale, every, demand, bool(resize_color))
+
+
+def _check_folder(folder: str | os.PathLike[str]) -> Path:
+    folder = Path(folder)
+    if not folder.is_dir():
+        reason = "is not a folder" if folder.exists() else "does not exist"
+        raise DatasetError(folder, reason, remedy="Give the folder that holds the frames")
+    if not os.access(folder, os.R_OK | os.X_OK):
+        raise DatasetError(folder, "may not be read", remedy="Change its permissions")
+    return folder
+
+
+def _check_every(folder: str | os.PathLike[str], every: int) -> int:
+    try:
+        return check_count("every", every)
+    except (TypeError, ValueError) as error:
+        raise DatasetError(folder, str(error), remedy="1 takes all frames, 5 every fifth") from error
+
+
+def _open(
+    folder: Path,
+    layout: str,
+    intrinsic: PinholeCameraIntrinsic | None,
+    depth_scale: float | None,
+    every: int,
+    demand: Demand,
+    resize: bool,
+) -> RGBDDataset:
+    """A folder of known layout."""
+    if layout == "7scenes":
+        frames = list_seven_scenes(folder, every, demand)
+    elif layout == "redwood":
+        frames = list_redwood(folder, demand)[::every]
+    elif layout == "tum":
+        frames = list_tum(folder, demand)[0][::every]
+    else:
+        frames = list_pictures(folder, demand)[::every]
+    frames = [frame for frame in frames if _is_whole(frame, demand)]
+    size = _check_headers(folder, frames, resize)
+    if intrinsic is None:
+        found = find_camera(folder, layout, size, _DEPTH_SCALES.get(layout, 0.0))
+    else:
+        found = doubted(FoundCamera(intrinsic, "the intrinsic given", _DEPTH_SCALES.get(layout, 0.0)))
+    camera, scale = found.intrinsic, depth_scale or found.depth_scale
+    if not scale:
+        remedy = "Give depth_scale=: 1000 for millimetres, 5000 for pictures of the TUM benchmark"
+        raise DatasetError(folder, "nothing tells the unit of its depth maps", remedy=remedy)
+    if (camera.width, camera.height) != size:
+        raise DatasetError(
+            frames[0].depth,
+            f"is {size[0]} x {size[1]}, but {found.source} is for {camera.width} x {camera.height}",
+            remedy="Give intrinsic= of these pictures; intrinsic.scaled(factor) fits one to resized pictures",
+        )
+    return RGBDDataset(folder, layout, camera, scale, frames, demand.left_out, found.source, found.doubt, resize)
+
+
+def _is_whole(frame: FrameFiles, demand: Demand) -> bool:
+    """Whether all pictures of a frame are there, which a list of names does not tell."""
+    for path in (frame.depth, frame.color):
+        if path is not None and not path.is_file():
+            demand.miss(path, "missing", "Bring it back, or take it off the list")
+            return False
+    return True
+
+
+def _detect_loosely(folder: Path) -> str:
+    """The layout of a folder that need not hold poses; with poses it is as `open_dataset` tells it."""
+    marks = _layout_marks(folder)
+    if any(all(found.values()) for found in marks.values()):
+        return _detect_layout(folder, marks)
+    layout = _layout_without_poses(folder, marks)
+    if layout is not None:
+        return layout
+    marks["redwood"].pop("trajectory.log")
+    marks["tum"].pop("groundtruth.txt")
+    return _detect_layout(folder, {**marks, "pictures": {"a PNG with depth in its name": False}})
+
+
+def _layout_without_poses(folder: Path, marks: dict[str, dict[str, bool]]) -> str | None:
+    if marks["tum"]["depth.txt"]:
+        return "tum"
+    if marks["redwood"]["depth/"]:
+        return "redwood"
+    return "pictures" if holds_pictures(folder) else None
+
+
+def _detect_layout(folder: Path, looked: dict[str, dict[str, bool]]) -> str:
+    """The one layout whose files are present."""
+    found = [layout for layout, marks in looked.items() if all(marks.values())]
+    if len(found) == 1:
+        return found[0]
+    if found:
+        remedy = f"Say which with layout=, one of {', '.join(found)}"
+        raise DatasetError(folder, f"ambiguous: holds the files of {' and '.join(found)}", remedy=remedy)
+    state = {True: "found", False: "missing"}
+    sought = "; ".join(
+        f"{layout}: {', '.join(f'{mark} ({state[there]})' for mark, there in marks.items())}"
+        for layout, marks in looked.items()
+    )
+    known = holds_frames if "pictures" in looked else is_dataset
+    inner = next((d for d in sorted(folder.iterdir()) if d.is_dir() and known(d)), None)
+    remedy = f"Did you mean {inner}?" if inner else "Give the folder that holds these files, or convert to one of them"
+    raise DatasetError(folder, f"no known layout. Looked for {sought}", remedy=remedy)
+
+
+def _layout_marks(folder: Path) -> dict[str, dict[str, bool]]:
+    depth_maps = any(re.fullmatch(r"frame-\d+\.depth\.png", entry.name) for entry in folder.iterdir())
+    names = ("depth.txt", "groundtruth.txt")
+    return {
+        "7scenes": {"frame-NNNNNN.depth.png": depth_maps},
+        "redwood": {"depth/": (folder / "depth").is_dir(), "trajectory.log": (folder / "trajectory.log").is_file()},
+        "tum": {name: (folder / name).is_file() for name in names},
+    }
+
+
+def is_dataset(folder: Path) -> bool:
+    """Whether a folder holds the files that mark a layout."""
+    try:
+        return any(all(marks.values()) for marks in _layout_marks(folder).values())
+    except OSError:
+        return False
+
+
+def holds_frames(folder: Path) -> bool:
+    """Whether a folder holds the files that mark a layout, poses apart."""
+    try:
+        return is_dataset(folder) or _layout_without_poses(folder, _layout_marks(folder)) is not None
+    except OSError:
+        return False
+
+
+def _check_headers(folder: Path, frames: list[FrameFiles], resize: bool) -> tuple[int, int]:
+    """Width and height of all pictures, which must agree; colour need only agree with itself where it is resized."""
+    sizes: dict[str, tuple[Path, PictureHeader]] = {}
+    for frame in frames:
+        for kind, path, check in (
+            ("depth", frame.depth, check_depth_header),
+            ("color" if resize else "depth", frame.color, check_color_header),
+        ):
+            if path is None:
+                continue
+            header = read_picture_header(path)
+            check(path, header)
+            first_path, first = sizes.setdefault(kind, (path, header))
+            if (header.width, header.height) != (first.width, first.height):
+                first_size = f"{first_path} is {first.width} x {first.height}"
+                remedy = "Depth and colour must be registered, pixel for pixel"
+                if path == frame.color and not resize:
+                    remedy += "; open_frames takes colour of another size with resize_color=True"
+                raise DatasetError(path, f"is {header.width} x {header.height}, but {first_size}", remedy=remedy)
+    if not sizes:
+        raise DatasetError(folder, "holds no frame", remedy="Give the folder that holds the frames")
+    return sizes["depth"][1].width, sizes["depth"][1].height

@@ -1,0 +1,62 @@
+"""What a frame from outside must be before anything is computed from it."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...cameras.camera import PinholeCameraIntrinsic
+from ...core.checks import check_number, check_numeric, check_rigid
+from ..pictures.image_files import resize_color
+from .datasets import Frame
+
+
+def checked_frame(frame: Frame, intrinsic: PinholeCameraIntrinsic, *, resize: bool = False) -> Frame:
+    """The same frame in memory of its own, or an error that names it and says what is wrong.
+
+    Args:
+        frame: Depth and colour as they came.
+        intrinsic: The camera, whose size both pictures must have.
+        resize: Bring colour of another size to that of depth.
+
+    Raises:
+        TypeError: Depth that is neither uint16 nor float32, colour that is no uint8.
+        ValueError: Another shape; a pose that is no rigid motion; a time that is no number.
+    """
+    size = (intrinsic.height, intrinsic.width)
+    depth = _check_depth(f"{frame.name}: depth", frame.depth, size)
+    color = None if frame.color is None else _check_color(f"{frame.name}: color", frame.color, size, resize)
+    pose, time = frame.T_world_camera, frame.timestamp
+    pose = None if pose is None else check_rigid(f"{frame.name}: T_world_camera", pose)
+    return Frame(
+        depth, color, pose, frame.name, None if time is None else check_number(f"{frame.name}: timestamp", time)
+    )
+
+
+def _check_depth(name: str, depth: Any, size: tuple[int, int]) -> NDArray[np.uint16] | NDArray[np.float32]:
+    values = check_numeric(name, depth)
+    if values.dtype.kind not in "uf" or values.dtype.itemsize != {"u": 2, "f": 4}[values.dtype.kind]:
+        eight = values.dtype.itemsize == 1
+        remedy = "8-bit pictures are for viewing and hold no depth" if eight else "convert it with .astype"
+        raise TypeError(f"{name}: expected uint16, or float32 metres, got {values.dtype}; {remedy}")
+    if values.shape != size:
+        raise ValueError(f"{name}: expected shape {list(size)}, as the intrinsic says, got {list(values.shape)}")
+    return np.array(values, np.uint16) if values.dtype.kind == "u" else np.array(values, np.float32)
+
+
+def _check_color(name: str, color: Any, size: tuple[int, int], resize: bool) -> NDArray[np.uint8]:
+    values = check_numeric(name, color)
+    if values.dtype != np.uint8:
+        raise TypeError(f"{name}: expected uint8, 0 to 255, got {values.dtype}")
+    if values.ndim != 3 or values.shape[2] != 3 or 0 in values.shape:
+        raise ValueError(f"{name}: expected RGB of shape [{size[0]}, {size[1]}, 3], got {list(values.shape)}")
+    if values.shape[:2] == size:
+        return np.array(values)
+    if not resize:
+        raise ValueError(
+            f"{name}: is {values.shape[1]} x {values.shape[0]}, depth {size[1]} x {size[0]}; both must show the same "
+            "view, pixel for pixel. Where only the size differs, resize_color=True brings colour to that of depth"
+        )
+    return resize_color(values, size, name)

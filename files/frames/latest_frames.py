@@ -1,0 +1,134 @@
+"""The newest frame of a source that is faster than the job."""
+
+from __future__ import annotations
+
+import contextvars
+import threading
+from collections.abc import Iterator
+
+from ...cameras.camera import PinholeCameraIntrinsic
+from ...core.checks import check_positive
+from .datasets import Frame
+from .rgbd_sources import RGBDSource
+
+
+class LatestFrames:
+    """The newest frame of a source each time one is asked for; those between are dropped and counted.
+
+    A thread reads the source and keeps one frame, so that memory is bounded however slow the job is. An error of the
+    source is raised after the frames before it. Leaving the loop, an error in it or Ctrl-C end the thread once the
+    frame it waits for has come; `close` and a `with` block do so too, and close the source if it can be.
+
+    Args:
+        source: What gives the frames; it may be iterated once.
+
+    Raises:
+        TypeError: No source of frames.
+
+    Example:
+        >>> import numpy as np, pointloom as loom
+        >>> camera = loom.PinholeCameraIntrinsic(64, 48, 60.0, 60.0, 31.5, 23.5)
+        >>> pictures = ((None, np.full((48, 64), 1000, np.uint16)) for _ in range(50))
+        >>> with loom.LatestFrames(loom.frames_from(pictures, camera)) as latest:
+        ...     taken = sum(1 for frame in latest)
+        >>> taken + latest.dropped
+        50
+    """
+
+    def __init__(self, source: RGBDSource):
+        if not isinstance(source, RGBDSource):
+            kind = type(source).__name__
+            raise TypeError(f"source: expected an RGBDSource (intrinsic, depth_scale, iteration), got {kind}")
+        self._source, self._changed = source, threading.Condition()
+        self._newest: Frame | None = None
+        self._error: BaseException | None = None
+        self._thread: threading.Thread | None = None
+        self._ended = self._closed = False
+        self._dropped = 0
+
+    @property
+    def intrinsic(self) -> PinholeCameraIntrinsic:
+        """The camera of all frames."""
+        return self._source.intrinsic
+
+    @property
+    def depth_scale(self) -> float:
+        """Stored depth of one metre where depth is stored in whole numbers."""
+        return self._source.depth_scale
+
+    @property
+    def dropped(self) -> int:
+        """Frames that came and were replaced by newer ones, and those that the source itself counted as dropped."""
+        with self._changed:
+            return self._dropped + getattr(self._source, "dropped", 0)
+
+    @property
+    def remarks(self) -> list[str]:
+        """What the source noticed, and how many frames were dropped, if any."""
+        said = list(getattr(self._source, "remarks", []))
+        return (
+            [*said, f"{self._dropped} frames dropped: newer ones came before they were taken"]
+            if self._dropped
+            else said
+        )
+
+    def __enter__(self) -> LatestFrames:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.close()
+
+    def __iter__(self) -> Iterator[Frame]:
+        if self._thread is not None:
+            raise ValueError("source: its frames are read once, and a loop over them has begun already")
+        context = contextvars.copy_context()  # which compiler the caller chose holds in the thread too
+        self._thread = threading.Thread(target=context.run, args=(self._read,), name="pointloom-latest", daemon=True)
+        self._thread.start()
+        return self._take()
+
+    def _take(self) -> Iterator[Frame]:
+        try:
+            while True:
+                with self._changed:
+                    self._changed.wait_for(lambda: self._newest is not None or self._ended or self._closed)
+                    frame, self._newest = self._newest, None
+                if frame is None:
+                    break
+                yield frame
+            if self._error is not None:
+                raise self._error
+        finally:
+            self.close()
+
+    def _read(self) -> None:
+        try:
+            frames = iter(self._source)
+            for frame in frames:
+                with self._changed:
+                    if self._closed:
+                        break
+                    self._dropped += self._newest is not None
+                    self._newest = frame
+                    self._changed.notify_all()
+        except BaseException as error:  # raised again where the frames are taken
+            self._error = error
+        finally:
+            with self._changed:
+                self._ended = True
+                self._changed.notify_all()
+
+    def close(self, timeout: float = 10.0) -> None:
+        """End the thread, once the frame that it waits for has come, and close the source if it has `close`.
+
+        Args:
+            timeout: How long to wait for that [s]; the thread ends with the process at the latest.
+        """
+        timeout = check_positive("timeout", timeout, allow_zero=True, maximum=threading.TIMEOUT_MAX)
+        with self._changed:
+            self._closed, self._newest = True, None
+            self._changed.notify_all()
+        if self._thread is not None and self._thread is not threading.current_thread():
+            self._thread.join(timeout)
+        close = getattr(self._source, "close", None)
+        if callable(close) and (self._thread is None or not self._thread.is_alive()):
+            close()

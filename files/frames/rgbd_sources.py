@@ -1,0 +1,125 @@
+"""What gives RGB-D frames one after another: a folder, a generator, a camera."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from typing import Any, Protocol, runtime_checkable
+
+from ...cameras.camera import PinholeCameraIntrinsic
+from ...core.checks import check_positive, shown
+from .datasets import Frame
+from .frame_checks import checked_frame
+from .frame_times import TimeWatch
+
+
+@runtime_checkable
+class RGBDSource(Protocol):
+    """RGB-D frames of one camera, in order of capture; a source that knows how many has a length too.
+
+    Sources that lose frames on purpose or notice something say so: `dropped` counts, `remarks` lists.
+
+    Example:
+        >>> import numpy as np, pointloom as loom
+        >>> camera = loom.PinholeCameraIntrinsic(64, 48, 60.0, 60.0, 31.5, 23.5)
+        >>> pictures = [(np.zeros((48, 64, 3), np.uint8), np.full((48, 64), 1500, np.uint16))] * 2
+        >>> source = loom.frames_from(pictures, camera)
+        >>> isinstance(source, loom.RGBDSource), len(list(source))
+        (True, 2)
+    """
+
+    @property
+    def intrinsic(self) -> PinholeCameraIntrinsic:
+        """The camera of all frames, for depth and colour."""
+        ...
+
+    @property
+    def depth_scale(self) -> float:
+        """Stored depth of one metre where depth is stored in whole numbers; float32 depth is in metres."""
+        ...
+
+    def __iter__(self) -> Iterator[Frame]: ...
+
+
+class FrameStream:
+    """Frames made of pictures in memory, each checked when its turn comes; see `frames_from`.
+
+    Attributes:
+        intrinsic: The camera of all frames.
+        depth_scale: Stored depth of one metre where depth is stored in whole numbers.
+    """
+
+    def __init__(self, items: Iterable[Any], intrinsic: PinholeCameraIntrinsic, depth_scale: float, resize: bool):
+        self.intrinsic, self.depth_scale = intrinsic, depth_scale
+        self._items, self._resize, self._watch, self._begun = items, resize, TimeWatch(), False
+
+    def __iter__(self) -> Iterator[Frame]:
+        iterator = iter(self._items)
+        if self._begun and iterator is self._items:
+            raise ValueError("frames: a generator gives its frames once, and these were taken already")
+        self._begun, self._watch = True, TimeWatch()
+        return self._check(iterator)
+
+    def _check(self, iterator: Iterator[Any]) -> Iterator[Frame]:
+        for i, item in enumerate(iterator):
+            frame = checked_frame(_frame_of(item, f"frame-{i:06d}"), self.intrinsic, resize=self._resize)
+            self._watch.see(frame.name, frame.timestamp)
+            yield frame
+
+    @property
+    def remarks(self) -> list[str]:
+        """Time stamps that stood still, went back or jumped in the frames so far, each naming its frame."""
+        return list(self._watch.remarks)
+
+
+class CountedFrameStream(FrameStream):
+    """A stream of pictures whose number is known."""
+
+    def __len__(self) -> int:
+        return len(self._items)  # type: ignore[arg-type]
+
+
+def frames_from(
+    frames: Iterable[Any], intrinsic: PinholeCameraIntrinsic, *, depth_scale: float = 1000.0, resize_color: bool = False
+) -> FrameStream:
+    """RGB-D frames of pictures in memory: a list, a generator, a camera's own loop.
+
+    Args:
+        frames: Each is (color, depth) or (color, depth, time in seconds), or has `color` and `depth` and, if it likes,
+            `T_world_camera`, `timestamp` and `name`. Depth is uint16 or float32 metres, shape [h, w], 0 where nothing
+            was measured; colour uint8 RGB, shape [h, w, 3], or None. The two show the same view, pixel for pixel.
+        intrinsic: The camera.
+        depth_scale: Units a metre of depth in whole numbers.
+        resize_color: Bring colour of another size to that of depth; the view must be the same.
+
+    Returns:
+        A source. It copies each frame when its turn comes and keeps none; `remarks` tells of time stamps that jump.
+
+    Raises:
+        TypeError: No iterable, no camera; while iterating, depth of 8 bits or another type, named by its frame.
+        ValueError: A scale that is not positive; while iterating, sizes that differ, named by their frame.
+
+    Example:
+        >>> import numpy as np, pointloom as loom
+        >>> camera = loom.PinholeCameraIntrinsic(64, 48, 60.0, 60.0, 31.5, 23.5)
+        >>> pictures = [(None, np.full((48, 64), 1000 + i, np.uint16), 0.1 * i) for i in range(2)]
+        >>> [(f.name, f.timestamp) for f in loom.frames_from(pictures, camera)]
+        [('frame-000000', 0.0), ('frame-000001', 0.1)]
+    """
+    if isinstance(frames, str | bytes | dict) or not hasattr(frames, "__iter__"):
+        raise TypeError(f"frames: expected pairs of colour and depth to iterate over, got {shown(frames)}")
+    if not isinstance(intrinsic, PinholeCameraIntrinsic):
+        raise TypeError(f"intrinsic: expected a PinholeCameraIntrinsic, got {type(intrinsic).__name__}")
+    kind = CountedFrameStream if hasattr(frames, "__len__") else FrameStream
+    return kind(frames, intrinsic, check_positive("depth_scale", depth_scale), bool(resize_color))
+
+
+def _frame_of(item: Any, name: str) -> Frame:
+    """Colour and depth in whatever form, not looked at yet."""
+    if isinstance(item, tuple | list):
+        if len(item) not in (2, 3):
+            raise ValueError(f"{name}: expected (color, depth) or (color, depth, time), got {len(item)} values")
+        return Frame(item[1], item[0], None, name, item[2] if len(item) == 3 else None)
+    if not hasattr(item, "depth") or not hasattr(item, "color"):
+        raise TypeError(f"{name}: expected (color, depth) or what has color and depth, got {type(item).__name__}")
+    own, pose, time = (getattr(item, attribute, None) for attribute in ("name", "T_world_camera", "timestamp"))
+    return Frame(item.depth, item.color, pose, own if isinstance(own, str) else name, time)

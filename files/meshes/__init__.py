@@ -1,0 +1,1 @@
+"""Formats of triangle meshes: OBJ, STL, OFF, GLB; and any file by its extension."""

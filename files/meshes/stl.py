@@ -1,0 +1,156 @@
+"""STL: triangles alone, each with its own corners and facet normal in float32. Written is the binary form.
+
+Read are both forms. Corners at exactly the same place become one vertex; facet normals, which the corners tell, names
+and the two bytes that some programs put colours into are left behind.
+
+Not held: which triangles share a vertex, float64 positions (rounded), vertex normals (left out: the format stores facet
+normals, which are computed from the corners), colours, attributes and textures (refused).
+
+Source: 3D Systems, "StereoLithography Interface Specification" (1989).
+"""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...core.atomic import atomic_write, check_writable
+from ...core.errors import FileError
+from ..ascii_rows import CHUNK_ROWS, AsciiRows
+from ..source import Source, open_source
+from ..table import MeshTable
+
+_FACET = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attribute_bytes", "<u2")])
+
+# Must not begin with "solid", by which readers tell the text form.
+_HEADER = b"binary STL written by pointloom".ljust(80)
+_HEADER_BYTES = 84
+
+# The lines of a facet in the text form: the words that each begins with, and how many numbers follow.
+_LINES = (
+    (b"facet normal", 3), (b"outer loop", 0),
+    (b"vertex", 3), (b"vertex", 3), (b"vertex", 3),
+    (b"endloop", 0), (b"endfacet", 0),
+)  # fmt: skip
+
+
+def read_stl(path: str | os.PathLike[str]) -> MeshTable:
+    """Read a triangle mesh from STL, binary or text.
+
+    Returns:
+        The mesh; vertices in the order in which the facets name them first, float32 of the binary form and float64 of
+        the text. Facets without area are kept.
+
+    Raises:
+        FileError: Missing, neither form, a size that does not fit the number of facets, a line that is not what the
+            text form has there, or a corner that is not finite; says where.
+    """
+    path = Path(path)
+    source = open_source(path)
+    count = int.from_bytes(source[80:_HEADER_BYTES], "little")
+    if len(source) >= _HEADER_BYTES and len(source) == _HEADER_BYTES + count * _FACET.itemsize:
+        corners = np.frombuffer(source, _FACET, count, _HEADER_BYTES)["corners"].reshape(-1, 3).astype(np.float32)
+    elif source[:80].lstrip()[:5].lower() == b"solid":  # some binary files begin so too, but have the right size
+        corners = _read_text_corners(path, source)
+    else:
+        raise _wrong_size(path, source, count)
+    wild = np.flatnonzero(~np.isfinite(corners).all(axis=1))
+    if len(wild):
+        raise FileError(path, "a corner is not finite", where=f"triangle {int(wild[0]) // 3}")
+    vertices, triangles = _merge(corners)
+    return MeshTable(vertices, triangles.reshape(-1, 3)).checked()
+
+
+def _wrong_size(path: Path, source: Source, count: int) -> FileError:
+    if len(source) < _HEADER_BYTES:
+        reason = "is no STL: neither text, which begins with solid, nor long enough for the binary form"
+        return FileError(path, reason, where=f"byte {len(source)}")
+    expected = _HEADER_BYTES + count * _FACET.itemsize
+    reason = f"{len(source)} bytes, but the {count} facets that it declares take {expected}"
+    return FileError(path, reason, where=f"byte {min(len(source), expected)}", remedy="The file may be cut off")
+
+
+def _read_text_corners(path: Path, source: Source) -> NDArray[np.float64]:
+    """The corners of the text form, shape [3 t, 3], every line held against what the form has there."""
+    body = bytes(source[:])
+    lines = body.replace(b"\r\n", b"\n").replace(b"\r", b"\n").split(b"\n")
+    numbers, place, is_open = [b""] * len(lines), 0, False
+    for k, line in enumerate(lines):
+        words = line.split()
+        if not words:
+            continue
+        word = words[0].lower()
+        if place == 0 and word in (b"solid", b"endsolid") and is_open == (word == b"endsolid"):
+            is_open = not is_open
+            continue
+        begin, count = _LINES[place]
+        named = begin.split()
+        right = is_open and [w.lower() for w in words[: len(named)]] == named and len(words) == len(named) + count
+        if not right:
+            expected = begin.decode() + " and three numbers" * (count > 0) if is_open else "solid"
+            shown = line.strip()[:40].decode("ascii", "backslashreplace")
+            raise FileError(path, f"expected {expected}, found {shown!r}", where=f"line {k + 1}")
+        numbers[k] = b" ".join(words[len(named) :])
+        place = (place + 1) % len(_LINES)
+    if is_open:
+        raise FileError(path, "truncated: ends without endsolid", where=f"line {len(lines)}")
+    rows = AsciiRows(path, b"\n".join(numbers), 1)
+    return np.ascontiguousarray(rows.numbers().reshape(-1, 4, 3)[:, 1:].reshape(-1, 3))
+
+
+def _merge(corners: NDArray[np.floating]) -> tuple[NDArray[np.floating], NDArray[np.int64]]:
+    """The places among corners, each once in the order of their first, and the place of each corner."""
+    corners = corners + 0.0  # minus zero is zero
+    order = np.lexsort(corners.T)
+    ordered = corners[order]
+    is_first = np.ones(len(corners), bool)
+    is_first[1:] = (ordered[1:] != ordered[:-1]).any(axis=1)
+    group = np.empty(len(corners), np.int64)
+    group[order] = np.cumsum(is_first) - 1
+    firsts = order[is_first]  # lexsort is stable: the first corner of each place
+    rank = np.empty(len(firsts), np.int64)
+    by_first = np.argsort(firsts)
+    rank[by_first] = np.arange(len(firsts))
+    return corners[firsts[by_first]], rank[group]
+
+
+def write_stl(path: str | os.PathLike[str], mesh: MeshTable, *, overwrite: bool = True) -> None:
+    """Write a triangle mesh as binary STL.
+
+    Args:
+        path: The file; it appears whole or not at all.
+        mesh: The mesh. A triangle without area gets the normal (0, 0, 0), as the specification allows.
+        overwrite: Whether an existing file may be replaced.
+
+    Raises:
+        FileError: The place cannot be written, the mesh has colours, attributes or textures, a vertex that a triangle
+            uses is not finite in float32, or there are 2^32 triangles or more.
+        ValueError: An array of the mesh has the wrong shape, or a triangle names a missing vertex.
+    """
+    path = check_writable(path, overwrite=overwrite)
+    mesh = mesh.checked()
+    lost = [*mesh.attributes]
+    lost += [name for name in ("vertex_colors", "triangle_uvs") if getattr(mesh, name) is not None]
+    if lost:
+        raise FileError(path, f"STL cannot hold {', '.join(lost)}", remedy="Write .ply, or drop them first")
+    if len(mesh.triangles) >= 2**32:
+        raise FileError(path, f"STL cannot count {len(mesh.triangles)} triangles", remedy="Write .ply")
+    with np.errstate(over="ignore"):
+        single = mesh.vertices.astype(np.float32)
+    bad = ~np.isfinite(single[mesh.triangles]).all(axis=(1, 2))
+    if bad.any():
+        raise FileError(path, "a corner is not finite in float32", where=f"triangle {int(np.flatnonzero(bad)[0])}")
+    with atomic_write(path, overwrite=overwrite) as file:
+        file.write(_HEADER + np.uint32(len(mesh.triangles)).astype("<u4").tobytes())
+        for begin in range(0, len(mesh.triangles), CHUNK_ROWS):
+            rows = mesh.triangles[begin : begin + CHUNK_ROWS]
+            corners = mesh.vertices[rows].astype(np.float64)
+            normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+            lengths = np.linalg.norm(normals, axis=1, keepdims=True)
+            facets = np.zeros(len(rows), _FACET)
+            facets["normal"] = np.divide(normals, lengths, out=np.zeros_like(normals), where=lengths > 0)
+            facets["corners"] = single[rows]
+            file.write(facets.tobytes())

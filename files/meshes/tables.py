@@ -1,0 +1,125 @@
+"""Clouds and meshes from and to files by extension, as tables in NumPy: no device, no runtime, nothing rounded."""
+
+from __future__ import annotations
+
+import os
+from dataclasses import replace
+from pathlib import Path
+
+from ...core.errors import FileError
+from ..points.e57_writer import unstorable_in_e57
+from ..points.formats import READERS, write_table
+from ..points.las import open_las
+from ..points.las_writer import unstorable_in_las
+from ..points.ply_header import read_header
+from ..source import open_source
+from ..table import MeshTable, PointTable
+from .mesh_formats import MESH_READERS, write_mesh
+
+MESHES = tuple(MESH_READERS)
+LAS = (".las", ".laz")
+
+# What the text formats hold beside positions; the others hold everything.
+_HELD = {".xyz": (), ".xyzn": ("normals",), ".xyzrgb": ("colors",), ".pts": ("colors", "intensity")}
+
+
+def is_mesh_file(path: str | os.PathLike[str]) -> bool:
+    """Whether a file holds triangles: a .ply with faces, by its header."""
+    if Path(path).suffix.lower() != ".ply":
+        return False
+    header = read_header(path, open_source(path))
+    return any(element.name == "face" and element.count > 0 for element in header.elements)
+
+
+def read_table(path: str | os.PathLike[str]) -> PointTable | MeshTable:
+    """Read a file as a mesh where it has faces, as all formats of meshes but .ply always have, else as a cloud.
+
+    Raises:
+        FileError: A file that cannot be read, or an extension that is none of those read.
+    """
+    suffix = Path(path).suffix.lower()
+    if suffix in MESH_READERS and (suffix != ".ply" or is_mesh_file(path)):
+        return MESH_READERS[suffix](path)
+    if suffix not in READERS:
+        remedy = f"Clouds are read from {' '.join(READERS)}, meshes from {' '.join(MESHES)}"
+        raise FileError(path, f"unknown extension {suffix!r}", remedy=remedy)
+    return READERS[suffix](path)
+
+
+def write_cloud_table(
+    path: str | os.PathLike[str],
+    table: PointTable,
+    *,
+    as_text: bool = False,
+    overwrite: bool = True,
+    source: str | os.PathLike[str] | None = None,
+) -> list[str]:
+    """Write a cloud, leaving out what the format cannot hold.
+
+    From .las or .laz to .las or .laz, the `source` gives the scale and offset of the coordinates and the records of the
+    coordinate system.
+
+    Returns:
+        The names of what was left out.
+
+    Raises:
+        FileError: The place cannot be written, or the cloud lacks what the format needs.
+    """
+    suffix, left_out = Path(path).suffix.lower(), []
+    if suffix in _HELD:
+        table, left_out = _as_text_holds(table, _HELD[suffix])
+    elif suffix in (*LAS, ".e57"):
+        table, left_out = _without(
+            table, unstorable_in_e57(table) if suffix == ".e57" else [*unstorable_in_las(path, table)]
+        )
+    like = open_las(source).header if source and suffix in LAS and Path(source).suffix.lower() in LAS else None
+    write_table(path, table, ascii=as_text, overwrite=overwrite, like=like)
+    return left_out
+
+
+def write_mesh_table(
+    path: str | os.PathLike[str], mesh: MeshTable, *, as_text: bool = False, overwrite: bool = True
+) -> list[str]:
+    """Write a mesh, leaving out what the format cannot hold.
+
+    Returns:
+        The names of what was left out.
+
+    Raises:
+        FileError: The place cannot be written.
+    """
+    suffix = Path(path).suffix.lower()
+    held, left_out = mesh, []
+    if suffix != ".ply":
+        held, left_out = replace(mesh, attributes={}), [*mesh.attributes]
+    if suffix in (".stl", ".off") and mesh.triangle_uvs is not None:
+        held, left_out = held.without_texture(), ["textures", *left_out]
+    if suffix == ".stl":
+        optional = {"normals": mesh.vertex_normals, "colors": mesh.vertex_colors}
+        left_out = [*(name for name, values in optional.items() if values is not None), *left_out]
+        held = replace(held, vertex_normals=None, vertex_colors=None)
+    write_mesh(path, held, ascii=as_text, overwrite=overwrite)
+    return left_out
+
+
+def points_of(mesh: MeshTable) -> PointTable:
+    """The vertices of a mesh as a cloud."""
+    return PointTable(mesh.vertices, mesh.vertex_normals, mesh.vertex_colors, mesh.attributes)
+
+
+def _without(table: PointTable, left_out: list[str]) -> tuple[PointTable, list[str]]:
+    """The table without some of its attributes, and their names."""
+    attributes = {name: values for name, values in table.attributes.items() if name not in left_out}
+    return PointTable(table.points, table.normals, table.colors, attributes, table.grid), left_out
+
+
+def _as_text_holds(table: PointTable, held: tuple[str, ...]) -> tuple[PointTable, list[str]]:
+    """The table without what is not held, and the names of that."""
+    attributes = {name: values for name, values in table.attributes.items() if name in held and values.ndim == 1}
+    left_out = [name for name in table.attributes if name not in attributes]
+    normals, colors = table.normals, table.colors
+    if colors is not None and "colors" not in held:
+        colors, left_out = None, ["colors", *left_out]
+    if normals is not None and "normals" not in held:
+        normals, left_out = None, ["normals", *left_out]
+    return PointTable(table.points, normals, colors, attributes), left_out

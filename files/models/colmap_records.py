@@ -1,0 +1,284 @@
+"""What COLMAP's files hold, as both of their forms give it, and how it becomes a model and back.
+
+Cameras, pictures and points have numbers of their own there; which picture saw which point stands twice: in the list of
+a picture's keypoints, and in the track of a point. Both are held against each other.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...cameras.camera_models import HALF, CameraModel
+from ...core.errors import FileError
+from ...core.quaternions import nearest_rotations, quaternions_to_rotations, rotations_to_quaternions
+from .sfm_model import SfmModel
+
+NO_POINT = -1  # of a keypoint that belongs to none
+LARGEST = 1e100  # beyond it products of three numbers overflow
+UNIT = 1e-2  # how far from 1 the length of a quaternion may be: text with four decimals leaves 1e-4
+
+DENSE = 1 << 20  # numbers that a table has room for in any case
+
+_CUT = "The file may be cut off or damaged; write the model again"
+_MIXED = "The three files may be of different models"
+
+
+@dataclasses.dataclass
+class Picture:
+    """One record of images.bin or images.txt.
+
+    Attributes:
+        number: In the file.
+        name: As it stands there.
+        quaternion: w, x, y, z of the rotation world to camera.
+        translation: Likewise.
+        camera: Number of its camera.
+        places: Keypoints as stored, shape [k, 2].
+        points: The number of the point that each belongs to, shape [k]; -1 for none.
+        where: Place in the file, for errors.
+    """
+
+    number: int
+    name: str
+    quaternion: tuple[float, ...]
+    translation: tuple[float, ...]
+    camera: int
+    places: NDArray[np.float64]
+    points: NDArray[np.int64]
+    where: str
+
+
+@dataclasses.dataclass
+class Points:
+    """All records of points3D.bin or points3D.txt, column by column.
+
+    Attributes:
+        numbers: In the file, shape [m].
+        positions, colors, errors: Shapes [m, 3], [m, 3], [m].
+        lengths: Of the tracks, shape [m].
+        tracks: All of them behind one another, shape [sum, 2]: number of the picture, index of its keypoint.
+        where: The place of a row in the file.
+    """
+
+    numbers: NDArray[np.int64]
+    positions: NDArray[np.float64]
+    colors: NDArray[np.uint8]
+    errors: NDArray[np.float64]
+    lengths: NDArray[np.int64]
+    tracks: NDArray[np.int64]
+    where: Any
+
+
+def camera_of(path: Path, where: str, model: str, width: int, height: int, params: Any) -> CameraModel:
+    """A camera of a file.
+
+    Raises:
+        FileError: Numbers that no camera has.
+    """
+    try:
+        return CameraModel(model, width, height, tuple(params))
+    except (TypeError, ValueError) as error:
+        raise FileError(path, str(error), where=where) from error
+
+
+def assemble(
+    paths: dict[str, Path], cameras: dict[int, CameraModel], pictures: list[Picture], points: Points
+) -> SfmModel:
+    """The model of the records.
+
+    Args:
+        paths: Of the files, by "cameras", "images" and "points3D", for errors.
+        cameras: By number.
+        pictures: Of images.
+        points: Of points3D.
+
+    Raises:
+        FileError: Records that contradict themselves or one another.
+    """
+    images, sparse = paths["images"], paths["points3D"]
+    if not pictures:
+        raise FileError(
+            images, "holds no picture", remedy="Mapping found none, or the model was written before its end"
+        )
+    _check_pictures(images, paths["cameras"], cameras, pictures)
+    order, rows = _check_points(sparse, points)
+    numbers = points.numbers[order]
+    counts = np.array([len(p.points) for p in pictures])
+    starts = np.concatenate([[0], np.cumsum(counts)])
+    owners, places = np.concatenate([p.points for p in pictures]), np.concatenate([p.places for p in pictures])
+    kept = np.flatnonzero(owners != NO_POINT)
+    observers = np.repeat(np.arange(len(pictures)), counts)[kept]
+    seen = _find_numbers(numbers, owners[kept])
+    lost = np.flatnonzero(seen < 0)
+    if len(lost):
+        picture, number = pictures[observers[lost[0]]], owners[kept][lost[0]]
+        reason = f"picture {picture.name!r} sees point {number}, which {sparse.name} does not have"
+        raise FileError(images, reason, where=picture.where, remedy=_MIXED)
+    _check_tracks(sparse, points, rows, pictures, starts, owners)
+    if len(kept) != len(points.tracks):
+        reason = f"{len(kept)} keypoints belong to points, but the tracks have {len(points.tracks)}"
+        raise FileError(sparse, reason, remedy=_MIXED)
+    pixels = places[kept] - HALF
+    wrong = np.flatnonzero(~(np.abs(pixels) <= LARGEST).all(axis=1))
+    if len(wrong):
+        picture = pictures[observers[wrong[0]]]
+        raise FileError(images, f"a keypoint of {picture.name!r} is not finite", where=picture.where, remedy=_CUT)
+    return SfmModel(
+        tuple(p.name for p in pictures),
+        tuple(cameras[p.camera] for p in pictures),
+        _poses(images, pictures),
+        points.positions[order],
+        points.colors[order],
+        np.where(points.errors[order] >= 0, points.errors[order], np.nan),  # COLMAP writes -1 where it knows none
+        np.stack([observers, seen], axis=1),
+        pixels,
+    )
+
+
+def _check_pictures(images: Path, path: Path, cameras: dict[int, CameraModel], pictures: list[Picture]) -> None:
+    names: dict[str, Picture] = {}
+    numbers: set[int] = set()
+    for picture in pictures:
+        if picture.number in numbers:
+            raise FileError(images, f"the picture number {picture.number} stands twice", where=picture.where)
+        if picture.name in names:
+            raise FileError(images, f"the picture {picture.name!r} stands twice", where=picture.where)
+        if not picture.name:
+            raise FileError(images, "a picture has no name", where=picture.where, remedy=_CUT)
+        if picture.camera not in cameras:
+            reason = f"picture {picture.name!r} is of camera {picture.camera}, which {path.name} does not have"
+            raise FileError(images, reason, where=picture.where, remedy=_MIXED)
+        numbers.add(picture.number)
+        names[picture.name] = picture
+
+
+def _poses(path: Path, pictures: list[Picture]) -> NDArray[np.float64]:
+    quaternions = np.array([p.quaternion for p in pictures])
+    translations = np.array([p.translation for p in pictures])
+    with np.errstate(all="ignore"):
+        lengths = np.sqrt((quaternions * quaternions).sum(axis=1))
+        good = (np.abs(lengths - 1) <= UNIT) & (np.abs(translations) <= LARGEST).all(axis=1)
+    for i in np.flatnonzero(~good):
+        picture = pictures[i]
+        reason = (
+            f"picture {picture.name!r} has no pose: quaternion {picture.quaternion}, translation {picture.translation}"
+        )
+        raise FileError(path, reason, where=picture.where, remedy="Quaternions are w x y z of length 1")
+    poses = np.tile(np.eye(4), (len(pictures), 1, 1))
+    poses[:, :3, :3] = quaternions_to_rotations((quaternions / lengths[:, None])[:, [1, 2, 3, 0]])
+    poses[:, :3, 3] = translations
+    return poses
+
+
+def _check_points(path: Path, points: Points) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+    """The rows of points in the order of their numbers, and of each row its place in that order."""
+    for what, values in (("a position", points.positions), ("an error", points.errors[:, None])):
+        wrong = np.flatnonzero(~(np.abs(values) <= LARGEST).all(axis=1))
+        if len(wrong):
+            row = int(wrong[0])
+            raise FileError(path, f"{what} is not finite: {values[row].tolist()}", where=points.where(row), remedy=_CUT)
+    order = np.argsort(points.numbers, kind="stable")
+    ascending = points.numbers[order]
+    twice = np.flatnonzero(ascending[1:] == ascending[:-1])
+    if len(twice):
+        row = int(order[twice[0] + 1])
+        raise FileError(path, f"the point number {points.numbers[row]} stands twice", where=points.where(row))
+    rows = np.empty(len(order), np.int64)
+    rows[order] = np.arange(len(order))
+    return order, rows
+
+
+def _find_numbers(numbers: NDArray[np.int64], wanted: NDArray[np.int64]) -> NDArray[np.int64]:
+    """Where each wanted number stands in ascending ones; -1 where it does not."""
+    if not len(numbers):
+        return np.full(len(wanted), -1)
+    if numbers[0] >= 0 and numbers[-1] < 8 * len(numbers) + DENSE:  # a table is four times faster than a search
+        table = np.full(int(numbers[-1]) + 2, -1)
+        table[numbers] = np.arange(len(numbers))
+        return table[np.where((wanted >= 0) & (wanted <= numbers[-1]), wanted, numbers[-1] + 1)]
+    at = np.searchsorted(numbers, wanted).clip(0, len(numbers) - 1)
+    return np.where(numbers[at] == wanted, at, -1)
+
+
+def _check_tracks(
+    path: Path,
+    points: Points,
+    rows: NDArray[np.int64],
+    pictures: list[Picture],
+    starts: NDArray[np.int64],
+    owners: NDArray[np.int64],
+) -> None:
+    """Hold that each track names keypoints that belong to its point."""
+    tracks = points.tracks
+    if not len(tracks):
+        return
+    of_tracks = np.repeat(np.arange(len(rows)), points.lengths)
+    numbers = np.array([p.number for p in pictures])
+    by_number = np.argsort(numbers)
+    at = _find_numbers(numbers[by_number], tracks[:, 0])
+    picture = by_number[at]
+    wrong = (at < 0) | (tracks[:, 1] >= np.diff(starts)[picture]) | (tracks[:, 1] < 0)
+    keypoint = np.where(wrong, 0, starts[picture] + tracks[:, 1])
+    wrong |= owners[keypoint] != points.numbers[of_tracks] if len(owners) else True
+    first = np.flatnonzero(wrong)
+    if len(first):
+        row = int(of_tracks[first[0]])
+        number, index = tracks[first[0]].tolist()
+        reason = f"point {points.numbers[row]} was seen as keypoint {index} of picture {number}, which is not so there"
+        raise FileError(path, reason, where=points.where(row), remedy=_MIXED)
+
+
+# ------------------------------------------------------------------------------------------------ of a model
+
+
+@dataclasses.dataclass
+class Records:
+    """A model as its files number it, from 1 on.
+
+    Attributes:
+        cameras: Each once, in the order of the pictures.
+        camera_numbers: Of each picture, shape [n].
+        quaternions: w, x, y, z, shape [n, 4].
+        starts: Where the keypoints of each picture begin among the observations, shape [n + 1].
+        places: Keypoints as stored, shape [k, 2].
+        order: The observations point by point, shape [k].
+        track_starts: Where the track of each point begins in it, shape [m + 1].
+        tracks: Number of the picture and index of its keypoint, shape [k, 2].
+        errors: -1 where unknown, shape [m].
+    """
+
+    model: SfmModel
+    cameras: list[CameraModel]
+    camera_numbers: list[int]
+    quaternions: NDArray[np.float64]
+    starts: NDArray[np.int64]
+    places: NDArray[np.float64]
+    track_starts: NDArray[np.int64]
+    tracks: NDArray[np.int64]
+    errors: NDArray[np.float64]
+
+
+def records_of(model: SfmModel) -> Records:
+    """What is to be written."""
+    cameras = list(dict.fromkeys(model.cameras))
+    numbers = {camera: i for i, camera in enumerate(cameras, 1)}
+    pictures, points = model.observations.T
+    starts = np.searchsorted(pictures, np.arange(len(model) + 1))
+    order = np.argsort(points, kind="stable")
+    tracks = np.stack([pictures + 1, np.arange(len(pictures)) - starts[pictures]], axis=1)[order]
+    return Records(
+        model,
+        cameras,
+        [numbers[camera] for camera in model.cameras],
+        rotations_to_quaternions(nearest_rotations(model.T_camera_world[:, :3, :3]))[:, [3, 0, 1, 2]],
+        starts,
+        model.pixels + HALF,
+        np.concatenate([[0], np.cumsum(model.view_counts)]),
+        tracks,
+        np.where(np.isnan(model.errors), -1.0, model.errors),
+    )

@@ -1,0 +1,288 @@
+"""Depth maps and colour pictures on disk: PNG, JPEG and .npy, read strictly and written whole.
+
+A file is read once and inflated once. A PNG's checksums and the length of its stream of pixels are verified before it
+is decoded (png_stream.py): a cut off or damaged depth map is an error and never wrong depth. JPEG has no checksum;
+there pixels that are missing are noticed, not those that are damaged (jpeg_scans.py). Colour profiles, gamma and EXIF
+orientation are not applied.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import io
+import os
+from pathlib import Path
+from typing import IO
+
+import numpy as np
+from numpy.typing import NDArray
+from PIL import Image, ImageFile, JpegImagePlugin, PngImagePlugin
+
+from ...core.atomic import atomic_write, check_writable
+from ...core.errors import FileError
+from ..source import open_source
+from .jpeg_scans import JPEG_MAGIC, testable_jpegs
+from .png_stream import PNG_MAGIC, parse_png_header, whole_png
+
+# Larger pictures are refused before anything is allocated: 2^28 pixels are 0.75 GiB of colour, and no camera has more.
+PIXEL_LIMIT = 2**28
+
+# A 7-Scenes depth map takes 119 KiB and 7 ms at level 1, 90 KiB and 20 ms at level 6, the default.
+_PNG_LEVEL = 1
+
+_NPY_MAGIC = b"\x93NUMPY"
+
+
+@dataclasses.dataclass(frozen=True)
+class PictureHeader:
+    """What the first bytes of a picture say; `kind` is "png" or "jpeg", `bits` those of a channel."""
+
+    kind: str
+    width: int
+    height: int
+    channels: int
+    bits: int
+
+
+def read_depth(path: str | os.PathLike[str]) -> NDArray[np.uint16] | NDArray[np.float32]:
+    """Read a depth map as it is stored; its unit is the data set's.
+
+    A 16-bit grey PNG gives uint16, a .npy file of a 2-D float32 array gives float32. Nothing is scaled or filled in.
+
+    Returns:
+        Shape [h, w]; writable.
+
+    Raises:
+        FileError: Unreadable, damaged, too large, or a picture that is no depth map (8 bits, colour).
+
+    Example:
+        >>> import numpy as np, pointloom as loom
+        >>> np.save("depth.npy", np.full((48, 64), 1.5, np.float32))
+        >>> loom.read_depth("depth.npy").shape
+        (48, 64)
+    """
+    data = _read_bytes(path)
+    if data.startswith(_NPY_MAGIC):
+        return _decode_npy(path, data)
+    header = _parse_header(path, io.BytesIO(data))
+    check_depth_header(path, header)
+    return _decode(path, data, header, "I;16")
+
+
+def read_color(path: str | os.PathLike[str]) -> NDArray[np.uint8]:
+    """Read a PNG or JPEG picture as RGB; grey is replicated, transparency is dropped.
+
+    Returns:
+        Shape [h, w, 3], uint8, writable.
+
+    Raises:
+        FileError: Unreadable, damaged, too large, or 16-bit grey, which is a depth map.
+
+    Example:
+        >>> import numpy as np, pointloom as loom
+        >>> from PIL import Image
+        >>> Image.fromarray(np.full((48, 64, 3), 200, np.uint8)).save("color.png")
+        >>> loom.read_color("color.png").shape
+        (48, 64, 3)
+    """
+    data = _read_bytes(path)
+    header = _parse_header(path, io.BytesIO(data))
+    check_color_header(path, header)
+    return _decode(path, data, header, "RGB")
+
+
+def read_texture(path: str | os.PathLike[str]) -> NDArray[np.uint8]:
+    """Read a PNG or JPEG picture as RGB, or RGBA where it has a channel of transparency; grey is replicated.
+
+    Returns:
+        Shape [h, w, 3 or 4], uint8.
+
+    Raises:
+        FileError: Unreadable, no regular file, damaged, too large, or 16-bit grey.
+    """
+    return decode_texture(path, bytes(open_source(path)[:]))
+
+
+def decode_texture(path: str | os.PathLike[str], data: bytes) -> NDArray[np.uint8]:
+    """The same from the bytes of a PNG or JPEG file; `path` is for errors."""
+    header = _parse_header(path, io.BytesIO(data))
+    check_color_header(path, header)
+    return _decode(path, data, header, "RGBA" if header.kind == "png" and header.channels in (2, 4) else "RGB")
+
+
+def encode_png(array: NDArray[np.uint8] | NDArray[np.uint16]) -> bytes:
+    """An array that `write_png` takes, or RGBA, as the bytes of a PNG file."""
+    file = io.BytesIO()
+    Image.fromarray(np.ascontiguousarray(array)).save(file, "PNG", compress_level=_PNG_LEVEL)
+    return file.getvalue()
+
+
+def read_picture_header(path: str | os.PathLike[str]) -> PictureHeader:
+    """The size and kind of a PNG or JPEG picture from its first bytes; no pixel is decoded.
+
+    Raises:
+        FileError: Unreadable, of another kind, or too large.
+    """
+    try:
+        with Path(path).open("rb") as file:
+            return _parse_header(path, file)
+    except OSError as error:
+        raise FileError(path, f"cannot be read: {error.strerror or error}") from error
+
+
+def check_depth_header(path: str | os.PathLike[str], header: PictureHeader) -> None:
+    """Refuse a picture that is not a 16-bit grey PNG."""
+    if header.kind != "png" or header.channels != 1 or header.bits != 16:
+        found = f"{header.kind.upper()} with {header.channels} x {header.bits} bits a pixel"
+        remedy = "Store depth as 16-bit grey PNG (or float32 .npy); pictures coloured for viewing hold no depth"
+        raise FileError(path, f"expected a depth map, got a {found}", remedy=remedy)
+
+
+def check_color_header(path: str | os.PathLike[str], header: PictureHeader) -> None:
+    """Refuse a picture that is a depth map."""
+    if header.channels == 1 and header.bits == 16:
+        raise FileError(path, "expected a colour picture, got 16-bit grey", remedy="Read depth maps with read_depth")
+
+
+def write_png(path: str | os.PathLike[str], image: NDArray[np.uint8] | NDArray[np.uint16]) -> None:
+    """Write an array as PNG; an existing file is replaced once the new one is complete.
+
+    Args:
+        path: Place of the file; ends in .png.
+        image: uint8 of shape [h, w] or [h, w, 3] (RGB), or uint16 of shape [h, w].
+
+    Raises:
+        TypeError: Another type; nothing is converted silently.
+        ValueError: Another shape, or no pixels.
+        FileError: Another extension, or the place cannot be written.
+    """
+    if not isinstance(image, np.ndarray) or image.dtype.newbyteorder("=") not in (np.uint8, np.uint16):
+        kind = image.dtype if isinstance(image, np.ndarray) else type(image).__name__
+        raise TypeError(f"image: expected a NumPy array of uint8 or uint16, got {kind}")
+    shapes = "[h, w] or [h, w, 3]" if image.dtype == np.uint8 else "[h, w]"
+    if not (image.ndim == 2 or (image.ndim == 3 and image.shape[2] == 3 and image.dtype == np.uint8)):
+        raise ValueError(f"image: expected shape {shapes} for {image.dtype}, got {list(image.shape)}")
+    if image.size == 0 or image.shape[0] * image.shape[1] > PIXEL_LIMIT:
+        raise ValueError(f"image: expected 1 to {PIXEL_LIMIT} pixels, got shape {list(image.shape)}")
+    if Path(path).suffix.lower() != ".png":
+        raise FileError(path, f"expected a name that ends in .png, got {Path(path).suffix!r}")
+    check_writable(path)
+    pixels = np.ascontiguousarray(image, image.dtype.newbyteorder("="))
+    with atomic_write(path) as file:
+        Image.fromarray(pixels).save(file, "PNG", compress_level=_PNG_LEVEL)
+
+
+def _read_bytes(path: str | os.PathLike[str]) -> bytes:
+    try:
+        return Path(path).read_bytes()
+    except OSError as error:
+        raise FileError(path, f"cannot be read: {error.strerror or error}") from error
+
+
+def _parse_header(path: str | os.PathLike[str], file: IO[bytes]) -> PictureHeader:
+    start = file.read(33)  # PNG: magic 8, chunk head 8, IHDR 13, checksum 4
+    if start.startswith(PNG_MAGIC):
+        png = parse_png_header(path, start)
+        header = PictureHeader("png", png.width, png.height, png.channels, png.bits)
+    elif start.startswith(JPEG_MAGIC):
+        file.seek(0)
+        with _open_picture(path, file, JpegImagePlugin.JpegImageFile) as picture:
+            header = PictureHeader("jpeg", *picture.size, len(picture.getbands()), 8)
+    else:
+        reason = "neither PNG nor JPEG" if start else "empty"
+        raise FileError(path, reason, where="byte 0", remedy="Convert it to PNG; .npy is for depth alone")
+    pixels = header.width * header.height
+    if not 0 < pixels <= PIXEL_LIMIT:
+        reason = f"expected 1 to {PIXEL_LIMIT} pixels, got {header.width} x {header.height}"
+        raise FileError(path, reason, where="header")
+    return header
+
+
+def _decode(path: str | os.PathLike[str], data: bytes, header: PictureHeader, mode: str) -> NDArray:
+    if header.kind == "png":
+        return _decode_pixels(path, whole_png(path, data), header, mode)
+    if ImageFile.LOAD_TRUNCATED_IMAGES:
+        remedy = "Set PIL.ImageFile.LOAD_TRUNCATED_IMAGES = False before pictures are read"
+        raise FileError(path, "somebody told Pillow to make up the pixels that a JPEG lacks", remedy=remedy)
+    pixels, *others = (_decode_pixels(path, part, header, mode) for part in testable_jpegs(path, data))
+    if not all(np.array_equal(pixels, other) for other in others):
+        reason = "cut off or damaged: one of its scans ends before the picture does"
+        raise FileError(path, reason, remedy="Fetch or write the file again")
+    return pixels
+
+
+def _decode_pixels(path: str | os.PathLike[str], data: bytes, header: PictureHeader, mode: str) -> NDArray:
+    plugin = PngImagePlugin.PngImageFile if header.kind == "png" else JpegImagePlugin.JpegImageFile
+    with _open_picture(path, io.BytesIO(data), plugin) as picture:
+        try:
+            picture.load()
+            if mode in ("RGB", "RGBA"):
+                picture.info.pop("transparency", None)  # a colour key or palette of alphas, dropped like any alpha
+                pixels = np.array(picture if picture.mode == mode else picture.convert(mode))
+            else:
+                pixels = np.array(picture).astype(np.uint16, copy=False)  # int32 in Pillow 10
+        except MemoryError:
+            raise
+        except Exception as error:  # decoders raise what they like on bad data
+            raise FileError(path, f"damaged picture: {error}"[:300]) from error
+    expected = (header.height, header.width, *({"RGB": (3,), "RGBA": (4,)}.get(mode, ())))
+    if pixels.shape != expected:
+        raise FileError(path, f"damaged picture: decodes to shape {list(pixels.shape)}, expected {list(expected)}")
+    return pixels
+
+
+def _open_picture(
+    path: str | os.PathLike[str], file: IO[bytes], plugin: type[ImageFile.ImageFile]
+) -> ImageFile.ImageFile:
+    """The picture by its own class: `Image.open` would guess the kind and warn of sizes that are allowed here."""
+    try:
+        return plugin(file)
+    except MemoryError:
+        raise
+    except Exception as error:  # decoders raise what they like on bad data
+        raise FileError(path, f"damaged picture: {error}"[:300]) from error
+
+
+def _decode_npy(path: str | os.PathLike[str], data: bytes) -> NDArray[np.float32]:
+    file = io.BytesIO(data)
+    try:
+        version = np.lib.format.read_magic(file)
+        read = np.lib.format.read_array_header_1_0 if version == (1, 0) else np.lib.format.read_array_header_2_0
+        shape, fortran_order, dtype = read(file)
+    except MemoryError:
+        raise
+    except Exception as error:  # the header is Python source, with all that may go wrong there
+        raise FileError(path, f"damaged .npy header: {error}"[:300]) from error
+    if any(isinstance(extent, bool) for extent in shape):  # Python takes True for 1
+        raise FileError(path, f"damaged .npy header: its shape is {shape}", remedy="Save the array again")
+    if len(shape) != 2 or dtype.kind != "f" or dtype.itemsize != 4:
+        reason = f"expected a float32 array of shape [h, w], got {dtype} {list(shape)}"
+        raise FileError(path, reason, remedy="Save depth.astype(np.float32), one 2-D array a file")
+    height, width = shape
+    if height < 1 or width < 1 or height * width > PIXEL_LIMIT:
+        raise FileError(path, f"expected 1 to {PIXEL_LIMIT} pixels, got {width} x {height}", where="header")
+    expected, found = 4 * height * width, len(data) - file.tell()
+    if found != expected:
+        raise FileError(path, f"cut off or too long: {found} bytes of data, {expected} announced")
+    pixels = np.frombuffer(data, dtype, offset=file.tell())
+    pixels = pixels.reshape(shape, order="F" if fortran_order else "C")
+    return np.array(pixels, np.float32, order="C")
+
+
+def resize_color(color: NDArray[np.uint8], size: tuple[int, int], name: str) -> NDArray[np.uint8]:
+    """A colour picture in another size, each pixel the mean of those that it covers.
+
+    Args:
+        color: Shape [h, w, 3].
+        size: Rows and columns wanted; of the same shape, up to a pixel.
+        name: What it is, for errors.
+
+    Raises:
+        ValueError: The sizes are not of the same shape, so that the two pictures cannot show the same view.
+    """
+    height, width = color.shape[:2]
+    if abs(width * size[0] - height * size[1]) > max(width, height, *size):
+        raise ValueError(f"{name}: is {width} x {height}, which is of another shape than {size[1]} x {size[0]}")
+    picture = Image.fromarray(np.ascontiguousarray(color))
+    kind = Image.Resampling.BOX if height > size[0] else Image.Resampling.BILINEAR
+    return np.array(picture.resize((size[1], size[0]), kind))

@@ -1,0 +1,157 @@
+"""Writing E57 files; reading is e57.py's matter.
+
+Positions are float or double as the table has them, without a pose; one scan for each value of `scan_index`, or one.
+Colours take 8 bits, normals are the extension "nor". Attributes other than those that e57.py reads cannot be stored.
+
+Source: ASTM E2807-11; the extension "nor" of libe57.org.
+"""
+
+from __future__ import annotations
+
+import os
+import shutil
+import tempfile
+import uuid
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...core.atomic import atomic_write, check_writable
+from ...core.coordinates import quiet
+from ...core.errors import FileError
+from ..columns import colors_to_bytes
+from ..foreign import foreign_errors, import_for
+from ..table import PointTable
+from .e57 import ATTRIBUTES, BLOCK, CARTESIAN, COLORS, NARROW, NORMALS, SCAN_INDEX, WIDE
+
+_NORMALS_URI = "http://www.libe57.org/E57_NOR_surface_normals.txt"
+_FLOATS = ("f4", "f8")
+
+
+@quiet()
+def write_e57(path: str | os.PathLike[str], table: PointTable, *, overwrite: bool = True) -> None:
+    """Write points as E57.
+
+    Args:
+        path: The file; it appears whole or not at all.
+        table: The points.
+        overwrite: Whether an existing file may be replaced.
+
+    Raises:
+        FileError: The place cannot be written, a coordinate is not finite, an attribute cannot be stored, or pye57 is
+            missing.
+        ValueError: An array of the table has the wrong shape.
+    """
+    path = check_writable(path, overwrite=overwrite)
+    table, libe57 = table.checked(), import_for(path, "pye57.libe57", "e57")
+    lost = unstorable_in_e57(table)
+    if lost:
+        known = ", ".join([*ATTRIBUTES.values(), SCAN_INDEX])
+        reason = f"attribute {lost[0]!r} cannot be stored in E57"
+        raise FileError(path, reason, remedy=f"It holds {known}, one number a point; drop the others")
+    if not np.isfinite(table.points).all():
+        row = int(np.flatnonzero(~np.isfinite(table.points).all(axis=1))[0])
+        raise FileError(path, f"point {row} is not finite", remedy="Call remove_non_finite_points() first")
+    columns = _columns(path, table)
+    scan_index = table.attributes.get(SCAN_INDEX, np.zeros(len(table.points), np.int32))
+    with tempfile.TemporaryDirectory(prefix=".pointloom-", dir=path.parent) as folder:  # libE57 opens files by name
+        part = Path(folder, "part.e57")
+        with foreign_errors(path, "cannot be written"):
+            _write_scans(libe57, part, columns, scan_index)
+        with atomic_write(path, overwrite=overwrite) as file, part.open("rb") as source:
+            shutil.copyfileobj(source, file, 1 << 20)
+
+
+def unstorable_in_e57(table: PointTable) -> list[str]:
+    """The names of the attributes that E57 cannot hold."""
+    return [name for name, values in table.attributes.items() if not _is_storable(name, values)]
+
+
+def _is_storable(name: str, values: NDArray[Any]) -> bool:
+    if name not in (*ATTRIBUTES.values(), SCAN_INDEX) or values.ndim != 1:
+        return False
+    if values.dtype.kind == "f":
+        return name != SCAN_INDEX and values.dtype.str[1:] in _FLOATS and bool(np.isfinite(values).all())
+    if not len(values) or values.dtype.kind == "b":
+        return values.dtype.kind != "b"
+    low, high = int(values.min()), int(values.max())
+    return high < 2**63 and high - low < 2**63
+
+
+def _columns(path: Any, table: PointTable) -> dict[str, NDArray[Any]]:
+    """What goes into the file, by E57's names."""
+    columns: dict[str, NDArray[Any]] = dict(zip(CARTESIAN, table.points.T, strict=True))
+    if table.normals is not None:
+        columns |= dict(zip(NORMALS, table.normals.T, strict=True))
+    if table.colors is not None:
+        columns |= dict(zip(COLORS, colors_to_bytes(path, table.colors).T, strict=True))
+    for name, ours in ATTRIBUTES.items():
+        if ours in table.attributes:
+            values = table.attributes[ours]
+            columns[name] = values if values.dtype.kind == "f" or values.dtype in NARROW else values.astype(WIDE)
+    return columns
+
+
+def _write_scans(libe57: Any, path: Path, columns: dict[str, NDArray[Any]], scan_index: NDArray[Any]) -> None:
+    image = libe57.ImageFile(str(path), "w")
+    try:
+        image.extensionsAdd("", libe57.E57_V1_0_URI)
+        if NORMALS[0] in columns:
+            image.extensionsAdd("nor", _NORMALS_URI)
+        root = image.root()
+        root.set("formatName", libe57.StringNode(image, "ASTM E57 3D Imaging Data File"))
+        root.set("guid", libe57.StringNode(image, f"{{{uuid.uuid4()}}}"))
+        root.set("versionMajor", libe57.IntegerNode(image, libe57.E57_FORMAT_MAJOR))
+        root.set("versionMinor", libe57.IntegerNode(image, libe57.E57_FORMAT_MINOR))
+        scans = libe57.VectorNode(image, True)
+        root.set("data3D", scans)
+        root.set("images2D", libe57.VectorNode(image, True))
+        indices = np.unique(scan_index)
+        for number, index in enumerate(indices if len(indices) else [0]):
+            chosen = slice(None) if len(indices) <= 1 else scan_index == index
+            _write_scan(libe57, image, scans, f"Scan {number}", {n: v[chosen] for n, v in columns.items()})
+    finally:
+        image.close()
+
+
+def _write_scan(libe57: Any, image: Any, scans: Any, name: str, columns: dict[str, NDArray[Any]]) -> None:
+    node, prototype = libe57.StructureNode(image), libe57.StructureNode(image)
+    node.set("guid", libe57.StringNode(image, f"{{{uuid.uuid4()}}}"))
+    node.set("name", libe57.StringNode(image, name))
+    if COLORS[0] in columns:
+        limits = libe57.StructureNode(image)
+        for channel in COLORS:
+            limits.set(f"{channel}Minimum", libe57.IntegerNode(image, 0))
+            limits.set(f"{channel}Maximum", libe57.IntegerNode(image, 255))
+        node.set("colorLimits", limits)
+    for field, values in columns.items():
+        if values.dtype.kind == "f":
+            precision = libe57.E57_SINGLE if values.dtype.itemsize == 4 else libe57.E57_DOUBLE
+            prototype.set(field, libe57.FloatNode(image, 0.0, precision))
+        else:
+            low, high = _integer_range(values)
+            prototype.set(field, libe57.IntegerNode(image, low, low, high))
+    vector = libe57.CompressedVectorNode(image, prototype, libe57.VectorNode(image, True))
+    node.set("points", vector)
+    scans.append(node)
+    count = len(columns[CARTESIAN[0]])
+    blocks = {field: np.empty(max(1, min(count, BLOCK)), values.dtype) for field, values in columns.items()}
+    buffers = libe57.VectorSourceDestBuffer()
+    for field, block in blocks.items():
+        buffers.append(libe57.SourceDestBuffer(image, field, block, len(block), True, True))
+    writer = vector.writer(buffers)
+    for begin in range(0, count, BLOCK):
+        added = min(BLOCK, count - begin)
+        for field, values in columns.items():
+            blocks[field][:added] = values[begin : begin + added]
+        writer.write(added)
+    writer.close()
+
+
+def _integer_range(values: NDArray[Any]) -> tuple[int, int]:
+    """The range of a field of integers: that of a narrow type, which then reads back as it was, else of the values."""
+    if values.dtype in NARROW:
+        return int(np.iinfo(values.dtype).min), int(np.iinfo(values.dtype).max)
+    return (int(values.min()), int(values.max())) if len(values) else (0, 0)

@@ -1,0 +1,64 @@
+"""Which reader and which writer of clouds an extension names: tables in NumPy, no device."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable
+from pathlib import Path
+
+from numpy.typing import ArrayLike
+
+from ..table import PointTable
+from .e57 import read_e57
+from .e57_writer import write_e57
+from .kitti_bin import read_kitti_bin
+from .las import read_las
+from .las_header import LasHeader
+from .las_writer import write_las
+from .npz import read_npz, write_npz
+from .pcd import read_pcd, write_pcd
+from .ply import read_ply, write_ply
+from .text import read_text, write_text
+from .text_table import read_text_table
+
+READERS: dict[str, Callable[..., PointTable]] = {
+    ".ply": read_ply, ".pcd": read_pcd, ".npz": read_npz,
+    ".xyz": read_text, ".xyzn": read_text, ".xyzrgb": read_text, ".pts": read_text,
+    ".csv": read_text_table, ".txt": read_text_table, ".bin": read_kitti_bin,
+    ".las": read_las, ".laz": read_las, ".e57": read_e57,
+}  # fmt: skip
+
+#: The extensions that clouds are written to.
+WRITTEN = tuple(extension for extension in READERS if extension not in (".csv", ".txt", ".bin"))
+
+
+def write_table(
+    path: str | os.PathLike[str],
+    table: PointTable,
+    *,
+    ascii: bool,
+    overwrite: bool,
+    scale: ArrayLike | None = None,
+    offset: ArrayLike | None = None,
+    like: LasHeader | None = None,
+) -> None:
+    """Write a table in the format of the path's extension, which is one of WRITTEN.
+
+    `ascii` is for .ply and .pcd; `scale`, `offset` and `like` are for .las and .laz, see write_las.
+
+    Raises:
+        FileError: The file cannot be made, or the format cannot hold an attribute.
+    """
+    extension = Path(path).suffix.lower()
+    if extension == ".ply":
+        write_ply(path, table, ascii=ascii, overwrite=overwrite)
+    elif extension == ".pcd":
+        write_pcd(path, table, encoding="ascii" if ascii else "binary", overwrite=overwrite)
+    elif extension == ".npz":
+        write_npz(path, table, overwrite=overwrite)
+    elif extension in (".las", ".laz"):
+        write_las(path, table, scale=scale, offset=offset, like=like, overwrite=overwrite)
+    elif extension == ".e57":
+        write_e57(path, table, overwrite=overwrite)
+    else:
+        write_text(path, table, overwrite=overwrite)

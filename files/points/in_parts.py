@@ -1,0 +1,136 @@
+"""Files of points read in parts, for clouds that should never lie in memory whole: binary PLY and PCD, LAS and LAZ.
+
+Binary PLY and PCD are mapped: a part is decoded from the file when its turn comes, and its pages are given back after
+it. They are held to their headers before, as by the readers of whole files. Text, compressed PCD and rows of varying
+length have to be read whole.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import mmap
+import os
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...core.coordinates import choose_origin
+from ..source import Source, open_source
+from ..table import PointTable
+from . import pcd, ply
+from .las import LasFile, iterate_las, open_las
+from .pcd_header import read_header as read_pcd_header
+from .ply_header import read_header as read_ply_header
+
+_SAMPLE = 4096  # points of which the origin is the median
+
+
+class RowsInParts:
+    """Rows of one length in a mapped file.
+
+    Args:
+        path: The file.
+        source: Its bytes.
+        columns: Views into them.
+        table_of: Makes a table of a path and some rows of the columns.
+
+    Attributes:
+        count: Points.
+        is_proven: Whether the file is large enough for them.
+    """
+
+    is_proven = True
+
+    def __init__(
+        self,
+        path: Path,
+        source: Source,
+        columns: dict[str, NDArray[Any]],
+        table_of: Callable[[Path, dict[str, NDArray[Any]]], PointTable],
+    ):
+        self.path, self.count = path, len(next(iter(columns.values())))
+        self._source, self._columns, self._table_of = source, columns, table_of
+
+    def parts(self, size: int) -> Iterator[PointTable]:
+        """The points, `size` at a time, the last part shorter; of a file without points one part of none."""
+        for begin in range(0, max(self.count, 1), size):
+            yield self._rows(slice(begin, begin + size))
+
+    def sample(self, count: int) -> PointTable:
+        """At most so many points, evenly over the file."""
+        return self._rows(slice(None, None, -(-self.count // count) or 1))
+
+    def origin(self) -> NDArray[np.float64]:
+        """An origin for all parts, by the median of a sample."""
+        return choose_origin(self.sample(_SAMPLE).points)
+
+    def _rows(self, rows: slice) -> PointTable:
+        table = self._table_of(self.path, {name: column[rows] for name, column in self._columns.items()})
+        _give_back(self._source)
+        return table
+
+
+class LasInParts:
+    """A LAS or LAZ file; see RowsInParts."""
+
+    def __init__(self, file: LasFile):
+        self.path, self.count, self._file = file.path, file.header.point_count, file
+        self.is_proven = not file.header.is_compressed
+
+    def parts(self, size: int) -> Iterator[PointTable]:
+        """The points, `size` at a time."""
+        for part in iterate_las(self._file, size):
+            yield part
+            _give_back(self._file.source)
+
+    def sample(self, count: int) -> PointTable:
+        """At most so many points; of a compressed file the first ones of its chunks."""
+        table = self._file.sample(count)
+        _give_back(self._file.source)
+        return table
+
+    def origin(self) -> NDArray[np.float64]:
+        """An origin for all parts, by the median of a sample."""
+        return choose_origin(self.sample(_SAMPLE).points, np.array(self._file.header.scales, np.float64))
+
+
+def open_in_parts(path: str | os.PathLike[str]) -> RowsInParts | LasInParts | None:
+    """Open a file for reading in parts; no point is read.
+
+    Returns:
+        The file; None where its format can only be read whole.
+
+    Raises:
+        FileError: As of the reader of the whole file; what is wrong with a point shows when its part is read.
+    """
+    path = Path(path)
+    suffix = path.suffix.lower()
+    if suffix in (".las", ".laz"):
+        return LasInParts(open_las(path))
+    if suffix not in (".ply", ".pcd"):
+        return None
+    source = open_source(path)
+    if suffix == ".ply":
+        header = read_ply_header(path, source)
+        if header.ascii or header.element(path, "vertex").has_lists:
+            return None
+        return RowsInParts(path, source, _held(path, ply.vertex_columns(path, source)), ply.table_of)
+    if read_pcd_header(path, source).encoding != "binary":
+        return None
+    fields, _ = pcd.point_fields(path, source)
+    return RowsInParts(path, source, fields, pcd.table_of)
+
+
+def _held(path: Path, columns: dict[str, NDArray[Any]]) -> dict[str, NDArray[Any]]:
+    ply.table_of(path, {name: column[:0] for name, column in columns.items()})
+    return columns
+
+
+def _give_back(source: Source) -> None:
+    """Let the system take back the pages of a file that were read; they would count as ours until it is closed."""
+    if isinstance(source, mmap.mmap):
+        with contextlib.suppress(AttributeError, OSError, ValueError):  # systems that know no such advice
+            source.madvise(mmap.MADV_DONTNEED)

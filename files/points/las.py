@@ -1,0 +1,222 @@
+"""LAS and LAZ files of points, versions 1.0 to 1.4, point formats 0 to 10; the packages laspy and lazrs read them.
+
+Reading: positions are X * scale + offset in float64, in the file's own unit (metres or feet: nothing is converted) and
+coordinate system (las_crs.py tells its name). Every other dimension is an attribute by laspy's name and in the file's
+type: intensity, return_number, number_of_returns, classification, synthetic, key_point, withheld, scan_angle_rank
+(whole degrees, formats 0 to 5) or scan_angle (steps of 0.006 degrees, formats 6 to 10), user_data, point_source_id,
+gps_time, nir, and so on, and each extra dimension by its own name, scaled where it says so. Red, green and blue are
+colours in 0..1: of 65535, or of 255 where no value in the file exceeds that, as many writers store 8 bits in the
+16-bit fields (a file of 16-bit colours darker than 1/257 throughout would come out too bright). Extra dimensions
+NormalX, NormalY and NormalZ are normals. Waveforms are not read.
+
+The file is held to its header by las_header.py and laszip.py before memory is taken.
+
+Source: ASPRS, LAS Specification 1.4-R15.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...core.coordinates import quiet
+from ...core.errors import FileError
+from ..columns import stack_normals
+from ..foreign import foreign_errors, import_for
+from ..growing import GrowingColumns
+from ..source import Source, open_source
+from ..table import PointTable
+from .las_crs import is_geographic
+from .las_header import SPEC, LasHeader, parse_las_header
+from .laszip import check_laszip, unpack_beginnings, unpack_blocks
+
+# Points decoded at a time: blocks of some 10 MB, in which LAZ's chunks (50,000 points as a rule) keep all cores busy;
+# fewer of points that claim to be long, of which compressed bytes tell nothing.
+_BLOCK, _BLOCK_BYTES = 1 << 18, 1 << 24
+
+_EXTRA_BYTES = (SPEC, 4)
+_PACKED = ("bit_fields", "raw_classification", "classification_flags")  # bytes that hold several dimensions
+_COORDINATES = ("X", "Y", "Z")
+COLORS: tuple[str, ...] = ("red", "green", "blue")
+NORMALS: tuple[str, ...] = ("NormalX", "NormalY", "NormalZ")
+
+
+@dataclass(frozen=True)
+class LasFile:
+    """A file whose header and layout are known to be right.
+
+    Attributes:
+        path: The file.
+        source: Its bytes.
+        header: What its header says.
+        layout: laspy's PointFormat: the dimensions of a point.
+    """
+
+    path: Path
+    source: Source
+    header: LasHeader
+    layout: Any
+
+    def blocks(self, size: int) -> Iterator[dict[str, NDArray[Any]]]:
+        """The points as columns, at most `size` of them at a time; first a block of none, which tells the types."""
+        row = self.layout.dtype()
+        yield self._decode(np.empty(0, row))
+        if self.header.is_compressed:
+            for block in unpack_blocks(self.path, self.header, size):
+                yield self._decode(np.frombuffer(block, row))
+            return
+        rows = np.frombuffer(self.source, row, self.header.point_count, self.header.begin)
+        for begin in range(0, len(rows), size):
+            yield self._decode(rows[begin : begin + size])
+
+    def sample(self, count: int) -> PointTable:
+        """At most so many points, evenly over the file, or of a compressed one the first of each chunk.
+
+        Colours are of 255 where all of these look so.
+        """
+        row = self.layout.dtype()
+        if self.header.is_compressed:
+            rows = np.frombuffer(unpack_beginnings(self.path, self.header, count), row)
+        else:
+            rows = np.frombuffer(self.source, row, self.header.point_count, self.header.begin)
+            rows = np.ascontiguousarray(rows[:: -(-len(rows) // count) or 1])
+        arrays = self._decode(rows)
+        if "colors" in arrays:
+            _scale_colors(arrays["colors"])
+        return _table(self, arrays)
+
+    @quiet()
+    def _decode(self, rows: Any) -> dict[str, NDArray[Any]]:
+        """Positions as "points", colours as stored as "colors", any other dimension by its name behind a dot."""
+        from laspy import PackedPointRecord
+
+        record, names = PackedPointRecord(rows, self.layout), [*self.layout.dimension_names]
+        points = np.empty((len(rows), 3))
+        for axis, name in enumerate(_COORDINATES):
+            np.multiply(rows[name], self.header.scales[axis], out=points[:, axis])
+            points[:, axis] += self.header.offsets[axis]
+        columns: dict[str, NDArray[Any]] = {"points": points}
+        if COLORS[0] in names:
+            columns["colors"] = np.stack([rows[name] for name in COLORS], axis=1).astype(np.float32)
+        for dimension in self.layout.dimensions:
+            name = dimension.name
+            if name in _COORDINATES or name in COLORS:
+                continue
+            values = np.asarray(record[name]) if dimension.is_standard else rows[name]
+            scaled = not dimension.is_standard and dimension.is_scaled
+            columns["." + name] = values * dimension.scales + dimension.offsets if scaled else values
+        return columns
+
+
+def open_las(path: str | os.PathLike[str]) -> LasFile:
+    """Open a file and hold it to its header and, if compressed, its table of chunks; no point is read.
+
+    Raises:
+        FileError: It cannot be read, is no LAS or LAZ file, or does not go with its header; or laspy is missing.
+    """
+    path = Path(path)
+    source = open_source(path)
+    header = parse_las_header(path, source)
+    layout = _layout(path, header)
+    if header.is_compressed:
+        check_laszip(path, source, header)
+    return LasFile(path, source, header, layout)
+
+
+def read_las(path: str | os.PathLike[str]) -> PointTable:
+    """Read a LAS or LAZ file.
+
+    Returns:
+        The points, float64, with colours, normals and attributes.
+
+    Raises:
+        FileError: Missing, no LAS or LAZ file, truncated, or other than its header says; or laspy is missing.
+
+    Notes:
+        Memory: the result, and some 20 MB; for a LAZ file up to half as much again while it grows.
+    """
+    file = open_las(path)
+    columns = GrowingColumns(file.header.point_count, is_proven=not file.header.is_compressed)
+    for block in file.blocks(min(_BLOCK, _BLOCK_BYTES // file.header.record_length)):
+        columns.append(block)
+    arrays = columns.finish()
+    if "colors" in arrays:
+        _scale_colors(arrays["colors"])
+    return _table(file, arrays)
+
+
+def _scale_colors(colors: NDArray[np.float32]) -> None:
+    colors /= np.float32(255 if colors.max(initial=0) <= 255 else 65535)
+
+
+def iterate_las(file: LasFile, chunk_size: int) -> Iterator[PointTable]:
+    """Read an opened file in parts of `chunk_size` points, the last one shorter.
+
+    Whether colours are of 255 or 65535 is settled by the first part that has any other than black.
+
+    Raises:
+        FileError: As `read_las`; also colours that turn out to be of 65535 after a part that looked like 255.
+    """
+    full = 0
+    for number, block in enumerate(file.blocks(chunk_size)):
+        if not number:
+            continue
+        if "colors" in block:
+            brightest = block["colors"].max(initial=0)
+            if not full and brightest:
+                full = 255 if brightest <= 255 else 65535
+            if brightest > (full or brightest):
+                reason = "colours look like 8 bits in one part and like 16 in a later one"
+                remedy = "Read it whole, or in larger parts"
+                raise FileError(file.path, reason, where=f"points from {(number - 1) * chunk_size} on", remedy=remedy)
+            block["colors"] /= np.float32(full or 65535)
+        yield _table(file, block)
+
+
+def attribute_types(file: LasFile) -> dict[str, str]:
+    """What a file holds beside positions: NumPy's types by the names that they have in a cloud."""
+    table = _table(file, next(file.blocks(1)))
+    named = {"normals": table.normals, "colors": table.colors, **table.attributes}
+    present = {name: values for name, values in named.items() if values is not None}
+    return {name: f"{v.dtype}" + (f" x {v.shape[1]}" if v.ndim == 2 else "") for name, v in present.items()}
+
+
+def _table(file: LasFile, arrays: dict[str, NDArray[Any]]) -> PointTable:
+    attributes = {name[1:]: values for name, values in arrays.items() if name.startswith(".")}
+    normals = None
+    if all(name in attributes and attributes[name].dtype.kind == "f" for name in NORMALS):
+        normals = stack_normals(file.path, [attributes.pop(name) for name in NORMALS])
+    steps = np.array(file.header.scales, np.float64)
+    colors, is_lonlat = arrays.get("colors"), is_geographic(file.header)
+    return PointTable(arrays["points"], normals, colors, attributes, steps=steps, is_geographic=is_lonlat)
+
+
+def _layout(path: Any, header: LasHeader) -> Any:
+    """The dimensions of a point: those of the format, those that the file describes, and what is left of its bytes."""
+    laspy = import_for(path, "laspy", "las")
+    layout = laspy.PointFormat(header.point_format)
+    described = header.find(*_EXTRA_BYTES)
+    with foreign_errors(path, "the record of extra dimensions is damaged"):
+        if described is not None and header.record_length > layout.size:
+            record = import_for(path, "laspy.vlrs.known", "las").ExtraBytesVlr()
+            record.parse_record_data(described)
+            for dimension in record.type_of_extra_dims():
+                layout.add_extra_dimension(dimension)
+        spare = header.record_length - layout.size
+        if spare < 0:
+            reason = f"its extra dimensions need {-spare} bytes more than its points have"
+            raise FileError(path, reason, where="byte 105")
+        if spare:
+            layout.add_extra_dimension(laspy.ExtraBytesParams("ExtraBytes", f"{spare}u1"))
+        names = [*layout.dimension_names, *_PACKED]
+        if len({*names}) < len(names) or "" in names:
+            reason = f"two dimensions of its points have one name, or one has none: {', '.join(names)}"
+            raise FileError(path, reason)
+        layout.dtype()
+    return layout

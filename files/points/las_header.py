@@ -1,0 +1,210 @@
+"""The header and the records of a LAS or LAZ file, held against the file's size before anything is read by them.
+
+Every count, length and position that the header gives is compared with the bytes that are there, so that a damaged or
+forged one is an error with its place, never a large allocation or a long loop. What the points hold is las.py's matter.
+
+Source: ASPRS, LAS Specification 1.4-R15 (tables 1 to 8); the older versions differ in what is noted below.
+"""
+
+from __future__ import annotations
+
+import math
+import struct
+from dataclasses import dataclass
+from typing import Any
+
+from ...core.coordinates import FLOAT32_MAX
+from ...core.errors import FileError
+from ..source import Source
+
+# Bytes of the header by minor version.
+_HEADER_BYTES = {0: 227, 1: 227, 2: 227, 3: 235, 4: 375}
+
+# Bytes of a point without extra ones, by point format; 6 and above came with version 1.4.
+_RECORD_BYTES = {0: 20, 1: 28, 2: 26, 3: 34, 4: 57, 5: 63, 6: 30, 7: 36, 8: 38, 9: 59, 10: 67}
+_FIRST_NEW_FORMAT = 6
+
+_HEADER = struct.Struct("<4sHH16sBB32s32sHHHIIBHI20s12d")
+_RECORD_HEADER = struct.Struct("<H16sHH32s")
+_EXTENDED_HEADER = struct.Struct("<H16sHQ32s")
+
+# Bit 7 of the point format is LASzip's mark; bit 6 was that of a predecessor which nothing reads.
+_COMPRESSED = 0x80
+
+PROJECTION = "LASF_Projection"  # whose records tell the coordinate system
+SPEC = "LASF_Spec"
+
+
+@dataclass(frozen=True)
+class LasRecord:
+    """A variable-length record: whose it is, which of theirs, and its bytes."""
+
+    user_id: str
+    record_id: int
+    data: bytes
+
+
+@dataclass(frozen=True)
+class LasHeader:
+    """What the header says, once it is known to go with the file.
+
+    Attributes:
+        version: Such as "1.4".
+        encoding: The bits of the global encoding: 1 for GPS time that counts from 1980, 16 for a system as WKT.
+        point_format: 0 to 10, without the mark of compression.
+        is_compressed: Whether the points are LASzip's.
+        record_length: Bytes of a point.
+        point_count: Points in the file.
+        begin: Byte at which the points start.
+        scales: Steps of the coordinates, one for each axis, in the file's own unit.
+        offsets: What is added to the scaled coordinates.
+        bounds: Lowest and highest coordinates as the header says; nobody holds it to be right.
+        records: The variable-length records, and the extended ones that tell the coordinate system.
+        software: What wrote the file.
+    """
+
+    version: str
+    encoding: int
+    point_format: int
+    is_compressed: bool
+    record_length: int
+    point_count: int
+    begin: int
+    scales: tuple[float, float, float]
+    offsets: tuple[float, float, float]
+    bounds: tuple[tuple[float, ...], tuple[float, ...]]
+    records: tuple[LasRecord, ...]
+    software: str
+
+    def find(self, user_id: str, record_id: int) -> bytes | None:
+        """The bytes of a record, or None."""
+        found = (record.data for record in self.records if (record.user_id, record.record_id) == (user_id, record_id))
+        return next(found, None)
+
+
+def parse_las_header(path: Any, source: Source) -> LasHeader:
+    """The header of a file, held against its size.
+
+    Args:
+        path: The file, for errors.
+        source: Its bytes.
+
+    Raises:
+        FileError: No LAS file, one of an unknown version or point format, or a header that does not go with the file.
+    """
+    fields = _unpack_header(path, source)
+    minor, header_bytes, begin, point_format, length = fields[5], *fields[10:12], *fields[13:15]
+    extended_begin, extended_count, point_count = 0, 0, fields[15]
+    waveforms = struct.unpack_from("<Q", source, 227)[0] if minor >= 3 else 0
+    if minor == 4:
+        extended_begin, extended_count, point_count = struct.unpack_from("<QIQ", source, 235)
+        _check_counts(path, fields[15], point_count)
+    if not header_bytes <= begin <= len(source):
+        reason = f"the points should start at byte {begin}, but the header takes {header_bytes} and the file ends"
+        raise FileError(path, f"{reason} at byte {len(source)}", where="byte 96")
+    is_compressed, point_format = bool(point_format & _COMPRESSED), point_format & ~_COMPRESSED
+    _check_format(path, minor, point_format, length)
+    scales, offsets = _check_scaling(path, fields[17:23])
+    records = _read_records(path, source, _RECORD_HEADER, header_bytes, begin, fields[12])
+    if not is_compressed:
+        end = begin + point_count * length
+        _check_extent(path, len(source), begin, length, point_count, has_trailer=bool(extended_count or waveforms))
+    else:
+        end = begin
+    if extended_count:
+        if not end <= extended_begin <= len(source):
+            reason = f"its extended records should start at byte {extended_begin}, between {end} and {len(source)}"
+            raise FileError(path, reason, where="byte 235")
+        records += _read_records(path, source, _EXTENDED_HEADER, extended_begin, len(source), extended_count)
+    high, low = fields[23::2], fields[24::2]
+    return LasHeader(
+        f"1.{minor}", fields[2], point_format, is_compressed, length, point_count, begin, scales, offsets,
+        (low, high), tuple(records), _text(fields[7]),
+    )  # fmt: skip
+
+
+def _unpack_header(path: Any, source: Source) -> tuple[Any, ...]:
+    """The fields that all versions share, once the file is long enough for the version's header."""
+    if source[:4] != b"LASF":
+        raise FileError(path, "is no LAS file: its first four bytes are not LASF", where="byte 0")
+    if len(source) < _HEADER.size:
+        reason = f"truncated: {len(source)} bytes, but the shortest header has {_HEADER.size}"
+        raise FileError(path, reason, where=f"byte {len(source)}")
+    fields = _HEADER.unpack_from(source)
+    major, minor, header_bytes = fields[4], fields[5], fields[10]
+    if major != 1 or minor not in _HEADER_BYTES:
+        raise FileError(path, f"LAS {major}.{minor} is not supported", where="byte 24", remedy="Known are 1.0 to 1.4")
+    if header_bytes < _HEADER_BYTES[minor] or len(source) < _HEADER_BYTES[minor]:
+        reason = f"LAS 1.{minor} has a header of {_HEADER_BYTES[minor]} bytes, but the file says {header_bytes}"
+        raise FileError(path, f"{reason} and holds {len(source)}", where="byte 94")
+    return fields
+
+
+def _check_counts(path: Any, legacy: int, count: int) -> None:
+    if legacy and legacy != count:
+        reason = f"the header counts {count} points in one place and {legacy} in another"
+        raise FileError(path, reason, where="byte 107", remedy="Repair it with the program that wrote it")
+
+
+def _check_format(path: Any, minor: int, point_format: int, length: int) -> None:
+    if point_format not in _RECORD_BYTES:
+        raise FileError(path, f"unknown point format {point_format}", where="byte 104", remedy="Known are 0 to 10")
+    if point_format >= _FIRST_NEW_FORMAT and minor < 4:
+        raise FileError(path, f"point format {point_format} came with LAS 1.4, the file is 1.{minor}", where="byte 104")
+    if length < _RECORD_BYTES[point_format]:
+        reason = (
+            f"points of {length} bytes cannot hold format {point_format}, which takes {_RECORD_BYTES[point_format]}"
+        )
+        raise FileError(path, reason, where="byte 105")
+
+
+def _check_scaling(path: Any, values: tuple[float, ...]) -> tuple[Any, Any]:
+    scales, offsets = values[:3], values[3:]
+    if not all(math.isfinite(scale) and scale > 0 for scale in scales):
+        raise FileError(path, f"the scales {list(scales)} are not finite numbers above 0", where="byte 131")
+    if not all(math.isfinite(offset) for offset in offsets):
+        raise FileError(path, f"the offsets {list(offsets)} are not finite", where="byte 155")
+    if max(abs(offset) + scale * 2**31 for scale, offset in zip(scales, offsets, strict=True)) > FLOAT32_MAX:
+        reason = f"the scales {list(scales)} and offsets {list(offsets)} lead beyond {FLOAT32_MAX:.3g}"
+        raise FileError(path, reason, where="byte 131")
+    return scales, offsets
+
+
+def _check_extent(path: Any, size: int, begin: int, length: int, count: int, *, has_trailer: bool) -> None:
+    """Hold the count against the bytes from `begin` on; behind them only records that the header knows may follow."""
+    held = (size - begin) // length
+    if held < count:
+        reason = f"truncated: the header counts {count} points, the file holds {held}"
+        raise FileError(path, reason, where=f"byte {begin + held * length}")
+    if held > count and not has_trailer:
+        reason = f"the header counts {count} points, but the file holds {held}"
+        remedy = "Its writer may have been interrupted: repair the header"
+        raise FileError(path, reason, where=f"byte {begin + count * length}", remedy=remedy)
+
+
+def _read_records(path: Any, source: Source, form: struct.Struct, begin: int, end: int, count: int) -> list[LasRecord]:
+    """The records from byte `begin` on, none of which reaches beyond `end`.
+
+    Extended ones may hold gigabytes of waveforms: of these only those that tell the coordinate system are kept.
+    """
+    if count > (end - begin) // form.size:
+        reason = f"{count} records cannot lie in the {end - begin} bytes from byte {begin} to {end}"
+        raise FileError(path, reason, where="byte 100" if form is _RECORD_HEADER else "byte 243")
+    records, at = [], begin
+    for number in range(count):
+        if end - at < form.size:
+            raise FileError(path, f"record {number} of {count} is cut off", where=f"byte {at}")
+        _, user_id, record_id, length, _ = form.unpack_from(source, at)
+        at += form.size
+        if length > end - at:
+            reason = f"record {number} of {count} has {length} bytes, but {end - at} are left"
+            raise FileError(path, reason, where=f"byte {at}")
+        if form is _RECORD_HEADER or _text(user_id) == PROJECTION:
+            records.append(LasRecord(_text(user_id), record_id, bytes(source[at : at + length])))
+        at += length
+    return records
+
+
+def _text(field: bytes) -> str:
+    """A field of fixed length, up to its first zero byte."""
+    return field.split(b"\0")[0].decode("utf-8", "replace").strip()

@@ -1,0 +1,279 @@
+"""Writing LAS and LAZ files of points; reading is las.py's matter.
+
+Coordinates are stored as whole multiples of a scale about an offset, in 32 bits. The point format follows the
+attributes: 6, 7 or 8 of LAS 1.4; or 0 to 3 of LAS 1.2 for those that come from such a file, which `scan_angle_rank`
+tells. Attributes with the name of a standard dimension go there, where their values are whole and in its range; others
+become extra dimensions in their own type, one of shape [n, c] as the scalars a_0 .. a_{c-1}. Colours take 16 bits,
+normals are the extra dimensions NormalX, NormalY and NormalZ. The grid of an organised cloud is not stored.
+
+Source: ASPRS, LAS Specification 1.4-R15.
+"""
+
+from __future__ import annotations
+
+import math
+import os
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ...core.atomic import atomic_write, check_writable
+from ...core.checks import check_finite, check_numeric, check_positive, check_shape
+from ...core.coordinates import finite_box, quiet
+from ...core.errors import FileError
+from ..columns import stack_colors
+from ..foreign import foreign_errors, import_for
+from ..table import PointTable
+from .las import COLORS, NORMALS
+from .las_header import PROJECTION, LasHeader, LasRecord
+
+# Where no scale is given: a millimetre where the unit is metres, below what scanners measure; finer for an axis along
+# which the points lie within 1000 units, so that objects and degrees keep a millionth of their extent.
+_COARSEST_SCALE = 0.001
+_STEPS_ACROSS = 1.0e6
+_SAMPLE = 1 << 16  # points whose extent counts, without the hundredth at either end: strays do not coarsen the rest
+
+_BLOCK = 1 << 18  # points packed at a time
+_MAX_STEPS = 2**31 - 1
+_MAX_NAME_BYTES = 32
+_MAX_RECORD_BYTES = 0xFFFF
+_TYPES = ("i1", "u1", "i2", "u2", "i4", "u4", "i8", "u8", "f4", "f8")
+
+# Names that LAS uses for other things than an attribute of a cloud could mean.
+_TAKEN = {"X", "Y", "Z", *COLORS, *NORMALS, "ExtraBytes", "bit_fields", "raw_classification", "classification_flags"}
+
+_NEW_FORMAT_ONLY = {"scan_angle", "overlap", "scanner_channel", "nir"}
+_GPS_TIME_BIT, _WKT_BIT = 1, 16
+_LIBLAS_WKT = ("liblas", 2112)  # where libLAS put the text before LAS 1.4 had a place for it
+
+
+def write_las(
+    path: str | os.PathLike[str],
+    table: PointTable,
+    *,
+    scale: ArrayLike | None = None,
+    offset: ArrayLike | None = None,
+    like: LasHeader | None = None,
+    overwrite: bool = True,
+) -> None:
+    """Write points as LAS, or as LAZ where the path ends so.
+
+    Args:
+        path: The file; it appears whole or not at all.
+        table: The points.
+        scale: Step of the coordinates [unit of the coordinates], one for all axes or one for each; None takes 0.001,
+            or for an axis along which most points lie within 1000 units a finer power of ten.
+        offset: What the steps count from; None takes the middle of the points in whole units.
+        like: The header of a file whose coordinate system and kind of GPS time are taken over; scale and offset, too,
+            where they are None.
+        overwrite: Whether an existing file may be replaced.
+
+    Raises:
+        FileError: The place cannot be written, a coordinate is not finite or beyond 2^31 steps, an attribute cannot be
+            stored, or laspy is missing.
+        ValueError: An array of the table has the wrong shape, or a scale is not above 0.
+    """
+    path = check_writable(path, overwrite=overwrite)
+    table, laspy = table.checked(), import_for(path, "laspy", "las")
+    lost = unstorable_in_las(path, table)
+    if lost:
+        name, reason = next(iter(lost.items()))
+        raise FileError(path, f"attribute {name!r} {reason}", remedy="Change, rename or drop it")
+    if table.colors is not None:
+        table.colors = stack_colors(path, [*table.colors.T])  # refuses what is outside 0..1
+    scales, offsets = _scaling(path, table.points, scale, offset, like)
+    version = "1.4" if _is_new(table) or (like is not None and _is_from_1_4(like)) else "1.2"
+    header = laspy.LasHeader(point_format=_point_format(table), version=version)
+    extra = _extra_columns(table, {*header.point_format.dimension_names})
+    header.add_extra_dims([laspy.ExtraBytesParams(name, values.dtype) for name, values in extra.items()])
+    header.scales, header.offsets = scales, offsets
+    extended = _take_over(laspy, header, like) if like is not None else []
+    compress = path.suffix.lower() == ".laz"
+    with (
+        atomic_write(path, overwrite=overwrite) as file,
+        foreign_errors(path, "cannot be written"),
+        quiet(),
+        laspy.LasWriter(file, header, do_compress=compress, closefd=False) as writer,
+    ):
+        for begin in range(0, len(table.points), _BLOCK):
+            part = slice(begin, begin + _BLOCK)
+            writer.write_points(_pack(laspy, header.point_format, table, extra, part, scales, offsets))
+        if extended:
+            writer.write_evlrs(extended)
+
+
+def _is_from_1_4(like: LasHeader) -> bool:
+    """Whether a coordinate system is told in a way that came with LAS 1.4: as text, or in more than 64 KiB."""
+    return bool(like.encoding & _WKT_BIT) or any(len(record.data) > _MAX_RECORD_BYTES for record in _carried(like))
+
+
+def _carried(like: LasHeader) -> list[LasRecord]:
+    """The records of another file that tell its coordinate system."""
+    kinds = ((record, (record.user_id, record.record_id)) for record in like.records)
+    return [record for record, kind in kinds if kind[0] == PROJECTION or kind == _LIBLAS_WKT]
+
+
+def _take_over(laspy: Any, header: Any, like: LasHeader) -> Any:
+    """Give a header another's coordinate system and kind of GPS time; returns the records that follow the points."""
+    header.global_encoding.value = like.encoding & (_GPS_TIME_BIT | _WKT_BIT)
+    extended = laspy.vlrs.vlrlist.VLRList()
+    for record in _carried(like):
+        place = header.vlrs if len(record.data) <= _MAX_RECORD_BYTES else extended
+        place.append(laspy.VLR(record.user_id, record.record_id, "", record.data))
+    return extended
+
+
+def unstorable_in_las(path: Any, table: PointTable) -> dict[str, str]:
+    """The attributes that LAS cannot hold, and why.
+
+    Raises:
+        FileError: laspy is missing.
+    """
+    layout = import_for(path, "laspy", "las").PointFormat(_point_format(table))
+    standard = {dimension.name: dimension for dimension in layout.dimensions}
+    lost, taken = {}, {*standard, *_TAKEN}
+    for name, values in table.attributes.items():
+        if name in standard and name not in _TAKEN:
+            reason = _why_unfit(values, standard[name])
+        else:
+            reason = _why_no_extra(name, values, taken)
+            taken |= {*_split(name, values)}
+        if reason:
+            lost[name] = reason
+    return lost
+
+
+def _why_unfit(values: NDArray[Any], dimension: Any) -> str:
+    """Why values cannot go to a standard dimension; empty if they can."""
+    if values.ndim != 1:
+        return f"has {values.shape[1]} components, LAS's dimension of that name one"
+    with np.errstate(invalid="ignore", over="ignore"):
+        if dimension.name == "gps_time":
+            same = values.astype(np.float64).astype(values.dtype) == values
+            return "" if (same | (values != values)).all() else "does not fit into 64-bit floating point"
+        fits = (values >= dimension.min) & (values <= dimension.max) & (np.trunc(values) == values)
+    if fits.all():
+        return ""
+    return f"holds {values[~fits][0]}, LAS's dimension of that name whole numbers {dimension.min}..{dimension.max}"
+
+
+def _why_no_extra(name: str, values: NDArray[Any], taken: set[str]) -> str:
+    """Why values cannot become extra dimensions; empty if they can."""
+    if f"{values.dtype.kind}{values.dtype.itemsize}" not in _TYPES:
+        return f"is of type {values.dtype}, which LAS does not have"
+    if values.ndim == 2 and not values.shape[1]:
+        return "has no components"
+    for part in _split(name, values):
+        if part in taken:
+            return f"cannot be stored: LAS uses the name {part!r} for something else"
+        if not part.isprintable() or not 0 < len(part.encode()) <= _MAX_NAME_BYTES:
+            return f"cannot be named in LAS, which takes {_MAX_NAME_BYTES} bytes of printable characters"
+    return ""
+
+
+def _split(name: str, values: NDArray[Any]) -> dict[str, NDArray[Any]]:
+    return {name: values} if values.ndim == 1 else {f"{name}_{k}": part for k, part in enumerate(values.T)}
+
+
+def _is_new(table: PointTable) -> bool:
+    """Whether the points need, or may as well have, a point format of LAS 1.4."""
+    names, limits = table.attributes, {"return_number": 7, "number_of_returns": 7, "classification": 31}
+    if "scan_angle_rank" not in names or not _NEW_FORMAT_ONLY.isdisjoint(names):
+        return True
+    return any(name in names and names[name].max(initial=0) > limit for name, limit in limits.items())
+
+
+def _point_format(table: PointTable) -> int:
+    has_colors = table.colors is not None
+    if not _is_new(table):
+        return ("gps_time" in table.attributes) + 2 * has_colors
+    return 8 if "nir" in table.attributes else 7 if has_colors else 6
+
+
+def _extra_columns(table: PointTable, standard: set[str]) -> dict[str, NDArray[Any]]:
+    columns: dict[str, NDArray[Any]] = {}
+    if table.normals is not None:
+        columns |= dict(zip(NORMALS, table.normals.T, strict=True))
+    for name, values in table.attributes.items():
+        if name not in standard:
+            columns |= _split(name, values)
+    return columns
+
+
+@quiet()
+def _scaling(
+    path: Any, points: NDArray[Any], scale: Any, offset: Any, like: LasHeader | None
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Scales and offsets about which every coordinate fits into 32 bits."""
+    if like is not None:
+        scale = like.scales if scale is None else scale
+        offset = like.offsets if offset is None else offset
+    low, high = finite_box(points)
+    middle = np.round(low / 2 + high / 2)
+    offsets = middle if offset is None else check_finite("offset", check_shape("offset", offset, (3,)))
+    if len(points) and not np.isfinite(points).all():
+        row = int(np.flatnonzero(~np.isfinite(points).all(axis=1))[0])
+        raise FileError(
+            path, f"point {row} is not finite, which LAS cannot hold", remedy="Call remove_non_finite_points() first"
+        )
+    reach = np.maximum(high - offsets, offsets - low)
+    if scale is None:
+        scale = _fitting_scales(points, reach)
+    steps = check_numeric("scale", scale)
+    scales = check_shape("scale", steps if steps.ndim else np.full(3, check_positive("scale", scale)), (3,))
+    if not (np.isfinite(scales).all() and (scales > 0).all()):
+        raise ValueError(f"scale: expected finite numbers > 0, got {scale}")
+    if (reach / scales > _MAX_STEPS).any():
+        needed = 10.0 ** math.ceil(math.log10((reach / _MAX_STEPS).max()))
+        reason = f"coordinates {reach.max():.6g} from the offset take more than 2^31 steps of {scales.tolist()}"
+        raise FileError(path, reason, remedy=f"Give a larger scale, such as scale={needed:g}, or a nearer offset")
+    return scales, offsets
+
+
+@quiet()
+def _fitting_scales(points: NDArray[Any], reach: NDArray[np.float64]) -> list[float]:
+    """A power of ten for each axis, no finer than what 32 bits and the points' own type can tell apart."""
+    if not len(points):
+        return [_COARSEST_SCALE] * 3
+    sample = points[:: len(points) // _SAMPLE | 1]
+    low, high = np.quantile(sample, (0.01, 0.99), axis=0)
+    told = np.spacing(np.abs(sample).max(axis=0)).astype(np.float64)
+    scales = []
+    for axis in range(3):
+        finest, extent = max(reach[axis] / _MAX_STEPS, told[axis], 1e-12), float(high[axis]) - float(low[axis])
+        if max(finest, extent / _STEPS_ACROSS) >= _COARSEST_SCALE:
+            scales.append(_COARSEST_SCALE)
+            continue
+        step = math.ceil(math.log10(finest))
+        if extent > 0:
+            step = max(step, math.floor(math.log10(extent / _STEPS_ACROSS)))
+        scales.append(min(_COARSEST_SCALE, float(f"1e{step}")))
+    return scales
+
+
+@quiet()
+def _pack(
+    laspy: Any,
+    layout: Any,
+    table: PointTable,
+    extra: dict[str, NDArray[Any]],
+    part: slice,
+    scales: NDArray[np.float64],
+    offsets: NDArray[np.float64],
+) -> Any:
+    """Some of the points as laspy's record."""
+    points = table.points[part].astype(np.float64, copy=False)
+    rows: Any = np.zeros(len(points), layout.dtype())
+    record = laspy.PackedPointRecord(rows, layout)
+    for axis, name in enumerate("XYZ"):
+        rows[name] = np.rint((points[:, axis] - offsets[axis]) / scales[axis])
+    if table.colors is not None:
+        for axis, name in enumerate(COLORS):
+            rows[name] = np.rint(table.colors[part, axis] * np.float32(65535))
+    for name, values in extra.items():
+        rows[name] = values[part]
+    for dimension in layout.standard_dimensions:
+        if dimension.name in table.attributes and dimension.name not in _TAKEN:
+            record[dimension.name][:] = table.attributes[dimension.name][part]
+    return record

@@ -1,0 +1,184 @@
+"""Compressed points of a LAZ file: its tables held against the file, then unpacked by lazrs block by block.
+
+lazrs takes the sizes in the tables as they stand and would ask for as much memory; where there is none it ends the
+process. So the table of chunks, and in the layered form (point formats 6 to 10) the sizes of each chunk's layers, are
+compared with the bytes that are there first. How many points some bytes unpack to has no bound, so chunks that claim
+very many are unpacked point after point, which takes no memory for the rest of the chunk.
+
+Source: Isenburg 2013, "LASzip: lossless compression of LiDAR data"; the LASzip record and chunk table as LASzip 3 has
+them.
+"""
+
+from __future__ import annotations
+
+import itertools
+import struct
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+from ...core.errors import FileError
+from ..foreign import foreign_errors, import_for
+from ..source import Source
+from .las_header import LasHeader
+
+_RECORD = ("laszip encoded", 22204)
+_FIELDS = struct.Struct("<HHBBHIIqqH")
+_CHUNK_SIZE_AT = 12
+_ITEM = struct.Struct("<HHH")
+_VARIABLE = 0xFFFFFFFF  # a chunk size that says that the table gives each chunk's own
+_POINTWISE, _LAYERED = 2, 3  # the compressors that lazrs knows
+
+# Unpacked bytes of a chunk up to which several are unpacked at a time: 40 times those of the usual 50,000 points.
+_PARALLEL_CHUNK_BYTES = 1 << 26
+
+# Bytes of an item, and the layers that it has in a layered chunk; None for those of any length (extra bytes).
+_ITEMS = {
+    0: (None, 0), 6: (20, 0), 7: (8, 0), 8: (6, 0), 9: (29, 0),
+    10: (30, 9), 11: (6, 1), 12: (8, 2), 13: (29, 1), 14: (None, None),
+}  # fmt: skip
+
+
+def unpack_blocks(path: Path, header: LasHeader, size: int) -> Iterator[bytearray]:
+    """The points as they lie in an uncompressed file, at most `size` of them at a time, once check_laszip has passed.
+
+    Raises:
+        FileError: The compressed bytes are damaged.
+    """
+    if not header.point_count:
+        return
+    lazrs = import_for(path, "lazrs", "las")
+    with path.open("rb") as file, foreign_errors(path, "the compressed points are damaged"):
+        file.seek(header.begin)
+        record = _lower_chunk_size(header)
+        chunks = lazrs.read_chunk_table(file, lazrs.LazVlr(record))
+        is_small = max(points for points, _ in chunks) * header.record_length <= _PARALLEL_CHUNK_BYTES
+        file.seek(header.begin)
+        decompressor = (lazrs.ParLasZipDecompressor if is_small else lazrs.LasZipDecompressor)(file, record)
+        for begin in range(0, header.point_count, size):
+            block = bytearray(min(size, header.point_count - begin) * header.record_length)
+            decompressor.decompress_many(block)
+            yield block
+
+
+def unpack_beginnings(path: Path, header: LasHeader, count: int) -> bytearray:
+    """The first points of chunks, as many of each, at most `count` together, once check_laszip has passed.
+
+    A chunk cannot be entered in its middle. Files of many chunks give of every so-manieth.
+
+    Raises:
+        FileError: The compressed bytes are damaged.
+    """
+    rows = bytearray()
+    if not header.point_count:
+        return rows
+    lazrs = import_for(path, "lazrs", "las")
+    with path.open("rb") as file, foreign_errors(path, "the compressed points are damaged"):
+        file.seek(header.begin)
+        record = _lower_chunk_size(header)
+        sizes = [points for points, _ in lazrs.read_chunk_table(file, lazrs.LazVlr(record))]
+        ends = [min(end, header.point_count) for end in itertools.accumulate(sizes)]
+        begins = [0, *ends[:-1]]
+        step = -(-len(sizes) // count)
+        share = count // len(begins[::step])
+        file.seek(header.begin)
+        decompressor = lazrs.LasZipDecompressor(file, record)
+        for begin, end in zip(begins[::step], ends[::step], strict=True):
+            decompressor.seek(begin)
+            block = bytearray(min(share, end - begin) * header.record_length)
+            decompressor.decompress_many(block)
+            rows += block
+    return rows
+
+
+def _lower_chunk_size(header: LasHeader) -> bytes:
+    """The LASzip record; of a file of one chunk, the chunk is no larger than the points: lazrs takes memory for it."""
+    record = bytearray(header.find(*_RECORD) or b"")
+    (chunk_size,) = struct.unpack_from("<I", record, _CHUNK_SIZE_AT)
+    if chunk_size != _VARIABLE:
+        struct.pack_into("<I", record, _CHUNK_SIZE_AT, min(chunk_size, header.point_count))
+    return bytes(record)
+
+
+def check_laszip(path: Any, source: Source, header: LasHeader) -> None:
+    """Hold that the LASzip record, the table of chunks and the chunks' layers go with the file.
+
+    Raises:
+        FileError: They do not, or lazrs is missing.
+    """
+    lazrs = import_for(path, "lazrs", "las")
+    record = header.find(*_RECORD)
+    if record is None:
+        raise FileError(path, "its points are compressed, but there is no LASzip record", where="byte 100")
+    compressor, chunk_size, layers = _check_record(path, record, header)
+    if header.point_count:
+        with foreign_errors(path, "the table of chunks is damaged"):
+            chunks = _read_chunk_table(path, source, header, record, chunk_size, lazrs)
+            if compressor == _LAYERED:
+                _check_layers(path, source, header, chunks, layers)
+
+
+def _check_record(path: Any, record: bytes, header: LasHeader) -> tuple[int, int, int]:
+    """The compressor, the points of a chunk, and the layers of a chunk."""
+    if len(record) < _FIELDS.size:
+        raise FileError(path, f"the LASzip record has {len(record)} bytes, at least {_FIELDS.size} are needed")
+    fields = _FIELDS.unpack_from(record)
+    compressor, chunk_size, item_count = fields[0], fields[6], fields[9]
+    if compressor not in (_POINTWISE, _LAYERED):
+        remedy = "Unpack it with the program that wrote it"
+        raise FileError(path, f"LASzip's compressor {compressor} is not supported", remedy=remedy)
+    if len(record) < _FIELDS.size + item_count * _ITEM.size or not chunk_size:
+        raise FileError(path, f"the LASzip record is damaged: {item_count} items, chunks of {chunk_size} points")
+    items = [_ITEM.unpack_from(record, _FIELDS.size + k * _ITEM.size)[:2] for k in range(item_count)]
+    if any(kind not in _ITEMS or _ITEMS[kind][0] not in (None, size) for kind, size in items):
+        raise FileError(path, f"the LASzip record is damaged: items (type, bytes) {items}")
+    if sum(size for _, size in items) != header.record_length:
+        reason = f"LASzip's points have {sum(size for _, size in items)} bytes, the header's {header.record_length}"
+        raise FileError(path, reason)
+    layers = [_ITEMS[kind][1] for kind, _ in items]
+    return compressor, chunk_size, sum(size if n is None else n for n, (_, size) in zip(layers, items, strict=True))
+
+
+def _read_chunk_table(
+    path: Any, source: Source, header: LasHeader, record: bytes, chunk_size: int, lazrs: Any
+) -> list[tuple[int, int]]:
+    """(Points, bytes) of each chunk; the points are the chunk size where all are of one size."""
+    first = header.begin + 8
+    if len(source) < first + 8:
+        raise FileError(path, "truncated: no compressed points follow the header", where=f"byte {len(source)}")
+    (table,) = struct.unpack_from("<q", source, header.begin)
+    if table == -1:  # written where nobody could go back; the file's last bytes say it
+        (table,) = struct.unpack_from("<q", source, len(source) - 8)
+    if not first <= table <= len(source) - 8:
+        reason = f"truncated or damaged: the table of chunks should be at byte {table} of {len(source)}"
+        raise FileError(path, reason, where=f"byte {header.begin}")
+    version, count = struct.unpack_from("<II", source, table)
+    if version or count > (table - first) // header.record_length:  # each chunk begins with a point as it is
+        reason = f"the table of chunks is damaged: version {version}, {count} chunks in {table - first} bytes"
+        raise FileError(path, reason, where=f"byte {table}")
+    if chunk_size != _VARIABLE and not (count - 1) * chunk_size <= header.point_count <= count * chunk_size:
+        reason = f"the header counts {header.point_count} points, the table {count} chunks of {chunk_size}"
+        raise FileError(path, reason, where=f"byte {table}")
+    with Path(path).open("rb") as file:
+        file.seek(header.begin)
+        chunks = lazrs.read_chunk_table(file, lazrs.LazVlr(record))
+    if not chunks:
+        raise FileError(path, "the table of chunks is empty, but there are points", where=f"byte {table}")
+    if min(size for _, size in chunks) < header.record_length or sum(size for _, size in chunks) > table - first:
+        raise FileError(path, f"the chunks do not fit into the {table - first} bytes before", where=f"byte {table}")
+    if chunk_size == _VARIABLE and sum(points for points, _ in chunks) != header.point_count:
+        held = sum(points for points, _ in chunks)
+        raise FileError(path, f"the header counts {header.point_count} points, its chunks {held}", where="byte 107")
+    return chunks
+
+
+def _check_layers(path: Any, source: Source, header: LasHeader, chunks: list[tuple[int, int]], layers: int) -> None:
+    """Hold the sizes of each chunk's layers, which follow its first point and its count, against the chunk."""
+    sizes, at = struct.Struct(f"<{layers}I"), header.begin + 8
+    prefix = header.record_length + 4
+    for number, (_, length) in enumerate(chunks):
+        if length < prefix + sizes.size or prefix + sizes.size + sum(sizes.unpack_from(source, at + prefix)) > length:
+            raise FileError(
+                path, f"the layers of chunk {number} do not fit into its {length} bytes", where=f"byte {at}"
+            )
+        at += length

@@ -1,0 +1,199 @@
+"""Points as NPZ, NumPy's archive of arrays: every type, name and shape survives, colours in full precision.
+
+Members: `points` [n, 3] (float32 or float64), `normals` and `colors` [n, 3] where there are any, `grid` (height, width)
+for an organised cloud; every other member is an attribute of shape [n] or [n, c]. Objects (pickles) are never loaded.
+The sizes in the archive's directory and in each array's header are held against each other and against what the stored
+bytes can unpack to before an array is allocated.
+
+Source: NumPy Enhancement Proposal 1 (the .npy format); PKWARE's APPNOTE for ZIP.
+"""
+
+from __future__ import annotations
+
+import math
+import os
+import warnings
+import zipfile
+from pathlib import Path
+from typing import IO, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...core.atomic import atomic_write, check_writable
+from ...core.errors import FileError
+from ..columns import stack_colors, stack_normals
+from ..source import open_source
+from ..table import PointTable
+
+# Deflate needs at least one bit for 129 bytes, so its output is below 1032 times its input.
+_MAX_DEFLATE_RATIO = 1032
+
+# The record that ends an archive without a comment, which NumPy never writes.
+_END_BYTES = 22
+
+# A fixed time stamp (the first that ZIP can hold), so that the same table gives the same file.
+_TIME_STAMP = (1980, 1, 1, 0, 0, 0)
+
+_TABLE_KEYS = ("points", "normals", "colors", "grid")
+_NOT_NUMERIC = "expected real numbers or booleans"
+
+
+def read_npz(path: str | os.PathLike[str]) -> PointTable:
+    """Read points from an NPZ file.
+
+    Returns:
+        The points, float32 where they are stored so and float64 otherwise, with normals, colours and attributes.
+
+    Raises:
+        FileError: Missing, no NPZ, damaged, no `points`, an array of another shape than its header or the cloud says,
+            or one that is not numeric.
+        MemoryError: The arrays are larger than the memory; names the file.
+    """
+    path = Path(path)
+    source = open_source(path)
+    if source[-_END_BYTES:][:4] != b"PK\5\6":
+        where = f"byte {len(source)}"
+        raise FileError(path, "is no NPZ archive, or is truncated, or bytes follow its end", where=where)
+    try:
+        with zipfile.ZipFile(path) as archive:
+            arrays = {}
+            for info in archive.infolist():
+                name = info.filename.removesuffix(".npy")
+                if name == info.filename or name in arrays:
+                    what = "is there twice" if name in arrays else "is no .npy array"
+                    raise FileError(path, f"member {info.filename!r} {what}")
+                arrays[name] = read_member(path, archive, info, name)
+            begin = min((info.header_offset for info in archive.infolist()), default=0)
+            if begin:
+                raise FileError(path, f"{begin} bytes stand before the archive", where="byte 0")
+    except FileError:
+        raise
+    except MemoryError as error:
+        raise MemoryError(f"{path}: the memory does not hold its arrays; read it on a machine with more") from error
+    except Exception as error:  # zipfile raises some ten types on damaged archives, not all of them documented
+        raise FileError(path, f"is no intact NPZ archive: {error}") from error
+    return _table(path, arrays)
+
+
+def write_npz(path: str | os.PathLike[str], table: PointTable, *, overwrite: bool = True) -> None:
+    """Write points as NPZ, uncompressed.
+
+    Args:
+        path: The file; it appears whole or not at all.
+        table: The points; all of it survives, to the bit.
+        overwrite: Whether an existing file may be replaced.
+
+    Raises:
+        FileError: The place cannot be written, or an attribute's name cannot be a member's.
+        ValueError: An array of the table has the wrong shape.
+    """
+    path = check_writable(path, overwrite=overwrite)
+    table = table.checked()
+    arrays: dict[str, NDArray[Any]] = {"points": table.points}
+    if table.normals is not None:
+        arrays["normals"] = table.normals
+    if table.colors is not None:
+        arrays["colors"] = table.colors
+    if table.grid is not None:
+        arrays["grid"] = np.array(table.grid, np.int64)
+    for name, values in table.attributes.items():
+        if name in _TABLE_KEYS:
+            raise FileError(path, f"attribute {name!r}: the format uses this name itself", remedy="Rename it")
+        if not name or not name.isprintable() or "/" in name or "\\" in name:
+            reason = f"attribute {name!r} cannot name a member of the archive"
+            raise FileError(path, reason, remedy="Use printable characters without slashes")
+        arrays[name] = values
+    with atomic_write(path, overwrite=overwrite) as file, zipfile.ZipFile(file, "w", zipfile.ZIP_STORED) as archive:
+        for name, values in arrays.items():
+            member = zipfile.ZipInfo(f"{name}.npy", _TIME_STAMP)
+            with archive.open(member, "w", force_zip64=True) as stream:
+                np.lib.format.write_array(stream, np.ascontiguousarray(values), allow_pickle=False)
+
+
+def read_member(path: Any, archive: zipfile.ZipFile, info: zipfile.ZipInfo, name: str) -> NDArray[Any]:
+    """One array, read only once its header, its directory entry and its stored bytes agree."""
+    possible = info.compress_size * (1 if info.compress_type == zipfile.ZIP_STORED else _MAX_DEFLATE_RATIO)
+    if info.compress_type not in (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED):
+        raise FileError(path, f"member {name!r} is compressed in an unknown way", where=f"byte {info.header_offset}")
+    if info.compress_size > Path(path).stat().st_size or info.file_size > possible:
+        reason = f"member {name!r} claims {info.file_size} bytes from {info.compress_size} stored ones"
+        raise FileError(path, reason, where=f"byte {info.header_offset}")
+    with archive.open(info) as stream:
+        shape, fortran, dtype = _read_array_header(path, stream, name)
+        if dtype.kind not in "biuf" or dtype.itemsize > 8:
+            raise FileError(path, f"{name}: {_NOT_NUMERIC}, found {dtype}")
+        if any(isinstance(extent, bool) for extent in shape):
+            raise FileError(path, f"{name}: the array's header is damaged: its shape is {shape}")
+        count = math.prod(shape)
+        needed, left = count * dtype.itemsize, info.file_size - stream.tell()
+        if needed != left or min(shape, default=0) < 0 or len(shape) > 2:
+            reason = f"{name}: the header's shape {list(shape)} of {dtype} needs {needed} bytes, {left} are there"
+            raise FileError(path, reason, where=f"byte {info.header_offset}")
+        body = stream.read()
+    if len(body) != needed:
+        raise FileError(path, f"{name}: {needed - len(body)} bytes are missing", where=f"byte {info.header_offset}")
+    array = np.frombuffer(body, dtype).reshape(shape, order="F" if fortran else "C")
+    return array.astype(dtype.newbyteorder("="), order="C", copy=True)
+
+
+def _read_array_header(path: Any, stream: IO[bytes], name: str) -> tuple[tuple[int, ...], bool, np.dtype[Any]]:
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")  # the header is a Python literal; damaged ones can warn as such
+            version = np.lib.format.read_magic(stream)
+            if version == (1, 0):
+                return np.lib.format.read_array_header_1_0(stream)
+            if version == (2, 0):
+                return np.lib.format.read_array_header_2_0(stream)
+    except (zipfile.BadZipFile, MemoryError):
+        raise
+    except Exception as error:  # whatever evaluating a damaged literal may raise
+        raise FileError(path, f"{name}: the array's header is damaged: {error}") from error
+    raise FileError(path, f"{name}: unknown version {version} of the .npy format")
+
+
+def _table(path: Any, arrays: dict[str, NDArray[Any]]) -> PointTable:
+    if "points" not in arrays:
+        names = ", ".join(sorted(arrays)[:10]) or "nothing"
+        raise FileError(path, f"there is no array 'points' (the archive holds: {names})")
+    points = arrays.pop("points")
+    _check_shape(path, "points", points, None)
+    count = len(points)
+    points = points.astype(np.float32 if points.dtype in (np.float32, np.float16) else np.float64, copy=False)
+    normals, colors = arrays.pop("normals", None), arrays.pop("colors", None)
+    for name, values in (("normals", normals), ("colors", colors)):
+        if values is not None:
+            _check_shape(path, name, values, count)
+    grid = _grid(path, arrays.pop("grid"), count) if "grid" in arrays else None
+    for name, values in arrays.items():
+        if values.ndim not in (1, 2) or len(values) != count:
+            raise FileError(path, f"{name}: expected shape [{count}] or [{count}, c], found {list(values.shape)}")
+    return PointTable(
+        points,
+        None if normals is None else stack_normals(path, [*normals.T]),
+        None if colors is None else stack_colors(path, [*colors.T]),
+        arrays,
+        grid,
+    )
+
+
+def _check_shape(path: Any, name: str, values: NDArray[Any], count: int | None) -> None:
+    if (
+        values.ndim != 2
+        or values.shape[1] != 3
+        or (count is not None and len(values) != count)
+        or values.dtype.kind == "b"
+    ):
+        expected = "n" if count is None else count
+        raise FileError(
+            path, f"{name}: expected numbers of shape [{expected}, 3], found {values.dtype} {list(values.shape)}"
+        )
+
+
+def _grid(path: Any, values: NDArray[Any], count: int) -> tuple[int, int]:
+    if values.shape == (2,) and values.dtype.kind in "iu":
+        height, width = (int(extent) for extent in values)
+        if height > 0 and width > 0 and height * width == count:
+            return height, width
+    raise FileError(path, f"grid: expected height and width with a product of {count}, found {values.tolist()}")

@@ -1,0 +1,191 @@
+"""The header of a PCD file: fields, size, and how the payload is stored.
+
+Source: the PCD v0.7 format description of the Point Cloud Library. Versions .5 and .6 (no VIEWPOINT) are read as well.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from ...core.errors import FileError
+from ..source import MAX_HEADER_BYTES, Source, parse_whole
+
+#: The encodings that a DATA line may name.
+ENCODINGS = ("ascii", "binary", "binary_compressed")
+
+_VERSIONS = (".5", ".6", ".7", "0.5", "0.6", "0.7")
+_KEYS = ("VERSION", "FIELDS", "SIZE", "TYPE", "COUNT", "WIDTH", "HEIGHT", "VIEWPOINT", "POINTS", "DATA")
+_TYPES = {"I": "i1 i2 i4 i8", "U": "u1 u2 u4 u8", "F": "f4 f8"}
+
+# PCL's largest descriptors have some 2,000 components; beyond this a COUNT is damage.
+_MAX_COMPONENTS = 1 << 20
+
+_Lines = dict[str, tuple[list[str], int]]
+
+
+@dataclass(frozen=True)
+class Field:
+    """One field of a point: `count` values of one type; a field named "_" is padding."""
+
+    name: str
+    dtype: np.dtype[Any]
+    count: int
+
+    @property
+    def byte_count(self) -> int:
+        """Bytes of this field in one point."""
+        return self.dtype.itemsize * self.count
+
+
+@dataclass(frozen=True)
+class PcdHeader:
+    """What the header says.
+
+    Attributes:
+        fields: In file order, padding included.
+        width: Points in a row, or all of them.
+        height: Rows; 1 for an unorganised cloud.
+        encoding: One of `ENCODINGS`.
+        size: Bytes up to the payload.
+        line_count: Lines up to the payload.
+    """
+
+    fields: list[Field]
+    width: int
+    height: int
+    encoding: str
+    size: int
+    line_count: int
+
+    @property
+    def point_count(self) -> int:
+        """Number of points."""
+        return self.width * self.height
+
+    @property
+    def point_bytes(self) -> int:
+        """Bytes of one point."""
+        return sum(field.byte_count for field in self.fields)
+
+
+def read_header(path: Any, source: Source) -> PcdHeader:
+    """Parse the header.
+
+    Raises:
+        FileError: Not PCD, no DATA line, or lines that are unknown, repeated or at odds with each other.
+    """
+    lines, size, line_count = _header_lines(path, source)
+    words, line = lines["DATA"]
+    if len(words) != 1 or words[0] not in ENCODINGS:
+        raise FileError(
+            path, f"unknown encoding {' '.join(words)[:60]!r}; known are {', '.join(ENCODINGS)}", where=f"line {line}"
+        )
+    encoding = words[0]
+    words, line = lines.get("VERSION", (["0.7"], 0))
+    if len(words) != 1 or words[0] not in _VERSIONS:
+        raise FileError(path, f"unknown version {' '.join(words)[:60]!r}; known are 0.5 to 0.7", where=f"line {line}")
+    _check_viewpoint(path, lines)
+    width, height = _parse_extent(path, lines)
+    return PcdHeader(_parse_fields(path, lines), width, height, encoding, size, line_count)
+
+
+def _header_lines(path: Any, source: Source) -> tuple[_Lines, int, int]:
+    """Words and line number by keyword, the offset behind the DATA line, and the number of lines up to there."""
+    lines: _Lines = {}
+    begin = number = 0
+    while "DATA" not in lines:
+        number += 1
+        where = f"line {number}"
+        end = source.find(b"\n", begin, MAX_HEADER_BYTES)
+        stop = end if end >= 0 else min(len(source), MAX_HEADER_BYTES)
+        try:
+            line = bytes(source[begin:stop]).decode("utf-8").strip()
+        except UnicodeDecodeError as error:
+            place = f"{where}, byte {begin + error.start}"
+            raise FileError(path, "the header is not UTF-8 text (or this is no PCD file)", where=place) from error
+        if line and not line.startswith("#"):
+            key, *words = line.split()
+            key = "FIELDS" if key == "COLUMNS" else key
+            if key not in _KEYS:
+                what = "unknown header line" if lines else "is not a PCD file: it begins with"
+                raise FileError(path, f"{what} {line[:60]!r}", where=where)
+            if key in lines:
+                raise FileError(path, f"a second {key} line", where=where)
+            lines[key] = (words, number)
+        if end < 0 and "DATA" not in lines:
+            raise FileError(path, "the header has no DATA line", where=where)
+        begin = stop + (1 if end >= 0 else 0)
+    return lines, begin, number
+
+
+def _parse_fields(path: Any, lines: _Lines) -> list[Field]:
+    names, line = _require(path, lines, "FIELDS")
+    columns: dict[str, list[str]] = {"COUNT": ["1"] * len(names)}
+    numbers: dict[str, int] = {"COUNT": line}
+    for key in ("SIZE", "TYPE", "COUNT"):
+        if key != "COUNT" or key in lines:
+            columns[key], numbers[key] = _require(path, lines, key)
+        if len(columns[key]) != len(names):
+            reason = f"{key} has {len(columns[key])} entries for {len(names)} fields"
+            raise FileError(path, reason, where=f"line {numbers[key]}")
+    fields: list[Field] = []
+    seen: set[str] = set()
+    for k, name in enumerate(names):
+        if name in seen and name != "_":
+            raise FileError(path, f"field {name!r} is declared twice", where=f"line {line}")
+        seen.add(name)
+        code = columns["TYPE"][k].lower() + columns["SIZE"][k]
+        if code not in _TYPES.get(columns["TYPE"][k], "").split():
+            reason = f"field {name!r} has the unknown type {columns['TYPE'][k]!r} of size {columns['SIZE'][k]!r}"
+            raise FileError(path, reason, where=f"line {numbers['TYPE']}")
+        count = parse_whole(
+            path, columns["COUNT"][k], f"the COUNT of field {name!r}", numbers["COUNT"], maximum=_MAX_COMPONENTS
+        )
+        if count < 1:
+            raise FileError(path, f"field {name!r} has a COUNT of 0", where=f"line {numbers['COUNT']}")
+        fields.append(Field(name, np.dtype(code).newbyteorder("<"), count))
+    return fields
+
+
+def _parse_extent(path: Any, lines: _Lines) -> tuple[int, int]:
+    """Width and height, held against POINTS; older files may leave out some of the three."""
+    numbers = {key: _parse_one(path, lines, key) for key in ("WIDTH", "HEIGHT", "POINTS") if key in lines}
+    height = numbers.get("HEIGHT", 1)
+    if "WIDTH" not in numbers:
+        if "POINTS" not in numbers or height != 1:
+            raise FileError(path, "the header has no WIDTH line")
+        return numbers["POINTS"], 1
+    width = numbers["WIDTH"]
+    points = numbers.get("POINTS", width * height)
+    if points != width * height:
+        raise FileError(
+            path, f"POINTS is {points}, but WIDTH x HEIGHT is {width * height}", where=f"line {lines['POINTS'][1]}"
+        )
+    return width, height
+
+
+def _parse_one(path: Any, lines: _Lines, key: str) -> int:
+    words, line = lines[key]
+    if len(words) != 1:
+        raise FileError(path, f"{key}: expected one number, found {' '.join(words)[:60]!r}", where=f"line {line}")
+    return parse_whole(path, words[0], key, line)
+
+
+def _require(path: Any, lines: _Lines, key: str) -> tuple[list[str], int]:
+    if key not in lines:
+        raise FileError(path, f"the header has no {key} line")
+    return lines[key]
+
+
+def _check_viewpoint(path: Any, lines: _Lines) -> None:
+    words, line = lines.get("VIEWPOINT", (["0"] * 7, 0))
+    try:
+        good = len(words) == 7 and all(math.isfinite(float(word)) for word in words)
+    except ValueError:
+        good = False
+    if not good:
+        raise FileError(path, f"VIEWPOINT: expected 7 numbers, found {' '.join(words)[:60]!r}", where=f"line {line}")

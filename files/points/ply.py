@@ -1,0 +1,297 @@
+"""PLY files of points and of triangle meshes, in text and in both binary byte orders.
+
+Reading takes any elements in any order, properties in any order and of any scalar type, lists of any length anywhere,
+comments, obj_info and CRLF headers. It holds the file to its header: a missing, surplus or malformed byte is an error,
+and nothing is allocated before the counts were compared with the size of the file. List properties of vertices and
+properties of faces other than their corners and their texture (ply_textures.py) are checked for extent and dropped, as
+are all other elements.
+
+Roles of vertex properties: x y z are positions; nx ny nz normals; red green blue (or diffuse_red .., or r g b) colours;
+every other scalar, alpha included, is an attribute. In text, one row is one line.
+
+Writing: positions in the table's own type, normals as float, colours as uchar (rounded to 8 bits), attributes in their
+own type. PLY has no arrays of fixed length: an attribute `a` of shape [n, c] is written as the scalars a_0 .. a_{c-1},
+and reads back as those. The grid of an organised cloud is not stored.
+
+Source: Greg Turk, "The PLY Polygon File Format" (1994).
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import IO, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...core.atomic import atomic_write, check_writable
+from ...core.errors import FileError
+from ..ascii_rows import CHUNK_ROWS, write_rows
+from ..columns import check_name, check_type, colors_to_bytes, own, stack_colors, stack_normals, stack_points
+from ..fans import fan_corners
+from ..pictures.texture_files import picture_names, write_with
+from ..source import Source, open_source
+from ..table import MeshTable, PointTable
+from .ply_header import TYPE_NAMES, Element, Property, read_header
+from .ply_rows import Column, ListColumn, read_rows
+from .ply_textures import add_textures, face_columns, pair_at_vertices, texture_properties
+
+_POINTS: tuple[str, ...] = ("x", "y", "z")
+_NORMALS: tuple[str, ...] = ("nx", "ny", "nz")
+_COLORS: tuple[tuple[str, ...], ...] = (
+    ("red", "green", "blue"),
+    ("diffuse_red", "diffuse_green", "diffuse_blue"),
+    ("r", "g", "b"),
+)
+_CORNERS = ("vertex_indices", "vertex_index")
+_TYPES = "i1 u1 i2 u2 i4 u4 f4 f8"
+_TYPE_REMEDY = "Convert it to an integer of at most 32 bits or to float32 or float64, or write NPZ"
+
+
+def read_ply(path: str | os.PathLike[str]) -> PointTable:
+    """Read the vertices of a PLY file as points.
+
+    Args:
+        path: The file; text or binary.
+
+    Returns:
+        The points, float32 where x, y and z are float and float64 otherwise, with normals, colours and attributes.
+
+    Raises:
+        FileError: Missing, not PLY, truncated, longer than its header says, or inconsistent.
+
+    Notes:
+        Memory: the result, and for text files about 25 bytes for each number in the file.
+    """
+    path = Path(path)
+    return table_of(path, vertex_columns(path, open_source(path)))
+
+
+def vertex_columns(path: Path, source: Source) -> dict[str, NDArray[Any]]:
+    """The scalars of the vertices, once the file is held to its header; of binary rows views into the file."""
+    header = read_header(path, source)
+    header.element(path, "vertex")
+    columns = read_rows(path, source, header, _is_vertex_scalar)["vertex"]
+    return {name: column for name, column in columns.items() if not isinstance(column, ListColumn)}
+
+
+def table_of(path: Path, columns: Mapping[str, Column]) -> PointTable:
+    """The points of columns, or of some of their rows, as arrays of their own."""
+    points, normals, colors, attributes = _assign_roles(path, columns)
+    return PointTable(points, normals, colors, attributes)
+
+
+def read_ply_mesh(path: str | os.PathLike[str]) -> MeshTable:
+    """Read a PLY file as a triangle mesh.
+
+    Args:
+        path: The file; text or binary, with elements `vertex` and `face`.
+
+    Returns:
+        The mesh. A face of more than three corners becomes the fan of triangles around its first corner.
+
+    Raises:
+        FileError: As `read_ply`; also no faces, a face of fewer than three corners, or a corner that is no vertex; a
+            face with another number of texture coordinates or a texture that no comment names; a damaged picture.
+
+    Warns:
+        UserWarning: A picture that is named does not lie beside the file; none is taken then.
+    """
+    path = Path(path)
+    source = open_source(path)
+    header = read_header(path, source)
+    header.element(path, "vertex")
+    if not any(element.name == "face" for element in header.elements):
+        strips = any(element.name == "tristrips" for element in header.elements)
+        reason = "holds triangle strips, which are not supported" if strips else "holds no faces"
+        raise FileError(path, reason, remedy="" if strips else "Read it as a point cloud")
+    corners = _corner_property(path, header.element(path, "face"))
+    textured = texture_properties(path, header.element(path, "face"))
+
+    def wanted(element: Element, prop: Property) -> bool:
+        return _is_vertex_scalar(element, prop) or (element.name == "face" and (prop is corners or prop in textured))
+
+    columns = read_rows(path, source, header, wanted)
+    faces = columns["face"][corners.name]
+    assert isinstance(faces, ListColumn)
+    vertices, normals, colors, attributes = _assign_roles(path, columns["vertex"])
+    fans = fan_corners(path, faces.lengths)
+    mesh = MeshTable(vertices, _check_corners(path, faces, len(vertices))[fans], normals, colors, attributes)
+    add_textures(path, mesh, header, columns["face"], faces.lengths, fans)
+    return mesh
+
+
+def write_ply(
+    path: str | os.PathLike[str],
+    table: PointTable,
+    *,
+    ascii: bool = False,
+    overwrite: bool = True,
+    comments: Sequence[str] = (),
+) -> None:
+    """Write points as PLY, little-endian binary or text.
+
+    Args:
+        path: The file; it appears whole or not at all.
+        table: The points.
+        ascii: Text instead of binary; either form reads back to the same bits, colours rounded to 8 bits.
+        overwrite: Whether an existing file may be replaced.
+        comments: Lines of ASCII for the header.
+
+    Raises:
+        FileError: The place cannot be written, or an attribute's name or type cannot be stored.
+        ValueError: An array of the table has the wrong shape.
+    """
+    path = check_writable(path, overwrite=overwrite)
+    table = table.checked()
+    columns = _vertex_columns(path, table.points, table.normals, table.colors, table.attributes)
+    head = _header(columns, len(table.points), ascii=ascii, comments=comments)
+    with atomic_write(path, overwrite=overwrite) as file:
+        file.write("\n".join([*head, "end_header", ""]).encode("ascii"))
+        _write_columns(file, list(columns.values()), ascii=ascii)
+
+
+def write_ply_mesh(
+    path: str | os.PathLike[str],
+    mesh: MeshTable,
+    *,
+    ascii: bool = False,
+    overwrite: bool = True,
+    comments: Sequence[str] = (),
+) -> None:
+    """Write a triangle mesh as PLY, little-endian binary or text.
+
+    Args:
+        path: The file; it appears whole or not at all.
+        mesh: The mesh; triangles are stored as `property list uchar int vertex_indices`, textures as ply_textures.py
+            has it, with the pictures m_0.png, m_1.png, .. beside m.ply.
+        ascii: Text instead of binary.
+        overwrite: Whether existing files may be replaced.
+        comments: Lines of ASCII for the header.
+
+    Raises:
+        FileError: The place cannot be written, or an attribute's name or type cannot be stored.
+        ValueError: An array of the mesh has the wrong shape, or a triangle names a missing vertex or texture.
+    """
+    path = check_writable(path, overwrite=overwrite)
+    mesh = mesh.checked()
+    if mesh.triangles.dtype != np.int32:
+        raise FileError(
+            path, f"PLY's 32-bit indices cannot reach {len(mesh.vertices)} vertices", remedy="Split the mesh"
+        )
+    columns = _vertex_columns(path, mesh.vertices, mesh.vertex_normals, mesh.vertex_colors, mesh.attributes)
+    if mesh.triangle_uvs is None and (pair := pair_at_vertices(mesh.attributes)):
+        reason = f"the attributes {', '.join(pair)} would be read as texture coordinates"
+        raise FileError(path, reason, remedy="Rename one of them")
+    names = picture_names(path, len(mesh.textures))
+    properties, values = face_columns(mesh)
+    said = [*comments, *(f"TextureFile {name}" for name in names)]
+    head = _header(columns, len(mesh.vertices), ascii=ascii, comments=said)
+    head += ["element face " + str(len(mesh.triangles)), "property list uchar int vertex_indices", *properties]
+    with write_with(path, dict(zip(names, mesh.textures, strict=True)), overwrite=overwrite) as file:
+        file.write("\n".join([*head, "end_header", ""]).encode("ascii"))
+        _write_columns(file, list(columns.values()), ascii=ascii)
+        corner_counts = np.broadcast_to(np.uint8(3), len(mesh.triangles))
+        _write_columns(file, [corner_counts, *mesh.triangles.T, *values], ascii=ascii)
+
+
+def _is_vertex_scalar(element: Element, prop: Property) -> bool:
+    return element.name == "vertex" and prop.count_type is None
+
+
+def _role_names(path: Any, names: Sequence[str] | Mapping[str, Any]) -> list[tuple[str, ...] | None]:
+    """Which properties are positions, normals and colours; None for a role that is not filled."""
+    missing = [name for name in _POINTS if name not in names]
+    if missing:
+        raise FileError(path, f"element 'vertex' has no property {', '.join(missing)}")
+    normals = _NORMALS if all(name in names for name in _NORMALS) else None
+    colors = next((triple for triple in _COLORS if all(name in names for name in triple)), None)
+    return [_POINTS, normals, colors]
+
+
+def _assign_roles(
+    path: Any, columns: Mapping[str, Column]
+) -> tuple[NDArray[Any], NDArray[np.float32] | None, NDArray[np.float32] | None, dict[str, NDArray[Any]]]:
+    arrays = {name: column for name, column in columns.items() if not isinstance(column, ListColumn)}
+    roles = _role_names(path, arrays)
+    points, normals, colors = ([arrays.pop(name) for name in names] if names else None for names in roles)
+    assert points is not None
+    return (
+        stack_points(points),
+        None if normals is None else stack_normals(path, normals),
+        None if colors is None else stack_colors(path, colors),
+        {name: own(column) for name, column in arrays.items()},
+    )
+
+
+def _corner_property(path: Any, face: Element) -> Property:
+    for prop in face.properties:
+        if prop.name in _CORNERS:
+            if prop.count_type is None or prop.dtype.kind == "f":
+                raise FileError(path, f"the faces' property {prop.name!r} is not a list of whole numbers")
+            return prop
+    raise FileError(path, "element 'face' has no property vertex_indices")
+
+
+def _check_corners(path: Any, faces: ListColumn, vertex_count: int) -> NDArray[Any]:
+    """The vertex of each corner, once all are there."""
+    corners = faces.values
+    bad = (corners < 0) | (corners >= vertex_count)
+    if bad.any():
+        k = int(np.flatnonzero(bad)[0])
+        row = int(np.searchsorted(np.cumsum(faces.lengths), k, side="right"))
+        reason = f"a face names vertex {corners[k]}, but there are {vertex_count} vertices"
+        raise FileError(path, reason, where=f"face {row}")
+    return corners.astype(np.int32 if vertex_count <= 2**31 else np.int64)
+
+
+def _vertex_columns(
+    path: Any,
+    points: NDArray[Any],
+    normals: NDArray[Any] | None,
+    colors: NDArray[Any] | None,
+    attributes: dict[str, NDArray[Any]],
+) -> dict[str, NDArray[Any]]:
+    """Columns of shape [n] by property name; refuses what would not read back as it was."""
+    columns: dict[str, NDArray[Any]] = dict(zip(_POINTS, points.T, strict=True))
+    if normals is not None:
+        columns |= dict(zip(_NORMALS, normals.T, strict=True))
+    if colors is not None:
+        columns |= dict(zip(_COLORS[0], colors_to_bytes(path, colors).T, strict=True))
+    for name, values in attributes.items():
+        check_name(path, name)
+        check_type(path, name, values, _TYPES, _TYPE_REMEDY)
+        parts = {name: values} if values.ndim == 1 else {f"{name}_{k}": part for k, part in enumerate(values.T)}
+        clash = sorted(parts.keys() & columns.keys())
+        if clash:
+            raise FileError(path, f"attribute {name!r}: the property {clash[0]!r} exists already", remedy="Rename it")
+        columns |= parts
+    expected = [_POINTS, None if normals is None else _NORMALS, None if colors is None else _COLORS[0]]
+    for found, meant in zip(_role_names(path, columns), expected, strict=True):
+        if found != meant:
+            reason = f"the attributes {', '.join(found or ())} would be read as normals or colours"
+            raise FileError(path, reason, remedy="Rename one of them")
+    return columns
+
+
+def _header(columns: dict[str, NDArray[Any]], count: int, *, ascii: bool, comments: Sequence[str] = ()) -> list[str]:
+    lines = ["ply", f"format {'ascii' if ascii else 'binary_little_endian'} 1.0"]
+    lines += [*(f"comment {comment}" for comment in comments), f"element vertex {count}"]
+    for name, column in columns.items():
+        lines.append(f"property {TYPE_NAMES[f'{column.dtype.kind}{column.dtype.itemsize}']} {name}")
+    return lines
+
+
+def _write_columns(file: IO[bytes], columns: list[NDArray[Any]], *, ascii: bool) -> None:
+    if ascii:
+        write_rows(file, columns)
+        return
+    row = np.dtype([(f"f{k}", column.dtype.newbyteorder("<")) for k, column in enumerate(columns)])
+    for begin in range(0, len(columns[0]), CHUNK_ROWS):
+        parts = [column[begin : begin + CHUNK_ROWS] for column in columns]
+        packed = np.empty(len(parts[0]), row)
+        for k, part in enumerate(parts):
+            packed[f"f{k}"] = part
+        file.write(packed.tobytes())

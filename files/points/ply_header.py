@@ -1,0 +1,185 @@
+"""The header of a PLY file: elements, their properties, and where the payload begins.
+
+Source: Greg Turk, "The PLY Polygon File Format" (1994), and the type names that later writers added (int8..float64).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Any, Literal
+
+import numpy as np
+
+from ...core.errors import FileError
+from ..source import MAX_HEADER_BYTES, Source, parse_whole
+
+#: PLY's two families of type names, as NumPy codes without byte order.
+SCALAR_TYPES = {
+    "char": "i1", "uchar": "u1", "short": "i2", "ushort": "u2",
+    "int": "i4", "uint": "u4", "float": "f4", "double": "f8",
+    "int8": "i1", "uint8": "u1", "int16": "i2", "uint16": "u2",
+    "int32": "i4", "uint32": "u4", "float32": "f4", "float64": "f8",
+}  # fmt: skip
+
+#: How the writer names each type: the older family, which every reader knows.
+TYPE_NAMES = dict(zip(list(SCALAR_TYPES.values())[:8], SCALAR_TYPES, strict=False))
+
+ByteOrder = Literal["=", "<", ">"]
+
+_BYTE_ORDERS: dict[str, ByteOrder] = {"ascii": "=", "binary_little_endian": "<", "binary_big_endian": ">"}
+
+
+@dataclass(frozen=True)
+class Property:
+    """One property of an element; a list where `count_type` is given."""
+
+    name: str
+    dtype: np.dtype[Any]
+    count_type: np.dtype[Any] | None = None
+
+
+@dataclass
+class Element:
+    """One element: its name, how many rows it has, and their properties in order."""
+
+    name: str
+    count: int
+    properties: list[Property] = field(default_factory=list)
+
+    @property
+    def has_lists(self) -> bool:
+        """Whether rows may differ in length."""
+        return any(prop.count_type is not None for prop in self.properties)
+
+    @property
+    def least_row_bytes(self) -> int:
+        """Bytes of a binary row whose lists are all empty."""
+        return sum((prop.count_type or prop.dtype).itemsize for prop in self.properties)
+
+
+@dataclass
+class PlyHeader:
+    """What the header says.
+
+    Attributes:
+        ascii: Whether the payload is text.
+        elements: In file order.
+        size: Bytes up to the payload.
+        line_count: Lines up to the payload.
+        comments: The text behind each `comment`.
+    """
+
+    ascii: bool
+    elements: list[Element]
+    size: int
+    line_count: int
+    comments: list[str] = field(default_factory=list)
+
+    def element(self, path: Any, name: str) -> Element:
+        """The element of this name.
+
+        Raises:
+            FileError: There is none.
+        """
+        for element in self.elements:
+            if element.name == name:
+                return element
+        names = ", ".join(element.name for element in self.elements) or "none"
+        raise FileError(path, f"the header declares no element {name!r} (it has: {names})")
+
+
+def read_header(path: Any, source: Source) -> PlyHeader:
+    """Parse the header.
+
+    Raises:
+        FileError: Not PLY, no end, or a line that the format does not know; with the line.
+    """
+    lines, size = _header_lines(path, source)
+    byte_order: ByteOrder | None = None
+    elements: list[Element] = []
+    comments: list[str] = []
+    for number, line in enumerate(lines[1:], start=2):
+        words = line.split()
+        if not words or words[0] in ("comment", "obj_info"):
+            if words[:1] == ["comment"]:
+                comments.append(line[len("comment") :].strip())
+            continue
+        if words[0] == "format":
+            byte_order = _parse_format(path, words, number, again=byte_order is not None)
+        elif byte_order is None:
+            raise FileError(path, f"expected the format line, found {line[:60]!r}", where=f"line {number}")
+        elif words[0] == "element":
+            elements.append(_parse_element(path, words, number, elements))
+        elif words[0] == "property":
+            if not elements:
+                raise FileError(path, "a property stands before any element", where=f"line {number}")
+            elements[-1].properties.append(_parse_property(path, words, number, elements[-1], byte_order))
+        else:
+            raise FileError(path, f"unknown header line {line[:60]!r}", where=f"line {number}")
+    if byte_order is None:
+        raise FileError(path, "the header has no format line")
+    return PlyHeader(byte_order == "=", elements, size, len(lines) + 1, comments)
+
+
+def _header_lines(path: Any, source: Source) -> tuple[list[str], int]:
+    """The lines before end_header, and the offset of the first byte behind it."""
+    start = bytes(source[:5])
+    if not start.startswith(b"ply") or start[3:4] not in (b"\n", b"\r", b" ", b"\t"):
+        raise FileError(path, "is not a PLY file: it does not begin with 'ply'", where="byte 0")
+    newline = b"\r" if start[3:4] == b"\r" and start[4:5] != b"\n" else b"\n"
+    lines: list[str] = []
+    begin = 0
+    while True:
+        end = source.find(newline, begin, MAX_HEADER_BYTES)
+        stop = end if end >= 0 else min(len(source), MAX_HEADER_BYTES)
+        try:
+            line = bytes(source[begin:stop]).decode("utf-8").strip()
+        except UnicodeDecodeError as error:
+            place = f"line {len(lines) + 1}, byte {begin + error.start}"
+            raise FileError(path, "the header is not UTF-8 text", where=place) from error
+        if line == "end_header":
+            return lines, stop + (1 if end >= 0 else 0)
+        if end < 0:
+            raise FileError(path, "the header has no end_header line", where=f"line {len(lines) + 1}")
+        lines.append(line)
+        begin = end + 1
+
+
+def _parse_format(path: Any, words: list[str], number: int, *, again: bool) -> ByteOrder:
+    where = f"line {number}"
+    if again:
+        raise FileError(path, "a second format line", where=where)
+    if len(words) != 3 or words[1] not in _BYTE_ORDERS or words[2] != "1.0":
+        known = ", ".join(_BYTE_ORDERS)
+        raise FileError(path, f"unknown format {' '.join(words[1:])[:60]!r}; known are {known}, all 1.0", where=where)
+    return _BYTE_ORDERS[words[1]]
+
+
+def _parse_element(path: Any, words: list[str], number: int, elements: list[Element]) -> Element:
+    where = f"line {number}"
+    if len(words) != 3:
+        raise FileError(path, f"expected 'element <name> <count>', found {' '.join(words)[:60]!r}", where=where)
+    if any(element.name == words[1] for element in elements):
+        raise FileError(path, f"element {words[1]!r} is declared twice", where=where)
+    return Element(words[1], parse_whole(path, words[2], f"the count of element {words[1]!r}", number))
+
+
+def _parse_property(path: Any, words: list[str], number: int, element: Element, byte_order: ByteOrder) -> Property:
+    where = f"line {number}"
+    is_list = len(words) == 5 and words[1] == "list"
+    if not is_list and len(words) != 3:
+        forms = "'property <type> <name>' or 'property list <type> <type> <name>'"
+        raise FileError(path, f"expected {forms}, found {' '.join(words)[:60]!r}", where=where)
+    name = words[-1]
+    for word in words[2 if is_list else 1 : -1]:
+        if word not in SCALAR_TYPES:
+            raise FileError(path, f"property {name!r} has the unknown type {word[:40]!r}", where=where)
+    if any(prop.name == name for prop in element.properties):
+        raise FileError(path, f"property {name!r} of element {element.name!r} is declared twice", where=where)
+    dtype = np.dtype(SCALAR_TYPES[words[-2]]).newbyteorder(byte_order)
+    if not is_list:
+        return Property(name, dtype)
+    count_type = np.dtype(SCALAR_TYPES[words[2]]).newbyteorder(byte_order)
+    if count_type.kind == "f":
+        raise FileError(path, f"the list {name!r} is counted in {words[2]}, which is no whole number", where=where)
+    return Property(name, dtype, count_type)

@@ -1,0 +1,238 @@
+"""Point clouds from and to files, by extension."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ...core.checks import check_count
+from ...core.coordinates import FLOAT32_MAX, choose_origin, finite_box, quiet
+from ...core.devices import resolve_device
+from ...core.errors import FileError
+from ...kernels.memory import download
+from ...pcd.cloud import PointCloud
+from ...pcd.point_arrays import VECTORS, check_cloud
+from ..table import PointTable
+from . import text_table
+from .e57 import read_e57
+from .formats import READERS, WRITTEN, write_table
+from .las import LasFile, iterate_las, open_las
+from .las_crs import is_geographic, warn_of_degrees
+
+
+def read_point_cloud(
+    path: str | os.PathLike[str], *, device: Any = None, scan: int | None = None, columns: Sequence[str] | None = None
+) -> PointCloud:
+    """Read a cloud with all its attributes: .ply .pcd .xyz .xyzn .xyzrgb .pts .csv .txt .npz .bin .las .laz .e57.
+
+    The readers are strict: a file that is truncated, has trailing bytes, or counts that do not fit its size is
+    refused by name and place, before memory is taken for it; nothing is ever filled in.
+
+    Columns of .csv, .txt and .xyz are what a first line of names says: x y z, nx ny nz, r g b (0..1, or whole numbers
+    in 0..255), and attributes by any other name. Without names three columns are x y z, and more are refused: give
+    `columns`. A .bin is a scan of KITTI, float32 x, y, z, intensity.
+
+    LAS and LAZ come in the file's own unit and coordinate system, which may be feet; their dimensions are attributes by
+    laspy's names (intensity, classification, gps_time and so on). Where the file says that they are longitude and
+    latitude, a GeographicWarning says so: they are kept to the file's steps, but a radius or a voxel of degrees is no
+    length, so that `project_to_utm` should come next. The scans of an E57 file lie where their poses place them, in
+    metres. Both need an extra: `pip install "pointloom[las]"`, `pip install "pointloom[e57]"`.
+
+    Args:
+        path: The file.
+        device: Where the cloud goes.
+        scan: For .e57: the scan to read, from 0; None reads all, with the attribute `scan_index`.
+        columns: For .csv, .txt and .xyz: the names of the columns, in place of those that the file may have.
+
+    Raises:
+        FileError: The file cannot be read; says which byte or line, and why; or the package for it is missing.
+        DeviceError: No such device.
+        IndexError: There is no such scan.
+        ValueError: A scan of a file that is no .e57, columns of one that is no table of text, or columns without x, y
+            and z.
+
+    Example:
+        >>> import pointloom as loom
+        >>> loom.write_point_cloud("scan.ply", loom.PointCloud([[0, 0, 0], [1, 2, 3]], intensity=[7.0, 8.0]))
+        >>> loom.read_point_cloud("scan.ply")["intensity"].tolist()
+        [7.0, 8.0]
+        >>> from pathlib import Path
+        >>> length = Path("scan.csv").write_text("x,y,z,ring\\n0,0,0,5\\n1,2,3,6\\n")
+        >>> loom.read_point_cloud("scan.csv")["ring"].tolist()
+        [5.0, 6.0]
+    """
+    extension = _extension(path)
+    reader = READERS[extension]
+    if columns is not None:
+        if extension not in text_table.SUFFIXES:
+            raise ValueError(f"columns: only {', '.join(text_table.SUFFIXES)} take them, got {Path(path).suffix}")
+        return cloud_of(text_table.read_text_table(path, columns), path, device=device)
+    if scan is None:
+        return cloud_of(reader(path), path, device=device)
+    if reader is not read_e57:
+        raise ValueError(f"scan: only .e57 has scans, got {Path(path).suffix}")
+    return cloud_of(read_e57(path, scan=check_count("scan", scan, minimum=0)), path, device=device)
+
+
+def read_las_chunks(
+    path: str | os.PathLike[str], chunk_size: int = 1_000_000, *, device: Any = None
+) -> Iterator[PointCloud]:
+    """Read a LAS or LAZ file in parts, for one that is larger than the memory.
+
+    All parts have one origin, that of the box that the header gives, so that they can be worked on together.
+
+    Args:
+        path: The file: .las or .laz.
+        chunk_size: Points of a part; the last one has what is left.
+        device: Where the clouds go.
+
+    Returns:
+        The parts in the order of the file; none of a file without points. Each is read when it is asked for.
+
+    Raises:
+        FileError: As read_point_cloud; what is wrong inside the file shows when its part is read. Also colours that
+            look like 8 bits in one part and like 16 in a later one.
+        DeviceError: No such device.
+        ValueError: A chunk size below 1.
+
+    Example:
+        >>> import numpy as np, pointloom as loom
+        >>> loom.write_point_cloud("tile.laz", loom.PointCloud(np.random.default_rng(0).random((1000, 3))))
+        >>> [len(chunk) for chunk in loom.read_las_chunks("tile.laz", 400)]
+        [400, 400, 200]
+    """
+    size, where = check_count("chunk_size", chunk_size), resolve_device(device)
+    if _extension(path) not in (".las", ".laz"):
+        raise FileError(path, "is read in parts only as .las or .laz", remedy="Use read_point_cloud")
+    file = open_las(path)
+    warn_of_degrees(path, is_geographic(file.header), stacklevel=3)
+    return _chunks(file, size, where)
+
+
+@quiet()
+def _common_origin(file: LasFile, first: PointTable) -> NDArray[np.float64]:
+    """The origin of all parts: that of the box which the header gives, unless the first part lies outside it."""
+    box = np.array(file.header.bounds, np.float64)
+    low, high = finite_box(first.points)
+    slack = np.array(file.header.scales)  # headers round
+    is_right = bool(((box[0] - slack <= low) & (high <= box[1] + slack) & (np.abs(box) < FLOAT32_MAX / 4)).all())
+    return choose_origin(box if is_right else first.points, first.steps)
+
+
+def _chunks(file: LasFile, chunk_size: int, device: Any) -> Iterator[PointCloud]:
+    origin = None
+    for table in iterate_las(file, chunk_size):
+        if origin is None:
+            origin = _common_origin(file, table)
+        yield cloud_of(table, file.path, device=device, origin=origin)
+
+
+def cloud_of(
+    table: PointTable, path: str | os.PathLike[str], *, device: Any = None, origin: ArrayLike | None = None
+) -> PointCloud:
+    """The cloud of what was read from a file, about an origin that is chosen where none is given.
+
+    Raises:
+        FileError: An attribute with the name of an array that every cloud has, or points too far apart for float32.
+        DeviceError: No such device.
+    """
+    try:
+        origin = origin_of(table, path, stacklevel=5) if origin is None else origin
+        cloud = PointCloud(table.points, normals=table.normals, colors=table.colors, device=device, origin=origin)
+    except FileError:
+        raise
+    except ValueError as error:
+        raise FileError(path, f"{error}", remedy="Drop the points that lie so far out") from error
+    for name, values in table.attributes.items():  # one by one: a file may call one "device" or "origin"
+        if name in VECTORS:
+            raise FileError(path, f"attribute {name!r} has the name of a cloud's own {name}", remedy="Rename it")
+        cloud[name] = values
+    cloud.grid = table.grid
+    return cloud
+
+
+def origin_of(table: PointTable, path: str | os.PathLike[str], *, stacklevel: int = 3) -> NDArray[np.float64]:
+    """The origin about which a cloud holds what a file told apart; warns where the file says that it holds degrees.
+
+    Raises:
+        ValueError: Points too far apart for float32.
+    """
+    warn_of_degrees(path, table.is_geographic, stacklevel=stacklevel)
+    return choose_origin(table.points, table.steps)
+
+
+def write_point_cloud(
+    path: str | os.PathLike[str],
+    cloud: PointCloud,
+    *,
+    ascii: bool = False,
+    overwrite: bool = True,
+    scale: ArrayLike | None = None,
+    like: str | os.PathLike[str] | None = None,
+) -> None:
+    """Write a cloud with all its attributes, whole or not at all; the extension gives the format.
+
+    Coordinates of a cloud whose origin is zero are written in float32 as they are held; those of a moved origin in
+    float64, so that nothing is lost. LAS and LAZ alone round them, to multiples of `scale` about the cloud's origin.
+    A cloud knows no coordinate system: `like` takes it over from the file that the cloud came from.
+
+    Args:
+        path: The file: .ply .pcd .npz .xyz .xyzn .xyzrgb .pts .las .laz .e57.
+        cloud: The cloud.
+        ascii: Text instead of binary, for .ply and .pcd.
+        overwrite: Whether an existing file may be replaced.
+        scale: Step of the coordinates [m], for .las and .laz: one for all axes, or one for each. None takes 0.001, and
+            finer ones for axes along which most points lie within 1000 m: a millionth of that as a power of ten.
+            Coarser steps make smaller LAZ files.
+        like: For .las and .laz: a LAS or LAZ file whose coordinate system, offset, kind of GPS time and, where none is
+            given, scale are taken over, for a cloud in the same system.
+
+    Raises:
+        FileError: The file cannot be made, or the format cannot hold an attribute or a point that is not finite.
+        TypeError: No cloud.
+        ValueError: A scale that is not above 0; `scale` or `like` for another format.
+
+    Example:
+        >>> import pointloom as loom
+        >>> cloud = loom.PointCloud([[0, 0, 0], [1, 2, 3]], colors=[[1, 0, 0], [0, 1, 0]])
+        >>> loom.write_point_cloud("scan.pcd", cloud)
+        >>> len(loom.read_point_cloud("scan.pcd"))
+        2
+    """
+    if _extension(path) not in WRITTEN:
+        remedy = f"Use one of {' '.join(WRITTEN)}"
+        raise FileError(path, f"clouds are read from {Path(path).suffix}, but not written to it", remedy=remedy)
+    check_cloud("cloud", cloud)
+    if Path(path).suffix.lower() not in (".las", ".laz"):
+        for name, value in (("scale", scale), ("like", like)):
+            if value is not None:
+                raise ValueError(f"{name}: is for .las and .laz, got {Path(path).suffix}")
+    if like is not None and not isinstance(like, str | os.PathLike):
+        raise TypeError(f"like: expected the path of a LAS or LAZ file, got {type(like).__name__}")
+    header = None if like is None else open_las(like).header
+    offset = cloud.origin if cloud.origin.any() and header is None else None
+    write_table(path, table_of(cloud), ascii=ascii, overwrite=overwrite, scale=scale, offset=offset, like=header)
+
+
+def table_of(cloud: PointCloud) -> PointTable:
+    """What a file of this cloud holds."""
+    return PointTable(
+        points=cloud.points if cloud.origin.any() else download(cloud.device_array("points")),
+        normals=cloud.normals if cloud.has_normals else None,
+        colors=cloud.colors if cloud.has_colors else None,
+        attributes=dict(cloud.attributes),
+        grid=cloud.grid,
+    )
+
+
+def _extension(path: str | os.PathLike[str]) -> str:
+    extension = Path(path).suffix.lower()
+    if extension not in READERS:
+        known = " ".join(READERS)
+        raise FileError(path, f"unknown extension {extension!r}", remedy=f"Use one of {known}")
+    return extension

@@ -1,0 +1,69 @@
+"""The scans of a drive, one after another: from a folder, from files, or as clouds."""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Iterable, Iterator
+from pathlib import Path
+from typing import Any
+
+from ...core.errors import FileError
+from ...pcd.cloud import PointCloud
+from .formats import READERS
+from .point_cloud import read_point_cloud
+
+# Tables beside scans are poses, times and notes; where there is nothing else they are the scans.
+_TABLES = (".csv", ".txt")
+
+Scans = str | os.PathLike[str] | Iterable[str | os.PathLike[str] | PointCloud]
+
+
+def list_scans(folder: str | os.PathLike[str]) -> list[Path]:
+    """The scans of a folder in natural order: numbers in names count as numbers, so scan2 comes before scan10.
+
+    All that `read_point_cloud` reads; .csv and .txt only where there is nothing else, since beside other scans they
+    hold times or poses.
+
+    Raises:
+        FileError: No folder, no scan in it, or scans of several kinds, whose order would be a guess.
+    """
+    place = Path(folder)
+    if not place.is_dir():
+        raise FileError(folder, "is no folder" if place.exists() else "does not exist", remedy="Give a folder of scans")
+    files = [path for path in place.iterdir() if path.suffix.lower() in READERS and path.is_file()]
+    if not files:
+        raise FileError(folder, "holds no scan", remedy=f"Scans end in {' '.join(READERS)}")
+    files = [path for path in files if path.suffix.lower() not in _TABLES] or files
+    kinds = sorted({path.suffix.lower() for path in files})
+    if len(kinds) > 1:
+        raise FileError(folder, f"holds files of several kinds: {', '.join(kinds)}", remedy="Give a list of the scans")
+    return sorted(files, key=natural_key)
+
+
+def natural_key(path: Path) -> tuple[list[tuple[int, int, str]], str]:
+    """Orders names with their numbers as numbers; of names that differ in leading zeros only, by the text."""
+    parts = re.split(r"(\d+)", path.name)
+    return [(1, int(part), "") if part.isdigit() else (0, 0, part) for part in parts if part], path.name
+
+
+def read_scans(scans: Scans, *, device: Any = None) -> Iterator[PointCloud]:
+    """The scans of a folder, of a list of files, or clouds as they are; each file is read when it is asked for.
+
+    Raises:
+        FileError: As list_scans and read_point_cloud.
+        TypeError: Neither files nor clouds.
+    """
+    if isinstance(scans, PointCloud):
+        raise TypeError("scans: expected a folder, files or clouds, got one PointCloud; put it into a list")
+    try:
+        each = iter(list_scans(scans) if isinstance(scans, str | os.PathLike) else scans)
+    except TypeError as error:
+        raise TypeError(f"scans: expected a folder, files or clouds, got {type(scans).__name__}") from error
+    for scan in each:
+        if isinstance(scan, PointCloud):
+            yield scan
+        elif isinstance(scan, str | os.PathLike):
+            yield read_point_cloud(scan, device=device)
+        else:
+            raise TypeError(f"scans: expected files or clouds, got {type(scan).__name__}")

@@ -1,0 +1,151 @@
+"""Points as plain text: XYZ, XYZN, XYZRGB and PTS.
+
+One point a line, values parted by blanks. XYZ is x y z, and may have other separators and named columns, see
+text_table.py; XYZN adds nx ny nz; XYZRGB adds r g b in 0..1. These three allow blank lines and lines that begin with
+'#'. PTS begins with the number of points and has x y z, x y z intensity, x y z r g b or x y z intensity r g b, colours
+being whole numbers in 0..255; the intensity is the attribute `intensity`.
+
+Text has no types: positions and intensities read as float64, normals and colours as float32. Writing uses digits enough
+for every value to read back the same, except that PTS rounds colours to 8 bits. What a format cannot hold is refused,
+never left out in silence.
+
+Source: Open3D's documentation of point cloud files, whose conventions these are.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...core.atomic import atomic_write, check_writable
+from ...core.errors import FileError
+from ..ascii_rows import AsciiRows, write_rows
+from ..columns import colors_to_bytes, stack_colors, stack_normals
+from ..source import open_source, parse_whole
+from ..table import PointTable
+from .text_table import read_text_table
+
+#: Values a line by extension; PTS has one of several.
+_WIDTHS = {".xyz": (3,), ".xyzn": (6,), ".xyzrgb": (6,), ".pts": (3, 4, 6, 7)}
+
+_COMMENT = re.compile(rb"^[ \t]*#[^\n]*", re.M)
+
+
+def read_text(path: str | os.PathLike[str]) -> PointTable:
+    """Read an .xyz, .xyzn, .xyzrgb or .pts file; the extension decides.
+
+    Returns:
+        The points in float64, with what else the format holds.
+
+    Raises:
+        FileError: Missing, another extension, a line with another number of values, a word that is no number, or (PTS)
+            a first line that is not the number of points.
+    """
+    path = Path(path)
+    kind = _kind(path)
+    if kind == ".xyz":
+        return read_text_table(path)
+    body = bytes(open_source(path)[:])
+    if b"\r" in body:
+        body = body.replace(b"\r\n", b"\n").replace(b"\r", b"\n")
+    if kind == ".pts":
+        return _read_pts(path, body)
+    if b"#" in body:
+        body = _COMMENT.sub(b"", body)
+    rows = AsciiRows(path, body, 1)
+    (width,) = _WIDTHS[kind]
+    rows.check_width(0, rows.row_count, width)
+    if not rows.row_count:
+        raise FileError(path, "holds no points")
+    table = rows.numbers().reshape(-1, width)
+    points, extra = np.ascontiguousarray(table[:, :3]), [*table[:, 3:].T]
+    if kind == ".xyzn":
+        return PointTable(points, normals=stack_normals(path, extra))
+    return PointTable(points, colors=stack_colors(path, extra))
+
+
+def write_text(path: str | os.PathLike[str], table: PointTable, *, overwrite: bool = True) -> None:
+    """Write an .xyz, .xyzn, .xyzrgb or .pts file; the extension decides.
+
+    Args:
+        path: The file; it appears whole or not at all.
+        table: The points, with exactly what the format holds.
+        overwrite: Whether an existing file may be replaced.
+
+    Raises:
+        FileError: The place cannot be written, the table holds what the format cannot, or lacks what it needs.
+        ValueError: An array of the table has the wrong shape.
+    """
+    path = check_writable(path, overwrite=overwrite)
+    kind = _kind(path)
+    table = table.checked()
+    columns = _columns(path, kind, table)
+    with atomic_write(path, overwrite=overwrite) as file:
+        if kind == ".pts":
+            file.write(f"{len(table.points)}\n".encode("ascii"))
+        write_rows(file, columns)
+
+
+def _kind(path: Path) -> str:
+    kind = path.suffix.lower()
+    if kind not in _WIDTHS:
+        raise FileError(path, f"{path.suffix!r} is not one of {', '.join(_WIDTHS)}")
+    return kind
+
+
+def _read_pts(path: Path, body: bytes) -> PointTable:
+    first, _, rest = body.partition(b"\n")
+    count = parse_whole(path, first.strip().decode("ascii", "backslashreplace"), "the number of points", 1)
+    rows = AsciiRows(path, rest, 2)
+    if rows.row_count < count:
+        raise FileError(path, f"truncated: {rows.row_count} of {count} points", where=rows.where(rows.row_count))
+    if rows.row_count > count:
+        raise FileError(
+            path, f"{rows.row_count - count} lines follow the declared {count} points", where=rows.where(count)
+        )
+    if not count:
+        return PointTable(np.empty((0, 3)))
+    width = int(rows.widths()[0])
+    if width not in _WIDTHS[".pts"]:
+        raise FileError(path, f"expected 3, 4, 6 or 7 values, found {width}", where=rows.where(0))
+    rows.check_width(0, count, width)
+    table = rows.numbers().reshape(count, width)
+    colors = None
+    if width >= 6:
+        channels = [rows.cast(column, np.dtype(np.uint8), "colour", 0) for column in table[:, -3:].T]
+        colors = stack_colors(path, channels)
+    attributes = {"intensity": table[:, 3].copy()} if width in (4, 7) else {}
+    return PointTable(np.ascontiguousarray(table[:, :3]), None, colors, attributes)
+
+
+def _columns(path: Path, kind: str, table: PointTable) -> list[NDArray[Any]]:
+    """The columns to write, once it is sure that they are all that the table holds."""
+    attributes = dict(table.attributes)
+    columns = [*table.points.T]
+    if kind == ".pts" and "intensity" in attributes and attributes["intensity"].ndim == 1:
+        columns.append(attributes.pop("intensity"))
+    lost = [f"the attribute {name!r}" for name in attributes]
+    for name, values, holders in (
+        ("normals", table.normals, (".xyzn",)),
+        ("colors", table.colors, (".xyzrgb", ".pts")),
+    ):
+        if values is None:
+            if kind in holders and kind != ".pts":
+                raise FileError(path, f"{kind} needs {name}, and the cloud has none", remedy="Write .xyz or .ply")
+        elif kind not in holders:
+            lost.append(name)
+        elif kind == ".pts":
+            columns += [*colors_to_bytes(path, values).T]
+        else:
+            columns += [*values.T]
+    if lost:
+        remedy = "Write .ply, which holds them all, or drop them first"
+        raise FileError(path, f"{kind} cannot hold {', '.join(lost)}", remedy=remedy)
+    if not len(table.points) and kind != ".pts":
+        raise FileError(path, f"{kind} cannot tell a cloud without points from an empty file", remedy="Write .ply")
+    return columns

@@ -1,0 +1,275 @@
+"""Points as a table of text: .csv, .txt and .xyz, one point a line.
+
+Values are parted by commas, by semicolons or by blanks, all of a file alike; the first line of values decides. Blank
+lines and lines that begin with '#' are passed over. What a column means is never guessed:
+
+- A first line of names says it, also behind '#' or '//': x y z, normals nx ny nz (normal_x ...), colours r g b
+  (red ...), and any other name, which becomes an attribute. Case does not matter for these and for intensity.
+- Without names three columns are x y z. More are refused: six may be normals or colours, the fourth an intensity or a
+  time. Names in the file, the extensions .xyzn and .xyzrgb, or `columns` say which. (Open3D reads three and drops the
+  rest.)
+
+Colours are whole numbers in 0..255 or parts in 0..1, for the file as a whole; one that holds nothing but 0 and 1 could
+be either and is refused unless it is black. Text has no types: positions and attributes are float64.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...core.errors import FileError
+from ..ascii_rows import AsciiRows, is_number
+from ..columns import stack_colors, stack_normals
+from ..source import open_source
+from ..table import PointTable
+
+SUFFIXES = (".xyz", ".csv", ".txt")
+
+POSITION, NORMAL, COLOR = ("x", "y", "z"), ("nx", "ny", "nz"), ("r", "g", "b")
+
+_NAMED = {name: name for name in (*POSITION, *NORMAL, *COLOR, "intensity")}
+_NAMED |= {f"normal_{axis}": f"n{axis}" for axis in POSITION} | {"red": "r", "green": "g", "blue": "b"}
+
+_COMMENT = re.compile(rb"^[ \t]*#[^\n]*", re.M)
+_PARTED = "Values are parted by commas, semicolons or blanks, decimals by points"
+
+
+class _Head(NamedTuple):
+    """What stands above the values.
+
+    Attributes:
+        names: Of the columns; None where the file has none.
+        line: The line of the names, from 1.
+        lines: How many lines the head takes.
+        width: Columns.
+        delimiter: Between the values: b",", b";", or None for blanks.
+    """
+
+    names: list[str] | None
+    line: int
+    lines: int
+    width: int
+    delimiter: bytes | None
+
+
+def read_text_table(path: str | os.PathLike[str], columns: Sequence[str] | None = None) -> PointTable:
+    """Read a .csv, .txt or .xyz file.
+
+    Args:
+        path: The file.
+        columns: What the columns are, in place of the names that the file may have.
+
+    Returns:
+        The points in float64, with the normals, colours and attributes that the names tell.
+
+    Raises:
+        FileError: Missing, a line with another number of values, a value that is missing or no number, columns whose
+            meaning nothing tells, or names that contradict themselves; says where, and how to mend it.
+        ValueError: `columns` without x, y and z, or with a name twice.
+        TypeError: `columns` that are no names.
+    """
+    given = None if columns is None else _check_given(columns)
+    path = Path(path)
+    body = bytes(open_source(path)[:]).removeprefix(b"\xef\xbb\xbf")
+    if b"\r" in body:
+        body = body.replace(b"\r\n", b"\n").replace(b"\r", b"\n")
+    head = _read_head(path, body)
+    rows, text = _rows_of(path, body, head)
+    width = len(given) if given else head.width
+    _check_fields(path, rows, text, head, width)
+    names = given or _names_of(path, head, width)
+    values = rows.numbers().reshape(-1, width)
+    return _table_of(path, dict(zip(names, values.T, strict=True)))
+
+
+def _check_given(columns: Sequence[str]) -> list[str]:
+    if isinstance(columns, str) or not all(isinstance(name, str) for name in columns):
+        raise TypeError(f"columns: expected names such as ['x', 'y', 'z'], got {columns!r}")
+    names = [_canonical(name) for name in columns]
+    if reason := _why_wrong(names):
+        raise ValueError(f"columns: {reason}, got {list(columns)}")
+    return names
+
+
+def _read_head(path: Path, body: bytes) -> _Head:
+    """The names above the values, and what parts these."""
+    comment, begin = (b"", 0), 0
+    for number, begin, line in _lines(body):
+        bare = line.strip()
+        if bare.startswith((b"#", b"//")):
+            comment = (bare.lstrip(b"#/"), number) if bare.lstrip(b"#/").strip() else comment
+            continue
+        if not bare:
+            continue
+        delimiter = next((mark for mark in (b";", b",") if mark in bare), None)
+        fields = _split(bare, delimiter)
+        numeric = [is_number(field) for field in fields if field]
+        if any(numeric) or not any(fields):
+            names = _as_names(comment[0], delimiter, len(fields)) if comment[0] else None
+            return _Head(names, comment[1], number - 1, len(fields), delimiter)
+        names = [_plain(field) for field in (bare.split(b"\t") if delimiter is None and b"\t" in bare else fields)]
+        return _Head(names, number, number, len(names), _delimiter_below(body, begin, delimiter))
+    raise FileError(path, "holds no points")
+
+
+def _lines(body: bytes) -> Any:
+    """Number, place of the end and text of each line, one by one: only the head is looked at."""
+    begin, number = 0, 1
+    while begin < len(body):
+        end = body.find(b"\n", begin)
+        end = len(body) if end < 0 else end
+        yield number, end, body[begin:end]
+        begin, number = end + 1, number + 1
+
+
+def _delimiter_below(body: bytes, end: int, named: bytes | None) -> bytes | None:
+    """What parts the values below a line of names: what the first of their lines holds."""
+    for _, _, line in _lines(body[end + 1 : end + 1 + (1 << 16)]):
+        if line.strip() and not line.strip().startswith(b"#"):
+            return next((mark for mark in (b";", b",") if mark in line), None)
+    return named
+
+
+def _split(line: bytes, delimiter: bytes | None) -> list[bytes]:
+    return line.split() if delimiter is None else [field.strip() for field in line.split(delimiter)]
+
+
+def _plain(field: bytes) -> str:
+    return field.strip().decode("utf-8", "backslashreplace").strip("\"'").strip()
+
+
+def _as_names(comment: bytes, delimiter: bytes | None, count: int) -> list[str] | None:
+    """A comment as the names of the columns, where it is one: as many words as columns, with x, y and z."""
+    for mark in (delimiter, None, b",", b";"):
+        names = [_plain(field) for field in _split(comment, mark)]
+        if len(names) == count and set(POSITION) <= {_canonical(name) for name in names}:
+            return names
+    return None
+
+
+def _canonical(name: str) -> str:
+    return _NAMED.get(name.strip().lower(), name.strip())
+
+
+def _names_of(path: Path, head: _Head, width: int) -> list[str]:
+    """What each column is.
+
+    Raises:
+        FileError: Nothing tells, or the names contradict themselves.
+    """
+    if head.names is None:
+        if width == 3:
+            return [*POSITION]
+        known = {4: "x y z intensity", 6: "x y z nx ny nz, or x y z r g b", 7: "x y z intensity r g b"}
+        remedy = f"Add a first line of names, such as {known.get(width, 'x y z time')}; or give columns="
+        if width == 6:
+            remedy += "; without names, .xyzn holds normals and .xyzrgb colours in 0..1"
+        raise FileError(path, f"has {width} columns, and nothing says what they are", remedy=remedy)
+    names = [_canonical(name) for name in head.names]
+    if reason := _why_wrong(names):
+        remedy = "Correct the names, or give columns= in their place"
+        raise FileError(
+            path, f"{reason}; the columns are {', '.join(head.names)}"[:300], where=f"line {head.line}", remedy=remedy
+        )
+    return names
+
+
+def _why_wrong(names: Sequence[str]) -> str:
+    """Why columns cannot have these names; empty where they can."""
+    if not all(names):
+        return f"column {list(names).index('') + 1} has no name"
+    twice = next((name for k, name in enumerate(names) if name in names[:k]), None)
+    if twice is not None:
+        return f"two columns are named {twice}"
+    missing = [name for name in POSITION if name not in names]
+    if missing:
+        return f"no column is named {', '.join(missing)}"
+    for what, triple in (("normals", NORMAL), ("colours", COLOR)):
+        there = [name for name in triple if name in names]
+        if 0 < len(there) < 3:
+            return f"{what} need {', '.join(triple)}, and there is only {', '.join(there)}"
+    return ""
+
+
+def _rows_of(path: Path, body: bytes, head: _Head) -> tuple[AsciiRows, bytes]:
+    """The rows below the head, and their text with its delimiters."""
+    begin = 0
+    for _ in range(head.lines):
+        begin = body.find(b"\n", begin) + 1 or len(body)
+    text = body[begin:]
+    if b"#" in text:
+        text = _COMMENT.sub(b"", text)
+    blank = text if head.delimiter is None else text.replace(head.delimiter, b" ")
+    rows = AsciiRows(path, blank, head.lines + 1)
+    if not rows.row_count:
+        raise FileError(path, "holds no points")
+    return rows, text
+
+
+def _check_fields(path: Path, rows: AsciiRows, text: bytes, head: _Head, width: int) -> None:
+    """Hold that each row has one value for each column.
+
+    Raises:
+        FileError: The first row that has not, with its line.
+    """
+    if head.delimiter is None:
+        rows.check_width(0, rows.row_count, width)
+        return
+    marks = np.flatnonzero(np.frombuffer(text, np.uint8) == head.delimiter[0])
+    if rows.is_parted_by(marks, width):
+        return
+    for number, line in enumerate(text.split(b"\n"), head.lines + 1):
+        fields, where = _split(line, head.delimiter), f"line {number}"
+        if not line.strip():
+            continue
+        if len(fields) != width:
+            raise FileError(path, f"expected {width} values, found {len(fields)}", where=where, remedy=_PARTED)
+        for column, field in enumerate(fields, 1):
+            if not field:
+                remedy = "Give it, as nan where it was not measured, or remove the line"
+                raise FileError(path, f"column {column} has no value", where=where, remedy=remedy)
+            if not is_number(field):
+                shown = field[:40].decode("ascii", "backslashreplace")
+                raise FileError(path, f"not a number: {shown!r}", where=where, remedy=_PARTED)
+    raise FileError(path, f"expected {width} values in each line", remedy=_PARTED)
+
+
+def _table_of(path: Path, columns: dict[str, NDArray[np.float64]]) -> PointTable:
+    def taken(names: tuple[str, ...]) -> list[NDArray[np.float64]]:
+        return [columns.pop(name) for name in names if name in columns]
+
+    points = np.ascontiguousarray(np.stack(taken(POSITION), axis=1))
+    normals, colors = taken(NORMAL), taken(COLOR)
+    return PointTable(
+        points,
+        stack_normals(path, normals) if normals else None,
+        _colors_of(path, colors) if colors else None,
+        {name: values.copy() for name, values in columns.items()},
+    )
+
+
+def _colors_of(path: Path, channels: list[NDArray[np.float64]]) -> NDArray[np.float32]:
+    """Colours by the range of their values, float32 [n, 3].
+
+    Raises:
+        FileError: Out of both ranges, or in both.
+    """
+    whole = all(bool((np.floor(channel) == channel).all()) for channel in channels)
+    largest = max(float(channel.max()) for channel in channels)
+    smallest = min(float(channel.min()) for channel in channels)
+    if not whole or smallest < 0 or largest > 255:
+        if largest > 1:
+            reason = f"colours from {smallest:g} to {largest:g} are neither parts in 0..1 nor whole numbers in 0..255"
+            raise FileError(path, reason, remedy="Scale them to 0..1")
+        return stack_colors(path, [channel.astype(np.float32) for channel in channels])
+    if largest == 1:
+        reason = "all colours are 0 or 1, which may be parts of 1 or of 255"
+        raise FileError(path, reason, remedy="Write .xyzrgb for colours in 0..1, .pts for whole numbers in 0..255")
+    return stack_colors(path, [channel.astype(np.uint8) for channel in channels])

@@ -1,0 +1,66 @@
+"""The bytes of an input file, mapped once it is known to be a readable, regular, non-empty file."""
+
+from __future__ import annotations
+
+import mmap
+import os
+import stat
+from pathlib import Path
+from typing import Any
+
+from ..core.errors import FileError
+
+# A header without an end would otherwise be searched through gigabytes of payload; real ones stay below 100 KiB.
+MAX_HEADER_BYTES = 1 << 20
+
+# More digits than any count that a file can hold; int() of a longer text would be slow or refused by Python itself.
+_MAX_DIGITS = 19
+
+Source = bytes | mmap.mmap
+
+
+def open_source(path: str | os.PathLike[str]) -> Source:
+    """Map a file into memory for reading.
+
+    Returns:
+        A read-only map: slices of it are `bytes`, and NumPy can look into it without a copy.
+
+    Raises:
+        FileError: Missing, a folder, a pipe or device, unreadable, or empty.
+    """
+    path = Path(path)
+    try:
+        status = path.stat()
+        if stat.S_ISDIR(status.st_mode):
+            raise FileError(path, "is a folder", remedy="Give the name of a file")
+        if not stat.S_ISREG(status.st_mode):
+            raise FileError(path, "is not a regular file", remedy="Copy what it delivers into a file first")
+        if status.st_size == 0:
+            raise FileError(path, "is empty", where="byte 0")
+        with path.open("rb") as file:
+            try:
+                return mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ)
+            except (OSError, ValueError):  # file systems that cannot map
+                return file.read()
+    except FileNotFoundError as error:
+        raise FileError(path, "does not exist") from error
+    except (OSError, ValueError) as error:
+        if isinstance(error, FileError):
+            raise
+        raise FileError(path, f"cannot be read: {getattr(error, 'strerror', None) or error}") from error
+
+
+def parse_whole(path: Any, text: str, what: str, line: int, *, maximum: int = 10**_MAX_DIGITS) -> int:
+    """A count in a header: decimal digits alone, at most `maximum`.
+
+    Raises:
+        FileError: Anything else, with the line.
+    """
+    where = f"line {line}"
+    if text.startswith("-") and text[1:].isdigit():
+        raise FileError(path, f"{what} is negative: {text[:40]}", where=where)
+    if not (text.isascii() and text.isdigit()):
+        raise FileError(path, f"{what} is not a whole number: {text[:40]!r}", where=where)
+    if len(text) > _MAX_DIGITS or int(text) > maximum:
+        raise FileError(path, f"{what} is impossibly large: {text[:40]}", where=where)
+    return int(text)

@@ -1,0 +1,158 @@
+"""Numbers as they are written in device code: each takes a type here, before either compiler sees it.
+
+A number takes the type of what it stands beside, a whole one that of integers, one with a point that of floats: both
+compilers see `w * 0.5` of a float64 as `w * float64(0.5)`. One that begins a variable is that variable and no constant
+where a branch or loop changes it later: they see `count = 0` as `count = int(0)`. Warp unrolls a loop over a constant,
+and refuses to change one; `int64(CONST)` is even the constant itself to it, so a variable that begins so is its copy.
+"""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Callable
+from typing import NamedTuple
+
+from .signatures import FLOAT, INT, RANGES, Inferred, Type
+from .trees import stored_names
+
+WIDE = {"int64", "uint64", "float64"}
+_WHOLE = RANGES.keys() - {INT.scalar}
+
+
+def number_of(node: ast.expr) -> int | float | None:
+    """The value of a bare number, with or without a minus; None of anything else."""
+    if isinstance(node, ast.UnaryOp) and isinstance(node.op, ast.USub):
+        value = number_of(node.operand)
+        return None if value is None else -value
+    value = node.value if isinstance(node, ast.Constant) else None
+    return value if isinstance(value, int | float) and not isinstance(value, bool) else None
+
+
+def typed(name: str, node: ast.expr) -> ast.Call:
+    """A constructor around an expression."""
+    call = ast.copy_location(ast.Call(ast.Name(name, ast.Load()), [node], []), node)
+    return ast.fix_missing_locations(call)
+
+
+_FOLDS: dict[type, Callable[[int, int], int]] = {
+    ast.Add: lambda a, b: a + b, ast.Sub: lambda a, b: a - b, ast.Mult: lambda a, b: a * b,
+    ast.LShift: lambda a, b: a << b, ast.RShift: lambda a, b: a >> b, ast.BitOr: lambda a, b: a | b,
+    ast.BitAnd: lambda a, b: a & b, ast.BitXor: lambda a, b: a ^ b,
+}  # fmt: skip
+
+
+def constant_of(node: ast.expr, named: Callable[[str], int | float | bool | None]) -> int | float | None:
+    """The number that an expression of literals and module constants stands for, where it is one number."""
+    match node:
+        case ast.Constant(value=int() | float() as value) if not isinstance(value, bool):
+            return value
+        case ast.Name(id=name):
+            value = named(name)
+            return None if isinstance(value, bool) else value
+        case ast.UnaryOp(op=ast.USub(), operand=operand):
+            value = constant_of(operand, named)
+            return None if value is None else -value
+        case ast.BinOp(left=left, op=op, right=right):
+            a, b = constant_of(left, named), constant_of(right, named)
+            if isinstance(a, int) and isinstance(b, int) and type(op) in _FOLDS and not (b < 0 or (b > 64 and a)):
+                return _FOLDS[type(op)](a, b)
+    return None
+
+
+class BareNumbers:
+    """Gives bare numbers their types.
+
+    Attributes:
+        widened: The types that were given.
+    """
+
+    def __init__(self, infer: Callable[[ast.expr], Inferred]):
+        self.infer = infer
+        self.widened: set[str] = set()
+
+    def given(self, node: ast.expr, scalar: str) -> ast.expr:
+        """A bare number with a type, where it takes that; anything else as it is."""
+        kind = type(number_of(node))
+        if (kind is int and scalar in _WHOLE) or (kind is float and scalar == "float64"):
+            self.widened.add(scalar)
+            return typed(scalar, node)
+        return node
+
+    def fit(self, node: ast.expr, target: ast.expr) -> ast.expr:
+        """An expression for a variable that is there, or for an element: a bare number is given its type."""
+        kind = self.infer(target) if number_of(node) is not None else None
+        return self.given(node, kind.scalar) if isinstance(kind, Type) and not kind.shape else node
+
+    def beside(self, parts: list[ast.expr]) -> list[Inferred]:
+        """The types of parts that stand beside each other; the bare numbers among them are given that of the others."""
+        kinds = [None if number_of(part) is not None else self.infer(part) for part in parts]
+        scalars = {kind.scalar for kind in kinds if isinstance(kind, Type)}
+        for k, part in enumerate(parts):
+            if number_of(part) is not None:
+                parts[k] = self.given(part, *scalars) if len(scalars) == 1 else part
+                kinds[k] = self.infer(parts[k])
+        return kinds
+
+
+class Changed(NamedTuple):
+    """The variables that some statements set, and those that loops among them set."""
+
+    anywhere: set[str]
+    in_loops: set[str]
+
+
+class Beginnings:
+    """Writes what begins as a constant and is changed later as a variable.
+
+    Attributes:
+        count: How many were written.
+    """
+
+    def __init__(self, constant: Callable[[str], int | float | bool | None], type_named: Callable[[str], Type | None]):
+        self.constant, self.type_named = constant, type_named
+        self.count = 0
+
+    def write(self, statements: list[ast.stmt]) -> Changed:
+        """Go through statements from the last to the first; what they change."""
+        inner = Changed(set(), set())  # by the branches and loops among them
+        own: set[str] = set()
+        for statement in reversed(statements):
+            if isinstance(statement, ast.If | ast.For | ast.While):
+                is_loop = not isinstance(statement, ast.If)
+                for part in (statement.body, statement.orelse):
+                    found = self.write(part)
+                    inner.anywhere.update(found.anywhere)
+                    inner.in_loops.update(found.anywhere if is_loop else found.in_loops)
+                continue
+            own |= stored_names([statement])
+            if isinstance(statement, ast.Assign) and isinstance(statement.targets[0], ast.Name):
+                self._begin(statement, statement.targets[0].id, inner)
+        return Changed(inner.anywhere | own, inner.in_loops)
+
+    def _begin(self, statement: ast.Assign, name: str, later: Changed) -> None:
+        value = statement.value
+        if name in later.anywhere and (kind := self._small(value)) is not None:
+            statement.value = typed({INT: "int", FLOAT: "float"}[kind], value)
+        elif name in later.in_loops and self._is_wide_constant(value):
+            assert isinstance(value, ast.Call) and isinstance(value.func, ast.Name)
+            zero = typed(value.func.id, ast.copy_location(ast.Constant(0), value))
+            if self.type_named(value.func.id) == Type("float64"):
+                zero.args = [ast.copy_location(ast.Constant(0.0), value)]
+            statement.value = ast.copy_location(ast.BinOp(value, ast.Add(), zero), value)
+        else:
+            return
+        self.count += 1
+
+    def _small(self, node: ast.expr) -> Type | None:
+        """The type of a bare number or a constant with a minus, which Warp knows as constants."""
+        value = number_of(node)
+        if value is None and isinstance(node, ast.UnaryOp) and isinstance(node.op, ast.USub):
+            value = self.constant(node.operand.id) if isinstance(node.operand, ast.Name) else None
+        return {int: INT, float: FLOAT}.get(type(value))
+
+    def _is_wide_constant(self, node: ast.expr) -> bool:
+        match node:
+            case ast.Call(func=ast.Name(id=constructor), args=[ast.Name(id=name)]):
+                kind = self.type_named(constructor)
+                return kind is not None and kind.scalar in WIDE and not kind.shape and self.constant(name) is not None
+        return False

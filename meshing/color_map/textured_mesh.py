@@ -1,0 +1,148 @@
+"""What giving a mesh the colours of frames comes to, and whether it is to be believed: `TexturedMesh`."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from ...cameras.trajectory import Trajectory
+from ...core.audience import Audience, to_caller
+from ...core.reports import Fields, Report
+from ...core.wording import format_share, plain
+from ..mesh.mesh import TriangleMesh
+from .results import ColorMapResult
+
+# What makes a result poor.
+FEW_SEEN = 0.3  # share of the vertices that some picture shows
+BLIND = 0.5  # share of the frames that show nothing of the mesh
+WON = 0.99  # of the residual that is left at most where there was something to win,
+AGREED = 0.01  # and below which there was not: what 8-bit colours and their noise leave
+
+
+@dataclass(frozen=True)
+class TexturedMesh(Report):
+    """A mesh with the colours of frames, and what there is to say of them; `print` tells it.
+
+    Attributes:
+        mesh: With a texture where one was asked for, else with vertex colours.
+        colors: The colour map: the mesh with vertex colours, and the poses that they were read at.
+        method: "rigid", "non-rigid" or "none".
+        depth_max: Farther pixels showed nothing [m].
+        turned, moved: How far the poses were turned [degrees] and moved [m], in the mean.
+        size: Texels a side of the texture; None without one.
+        texel_share: The share of them that a frame shows; None without a texture.
+        poor: Why the colours are not to be believed, with the remedy; None where they are.
+
+    Example:
+        >>> import numpy as np, pointloom as loom
+        >>> mesh = loom.TriangleMesh([[-0.1, -0.1, 1], [0.1, -0.1, 1], [0, 0.1, 1]], [[0, 2, 1]])
+        >>> camera = loom.PinholeCameraIntrinsic(64, 48, 60.0, 60.0, 31.5, 23.5)
+        >>> color, depth = np.full((48, 64, 3), (255, 0, 0), np.uint8), np.full((48, 64), 1000, np.uint16)
+        >>> found = loom.color_map.texture_mesh(mesh, loom.frames_from([(color, depth)], camera), [np.eye(4)])
+        >>> found.seen_share, found.blind_frames, found.poor
+        (1.0, 0, None)
+    """
+
+    mesh: TriangleMesh
+    colors: ColorMapResult
+    method: str
+    depth_max: float
+    turned: float
+    moved: float
+    size: int | None = None
+    texel_share: float | None = None
+
+    @property
+    def frame_count(self) -> int:
+        """How many frames there were."""
+        return len(self.colors.view_counts)
+
+    @property
+    def seen_share(self) -> float:
+        """The share of the vertices that some frame shows."""
+        return float(self.colors.seen.mean())
+
+    @property
+    def blind_frames(self) -> int:
+        """How many frames show nothing of the mesh."""
+        return int((self.colors.view_counts == 0).sum())
+
+    @property
+    def poor(self) -> str | None:
+        """Why the colours are not to be believed, with the remedy; None where they are."""
+        return self.why_poor()
+
+    def why_poor(self, say: Audience = to_caller) -> str | None:
+        """The same in the words of an audience."""
+        reasons = []
+        if self.seen_share < FEW_SEEN:
+            more, farther = say("more of them", "more of them (a smaller --every)"), say("depth_max", "--depth-max")
+            reasons.append(
+                f"the frames show only {format_share(self.seen_share)} of the vertices: take {more}, raise {farther}, "
+                "or check that mesh and poses belong together"
+            )
+        if self.blind_frames > BLIND * self.frame_count:
+            reasons.append(f"{self.blind_frames} of {self.frame_count} frames show nothing of the mesh")
+        before, after = self.colors.residual_before, self.colors.residual
+        if self.method != "none" and before > AGREED and after > WON * before:
+            reasons.append(
+                f"the pictures agree no better than before (residual {before:.4f} to {after:.4f}): the poses are too "
+                "far off, or the colours change with the light; compare with " + say("method='none'", "--method none")
+            )
+        return "; ".join(reasons) or None
+
+    def to_json(self) -> dict[str, Any]:
+        """All but the mesh in JSON's types."""
+        colors, shape = self.colors, self.colors.mesh
+        figures = {
+            "device": str(shape.device),
+            "method": self.method,
+            "frames": self.frame_count,
+            "depth_max": self.depth_max,
+            "vertices": shape.array("vertices").size,
+            "triangles": len(shape),
+            "seen_share": self.seen_share,
+            "blind_frames": self.blind_frames,
+            "residual_before": colors.residual_before,
+            "residual": colors.residual,
+            "turns": colors.iterations,
+            "turned": self.turned,
+            "moved": self.moved,
+            "size": self.size,
+            "texel_share": self.texel_share,
+            "poor": self.poor,
+        }
+        return plain(figures)
+
+    def fields(self) -> Fields:
+        """What was done as labels and values."""
+        colors, blind = self.colors, self.blind_frames
+        seen = f"{format_share(self.seen_share)} of the vertices" + (f"; {blind} frames blind" if blind else "")
+        fields = [
+            *task_fields(colors.mesh, self.frame_count, self.depth_max),
+            ("seen", seen),
+            ("method", f"{self.method}, {colors.iterations} turns"),
+            ("residual", f"{colors.residual_before:.4f} to {colors.residual:.4f} of full brightness"),
+            ("poses", f"turned {self.turned:.3f} deg, moved {self.moved * 1000:.1f} mm in the mean"),
+        ]
+        if self.texel_share is not None:
+            fields.append(("texture", f"{self.size} x {self.size}, {format_share(self.texel_share)} seen"))
+        return fields
+
+
+def task_fields(mesh: TriangleMesh, frame_count: int, depth_max: float) -> Fields:
+    """What is to be coloured, and by what, as labels and values."""
+    return [
+        ("mesh", f"{mesh.array('vertices').size:,} vertices, {len(mesh):,} triangles"),
+        ("frames", f"{frame_count} up to {depth_max:g} m, on {mesh.device}"),
+    ]
+
+
+def mean_motion(before: Trajectory, after: Trajectory) -> tuple[float, float]:
+    """How far poses were turned [degrees] and moved [m], in the mean."""
+    T = np.linalg.inv(before.poses) @ after.poses
+    cosines = (np.trace(T[:, :3, :3], axis1=1, axis2=2) - 1) / 2
+    turned = float(np.degrees(np.arccos(np.clip(cosines, -1, 1))).mean())
+    return turned, float(np.linalg.norm(T[:, :3, 3], axis=1).mean())

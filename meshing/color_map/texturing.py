@@ -1,0 +1,176 @@
+"""The colours of RGB-D frames onto a mesh of the same place, at its vertices or as a texture: `texture_mesh`."""
+
+from __future__ import annotations
+
+import dataclasses
+from typing import Any
+
+import numpy as np
+
+from ...cameras.camera import PinholeCameraIntrinsic
+from ...cameras.images import RGBDImage
+from ...cameras.trajectory import Trajectory
+from ...core.checks import check_callback, check_count, check_list, check_name, check_positive, check_rigid, shown
+from ...core.progress import ReportProgress, say_nothing
+from ...files.frames.datasets import Frame
+from ...files.frames.rgbd_sources import RGBDSource
+from ..mesh.mesh import TriangleMesh
+from ..mesh.mesh_albedo import MOST_TEXELS
+from .optimizers import run_non_rigid_optimizer, run_rigid_optimizer
+from .options import NonRigidOptimizerOption, RigidOptimizerOption
+from .results import ColorMapResult
+from .textured_mesh import TexturedMesh, mean_motion
+
+METHODS = ("rigid", "non-rigid", "none")
+DEPTH_MAX = 4.0  # [m] beyond it the noise of depth cameras passes the 3 cm by which depths may differ
+TURNS = 100  # of the search at most; it ends by itself before where little is left to win
+BENDING_TURNS = 30  # of the search for bent pictures, which begins where the other ended
+GUTTER = 4  # texels between charts of an atlas: two levels of a mipmap
+JUMP = 0.4  # [m] Sobel's sum at a step of 5 cm: floors seen at a low angle, and noise, make smaller ones
+BESIDE = 2  # pixels beside such a step that show nothing
+
+
+def texture_mesh(
+    mesh: TriangleMesh,
+    frames: RGBDSource,
+    poses: Any = None,
+    *,
+    method: str = "rigid",
+    size: int | None = None,
+    depth_max: float = DEPTH_MAX,
+    progress: ReportProgress | None = None,
+) -> TexturedMesh:
+    """Give a mesh the colours of RGB-D frames of the same place, poses made to agree, and say what they are worth.
+
+    What `pointloom texture` does: `run_rigid_optimizer` with settings for depth cameras, `run_non_rigid_optimizer`
+    after it where pictures may bend, and an atlas filled from the pictures as these have them.
+
+    Args:
+        mesh: In the frame of the poses.
+        frames: With colours, such as `loom.open_dataset("kitchen")`; all are held in memory, 7 B a pixel.
+        poses: T_world_camera of each frame [n, 4, 4]; None takes the frames' own.
+        method: "rigid" moves the poses so that the pictures agree, "non-rigid" bends the pictures too after that,
+            "none" takes them as they are.
+        size: Texels a side of a texture; it takes the place of vertex colours, and where the mesh has no texture
+            coordinates an atlas is made (`pip install "pointloom[mesh]"`). None gives vertex colours.
+        depth_max: Farther pixels show nothing [m].
+        progress: Called with the stage ("frames", "colours", "texture"), how many of its steps are done, and how many
+            there are, 0 where nobody knows.
+
+    Returns:
+        A TexturedMesh: the mesh, the poses, figures, and `poor`, which says why they are not to be believed.
+
+    Raises:
+        TypeError: Not a TriangleMesh, or not frames.
+        ValueError: An unknown method, a number out of range, frames without colour or pose, none at all, a mesh
+            without vertices, or for a texture without triangles.
+        NothingSeenError: No frame shows a vertex. It is a ValueError.
+        FileError: A picture that cannot be read.
+
+    Notes:
+        The same bits from run to run on one device; memory as of the optimizers and `project_images_to_albedo`.
+
+    Example:
+        >>> import numpy as np, pointloom as loom
+        >>> mesh = loom.TriangleMesh([[-0.1, -0.1, 1], [0.1, -0.1, 1], [0, 0.1, 1]], [[0, 2, 1]])
+        >>> camera = loom.PinholeCameraIntrinsic(64, 48, 60.0, 60.0, 31.5, 23.5)
+        >>> color, depth = np.full((48, 64, 3), (0, 255, 0), np.uint8), np.full((48, 64), 1000, np.uint16)
+        >>> found = loom.color_map.texture_mesh(mesh, loom.frames_from([(color, depth)], camera), [np.eye(4)])
+        >>> found.mesh.vertex_colors[0].tolist(), found.moved
+        ([0.0, 1.0, 0.0], 0.0)
+    """
+    _check(mesh, frames, method, size)
+    farthest, say = check_positive("depth_max", depth_max), check_callback("progress", progress) or say_nothing
+    images, path = _read_frames(frames, poses, farthest, mesh.device, say)
+    say("colours", 0, 0)
+    colors = _color(mesh, images, path, frames.intrinsic, method, farthest)
+    turned, moved = mean_motion(path, colors.trajectory)
+    found = TexturedMesh(colors.mesh, colors, method, farthest, turned, moved)
+    if size is None:
+        return found
+    say("texture", 0, 0)
+    textured, share = _paint_atlas(colors, frames.intrinsic, size)
+    return dataclasses.replace(found, mesh=textured, size=size, texel_share=share)
+
+
+# ------------------------------------------------------------------------------------------------ internals
+
+
+def _check(mesh: Any, frames: Any, method: Any, size: Any) -> None:
+    if not isinstance(mesh, TriangleMesh):
+        raise TypeError(f"mesh: expected a TriangleMesh, got {type(mesh).__name__}")
+    if not isinstance(frames, RGBDSource):
+        raise TypeError(f"frames: expected such as loom.open_dataset() or frames_from() give, got {shown(frames)}")
+    if check_name("method", method) not in METHODS:
+        raise ValueError(f"method: expected one of {', '.join(METHODS)}, got {method!r}")
+    if size is not None:
+        because = "the texture and what it is made from would not fit; take fewer texels"
+        check_count("size", size, maximum=MOST_TEXELS, because=because)
+        if not len(mesh):
+            raise ValueError("mesh: it has no triangles, which a texture needs")
+
+
+def _read_frames(
+    frames: RGBDSource, poses: Any, depth_max: float, device: Any, say: ReportProgress
+) -> tuple[list[RGBDImage], Trajectory]:
+    given = None if poses is None else check_list("poses", getattr(poses, "poses", poses), "poses")
+    count = len(frames) if hasattr(frames, "__len__") else 0  # pyright: ignore[reportArgumentType]
+    images, path = [], []
+    say("frames", 0, count)
+    for i, frame in enumerate(frames):
+        if frame.color is None:
+            raise ValueError(f"frames: {frame.name} has no colour, which is what a mesh would take from it")
+        path.append(_pose_of(frame, i, given))
+        scale = {"depth_scale": frames.depth_scale, "depth_trunc": depth_max}
+        images.append(RGBDImage(frame.color, frame.depth, **scale, device=device))
+        say("frames", i + 1, count)
+    if not images:
+        raise ValueError("frames: expected one frame at least, got none")
+    if given is not None and len(given) != len(images):
+        raise ValueError(f"poses: {len(given)} poses, but {len(images)} frames; give one a frame")
+    return images, Trajectory(np.array(path))
+
+
+def _pose_of(frame: Frame, index: int, given: list[Any] | None) -> Any:
+    if given is not None:
+        if index >= len(given):
+            raise ValueError(f"poses: {len(given)} poses, but more frames; give one a frame")
+        return check_rigid(f"poses[{index}]", given[index])
+    if frame.T_world_camera is None:
+        raise ValueError(f"frames: {frame.name} has no pose; give poses, as of loom.read_trajectory()")
+    return frame.T_world_camera
+
+
+def _color(
+    mesh: TriangleMesh,
+    images: list[RGBDImage],
+    path: Trajectory,
+    camera: PinholeCameraIntrinsic,
+    method: str,
+    depth_max: float,
+) -> ColorMapResult:
+    numbers: dict[str, Any] = {
+        "maximum_allowable_depth": depth_max,
+        "depth_threshold_for_discontinuity_check": JUMP,
+        "half_dilation_kernel_size_for_discontinuity_map": BESIDE,
+    }
+    turns = 0 if method == "none" else TURNS
+    option = RigidOptimizerOption(maximum_iteration=turns, **numbers)
+    rigid = run_rigid_optimizer(mesh, images, path, option, intrinsic=camera)
+    if method != "non-rigid":
+        return rigid
+    option = NonRigidOptimizerOption(maximum_iteration=BENDING_TURNS, **numbers)
+    bent = run_non_rigid_optimizer(mesh, images, rigid.trajectory, option, intrinsic=camera)
+    turns = rigid.iterations + bent.iterations
+    return dataclasses.replace(bent, residual_before=rigid.residual_before, iterations=turns)
+
+
+def _paint_atlas(colors: ColorMapResult, camera: PinholeCameraIntrinsic, size: int) -> tuple[TriangleMesh, float]:
+    """The mesh with a texture of the pictures as the colour map has them, and the share of it that they show."""
+    mesh = colors.mesh
+    if mesh.triangle_uvs is None:
+        mesh = mesh.compute_uvatlas(size, gutter=GUTTER)
+    pictures = [colors.unwarped_image(i) for i in range(len(colors.view_counts))]
+    extrinsics = [np.linalg.inv(pose) for pose in colors.trajectory.poses]
+    textured, share = mesh._with_albedo(pictures, camera, extrinsics, size)
+    return textured.with_arrays(vertex_colors=None), share  # viewers multiply them with the texture

@@ -1,0 +1,173 @@
+"""A mesh without what is commonly wrong with one, and what is still wrong: `clean_mesh`."""
+
+from __future__ import annotations
+
+from dataclasses import asdict, dataclass
+from typing import Any
+
+from ...core.audience import Audience, to_caller
+from ...core.checks import check_callback, check_count, check_positive
+from ...core.progress import ReportProgress, say_nothing
+from ...core.reports import Fields
+from ...core.wording import format_share, plain
+from .changed_mesh import ChangedMesh, sizes_before
+from .mesh import TriangleMesh
+from .mesh_intersections import check_mesh
+from .mesh_repair import MeshRepairReport
+
+MOST_MERGED = 0.5  # of the vertices: a larger merge distance was likely meant for another mesh or unit
+
+# What repair removes or changes, in words; the rest of its report is what it found at the end.
+_DONE = {
+    "removed_non_finite_triangles": "triangles that are not finite removed",
+    "merged_vertices": "vertices merged",
+    "removed_degenerate_triangles": "degenerate triangles removed",
+    "removed_duplicated_triangles": "repeated triangles removed",
+    "removed_crowding_triangles": "triangles at crowded edges removed",
+    "flipped_triangles": "triangles turned",
+    "filled_holes": "holes filled",
+    "added_triangles": "triangles added",
+    "removed_parts": "small parts removed",
+}
+_LEFT = {
+    "boundary_edges": "edges at a border",
+    "holes_left": "holes not filled",
+    "non_manifold_vertices": "vertices where parts only touch",
+    "zero_area_triangles": "triangles without area",
+    "self_intersections": "pairs of triangles that cut through each other",
+}
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class CleanedMesh(ChangedMesh):
+    """A mesh that was mended, and what is still wrong with it; `print` tells it.
+
+    Attributes:
+        mesh: The new one.
+        repair: What `TriangleMesh.repair` did to all of the mesh.
+        removed_parts: Small parts that went after that; `parts` are left.
+        is_watertight, boundary_edges: Of the mesh without them.
+        self_intersections: Pairs of triangles that cut through each other.
+        merge_distance, hole_size: As they were given [m].
+        vertices_in, triangles_in: How many the other one had.
+        poor: Why the mesh is not to be believed, with the remedy; None where it is.
+
+    Example:
+        >>> import pointloom as loom
+        >>> found = loom.clean_mesh(loom.TriangleMesh.create_moebius())
+        >>> found.poor
+        'a part has one side only, as a Moebius strip: there is no inside'
+    """
+
+    repair: MeshRepairReport
+    removed_parts: int
+    parts: int
+    is_watertight: bool
+    boundary_edges: int
+    self_intersections: int
+    merge_distance: float | None = None
+    hole_size: float | None = None
+
+    def why_poor(self, say: Audience = to_caller) -> str | None:
+        """Why the mesh is not to be believed in the words of an audience, or None."""
+        if not len(self.mesh):
+            return "no triangle is left" + say("", ", and nothing was written")
+        reasons, merge, fill = [], self.merge_distance, self.hole_size
+        if merge is not None and self.repair.merged_vertices > MOST_MERGED * self.vertices_in:
+            share = format_share(self.repair.merged_vertices / self.vertices_in)
+            distance = say("merge_distance", "--merge")
+            reasons.append(f"{share} of the vertices were merged: take a smaller {distance} than {merge:g} m")
+        if fill is not None and self.repair.holes_left:
+            reasons.append(f"{self.repair.holes_left:,} holes of up to {fill:g} m are left open")
+        if not self.repair.is_orientable:
+            reasons.append("a part has one side only, as a Moebius strip: there is no inside")
+        return "; ".join(reasons) or None
+
+    def to_json(self) -> dict[str, Any]:
+        """All but the mesh in JSON's types."""
+        return plain(self.sizes_to_json() | self._figures() | {"poor": self.poor})
+
+    def fields(self) -> Fields:
+        """What was done as labels and values."""
+        figures = self._figures()
+        did = [f"{figures[name]:,} {words}" for name, words in _DONE.items() if figures[name]]
+        still = [f"{figures[name]:,} {words}" for name, words in _LEFT.items() if figures[name]]
+        if not self.repair.is_orientable:
+            still.append("a part with one side only")
+        return [
+            *self.size_fields(),
+            ("parts", f"{self.parts:,}"),
+            ("done", "; ".join(did) or "nothing to mend"),
+            ("left", "; ".join(still) or "nothing wrong"),
+            ("closed", "yes" if self.is_watertight else "no"),
+        ]
+
+    def _figures(self) -> dict[str, Any]:
+        """What was done and found, by name."""
+        ends = {"is_watertight": self.is_watertight, "boundary_edges": self.boundary_edges}
+        parts = {"removed_parts": self.removed_parts, "parts": self.parts}
+        return asdict(self.repair) | ends | parts | {"self_intersections": self.self_intersections}
+
+
+def clean_mesh(
+    mesh: TriangleMesh,
+    *,
+    merge_distance: float | None = None,
+    hole_size: float | None = None,
+    min_triangles: int = 1,
+    min_area: float = 0.0,
+    progress: ReportProgress | None = None,
+) -> CleanedMesh:
+    """Mend a mesh, drop its small parts, and say what was done and what is still wrong.
+
+    What `pointloom clean-mesh` does: `TriangleMesh.repair`, then `remove_small_components`, then the search for
+    triangles that cut through each other.
+
+    Args:
+        mesh: The mesh.
+        merge_distance: Vertices closer than this become one [m]; None for those at one position.
+        hole_size: Holes of up to this radius [m] are closed; None for none.
+        min_triangles: Parts with fewer triangles go.
+        min_area: Parts with a smaller area [m^2] go.
+        progress: Called with each stage when it begins: "repair", "parts", "check".
+
+    Returns:
+        A CleanedMesh: the mesh, figures, and `poor`, which says why it is not to be believed.
+
+    Raises:
+        TypeError: No mesh, or no numbers.
+        ValueError: A number out of range.
+
+    Notes:
+        Same bits from run to run and on every device; memory as of `fill_holes`.
+
+    Example:
+        >>> import pointloom as loom
+        >>> corners = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1], [1, 0, 0], [7, 0, 0], [8, 0, 0], [7, 1, 0]]
+        >>> mesh = loom.TriangleMesh(corners, [[0, 1, 2], [0, 4, 3], [0, 3, 2], [5, 6, 7]])
+        >>> found = loom.clean_mesh(mesh, hole_size=1, min_triangles=2)
+        >>> found.repair.filled_holes, found.removed_parts, found.is_watertight, found.poor
+        (1, 1, True, None)
+    """
+    check_mesh("mesh", mesh)
+    fewest, least = check_count("min_triangles", min_triangles), check_positive("min_area", min_area, allow_zero=True)
+    say = check_callback("progress", progress) or say_nothing
+    say("repair", 0, 0)
+    mended, done = mesh.repair(merge_distance=merge_distance, hole_size=hole_size)
+    say("parts", 0, 0)
+    _, counts, areas = mended.to(mended.device, arrays="numpy").cluster_connected_triangles()
+    small = int(((counts < fewest) | (areas < least)).sum())
+    left = mended.remove_small_components(fewest, least) if small else mended
+    say("check", 0, 0)
+    return CleanedMesh(
+        mesh=left,
+        **sizes_before(mesh),
+        repair=done,
+        removed_parts=small,
+        parts=len(counts) - small,
+        is_watertight=left.is_watertight() if small else done.is_watertight,
+        boundary_edges=len(left.get_boundary_edges()) if small else done.boundary_edges,
+        self_intersections=len(left.get_self_intersecting_triangles()),
+        merge_distance=merge_distance,
+        hole_size=hole_size,
+    )

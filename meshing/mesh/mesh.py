@@ -1,0 +1,138 @@
+"""TriangleMesh: shared vertices and triangles on one device.
+
+What a mesh can do lies in one file a subject; TriangleMesh brings them together.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+from ...core.array_libraries import NUMPY, library_of
+from ...core.checks import check_rows, check_shape, is_on_gpu
+from ...core.coordinates import split_origin
+from ...core.devices import resolve_device
+from ...core.gpu_arrays import take_corners, take_points
+from ...files.table import MeshTable
+from ...kernels.lang import vec3, vec3i
+from ...kernels.memory import move, upload
+from .alpha_shape import AlphaShapes
+from .ball_pivoting import BallPivoting
+from .mesh_albedo import MeshAlbedo
+from .mesh_atlas import MeshAtlas
+from .mesh_booleans import MeshBooleans
+from .mesh_components import MeshComponents
+from .mesh_curvature import MeshCurvatures
+from .mesh_deformation import MeshDeformation
+from .mesh_geodesics import MeshGeodesics
+from .mesh_intersections import MeshIntersections
+from .mesh_metrics import MeshMetrics
+from .mesh_repair import MeshRepair
+from .mesh_round_shapes import MeshRoundShapes
+from .mesh_sampling import MeshSampling
+from .mesh_simplification import MeshSimplification
+from .mesh_smoothing import MeshSmoothing
+from .mesh_subdivision import MeshSubdivision
+from .mesh_trim import MeshTrim
+from .mesh_voxels import MeshVoxels
+from .poisson import Poisson
+
+
+class TriangleMesh(
+    MeshComponents,
+    MeshRepair,
+    MeshBooleans,
+    MeshIntersections,
+    MeshMetrics,
+    MeshSmoothing,
+    MeshSubdivision,
+    MeshDeformation,
+    MeshCurvatures,
+    MeshGeodesics,
+    MeshVoxels,
+    MeshRoundShapes,
+    MeshAtlas,
+    MeshAlbedo,
+    MeshSimplification,
+    MeshSampling,
+    MeshTrim,
+    Poisson,
+    BallPivoting,
+    AlphaShapes,
+):
+    """A triangle mesh: vertices, the triangles between them, and optionally a normal and a colour at each vertex, and
+    texture coordinates at each triangle's corners with the pictures that they point into.
+
+    Everything is float32 (int32 for triangles) on one device. Vertices are stored relative to a float64 `origin`,
+    so that they stay exact far from zero. Operations return a new mesh that shares the arrays which they leave as they
+    are. `len(mesh)` is the number of triangles.
+
+    Arrays come back as they came (docs/arrays.md): operations return arrays of the library that the vertices came in.
+
+    Args:
+        vertices: Positions [m], shape [m, 3].
+        triangles: Vertex numbers, shape [t, 3]; counter-clockwise seen from outside.
+        vertex_normals: Shape [m, 3], stored as given.
+        vertex_colors: In 0..1, shape [m, 3].
+        triangle_uvs: Texture coordinates of corners, shape [3 t, 2].
+        triangle_material_ids: Which of the textures each triangle has, shape [t].
+        textures: Pictures, uint8 [height, width, 3 or 4].
+        device: "cpu", "cuda:N" or "auto"; None for the GPU that the vertices lie on, else the CPU.
+        origin: The point [3] that positions are stored relative to; None takes zero, or the middle of the box where a
+            coordinate passes 1e4 m.
+
+    Raises:
+        TypeError: Not numeric, or triangles that are not whole numbers.
+        ValueError: Another shape, or a triangle that names a vertex which does not exist.
+        DeviceError: No such device.
+
+    Example:
+        >>> mesh = TriangleMesh([[0, 0, 0], [2, 0, 0], [0, 1, 0]], [[0, 1, 2]])
+        >>> mesh.get_surface_area()
+        1.0
+        >>> mesh.compute_vertex_normals().vertex_normals[0].tolist()
+        [0.0, 0.0, 1.0]
+    """
+
+    def __init__(
+        self,
+        vertices: Any = (),
+        triangles: Any = (),
+        *,
+        vertex_normals: Any = None,
+        vertex_colors: Any = None,
+        triangle_uvs: Any = None,
+        triangle_material_ids: Any = None,
+        textures: Any = (),
+        device: Any = None,
+        origin: Any = None,
+    ):
+        self._library = library_of(vertices)
+        anchor = None if origin is None else check_shape("origin", origin, (3,))
+        if is_on_gpu(vertices):
+            local, self._origin = take_points("vertices", vertices, anchor)
+            self._device = local.device
+            self._arrays = {"vertices": local, "triangles": take_corners(triangles, local.device, local.size)}
+        else:
+            positions = check_rows("vertices", vertices, 3)
+            if len(positions) >= 2**31:
+                raise ValueError(f"vertices: 32-bit triangles cannot reach {len(positions)} vertices")
+            table = MeshTable(positions, triangles).checked()
+            local, self._origin = split_origin(table.vertices, anchor)
+            self._device = resolve_device(device)
+            is_copied = self._library == NUMPY
+            self._arrays = {
+                "vertices": upload(local, vec3, self._device, copied=is_copied),
+                "triangles": upload(table.triangles, vec3i, self._device, copied=is_copied),
+            }
+        for name, values in (("vertex_normals", vertex_normals), ("vertex_colors", vertex_colors)):
+            if values is not None:
+                self._assign(name, values)
+        self._textures = ()
+        if triangle_uvs is not None:
+            self.triangle_uvs = triangle_uvs
+        if triangle_material_ids is not None:
+            self.triangle_material_ids = triangle_material_ids
+        self.textures = textures
+        if device is not None and resolve_device(device) != self._device:  # arrays that lay on a GPU
+            self._device = resolve_device(device)
+            self._arrays = {name: move(values, self._device) for name, values in self._arrays.items()}

@@ -1,0 +1,97 @@
+"""How large a mesh is, and what its surface is like, as reports say it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+from .mesh import TriangleMesh
+from .mesh_topology import count_edges
+
+Corner = tuple[float, float, float]
+
+
+@dataclass(frozen=True)
+class MeshSummary:
+    """The size of a mesh.
+
+    Attributes:
+        vertices, triangles: How many.
+        bounds: The lowest and the highest corner [m] of the finite vertices; None without vertices.
+    """
+
+    vertices: int
+    triangles: int
+    bounds: tuple[Corner, Corner] | None
+
+    def to_json(self) -> dict[str, Any]:
+        """The same in JSON's types."""
+        return {"vertices": self.vertices, "triangles": self.triangles, "bounds": _bounds_to_json(self.bounds)}
+
+
+@dataclass(frozen=True)
+class SurfaceSummary:
+    """A surface in figures.
+
+    Attributes:
+        vertices, triangles: How many.
+        area: [m^2].
+        parts: Pieces that hang together by edges.
+        largest_share: Of the area, that of the largest part.
+        edges: How many; `boundary_edges` of them have one triangle, `crowded_edges` three or more.
+        watertight: Whether it is closed.
+        bounds: The lowest and the highest corner [m] of the finite vertices; None without vertices.
+    """
+
+    vertices: int
+    triangles: int
+    area: float
+    parts: int
+    largest_share: float
+    edges: int
+    boundary_edges: int
+    crowded_edges: int
+    watertight: bool
+    bounds: tuple[Corner, Corner] | None
+
+    def to_json(self) -> dict[str, Any]:
+        """The same in JSON's types."""
+        return {**vars(self), "bounds": _bounds_to_json(self.bounds)}
+
+
+def describe_mesh(mesh: TriangleMesh) -> MeshSummary:
+    """The size of a mesh."""
+    return MeshSummary(_vertex_count(mesh), len(mesh), _bounds_of(mesh))
+
+
+def describe_surface(mesh: TriangleMesh) -> SurfaceSummary:
+    """The figures of a surface."""
+    _, _, areas = mesh.to(mesh.device, arrays="numpy").cluster_connected_triangles()
+    area, edges = float(areas.sum()), count_edges(mesh)
+    return SurfaceSummary(
+        vertices=_vertex_count(mesh),
+        triangles=len(mesh),
+        area=area,
+        parts=len(areas),
+        largest_share=float(areas.max() / area) if area else 0.0,
+        edges=edges.all,
+        boundary_edges=edges.boundary,
+        crowded_edges=edges.crowded,
+        watertight=mesh.is_watertight(),
+        bounds=_bounds_of(mesh),
+    )
+
+
+def _vertex_count(mesh: TriangleMesh) -> int:
+    return mesh.array("vertices").size
+
+
+def _bounds_of(mesh: TriangleMesh) -> tuple[Corner, Corner] | None:
+    if not _vertex_count(mesh):
+        return None
+    low, high = (corner.tolist() for corner in mesh.get_axis_aligned_bounding_box())
+    return (low[0], low[1], low[2]), (high[0], high[1], high[2])
+
+
+def _bounds_to_json(bounds: tuple[Corner, Corner] | None) -> dict[str, Any] | None:
+    return None if bounds is None else {"min": list(bounds[0]), "max": list(bounds[1])}

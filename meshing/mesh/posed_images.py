@@ -1,0 +1,113 @@
+"""Pictures with cameras and poses as the operations on meshes take them: checked, and put on the mesh's device."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+import warp as wp
+from numpy.typing import NDArray
+
+from ...cameras.camera import PinholeCameraIntrinsic
+from ...cameras.images import RGBDImage, check_intrinsic, upload_color
+from ...core.checks import check_list, check_rigid
+from ...core.devices import check_same_device
+from ...kernels.arrays.concatenation import concatenate_rows
+from ...kernels.lang import uint8
+from ...kernels.textures.posed_pictures import PosedPictures, smooth_brightness
+
+MOST_PIXELS = 2**31 - 1  # in all: device code counts them in 32 bits
+
+
+@dataclass(frozen=True)
+class PosedImages:
+    """Checked pictures of one mesh.
+
+    Attributes:
+        colors: uint8 device arrays [pixels, 3], one a picture.
+        depths: float32 device arrays [pixels] [m], or None for a picture without depth.
+        cameras: One a picture.
+        T_camera_world: Shape [n, 4, 4].
+    """
+
+    colors: list[wp.array]
+    depths: list[wp.array | None]
+    cameras: list[PinholeCameraIntrinsic]
+    T_camera_world: NDArray[np.float64]
+
+    def pictures(self, origin: NDArray[np.float64], margin: float) -> PosedPictures:
+        """The pictures for kernels, poses about an origin [m]; 7 B a pixel."""
+        sizes = np.array([(camera.width, camera.height) for camera in self.cameras], np.int64)
+        firsts = np.concatenate([[0], np.cumsum(sizes.prod(axis=1))])
+        layout = np.column_stack([sizes, firsts[:-1]])
+        lenses = np.array([(camera.fx, camera.fy, camera.cx, camera.cy) for camera in self.cameras])
+        poses = self.T_camera_world.copy()
+        poses[:, :3, 3] += poses[:, :3, :3] @ origin
+        pixels = concatenate_rows(self.colors)
+        return PosedPictures(layout, lenses, poses, pixels, smooth_brightness(pixels, layout), margin)
+
+
+@dataclass(frozen=True)
+class Names:
+    """What a function calls its pictures, cameras and poses."""
+
+    images: str
+    cameras: str
+    poses: str
+
+
+def check_images(names: Names, images: Any, intrinsics: Any, T_camera_world: Any, device: Any) -> PosedImages:
+    """Pictures, their cameras and their poses, as many of each.
+
+    Args:
+        names: Of the arguments.
+        images: RGBDImages with colours, or uint8 pictures [h, w, 3] or [h, w].
+        intrinsics: A camera for all, or one a picture.
+        T_camera_world: Poses [n, 4, 4], or a list of [4, 4].
+        device: Where the mesh is.
+    """
+    pictures, poses = check_list(names.images, images, "pictures"), list(T_camera_world)
+    if not pictures:
+        raise ValueError(f"{names.images}: expected at least one picture, got none")
+    if len(poses) != len(pictures):
+        raise ValueError(f"{names.poses}: {len(poses)} poses, but {len(pictures)} pictures; give one a picture")
+    alone = isinstance(intrinsics, PinholeCameraIntrinsic)
+    cameras = [intrinsics] * len(pictures) if alone else check_list(names.cameras, intrinsics, "cameras")
+    if len(cameras) != len(pictures):
+        have = f"{len(cameras)} cameras, but {len(pictures)} pictures"
+        raise ValueError(f"{names.cameras}: {have}; give one, or one a picture")
+    colors, depths = [], []
+    for i, (image, camera) in enumerate(zip(pictures, cameras, strict=True)):
+        try:
+            color, depth = _take(image, camera, device)
+        except (TypeError, ValueError) as error:
+            raise type(error)(f"{names.images}[{i}]: {error}") from error
+        colors.append(color)
+        depths.append(depth)
+    pixel_count = sum(color.shape[0] for color in colors)
+    if pixel_count > MOST_PIXELS:
+        have = f"{pixel_count:,} pixels in all"
+        raise ValueError(f"{names.images}: {have} are more than 2^31 - 1; give fewer or smaller ones")
+    T = np.array([check_rigid(f"{names.poses}[{i}]", pose) for i, pose in enumerate(poses)])
+    return PosedImages(colors, depths, cameras, T)
+
+
+def _take(image: Any, camera: Any, device: Any) -> tuple[wp.array, wp.array | None]:
+    """The colours and the depth of one picture."""
+    if isinstance(image, RGBDImage):
+        check_same_device("device", image.device, device)
+        check_intrinsic(camera, image.width, image.height)
+        if image.color_array.dtype != uint8:
+            raise ValueError("brightness only; make the image with convert_rgb_to_intensity=False to keep its colours")
+        return image.color_array, image.depth_array
+    pixels = np.asarray(image)
+    if pixels.ndim not in (2, 3) or 0 in pixels.shape:
+        raise ValueError(f"expected an RGBDImage or a uint8 picture [h, w, 3], got {_named(image, pixels)}")
+    height, width = pixels.shape[:2]
+    check_intrinsic(camera, width, height)
+    return upload_color(pixels, height, width, device), None
+
+
+def _named(image: Any, pixels: NDArray[Any]) -> str:
+    return type(image).__name__ if pixels.dtype == object or not pixels.ndim else f"shape {list(pixels.shape)}"

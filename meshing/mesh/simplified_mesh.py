@@ -1,0 +1,188 @@
+"""A mesh of fewer triangles, and how far its surface moved: `simplify_mesh`."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Any
+
+from ...core.audience import Audience, to_caller
+from ...core.checks import check_callback, check_count, check_positive, check_share
+from ...core.progress import ReportProgress, say_nothing
+from ...core.reports import Fields
+from ...core.wording import plain
+from .changed_mesh import ChangedMesh, sizes_before
+from .mesh import TriangleMesh
+from .mesh_intersections import check_mesh
+
+MISSED = 1.05  # times the triangles wanted: more, and the target is missed
+FAR = 0.01  # of the box's diagonal: a root mean square distance above this is another surface
+SAMPLES = 20_000
+
+_WAYS = {"triangles": "to {:,.0f} triangles", "ratio": "to a share of {:g}", "voxel": "one vertex a voxel of {:g} m"}
+
+
+@dataclass(frozen=True)
+class SurfaceShift:
+    """How far one surface lies from another one.
+
+    Attributes:
+        rms: The root of the mean squared distance [m].
+        max: The largest distance [m].
+    """
+
+    rms: float
+    max: float
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class SimplifiedMesh(ChangedMesh):
+    """A mesh of fewer triangles, and how far its surface moved; `print` tells it.
+
+    Attributes:
+        mesh: The new one.
+        by: "triangles", "ratio" or "voxel": what was given.
+        amount: The count, the share, or the edge of a voxel [m].
+        target: Triangles that were asked for; None by voxels.
+        errors: How far the full surface lies from the new one; None where either has no area.
+        max_error: As it was given.
+        diagonal: Of the full mesh's box [m].
+        vertices_in, triangles_in: How many the other one had.
+        poor: Why the mesh is not to be believed, with the remedy; None where it is.
+
+    Example:
+        >>> import pointloom as loom
+        >>> found = loom.simplify_mesh(loom.TriangleMesh.create_sphere(), triangles=8)
+        >>> found.target, "the surface moved by" in found.poor
+        (8, True)
+    """
+
+    by: str
+    amount: float
+    target: int | None
+    errors: SurfaceShift | None
+    max_error: float
+    diagonal: float
+
+    def why_poor(self, say: Audience = to_caller) -> str | None:
+        """Why the mesh is not to be believed in the words of an audience, or None."""
+        count, target = len(self.mesh), self.target
+        if not count:
+            written = say("", ", and nothing was written")
+            return f"no triangle is left{written}; take more triangles or smaller voxels"
+        reasons = []
+        if target is not None and count > max(target * MISSED, target + 4) and math.isinf(self.max_error):
+            cleaner = say("clean_mesh", "clean-mesh")
+            reasons.append(f"{count:,} triangles are left where {target:,} were asked: mend it with {cleaner} first")
+        if self.errors is not None and self.errors.rms > FAR * self.diagonal:
+            share = self.errors.rms / self.diagonal
+            reasons.append(f"the surface moved by {share:.1%} of its size: take more triangles or smaller voxels")
+        return "; ".join(reasons) or None
+
+    def to_json(self) -> dict[str, Any]:
+        """All but the mesh in JSON's types."""
+        errors = None if self.errors is None else {"rms": self.errors.rms, "max": self.errors.max}
+        found = {"by": self.by, "amount": self.amount, "target": self.target, "errors": errors}
+        return plain(self.sizes_to_json() | found | {"poor": self.poor})
+
+    def fields(self) -> Fields:
+        """What was done as labels and values."""
+        distance = "none measured"
+        if self.errors is not None:
+            distance = f"{self.errors.rms:.3g} m rms, {self.errors.max:.3g} m at most"
+        return [("simplified", _WAYS[self.by].format(self.amount)), *self.size_fields(), ("distance", distance)]
+
+
+def simplify_mesh(
+    mesh: TriangleMesh,
+    *,
+    triangles: int | None = None,
+    ratio: float | None = None,
+    voxel_size: float | None = None,
+    max_error: float = math.inf,
+    boundary_weight: float = 1.0,
+    progress: ReportProgress | None = None,
+) -> SimplifiedMesh:
+    """Make a mesh of fewer triangles, and say how far its surface moved.
+
+    What `pointloom simplify` does: `simplify_quadric_decimation` to a count or a share of the triangles, or
+    `simplify_vertex_clustering` with quadrics, and the distances of 20,000 points of the full surface from the new one.
+
+    Args:
+        mesh: The mesh.
+        triangles: How many are to be left.
+        ratio: Which share of them is to be left, above 0 and up to 1.
+        voxel_size: Leave one vertex a voxel of this size [m].
+        max_error: Decimation ends where a collapse would cost more than this.
+        boundary_weight: Of borders in decimation.
+        progress: Called with each stage when it begins: "simplify", "check".
+
+    Returns:
+        A SimplifiedMesh: the mesh, figures, and `poor`, which says why it is not to be believed.
+
+    Raises:
+        TypeError: No mesh, or no numbers.
+        ValueError: Not one of triangles, ratio and voxel_size, a number out of range, or what goes with decimation
+            given with a voxel_size.
+
+    Warns:
+        UserWarning: As of `simplify_quadric_decimation`.
+
+    Notes:
+        Same bits from run to run and on every device; memory as of the methods.
+
+    Example:
+        >>> import pointloom as loom
+        >>> found = loom.simplify_mesh(loom.TriangleMesh.create_sphere(), ratio=0.5)
+        >>> found.target, len(found.mesh), found.errors.max < 0.02, found.poor
+        (760, 760, True, None)
+    """
+    check_mesh("mesh", mesh)
+    by, amount = _one_of(triangles, ratio, voxel_size)
+    farthest = check_positive("max_error", max_error, allow_zero=True, allow_infinite=True)
+    weight = check_positive("boundary_weight", boundary_weight, allow_zero=True)
+    if by == "voxel" and (farthest, weight) != (math.inf, 1.0):
+        raise ValueError("max_error, boundary_weight: go with triangles or ratio, not with voxel_size")
+    say, target = check_callback("progress", progress) or say_nothing, None
+    say("simplify", 0, 0)
+    if by == "voxel":
+        small = mesh.simplify_vertex_clustering(amount, "quadric")
+    else:
+        target = int(amount) if by == "triangles" else max(1, round(amount * len(mesh)))
+        small = mesh.simplify_quadric_decimation(target, farthest, weight)
+    say("check", 0, 0)
+    low, high = mesh.get_axis_aligned_bounding_box()
+    return SimplifiedMesh(
+        mesh=small,
+        **sizes_before(mesh),
+        by=by,
+        amount=amount,
+        target=target,
+        errors=_shift_of(small, mesh),
+        max_error=farthest,
+        diagonal=math.dist(low, high),
+    )
+
+
+def _one_of(triangles: Any, ratio: Any, voxel_size: Any) -> tuple[str, float]:
+    """What was given, and how much."""
+    given = {"triangles": triangles, "ratio": ratio, "voxel_size": voxel_size}
+    names = [name for name, amount in given.items() if amount is not None]
+    if len(names) != 1:
+        raise ValueError(f"give one of triangles, ratio and voxel_size, got {' and '.join(names) or 'none'}")
+    if triangles is not None:
+        return "triangles", check_count("triangles", triangles)
+    if voxel_size is not None:
+        return "voxel", check_positive("voxel_size", voxel_size)
+    share = check_share("ratio", ratio)
+    if not share:
+        raise ValueError("ratio: expected a share above 0, got 0")
+    return "ratio", share
+
+
+def _shift_of(small: TriangleMesh, full: TriangleMesh) -> SurfaceShift | None:
+    """How far the full surface lies from the simplified one; None where either has no area."""
+    if not (small.get_surface_area() > 0 and full.get_surface_area() > 0):
+        return None
+    found = full.compute_metrics(small, n_sampled_points=SAMPLES)
+    return SurfaceShift(found.rms[0], found.max[0])

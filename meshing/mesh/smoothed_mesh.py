@@ -1,0 +1,171 @@
+"""A mesh with smoother vertices, and what that cost of its shape: `smooth_mesh`."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from ...core.audience import Audience, to_caller
+from ...core.checks import check_count, check_name, check_number
+from ...core.reports import Fields
+from ...core.wording import format_share, plain
+from .changed_mesh import ChangedMesh, sizes_before
+from .mesh import TriangleMesh
+from .mesh_intersections import check_mesh
+from .mesh_smoothing import MOST_PASSES
+
+METHODS = ("taubin", "laplacian", "simple", "sharpen")
+SHRUNK = 0.1  # of the area: more, and the shape goes with the noise
+
+_DEFAULTS = {"lambda_filter": 0.5, "mu": -0.53, "strength": 1.0}
+_OWNERS = {"lambda_filter": ("taubin", "laplacian"), "mu": ("taubin",), "strength": ("sharpen",)}
+
+
+@dataclass(frozen=True)
+class Movement:
+    """How far vertices moved.
+
+    Attributes:
+        mean, max: [m].
+    """
+
+    mean: float
+    max: float
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class SmoothedMesh(ChangedMesh):
+    """A mesh with smoother vertices, and what that cost of its shape; `print` tells it.
+
+    Attributes:
+        mesh: The new one.
+        method: "taubin", "laplacian", "simple" or "sharpen".
+        iterations: How often.
+        moved: How far the finite vertices moved; None where there is none.
+        area_in, area: Before and after [m^2].
+        vertices_in, triangles_in: How many the other one had.
+        poor: Why the mesh is not to be believed, with the remedy; None where it is.
+
+    Example:
+        >>> import pointloom as loom
+        >>> found = loom.smooth_mesh(loom.TriangleMesh.create_sphere(), "simple", 50)
+        >>> found.poor.split(": ")[1]
+        "take fewer iterations, or method='taubin', which shrinks less"
+    """
+
+    method: str
+    iterations: int
+    moved: Movement | None
+    area_in: float
+    area: float
+
+    def why_poor(self, say: Audience = to_caller) -> str | None:
+        """Why the mesh is not to be believed in the words of an audience, or None."""
+        if not len(self.mesh):
+            return "the mesh has no triangles" + say("", ", and nothing was written")
+        change = self.area / self.area_in - 1 if self.area_in > 0 else 0.0
+        fewer = say("iterations", "--iterations")
+        if not math.isfinite(change) or (self.method == "sharpen" and change > 1):
+            less = f"take fewer {fewer} or a smaller {say('strength', '--strength')}"
+            return f"the area grew {self.area / self.area_in:.3g} times: {less}"
+        if self.method != "sharpen" and change < -SHRUNK:
+            other = say("method='taubin'", "--method taubin")
+            return f"{format_share(-change)} of the area are gone with the noise: take fewer {fewer}" + (
+                "" if self.method == "taubin" else f", or {other}, which shrinks less"
+            )
+        return None
+
+    def to_json(self) -> dict[str, Any]:
+        """All but the mesh in JSON's types."""
+        moved = None if self.moved is None else {"mean": self.moved.mean, "max": self.moved.max}
+        how = {"method": self.method, "iterations": self.iterations, "moved": moved}
+        return plain(self.sizes_to_json() | how | {"area_in": self.area_in, "area": self.area, "poor": self.poor})
+
+    def fields(self) -> Fields:
+        """What was done as labels and values."""
+        moved = "no vertex is finite"
+        if self.moved is not None:
+            moved = f"{self.moved.mean:.3g} m mean, {self.moved.max:.3g} m at most"
+        return [
+            ("method", f"{self.method}, {self.iterations:,} times"),
+            *self.size_fields()[1:],
+            ("moved", moved),
+            ("area", f"{self.area:.4g} of {self.area_in:.4g} m^2"),
+        ]
+
+
+def smooth_mesh(
+    mesh: TriangleMesh,
+    method: str = "taubin",
+    iterations: int = 10,
+    *,
+    lambda_filter: float | None = None,
+    mu: float | None = None,
+    strength: float | None = None,
+) -> SmoothedMesh:
+    """Smooth or sharpen the vertices, normals and colours of a mesh, and say how far it moved and shrank.
+
+    What `pointloom smooth-mesh` does with `TriangleMesh.filter_smooth_taubin`, `..._laplacian`, `..._simple` and
+    `filter_sharpen`.
+
+    Args:
+        mesh: The mesh.
+        method: "taubin" hardly shrinks, "laplacian" heeds near neighbours more, "simple" takes the mean of all,
+            "sharpen" moves away from it.
+        iterations: How often, up to 10,000.
+        lambda_filter: Of taubin and laplacian; None takes 0.5.
+        mu: Of taubin; None takes -0.53.
+        strength: Of sharpen; None takes 1.
+
+    Returns:
+        A SmoothedMesh: the mesh, figures, and `poor`, which says why it is not to be believed.
+
+    Raises:
+        TypeError: No mesh, or no numbers.
+        ValueError: No such method, a number out of range, or one of another method.
+
+    Notes:
+        Same bits from run to run and on every device; memory as of the methods.
+
+    Example:
+        >>> import pointloom as loom
+        >>> found = loom.smooth_mesh(loom.TriangleMesh.create_sphere())
+        >>> found.moved.max < 0.01, round(found.area / found.area_in, 1), found.poor
+        (True, 1.0, None)
+    """
+    check_mesh("mesh", mesh)
+    factors = _factors_of(method, {"lambda_filter": lambda_filter, "mu": mu, "strength": strength})
+    reason = "by then hardly anything is left but the mean of all vertices; take fewer"
+    count = check_count("iterations", iterations, minimum=0, maximum=MOST_PASSES, because=reason)
+    filters = {name: getattr(mesh, f"filter_smooth_{name}") for name in METHODS[:3]} | {"sharpen": mesh.filter_sharpen}
+    smooth = filters[method](count, *factors)
+    moved = np.linalg.norm(smooth.vertices - mesh.vertices, axis=1)
+    moved = moved[np.isfinite(moved)]
+    return SmoothedMesh(
+        mesh=smooth,
+        **sizes_before(mesh),
+        method=method,
+        iterations=count,
+        moved=Movement(float(moved.mean()), float(moved.max())) if len(moved) else None,
+        area_in=mesh.get_surface_area(),
+        area=smooth.get_surface_area(),
+    )
+
+
+def _factors_of(method: Any, given: dict[str, Any]) -> list[float]:
+    """The method's own factors, in the order in which its filter takes them.
+
+    Raises:
+        TypeError, ValueError: No such method, or a factor of another one.
+    """
+    if check_name("method", method) not in METHODS:
+        raise ValueError(f"method: expected one of {', '.join(METHODS)}, got {method!r}")
+    for name, value in given.items():
+        if value is not None and method not in _OWNERS[name]:
+            owners = " or ".join(repr(owner) for owner in _OWNERS[name])
+            raise ValueError(f"{name}: goes with method {owners}, not with {method!r}")
+    own = {name: value for name, value in given.items() if method in _OWNERS[name]}
+    return [_DEFAULTS[name] if value is None else check_number(name, value) for name, value in own.items()]

@@ -1,0 +1,186 @@
+"""What a surface through points comes to, and whether it is to be believed: `SurfaceResult`."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+from ...core.audience import Audience, to_caller
+from ...core.reports import Fields, Report
+from ...core.wording import format_bounds, format_share, plain
+from .mesh import TriangleMesh
+from .mesh_summary import SurfaceSummary
+from .poisson import OPPOSED
+
+# What makes a result poor.
+TORN = 0.1  # share of edges at a border: 30 x 30 squares have 4 %, a ball that rolls through the gaps makes 30 %
+CROWDED = {"poisson": 0.01, "ball": 0.01, "alpha": 0.1}  # share of edges of three triangles or more; some alpha has
+ISLANDS = 0.1  # share of the area outside the largest part
+MADE_UP = 0.05  # share of Poisson's surface far from all points
+
+_LARGER = {
+    "poisson": ("a smaller density_quantile or depth", "a smaller --density-quantile or --depth"),
+    "ball": ("larger radii", "larger --radii"),
+    "alpha": ("a larger alpha", "a larger --alpha"),
+}
+
+
+@dataclass(frozen=True)
+class NormalsUsed:
+    """The normals that a surface was made with.
+
+    Attributes:
+        origin: Where they come from, in words.
+        given: Whether they are the cloud's own.
+        disagreement: The share of near neighbours that point to opposite sides; None where none were needed.
+    """
+
+    origin: str
+    given: bool
+    disagreement: float | None
+
+    def why_doubted(self, say: Audience = to_caller) -> str | None:
+        """Why a surface by these normals is not to be believed, with the remedy; None where it is."""
+        share = self.disagreement
+        if share is None or share <= OPPOSED:
+            return None
+        said = f"{format_share(share)} of neighbouring normals point to opposite sides"
+        if self.given:
+            return f"{said}; give {say('new_normals', '--new-normals')}, or orient those of the input"
+        return f"{said} though they were oriented: the points hardly lie on a surface; clean or smooth them first"
+
+
+@dataclass(frozen=True)
+class MadeUp:
+    """How much of a surface no point bears out.
+
+    Attributes:
+        share: Of the area, what lies far from all points; None where it was not asked.
+        far: How far that is [m].
+        better_quantile: A `density_quantile` that leaves little of it; None where none of those tried does.
+    """
+
+    share: float | None = None
+    far: float | None = None
+    better_quantile: float | None = None
+
+    def to_json(self) -> dict[str, float | None]:
+        """The same in JSON's types."""
+        return {"made_up": self.share, "far": self.far, "better_quantile": self.better_quantile}
+
+
+@dataclass(frozen=True, eq=False)
+class SurfaceResult(Report):
+    """A surface through the points of a cloud, and what there is to say of it; `print` tells it.
+
+    Attributes:
+        mesh: The surface; without triangles where there is none.
+        method: "poisson", "ball" or "alpha".
+        settings: The method's own, by name.
+        normals: Which were used, and how far they disagree.
+        points_in: Points of the cloud; `points` of them are finite.
+        not_carried: The cloud's attributes, which a mesh does not hold.
+        summary: The surface in figures.
+        made_up: How much of Poisson's surface lies far from all points.
+        poor: Why the surface is not to be believed, with the remedy; None where it is.
+
+    Example:
+        >>> import pointloom as loom
+        >>> cloud = loom.TriangleMesh.create_sphere().sample_points_poisson_disk(400)
+        >>> result = loom.create_surface(cloud, "ball")
+        >>> result.summary.watertight, result.poor
+        (True, None)
+    """
+
+    mesh: TriangleMesh
+    method: str
+    settings: dict[str, Any]
+    normals: NormalsUsed
+    points_in: int
+    points: int
+    not_carried: tuple[str, ...]
+    summary: SurfaceSummary
+    made_up: MadeUp
+
+    @property
+    def poor(self) -> str | None:
+        """Why the surface is not to be believed, with the remedy; None where it is."""
+        return self.why_poor()
+
+    def why_poor(self, say: Audience = to_caller) -> str | None:
+        """The same in the words of an audience; those of the shell say what became of the file."""
+        reasons = [self.normals.why_doubted(say), self._why_empty(say) or self._why_no_surface(say)]
+        return "; ".join(reason for reason in reasons if reason) or None
+
+    def to_json(self) -> dict[str, Any]:
+        """All but the mesh in JSON's types."""
+        normals = {"normals": self.normals.origin, "disagreement": self.normals.disagreement}
+        counts = {"points_in": self.points_in, "points": self.points, "not_carried": [*self.not_carried]}
+        head = {"device": str(self.mesh.device), "method": self.method, **self.settings}
+        figures = self.summary.to_json() | self.made_up.to_json()
+        return plain(head | normals | counts | figures | {"poor": self.poor})
+
+    def fields(self) -> Fields:
+        """What was done as labels and values."""
+        settings = ", ".join(f"{name.replace('_', ' ')} {_shown(value)}" for name, value in self.settings.items())
+        lost, normals, found = self.points_in - self.points, self.normals.origin, self.summary
+        if self.normals.disagreement is not None:
+            normals += f"; {format_share(self.normals.disagreement)} of neighbours to opposite sides"
+        edges = f"{found.boundary_edges:,} of {found.edges:,} at a border"
+        if found.crowded_edges:
+            edges += f", {found.crowded_edges:,} of three triangles or more"
+        parts = f"{found.parts:,}"
+        if found.parts > 1:
+            parts += f", the largest {format_share(found.largest_share)} of the area"
+        made_up, lacking = self.made_up.share, ", ".join(self.not_carried)
+        return [
+            ("method", f"{self.method}, {settings}"),
+            ("points", f"{self.points:,}" + (f", {lost:,} not finite left out" if lost else "")),
+            ("normals", normals),
+            ("mesh", f"{found.vertices:,} vertices, {found.triangles:,} triangles, {found.area:.4g} m^2"),
+            ("parts", parts),
+            ("edges", edges),
+            *([("made up", f"{format_share(made_up)} of the area")] if made_up else []),
+            ("closed", "yes" if found.watertight else "no"),
+            ("bounds", format_bounds(found.to_json()["bounds"])),
+            *([("not carried", f"{lacking} of the points")] if lacking else []),
+        ]
+
+    def _why_empty(self, say: Audience) -> str | None:
+        if not self.points:
+            return "no point is finite, so there is no surface" + say("", "; nothing was written")
+        if not self.summary.triangles:
+            return f"the mesh is empty{say('', ', and nothing was written')}; take {say(*_LARGER[self.method])}"
+        return None
+
+    def _why_no_surface(self, say: Audience) -> str | None:
+        """Whether the mesh is torn, made up or in pieces."""
+        found, larger = self.summary, say(*_LARGER[self.method])
+        reasons: list[str] = []
+        if found.boundary_edges > TORN * found.edges:
+            share = format_share(found.boundary_edges / found.edges)
+            reasons.append(f"the mesh is torn: {share} of its edges are at a border; take {larger}")
+        if found.crowded_edges > CROWDED[self.method] * found.edges:
+            share = format_share(found.crowded_edges / found.edges)
+            reasons.append(f"{share} of its edges have three triangles or more, so it is no single surface")
+        made_up, far, better = self.made_up.share, self.made_up.far, self.made_up.better_quantile
+        if made_up is not None and made_up > MADE_UP:
+            quantile = say("density_quantile", "--density-quantile")
+            remedy = f"{quantile} {better:g}" if better else f"a larger {quantile}"
+            reasons.append(
+                f"{format_share(made_up)} of the area lie farther than {far:.3g} m from all points, "
+                f"made up to close the surface; take {remedy}"
+            )
+        if 1 - found.largest_share > ISLANDS:
+            share = format_share(1 - found.largest_share)
+            what = "islands or the walls of hollows" if self.method == "alpha" else "islands"
+            reasons.append(
+                f"{share} of the area are {what}, {found.parts - 1:,} of them: clean the cloud first, or take {larger}"
+            )
+        return "; ".join(reasons) or None
+
+
+def _shown(value: Any) -> str:
+    if value is None:
+        return "chosen by the spacing of the points"
+    return " ".join(f"{part:g}" for part in value) if isinstance(value, list | tuple) else str(value)

@@ -1,0 +1,1 @@
+"""Rays, distances and occupancy of triangles."""

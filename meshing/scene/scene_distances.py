@@ -1,0 +1,279 @@
+"""What points find in a scene: the nearest triangle, how far it is, and whether they lie inside."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import warp as wp
+from numpy.typing import NDArray
+
+from ...core.array_libraries import Form, form_of
+from ...core.checks import check_count, check_numeric
+from ...core.coordinates import quiet
+from ...core.gpu_arrays import take_places
+from ...kernels.algebra.transform import transform_points
+from ...kernels.arrays.origins import add_origin
+from ...kernels.lang import float64, vec3
+from ...kernels.memory import upload, zeros
+from ...kernels.meshes.mesh_components import Components
+from ...kernels.meshes.mesh_measures import measure
+from ...kernels.meshes.pseudonormals import Pseudonormals, has_narrow_triangles
+from ...kernels.rays.closest_points import ClosestPoints, describe, find_sides, mark_inside, sign_distances
+from ...kernels.rays.cutting_triangles import meet_anywhere
+from ...kernels.rays.nearest_triangle import NearestTriangles
+from ...kernels.rays.winding_numbers import Dipoles, add_winding_numbers
+from ..mesh.mesh_measures import is_closed
+from .scene_geometries import SceneGeometries
+
+INVALID_ID = 0xFFFFFFFF
+PSEUDONORMALS, WINDING_NUMBERS = "pseudonormals", "winding_numbers"
+
+
+class SceneDistances(SceneGeometries):
+    """The part of RaycastingScene that measures distances.
+
+    Inside is where the surface goes around a point. Two ways find it, and `sign_method` says which one a scene takes:
+
+    - "pseudonormals" (Baerentzen and Aanaes 2005), exact: the scene is one geometry, and its mesh one closed shell
+      whose triangles turn the same way, have an area, and do not meet but where they share a vertex.
+    - "winding_numbers" (Jacobson et al. 2013; Barill et al. 2018), for all else: several shells or geometries, open
+      meshes, triangles without area. Inside is where the sum over all triangles passes 1/2; with holes that is the
+      smoothest guess.
+
+    Both take a mesh that is inside out as a whole for what it encloses.
+    """
+
+    _side_data: dict[int, Pseudonormals | None]  # of the meshes that were asked for; None where it is not for them
+    _dipoles: dict[int, Dipoles]
+
+    def __init__(self, device: Any = None):
+        super().__init__(device)
+        self._side_data, self._dipoles = {}, {}
+
+    @property
+    def sign_method(self) -> str:
+        """How `compute_signed_distance` and `compute_occupancy` tell inside from outside in this scene as it is.
+
+        "pseudonormals" where the scene is one closed shell, "winding_numbers" otherwise.
+
+        Example:
+            >>> import pointloom as loom
+            >>> scene = loom.RaycastingScene()
+            >>> scene.add_triangles([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [0, 3, 2]])
+            0
+            >>> scene.sign_method
+            'winding_numbers'
+        """
+        if len(self) == 1 and self._pseudonormals(0) is not None:
+            return PSEUDONORMALS
+        return WINDING_NUMBERS
+
+    def compute_closest_points(self, query_points: Any, nthreads: int = 0) -> dict[str, NDArray[Any]]:
+        """Find the point of the surface that is closest to each query.
+
+        Args:
+            query_points: Shape [..., 3], float32 or float64.
+            nthreads: Taken as Open3D takes it; the number of threads is the library's.
+
+        Returns:
+            Arrays by name, in the leading shape of the queries:
+            points: [..., 3], float32, or float64 where the scene lies far from zero; NaN where there is none.
+            geometry_ids: uint32 [...], as `add_triangles` returned them; INVALID_ID where there is none.
+            primitive_ids: uint32 [...], the triangle's number in its mesh; INVALID_ID likewise.
+            primitive_uvs: float32 [..., 2], the weights of its second and third corner.
+            primitive_normals: float32 [..., 3], its unit normal by the right-hand rule; (0, 0, 1) where it has no
+                area, (0, 0, 0) where there is none.
+            There is none for queries that are not finite or 1.8e19 m away, and in a scene without triangles.
+
+        Raises:
+            TypeError: Not numeric.
+            ValueError: Another shape.
+
+        Notes:
+            Distances are compared in float64. Of triangles at the same distance, as at an edge or a corner, the one of
+            the smallest geometry, then of the smallest number is it. Same bits from run to run and on every device.
+            80 B of memory a query.
+
+        Example:
+            >>> import pointloom as loom
+            >>> scene = loom.RaycastingScene()
+            >>> scene.add_triangles([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]])
+            0
+            >>> found = scene.compute_closest_points([[0.25, 0.5, 2], [-3, 0, 0]])
+            >>> found["points"].tolist(), found["primitive_ids"].tolist()
+            ([[0.25, 0.5, 0.0], [0.0, 0.0, 0.0]], [0, 0])
+        """
+        queries, shape, form = self._device_queries(query_points, nthreads)
+        nearest, closest = self._find_nearest(queries), ClosestPoints(queries)
+        poses = self._stored_poses()
+        for number in range(len(self)):
+            there = self._seen_from(number, queries)
+            describe(there, self._trees[self._mesh_of[number]], nearest, number, poses[number], closest)
+        places = add_origin(closest.points, self._origin) if self._origin.any() else closest.points
+        return {
+            "points": form.hand_out(places, shape=shape),
+            "geometry_ids": form.hand_out(nearest.meshes, dtype=np.uint32, shape=shape),
+            "primitive_ids": form.hand_out(nearest.triangles, dtype=np.uint32, shape=shape),
+            "primitive_uvs": form.hand_out(closest.uvs, shape=shape),
+            "primitive_normals": form.hand_out(closest.normals, shape=shape),
+        }
+
+    def compute_distance(self, query_points: Any, nthreads: int = 0) -> NDArray[np.float32]:
+        """Measure how far each query is from the surface.
+
+        Args:
+            query_points: Shape [..., 3], float32 or float64.
+            nthreads: Taken as Open3D takes it; the number of threads is the library's.
+
+        Returns:
+            Distances [m], float32 [...]; infinite in a scene without triangles and beyond 1.8e19 m, NaN for queries
+            that are not finite.
+
+        Raises:
+            TypeError: Not numeric.
+            ValueError: Another shape.
+
+        Notes:
+            Measured in float64. Same bits from run to run and on every device. 24 B of memory a query.
+
+        Example:
+            >>> import pointloom as loom
+            >>> scene = loom.RaycastingScene()
+            >>> scene.add_triangles([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]])
+            0
+            >>> scene.compute_distance([[[0.2, 0.2, 2], [4, 0, 4]]]).tolist()
+            [[2.0, 5.0]]
+        """
+        queries, shape, form = self._device_queries(query_points, nthreads)
+        outside = zeros(queries.size, float64, self._device)
+        return form.hand_out(sign_distances(queries, self._find_nearest(queries).sqdists, outside), shape=shape)
+
+    def compute_signed_distance(self, query_points: Any, nthreads: int = 0, nsamples: int = 1) -> NDArray[np.float32]:
+        """Measure how far each query is from the surface: negative inside, positive outside, zero on it.
+
+        Open3D counts how often rays along (1, 1, 1) meet the surface, which is wrong where one passes an edge or a
+        corner, whatever `nsamples` is. Here the sign is that of `sign_method`.
+
+        Args:
+            query_points: Shape [..., 3], float32 or float64.
+            nthreads: Taken as Open3D takes it; the number of threads is the library's.
+            nsamples: Taken as Open3D takes it, an odd number; no rays are cast, so it changes nothing.
+
+        Returns:
+            Distances [m], float32 [...]; infinite in a scene without triangles and beyond 1.8e19 m, NaN for queries
+            that are not finite.
+
+        Raises:
+            TypeError: Not numeric, or `nsamples` is no whole number.
+            ValueError: Another shape, or an even `nsamples`.
+
+        Notes:
+            What the sign needs of a mesh is made at the first call. Same bits from run to run and on every device.
+
+        Example:
+            >>> import pointloom as loom
+            >>> scene = loom.RaycastingScene()
+            >>> corners = [[0, 0, 0], [4, 0, 0], [0, 4, 0], [0, 0, 4]]
+            >>> scene.add_triangles(corners, [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
+            0
+            >>> scene.compute_signed_distance([[0.5, 1, 1], [-3, 0, 0], [0, 1, 1]]).tolist(), scene.sign_method
+            ([-0.5, 3.0, 0.0], 'pseudonormals')
+        """
+        distances, shape, form = self._signed_distances(query_points, nthreads, nsamples)
+        return form.hand_out(distances, shape=shape)
+
+    def compute_occupancy(self, query_points: Any, nthreads: int = 0, nsamples: int = 1) -> NDArray[np.float32]:
+        """Find out which queries lie inside, as `compute_signed_distance` does; the surface itself is inside.
+
+        Args:
+            query_points: Shape [..., 3], float32 or float64.
+            nthreads: Taken as Open3D takes it; the number of threads is the library's.
+            nsamples: Taken as Open3D takes it, an odd number; no rays are cast, so it changes nothing.
+
+        Returns:
+            float32 [...]: 1 inside, 0 outside, NaN for queries that are not finite.
+
+        Raises:
+            TypeError: Not numeric, or `nsamples` is no whole number.
+            ValueError: Another shape, or an even `nsamples`.
+
+        Example:
+            >>> import pointloom as loom
+            >>> scene = loom.RaycastingScene()
+            >>> corners = [[0, 0, 0], [4, 0, 0], [0, 4, 0], [0, 0, 4]]
+            >>> scene.add_triangles(corners, [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
+            0
+            >>> scene.compute_occupancy([[1, 1, 1], [2, 2, 2]]).tolist()
+            [1.0, 0.0]
+        """
+        distances, shape, form = self._signed_distances(query_points, nthreads, nsamples)
+        return form.hand_out(mark_inside(distances), shape=shape)
+
+    def _signed_distances(
+        self, query_points: Any, nthreads: Any, nsamples: Any
+    ) -> tuple[wp.array, tuple[int, ...], Form]:
+        """Distances of queries on the device, their leading shape, and what they came as."""
+        samples = check_count("nsamples", nsamples)
+        if samples % 2 == 0:
+            raise ValueError(f"nsamples: expected an odd number, got {samples}")
+        queries, shape, form = self._device_queries(query_points, nthreads)
+        nearest = self._find_nearest(queries)
+        sides = self._pseudonormals(0) if len(self) == 1 else None
+        if sides is not None:
+            numbers = find_sides(self._seen_from(0, queries), nearest, sides)
+        else:
+            numbers = self._winding_numbers(queries, nearest.order)
+        return sign_distances(queries, nearest.sqdists, numbers), shape, form
+
+    def _device_queries(self, query_points: Any, nthreads: Any) -> tuple[wp.array, tuple[int, ...], Form]:
+        """Queries about the scene's origin as vec3 [n] on the device, their leading shape, and what they came as."""
+        check_count("nthreads", nthreads, minimum=0)
+        form = form_of(query_points)
+        if not form.on_host:
+            return *take_places("query_points", query_points, self._origin, self._device), form
+        given = check_numeric("query_points", query_points)
+        if given.ndim == 0 or given.shape[-1] != 3:
+            raise ValueError(f"query_points: expected shape [..., 3], got {list(given.shape)}")
+        flat, origin = given.reshape(-1, 3), self._origin
+        if origin.any():
+            flat = flat.astype(np.float64) - origin
+        with quiet():  # what float32 cannot hold is infinite there: it finds nothing
+            flat = np.ascontiguousarray(flat, np.float32)
+        return upload(flat, vec3, self._device, copied=False), given.shape[:-1], form
+
+    def _seen_from(self, number: int, queries: wp.array) -> wp.array:
+        """Queries about the scene's origin as a geometry's stored vertices count."""
+        back = np.linalg.inv(self._stored_poses()[number])
+        if np.array_equal(back, np.eye(4)):
+            return queries
+        return transform_points(queries, back[:3, :3], back[:3, 3])
+
+    def _find_nearest(self, queries: wp.array) -> NearestTriangles:
+        nearest = NearestTriangles(queries)
+        for number in range(len(self)):
+            nearest.look_into(self._trees[self._mesh_of[number]], self._seen_from(number, queries), number)
+        return nearest
+
+    def _winding_numbers(self, queries: wp.array, order: Any) -> wp.array:
+        numbers = zeros(queries.size, float64, self._device)
+        for number, mesh in enumerate(self._mesh_of):
+            if mesh not in self._dipoles:
+                self._dipoles[mesh] = Dipoles(self._trees[mesh])
+            add_winding_numbers(self._dipoles[mesh], self._seen_from(number, queries), order, numbers)
+        return numbers
+
+    def _pseudonormals(self, geometry: int) -> Pseudonormals | None:
+        """What tells the side of a geometry's mesh by its nearest triangle; None where that would not do."""
+        number = self._mesh_of[geometry]
+        if number not in self._side_data:
+            mesh = self._meshes[number]
+            vertices, triangles = mesh.array("vertices"), mesh.array("triangles")
+            topology, is_shell = mesh.edge_topology(), False
+            if len(mesh) and is_closed(topology) and not topology.has_twisted_edge:
+                is_whole = len(Components(vertices, triangles).counts) == 1
+                is_shell = is_whole and not has_narrow_triangles(vertices, triangles)
+                is_shell = is_shell and not meet_anywhere(self._trees[number], vertices, triangles)
+            volume = measure(vertices, triangles)[1] if is_shell else 0.0
+            self._side_data[number] = Pseudonormals(vertices, triangles, volume) if is_shell else None
+        return self._side_data[number]

@@ -1,0 +1,180 @@
+"""The meshes of a ray casting scene and where they stand."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...core.checks import check_count, check_rigid, check_rows
+from ...core.coordinates import ORIGIN_LIMIT
+from ...core.devices import check_same_device, resolve_device
+from ...core.known_names import KnownNames
+from ...kernels.rays.scene_trees import SceneTrees
+from ...kernels.rays.triangle_tree import TriangleTree
+from ..mesh.mesh import TriangleMesh
+
+
+class SceneGeometries(KnownNames):
+    """The part of RaycastingScene that holds its meshes; queries are mixins over it.
+
+    A geometry is a mesh in a place. `_meshes` and `_trees` hold each mesh once, `_mesh_of` says which of them a
+    geometry is, and `_poses` where it stands: float64 [4, 4], from the mesh's own coordinates to the scene's. Float32
+    positions on the device count from `_origin` (float64 [3], of the scene as it is), those of a mesh from its own
+    `origin`.
+    """
+
+    _device: Any
+    _meshes: list[TriangleMesh]
+    _trees: list[TriangleTree]
+    _mesh_of: list[int]
+    _poses: list[NDArray[np.float64]]
+    _placed: SceneTrees | None  # for `_meshes` as they are; its places for `_poses` unless `_is_moved`
+    _is_moved: bool
+
+    def __init__(self, device: Any = None):
+        self._device = resolve_device(device)
+        self._meshes, self._trees, self._mesh_of, self._poses = [], [], [], []
+        self._placed, self._is_moved = None, False
+
+    def __len__(self) -> int:
+        return len(self._mesh_of)
+
+    def __repr__(self) -> str:
+        triangles = sum(len(mesh) for mesh in self._meshes)
+        counts = f"{len(self)} geometries of {len(self._meshes)} meshes, {triangles} triangles"
+        return f"{type(self).__name__}({counts}, {self._device})"
+
+    @property
+    def device(self) -> Any:
+        """The device on which the scene is."""
+        return self._device
+
+    def add_triangles(self, mesh: Any, triangles: Any = None, *, pose: Any = None) -> int:
+        """Add a mesh.
+
+        Args:
+            mesh: A TriangleMesh on the scene's device, whose arrays are shared; or vertices [m], shape [m, 3].
+            triangles: Vertex numbers, shape [t, 3], where `mesh` is vertices.
+            pose: The rigid motion [4, 4] from the mesh's coordinates to the scene's; None leaves it where it is.
+
+        Returns:
+            The number of the new geometry: 0, 1, ...
+
+        Raises:
+            TypeError: Not a mesh, or triangles that are not whole numbers.
+            ValueError: Another shape, a triangle that names a vertex which does not exist, or a pose that is not rigid.
+            DeviceError: The mesh is on another device.
+
+        Notes:
+            Triangles with a corner that is not finite are left out; the numbers of the others stay theirs.
+
+        Example:
+            >>> import pointloom as loom
+            >>> scene = loom.RaycastingScene()
+            >>> scene.add_triangles([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]])
+            0
+        """
+        if isinstance(mesh, TriangleMesh):
+            if triangles is not None:
+                raise TypeError("triangles: the mesh has its own; give vertices and triangles, or a mesh alone")
+            check_same_device("mesh", self._device, mesh.device)
+            added = mesh.copy()
+        else:
+            if triangles is None:
+                raise TypeError(f"mesh: expected a TriangleMesh, or vertices and triangles, got {type(mesh).__name__}")
+            added = TriangleMesh(check_rows("mesh", mesh, 3), triangles, device=self._device)
+        T = np.eye(4) if pose is None else check_rigid("pose", pose)
+        self._trees.append(TriangleTree(added.array("vertices"), added.array("triangles")))
+        self._meshes.append(added)
+        return self._place(len(self._meshes) - 1, T)
+
+    def add_instance(self, geometry_id: int, pose: Any) -> int:
+        """Let a mesh stand in one more place; its triangles are there once.
+
+        Args:
+            geometry_id: A geometry of that mesh.
+            pose: The rigid motion [4, 4] from the mesh's coordinates to the scene's, as given to `add_triangles`.
+
+        Returns:
+            The number of the new geometry.
+
+        Raises:
+            TypeError: Not a whole number.
+            ValueError: No such geometry, or a pose that is not rigid.
+
+        Example:
+            >>> import numpy as np
+            >>> import pointloom as loom
+            >>> scene = loom.RaycastingScene()
+            >>> first = scene.add_triangles([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]])
+            >>> shift = np.eye(4)
+            >>> shift[2, 3] = -2
+            >>> second = scene.add_instance(first, shift)
+            >>> scene.list_intersections([[0.2, 0.2, 1, 0, 0, -1]])["t_hit"].tolist()
+            [1.0, 3.0]
+        """
+        return self._place(self._mesh_of[self._known("geometry_id", geometry_id)], check_rigid("pose", pose))
+
+    def set_pose(self, geometry_id: int, pose: Any) -> None:
+        """Move a geometry; no tree of a mesh is built again.
+
+        Args:
+            geometry_id: The geometry.
+            pose: Its new rigid motion [4, 4] from the mesh's coordinates to the scene's.
+
+        Raises:
+            TypeError: Not a whole number.
+            ValueError: No such geometry, or a pose that is not rigid.
+
+        Example:
+            >>> import numpy as np
+            >>> import pointloom as loom
+            >>> scene = loom.RaycastingScene()
+            >>> part = scene.add_triangles([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]])
+            >>> pose = np.eye(4)
+            >>> pose[2, 3] = -4
+            >>> scene.set_pose(part, pose)
+            >>> scene.cast_rays([[0.2, 0.2, 1, 0, 0, -1]])["t_hit"].tolist()
+            [5.0]
+        """
+        number, T = self._known("geometry_id", geometry_id), check_rigid("pose", pose)
+        self._poses[number] = T.copy()
+        self._is_moved = True
+
+    def _known(self, name: str, geometry_id: Any) -> int:
+        number = check_count(name, geometry_id, minimum=0)
+        if number >= len(self):
+            raise ValueError(f"{name}: there is no geometry {number}; this scene has {len(self)}")
+        return number
+
+    def _place(self, mesh: int, pose: NDArray[np.float64]) -> int:
+        self._mesh_of.append(mesh)
+        self._poses.append(pose.copy())
+        self._placed = None
+        return len(self) - 1
+
+    @property
+    def _origin(self) -> NDArray[np.float64]:
+        """What the scene's float32 positions count from: zero, or where the first mesh's do if that is far away."""
+        if not self._poses:
+            return np.zeros(3)
+        place = self._poses[0][:3, :3] @ self._meshes[self._mesh_of[0]].origin + self._poses[0][:3, 3]
+        return place if np.abs(place).max() > ORIGIN_LIMIT else np.zeros(3)
+
+    def _stored_poses(self) -> NDArray[np.float64]:
+        """float64 [geometries, 4, 4], from the meshes' stored float32 vertices to positions about `_origin`."""
+        poses = np.array(self._poses).reshape(-1, 4, 4)
+        origins = np.array([self._meshes[mesh].origin for mesh in self._mesh_of]).reshape(-1, 3)
+        poses[:, :3, 3] += np.einsum("nij,nj->ni", poses[:, :3, :3], origins) - self._origin
+        return poses
+
+    def _scene_trees(self) -> SceneTrees:
+        """The trees of all meshes and where they stand, built at the first query after a change."""
+        if self._placed is None:
+            self._placed = SceneTrees(self._trees, self._mesh_of, self._stored_poses())
+        elif self._is_moved:
+            self._placed.put(self._stored_poses())
+        self._is_moved = False
+        return self._placed

@@ -1,0 +1,248 @@
+"""What rays meet in a scene, and the rays of a pinhole camera."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+import warp as wp
+from numpy.typing import NDArray
+
+from ...core.array_libraries import Form, form_of
+from ...core.checks import check_number, check_numeric
+from ...core.coordinates import quiet
+from ...core.gpu_arrays import take_rays
+from ...kernels.lang import float32
+from ...kernels.memory import upload
+from ...kernels.rays import ray_casting
+from .pinhole_rays import pinhole_rays
+from .scene_geometries import SceneGeometries
+
+INVALID_ID = 0xFFFFFFFF
+
+
+class SceneRays(SceneGeometries):
+    """The part of RaycastingScene that casts rays.
+
+    A ray is (ox, oy, oz, dx, dy, dz): an origin and a direction of any length, in which the parameter t counts. Rays
+    that are not finite, or whose direction is zero, meet nothing. Edges and corners belong to their triangles, and no
+    ray passes between two triangles that share them (Woop, Benthin and Wald, JCGT 2013).
+    """
+
+    INVALID_ID = INVALID_ID
+
+    def cast_rays(self, rays: Any) -> dict[str, NDArray[Any]]:
+        """Find the first triangle that each ray meets.
+
+        Args:
+            rays: Shape [..., 6], float32 or float64.
+
+        Returns:
+            Arrays by name, in the leading shape of the rays:
+            t_hit: float32 [...], the parameter, 0 and up; infinite where nothing is met.
+            geometry_ids: uint32 [...], as `add_triangles` returned them; INVALID_ID where nothing is met.
+            primitive_ids: uint32 [...], the triangle's number in its mesh; INVALID_ID likewise.
+            primitive_uvs: float32 [..., 2], the weights of its second and third corner.
+            primitive_normals: float32 [..., 3], its unit normal by the right-hand rule; (0, 0, 0) likewise.
+
+        Raises:
+            TypeError: Not numeric.
+            ValueError: Another shape.
+
+        Notes:
+            Of triangles that are met at the same float32 t, the one with the smallest geometry, then the smallest
+            number is it; on an edge or a corner all triangles there have the same. Same bits from run to run and on
+            every device. O(1) memory a ray.
+
+        Example:
+            >>> import pointloom as loom
+            >>> scene = loom.RaycastingScene()
+            >>> scene.add_triangles([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]])
+            0
+            >>> scene.cast_rays([0.2, 0.2, 4, 0, 0, -2])["t_hit"].item()
+            2.0
+        """
+        flat, shape, form = self._device_rays(rays)
+        if not len(self):
+            return self._given_out(_missed(shape), form)
+        hits, normals = ray_casting.cast_rays(self._scene_trees(), flat)
+        return _hits_in(form, hits, shape) | {"primitive_normals": form.hand_out(normals, shape=shape)}
+
+    def test_occlusions(self, rays: Any, tnear: float = 0.0, tfar: float = math.inf) -> NDArray[np.bool_]:
+        """Find out whether rays meet anything.
+
+        Args:
+            rays: Shape [..., 6], float32 or float64.
+            tnear: The smallest parameter that counts.
+            tfar: The largest one.
+
+        Returns:
+            bool [...].
+
+        Raises:
+            TypeError: Not numeric.
+            ValueError: Another shape, or a negative limit.
+
+        Example:
+            >>> import pointloom as loom
+            >>> scene = loom.RaycastingScene()
+            >>> scene.add_triangles([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]])
+            0
+            >>> scene.test_occlusions([[0.2, 0.2, 4, 0, 0, -1]], tfar=3).tolist()
+            [False]
+        """
+        flat, shape, form = self._device_rays(rays)
+        nearest = check_number("tnear", tnear, allow_infinite=True)
+        farthest = check_number("tfar", tfar, allow_infinite=True)
+        for name, limit in (("tnear", nearest), ("tfar", farthest)):
+            if limit < 0:
+                raise ValueError(f"{name}: expected 0 or more, got {limit}")
+        if not len(self) or farthest < nearest:
+            return form.hand_out_host(np.zeros(shape, np.bool_), self._device)
+        with quiet():
+            limits = float(np.float32(nearest)), float(np.float32(farthest))
+        occluded = ray_casting.test_occlusions(self._scene_trees(), flat, *limits)
+        return form.hand_out(occluded, dtype=np.bool_, shape=shape)
+
+    def count_intersections(self, rays: Any) -> NDArray[np.int32]:
+        """Count how often each ray meets the scene.
+
+        Where a ray meets several triangles of one geometry at the same float32 t, as on an edge or a corner that they
+        share or where they lie on each other, that is one intersection.
+
+        Args:
+            rays: Shape [..., 6], float32 or float64.
+
+        Returns:
+            int32 [...].
+
+        Raises:
+            TypeError: Not numeric.
+            ValueError: Another shape.
+
+        Example:
+            >>> import pointloom as loom
+            >>> scene = loom.RaycastingScene()
+            >>> scene.add_triangles([[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0]], [[0, 1, 2], [1, 3, 2]])
+            0
+            >>> scene.count_intersections([[0.5, 0.5, 1, 0, 0, -1]]).tolist()
+            [1]
+        """
+        flat, shape, form = self._device_rays(rays)
+        if not len(self):
+            return form.hand_out_host(np.zeros(shape, np.int32), self._device)
+        return form.hand_out(ray_casting.count_hits(self._scene_trees(), flat), shape=shape)
+
+    def list_intersections(self, rays: Any) -> dict[str, NDArray[Any]]:
+        """Find all that each ray meets.
+
+        Args:
+            rays: Shape [..., 6], float32 or float64.
+
+        Returns:
+            Arrays by name, one row an intersection, by ray, then t, then geometry; which are one as in
+            `count_intersections`, and the smallest number of a triangle stands for it.
+            ray_splits: uint32 [rays + 1], where the intersections of each ray begin, and end.
+            ray_ids: uint32 [k], the ray's number, its leading axes flattened.
+            t_hit, geometry_ids, primitive_ids, primitive_uvs: As of `cast_rays`.
+
+        Raises:
+            TypeError: Not numeric.
+            ValueError: Another shape.
+
+        Example:
+            >>> import pointloom as loom
+            >>> scene = loom.RaycastingScene()
+            >>> scene.add_triangles([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]])
+            0
+            >>> found = scene.list_intersections([[0.2, 0.2, 1, 0, 0, 1], [0.2, 0.2, 1, 0, 0, -1]])
+            >>> found["ray_splits"].tolist(), found["ray_ids"].tolist()
+            ([0, 0, 1], [1])
+        """
+        flat, _, form = self._device_rays(rays)
+        if not len(self):
+            return self._given_out(_no_intersections(flat.size // 6), form)
+        hits, ray_ids, splits = ray_casting.list_hits(self._scene_trees(), flat)
+        numbers = {"ray_splits": splits, "ray_ids": ray_ids}
+        found = {name: form.hand_out(values, dtype=np.uint32) for name, values in numbers.items()}
+        return found | _hits_in(form, hits)
+
+    @staticmethod
+    def create_rays_pinhole(*args: Any, **kwargs: Any) -> NDArray[Any]:
+        """Make the rays of a pinhole camera, through the middles of its pixels.
+
+        Args:
+            intrinsic_matrix: Shape [3, 3], upper triangular.
+            extrinsic_matrix: Shape [4, 4], scene to camera.
+            width_px: Columns.
+            height_px: Rows.
+            fov_deg: The horizontal field of view [degrees], between 0 and 180.
+            center: The point [3] that the camera looks at.
+            eye: Where it stands, [3].
+            up: The direction [3] that rows follow: as in Open3D the first row is the lowest.
+
+        Returns:
+            Rays for `cast_rays`, shape [height_px, width_px, 6]; float32, or float64 where a coordinate of the camera
+            passes 1e4 m. Directions are not of unit length: the parameter t is the depth
+            along the camera's axis.
+
+        Raises:
+            TypeError: Neither the two matrices nor the four of `fov_deg`, `center`, `eye` and `up`, each with a width
+                and a height.
+            ValueError: A matrix that cannot be inverted, a field of view out of range, a camera that stands where it
+                looks or looks along `up`.
+
+        Example:
+            >>> import pointloom as loom
+            >>> rays = loom.RaycastingScene.create_rays_pinhole(
+            ...     fov_deg=90, center=[0, 0, 0], eye=[0, 0, 2], up=[0, 1, 0], width_px=2, height_px=2
+            ... )
+            >>> rays[0, 0].tolist()
+            [0.0, 0.0, 2.0, 0.5, -0.5, -1.0]
+        """
+        return pinhole_rays(*args, **kwargs)
+
+    def _given_out(self, values: dict[str, NDArray[Any]], form: Form) -> dict[str, Any]:
+        return {name: form.hand_out_host(array, self._device) for name, array in values.items()}
+
+    def _device_rays(self, rays: Any) -> tuple[wp.array, tuple[int, ...], Form]:
+        """Rays about the scene's origin as float32 [6 n] on the device, their leading shape, and what they came as."""
+        form = form_of(rays)
+        if not form.on_host:
+            return *take_rays(rays, self._origin, self._device), form
+        given = check_numeric("rays", rays)
+        if given.ndim == 0 or given.shape[-1] != 6:
+            raise ValueError(f"rays: expected shape [..., 6], got {list(given.shape)}")
+        flat, origin = given.reshape(-1, 6), self._origin
+        if origin.any():
+            flat = np.hstack([flat[:, :3].astype(np.float64) - origin, flat[:, 3:]])
+        with quiet():  # what float32 cannot hold is infinite there: it meets nothing
+            flat = np.ascontiguousarray(flat, np.float32)
+        return upload(flat.ravel(), float32, self._device, copied=False), given.shape[:-1], form
+
+
+def _hits_in(form: Form, hits: ray_casting.RayHits, shape: tuple[int, ...] | None = None) -> dict[str, Any]:
+    return {
+        "t_hit": form.hand_out(hits.t_hit, shape=shape),
+        "geometry_ids": form.hand_out(hits.geometry_ids, dtype=np.uint32, shape=shape),
+        "primitive_ids": form.hand_out(hits.primitive_ids, dtype=np.uint32, shape=shape),
+        "primitive_uvs": form.hand_out(hits.primitive_uvs, shape=shape),
+    }
+
+
+def _missed(shape: tuple[int, ...]) -> dict[str, NDArray[Any]]:
+    """What rays meet in an empty scene."""
+    return {
+        "t_hit": np.full(shape, np.inf, np.float32),
+        "geometry_ids": np.full(shape, INVALID_ID, np.uint32),
+        "primitive_ids": np.full(shape, INVALID_ID, np.uint32),
+        "primitive_uvs": np.zeros((*shape, 2), np.float32),
+        "primitive_normals": np.zeros((*shape, 3), np.float32),
+    }
+
+
+def _no_intersections(count: int) -> dict[str, NDArray[Any]]:
+    """What lists of intersections hold in an empty scene."""
+    nothing = {name: values for name, values in _missed((0,)).items() if name != "primitive_normals"}
+    return {"ray_splits": np.zeros(count + 1, np.uint32), "ray_ids": np.zeros(0, np.uint32)} | nothing

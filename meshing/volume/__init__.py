@@ -1,0 +1,1 @@
+"""TSDF volumes: fusion, their surface, views of them."""

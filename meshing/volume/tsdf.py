@@ -1,0 +1,411 @@
+"""TSDFVolume: posed depth frames in, a surface out."""
+
+from __future__ import annotations
+
+import os
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+import warp as wp
+from numpy.typing import ArrayLike, NDArray
+
+from ...cameras.camera import PinholeCameraIntrinsic
+from ...cameras.images import check_intrinsic, upload_color, upload_raw_depth
+from ...core.array_libraries import NUMPY, library_of
+from ...core.checks import check_positive, check_rigid
+from ...core.coordinates import split_origin
+from ...core.devices import resolve_device
+from ...core.pickled_arrays import device_like
+from ...core.watching import report
+from ...kernels.images import depth as depth_images
+from ...kernels.memory import download
+from ...kernels.volumes.block_rows import SeenBlocks
+from ...kernels.volumes.block_surface import BlockSurface
+from ...kernels.volumes.device_frames import DeviceFrames
+from ...kernels.volumes.integrate import Frame, integrate_depth
+from ...kernels.volumes.tsdf_blocks import BLOCK_VOXELS, touched_blocks
+from ...kernels.volumes.voxel_blocks import VoxelBlocks
+from ...pcd.cloud import PointCloud
+from ..mesh.mesh import TriangleMesh
+from .block_count import BlockCount
+from .tsdf_files import VOXEL_ARRAYS, read_volume_arrays, write_volume_arrays
+from .tsdf_views import RayCast, RenderedMaps, cast_view, check_view, render_maps
+
+
+@dataclass(frozen=True)
+class _Frames:
+    """What is known of the frames so far."""
+
+    count: int = 0
+    origin: NDArray[np.float64] | None = None
+    colored: bool = False  # whether they had colour
+
+
+class TSDFVolume:
+    """A surface fused from posed depth frames: truncated signed distances in blocks that appear where depth is.
+
+    Blocks of 8^3 voxels are found through a hash table and grow on demand: there is no block count to guess and
+    nothing overflows but memory. A voxel keeps the running mean of min(1, (d - z) / truncation), its weight (frames
+    that saw it, at most 65535), and its mean colour: 12 B, 6 B without colour.
+
+    Differences from Open3D. Like VoxelBlockGrid and unlike the legacy volume, voxels lie at whole multiples of
+    `voxel_size`, distances are along z, and `weight_threshold` counts frames. Unlike both, the nearest pixel is
+    looked up (VoxelBlockGrid truncates, which shifts the surface by half a pixel), the truncation is in metres, blocks
+    are found by walking rays exactly, and float depth is metres whatever `depth_scale` says.
+
+    A frame whose integration was interrupted (Ctrl-C, no memory) is in the volume or is not; `frame_count` tells.
+
+    Args:
+        voxel_size: Edge of a voxel [m].
+        truncation: Distance at which signed distances are cut [m]; None for 4 voxels.
+        color: Whether colour is kept.
+        device: "cpu", "cuda:0", "auto"; None for the CPU.
+
+    Raises:
+        ValueError: Sizes that are not positive, or a truncation below one voxel.
+
+    Example:
+        >>> import numpy as np, pointloom as loom
+        >>> camera = loom.PinholeCameraIntrinsic(64, 48, 60.0, 60.0, 31.5, 23.5)
+        >>> volume = loom.TSDFVolume(voxel_size=0.02, truncation=0.08)
+        >>> touched = volume.integrate(np.full((48, 64), 1000, np.uint16), camera, np.eye(4))
+        >>> mesh = volume.extract_triangle_mesh(weight_threshold=0)
+        >>> bool(np.allclose(mesh.vertices[:, 2], 1.0, atol=1e-5))
+        True
+    """
+
+    def __init__(self, *, voxel_size: float, truncation: float | None = None, color: bool = True, device: Any = None):
+        edge = check_positive("voxel_size", voxel_size)
+        limit = 4 * edge if truncation is None else check_positive("truncation", truncation)
+        if limit < edge:
+            raise ValueError(f"truncation: {truncation} m is below one voxel ({edge} m); 4 voxels are usual")
+        self.device, self.has_color = resolve_device(device), bool(color)
+        self._frames, self._library = _Frames(), NUMPY
+        self._next: tuple[int, _Frames] | None = None  # of the blocks' frames, and what holds once it is among them
+        self._keep(VoxelBlocks(edge, limit, self.has_color, self.device))
+
+    def __repr__(self) -> str:
+        size = f"{self.voxel_size} m voxels, {self.truncation} m truncation"
+        return f"TSDFVolume({size}, {self.block_count:,} blocks, {self.frame_count} frames, {self.device})"
+
+    @property
+    def voxel_size(self) -> float:
+        """Edge of a voxel [m]."""
+        return self._blocks.voxel_size
+
+    @property
+    def truncation(self) -> float:
+        """Distance at which signed distances are cut [m]."""
+        return self._blocks.truncation
+
+    @property
+    def block_count(self) -> int:
+        """Blocks of 8^3 voxels."""
+        return self._blocks.count
+
+    @property
+    def origin(self) -> NDArray[np.float64]:
+        """Where the volume's coordinates start [m]: zero, or near the first camera where that is beyond 1e4 m."""
+        origin = self._settled.origin
+        return np.zeros(3) if origin is None else origin.copy()
+
+    @property
+    def frame_count(self) -> int:
+        """Frames folded in."""
+        return self._settled.count
+
+    @property
+    def memory_bytes(self) -> int:
+        """Bytes of device memory held by voxels, keys and the hash table."""
+        return self._blocks.memory_bytes
+
+    def integrate(
+        self,
+        depth: ArrayLike,
+        intrinsic: PinholeCameraIntrinsic,
+        extrinsic: ArrayLike,
+        color: ArrayLike | None = None,
+        depth_scale: float = 1000.0,
+        depth_max: float = 3.0,
+    ) -> int:
+        """Fold in one frame.
+
+        Args:
+            depth: Shape [h, w]; integers are divided by `depth_scale`, floats are metres. 0, NaN and infinite mean no
+                measurement.
+            intrinsic: The camera, of the image's size.
+            extrinsic: T_camera_world, shape [4, 4].
+            color: uint8 [h, w, 3] of the same size; needed when the volume keeps colour, for every frame or for none.
+            depth_scale: Integer units a metre.
+            depth_max: Farthest depth used [m].
+
+        Returns:
+            The number of blocks touched; 0 where the frame holds no depth. On a GPU it is still being counted then, and
+            waited for where it is first looked at.
+
+        Raises:
+            ValueError: Wrong shapes, sizes that disagree, a pose that is no rigid motion, colour for a volume without
+                or for some frames only, or a frame beyond what 2^20 blocks reach. The volume stays as it was.
+            TypeError: Wrong element types.
+        """
+        T_camera_world = check_rigid("extrinsic", extrinsic)
+        raw, scale, farthest, height, width = upload_raw_depth(depth, depth_scale, depth_max, self.device)
+        camera = check_intrinsic(intrinsic, width, height)
+        self._check_color(color is not None)
+        pixels = None if color is None else upload_color(color, height, width, self.device)
+        T = np.linalg.inv(T_camera_world)
+        count = self.integrate_device_frame(raw, camera, T, pixels, scale, farthest)
+        self._library = library_of(depth)
+        report("integrate", volume=self, intrinsic=camera, T_world_camera=T)
+        return count
+
+    def integrate_device_frame(
+        self,
+        depth: Any,
+        intrinsic: PinholeCameraIntrinsic,
+        T_world_camera: NDArray[Any],
+        pixels: Any = None,
+        depth_scale: float = 1.0,
+        depth_max: float = np.inf,
+    ) -> int:
+        """`integrate` for a frame that is on the volume's device: tracking uploads it once for both.
+
+        Args:
+            depth: float32 [h * w] in metres, or uint16 in units of 1 / `depth_scale`.
+            intrinsic: The camera, of the frame's size.
+            T_world_camera: A rigid motion, not checked, float64 [4, 4].
+            pixels: uint8 [h * w, 3], or None; must be as before where the volume keeps colour, see `_check_color`.
+            depth_scale: Integer units a metre.
+            depth_max: Farthest depth used [m].
+        """
+        frames, T = self._settled, np.array(T_world_camera, np.float64)
+        origin = frames.origin
+        if origin is None:
+            _, origin = split_origin(T[None, :3, 3])
+        T[:3, 3] -= origin
+        after = _Frames(frames.count + 1, origin, pixels is not None)
+        self._next = (self._blocks.frame_count + 1, after)
+        count = self._fold(depth, depth_scale, depth_max, intrinsic, T, pixels)
+        self._frames, self._next = after, None
+        return count
+
+    def _check_color(self, colored: bool) -> None:
+        """Refuse a frame with colour after one without, and the other way round."""
+        if colored and not self.has_color:
+            raise ValueError("color: the volume was made with color=False")
+        frames = self._settled
+        if self.has_color and frames.count and frames.colored != colored:
+            have = "with colour" if frames.colored else "without"
+            raise ValueError(f"color: the frames so far came {have}; give it for every frame or for none")
+
+    def _fold(self, raw: Any, scale: float, farthest: float, camera: Any, T: Any, pixels: Any) -> Any:
+        """Fold a frame into the blocks; the number of those that it touches, which a GPU may still be counting."""
+        if self._device_frames is not None:
+            counts = self._device_frames.integrate(raw, scale, farthest, camera, T, pixels)
+            if counts is not None:
+                return BlockCount(counts)
+        metric, largest = depth_images.metric_depth(raw, scale, farthest)
+        frame = Frame(metric, depth_images.largest_depth(largest), camera, pixels)
+        if not frame.farthest > 0:
+            return 0
+        keys: Any = touched_blocks(metric, frame.farthest, camera, T, self.truncation, self.voxel_size)
+        integrate_depth(keys, frame, np.linalg.inv(T), self._blocks)
+        return keys.size
+
+    def extract_triangle_mesh(self, weight_threshold: float = 3.0) -> TriangleMesh:
+        """The surface as a mesh, by marching cubes, with vertices shared between cells and blocks.
+
+        Args:
+            weight_threshold: A cell makes triangles where all 8 voxels were seen by more frames than this.
+
+        Returns:
+            Vertices [m] with colours where frames had them; empty where nothing was seen often enough. Triangles turn
+            counter-clockwise seen from outside. The same bits from run to run.
+
+        Raises:
+            ValueError: A threshold that is negative or not finite.
+        """
+        surface = self._surface(weight_threshold, need_cells=True)
+        vertices, shades, _ = surface.vertices(self.has_frame_colors, False)
+        return TriangleMesh.from_device_arrays(
+            vertices, surface.triangles(), vertex_colors=shades, origin=self.origin, library=self._library
+        )
+
+    def extract_point_cloud(self, weight_threshold: float = 3.0) -> PointCloud:
+        """The surface as points where it crosses the edges of the grid, with normals and colours.
+
+        Args:
+            weight_threshold: An edge makes a point where both voxels were seen by more frames than this.
+
+        Returns:
+            Normals are gradients of the distance, towards the cameras' side. The same bits from run to run.
+
+        Raises:
+            ValueError: A threshold that is negative or not finite.
+        """
+        surface = self._surface(weight_threshold, need_cells=False)
+        points, shades, normals = surface.vertices(self.has_frame_colors, True)
+        arrays: dict[str, wp.array] = {"points": points, "normals": normals}  # type: ignore[dict-item]
+        if shades is not None:
+            arrays["colors"] = shades
+        return PointCloud.from_device_arrays(arrays, self.origin, self._library)
+
+    def ray_cast(
+        self,
+        intrinsic: PinholeCameraIntrinsic,
+        extrinsic: ArrayLike,
+        *,
+        depth_min: float = 0.1,
+        depth_max: float = 3.0,
+        weight_threshold: float = 3.0,
+    ) -> RayCast:
+        """What a camera would see of the surface, from the side that was seen: backs let rays pass.
+
+        Args:
+            intrinsic: The camera; its size is the picture's.
+            extrinsic: T_camera_world, shape [4, 4].
+            depth_min: Where rays begin [m].
+            depth_max: Where they end [m].
+            weight_threshold: Voxels seen by no more frames than this are as if absent.
+
+        Raises:
+            ValueError: Limits that are not 0 < depth_min < depth_max, or an extrinsic that is no rigid motion or puts
+                the camera beyond what 2^20 blocks reach.
+            TypeError: An intrinsic of another type.
+        """
+        near, far, threshold = check_view(intrinsic, depth_min, depth_max, weight_threshold)
+        T = self._place_of(np.linalg.inv(check_rigid("extrinsic", extrinsic)))
+        seen, colored = SeenBlocks(self._blocks, threshold), self.has_frame_colors
+        return cast_view(seen, intrinsic, T, (near, far), self.origin, colored, self._library)
+
+    def render_maps(
+        self,
+        intrinsic: PinholeCameraIntrinsic,
+        T_world_camera: NDArray[Any],
+        *,
+        depth_min: float = 0.1,
+        depth_max: float = 3.0,
+        weight_threshold: float = 3.0,
+        normals: bool = True,
+    ) -> RenderedMaps:
+        """`ray_cast` for tracking: depth, brightness and perhaps normals in the camera's frame, left on the device.
+
+        Costs less than `ray_cast`: no points, no colours, no copies. The pose is not checked.
+        """
+        near, far, threshold = check_view(intrinsic, depth_min, depth_max, weight_threshold)
+        T = self._place_of(np.array(T_world_camera, np.float64))
+        seen, colored = SeenBlocks(self._blocks, threshold), self.has_frame_colors
+        return render_maps(seen, intrinsic, T, (near, far), colored, normals)
+
+    def save(self, path: str | os.PathLike[str], *, overwrite: bool = True) -> None:
+        """Write the volume to an .npz file, whole or not at all.
+
+        Raises:
+            FileError: The place cannot be written, or the file exists and may not be replaced.
+        """
+        write_volume_arrays(path, self._downloaded(), overwrite=overwrite)
+
+    def _downloaded(self) -> dict[str, Any]:
+        """All that the volume is, as NumPy arrays: of a file, of pickle, of a copy."""
+        used = self.block_count * BLOCK_VOXELS
+        arrays = {
+            "sizes": np.array([self.voxel_size, self.truncation]),
+            "origin": self.origin,
+            "frame_count": np.array(self.frame_count),
+            "has_color": np.array([self.has_color, self._settled.colored]),
+            "keys": download(self._blocks.keys)[: self.block_count],
+            "distances": download(self._blocks.distances)[:used],
+            "weights": download(self._blocks.weights)[:used],
+        }
+        if self.has_frame_colors:
+            arrays["colors"] = download(self._blocks.colors)[:used]
+        return arrays
+
+    @classmethod
+    def load(cls, path: str | os.PathLike[str], *, device: Any = None) -> TSDFVolume:
+        """Read a volume that `save` wrote.
+
+        Raises:
+            FileError: The file is missing, damaged, or no volume.
+        """
+        return cls._from_downloaded(read_volume_arrays(path), device)
+
+    @classmethod
+    def _from_downloaded(cls, arrays: dict[str, Any], device: Any) -> TSDFVolume:
+        voxel_size, truncation = arrays["sizes"].tolist()
+        has_color, colored = arrays["has_color"].tolist()
+        volume = cls(voxel_size=voxel_size, truncation=truncation, color=has_color, device=device)
+        frame_count = int(arrays["frame_count"])
+        volume._frames = _Frames(frame_count, arrays["origin"] if frame_count else None, colored)
+        volume._blocks.fill({name: arrays[name] for name in VOXEL_ARRAYS if name in arrays})
+        return volume
+
+    def copy(self) -> TSDFVolume:
+        """Another volume with the same voxels: frames that are integrated into one do not reach the other."""
+        sizes = {"voxel_size": self.voxel_size, "truncation": self.truncation}
+        volume = TSDFVolume(**sizes, color=self.has_color, device=self.device)
+        volume._frames, volume._library = self._settled, self._library
+        volume._keep(self._blocks.clone())
+        return volume
+
+    def __copy__(self) -> TSDFVolume:
+        return self.copy()
+
+    def __deepcopy__(self, memo: dict[int, Any]) -> TSDFVolume:
+        return self.copy()
+
+    def __getstate__(self) -> dict[str, Any]:
+        """The volume as NumPy arrays and the name of its device, for pickle."""
+        return {"arrays": self._downloaded(), "device": str(self.device)}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        """The volume on the device that it was on; on the first GPU where there is another number of them.
+
+        Raises:
+            DeviceError: It was on a GPU, and here is none.
+        """
+        where = device_like("volume", state["device"])
+        self.__dict__.update(vars(self._from_downloaded(state["arrays"], where)))
+
+    # ------------------------------------------------------------------------------------------ internals
+
+    def _keep(self, blocks: VoxelBlocks) -> None:
+        self._blocks = blocks
+        self._device_frames = DeviceFrames(blocks, depth_images) if self.device.is_cuda else None
+
+    def _adopt(
+        self, blocks: VoxelBlocks, frame_count: int, origin: NDArray[np.float64], colored: bool, library: str
+    ) -> None:
+        """Take over blocks that were made elsewhere, whole."""
+        self._frames, self._library = _Frames(frame_count, origin, colored), library
+        self._keep(blocks)
+
+    @property
+    def _settled(self) -> _Frames:
+        """What holds now: a frame that was interrupted counts where the blocks have it."""
+        if self._next is not None:
+            number, after = self._next
+            if self._blocks.frame_count == number:
+                self._frames = after
+            self._next = None
+        return self._frames
+
+    def _place_of(self, T_world_camera: NDArray[Any]) -> NDArray[Any]:
+        """The pose in the volume's coordinates; changes its argument."""
+        T_world_camera[:3, 3] -= self.origin
+        return T_world_camera
+
+    @property
+    def array_library(self) -> str:
+        """The library whose arrays `ray_cast` and the surface return: that of the frames."""
+        return self._library
+
+    @property
+    def has_frame_colors(self) -> bool:
+        """Whether there are colours that frames brought: the volume takes them, and its frames had some."""
+        return self.has_color and self._settled.colored
+
+    def _surface(self, weight_threshold: float, *, need_cells: bool) -> BlockSurface:
+        threshold = check_positive("weight_threshold", weight_threshold, allow_zero=True)
+        return BlockSurface(SeenBlocks(self._blocks, threshold), need_cells)

@@ -1,1 +1,0 @@
-"""Strict readers and whole-or-nothing writers."""

@@ -1,0 +1,1 @@
+"""From pictures alone: motion, depth, and videos to meshes."""

@@ -1,0 +1,174 @@
+"""Scale and shift between what a network gives and true depth: 1 / z = scale * d + shift, by RANSAC over pairs.
+
+The fit is in inverse depth, in which networks of relative depth are trained (Ranftl et al. 2020, section 5), never in
+depth: there one wrong pixel at the horizon outweighs all others. Residuals are relative, |scale d + shift - y| / y with
+y = 1 / z, which for small ones is the relative error of the depth; a hypothesis costs the sum of its residuals, each up
+to `TOLERANCE` (Torr and Zisserman 2000). The best one is refitted to its inliers with weights 1 / y^2 until they stay.
+
+All of it is on the host: there are two unknowns, so that scoring hypotheses over some thousand references drawn from a
+sensor's 300,000 finds the same line, and takes milliseconds; the refit runs over all.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...core.errors import PointloomError
+
+Numbers = NDArray[np.float64]
+
+TOLERANCE = 0.1  # relative: what a good network is off by, and far from what a wrong match gives
+HYPOTHESES = 512  # with 60 % wrong pairs one in six is right: missed all by a chance of 1e-40
+SCORED = 4096  # references that hypotheses are held against: the share of inliers to 0.8 %
+LEAST_INLIERS = 20
+REFITS = 10
+MOST_DISTANCES = 50  # of which every pair is tried, 1225; more are drawn from
+FLAT = 1e-6  # pairs whose d differ by less, of the range of d, say nothing of the scale
+
+
+class AlignmentError(PointloomError, ValueError):
+    """References that no scale and shift of the network's map agrees with."""
+
+
+@dataclasses.dataclass(frozen=True)
+class Alignment:
+    """What aligns a network's map: 1 / z = scale * d + shift.
+
+    Args:
+        scale, shift: Of inverse depth.
+        inlier_share: Share of the references within `TOLERANCE`; None where too few were given to check any.
+        references: How many there were.
+        farthest: Depth of the farthest inlier.
+    """
+
+    scale: float
+    shift: float
+    inlier_share: float | None
+    references: int
+    farthest: float
+
+
+def align_inverse_depth(d: Numbers, y: Numbers, *, seed: int = 0, with_shift: bool = True) -> Alignment:
+    """Scale and shift from many references, of which some may be wrong.
+
+    Args:
+        d: What the network gives at the references, growing with inverse depth, shape [n].
+        y: Their inverse depth, above 0, shape [n].
+        seed: Chooses the hypotheses.
+        with_shift: False for networks of metric depth, which lack a scale alone.
+
+    Raises:
+        AlignmentError: Fewer than 20 agree, or only where nearer means farther.
+    """
+    if len(d) < LEAST_INLIERS:
+        raise AlignmentError(f"align: {len(d)} references lie in the picture, expected at least {LEAST_INLIERS}")
+    rng = np.random.default_rng(seed)
+    rows = np.arange(len(d)) if len(d) <= SCORED else rng.choice(len(d), SCORED, replace=False)
+    hypotheses = _draw(d[rows], y[rows], rng, with_shift)
+    scale, shift = _best(hypotheses, d[rows], y[rows])
+    scale, shift, inliers = _refit(scale, shift, d, y, with_shift)
+    if scale <= 0 or inliers.sum() < LEAST_INLIERS:
+        raise AlignmentError(
+            f"align: {int(inliers.sum())} of {len(d)} references agree with one scale and shift, expected at least "
+            f"{LEAST_INLIERS}; {REMEDY}"
+        )
+    return Alignment(scale, shift, float(inliers.mean()), len(d), float(1 / y[inliers].min()))
+
+
+REMEDY = "check that they are of this picture, and that the preset is the model's"
+
+
+def align_to_distances(d: Numbers, y: Numbers, *, with_shift: bool = True) -> Alignment:
+    """Scale and shift from a few distances that somebody measured: every pair is a hypothesis.
+
+    As many references as there are unknowns settle them without any check, and `inlier_share` is None; of more, more
+    than half must agree, one more than the unknowns at least.
+
+    Raises:
+        AlignmentError: Too few, too few that agree, or nearer would mean farther.
+    """
+    unknowns = 2 if with_shift else 1
+    if len(d) < unknowns:
+        why = "a scale and a shift are unknown" if with_shift else "a scale is unknown"
+        raise AlignmentError(f"align: {len(d)} distances, expected at least {unknowns}: {why}")
+    first, second = np.triu_indices(len(d), 1)
+    hypotheses = _lines(d, y, first, second) if with_shift else _scales(d, y)
+    scale, shift = _best(hypotheses, d, y)
+    if len(d) == unknowns:
+        return Alignment(scale, shift, None, len(d), float(1 / y.min()))
+    scale, shift, inliers = _refit(scale, shift, d, y, with_shift)
+    agreeing = int(inliers.sum())
+    if scale <= 0 or agreeing <= unknowns or 2 * agreeing <= len(d):
+        raise AlignmentError(
+            f"align: {agreeing} of {len(d)} distances agree with one scale and shift, expected more than half and "
+            f"at least {unknowns + 1}; measure again, or {REMEDY}"
+        )
+    return Alignment(scale, shift, float(inliers.mean()), len(d), float(1 / y[inliers].min()))
+
+
+def _draw(d: Numbers, y: Numbers, rng: np.random.Generator, with_shift: bool) -> Numbers:
+    """Hypotheses from random pairs, or from random references where only the scale lacks."""
+    first = rng.integers(0, len(d), HYPOTHESES)
+    if not with_shift:
+        return _scales(d[first], y[first])
+    second = (first + rng.integers(1, len(d), HYPOTHESES)) % len(d)
+    return _lines(d, y, first, second)
+
+
+def _lines(d: Numbers, y: Numbers, first: NDArray[np.int64], second: NDArray[np.int64]) -> Numbers:
+    """Scale and shift through each pair that is apart in d, shape [k, 2]."""
+    apart = np.abs(d[first] - d[second]) > FLAT * max(float(np.ptp(d)), 1e-300)
+    first, second = first[apart], second[apart]
+    scales = (y[first] - y[second]) / (d[first] - d[second])
+    return np.stack([scales, y[first] - scales * d[first]], 1)
+
+
+def _scales(d: Numbers, y: Numbers) -> Numbers:
+    """The scale of each reference, and no shift."""
+    return np.stack([y / d, np.zeros_like(y)], 1)
+
+
+def _best(hypotheses: Numbers, d: Numbers, y: Numbers) -> tuple[float, float]:
+    """The hypothesis with a positive scale that costs least; the first of several."""
+    hypotheses = hypotheses[np.isfinite(hypotheses).all(1) & (hypotheses[:, 0] > 0)]
+    if not len(hypotheses):
+        raise AlignmentError(f"align: where the references are nearer, the network says farther or the same; {REMEDY}")
+    costs = [np.minimum(_residuals(scale, shift, d, y), TOLERANCE).sum() for scale, shift in hypotheses]
+    scale, shift = hypotheses[int(np.argmin(costs))]
+    return float(scale), float(shift)
+
+
+def _residuals(scale: float, shift: float, d: Numbers, y: Numbers) -> Numbers:
+    return np.abs(scale * d + shift - y) / y
+
+
+def _refit(
+    scale: float, shift: float, d: Numbers, y: Numbers, with_shift: bool
+) -> tuple[float, float, NDArray[np.bool_]]:
+    """Least squares of the relative residuals over the inliers, until they stay."""
+    inliers = _residuals(scale, shift, d, y) < TOLERANCE
+    for _ in range(REFITS):
+        if inliers.sum() < (2 if with_shift else 1):
+            break
+        scale, shift = _solve(d[inliers], y[inliers], with_shift, (scale, shift))
+        again = _residuals(scale, shift, d, y) < TOLERANCE
+        if np.array_equal(again, inliers):
+            break
+        inliers = again
+    return scale, shift, inliers
+
+
+def _solve(d: Numbers, y: Numbers, with_shift: bool, before: tuple[float, float]) -> tuple[float, float]:
+    """The line with the least sum of ((scale d + shift) / y - 1)^2; the one before where all d are the same."""
+    a, b = d / y, 1 / y
+    if not with_shift:
+        return float(a.sum() / (a * a).sum()), 0.0
+    across = a - (a * b).sum() / (b * b).sum() * b  # the part of a that no shift explains: nothing cancels
+    spread = float((across * across).sum())
+    if spread <= 1e-12 * float((a * a).sum()):
+        return before
+    scale = float(across.sum() / spread)
+    return scale, float((b * (1 - scale * a)).sum() / (b * b).sum())

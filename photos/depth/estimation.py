@@ -1,0 +1,290 @@
+"""Depth of one picture: `estimate_depth`, and the cloud that it makes."""
+
+from __future__ import annotations
+
+import dataclasses
+import os
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...cameras.camera import PinholeCameraIntrinsic
+from ...cameras.images import RGBDImage, check_intrinsic
+from ...core.checks import check_count, check_progress, check_seed, shown
+from ...core.devices import resolve_device
+from ...core.errors import FileError
+from ...core.progress import ReportProgress
+from ...kernels.images.flying_pixels import drop_flying
+from ...pcd.cloud import PointCloud
+from .alignment import MOST_DISTANCES, Alignment, align_inverse_depth, align_to_distances
+from .inputs import Map, Placement
+from .network import DepthModel
+from .photos import Photo, camera_of, take_photo
+from .presets import DEFAULT, PRESETS, Preset, find_preset
+from .references import References, find_references, sample
+from .tiles import MOST_TILES, refine_by_tiles
+
+ARBITRARY = "arbitrary"
+DEEPEST = (
+    10.0  # farthest depth of unaligned maps, the nearest being 1; and of aligned ones, over the farthest reference
+)
+FLYING_JUMP = 0.03  # share of its inverse depth by which a flying pixel is off both surfaces
+BLUR = 3  # pixels of its map over which a network runs from one surface to the next
+MOST_REACH = 32  # [px] 512 loads a pixel
+
+
+@dataclasses.dataclass(frozen=True, eq=False)
+class DepthEstimate:
+    """Depth of a picture, and where it comes from.
+
+    Args:
+        depth: Along the optical axis, float32 [h, w], in `unit`; 0 where there is none.
+        is_metric: Depth is in metres.
+        scale, shift: 1 / depth = scale * d + shift, d being what the network gave, or 1 over it where it gives depth.
+        inlier_share: Share of the references that agree; None where there were none, or too few to check.
+        provider: What onnxruntime ran on: "CUDAExecutionProvider" or "CPUExecutionProvider".
+        unit: "m", "the sparse model's", or "arbitrary".
+        color: The picture, upright, uint8 [h, w, 3].
+        intrinsic: The camera that points are made with.
+        intrinsic_source: Where it comes from: "given", "the sparse model", "EXIF" or "assumed 60 degrees".
+        input_size: Rows and columns of the network's input, where the picture went in as a whole.
+        enlargement: Pixels of the picture a pixel of the network's map.
+        references: How many references there were.
+        tiles: How many tiles agreed with the whole picture, and how many there were; None without tiles.
+    """
+
+    depth: NDArray[np.float32]
+    is_metric: bool
+    scale: float
+    shift: float
+    inlier_share: float | None
+    provider: str
+    unit: str
+    color: NDArray[np.uint8]
+    intrinsic: PinholeCameraIntrinsic
+    intrinsic_source: str
+    input_size: tuple[int, int]
+    enlargement: float
+    references: int = 0
+    tiles: tuple[int, int] | None = None
+
+    def __repr__(self) -> str:
+        height, width = self.depth.shape
+        return f"DepthEstimate({width} x {height}, unit {self.unit}, {self.provider})"
+
+    def to_point_cloud(self, *, keep_edges: bool = False, stride: int = 1, device: Any = None) -> PointCloud:
+        """The coloured points of the picture, in the camera's frame.
+
+        Args:
+            keep_edges: Keep pixels that fly between two surfaces, where depth was smoothed across an edge. Without,
+                those go that lie off the planes on both sides of them by more than 3 % of their inverse depth, over
+                as many pixels as the network's map was enlarged by, times 3; slanted planes stay whole.
+            stride: Takes every stride-th pixel of every stride-th row.
+            device: Where the cloud goes.
+
+        Raises:
+            ValueError: A stride below 1.
+            DeviceError: No such device.
+
+        Example:
+            >>> import numpy as np, pointloom as loom
+            >>> color, camera = np.zeros((2, 3, 3), np.uint8), loom.PinholeCameraIntrinsic(3, 2, 2.0, 2.0, 1.0, 0.5)
+            >>> wall = np.full((2, 3), 4.0, np.float32)
+            >>> given = (wall, True, 1.0, 0.0, None, "CPUExecutionProvider", "m", color, camera, "given", (2, 3), 1.0)
+            >>> loom.DepthEstimate(*given).to_point_cloud().points[0].tolist()
+            [-2.0, -1.0, 4.0]
+        """
+        step = check_count("stride", stride)
+        image = RGBDImage(self.color, self.depth, depth_trunc=np.inf, device=resolve_device(device))
+        if not keep_edges:
+            reach = min(max(round(BLUR * self.enlargement), BLUR), MOST_REACH)
+            kept = drop_flying(image.depth_array, image.width, image.height, reach, FLYING_JUMP)
+            image = RGBDImage.from_device_arrays(image.color_array, kept, image.height, image.width)
+        return PointCloud.from_rgbd_image(image, self.intrinsic, stride=step)
+
+
+def estimate_depth(
+    picture: Any,
+    model: str | os.PathLike[str] | DepthModel,
+    *,
+    preset: str | None = None,
+    intrinsic: PinholeCameraIntrinsic | None = None,
+    align: Any = None,
+    depth_scale: float = 1000.0,
+    tiles: int = 1,
+    seed: int = 0,
+    device: Any = None,
+    progress: ReportProgress | None = None,
+) -> DepthEstimate:
+    """Estimate the depth of a picture by a network that you bring as an ONNX file; nothing is downloaded.
+
+    Args:
+        picture: The path of a PNG or JPEG file, which its EXIF turns upright; or uint8 or uint16 of shape [h, w],
+            [h, w, 3] or [h, w, 4].
+        model: The path of an .onnx file, or a `DepthModel` for many pictures.
+        preset: Which network it is, see docs/depth.md; None for "depth-anything-v2", or that of the `DepthModel`.
+        intrinsic: The camera of the upright picture; None for the sparse model's, else EXIF's focal length, else 60
+            degrees across the longer side.
+        align: What is known of the depth, to which the network's map is aligned: a sparse model (what
+            `read_colmap_model` gives, its folder, or (model, name)), whose picture of this name is taken; a depth map
+            [h, w] of the same view in any size, 0 where there is none (.png, .npy); or distances [n, 3] of column, row
+            and metres (.txt, .csv), of which two give scale and shift without a check.
+        depth_scale: Units a metre of depth maps in whole numbers.
+        tiles: Along the longer side; more than 1 shows a large picture to the network in parts as well.
+        seed: Of the alignment.
+        device: "cpu" or None, "cuda", "cuda:N", or "auto"; see `DepthModel`. Not for a `DepthModel`.
+        progress: Called with "tiles", how many are done, and how many there are.
+
+    Returns:
+        Depth at the picture's size. In metres for metric networks whose focal length is known, and where it was
+        aligned to metres; in the sparse model's unit where it was aligned to one. Else in an arbitrary unit: the
+        nearest pixel is at 1; of networks that give inverse depth, whose shift is unknown too, the farthest at 10.
+
+    Raises:
+        FileError: A file that cannot be read, a model that is not what the preset says, or one that gives no map.
+        ValueError: An option out of range, references that do not fit the picture, or that no scale and shift agrees
+            with: fewer than 20 within 10 %; of up to 50 distances not more than half.
+        DeviceError: A device that is not there, or that onnxruntime cannot use; nothing falls back silently.
+
+    Notes:
+        1 / z = scale * d + shift is fitted by RANSAC with a refit to the inliers, weighted by z^2; of networks that
+        give depth the scale alone. Depth beyond 10 times the farthest inlier is dropped: there the shift decides.
+        Some 40 B of memory a pixel of the picture, beside the network's. The same bits from run to run on one machine.
+
+    Example:
+        >>> import numpy as np, onnx, pointloom as loom
+        >>> from onnx import TensorProto, helper  # a network that takes what is bright for near
+        >>> x = helper.make_tensor_value_info("x", TensorProto.FLOAT, [1, 3, "h", "w"])
+        >>> d = helper.make_tensor_value_info("d", TensorProto.FLOAT, [1, 1, "h", "w"])
+        >>> node = helper.make_node("ReduceMean", ["x"], ["d"], axes=[1], keepdims=1)
+        >>> graph = helper.make_graph([node], "brightness", [x], [d])
+        >>> onnx.save(helper.make_model(graph, opset_imports=[helper.make_opsetid("", 17)], ir_version=8), "b.onnx")
+        >>> picture = np.tile(np.linspace(0, 255, 64).astype(np.uint8), (48, 1))
+        >>> estimate = loom.estimate_depth(picture, "b.onnx", align=[(10, 20, 4.0), (50, 20, 2.0)])
+        >>> estimate.is_metric, estimate.depth[20, [10, 50]].round(3).tolist()
+        (True, [4.0, 2.0])
+        >>> len(estimate.to_point_cloud())
+        3072
+    """
+    if intrinsic is not None and not isinstance(intrinsic, PinholeCameraIntrinsic):
+        raise TypeError(f"intrinsic: expected a PinholeCameraIntrinsic, got {type(intrinsic).__name__}")
+    count = check_count("tiles", tiles, maximum=MOST_TILES, because="a tile shows too little")
+    seed, say = check_seed(seed), check_progress(progress)
+    photo = take_photo(picture)
+    references = None if align is None else find_references(align, photo.name, photo.color.shape[:2], depth_scale)
+    camera, source = _camera(photo, intrinsic, references)
+    network = _network(model, preset, device)
+    kind = PRESETS[network.preset]
+    inverse, placement = _inverse_depth(network, kind, photo.color, camera)
+    tiled = None
+    if count > 1:
+        inverse, used, tried = refine_by_tiles(
+            photo.color, inverse, count, lambda part: _inverse_depth(network, kind, part, camera)[0],
+            seed=seed, say=lambda done, total: say("tiles", done, total),
+        )  # fmt: skip
+        tiled = used, tried
+    found = None if references is None else _align(inverse, references, kind, seed)
+    scale, shift, farthest = _default_units(inverse, kind) if found is None else _units_of(found)
+    unit = _unit(kind, references, source)
+    return DepthEstimate(
+        depth=_depth(inverse, scale, shift, farthest),
+        is_metric=unit == "m",
+        scale=scale,
+        shift=shift,
+        inlier_share=None if found is None else found.inlier_share,
+        provider=network.provider,
+        unit=unit,
+        color=photo.color,
+        intrinsic=camera,
+        intrinsic_source=source,
+        input_size=(placement.rows, placement.columns),
+        enlargement=max(1 / factor for factor in placement.scale),
+        references=0 if found is None else found.references,
+        tiles=tiled,
+    )
+
+
+def _unit(kind: Preset, references: References | None, camera_source: str) -> str:
+    if references is not None:
+        return references.unit
+    is_known = kind.output == "metric" and not camera_source.startswith("assumed")
+    return "m" if is_known else ARBITRARY
+
+
+def _network(model: Any, preset: str | None, device: Any) -> DepthModel:
+    if not isinstance(model, DepthModel):
+        if not isinstance(model, str | os.PathLike):
+            raise TypeError(f"model: expected the path of an .onnx file or a DepthModel, got {shown(model)}")
+        return DepthModel(model, DEFAULT if preset is None else preset, device=device)
+    if preset is not None and find_preset(preset).name != model.preset:
+        raise ValueError(f"preset: {preset!r}, but the model was opened as {model.preset!r}")
+    if device is not None:
+        raise ValueError(f"device: {shown(device)}, but the model is open on {model.provider}; say it there")
+    return model
+
+
+def _camera(photo: Photo, intrinsic: Any, references: References | None) -> tuple[PinholeCameraIntrinsic, str]:
+    height, width = photo.color.shape[:2]
+    if intrinsic is None and references is not None and references.camera is not None:
+        return references.camera, references.source
+    if intrinsic is None:
+        return camera_of(photo)
+    if photo.is_turned and (intrinsic.height, intrinsic.width) == (width, height) and height != width:
+        raise ValueError(
+            f"intrinsic: made for {intrinsic.width} x {intrinsic.height} pixels, but EXIF turns the picture upright to "
+            f"{width} x {height}; turn the camera too"
+        )
+    return check_intrinsic(intrinsic, width, height), "given"
+
+
+def _inverse_depth(
+    network: DepthModel, kind: Preset, color: NDArray[np.uint8], camera: PinholeCameraIntrinsic
+) -> tuple[Map, Placement]:
+    """What the network gives, growing with inverse depth; NaN where it gives no depth. In 1 / m of metric networks."""
+    values, placement = network._run_placed(color)
+    if not kind.gives_scale:
+        return values, placement
+    if kind.focal is not None:
+        across, down = placement.scale
+        values = values * np.float32((camera.fx * across + camera.fy * down) / 2 / kind.focal)
+    with np.errstate(divide="ignore", over="ignore"):
+        inverse = np.float32(1) / values
+    inverse = np.where((values > 0) & np.isfinite(inverse), inverse, np.float32(np.nan)).astype(np.float32)
+    if not np.isfinite(inverse).any():
+        reason = "gave no depth above 0, for no pixel"
+        raise FileError(network.path, reason, remedy="Check that the file is the model that the preset names")
+    return inverse, placement
+
+
+def _align(inverse: Map, references: References, kind: Preset, seed: int) -> Alignment:
+    d, y = sample(inverse, references.pixels), 1 / references.depths
+    seen = np.isfinite(d) & ((d > 0) | (not kind.gives_scale))
+    d, y = d[seen], y[seen]
+    if references.are_few and len(d) <= MOST_DISTANCES:
+        return align_to_distances(d, y, with_shift=not kind.gives_scale)
+    return align_inverse_depth(d, y, seed=seed, with_shift=not kind.gives_scale)
+
+
+def _units_of(found: Alignment) -> tuple[float, float, float]:
+    return found.scale, found.shift, DEEPEST * found.farthest
+
+
+def _default_units(inverse: Map, kind: Preset) -> tuple[float, float, float]:
+    """Scale and shift without references, and the farthest depth kept."""
+    if kind.output == "metric":
+        return 1.0, 0.0, np.inf
+    low, high = float(np.nanmin(inverse)), float(np.nanmax(inverse))
+    if kind.gives_scale:
+        return 1.0 / high, 0.0, np.inf
+    scale = (1 - 1 / DEEPEST) / max(high - low, 1e-30)
+    return scale, 1 - scale * high, np.inf
+
+
+def _depth(inverse: Map, scale: float, shift: float, farthest: float) -> NDArray[np.float32]:
+    """Depth in float32; 0 where there is none, it lies behind the camera, or beyond the farthest."""
+    w = inverse * np.float32(scale) + np.float32(shift)
+    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
+        seen = w * np.float32(farthest) >= np.float32(1 - 1e-6) if np.isfinite(farthest) else w > 0
+        z = np.float32(1) / w
+    return np.where(seen & np.isfinite(z), z, np.float32(0))

@@ -1,0 +1,80 @@
+"""How good a depth map is, beside a true one: `evaluate_depth`."""
+
+from __future__ import annotations
+
+import dataclasses
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ...core.checks import check_numeric, check_positive
+
+CLOSE = 1.25  # of delta1
+
+
+@dataclasses.dataclass(frozen=True)
+class DepthErrors:
+    """Errors of a depth map over the pixels that have a depth in both maps.
+
+    Args:
+        abs_rel: Mean of |z - true z| / true z.
+        delta1: Share of the pixels with z within a factor of 1.25 of the true one.
+        rmse: Root of the mean squared difference [m].
+        coverage: Share of the pixels with a true depth that have a depth.
+        pixel_count: Pixels compared.
+    """
+
+    abs_rel: float
+    delta1: float
+    rmse: float
+    coverage: float
+    pixel_count: int
+
+
+def evaluate_depth(depth: ArrayLike, truth: ArrayLike, *, depth_scale: float = 1000.0) -> DepthErrors:
+    """Hold a depth map against a true one of the same size.
+
+    Args:
+        depth: Shape [h, w]; whole numbers are divided by `depth_scale`, floats are metres. 0 or less, NaN and
+            infinity: no depth.
+        truth: The same.
+        depth_scale: Units a metre of whole numbers.
+
+    Returns:
+        The figures that papers on depth estimation give; NaN where no pixel has a depth in both.
+
+    Raises:
+        ValueError: Another shape, maps of different sizes, a scale out of range.
+
+    Notes:
+        Nothing is aligned first, unlike in tables of relative depth: align in `estimate_depth`.
+
+    Example:
+        >>> import numpy as np, pointloom as loom
+        >>> loom.evaluate_depth(np.array([[1.1, 2.0, 0.0]]), np.array([[1.0, 2.0, 3.0]])).abs_rel.__round__(3)
+        0.05
+    """
+    scale = check_positive("depth_scale", depth_scale)
+    found, true = _metres("depth", depth, scale), _metres("truth", truth, scale)
+    if found.shape != true.shape:
+        raise ValueError(f"depth: has shape {list(found.shape)}, but truth has {list(true.shape)}; resize one")
+    known = true > 0
+    both = known & (found > 0)
+    z, t = found[both], true[both]
+    if not len(z):
+        return DepthErrors(np.nan, np.nan, np.nan, 0.0, 0)
+    with np.errstate(over="ignore"):
+        relative, difference = np.abs(z - t) / t, z - t
+        close = np.maximum(z / t, t / z) < CLOSE
+        rmse = float(np.sqrt(np.mean(difference * difference)))
+    return DepthErrors(float(relative.mean()), float(close.mean()), rmse, float(both.sum() / known.sum()), len(z))
+
+
+def _metres(name: str, values: Any, scale: float) -> NDArray[np.float64]:
+    """Depth in metres, 0 where there is none."""
+    array = check_numeric(name, values)
+    if array.ndim != 2 or 0 in array.shape:
+        raise ValueError(f"{name}: expected shape [h, w], got {list(array.shape)}")
+    metres = array.astype(np.float64) / (1.0 if array.dtype.kind == "f" else scale)
+    return np.where(np.isfinite(metres) & (metres > 0), metres, 0.0)

@@ -1,0 +1,262 @@
+"""What became of pictures: figures of each, in JSON's types and in lines for the terminal."""
+
+from __future__ import annotations
+
+from dataclasses import asdict, dataclass
+from pathlib import Path
+from typing import Any
+
+from ...cameras.camera import PinholeCameraIntrinsic
+from ...core.reports import Fields, in_columns
+from ...core.wording import format_bytes, format_seconds, format_share
+from .estimation import ARBITRARY, DepthEstimate
+
+FEW_INLIERS = 0.3  # share of the references below which the map, or the references, are not to be believed
+FEW_POINTS = 0.2  # share of the pixels
+
+
+@dataclass(frozen=True, eq=False)
+class PictureDepth:
+    """The figures of one picture.
+
+    Attributes:
+        picture: Its file.
+        size: Width and height [px].
+        input_size: Width and height of the network's input [px].
+        unit: "m", "the sparse model's", or "arbitrary".
+        is_metric: Depth is in metres.
+        scale, shift: 1 / depth = scale * d + shift, as `DepthEstimate` has them.
+        references: How many references there were.
+        inlier_share: Share of them that agree; None where there were none, or too few to check.
+        tiles: How many tiles agreed with the whole picture, and how many there were; None without tiles.
+        reach: The nearest and the farthest depth; None where there is none.
+        intrinsic: The camera that points are made with.
+        intrinsic_source: Where it comes from.
+        point_count: Points of the cloud.
+        depth_share: Share of the pixels that have depth.
+        files: Those that were written.
+    """
+
+    picture: str
+    size: tuple[int, int]
+    input_size: tuple[int, int]
+    unit: str
+    is_metric: bool
+    scale: float
+    shift: float
+    references: int
+    inlier_share: float | None
+    tiles: tuple[int, int] | None
+    reach: tuple[float, float] | None
+    intrinsic: PinholeCameraIntrinsic
+    intrinsic_source: str
+    point_count: int
+    depth_share: float
+    files: tuple[str, ...]
+
+    @classmethod
+    def of(cls, found: DepthEstimate, picture: str, point_count: int, files: tuple[str, ...]) -> PictureDepth:
+        """The figures of an estimate that became so many points."""
+        height, width = found.depth.shape
+        seen = found.depth[found.depth > 0]
+        return cls(
+            picture=picture,
+            size=(width, height),
+            input_size=(found.input_size[1], found.input_size[0]),
+            unit=found.unit,
+            is_metric=found.is_metric,
+            scale=found.scale,
+            shift=found.shift,
+            references=found.references,
+            inlier_share=found.inlier_share,
+            tiles=found.tiles,
+            reach=(float(seen.min()), float(seen.max())) if len(seen) else None,
+            intrinsic=found.intrinsic,
+            intrinsic_source=found.intrinsic_source,
+            point_count=point_count,
+            depth_share=len(seen) / found.depth.size,
+            files=files,
+        )
+
+    @property
+    def kept_share(self) -> float:
+        """Share of the pixels that became points."""
+        return self.point_count / (self.size[0] * self.size[1])
+
+    def why_poor(self) -> list[str]:
+        """What is wrong with it, and what to do about it."""
+        reasons, share = [], self.inlier_share
+        if share is not None and share < FEW_INLIERS:
+            reasons.append(
+                f"only {share:.0%} of the {self.references} references agree with the map within 10 %: check that they "
+                "are of this picture, and that the preset is the model's"
+            )
+        if self.kept_share < FEW_POINTS:
+            reasons.append(f"only {self.kept_share:.1%} of the pixels became points; keep edges, or align")
+        return reasons
+
+    def to_json(self) -> dict[str, Any]:
+        """The same in JSON's types."""
+        camera, (nearest, farthest) = self.intrinsic, self.reach or (None, None)
+        return {
+            "width": self.size[0],
+            "height": self.size[1],
+            "input": {"width": self.input_size[0], "height": self.input_size[1]},
+            "unit": self.unit,
+            "is_metric": self.is_metric,
+            "scale": self.scale,
+            "shift": self.shift,
+            "references": self.references,
+            "inlier_share": self.inlier_share,
+            "tiles": None if self.tiles is None else {"used": self.tiles[0], "count": self.tiles[1]},
+            "nearest": nearest,
+            "farthest": farthest,
+            "camera": {
+                **{name: getattr(camera, name) for name in ("fx", "fy", "cx", "cy", "width", "height")},
+                "source": self.intrinsic_source,
+            },
+            "points": self.point_count,
+            "depth_share": self.depth_share,
+            "kept_share": self.kept_share,
+            "files": list(self.files),
+            "picture": self.picture,
+        }
+
+    def fields(self) -> Fields:
+        """Labels and values for the terminal, of a picture that is alone."""
+        camera = self.intrinsic
+        seen = f"{camera.width} x {camera.height}, f {camera.fx:.6g} {camera.fy:.6g}, from {self.intrinsic_source}"
+        if self.intrinsic_source.startswith("assumed"):
+            seen += "\nshapes are stretched if the lens was another: give --intrinsic"
+        size = "{} x {}, {} x {} for the network".format(*self.size, *self.input_size)
+        if self.tiles is not None:
+            size += "\n{} of {} tiles agree with the whole".format(*self.tiles)
+        points = f"{self.point_count:,}, {format_share(self.kept_share)} of the pixels"
+        return [("picture", size), ("camera", seen), ("depth", self._depth_line()), ("points", points)]
+
+    def __str__(self) -> str:
+        line = f"{self.point_count:,} points, {self._depth_line().splitlines()[0]}"
+        return f"{line}; {self._agreement()}" if self.references else line
+
+    def _depth_line(self) -> str:
+        reach = "none" if self.reach is None else "{:.4g} to {:.4g}".format(*self.reach)
+        if self.unit == "m":
+            line = f"{reach} m"
+        elif self.unit == ARBITRARY:
+            line = f"{reach}, units arbitrary: the nearest pixel is at 1; --align gives metres"
+        else:
+            line = f"{reach} in the unit of the sparse model"
+        if self.references:
+            line += f"\n1 / z = {self.scale:.6g} d + {self.shift:.6g}, {self._agreement()}"
+        return line
+
+    def _agreement(self) -> str:
+        if self.inlier_share is None:
+            return f"from {self.references} distances without a check: one more would tell"
+        return f"{format_share(self.inlier_share)} of {self.references:,} references agree within 10 %"
+
+
+@dataclass(frozen=True)
+class DepthFailure:
+    """A picture that became nothing.
+
+    Attributes:
+        picture: Its file.
+        reason: Why.
+        refused: The map and the references do not agree; else a file could not be read.
+    """
+
+    picture: str
+    reason: str
+    refused: bool
+
+
+@dataclass(frozen=True, eq=False)
+class DepthReport:
+    """What became of a picture, or of those of a folder; printed, it is what `pointloom depth` says.
+
+    Attributes:
+        source: The picture or folder.
+        is_folder: It is a folder.
+        model: The network's file.
+        preset, licence: Which network it is, and the licence of the weights that its authors publish.
+        provider: What onnxruntime ran on.
+        device: Where clouds were made.
+        pictures: Those that became clouds.
+        failures: Those that became nothing.
+        seconds: Time of each stage [s].
+        peak_bytes: The most memory that this process has held [B].
+
+    Example:
+        >>> import pointloom as loom
+        >>> network = ("net.onnx", "dpt", "MIT", "CPUExecutionProvider")
+        >>> loom.DepthReport("photo.jpg", False, *network, "cpu", (), (), {"open": 0.1}, 2**20).poor is None
+        True
+    """
+
+    source: str
+    is_folder: bool
+    model: str
+    preset: str
+    licence: str
+    provider: str
+    device: str
+    pictures: tuple[PictureDepth, ...]
+    failures: tuple[DepthFailure, ...]
+    seconds: dict[str, float]
+    peak_bytes: int
+
+    @property
+    def files(self) -> tuple[str, ...]:
+        """All that were written."""
+        return tuple(file for each in self.pictures for file in each.files)
+
+    @property
+    def poor(self) -> str | None:
+        """What is wrong with the result, with the remedy, or None."""
+        reasons = []
+        if self.failures:
+            first = self.failures[0].reason
+            many = f"{len(self.failures)} of {len(self.failures) + len(self.pictures)} pictures became nothing: "
+            where = " for them" if self.is_folder else ""
+            reasons.append(f"{many if self.is_folder else ''}{first}; nothing was written{where}")
+        for each in self.pictures:
+            name = f"{Path(each.picture).name}: " if self.is_folder else ""
+            reasons += [f"{name}{reason}" for reason in each.why_poor()]
+        return "; ".join(reasons) or None
+
+    def to_json(self) -> dict[str, Any]:
+        """The report that the command prints, in JSON's types."""
+        return {
+            "command": "depth",
+            "source": self.source,
+            "model": self.model,
+            "preset": self.preset,
+            "licence": self.licence,
+            "provider": self.provider,
+            "device": self.device,
+            "pictures": [each.to_json() for each in self.pictures],
+            "failures": [asdict(each) for each in self.failures],
+            "seconds": self.seconds,
+            "peak_bytes": self.peak_bytes,
+            "files": list(self.files),
+            "poor": self.poor,
+        }
+
+    def fields(self) -> Fields:
+        """What was done as labels and values for the terminal."""
+        fields = [("network", f"{self.model}, preset {self.preset} ({self.licence})"), ("ran on", self.provider)]
+        if len(self.pictures) == 1 and not self.failures:
+            fields += self.pictures[0].fields()
+        else:
+            fields += [(Path(each.picture).name, str(each)) for each in self.pictures]
+            fields += [(Path(each.picture).name, each.reason) for each in self.failures]
+        return [
+            *fields,
+            ("seconds", format_seconds(self.seconds)),
+            ("memory", f"{format_bytes(self.peak_bytes)} at most"),
+            ("files", ", ".join(self.files) or "none"),
+        ]
+
+    def __str__(self) -> str:
+        return f"{self.source}\n{in_columns(self.fields())}"

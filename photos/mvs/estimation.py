@@ -1,0 +1,197 @@
+"""Depth maps of photographs with known poses: what `loom.mvs.estimate_depth_maps` checks and puts together."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable, Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...core.checks import check_count, check_list, check_numeric, check_progress, check_seed
+from ...core.devices import resolve_device
+from ...core.errors import FileError, FilePath
+from ...core.progress import ReportProgress
+from .depth_maps import DepthMaps, made_folder
+from .picture_slots import Picture, other_size
+from .plane_search import Setting, find_depth, motion_of
+from .posed_pictures import PosedCamera, SparsePoints, check_cameras, check_sources, check_sparse
+
+LEAST_PICTURE = 8  # [px] along a side
+MOST_SOURCES = 8  # device code counts them in vectors of eight
+LEAST_POINTS = 3  # seen by a picture, to know how deep it is
+LOW, HIGH = 0.02, 0.98  # the shares of the points' depths that count: a few of them are wrong
+NEARER, FARTHER = 0.7, 1.5  # how far beyond them depth is looked for
+LEAST_MOTION = 1.0  # [px] between the nearest and the farthest depth, in a source that says anything
+DEVICE_BYTES = 2**30
+REMEDY = "move the camera between pictures, do not only turn it"
+
+
+def estimate_depth_maps(
+    pictures: Iterable[Picture],
+    cameras: Iterable[PosedCamera],
+    sparse: Any,
+    *,
+    sources: Iterable[Iterable[int]] | None = None,
+    seed: int = 0,
+    device: Any = None,
+    folder: FilePath | None = None,
+    device_bytes: int = DEVICE_BYTES,
+    progress: ReportProgress | None = None,
+) -> DepthMaps:
+    """Find the depth of each pixel of photographs whose cameras are known, by what other photographs show of it.
+
+    PatchMatch over planes, from a quarter of the size to the whole: pixels try their neighbours' planes and changed
+    ones, and are compared with the sources that fit their neighbourhood; the last passes hold each depth against those
+    of the sources. Plain places, whose patches say nothing, take a plane fitted to the sure depth in and around them
+    where the pictures do not speak clearly against it. `filter_depth_maps` keeps what pictures agree on; without it
+    what only one picture says is there too.
+
+    Args:
+        pictures: Paths of PNG or JPEG files, or uint8 arrays of shape [h, w] or [h, w, 3]; without distortion. Sizes
+            may differ.
+        cameras: A PosedCamera for each.
+        sparse: SparsePoints, or a model with such `points` and `observations`: how deep each picture is, and which of
+            them see the same.
+        sources: For each picture the numbers of those that it is compared with, up to 8; None lets `choose_sources`
+            choose.
+        seed: Chooses the planes that are tried.
+        device: "cpu", "cuda:0", "auto"; None for the CPU.
+        folder: Where to keep the maps, one file a picture; None keeps them in memory.
+        device_bytes: What pictures and maps may hold on the device; a picture with its sources is always there.
+        progress: Called with ("depth", steps done, steps in all).
+
+    Returns:
+        Maps of the pictures' sizes. A picture without sources that were taken from elsewhere, or which sees fewer than
+        three points, has no depth, and no `sources` in the result.
+
+    Raises:
+        TypeError: Arguments of other types; pictures that are not uint8.
+        ValueError: Fewer than two pictures, another number of cameras, a picture of another size than its camera; no
+            picture that depth can be found for, because the camera only turned or no points are known.
+        FileError: A picture or the folder cannot be read or written.
+        DeviceError: No such device.
+
+    Notes:
+        The same bits from run to run, for any number of threads. On the device 20 B a pixel of each picture held, and
+        up to 96 B a pixel more of the one at work; between passes 32 B a pixel of all pictures in memory, or in
+        `folder` while it works. Galliani et al. 2015 (the chessboard); Xu and Tao 2019, "Multi-scale geometric
+        consistency guided multi-view stereo" (regions, choice of sources, consistency), and 2020, "Planar prior
+        assisted PatchMatch multi-view stereo" (plain places).
+
+    Example:
+        >>> import numpy as np, pointloom as loom
+        >>> wall = np.random.default_rng(0).integers(0, 255, (40, 60), dtype=np.uint8).repeat(2, 0).repeat(2, 1)
+        >>> camera = loom.PinholeCameraIntrinsic(64, 48, 60.0, 60.0, 31.5, 23.5)
+        >>> right = np.eye(4)
+        >>> right[0, 3] = -0.2  # 6 pixels at 2 m
+        >>> cameras = [loom.mvs.PosedCamera(camera, np.eye(4)), loom.mvs.PosedCamera(camera, right)]
+        >>> points = [[x, y, 2.0] for x in (-0.5, 0.0, 0.5) for y in (-0.4, 0.4)]
+        >>> sparse = loom.mvs.SparsePoints(points, [[i, k] for i in (0, 1) for k in range(6)])
+        >>> pictures = [wall[:48, 10:74], wall[:48, 16:80]]
+        >>> maps = loom.mvs.estimate_depth_maps(pictures, cameras, sparse, sources=[[1], [0]])
+        >>> round(float(np.median(maps[0].depth)), 1)
+        2.0
+    """
+    posed = check_cameras("cameras", cameras)
+    given = _checked_pictures(pictures, posed)
+    points = check_sparse("sparse", sparse)
+    ranges = [_depth_range(points, i, camera) for i, camera in enumerate(posed)]
+    if sources is None:
+        from .sources import choose_sources
+
+        wanted = choose_sources(posed, points)
+    else:
+        wanted = check_sources("sources", sources, len(posed))
+        for i, each in enumerate(wanted):
+            if len(each) > MOST_SOURCES:
+                raise ValueError(f"sources[{i}]: expected up to {MOST_SOURCES} pictures, got {len(each)}")
+    check_seed(seed)
+    say = check_progress(progress)
+    check_count("device_bytes", device_bytes, minimum=0, maximum=2**40, because="no device has more")
+    target = resolve_device(device)
+    kept = _telling(wanted, posed, ranges)
+    if not any(kept):
+        raise ValueError(_why_none(ranges))
+    place = None if folder is None else made_folder(folder)
+    known = [each or (1.0, 2.0) for each in ranges]
+    setting = Setting(given, posed, kept, known, seed, target, device_bytes)
+    maps = find_depth(setting, place, say)
+    return DepthMaps(posed, kept, maps, folder=place)
+
+
+def _checked_pictures(pictures: Any, cameras: Sequence[PosedCamera]) -> list[Picture]:
+    """The pictures, once it is sure that each is of its camera's size; files are asked for their headers alone."""
+    given = check_list("pictures", pictures, "pictures")
+    if len(given) < 2:
+        raise ValueError(f"pictures: expected at least 2, got {len(given)}; one picture alone has no depth to compare")
+    if len(given) != len(cameras):
+        raise ValueError(f"cameras: expected one for each of the {len(given)} pictures, got {len(cameras)}")
+    out: list[Picture] = []
+    for i, (picture, camera) in enumerate(zip(given, cameras, strict=True)):
+        size = (camera.intrinsic.height, camera.intrinsic.width)
+        if min(size) < LEAST_PICTURE:
+            raise ValueError(
+                f"cameras[{i}]: expected at least {LEAST_PICTURE} pixels a side, got {size[1]} x {size[0]}"
+            )
+        if isinstance(picture, str | os.PathLike):
+            _check_file(Path(picture), size)
+            out.append(Path(picture))
+        else:
+            out.append(_check_array(f"pictures[{i}]", picture, size))
+    return out
+
+
+def _check_file(path: Path, size: tuple[int, int]) -> None:
+    from ...files.pictures.image_files import check_color_header, read_picture_header
+
+    header = read_picture_header(path)
+    check_color_header(path, header)
+    if (header.height, header.width) != size:
+        reason = other_size("", (header.height, header.width), size)
+        raise FileError(path, reason, remedy="Give the camera of this very picture")
+
+
+def _check_array(name: str, picture: Any, size: tuple[int, int]) -> NDArray[np.uint8]:
+    array = check_numeric(name, picture)
+    if array.ndim not in (2, 3) or (array.ndim == 3 and array.shape[2] != 3):
+        raise ValueError(f"{name}: expected shape [h, w] or [h, w, 3], got {list(array.shape)}")
+    if array.dtype != np.uint8:
+        remedy = "; divide 16-bit pictures by 256 first" if array.dtype == np.uint16 else ""
+        raise TypeError(f"{name}: expected uint8, got {array.dtype}{remedy}")
+    if array.shape[:2] != size:
+        raise ValueError(other_size(f"{name}: ", array.shape, size))
+    return np.ascontiguousarray(array)
+
+
+def _depth_range(sparse: SparsePoints, index: int, camera: PosedCamera) -> tuple[float, float] | None:
+    """Where to look for the depth of a picture, by the points that it sees; None where it sees too few."""
+    seen = sparse.points[sparse.seen_by(index)]
+    z = seen @ camera.T_camera_world[2, :3] + camera.T_camera_world[2, 3]
+    z = z[z > 0]
+    if len(z) < LEAST_POINTS:
+        return None
+    low, high = np.quantile(z, [LOW, HIGH])
+    return float(low) * NEARER, float(high) * FARTHER
+
+
+def _telling(
+    sources: Sequence[Sequence[int]], cameras: Sequence[PosedCamera], ranges: Sequence[tuple[float, float] | None]
+) -> tuple[tuple[int, ...], ...]:
+    """The sources in which depth makes a difference; none of a picture whose range is not known."""
+    out = []
+    for i, (numbers, span) in enumerate(zip(sources, ranges, strict=True)):
+        reach = 0.0 if span is None else 1 / span[0] - 1 / span[1]
+        out.append(tuple(j for j in numbers if motion_of(cameras[i], cameras[j]) * reach >= LEAST_MOTION))
+    return tuple(out)
+
+
+def _why_none(ranges: Sequence[tuple[float, float] | None]) -> str:
+    if all(each is None for each in ranges):
+        return (
+            f"sparse: no picture sees {LEAST_POINTS} points that lie before it, so that nobody knows how deep it is; "
+            "expected observations of the pictures in their order, and poses from world to camera"
+        )
+    return f"cameras: no picture has a source that was taken from elsewhere; {REMEDY}"

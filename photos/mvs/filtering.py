@@ -1,0 +1,167 @@
+"""What several depth maps say alike is kept, the rest goes."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+import warp as wp
+
+from ...core.checks import check_count, check_positive, check_progress, check_share
+from ...core.devices import resolve_device
+from ...core.errors import FileError, FilePath
+from ...core.progress import ReportProgress
+from ...kernels.lang import float32, vec3
+from ...kernels.memory import download, upload
+from ...kernels.stereo.depth_checks import NEIGHBORS, DepthChecks, Pair, support_depth
+from .depth_maps import DepthMap, DepthMaps
+from .last_used import LastUsed
+from .posed_pictures import PosedCamera
+
+MIN_VIEWS = 2
+MAX_PIXELS = 1.0
+MAX_RELATIVE = 0.01  # docs/mvs.md has what more and less of it do
+MIN_SUPPORT = 0.25  # surfaces two pixels wide have 9 of the 24 pixels around
+SUPPORT_RELATIVE = 0.5  # of max_relative: neighbours in one picture agree better than pictures do
+DEPTH_BYTES = 4  # a pixel
+KEPT_BYTES = 2**30  # of depth that stays on the device for the pictures that follow
+
+
+def filter_depth_maps(
+    maps: DepthMaps,
+    *,
+    min_views: int = MIN_VIEWS,
+    max_pixels: float = MAX_PIXELS,
+    max_relative: float = MAX_RELATIVE,
+    min_confidence: float = 0.0,
+    min_support: float = MIN_SUPPORT,
+    folder: FilePath | None = None,
+    device: Any = None,
+    progress: ReportProgress | None = None,
+) -> DepthMaps:
+    """Keep the depth that other pictures confirm, averaged with theirs.
+
+    The point of each pixel is carried into each of its picture's sources, and the surface known there is carried back.
+    A source confirms the pixel where that ends at most `max_pixels` away, at an inverse depth that differs by at most
+    `max_relative`. Between four pixels of one surface a source's inverse depth is bilinear, so a true plane comes back
+    exactly. The inverse of the depth that is kept is the mean of the pixel's own and of all that confirm it.
+
+    Args:
+        maps: From `estimate_depth_maps`, or depth of any other origin as DepthMaps; sizes may differ.
+        min_views: How many sources have to confirm a pixel; a picture with fewer sources needs all that it has, and
+            one without keeps nothing. More makes it surer and emptier: surfaces that few pictures see go first.
+        max_pixels: How far from the pixel the way may end [px].
+        max_relative: By how much the two inverse depths may differ, of the pixel's own.
+        min_confidence: Pixels with less confidence go, 0 to 1.
+        min_support: Of what is kept then, pixels go where a smaller share of the 24 around lies on their plane, by half
+            of `max_relative`: grains beside edges, which pictures get wrong alike. 0 keeps them; above 0.37 surfaces
+            two pixels wide go too.
+        folder: Where to keep the maps; None keeps them in memory. Not the folder of the maps given.
+        device: Where to compute; None for the CPU.
+        progress: Called with the stage, how many pictures are done, and how many there are.
+
+    Returns:
+        The maps with the same cameras and sources. Normals and confidence stay where depth does and are 0 elsewhere.
+
+    Raises:
+        TypeError: Not DepthMaps.
+        ValueError: A number out of range.
+        FileError: A map that cannot be read or written, or the folder is that of the maps given.
+        DeviceError: No such device.
+
+    Notes:
+        The same bits from run to run, on every device. One map at a time is in memory when they lie on disk; on the
+        device 44 B a pixel of one picture, and up to 1 GiB of depth (4 B a pixel) that is kept for the pictures that
+        follow. It asks the sources' depth as given, not as filtered. Schönberger et al. 2016, section 4.3.
+
+    Example:
+        >>> import numpy as np, pointloom as loom
+        >>> intrinsic = loom.PinholeCameraIntrinsic(64, 48, 60.0, 60.0, 31.5, 23.5)
+        >>> poses = np.tile(np.eye(4), (3, 1, 1))
+        >>> poses[:, 0, 3] = [0.0, -0.1, -0.2]
+        >>> cameras = [loom.mvs.PosedCamera(intrinsic, pose) for pose in poses]
+        >>> wall = np.full((48, 64), 2.0)
+        >>> wall[10, 20] = 1.5
+        >>> normals = np.tile([0.0, 0.0, -1.0], (48, 64, 1))
+        >>> given = [loom.mvs.DepthMap(wall, normals, np.ones((48, 64)))] * 3
+        >>> maps = loom.mvs.DepthMaps(cameras, [(1, 2), (0, 2), (0, 1)], given)
+        >>> kept = loom.mvs.filter_depth_maps(maps)
+        >>> float(kept[0].depth[20, 30]), float(kept[0].depth[10, 20])
+        (2.0, 0.0)
+    """
+    check_maps("maps", maps)
+    least = check_count("min_views", min_views)
+    limits = check_positive("max_pixels", max_pixels), check_share("max_relative", max_relative)
+    surest = check_share("min_confidence", min_confidence)
+    support = math.ceil(check_share("min_support", min_support) * NEIGHBORS)
+    where, say = resolve_device(device), check_progress(progress)
+    if folder is not None and maps.folder is not None and maps.folder.resolve() == type(maps.folder)(folder).resolve():
+        raise FileError(folder, "holds the maps that are to be filtered", remedy="Name another folder")
+    filtered = _filtered(maps, least, limits, surest, support, where, say)
+    return DepthMaps(maps.cameras, maps.sources, filtered, folder=folder)
+
+
+def check_maps(name: str, maps: Any) -> None:
+    """Refuse what are no DepthMaps.
+
+    Raises:
+        TypeError: The message names the argument.
+    """
+    if not isinstance(maps, DepthMaps):
+        raise TypeError(f"{name}: expected DepthMaps, got {type(maps).__name__}; DepthMaps.open reads a folder of them")
+
+
+def pair_of(reference: PosedCamera, source: PosedCamera) -> Pair:
+    """The way from a picture to another, and back."""
+    T = source.T_camera_world @ np.linalg.inv(reference.T_camera_world)
+    return Pair(reference.intrinsic, source.intrinsic, T, np.linalg.inv(T))
+
+
+def pixel_count(camera: PosedCamera) -> int:
+    """Pixels of a camera's picture, and of its map."""
+    return camera.intrinsic.height * camera.intrinsic.width
+
+
+class _DepthsOnDevice:
+    """Depth as float32 arrays on a device; those used last stay there, up to KEPT_BYTES."""
+
+    def __init__(self, maps: DepthMaps, device: Any):
+        self._maps, self._device = maps, device
+        self._kept: LastUsed[wp.array] = LastUsed(KEPT_BYTES)
+
+    def get(self, i: int, each: DepthMap | None = None, *, beside: int | None = None) -> wp.array:
+        """The depth of a map, or of `each` where that is the map; `beside` is the one that it is compared with."""
+        size = DEPTH_BYTES * pixel_count(self._maps.cameras[i])
+        return self._kept.get(i, size, lambda: self._uploaded(each or self._maps[i]), beside=beside)
+
+    def _uploaded(self, each: DepthMap) -> wp.array:
+        return upload(each.depth.reshape(-1), float32, self._device)
+
+
+def _filtered(
+    maps: DepthMaps,
+    least: int,
+    limits: tuple[float, float],
+    surest: float,
+    support: int,
+    device: Any,
+    say: ReportProgress,
+) -> Iterator[DepthMap]:
+    depths = _DepthsOnDevice(maps, device)
+    say("filter", 0, len(maps))
+    for i, sources in enumerate(maps.sources):
+        given = maps[i]
+        checks = DepthChecks(depths.get(i, given), *limits)
+        for j in sources:
+            checks.compare(depths.get(j, beside=i), pair_of(maps.cameras[i], maps.cameras[j]))
+        confidence = upload(given.confidence.reshape(-1), float32, device)
+        kept = checks.kept(min(least, len(sources)) or 1, confidence, surest)  # without sources nothing confirms it
+        if support:
+            normals, tolerance = upload(given.normals.reshape(-1, 3), vec3, device), SUPPORT_RELATIVE * limits[1]
+            kept = support_depth(kept, normals, maps.cameras[i].intrinsic, tolerance, support)
+        depth = download(kept).reshape(given.depth.shape).copy()
+        has = depth > 0
+        yield DepthMap(depth, np.where(has[..., None], given.normals, 0), np.where(has, given.confidence, 0))
+        say("filter", i + 1, len(maps))

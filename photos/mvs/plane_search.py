@@ -1,0 +1,261 @@
+"""The search for the planes of all pictures, phase by phase: from coarse to fine, then with what the sources found."""
+
+from __future__ import annotations
+
+import contextlib
+import dataclasses
+import tempfile
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...cameras.camera import PinholeCameraIntrinsic
+from ...kernels.lang import launch, vec4
+from ...kernels.memory import download, empty, upload
+from ...kernels.stereo.inverse_planes import refine_planes_kernel
+from ...kernels.stereo.patch_costs import Reference, Sources
+from ...kernels.stereo.patch_match import Turn, spread_planes, start_planes
+from ...kernels.stereo.plane_prior import judge_places, take_priors
+from ...kernels.stereo.plane_results import finish_planes
+from ...registration.rigid import invert_pose
+from .depth_maps import DepthMap
+from .picture_slots import Picture, Slots, picture_slots, plane_slots, put_brightness, put_planes, read_picture
+from .plane_priors import fit_priors
+from .posed_pictures import PosedCamera
+
+Matrix = NDArray[np.float64]
+SLOT_BYTES = 20  # a pixel: its brightness and its plane
+SEED_STEP = 7919  # between the seeds of one picture and the next, of one phase and the next
+LEAST_SIDE = 24  # [px] of a picture that is worth a phase of its own
+MOST_SEED = 0x7FFFFFFF
+
+
+@dataclasses.dataclass(frozen=True)
+class Phase:
+    """One walk over all pictures.
+
+    Attributes:
+        scale: Of the pictures.
+        turns: Half-turns for each colour of the chessboard.
+        spread: Greatest change of a plane in the first turn [px in the sources], half of it in each further one.
+        radius: From the middle of a patch to its border [px].
+        regions: Of eight whose planes a pixel tries.
+        geometric: Weight of the distance to the sources' surfaces and back [1 / px].
+        prior: Whether plain places take planes fitted to what is sure about them, at the end.
+    """
+
+    scale: float
+    turns: int
+    spread: float
+    radius: int
+    regions: int = 8
+    geometric: float = 0.0
+    prior: bool = False
+
+
+# Small pictures want large patches, since noise and ambiguity are large there; the last phases have the sources' depth
+# against ambiguity and take small ones, which do not spread the foreground beyond its edge. A second walk with the
+# sources' new depth does more than a second turn with their old. Priors want sure depth, that which sources agree on:
+# after the first of those, and after the second again, since patches of noise would have led pixels away from them.
+PLAN = (
+    Phase(0.25, turns=4, spread=1.0, radius=5),
+    Phase(0.5, turns=2, spread=0.6, radius=5),
+    Phase(1.0, turns=1, spread=0.6, radius=3),
+    Phase(1.0, turns=1, spread=0.25, radius=2, regions=4, geometric=0.1, prior=True),
+    Phase(1.0, turns=1, spread=0.1, radius=2, regions=4, geometric=0.1, prior=True),
+)
+STEP = 2  # [px] between the samples of a patch
+TRIALS = 4  # changed planes that a pixel tries in a half-turn
+CHOSEN = 3  # sources that a pixel is compared with
+GOOD = 0.8  # cost below which a source fits
+
+
+@dataclasses.dataclass(frozen=True)
+class Setting:
+    """What is sought: the pictures, their sources, and the nearest and farthest depth of each [unit of the poses].
+
+    A picture without sources is passed over.
+    """
+
+    pictures: Sequence[Picture]
+    cameras: Sequence[PosedCamera]
+    sources: Sequence[Sequence[int]]
+    ranges: Sequence[tuple[float, float]]
+    seed: int
+    device: Any
+    device_bytes: int
+
+
+@dataclasses.dataclass(frozen=True)
+class Found:
+    """The planes of a picture so far, float32 [pixels, 4], in memory or in a file."""
+
+    planes: NDArray[np.float32] | Path
+    camera: PinholeCameraIntrinsic
+
+    def read(self) -> NDArray[np.float32]:
+        """The planes."""
+        return np.load(self.planes) if isinstance(self.planes, Path) else self.planes
+
+
+def plan_for(cameras: Sequence[PosedCamera]) -> tuple[Phase, ...]:
+    """The phases for pictures of this size: none at a scale that leaves nothing to compare."""
+    least = min(min(each.intrinsic.width, each.intrinsic.height) for each in cameras)
+    return tuple(phase for phase in PLAN if phase.scale == 1.0 or round(least * phase.scale) >= LEAST_SIDE)
+
+
+def find_depth(setting: Setting, folder: Path | None, say: Any) -> Iterator[DepthMap]:
+    """The depth maps of all pictures in order; planes are kept in `folder` meanwhile, in memory where it is None."""
+    plan = plan_for(setting.cameras)
+    count, found = len(setting.cameras), [None] * len(setting.cameras)
+    with tempfile.TemporaryDirectory(prefix=".planes-", dir=folder) if folder else contextlib.nullcontext() as place:
+        for number, phase in enumerate(plan):
+            walk = _Walk(setting, number, phase, found)
+            fresh: list[Found | None] = [None] * count
+            for i in range(count):
+                planes = walk.match(i) if setting.sources[i] else None
+                say("depth", number * count + i + 1, len(plan) * count)
+                if number == len(plan) - 1:
+                    yield _no_depth(setting.cameras[i]) if planes is None else walk.result(i, planes)
+                elif planes is not None:
+                    fresh[i] = _kept(planes, walk.cameras[i], place, number, i)
+            _drop(found)
+            found = fresh
+
+
+def _kept(planes: Any, camera: PinholeCameraIntrinsic, place: str | None, number: int, index: int) -> Found:
+    values = np.array(download(planes)).reshape(-1, 4)
+    if place is None:
+        return Found(values, camera)
+    path = Path(place) / f"{number}-{index}.npy"
+    np.save(path, values)
+    return Found(path, camera)
+
+
+def _drop(found: Sequence[Found | None]) -> None:
+    for each in found:
+        if each is not None and isinstance(each.planes, Path):
+            each.planes.unlink()
+
+
+def _no_depth(camera: PosedCamera) -> DepthMap:
+    size = (camera.intrinsic.height, camera.intrinsic.width)
+    return DepthMap(*(np.zeros(shape, np.float32) for shape in (size, (*size, 3), size)))
+
+
+def projection(source: PinholeCameraIntrinsic, reference: PinholeCameraIntrinsic, T_source_reference: Matrix) -> Matrix:
+    """A and b of A p + b w side by side, shape [3, 4]."""
+    K = source.matrix
+    rotation = K @ T_source_reference[:3, :3] @ np.linalg.inv(reference.matrix)
+    return np.column_stack([rotation, K @ T_source_reference[:3, 3]])
+
+
+class _Walk:
+    """One phase: the pictures at its scale on the device, and the maps that the last one left."""
+
+    def __init__(self, setting: Setting, number: int, phase: Phase, found: Sequence[Found | None]):
+        self.setting, self.number, self.phase, self.found = setting, number, phase, found
+        self.cameras = [camera.intrinsic.scaled(phase.scale) for camera in setting.cameras]
+        largest = max(each.width * each.height for each in self.cameras)
+        least = 1 + max(len(each) for each in setting.sources)
+        count = min(max(setting.device_bytes // (SLOT_BYTES * largest), least), len(setting.cameras))
+        self.brightness = picture_slots(count, largest, setting.device)
+        self.maps: Slots = plane_slots(
+            count if phase.geometric else 1, largest if phase.geometric else 1, setting.device
+        )
+        self._views: tuple[int, Reference, Sources] | None = None
+
+    def match(self, index: int) -> Any:
+        """The planes of a picture after this phase, on the device."""
+        reference, sources = self.views(index)
+        phase, device = self.phase, self.setting.device
+        before, size = self.found[index], reference.width * reference.height
+        chosen = min(CHOSEN, sources.count)
+        seed = (self.setting.seed + SEED_STEP * (self.number * len(self.cameras) + index)) & MOST_SEED
+        if before is None:
+            planes = empty(size, vec4, device)
+        else:
+            planes = upload(before.read(), vec4, device)
+            columns, rows = before.camera.width, before.camera.height
+            if (columns, rows) != (reference.width, reference.height):
+                coarse, planes = planes, empty(size, vec4, device)
+                launch(refine_planes_kernel, size, [coarse, columns, rows, reference.width, reference.height, planes])
+        costs = start_planes(
+            reference, sources, planes, seed=seed, is_given=before is not None, geometric=phase.geometric, chosen=chosen
+        )
+        for number in range(phase.turns):
+            for color in (0, 1):
+                turn = Turn(
+                    seed=seed, number=number, color=color, regions=phase.regions, trials=TRIALS, chosen=chosen,
+                    spread=phase.spread * 0.5**number, geometric=phase.geometric, good=GOOD,
+                )  # fmt: skip
+                spread_planes(turn, reference, sources, planes, costs)
+        if phase.prior:
+            priors = upload(self._priors(index, planes, seed), vec4, device)
+            take_priors(chosen, phase.geometric, reference, sources, priors, planes, costs)
+        return planes
+
+    def _priors(self, index: int, planes: Any, seed: int) -> NDArray[np.float32]:
+        """The planes that plain pixels might have and their weights, [pixels, 4]."""
+        reference, sources = self.views(index)
+        size = (reference.height, reference.width)
+        judged = np.array(download(judge_places(reference, sources, planes))).reshape(*size, 2)
+        hypotheses = np.array(download(planes)).reshape(*size, 4)
+        priors = fit_priors(judged[..., 0], judged[..., 1] > 0, hypotheses, reference.pixels_per, seed)
+        return priors.reshape(-1, 4)
+
+    def result(self, index: int, planes: Any) -> DepthMap:
+        """The depth map that planes come to."""
+        camera = self.cameras[index]
+        values = [np.array(download(each)) for each in finish_planes(*self.views(index), planes)]
+        depth, normals, confidence = values
+        size = (camera.height, camera.width)
+        return DepthMap(depth.reshape(size), normals.reshape(*size, 3), confidence.reshape(size))
+
+    def views(self, index: int) -> tuple[Reference, Sources]:
+        """A picture and its sources on the device."""
+        if self._views is not None and self._views[0] == index:
+            return self._views[1:]
+        setting, mine = self.setting, self.cameras[index]
+        first = self._picture(index)
+        tables = [self._source(index, j) for j in setting.sources[index]]
+        there, map_there, map_back, layout, map_layout = (np.array(each) for each in zip(*tables, strict=True))
+        slots = (self.brightness.values, self.maps.values)
+        sources = Sources(there, map_there, map_back, layout, map_layout, *slots)
+        near, far = setting.ranges[index]
+        moved = [motion_of(setting.cameras[index], setting.cameras[j]) for j in setting.sources[index]]
+        reference = Reference(
+            mine.width, mine.height, first, (mine.fx, mine.fy, mine.cx, mine.cy), (1 / far, 1 / near),
+            float(np.median(moved)) * self.phase.scale, self.phase.radius, STEP,
+        )  # fmt: skip
+        self._views = (index, reference, sources)
+        return reference, sources
+
+    def _source(self, index: int, other: int) -> tuple[Any, ...]:
+        mine, theirs, old = self.cameras[index], self.cameras[other], self.found[other]
+        T = self.setting.cameras[other].T_camera_world @ invert_pose(self.setting.cameras[index].T_camera_world)
+        layout = (theirs.width, theirs.height, self._picture(other))
+        there = projection(theirs, mine, T)
+        if not self.phase.geometric or old is None:
+            return there, there, there, layout, (0, 0, 0)
+        first = self.maps.first_of(other, lambda at: put_planes(self.maps, at, old.read()))
+        size = (old.camera.width, old.camera.height, first)
+        return there, projection(old.camera, mine, T), projection(mine, old.camera, invert_pose(T)), layout, size
+
+    def _picture(self, index: int) -> int:
+        camera = self.cameras[index]
+
+        def load(first: int) -> None:
+            pixels = read_picture(f"pictures[{index}]", self.setting.pictures[index], self.setting.cameras[index])
+            put_brightness(self.brightness, first, pixels, camera.width, camera.height)
+
+        return self.brightness.first_of(index, load)
+
+
+def motion_of(reference: PosedCamera, source: PosedCamera) -> float:
+    """How far pixels move at most for an inverse depth of one [px unit]."""
+    focal = max(source.intrinsic.fx, source.intrinsic.fy)
+    return focal * float(np.linalg.norm(reference.center - source.center))

@@ -1,0 +1,13 @@
+"""The public names of pointloom.sfm: the one list of them, for type checkers and for `public_names`."""
+
+from .features import FeatureReport as FeatureReport
+from .features import find_features as find_features
+from .frame_choice import FrameChoice as FrameChoice
+from .frames import choose_frames as choose_frames
+from .mapping import SfmResult as SfmResult
+from .mapping import map_pictures as map_pictures
+from .matches import MatchReport as MatchReport
+from .matches import match as match
+from .reconstruction import reconstruct as reconstruct
+from .verdict import Verdict as Verdict
+from .verdict import judge_model as judge_model

@@ -1,0 +1,167 @@
+"""Jobs for COLMAP's own process: what comes of them, how far they are, and what to do where they fail."""
+
+from __future__ import annotations
+
+import contextlib
+import json
+import os
+import select
+import sqlite3
+import sys
+import tempfile
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+from urllib.parse import quote
+
+from ...core.errors import FileError
+from ...core.wording import format_bytes
+from .limited_process import LimitedProcess
+
+_WORKER = Path(__file__).with_name("colmap_worker.py")
+_POLL_INTERVAL = 0.5  # [s]
+_READ_AT_ONCE = 1 << 16
+_LITTLE_SPACE = 1 << 20  # [B] free on a disk that counts as full
+_SPACE = "Free some space, or work in another folder"
+_FULL_DISK = ("disk is full", "No space left", "disk I/O error")
+
+MAX_SECONDS = 4 * 3600.0  # of one stage: 150 pictures take minutes, and what takes hours is rarely worth its end
+
+Report = Callable[[dict[str, Any]], None]
+
+
+def run_job(
+    job: dict[str, Any],
+    place: Path,
+    *,
+    max_seconds: float,
+    max_memory: int | None,
+    poll: Callable[[], None] | None = None,
+    tell: Report | None = None,
+) -> tuple[dict[str, Any], int]:
+    """Have COLMAP do a job.
+
+    Args:
+        job: What `colmap_worker` reads.
+        place: What errors call the matter: the folder of the pictures, or the database.
+        max_seconds, max_memory: As of `LimitedProcess`.
+        poll: Called twice a second, and once at the end.
+        tell: Called with each message that is not the last.
+
+    Returns:
+        What was done, and the most memory that it took [B].
+
+    Raises:
+        FileError: No pycolmap, or the job failed, was killed or passed a limit: with its last words, and a remedy.
+    """
+    command = [sys.executable, "-P", str(_WORKER)]
+    last: dict[str, Any] = {}
+    with LimitedProcess(command, max_seconds=max_seconds, max_memory=max_memory, stdin=json.dumps(job)) as process:
+        for message in _messages(process, poll):
+            last = message
+            if tell is not None and not message.keys() & {"done", "failed", "missing"}:
+                tell(message)
+        if "done" in last and process.wait() == 0:
+            if poll is not None:
+                poll()
+            return last["done"], process.peak_bytes
+        reason, remedy = _what_failed(job["stage"], last, process, Path(job["database"]).parent.parent)
+    raise FileError(place, reason, remedy=remedy)
+
+
+def _messages(process: LimitedProcess, poll: Callable[[], None] | None) -> Iterator[dict[str, Any]]:
+    """The objects that the process writes, one a line, as they come."""
+    assert process.stdout is not None
+    handle, rest = process.stdout.fileno(), b""
+    while True:
+        if not select.select([handle], [], [], _POLL_INTERVAL)[0]:
+            if poll is not None:
+                poll()
+            continue
+        read = os.read(handle, _READ_AT_ONCE)
+        if not read:
+            return
+        *lines, rest = (rest + read).split(b"\n")
+        for line in lines:
+            with contextlib.suppress(ValueError):
+                message = json.loads(line)
+                if isinstance(message, dict):
+                    yield message
+
+
+_NOUNS = {"features": "finding features", "matches": "matching", "model": "mapping"}
+
+
+def _what_failed(stage: str, last: dict[str, Any], process: LimitedProcess, folder: Path) -> tuple[str, str]:
+    """Why a job did not end well, and what to do about it."""
+    noun = _NOUNS[stage]
+    if "missing" in last:
+        return "structure from motion needs the package pycolmap", 'pip install "pointloom[sfm]"'
+    words = " / ".join(filter(None, (str(last.get("failed", "")), process.last_words())))
+    said = f"; its last words: {words}" if words else ""
+    if process.killed_for == "time":
+        return f"{noun} {process.why_ended()}{said}", "Give it more time, or fewer or smaller pictures"
+    if process.killed_for == "memory" or "out of memory" in words:
+        return f"{noun} {process.why_ended()}{said}", "Give it more memory, or fewer or smaller pictures"
+    free = os.statvfs(folder)
+    free_bytes = free.f_bavail * free.f_frsize
+    if free_bytes < _LITTLE_SPACE or any(text in words for text in _FULL_DISK):
+        reason = f"{noun} failed with {format_bytes(free_bytes)} free on the disk of {folder}{said}"
+        return reason, _SPACE
+    if "failed" in last:
+        return f"{noun} failed: {words}", ""
+    remedy = "Run it again; SIGKILL is what the system sends where memory runs out: fewer or smaller pictures need less"
+    return f"{noun} {process.why_ended()}{said}", remedy
+
+
+# ---------------------------------------------------------------------------------------------- the database
+
+
+@contextlib.contextmanager
+def open_database(path: Path) -> Iterator[sqlite3.Connection]:
+    """COLMAP's database, for reading, also while COLMAP writes to it.
+
+    Raises:
+        FileError: None there, or none of COLMAP's.
+    """
+    if not path.is_file():
+        reason = "is no database of COLMAP" if path.exists() else "does not exist"
+        raise FileError(path, reason, remedy="sfm.find_features makes one")
+    try:
+        with contextlib.closing(sqlite3.connect(f"file:{quote(os.fspath(path))}?mode=ro", uri=True)) as database:
+            yield database
+    except sqlite3.Error as error:
+        reason = f"cannot be read as a database of COLMAP: {error}"
+        raise FileError(path, reason, remedy="sfm.find_features makes one") from error
+
+
+def count_rows(path: Path, table: str) -> int:
+    """Rows of a table of a database that COLMAP is writing to; 0 where there is none yet or it is locked."""
+    with contextlib.suppress(FileError), open_database(path) as database:
+        return database.execute(f"SELECT count(*) FROM {table}").fetchone()[0]
+    return 0
+
+
+@contextlib.contextmanager
+def database_in_the_making(target: Path) -> Iterator[Path]:
+    """A place for a database, which takes its name when the block ends without an error, and is removed otherwise."""
+    with scratch_beside(target) as folder:
+        part = folder / "database.db"
+        yield part
+        with contextlib.closing(sqlite3.connect(part)) as database:
+            database.execute("PRAGMA journal_mode=DELETE")  # what COLMAP wrote beside it goes into the one file
+        part.replace(target)
+
+
+@contextlib.contextmanager
+def scratch_beside(target: Path) -> Iterator[Path]:
+    """A folder on the disk of a target, which is removed in the end; what the disk refuses is the target's error."""
+    try:
+        with tempfile.TemporaryDirectory(prefix=f".{target.name}.", dir=target.parent) as folder:
+            yield Path(folder)
+    except FileError:
+        raise
+    except (OSError, sqlite3.Error) as error:
+        reason = str(getattr(error, "strerror", None) or error)
+        remedy = _SPACE if any(text in reason for text in _FULL_DISK) else ""
+        raise FileError(target, f"cannot be written: {reason}", remedy=remedy) from error

@@ -1,0 +1,207 @@
+"""What can be recognised in each picture: SIFT features, found by COLMAP, in a database of its kind."""
+
+from __future__ import annotations
+
+import dataclasses
+import os
+from pathlib import Path
+from typing import Any
+
+from ...cameras.camera import PinholeCameraIntrinsic
+from ...cameras.camera_models import CameraModel
+from ...core.atomic import check_writable
+from ...core.checks import check_count, check_name, check_progress, check_seed, shown
+from ...core.errors import DatasetError, FileError, FilePath
+from ...core.progress import ReportProgress
+from ...core.timing import Clock
+from ...files.pictures.image_files import read_picture_header
+from .colmap_jobs import MAX_SECONDS, count_rows, database_in_the_making, open_database, run_job
+from .limited_process import check_limits, free_memory
+from .picture_folder import UPRIGHT, check_place, is_grey_16, list_pictures, read_orientation, scaled_size
+
+# Those of COLMAP's whose numbers can be found from pictures alone.
+CAMERA_MODELS = (
+    *("SIMPLE_PINHOLE", "PINHOLE", "SIMPLE_RADIAL", "RADIAL", "OPENCV", "OPENCV_FISHEYE", "FULL_OPENCV", "FOV"),
+    *("SIMPLE_RADIAL_FISHEYE", "RADIAL_FISHEYE", "THIN_PRISM_FISHEYE"),
+)
+MAX_SIZE = 1600
+MAX_FEATURES = 4096
+
+_LONGEST_SIDE = 2**16
+_MOST_FEATURES = 2**17
+_BYTES_A_PIXEL = 360  # of a picture in which features are found: SIFT's first octave is of twice its size
+_FEW = 50  # features, below which a picture is hardly ever placed
+
+
+@dataclasses.dataclass(frozen=True)
+class FeatureReport:
+    """What was found in the pictures.
+
+    Args:
+        database: Where it lies.
+        names: Of the pictures, in the order of their numbers.
+        counts: Features of each.
+        sizes: How many pictures there are of each (width, height) [px]; each size is a camera of its own.
+        seconds: Time it took [s].
+        peak_bytes: The most memory that COLMAP was seen to hold [B].
+    """
+
+    database: str
+    names: tuple[str, ...]
+    counts: tuple[int, ...]
+    sizes: dict[tuple[int, int], int]
+    seconds: float
+    peak_bytes: int
+
+    @property
+    def poor_names(self) -> tuple[str, ...]:
+        """Pictures with fewer than 50 features: blank, out of focus, or of something without any pattern."""
+        return tuple(name for name, count in zip(self.names, self.counts, strict=True) if count < _FEW)
+
+    def to_json(self) -> dict[str, Any]:
+        """The same in JSON's types."""
+        sizes = [{"width": w, "height": h, "count": count} for (w, h), count in self.sizes.items()]
+        lists = {"names": list(self.names), "counts": list(self.counts), "poor_names": list(self.poor_names)}
+        fields = {"database": self.database, "seconds": self.seconds, "peak_bytes": self.peak_bytes}
+        return fields | lists | {"sizes": sizes}
+
+
+def find_features(
+    pictures: FilePath,
+    database: FilePath,
+    *,
+    camera_model: str = "SIMPLE_RADIAL",
+    intrinsic: PinholeCameraIntrinsic | CameraModel | None = None,
+    max_size: int = MAX_SIZE,
+    max_features: int = MAX_FEATURES,
+    seed: int = 0,
+    max_seconds: float | None = MAX_SECONDS,
+    max_memory: int | None = None,
+    progress: ReportProgress | None = None,
+) -> FeatureReport:
+    """Find SIFT features (Lowe 2004) in each picture of a folder.
+
+    Args:
+        pictures: A folder of upright 8-bit PNG or JPEG pictures, as `choose_frames` writes them.
+        database: The file to write, COLMAP's; one that is there is replaced.
+        camera_model: COLMAP's name of how the lens draws; its numbers are found later. Pictures of one size are
+            taken for those of one camera.
+        intrinsic: A camera that is known: all pictures are its, and `camera_model` is not looked at. One of pictures
+            of another size, of the same shape, is scaled. Give `fix_intrinsic=True` to `map_pictures` to keep it.
+        max_size: The longer side is scaled down to this to find features [px].
+        max_features: Of a picture.
+        seed: Of random numbers.
+        max_seconds: It is given up after this time [s]; None for no limit.
+        max_memory: Of COLMAP's process [B]; None for nine tenths of what is free.
+        progress: Called with "features", how many pictures are done, and how many there are.
+
+    Returns:
+        How many features each picture has.
+
+    Raises:
+        FileError: Fewer than two pictures, one that is damaged, lies on its side or has 16 bits; pycolmap is missing
+            (`pip install "pointloom[sfm]"`); COLMAP failed or passed a limit; a full disk.
+        TypeError, ValueError: An argument out of range, a camera of pictures of another shape.
+
+    Notes:
+        The same features from run to run, with any number of cores. All are used, as far as the memory goes: 360 B
+        for each pixel of a picture at its scaled size on each, 0.6 GB at 1600 x 1067. COLMAP runs in a process of its
+        own, which is killed where we are interrupted.
+
+    Example:
+        >>> import pointloom as loom
+        >>> loom.sfm.find_features("no such folder", "features.db")
+        Traceback (most recent call last):
+        pointloom.core.errors.DatasetError: no such folder: does not exist. Give a folder of pictures
+    """
+    clock, say = Clock(), check_progress(progress)
+    if check_name("camera_model", camera_model) not in CAMERA_MODELS:
+        raise ValueError(f"camera_model: expected one of {', '.join(CAMERA_MODELS)}, got {shown(camera_model)}")
+    check_count("max_size", max_size, minimum=64, maximum=_LONGEST_SIDE, because="no camera has more pixels")
+    check_count("max_features", max_features, minimum=64, maximum=_MOST_FEATURES, because="matching takes its square")
+    check_seed(seed)
+    _check_intrinsic(intrinsic)
+    limits = check_limits(max_seconds, max_memory)
+    folder, target = check_place("pictures", pictures), check_writable(check_place("database", database))
+    groups = _groups(folder)
+    job: dict[str, Any] = {"stage": "features", "pictures": os.fspath(folder.resolve()), "seed": int(seed)}
+    job |= {"groups": [_group(size, names, camera_model, intrinsic) for size, names in groups.items()]}
+    threads = threads_for(list(groups), max_size, limits["max_memory"] or free_memory())
+    job |= {"max_size": int(max_size), "max_features": int(max_features), "threads": threads}
+    count = sum(len(names) for names in groups.values())
+    with database_in_the_making(target) as part:
+        say("features", 0, count)
+        poll = lambda: say("features", min(count_rows(part, "keypoints"), count), count)  # noqa: E731
+        _, peak = run_job(job | {"database": os.fspath(part)}, folder, poll=poll, **limits)
+        names, counts = _features_of(part)
+    say("features", count, count)
+    sizes = {size: len(group) for size, group in groups.items()}
+    clock.stop("features")
+    return FeatureReport(os.fspath(target), names, counts, sizes, clock.seconds["features"], peak)
+
+
+def usable_cores() -> int:
+    """The cores that this process may use."""
+    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+
+
+def threads_for(sizes: list[tuple[int, int]], max_size: int, memory: float) -> int:
+    """How many pictures are looked at at once: one a core, as far as the memory [B] goes."""
+    pixels = max(width * height for width, height in (scaled_size(size, max_size) for size in sizes))
+    return max(1, min(usable_cores(), int(memory // (_BYTES_A_PIXEL * pixels))))
+
+
+def _check_intrinsic(intrinsic: Any) -> None:
+    if intrinsic is not None and not isinstance(intrinsic, PinholeCameraIntrinsic | CameraModel):
+        kind = type(intrinsic).__name__
+        raise TypeError(f"intrinsic: expected a PinholeCameraIntrinsic, a CameraModel or None, got {kind}")
+    if isinstance(intrinsic, CameraModel) and intrinsic.model.startswith("METASHAPE"):
+        raise ValueError(f"intrinsic: COLMAP has no model {intrinsic.model}; undistort the pictures first")
+
+
+def _groups(folder: Path) -> dict[tuple[int, int], list[str]]:
+    """The names of the pictures of each size, the size of the first one first.
+
+    Raises:
+        FileError: Too few, or one that COLMAP would take for another than it is.
+    """
+    paths = sorted(list_pictures(folder), key=lambda path: path.name)
+    if len(paths) < 2:
+        raise DatasetError(folder, "holds one picture; structure from motion needs two", remedy="Give another folder")
+    groups: dict[tuple[int, int], list[str]] = {}
+    for path in paths:
+        header = read_picture_header(path)
+        fault = "is 16-bit grey" if is_grey_16(header) else ""
+        if read_orientation(path) != UPRIGHT:
+            fault = "lies on its side, as its EXIF data say"
+        if fault:
+            raise FileError(path, fault, remedy="sfm.choose_frames makes upright 8-bit pictures of a folder")
+        groups.setdefault((header.width, header.height), []).append(path.name)
+    return groups
+
+
+def _group(
+    size: tuple[int, int], names: list[str], camera_model: str, intrinsic: PinholeCameraIntrinsic | CameraModel | None
+) -> dict[str, Any]:
+    """What COLMAP is told of the pictures of one size."""
+    if intrinsic is None:
+        return {"names": names, "model": camera_model, "params": ""}
+    factor = size[0] / intrinsic.width
+    if size != (intrinsic.width, intrinsic.height):
+        scaled = (round(intrinsic.width * factor), round(intrinsic.height * factor))
+        if abs(scaled[1] - size[1]) > 1 or isinstance(intrinsic, CameraModel):
+            raise ValueError(
+                f"intrinsic: is of pictures of {intrinsic.width} x {intrinsic.height}, "
+                f"but {names[0]} is {size[0]} x {size[1]}"
+            )
+        intrinsic = intrinsic.scaled(factor)
+    camera = intrinsic if isinstance(intrinsic, CameraModel) else CameraModel.from_intrinsic(intrinsic)
+    return {"names": names, "model": camera.model, "params": ",".join(repr(value) for value in camera.params)}
+
+
+def _features_of(database: Path) -> tuple[tuple[str, ...], tuple[int, ...]]:
+    """The names of the pictures of a database, and how many features each has."""
+    query = "SELECT name, coalesce(rows, 0) FROM images LEFT JOIN keypoints USING (image_id) ORDER BY image_id"
+    with open_database(database) as connection:
+        rows = connection.execute(query).fetchall()
+    return tuple(name for name, _ in rows), tuple(count for _, count in rows)

@@ -1,0 +1,146 @@
+"""Pictures placed in the world, one after the other, with the points that they see: incremental mapping by COLMAP."""
+
+from __future__ import annotations
+
+import dataclasses
+import os
+import shutil
+from pathlib import Path
+from typing import Any
+
+from ...core.checks import check_progress, check_seed
+from ...core.errors import DatasetError, FileError, FilePath
+from ...core.progress import ReportProgress
+from ...core.timing import Clock
+from ...files.models.colmap import read_colmap_model
+from ...files.models.sfm_model import SfmModel
+from .colmap_jobs import MAX_SECONDS, open_database, run_job, scratch_beside
+from .limited_process import check_limits
+from .picture_folder import check_place
+from .picture_writing import new_folder
+from .verdict import Verdict, judge_model
+
+
+@dataclasses.dataclass(frozen=True)
+class SfmResult:
+    """What became of a set of pictures.
+
+    Args:
+        model: The largest model that was found; None where there is none.
+        folder: Where it lies, in COLMAP's format.
+        verdict: What it is worth, and why it is poor.
+        missing: Names of pictures without a pose.
+        seconds: Time of each stage [s].
+        peak_bytes: The most memory that COLMAP was seen to hold in each [B].
+    """
+
+    model: SfmModel | None
+    folder: str
+    verdict: Verdict
+    missing: tuple[str, ...]
+    seconds: dict[str, float]
+    peak_bytes: dict[str, int]
+
+    @property
+    def poor(self) -> str | None:
+        """Why the result is poor, with the remedy; None where it is good."""
+        return self.verdict.poor
+
+    def to_json(self) -> dict[str, Any]:
+        """All but the model in JSON's types."""
+        fields = {"folder": self.folder, "missing": list(self.missing), "seconds": self.seconds}
+        return fields | {"peak_bytes": self.peak_bytes, "verdict": self.verdict.to_json(), "poor": self.poor}
+
+
+def map_pictures(
+    pictures: FilePath,
+    matches: FilePath,
+    folder: FilePath,
+    *,
+    fix_intrinsic: bool = False,
+    seed: int = 0,
+    max_seconds: float | None = MAX_SECONDS,
+    max_memory: int | None = None,
+    progress: ReportProgress | None = None,
+) -> SfmResult:
+    """Place the pictures and the points that they see, from matches.
+
+    Args:
+        pictures: Their folder, for the colours of points.
+        matches: The database of `match`; it is not changed.
+        folder: Where to write the model, in COLMAP's binary format; new, or empty.
+        fix_intrinsic: Keep the cameras as `find_features` was given them.
+        seed: Of random numbers.
+        max_seconds: It is given up after this time [s]; None for no limit.
+        max_memory: Of COLMAP's process [B]; None for nine tenths of what is free.
+        progress: Called with "model", how many pictures are placed, and how many there are; the count begins anew
+            with each model.
+
+    Returns:
+        The model with the most pictures, and a verdict. A poor model, and none at all, is a result, not an error.
+
+    Raises:
+        FileError: No such files, a folder that is not empty; pycolmap is missing; COLMAP failed or passed a limit; a
+            full disk.
+        TypeError, ValueError: An argument out of range.
+
+    Notes:
+        Mapping (Schoenberger and Frahm 2016) runs on one core, which makes it the same from run to run: with two, the
+        last bits of a model differ, and with them now and then which points it has. The unit is arbitrary.
+
+    Example:
+        >>> import pointloom as loom
+        >>> loom.sfm.map_pictures(".", "matches.db", "sparse")
+        Traceback (most recent call last):
+        pointloom.core.errors.FileError: matches.db: does not exist. sfm.find_features makes one
+    """
+    clock, say = Clock(), check_progress(progress)
+    if not isinstance(fix_intrinsic, bool):
+        raise TypeError(f"fix_intrinsic: expected True or False, got {type(fix_intrinsic).__name__}")
+    check_seed(seed)
+    limits = check_limits(max_seconds, max_memory)
+    source, database = check_place("pictures", pictures), check_place("matches", matches)
+    target = check_place("folder", folder)
+    if not source.is_dir():
+        raise DatasetError(pictures, "is no folder", remedy="Give the folder of the pictures")
+    names = _names_of(database)
+    job: dict[str, Any] = {"stage": "model", "pictures": os.fspath(source.resolve()), "seed": int(seed), "threads": 1}
+    job |= {"fixed_camera": fix_intrinsic}
+    say("model", 0, len(names))
+    with new_folder(target):
+        done, peak = _map(job, database, target, names, say, limits)
+    model = read_colmap_model(target) if done["sizes"] else None
+    verdict = judge_model(model, len(names), model_sizes=done["sizes"] or None, fix_intrinsic=fix_intrinsic)
+    missing = tuple(sorted(set(names) - set(model.names if model else ())))
+    clock.stop("model")
+    return SfmResult(model, os.fspath(target), verdict, missing, clock.seconds, {"model": peak})
+
+
+def _names_of(database: Path) -> list[str]:
+    """The names of the pictures of a database, which must have been matched."""
+    with open_database(database) as connection:
+        names = [name for (name,) in connection.execute("SELECT name FROM images")]
+        (tried,) = connection.execute("SELECT count(*) FROM two_view_geometries").fetchone()
+    if not tried and len(names) > 1:
+        raise FileError(database, "holds no matches", remedy="sfm.match makes them")
+    return names
+
+
+def _map(
+    job: dict[str, Any], database: Path, target: Path, names: list[str], say: ReportProgress, limits: dict[str, Any]
+) -> tuple[dict[str, Any], int]:
+    """Have COLMAP make models beside the target, and move the files of the largest there."""
+    with scratch_beside(target) as place:
+        copy, scratch, model = (place / name for name in ("database.db", "scratch", "model"))
+        shutil.copyfile(database, copy)  # COLMAP writes to what it opens
+        scratch.mkdir()
+        model.mkdir()
+        job |= {"database": os.fspath(copy), "scratch": os.fspath(scratch), "model": os.fspath(model)}
+
+        def tell(message: dict[str, Any]) -> None:
+            say("model", min(int(message.get("registered", 0)), len(names)), len(names))
+
+        done, peak = run_job(job, database, tell=tell, **limits)
+        for path in sorted(model.iterdir()):
+            path.replace(target / path.name)
+    return done, peak

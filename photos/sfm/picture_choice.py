@@ -1,0 +1,136 @@
+"""A folder of photographs, made ready for structure from motion."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+from collections import Counter
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+from PIL import Image
+
+from ...core.errors import FileError
+from ...core.progress import ReportProgress
+from ...files.pictures.image_files import PictureHeader, read_picture_header
+from .frame_choice import FrameChoice
+from .frame_picker import is_blank, spaced, thumbnail
+from .picture_folder import (
+    ORIENTATION,
+    UPRIGHT,
+    list_pictures,
+    ordered_names,
+    read_orientation,
+    read_picture,
+    scaled_size,
+    unread_pictures,
+    white_of,
+)
+from .picture_writing import Wanted, counted, some_of, write_bytes, write_picture
+
+_GREY = np.array([77, 150, 29], np.uint32)  # BT.601's weights, in 256ths
+_BITS = 8
+_SUFFIXES = {"jpeg": ".jpg", "png": ".png"}
+
+
+def choose_pictures(source: Path, wanted: Wanted, say: ReportProgress) -> FrameChoice:
+    """Write the pictures of a folder, upright and in 8 bits.
+
+    Raises:
+        FileError: None can be used, or the place cannot be written.
+    """
+    paths = list_pictures(source)
+    chosen = spaced(list(range(len(paths))), wanted.max_count)
+    headers, left_out = _headers(paths, chosen)
+    usable = [number for number in chosen if number in headers]
+    white = white_of([paths[n] for n in usable], [headers[n] for n in usable])
+    names, numbers, sizes = [], [], Counter[tuple[int, int]]()
+    stems = dict(zip(usable, ordered_names([paths[n] for n in usable]), strict=True))
+    for done, number in enumerate(usable):
+        say("write", done, len(usable))
+        try:
+            pixels = read_picture(paths[number], headers[number], white=white)
+        except FileError as error:
+            left_out[paths[number].name] = error.reason
+            continue
+        if is_blank(thumbnail(_grey(pixels))):
+            left_out[paths[number].name] = "black, or all of one brightness"
+            continue
+        name, size = _write(paths[number], headers[number], pixels, stems[number], wanted)
+        names.append(name)
+        numbers.append(number)
+        sizes[size] += 1
+    say("write", len(usable), len(usable))
+    if not names:
+        first, reason = next(iter(left_out.items()))
+        raise FileError(source, f"none of {counted(len(paths), 'picture')} can be used: {first}: {reason}")
+    return FrameChoice(
+        source=os.fspath(source),
+        kind="pictures",
+        reader="",
+        names=tuple(names),
+        numbers=tuple(numbers),
+        sizes=dict(sizes.most_common()),
+        frame_count=len(paths),
+        left_out=left_out,
+        remarks=tuple(_remarks(source, len(paths), len(chosen), left_out, sizes)),
+    )
+
+
+def _headers(paths: list[Path], numbers: list[int]) -> tuple[dict[int, PictureHeader], dict[str, str]]:
+    """The headers of the pictures that have one, and why the others have none."""
+    headers, left_out = {}, {}
+    for number in numbers:
+        try:
+            headers[number] = read_picture_header(paths[number])
+        except FileError as error:
+            left_out[paths[number].name] = error.reason
+    return headers, left_out
+
+
+def _grey(pixels: NDArray[np.uint8]) -> NDArray[np.uint8]:
+    return ((pixels @ _GREY) >> 8).astype(np.uint8)
+
+
+def _write(
+    path: Path, header: PictureHeader, pixels: NDArray[np.uint8], stem: str, wanted: Wanted
+) -> tuple[str, tuple[int, int]]:
+    """Write a picture; one that is upright, of 8 bits and not too large is copied as it is."""
+    before = (pixels.shape[1], pixels.shape[0])
+    size = scaled_size(before, wanted.max_size)
+    if size == before and read_orientation(path) == UPRIGHT and header.bits == _BITS and header.channels in (1, 3):
+        name = stem + _SUFFIXES[header.kind]
+        write_bytes(wanted.folder / name, path.read_bytes())
+        return name, size
+    if size != before:
+        pixels = np.asarray(Image.fromarray(pixels).resize(size, Image.Resampling.BOX))
+    name = f"{stem}.{wanted.kind}"
+    write_picture(wanted.folder / name, pixels, _exif_upright(path))
+    return name, size
+
+
+def _exif_upright(path: Path) -> bytes:
+    """What EXIF says of a picture (its focal length helps), but that it lies on its side."""
+    with contextlib.suppress(Exception), Image.open(path) as picture:  # EXIF that makes no sense is no loss
+        exif = picture.getexif()
+        exif.pop(ORIENTATION, None)
+        return exif.tobytes() if len(exif) else b""
+    return b""
+
+
+def _remarks(
+    source: Path, count: int, chosen: int, left_out: dict[str, str], sizes: Counter[tuple[int, int]]
+) -> list[str]:
+    remarks = []
+    if chosen < count:
+        remarks.append(f"{chosen} of {count} pictures are taken, evenly in the order of their names (max_frames)")
+    if left_out:
+        said = [f"{name} ({reason})" for name, reason in left_out.items()]
+        remarks.append(f"{counted(len(left_out), 'picture')} cannot be used and left out: {some_of(said)}")
+    if others := unread_pictures(source):
+        remarks.append(f"of kinds that are not read, convert them to PNG or JPEG: {some_of(others)}")
+    if len(sizes) > 1:
+        said = [f"{number} of {width} x {height}" for (width, height), number in sizes.most_common()]
+        remarks.append(f"pictures of {len(sizes)} sizes, each taken for a camera of its own: {some_of(said)}")
+    return remarks

@@ -1,0 +1,156 @@
+"""Folders of photographs: which pictures, in which order, how they lie, and how they become 8-bit RGB."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import unicodedata
+from collections import Counter
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+from PIL import Image
+
+from ...core.checks import shown
+from ...core.errors import DatasetError, FileError, FilePath
+from ...files.pictures.image_files import PictureHeader, read_color, read_depth
+from ...files.points.scan_files import natural_key
+
+SUFFIXES = (".jpg", ".jpeg", ".png")
+# Pictures that cameras and telephones write and that have to be converted first: told, not passed over in silence.
+OTHER_SUFFIXES = (".bmp", ".dng", ".gif", ".heic", ".heif", ".jp2", ".tif", ".tiff", ".webp", ".cr2", ".nef", ".arw")
+
+ORIENTATION = 0x0112  # EXIF's tag
+UPRIGHT = 1
+_LARGEST_12_BIT = 4095
+_LARGEST_8_BIT = 255
+
+
+def check_place(name: str, value: Any) -> Path:
+    """The path of a file or a folder, as users give it.
+
+    Raises:
+        TypeError: No path.
+        ValueError: One that no system takes.
+    """
+    path = value.__fspath__() if isinstance(value, os.PathLike) else value
+    if not isinstance(path, str):
+        raise TypeError(f"{name}: expected a path, got {type(value).__name__}")
+    if not path or "\0" in path:
+        raise ValueError(f"{name}: expected a path, got {shown(path)}")
+    return Path(path)
+
+
+def list_pictures(folder: FilePath) -> list[Path]:
+    """The pictures of a folder in natural order: numbers in names count as numbers, so 2.jpg comes before 10.jpg.
+
+    Raises:
+        DatasetError: No folder, or no picture in it.
+    """
+    place = Path(folder)
+    if not place.is_dir():
+        reason = "is no folder" if place.exists() else "does not exist"
+        raise DatasetError(folder, reason, remedy="Give a folder of pictures")
+    files = [path for path in place.iterdir() if not path.name.startswith(".") and path.is_file()]
+    pictures = [path for path in files if path.suffix.lower() in SUFFIXES]
+    if not pictures:
+        others = Counter(path.suffix.lower() for path in files if path.suffix.lower() in OTHER_SUFFIXES)
+        found = f"; there are {_counted(others)}, which are not read" if others else ""
+        raise DatasetError(folder, f"holds no picture{found}", remedy=f"Convert them to {', '.join(SUFFIXES)}")
+    return sorted(pictures, key=natural_key)
+
+
+def unread_pictures(folder: FilePath) -> list[str]:
+    """Names of pictures of kinds that are not read."""
+    return sorted(path.name for path in Path(folder).iterdir() if path.suffix.lower() in OTHER_SUFFIXES)
+
+
+def _counted(kinds: Counter[str]) -> str:
+    return ", ".join(f"{count} of {kind}" for kind, count in sorted(kinds.items()))
+
+
+def read_orientation(path: FilePath) -> int:
+    """How a picture lies, as EXIF numbers it: 1 upright (or unknown), 6 to be turned right by 90 degrees, and so on."""
+    # EXIF is written by all sorts of programs; what makes no sense says nothing
+    with contextlib.suppress(Exception), Image.open(path) as picture:
+        orientation = int(picture.getexif().get(ORIENTATION, UPRIGHT))
+        return orientation if 1 <= orientation <= 8 else UPRIGHT
+    return UPRIGHT
+
+
+def upright(pixels: NDArray, orientation: int) -> NDArray:
+    """The picture as it is to be seen, of pixels as they are stored."""
+    turns = {3: 2, 4: 2, 5: 3, 6: 3, 7: 1, 8: 1}.get(orientation, 0)  # quarters to the left
+    turned = np.rot90(pixels, turns)
+    return np.ascontiguousarray(turned[:, ::-1] if orientation in (2, 4, 5, 7) else turned)
+
+
+def is_grey_16(header: PictureHeader) -> bool:
+    """Whether this is a picture of 16-bit grey."""
+    return header.channels == 1 and header.bits == 16
+
+
+def read_picture(path: FilePath, header: PictureHeader, *, white: int = 65535) -> NDArray[np.uint8]:
+    """A picture as 8-bit RGB, upright.
+
+    Args:
+        path: A PNG or JPEG file.
+        header: Its own.
+        white: Which value of 16-bit grey becomes 255.
+
+    Returns:
+        Shape [h, w, 3].
+
+    Raises:
+        FileError: Damaged.
+    """
+    if is_grey_16(header):
+        grey = np.minimum(read_depth(path).astype(np.float32) * (_LARGEST_8_BIT / white) + 0.5, _LARGEST_8_BIT)
+        pixels = np.repeat(grey.astype(np.uint8)[..., None], 3, axis=2)
+    else:
+        pixels = read_color(path)
+    return upright(pixels, read_orientation(path))
+
+
+def white_of(paths: Sequence[Path], headers: Sequence[PictureHeader]) -> int:
+    """The value that becomes white in all 16-bit grey pictures of a set: that of 12 bits where none is brighter."""
+    most = 0
+    for path, header in zip(paths, headers, strict=True):
+        if is_grey_16(header):
+            with contextlib.suppress(FileError):  # said where it is read for good
+                most = max(most, int(read_depth(path).max()))
+    return _LARGEST_12_BIT if 0 < most <= _LARGEST_12_BIT else 65535
+
+
+def scaled_size(size: tuple[int, int], max_size: int | None) -> tuple[int, int]:
+    """Width and height with the longer side at most `max_size`."""
+    longest = max(size)
+    if max_size is None or longest <= max_size:
+        return size
+    width, height = (max(1, round(side * max_size / longest)) for side in size)
+    return width, height
+
+
+def ordered_names(paths: Sequence[Path]) -> list[str]:
+    """A name for each picture, in whose sorted order they stay; COLMAP goes by the order of names.
+
+    Names are kept where they sort as they should, are text and differ; else a number comes before them.
+    """
+    names = [unicodedata.normalize("NFC", path.stem) for path in paths]
+    plain = [name if name.isprintable() and _is_text(name) else "" for name in names]
+    in_order = names == sorted(names, key=lambda name: f"{name}.")  # as they sort with their suffixes
+    if all(plain) and in_order and len({name.casefold() for name in names}) == len(names):
+        return names
+    digits = max(4, len(str(len(names))))
+    return [f"{number:0{digits}d}_{name}".rstrip("_") for number, name in enumerate(plain)]
+
+
+def _is_text(name: str) -> bool:
+    try:
+        name.encode()
+    except UnicodeEncodeError:  # bytes that are no UTF-8
+        return False
+    return True

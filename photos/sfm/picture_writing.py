@@ -1,0 +1,84 @@
+"""Pictures into a folder of their own: each whole or not at all, and none where the work fails."""
+
+from __future__ import annotations
+
+import contextlib
+import dataclasses
+import io
+from collections.abc import Iterator
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+from PIL import Image
+
+from ...core.atomic import atomic_write
+from ...core.errors import FileError
+
+KINDS = ("jpg", "png")
+
+_QUALITY = 95  # of JPEG: at 4:4:4 what is lost is below the noise of a camera
+_SHOWN_NUMBERS = 6
+
+
+@dataclasses.dataclass(frozen=True)
+class Wanted:
+    """Which pictures are wanted: where, how many at most, how large at most [px], of which kind."""
+
+    folder: Path
+    max_count: int
+    max_size: int | None
+    kind: str
+
+
+@contextlib.contextmanager
+def new_folder(folder: Path) -> Iterator[None]:
+    """A folder to be filled, whose files are removed again where that fails.
+
+    Raises:
+        FileError: It cannot be made, or holds something.
+    """
+    existed = folder.is_dir()
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        if any(folder.iterdir()):
+            raise FileError(folder, "is not empty", remedy="Give a new folder, or an empty one")
+    except OSError as error:
+        raise FileError(folder, f"cannot be made: {error.strerror or error}") from error
+    try:
+        yield
+    except BaseException:
+        with contextlib.suppress(OSError):  # the error that is on its way says more
+            for path in folder.iterdir():
+                path.unlink(missing_ok=True)
+            if not existed:
+                folder.rmdir()
+        raise
+
+
+def write_picture(path: Path, pixels: NDArray[np.uint8], exif: bytes = b"") -> None:
+    """Write a picture as JPEG or PNG, whole or not at all."""
+    buffer = io.BytesIO()
+    if path.suffix == ".png":
+        Image.fromarray(pixels).save(buffer, "PNG", compress_level=1)
+    else:
+        Image.fromarray(pixels).save(buffer, "JPEG", quality=_QUALITY, subsampling=0, exif=exif)
+    with atomic_write(path) as file:
+        file.write(buffer.getbuffer())
+
+
+def write_bytes(path: Path, data: bytes) -> None:
+    """Write a file, whole or not at all."""
+    with atomic_write(path) as file:
+        file.write(data)
+
+
+def some_of(names: list[str]) -> str:
+    """A few of some names, and how many more there are."""
+    more = len(names) - _SHOWN_NUMBERS
+    return ", ".join(names[:_SHOWN_NUMBERS]) + (f" and {more} more" if more > 0 else "")
+
+
+def counted(count: int, noun: str) -> str:
+    """ "1 frame", "2 frames"."""
+    return f"{count} {noun}{'' if count == 1 else 's'}"

@@ -1,0 +1,155 @@
+"""Whether a model of structure from motion is to be believed, and what to do where it is not."""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import numpy as np
+
+from ...core.checks import check_count, check_list
+from ...files.models.sfm_model import SfmModel
+from .parallax import parallax, triangulation_angles
+
+MIN_REGISTERED = 0.6  # share of the pictures
+WHOLE = 0.95  # share of the pictures in the largest model, with which others do not matter: they overlap
+MIN_ANGLE = 2.0  # [degrees] at which the depth of a point is known to a few per cent
+MIN_PARALLAX = 0.002  # of the longer side of a picture: a few pixels, some times what features are off by
+MIN_POINTS = 100
+MIN_POINTS_A_PICTURE = 20
+
+_MOVE = "move, do not only turn: walk sideways around what you film"
+
+
+@dataclasses.dataclass(frozen=True)
+class Verdict:
+    """What a model is worth.
+
+    Args:
+        picture_count: Pictures that there were.
+        registered_count: Those that have a pose.
+        model_sizes: Pictures of each model that was found, the largest first.
+        point_count: Points.
+        points_a_picture: Median over pictures of the points that they see.
+        angle: Median over points of the widest angle between two of its rays [degrees]; NaN without points.
+        parallax: How far off points would be seen by a camera that only turned [px]; NaN where nobody can tell.
+        error: Median reprojection error [px]; NaN without points.
+        reasons: Why the result is poor, with the remedy; empty where it is good.
+    """
+
+    picture_count: int
+    registered_count: int
+    model_sizes: tuple[int, ...]
+    point_count: int
+    points_a_picture: float
+    angle: float
+    parallax: float
+    error: float
+    reasons: tuple[str, ...]
+
+    @property
+    def poor(self) -> str | None:
+        """The reasons in one line, as reports hold them; None where the result is good."""
+        return "; ".join(self.reasons) or None
+
+    def to_json(self) -> dict[str, Any]:
+        """The same in JSON's types; NaN becomes None."""
+        fields = dataclasses.asdict(self) | {"model_sizes": list(self.model_sizes), "reasons": list(self.reasons)}
+        numbers = {key: value for key, value in fields.items() if isinstance(value, float)}
+        return fields | {key: None if math.isnan(value) else value for key, value in numbers.items()}
+
+    @classmethod
+    def from_json(cls, told: Mapping[str, Any]) -> Verdict:
+        """What `to_json` gave, read again; other keys are passed over.
+
+        Raises:
+            KeyError: A figure is missing.
+        """
+        found: dict[str, Any] = {field.name: told[field.name] for field in dataclasses.fields(cls)}
+        found |= {name: math.nan if found[name] is None else found[name] for name in ("angle", "parallax", "error")}
+        found |= {name: tuple(found[name]) for name in ("model_sizes", "reasons")}
+        return cls(**found)
+
+
+def judge_model(
+    model: SfmModel | None, picture_count: int, *, model_sizes: Sequence[int] | None = None, fix_intrinsic: bool = False
+) -> Verdict:
+    """Say what a model is worth: how many pictures it places, and how well they fix the depth of its points.
+
+    Args:
+        model: What was found; None for nothing.
+        picture_count: Pictures that there were.
+        model_sizes: Pictures of each model that was found, this one first; None for this one alone.
+        fix_intrinsic: The cameras were known before; else whether the camera only turned is asked with any.
+
+    Returns:
+        The figures, and the reasons why the result is poor: fewer than 60 % of the pictures are placed; others form
+        models of their own, and this one has less than 95 %; points are seen under less than 2 degrees, or as a camera
+        would see them that only turns; too few points.
+
+    Raises:
+        TypeError, ValueError: No model, or counts that do not fit it.
+
+    Notes:
+        Any SfmModel will do, such as one of `read_colmap_model`. Turning is judged by what is left when one turn is
+        fitted for each pair of pictures, and one focal length and radial distortion for all.
+
+    Example:
+        >>> import pointloom as loom
+        >>> verdict = loom.sfm.judge_model(None, 12)
+        >>> verdict.registered_count, verdict.poor.split(":")[0]
+        (0, 'none of the 12 pictures could be placed')
+    """
+    if model is not None and not isinstance(model, SfmModel):
+        raise TypeError(f"model: expected an SfmModel or None, got {type(model).__name__}")
+    registered = 0 if model is None else len(model)
+    check_count("picture_count", picture_count, minimum=registered)
+    given = [registered] if model_sizes is None else check_list("model_sizes", model_sizes, "counts")
+    sizes = tuple(check_count("model_sizes", size, minimum=0) for size in given if model is not None)
+    if model is None:
+        nothing = (
+            f"none of the {picture_count} pictures could be placed: no two of them show enough of the same from places "
+            "far enough apart. See that they overlap by two thirds, are sharp and show something with a pattern; "
+            + _MOVE
+        )
+        return Verdict(picture_count, 0, (), 0, 0.0, math.nan, math.nan, math.nan, (nothing,))
+    seen = np.bincount(model.observations[:, 0], minlength=registered)
+    errors = model.errors[np.isfinite(model.errors)]
+    verdict = Verdict(
+        picture_count,
+        registered,
+        sizes,
+        len(model.points),
+        float(np.median(seen)) if registered else 0.0,
+        float(np.median(triangulation_angles(model))) if len(model.points) else math.nan,
+        parallax(model, fixed=fix_intrinsic),
+        float(np.median(errors)) if len(errors) else math.nan,
+        (),
+    )
+    longer = max((max(camera.width, camera.height) for camera in model.cameras), default=1)
+    return dataclasses.replace(verdict, reasons=tuple(_reasons(verdict, longer)))
+
+
+def _reasons(found: Verdict, longer_side: int) -> list[str]:
+    reasons = []
+    count, registered = found.picture_count, found.registered_count
+    if registered < MIN_REGISTERED * count:
+        remedy = "film more slowly, or take pictures that overlap by two thirds"
+        reasons.append(f"only {registered} of {count} pictures could be placed: {remedy}")
+    if registered < WHOLE * count and len(found.model_sizes) > 1:
+        sizes = ", ".join(map(str, found.model_sizes))
+        remedy = "take pictures that join them"
+        reasons.append(f"the pictures fall into {len(found.model_sizes)} models ({sizes} pictures): {remedy}")
+    if found.parallax < MIN_PARALLAX * longer_side:
+        off = f"a camera that only turned would see the points within {found.parallax:.2g} px of where they are"
+        reasons.append(f"the camera hardly moved ({off}), so that depth is unknown: {_MOVE}")
+    elif found.angle < MIN_ANGLE:
+        reasons.append(f"points are seen under {found.angle:.2g} degrees (median), so that depth is uncertain: {_MOVE}")
+    if found.point_count < MIN_POINTS or found.points_a_picture < MIN_POINTS_A_PICTURE:
+        each = f"{found.points_a_picture:.0f} a picture"
+        remedy = "take sharp pictures of something with a pattern"
+        also = "" if reasons and reasons[-1].endswith(_MOVE) else f"; {_MOVE}"
+        reasons.append(f"only {found.point_count} points were found, {each} (median): {remedy}{also}")
+    return reasons

@@ -1,0 +1,256 @@
+"""Frames of a video, decoded by a program that is run: ffmpeg where there is one, else OpenCV in its own process.
+
+No decoder is linked. Frames come one after the other, scaled down on their way, as the file holds them: turned as it
+says, none left out and none twice where the rate varies. Both programs pass over what they cannot decode, and end a
+file that was cut off without an error; so frames are counted, and what was promised is told beside what came.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import json
+import os
+import re
+import shutil
+import subprocess
+import sys
+from collections.abc import Iterator, Sequence
+from fractions import Fraction
+from functools import cache
+from pathlib import Path
+from typing import IO, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...core.errors import FileError
+from .limited_process import LimitedProcess
+
+READERS = ("auto", "ffmpeg", "opencv")
+
+_OPENCV = Path(__file__).with_name("opencv_worker.py")
+_PROBE_SECONDS = 120.0  # to read the head of a file, or the whole of one without an index from a slow disk
+_MISSING = 3  # exit code of opencv_worker
+_INSTALL = "Install the program ffmpeg (with ffprobe), or pip install opencv-python-headless"
+_FIRST_FPS_MODE = (5, 1)  # version of ffmpeg that knows -fps_mode
+_MOST_PIXELS = 2**28
+
+
+@dataclasses.dataclass(frozen=True)
+class VideoFile:
+    """What the head of a video says.
+
+    Args:
+        path: The file.
+        reader: "ffmpeg" or "opencv".
+        promised: How many frames it says there are; None where it says nothing.
+        is_counted: Whether that is a count, not a duration times a rate.
+        fps: Frames a second, on average; 0 where it says nothing.
+        pixel_aspect: Width of a pixel over its height.
+    """
+
+    path: Path
+    reader: str
+    promised: int | None
+    is_counted: bool
+    fps: float
+    pixel_aspect: float = 1.0
+
+
+def open_video(path: str | os.PathLike[str], *, reader: str = "auto") -> VideoFile:
+    """Look at the head of a video.
+
+    Raises:
+        FileError: No such file, no video in it, or nothing to read it with.
+    """
+    place = Path(path)
+    if not place.is_file():
+        reason = "is no file" if place.exists() else "does not exist"
+        raise FileError(path, reason, remedy="Give a video, or a folder of pictures")
+    if reader == "auto":
+        reader = "ffmpeg" if _ffmpeg() else "opencv"
+    if reader == "ffmpeg":
+        if not _ffmpeg():
+            raise FileError(path, "the programs ffmpeg and ffprobe are not on the path", remedy=_INSTALL)
+        return _probe_ffmpeg(place)
+    return _probe_opencv(place)
+
+
+def _ffmpeg() -> bool:
+    return shutil.which("ffmpeg") is not None and shutil.which("ffprobe") is not None
+
+
+def _probe_ffmpeg(path: Path) -> VideoFile:
+    stream = "nb_frames,avg_frame_rate,duration,sample_aspect_ratio"
+    entries = f"stream={stream}:format=duration"
+    command = ["ffprobe", "-v", "error", "-select_streams", "v:0", "-show_entries", entries, "-of", "json"]
+    said, words = _answer(path, [*command, f"file:{path}"])
+    try:
+        content = json.loads(said)
+        head = (content.get("streams") or [{}])[0]
+    except ValueError:
+        content, head = {}, {}
+    if not head:
+        reason = f"no video can be read: {_without_address(words) or 'it holds no pictures'}"
+        remedy = "A recording that was cut off may lack its index: repair it, or give a folder of pictures"
+        raise FileError(path, reason, remedy=remedy)
+    counted, fps = _number(head.get("nb_frames")), _number(head.get("avg_frame_rate"))
+    seconds = _number(head.get("duration")) or _number(content.get("format", {}).get("duration"))
+    promised = counted or round(seconds * fps)
+    aspect = _number(str(head.get("sample_aspect_ratio", "1")).replace(":", "/")) or 1.0
+    return VideoFile(path, "ffmpeg", int(promised) or None, bool(counted), fps, aspect)
+
+
+def _probe_opencv(path: Path) -> VideoFile:
+    command = [sys.executable, "-P", str(_OPENCV)]
+    said, words = _answer(path, command, stdin=json.dumps({"path": os.fspath(path), "probe": True}))
+    try:
+        head = json.loads(said)
+    except ValueError as error:
+        raise FileError(path, f"no video can be read: {words or 'OpenCV says nothing'}") from error
+    promised = head["frames"] if head["frames"] > 0 else None
+    return VideoFile(path, "opencv", promised, True, _number(head["fps"]))
+
+
+def _answer(path: Path, command: Sequence[str], *, stdin: str = "") -> tuple[str, str]:
+    """What a program answers, and the last of what it says beside."""
+    with LimitedProcess(command, max_seconds=_PROBE_SECONDS, stdin=stdin) as process:
+        assert process.stdout is not None
+        said = process.stdout.read().decode(errors="replace")
+        status = process.wait()
+        if status == _MISSING and command[-1] == str(_OPENCV):
+            raise FileError(path, "there is nothing to read videos with", remedy=_INSTALL)
+        if status < 0:
+            raise FileError(path, f"reading the video {process.why_ended()}", remedy="The file may be damaged")
+        return said, process.last_words()
+
+
+def _number(text: Any) -> float:
+    """A number as ffprobe writes it ("30000/1001"); 0 for "N/A" and what makes no sense."""
+    try:
+        return float(Fraction(str(text)))
+    except (ValueError, ZeroDivisionError):
+        return 0.0
+
+
+def _without_address(words: str) -> str:
+    """What ffmpeg says, without the addresses of its own structures."""
+    return re.sub(r" @ 0x[0-9a-f]+", "", words)
+
+
+class VideoFrames:
+    """The frames of a video, one after the other, in a `with` block; it can be gone through once.
+
+    Args:
+        video: Of `open_video`.
+        max_size: The longer side is scaled down to this [px]; None keeps it.
+        grey: Brightness alone.
+        numbers: Which frames, in rising order; None for all.
+        max_seconds, max_memory: As of `LimitedProcess`.
+
+    Attributes:
+        count: How many frames have come.
+        said: What the program complained of, once all have come.
+    """
+
+    def __init__(
+        self,
+        video: VideoFile,
+        *,
+        max_size: int | None,
+        grey: bool = False,
+        numbers: Sequence[int] | None = None,
+        max_seconds: float = float("inf"),
+        max_memory: int | None = None,
+    ):
+        self._video, self.count, self.said = video, 0, ""
+        if video.reader == "ffmpeg":
+            command, stdin = _ffmpeg_command(video, max_size, grey, numbers), ""
+        else:
+            command = [sys.executable, "-P", str(_OPENCV)]
+            job = {"path": os.fspath(video.path), "max_size": max_size, "grey": grey}
+            stdin = json.dumps(job | {"numbers": None if numbers is None else list(numbers)})
+        self._process = LimitedProcess(command, max_seconds=max_seconds, max_memory=max_memory, stdin=stdin)
+
+    def __enter__(self) -> VideoFrames:
+        self._process.__enter__()
+        return self
+
+    def __exit__(self, *error: object) -> None:
+        self._process.__exit__(*error)
+
+    @property
+    def peak_bytes(self) -> int:
+        """The most memory that the program was seen to hold [B]."""
+        return self._process.peak_bytes
+
+    def __iter__(self) -> Iterator[NDArray[np.uint8]]:
+        """Each frame, shape [h, w] or [h, w, 3]; a new array, that cannot be written to.
+
+        Raises:
+            FileError: The program passed a limit or was killed, or not one frame came.
+        """
+        stream = self._process.stdout
+        assert stream is not None
+        while (frame := _read_netpbm(stream)) is not None:
+            self.count += 1
+            yield frame
+        status = self._process.wait()
+        self.said = _without_address(self._process.last_words())
+        if self._process.killed_for or status < 0:
+            reason = f"decoding {self._process.why_ended()} after {self.count} frames"
+            raise FileError(self._video.path, reason, remedy="Give it more, or a shorter video")
+        if not self.count:
+            reason = f"no frame can be decoded: {self.said or f'{self._video.reader} says nothing'}"
+            raise FileError(self._video.path, reason, remedy="The file may be damaged, or of a kind that is not known")
+
+
+def _ffmpeg_command(video: VideoFile, max_size: int | None, grey: bool, numbers: Sequence[int] | None) -> list[str]:
+    filters = []
+    if numbers is not None:
+        filters.append(f"select='{_any_of(list(numbers))}'")
+    if abs(video.pixel_aspect - 1.0) > 1e-3:
+        filters.append("scale='round(iw*max(1,sar))':'round(ih*max(1,1/sar))',setsar=1")
+    if max_size is not None:
+        most = f"w='min({max_size},iw)':h='min({max_size},ih)'"
+        filters.append(f"scale={most}:force_original_aspect_ratio=decrease:flags=area")
+    # as the file holds them: none twice, none left out
+    rate = ["-fps_mode" if _ffmpeg_version() >= _FIRST_FPS_MODE else "-vsync", "passthrough"]
+    command = ["ffmpeg", "-nostdin", "-hide_banner", "-v", "error", "-i", f"file:{video.path}", "-map", "0:v:0", *rate]
+    if filters:
+        command += ["-vf", ",".join(filters)]
+    if numbers is not None:
+        command += ["-frames:v", str(len(numbers))]
+    return [*command, "-f", "image2pipe", "-c:v", "pgm" if grey else "ppm", "pipe:1"]
+
+
+def _any_of(numbers: list[int]) -> str:
+    """ffmpeg's expression for "n is one of these": by halves, as a sum of more than a hundred is refused."""
+    if not numbers:
+        return "0"
+    if len(numbers) == 1:
+        return f"eq(n,{numbers[0]})"
+    middle = len(numbers) // 2
+    return f"if(lt(n,{numbers[middle]}),{_any_of(numbers[:middle])},{_any_of(numbers[middle:])})"
+
+
+@cache
+def _ffmpeg_version() -> tuple[int, ...]:
+    """(5, 1) of "ffmpeg version 5.1.9-0+deb12u1"; of builds that only have a date, one that knows all."""
+    said = subprocess.run(["ffmpeg", "-version"], capture_output=True, text=True, check=False, timeout=60).stdout
+    found = re.match(r"ffmpeg version n?(\d+)\.(\d+)", said)
+    return (int(found[1]), int(found[2])) if found else (99,)
+
+
+def _read_netpbm(stream: IO[bytes]) -> NDArray[np.uint8] | None:
+    """The next picture of a stream of PGM and PPM pictures; None at its end, and where the last one is cut off."""
+    kind, size, most = (stream.readline(40) for _ in range(3))
+    if kind not in (b"P5\n", b"P6\n") or most != b"255\n":
+        return None
+    width, height = (int(text) for text in size.split())
+    if not 0 < width * height <= _MOST_PIXELS:
+        return None
+    shape = (height, width) if kind == b"P5\n" else (height, width, 3)
+    length = int(np.prod(shape))
+    pixels = stream.read(length)
+    return np.frombuffer(pixels, np.uint8).reshape(shape) if len(pixels) == length else None

@@ -1,0 +1,91 @@
+"""The stages from pictures to a mesh as a list: what each is called, and what makes it.
+
+What a stage is made from stands in the signature of what makes it. A parameter by the name of an earlier stage is what
+that one left; any other is one of the settings, of which the stage's record keeps what decides the outcome.
+"""
+
+from __future__ import annotations
+
+import inspect
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from functools import partial
+from typing import Any
+
+from ...core.stages import Chain, Made, Stage
+from . import motion, surface
+from .settings import Settings
+
+# In the order in which they run.
+STAGES: dict[str, Callable[..., Mapping[str, Any]]] = {
+    "frames": motion.take_frames,
+    "features": motion.find_features,
+    "matches": motion.match,
+    "model": motion.map_pictures,
+    "undistorted": surface.straighten,
+    "depth": surface.estimate,
+    "fused": surface.fuse_points,
+    "mesh": surface.make_mesh,
+}
+
+
+@dataclass(frozen=True, eq=False)
+class Given:
+    """A setting of stages.
+
+    Attributes:
+        value: What they are called with.
+        recorded: What their records keep of it, in JSON's types; nothing where it does not change their files.
+    """
+
+    value: Any
+    recorded: Mapping[str, Any]
+
+
+def settings_of_stages(source: Any, content: str, settings: Settings, device: Any) -> dict[str, Given]:
+    """What the stages take beside each other's files, by the names of their parameters.
+
+    Args:
+        source: The video or folder.
+        content: Digest of what it holds.
+        settings: Of the job.
+        device: Where to compute; the files are the same wherever that is.
+    """
+    lens = settings.read_camera()
+    camera = None if lens is None else [lens.width, lens.height, lens.fx, lens.fy, lens.cx, lens.cy]
+    return {
+        "source": Given(source, {"source": content}),
+        "max_frames": Given(settings.max_frames, {"max_frames": settings.max_frames}),
+        "intrinsic": Given(lens, {"camera": camera}),
+        "fixed_camera": Given(lens is not None, {"fixed": lens is not None}),
+        "max_size": Given(settings.max_size, {"max_size": settings.max_size}),
+        "units": Given(settings.units, {"units": settings.units.settings}),
+        "seed": Given(settings.seed, {"seed": settings.seed}),
+        "device": Given(device, {}),
+    }
+
+
+def run_to(last: str, chain: Chain, given: Mapping[str, Given]) -> Made:
+    """Run the stages up to one of them that have not run yet, or keep what they left; gives what the last one left.
+
+    Raises:
+        FileError: As `Chain.run`. Whatever a stage raises; what was finished before stays.
+    """
+    for name, make in STAGES.items():
+        if name not in chain.made:
+            chain.run(stage_of(name, make, chain.made, given))
+        if name == last:
+            break
+    return chain.made[last]
+
+
+def stage_of(
+    name: str, make: Callable[..., Mapping[str, Any]], made: Mapping[str, Made], given: Mapping[str, Given]
+) -> Stage:
+    """A stage with all that its parameters ask for: what earlier stages left, and settings."""
+    _folder, _say, *wanted = inspect.signature(make).parameters
+    files = {each: made[each] for each in wanted if each in made}
+    settings = {each: given[each] for each in wanted if each not in made}
+    recorded = {key: value for each in settings.values() for key, value in each.recorded.items()}
+    arguments = files | {each: setting.value for each, setting in settings.items()}
+    return Stage(name, partial(make, **arguments), recorded, tuple(files.values()))

@@ -1,0 +1,179 @@
+"""The whole chain in one call: a video or a folder of pictures in, a mesh out, and an account of every stage."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import tempfile
+from collections.abc import Iterator, Mapping
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+from ...core.atomic import atomic_write
+from ...core.checks import check_progress
+from ...core.devices import resolve_device
+from ...core.errors import FileError, FilePath
+from ...core.progress import ReportProgress
+from ...core.stages import Chain, Made
+from ...core.timing import peak_bytes_of_all
+from ...core.wording import to_json
+from ...core.work_folder import check_work_folder, held
+from ...files.points.point_cloud import read_point_cloud
+from ...meshing.mesh.mesh_files import read_triangle_mesh
+from ..sfm.picture_folder import check_place
+from . import motion, surface
+from .chain import STAGES, Given, run_to, settings_of_stages
+from .outputs import Outputs
+from .result import StageReport, VideoFigures, VideoResult
+from .settings import Settings
+from .units import fit_units
+
+MARKER, REPORT = "video.json", "report.json"
+
+
+def reconstruct(
+    source: FilePath,
+    settings: Settings | None = None,
+    *,
+    outputs: Outputs | None = None,
+    work: FilePath | None = None,
+    resume: bool = False,
+    device: Any = "auto",
+    overwrite: bool = False,
+    progress: ReportProgress | None = None,
+) -> VideoResult:
+    """Make a mesh of a video, or of a folder of pictures, as `pointloom video` does.
+
+    Sharp frames are taken where the camera has moved (`frames`), what they share is found (`features`, `matches`) and
+    tells where they were taken (`model`); pictures without distortion (`undistorted`) are matched pixel by pixel
+    (`depth`), what several agree on is fused to points (`fused`) and to a surface (`mesh`).
+
+    Args:
+        source: A video that ffmpeg reads, or a folder of pictures.
+        settings: How many and how large pictures, the unit, the camera; None for the usual.
+        outputs: Files to be written as well, which are checked before the work; None for none.
+        work: Folder of the stages' files and of report.json; None for one that is removed at the end. That one lies
+            beside the mesh's file, or in the current folder: it takes some 30 MB a picture of 960 x 720 pixels.
+        resume: Keep what an earlier run left in `work` and what still fits.
+        device: Where to compute.
+        overwrite: Replace outputs that exist, and an earlier run in `work`.
+        progress: Called with the stage, how many of its steps are done, and how many there are (0: nobody knows).
+
+    Returns:
+        Mesh, points and model in one frame, with the figures of all stages. `poor` says why the result is poor or
+        missing, or is None: that pictures do not suffice is a result, not an error.
+
+    Raises:
+        TypeError, ValueError: An argument out of range, or a picture that `known` names and that is not there.
+        FileError: A source that is no video or folder of pictures, an output that cannot be written, a work folder that
+            holds an earlier run, without `resume`. What stages finished stays there.
+        DeviceError: No such device.
+
+    Notes:
+        The same bits from run to run, resumed or not. Wants `pip install "pointloom[sfm]"`.
+
+    Example:
+        >>> import pointloom as loom
+        >>> loom.video.reconstruct("no such film.mp4", loom.video.Settings(max_frames=60))
+        Traceback (most recent call last):
+        pointloom.core.errors.FileError: no such film.mp4: does not exist. Give a video, or a folder of pictures
+    """
+    settings, outputs = _checked(settings, outputs)
+    outputs.check(overwrite=overwrite)
+    where, say = resolve_device(device), check_progress(progress)
+    content = motion.digest_of_source(source)
+    if resume and work is None:
+        raise ValueError("resume: goes with work, the folder of the earlier run")
+    with _work_folder(work, outputs, resume=resume, overwrite=overwrite) as root:
+        _write_json(root / MARKER, {"command": "video", "source": os.fspath(source)})
+        (root / REPORT).unlink(missing_ok=True)  # of an earlier run: it would tell of files that are made again
+        chain = Chain(root, tuple(STAGES), resume=resume, progress=say)
+        given = settings_of_stages(source, content, settings, where)
+        result = _run(chain, given, settings, source=os.fspath(source), work=work, device=where)
+        if result.mesh is not None:
+            result = replace(result, files=outputs.write(result, overwrite=overwrite))
+        result = replace(result, peak_bytes=peak_bytes_of_all())
+        if work is not None:
+            _write_json(root / REPORT, result.to_json())
+    return result
+
+
+def _checked(settings: Any, outputs: Any) -> tuple[Settings, Outputs]:
+    settings = Settings() if settings is None else settings
+    if not isinstance(settings, Settings):
+        raise TypeError(f"settings: expected Settings, got {type(settings).__name__}")
+    outputs = Outputs() if outputs is None else outputs
+    if not isinstance(outputs, Outputs):
+        raise TypeError(f"outputs: expected Outputs, got {type(outputs).__name__}")
+    return settings, outputs
+
+
+def _run(
+    chain: Chain, given: Mapping[str, Given], settings: Settings, *, source: str, work: FilePath | None, device: Any
+) -> VideoResult:
+    """Run the stages as far as they lead, and read what they leave."""
+    frames = run_to("frames", chain, given)
+    settings.units.check_names(motion.picture_names(frames))
+    found = run_to("model", chain, given)
+    mesh = cloud = model = fit = None
+    figures = VideoFigures.of_stages(chain.made)
+    reasons = figures.why_model_poor()
+    if not figures.is_hopeless:
+        model = motion.read_model(found)
+        fit = fit_units(settings.units, model)  # before the long work: it may be refused
+        reasons += [] if fit.poor is None else [fit.poor]
+        model = model.transform(fit.T_world_model)
+        surface_made = run_to("mesh", chain, given)
+        figures = VideoFigures.of_stages(chain.made)
+        reasons += figures.why_depth_poor()
+        cloud = read_point_cloud(chain.made["fused"].folder / surface.CLOUD, device=device).transform(fit.T_world_model)
+        if figures.triangle_count:
+            mesh = read_triangle_mesh(surface_made.folder / surface.MESH, device=device)
+        else:
+            reasons.append("the mesh is empty, and nothing was written; take more pictures")
+    return VideoResult(
+        source=source,
+        device=str(device),
+        mesh=mesh,
+        cloud=cloud,
+        model=model,
+        fit=fit,
+        figures=figures,
+        reasons=tuple(reasons),
+        stages={name: _report_of(chain.made.get(name)) for name in STAGES},
+        files=(),
+        work=None if work is None else os.fspath(work),
+        peak_bytes=0,
+    )
+
+
+def _report_of(made: Made | None) -> StageReport | None:
+    return None if made is None else StageReport(made.kept, made.cost, made.told)
+
+
+@contextlib.contextmanager
+def _work_folder(work: FilePath | None, outputs: Outputs, *, resume: bool, overwrite: bool) -> Iterator[Path]:
+    """The folder of the stages: the one that is asked for, or one beside the mesh that is removed at the end."""
+    if work is not None:
+        folder = check_work_folder(check_place("work", work), marker=MARKER, resume=resume, overwrite=overwrite)
+        try:
+            folder.mkdir(exist_ok=True)
+        except OSError as error:
+            raise FileError(folder, f"cannot be made: {error.strerror or error}") from error
+        with held(folder):
+            yield folder
+        return
+    beside = Path(outputs.mesh or "mesh").absolute()  # not the system's folder for such, often small or in memory
+    try:
+        folder = tempfile.TemporaryDirectory(prefix=f".{beside.stem}-video-", dir=beside.parent)
+    except OSError as error:
+        reason = f"no folder can be made in it: {error.strerror or error}"
+        raise FileError(beside.parent, reason, remedy="Give the name of one that can be made as work") from error
+    with folder as name:
+        yield Path(name)
+
+
+def _write_json(path: Path, content: dict[str, Any]) -> None:
+    with atomic_write(path) as file:
+        file.write(to_json(content).encode() + b"\n")

@@ -1,0 +1,96 @@
+"""The stages from pictures to a model of structure from motion: frames, features, matches, model."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+from ...cameras.camera import PinholeCameraIntrinsic
+from ...cameras.camera_models import CameraModel
+from ...core.errors import FileError, FilePath
+from ...core.progress import ReportProgress
+from ...core.records import digest_of, digest_of_file
+from ...core.stages import Made
+from ...files.models.colmap import read_colmap_model
+from ...files.models.sfm_model import SfmModel
+from .. import sfm
+from ..sfm.picture_folder import check_place
+from ..sfm.verdict import MIN_ANGLE, MIN_PARALLAX, Verdict
+
+PICTURES, DATABASE, MODEL = "pictures", "database.db", "sparse"
+
+FEWEST = 2  # pictures that make a model
+
+
+def digest_of_source(source: FilePath) -> str:
+    """Of a video's bytes, or of the names and bytes of the files in a folder.
+
+    Raises:
+        TypeError, ValueError: No path.
+        FileError: Nothing is there, or it cannot be read.
+    """
+    path = check_place("source", source)
+    try:
+        if not path.is_dir():
+            return digest_of_file(path)
+        files = sorted(file for file in path.iterdir() if file.is_file() and not file.name.startswith("."))
+        return digest_of([[file.name, digest_of_file(file)] for file in files])
+    except OSError as error:
+        reason = "does not exist" if not path.exists() else f"cannot be read: {error.strerror or error}"
+        raise FileError(path, reason, remedy="Give a video, or a folder of pictures") from error
+
+
+def read_model(model: Made) -> SfmModel:
+    """What the stage `model` left."""
+    return read_colmap_model(model.folder / MODEL)
+
+
+def picture_names(frames: Made) -> list[str]:
+    """The pictures that the stage `frames` left."""
+    return sorted(path.name for path in (frames.folder / PICTURES).iterdir())
+
+
+def take_frames(folder: Path, say: ReportProgress, *, source: FilePath, max_frames: int) -> dict[str, Any]:
+    """Sharp frames of a video where the camera has moved, or the pictures of a folder."""
+    choice = sfm.choose_frames(source, folder / PICTURES, max_frames=max_frames, progress=say)
+    told = choice.to_json()
+    if len(choice.names) < FEWEST:
+        reason = f"gives {len(choice.names)} picture that can be used, and a mesh wants several, from several places"
+        raise FileError(source, reason, remedy="Move while you film, or take more pictures")
+    return {"kept": len(choice.names), "frames": choice.frame_count} | told
+
+
+def find_features(
+    folder: Path, say: ReportProgress, *, frames: Made, intrinsic: PinholeCameraIntrinsic | None, seed: int
+) -> dict[str, Any]:
+    """What can be recognised in each picture."""
+    pictures, database = frames.folder / PICTURES, folder / DATABASE
+    return sfm.find_features(pictures, database, intrinsic=intrinsic, seed=seed, progress=say).to_json()
+
+
+def match(folder: Path, say: ReportProgress, *, frames: Made, features: Made, seed: int) -> dict[str, Any]:
+    """Which of it two pictures share."""
+    return sfm.match(features.folder / DATABASE, folder / DATABASE, seed=seed, progress=say).to_json()
+
+
+def map_pictures(
+    folder: Path, say: ReportProgress, *, frames: Made, matches: Made, fixed_camera: bool, seed: int
+) -> dict[str, Any]:
+    """Where the pictures were taken, what the lens is like, and what the model is worth."""
+    given = {"fix_intrinsic": fixed_camera, "seed": seed, "progress": say}
+    found = sfm.map_pictures(frames.folder / PICTURES, matches.folder / DATABASE, folder / MODEL, **given)
+    cameras = () if found.model is None else tuple(dict.fromkeys(found.model.cameras))
+    told = {"missing": list(found.missing), "cameras": [_described(camera) for camera in cameras]}
+    return found.verdict.to_json() | told | {"turned": _only_turned(found.verdict, cameras)}
+
+
+def _only_turned(verdict: Verdict, cameras: Sequence[CameraModel]) -> bool:
+    """Whether depth cannot be told from where the pictures were taken: a NaN says so too."""
+    longer = max((max(camera.width, camera.height) for camera in cameras), default=1)
+    return not (verdict.angle >= MIN_ANGLE and verdict.parallax >= MIN_PARALLAX * longer)
+
+
+def _described(camera: CameraModel) -> str:
+    params = " ".join(f"{value:.5g}" for value in camera.params)
+    return f"{camera.model} {camera.width} x {camera.height}: {params}"

@@ -1,0 +1,138 @@
+"""The stages from a model of structure from motion to a surface: pictures straightened, depth, fused points, mesh."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from ...cameras.camera import PinholeCameraIntrinsic
+from ...cameras.camera_models import CameraModel
+from ...cameras.picture_names import number_of
+from ...cameras.pose_files import trajectory_of
+from ...cameras.trajectory import Trajectory, write_trajectory
+from ...cameras.undistortion import Undistortion
+from ...core.progress import ReportProgress
+from ...core.stages import Made
+from ...files.models.colmap import read_colmap_model, write_colmap_model
+from ...files.models.sfm_model import SfmModel
+from ...files.pictures.image_files import read_color, write_png
+from ...files.points.point_cloud import write_point_cloud
+from ...meshing.mesh.mesh import TriangleMesh
+from ...meshing.mesh.mesh_files import write_triangle_mesh
+from ...meshing.mesh.mesh_summary import describe_mesh
+from ...pcd.cloud import PointCloud
+from .. import mvs
+from . import motion
+from .units import Units, fit_units
+
+IMAGES, SPARSE = "images", "sparse"  # as COLMAP names what lies in a folder of straightened pictures
+MAPS = "maps"
+CLOUD, MESH = "cloud.ply", "mesh.ply"
+POSES_LOG, POSES_TUM = "poses.log", "poses.txt"
+
+FLOATER = 0.005  # of the largest part's area: smaller parts of the mesh go
+
+
+def straighten(
+    folder: Path, say: ReportProgress, *, frames: Made, model: Made, max_size: int, device: Any
+) -> dict[str, Any]:
+    """Straighten the pictures of a model, and make them smaller where they are larger than asked for."""
+    found, images = motion.read_model(model), folder / IMAGES
+    images.mkdir()
+    names = [f"{Path(name).stem}.png" for name in found.names]
+    lenses = {camera: Undistortion(camera, max_size=max_size, device=device) for camera in dict.fromkeys(found.cameras)}
+    for k, (name, camera) in enumerate(zip(found.names, found.cameras, strict=True)):
+        say("pictures", k, len(names))
+        color = read_color(frames.folder / motion.PICTURES / name)
+        write_png(images / names[k], lenses[camera].apply(color))
+    say("pictures", len(names), len(names))
+    straight = [lenses[camera].intrinsic for camera in found.cameras]
+    write_colmap_model(folder / SPARSE, _straightened(found, tuple(names), straight))
+    sizes = dict.fromkeys((camera.width, camera.height) for camera in straight)
+    return {"pictures": len(names), "sizes": [list(size) for size in sizes]}
+
+
+def estimate(folder: Path, say: ReportProgress, *, undistorted: Made, seed: int, device: Any) -> dict[str, Any]:
+    """Depth of each straightened picture."""
+    model, pictures, cameras = open_straightened(undistorted)
+    where = {"device": device, "folder": folder / MAPS, "progress": say}
+    maps = mvs.estimate_depth_maps(pictures, cameras, model, seed=seed, **where)
+    return {"pictures": len(maps), "share": _mean_share(maps)}
+
+
+def fuse_points(folder: Path, say: ReportProgress, *, undistorted: Made, depth: Made, device: Any) -> dict[str, Any]:
+    """Keep the depth that several pictures agree on, and make one cloud of it."""
+    _, pictures, _ = open_straightened(undistorted)
+    where = {"device": device, "progress": say}
+    maps = mvs.filter_depth_maps(mvs.DepthMaps.open(depth.folder / MAPS), folder=folder / MAPS, **where)
+    cloud = mvs.fuse(maps, pictures, to="points", **where)
+    assert isinstance(cloud, PointCloud)
+    write_point_cloud(folder / CLOUD, cloud)
+    return {"share": _mean_share(maps), "points": len(cloud)}
+
+
+def make_mesh(
+    folder: Path, say: ReportProgress, *, undistorted: Made, fused: Made, units: Units, device: Any
+) -> dict[str, Any]:
+    """The surface through the depth that was kept, without small parts in the air, and the poses."""
+    model, pictures, _ = open_straightened(undistorted)
+    where = {"device": device, "progress": say}
+    whole = mvs.fuse(mvs.DepthMaps.open(fused.folder / MAPS), pictures, to="tsdf", **where)
+    assert isinstance(whole, TriangleMesh)
+    kept, fit = without_floaters(whole), fit_units(units, model)
+    mesh = kept.transform(fit.T_world_model)
+    placed = model.transform(fit.T_world_model)
+    write_triangle_mesh(folder / MESH, mesh)
+    write_colmap_model(folder / SPARSE, placed)
+    for name, form in ((POSES_LOG, "log"), (POSES_TUM, "tum")):
+        write_trajectory(folder / name, poses_of(placed), format=form)
+    return {**describe_mesh(mesh).to_json(), "floaters": len(whole) - len(mesh)}
+
+
+def poses_of(model: SfmModel) -> Trajectory:
+    """Where the pictures of a model were taken, with the numbers in their names, or counted where there are none."""
+    numbers = [number_of(name) for name in model.names]
+    kept = [number for number in numbers if number is not None]
+    if len(set(kept)) < len(model):
+        kept = list(range(len(model)))
+    order = np.argsort(kept, kind="stable")
+    return trajectory_of(model.T_world_camera[order], [kept[k] for k in order], [None] * len(kept))
+
+
+def open_straightened(undistorted: Made) -> tuple[SfmModel, list[Path], list[mvs.PosedCamera]]:
+    """The model of straightened pictures, the pictures, and their cameras."""
+    model = read_colmap_model(undistorted.folder / SPARSE)
+    cameras = [
+        mvs.PosedCamera(camera.intrinsic, pose)
+        for camera, pose in zip(model.cameras, model.T_camera_world, strict=True)
+    ]
+    return model, [undistorted.folder / IMAGES / name for name in model.names], cameras
+
+
+def without_floaters(mesh: TriangleMesh) -> TriangleMesh:
+    """The mesh without parts that are small beside the largest."""
+    if not len(mesh):
+        return mesh
+    _, _, areas = mesh.cluster_connected_triangles()
+    return mesh.remove_small_components(min_area=FLOATER * float(areas.max()))
+
+
+def _straightened(model: SfmModel, names: tuple[str, ...], cameras: list[PinholeCameraIntrinsic]) -> SfmModel:
+    """The model as the straightened pictures show it."""
+    pixels = np.empty_like(model.pixels)
+    for k, (before, after) in enumerate(zip(model.cameras, cameras, strict=True)):
+        mine = model.observations[:, 0] == k
+        rays = before.unproject(model.pixels[mine])
+        pixels[mine] = rays[:, :2] * (after.fx, after.fy) + (after.cx, after.cy)
+    seen = np.isfinite(pixels).all(axis=1)  # a lens that was fitted to few points may have no inverse at its rim
+    pinholes = tuple(CameraModel.from_intrinsic(camera) for camera in cameras)
+    kept = {"observations": model.observations[seen], "pixels": pixels[seen]}
+    return replace(model, names=names, cameras=pinholes, **kept)
+
+
+def _mean_share(maps: Any) -> float:
+    """The mean share of pixels that have depth."""
+    return float(np.mean([each.share for each in maps])) if len(maps) else 0.0

@@ -1,0 +1,221 @@
+"""From the arbitrary unit and frame of structure from motion to metres: by a factor, a distance, or known places."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...cameras.picture_names import meant_pictures
+from ...cameras.trajectory import read_lines
+from ...core.checks import check_positive, shown
+from ...core.errors import FileError, FilePath
+from ...core.records import digest_of_file
+from ...files.models.sfm_model import SfmModel
+from ...registration.trajectories.similarity import fit_to_positions, read_positions, scale_from_known
+
+FEWEST = 3  # known places that settle a similarity
+DOUBTED = 0.05  # of the places' extent, between the places known and those found
+MOST_WRONG = 1 / 3  # of the places that may not fit the others: near one half consensus itself is chance
+
+ARBITRARY = "arbitrary"
+METRES = "metres"
+UNKNOWN = "arbitrary: give --scale, --known or --align for metres"
+
+
+@dataclass(frozen=True, eq=False)
+class Units:
+    """What is known of the size of things; at most one of the three.
+
+    Attributes:
+        scale: Metres in a unit of the model.
+        known: Two pictures, and the distance of their cameras [m].
+        align: File of known camera places: poses (.log, .txt, .tum: by the pictures' numbers), or lines `name x y z`.
+
+    Raises:
+        TypeError: Not numbers, or not two names.
+        ValueError: A length that is not positive, or more than one of the three.
+        FileError: A file that cannot be read.
+
+    Example:
+        >>> import pointloom as loom
+        >>> loom.video.Units(scale=2.5).settings
+        {'scale': 2.5, 'known': None, 'align': None}
+    """
+
+    scale: float | None = None
+    known: tuple[str, str, float] | None = None
+    align: FilePath | None = None
+
+    def __post_init__(self):
+        given = [name for name in ("scale", "known", "align") if getattr(self, name) is not None]
+        if len(given) > 1:
+            raise ValueError(f"{given[1]}: {given[0]} is given too, and each of them settles the unit; give one")
+        if self.scale is not None:
+            object.__setattr__(self, "scale", check_positive("scale", self.scale))
+        if self.known is not None:
+            first, second, metres = _check_known(self.known)
+            object.__setattr__(self, "known", (first, second, check_positive("known", metres)))
+        if self.align is not None:
+            read_lines(self.align)
+
+    @property
+    def settings(self) -> dict[str, Any]:
+        """What decides the outcome, in JSON's types."""
+        align = None if self.align is None else digest_of_file(self.align)
+        return {"scale": self.scale, "known": None if self.known is None else list(self.known), "align": align}
+
+    def check_names(self, names: Sequence[str]) -> None:
+        """Hold that the pictures that `known` and `align` name are there.
+
+        Raises:
+            ValueError: One of the two of `known` is not, or both are the same.
+            FileError: Too few of those of `align` are, or a line that makes no sense.
+        """
+        if self.align is not None:
+            _positions(self.align, names, "that were taken")
+        if self.known is None:
+            return
+        first, second = (picture_named(name, names) for name in self.known[:2])
+        if first == second:
+            raise ValueError(f"known: {self.known[0]} and {self.known[1]} are the same picture, {names[first]}")
+
+
+@dataclass(frozen=True)
+class KnownPlaces:
+    """How known places of cameras agree with those that were found.
+
+    Attributes:
+        count: How many there are.
+        left_out: The pictures whose places do not fit the others.
+        rms_m: Root mean square distance of the rest [m].
+        extent_m: Diagonal of the box around the known places [m].
+    """
+
+    count: int
+    left_out: tuple[str, ...]
+    rms_m: float
+    extent_m: float
+
+
+@dataclass(frozen=True, eq=False)
+class Fit:
+    """Where the model lies in the world.
+
+    Attributes:
+        T_world_model: A similarity, float64 [4, 4].
+        units: "metres" or "arbitrary".
+        scale: Metres in a unit of the model; 1 where nobody knows.
+        by: What settled it: "scale", "known", "align", or None.
+        places: With `align`, how the known places agree with those found.
+        poor: Why it is doubted, or None.
+    """
+
+    T_world_model: NDArray[np.float64]
+    units: str
+    scale: float
+    by: str | None
+    places: KnownPlaces | None = None
+    poor: str | None = None
+
+    def to_json(self) -> dict[str, Any]:
+        """All but the similarity and the doubt, in JSON's types."""
+        told = {"units": self.units, "scale": self.scale, "by": self.by}
+        if (known := self.places) is not None:
+            told |= {"places": known.count, "left_out": list(known.left_out)}
+            told |= {"rms_m": known.rms_m, "extent_m": known.extent_m}
+        return told
+
+    def __str__(self) -> str:
+        if self.units == ARBITRARY:
+            return UNKNOWN
+        line = f"metres by --{self.by}: {self.scale:.6g} m a unit of the model"
+        if (known := self.places) is not None:
+            line += f"; {known.count} places, {known.rms_m:.3g} m off (rms)"
+            line += f", without {', '.join(known.left_out)}" if known.left_out else ""
+        return line
+
+
+def fit_units(units: Units, model: SfmModel) -> Fit:
+    """Where a model lies, by what is known.
+
+    Args:
+        units: What is known.
+        model: The model.
+
+    Raises:
+        ValueError: A picture that is not in the model, or that is at the place of the other.
+        FileError: Too few known places, or all of them on a line.
+    """
+    if units.align is not None:
+        return _aligned(units.align, model)
+    if units.known is not None:
+        first, second, metres = units.known
+        a, b = (model.names[picture_named(name, model.names, " in the model")] for name in (first, second))
+        try:
+            return _scaled(scale_from_known(model, a, b, metres), "known", METRES)
+        except ValueError:
+            raise ValueError(f"known: {first} and {second} were taken at one place; give two that lie apart") from None
+    if units.scale is not None:
+        return _scaled(units.scale, "scale", METRES)
+    return _scaled(1.0, None, ARBITRARY)
+
+
+def picture_named(said: str, names: Sequence[str], where: str = "") -> int:
+    """The place of a picture that somebody names.
+
+    Raises:
+        ValueError: There is none, or there are several.
+    """
+    found = meant_pictures(said, names)
+    if len(found) != 1:
+        what = "is no picture" if not found else f"is {len(found)} pictures"
+        some = ", ".join(names[:3]) + (", ..." if len(names) > 3 else "")
+        raise ValueError(f"known: {said!r} {what}{where}; expected the name or number of one of {some}")
+    return found[0]
+
+
+def _check_known(known: Any) -> tuple[str, str, Any]:
+    parts = known if isinstance(known, tuple | list) else ()
+    if len(parts) != 3 or not all(isinstance(part, str | int) for part in parts[:2]):
+        raise TypeError(f"known: expected (picture, picture, metres), got {shown(known)}")
+    return str(parts[0]), str(parts[1]), parts[2]
+
+
+def _scaled(scale: float, by: str | None, units: str) -> Fit:
+    return Fit(np.diag([scale, scale, scale, 1.0]), units, scale, by)
+
+
+def _aligned(path: FilePath, model: SfmModel) -> Fit:
+    positions = _positions(path, model.names, "in the model")
+    try:
+        found = fit_to_positions(model, positions)
+    except ValueError as error:
+        raise FileError(path, str(error), remedy="Add places beside them, or use --known or --scale") from None
+    known = np.array([positions[name] for name in found.names])
+    left_out = tuple(name for name, fits in zip(found.names, found.inliers, strict=True) if not fits)
+    places = KnownPlaces(len(found.names), left_out, found.rmse, float(np.linalg.norm(np.ptp(known, axis=0))))
+    doubt = _why_doubted(places, path)
+    return Fit(found.transformation, METRES, found.scale, "align", places, doubt)
+
+
+def _why_doubted(places: KnownPlaces, path: FilePath) -> str | None:
+    """What is wrong with known places that hardly fit, or None."""
+    if not (places.rms_m > DOUBTED * places.extent_m or len(places.left_out) > MOST_WRONG * places.count):
+        return None
+    return (
+        f"the known places and those found differ by {places.rms_m:.3g} m over {places.extent_m:.3g} m, without "
+        f"{len(places.left_out)} of {places.count} that do not fit at all; check {path}"
+    )
+
+
+def _positions(path: FilePath, names: Sequence[str], where: str) -> dict[str, NDArray[np.float64]]:
+    """Known places of enough pictures."""
+    positions = read_positions(path, tuple(names))
+    if len(positions) < FEWEST:
+        reason = f"gives the places of {len(positions)} pictures {where}; {FEWEST} or more settle size and position"
+        raise FileError(path, reason, remedy=f"Name pictures as they are named, such as {names[0]}")
+    return positions

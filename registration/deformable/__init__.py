@@ -1,0 +1,1 @@
+"""Fragments bent by a lattice (SLAC)."""

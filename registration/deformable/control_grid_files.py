@@ -1,0 +1,81 @@
+"""Files of control grids: NPZ archives of the cells and the shifts of their corners.
+
+Members: format, sizes (grid size [m]), origin float64 [3], cells int64 [m] (the keys of the cells, ascending), shifts
+float64 [anchors, 3] [m], in the order of the anchors.
+"""
+
+from __future__ import annotations
+
+import os
+import zipfile
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...core.atomic import atomic_write
+from ...core.errors import FileError
+from ...files.points.npz import read_member
+from ...kernels.lang import int64
+from ...kernels.memory import download, upload, write
+from ...kernels.poses.control_lattice import ControlLattice
+from .control_grid import ControlGrid
+
+FORMAT = b"pointloom control grid 1"
+
+
+def write_control_grid(path: str | os.PathLike[str], grid: ControlGrid, *, overwrite: bool = True) -> None:
+    """Write a control grid; the file appears whole or not at all.
+
+    Raises:
+        FileError: The place cannot be written, or the file exists and may not be replaced.
+    """
+    lattice = grid._lattice
+    members: dict[str, Any] = {
+        "format": np.frombuffer(FORMAT, np.uint8),
+        "sizes": np.array([grid.grid_size]),
+        "origin": grid.origin,
+        "cells": np.asarray(download(lattice.cell_keys), np.int64),
+        "shifts": np.asarray(download(lattice.shifts), np.float64).reshape(-1, 3),
+    }
+    with atomic_write(path, overwrite=overwrite) as file:
+        np.savez_compressed(file, **members)
+
+
+def read_control_grid(path: str | os.PathLike[str], *, device: Any = None) -> ControlGrid:
+    """Read a control grid that `write_control_grid` wrote, with the same bits.
+
+    Raises:
+        FileError: Missing, damaged, or no control grid.
+        DeviceError: No such device.
+    """
+    members = _read_members(path)
+    if members.get("format", np.empty(0)).tobytes() != FORMAT:
+        raise FileError(path, "is no control grid")
+    cells, shifts, sizes, origin = (members[name] for name in ("cells", "shifts", "sizes", "origin"))
+    sound = cells.ndim == 1 and cells.dtype == np.int64 and (np.diff(cells) > 0).all() and shifts.dtype == np.float64
+    if not sound or sizes.shape != (1,) or origin.shape != (3,) or not np.isfinite(shifts).all():
+        raise FileError(path, "holds arrays that are not those of a control grid")
+    grid = ControlGrid(float(sizes[0]), device=device)
+    grid._origin = origin.astype(np.float64)
+    if len(cells):
+        grid._lattice = ControlLattice(grid.grid_size, upload(cells, int64, grid.device))
+    if shifts.shape != (len(grid), 3):
+        raise FileError(path, f"has shifts of shape {list(shifts.shape)} for {len(grid)} anchors")
+    if len(grid):
+        write(grid._lattice.shifts, shifts)
+    return grid
+
+
+def _read_members(path: str | os.PathLike[str]) -> dict[str, NDArray[Any]]:
+    names = ("format", "sizes", "origin", "cells", "shifts")
+    try:
+        with Path(path).open("rb") as file, zipfile.ZipFile(file) as archive:
+            return {name: read_member(path, archive, archive.getinfo(f"{name}.npy"), name) for name in names}
+    except FileError:
+        raise
+    except FileNotFoundError as error:
+        raise FileError(path, "no such file") from error
+    except Exception as error:  # zipfile raises some ten types on damaged archives, not all of them documented
+        raise FileError(path, f"cannot be read as a control grid: {error}") from error

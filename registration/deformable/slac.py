@@ -1,0 +1,324 @@
+"""Fragments aligned together, rigidly or with the distortion of the camera that took them (SLAC)."""
+
+from __future__ import annotations
+
+import dataclasses
+import os
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.sparse import coo_matrix
+from scipy.sparse.csgraph import connected_components
+
+from ...core.checks import LARGEST_NUMBER, check_count, check_list, check_positive, check_progress, check_share
+from ...core.devices import check_same_device
+from ...core.progress import ReportProgress
+from ...core.quaternions import nearest_rotations
+from ...files.points.point_cloud import read_point_cloud
+from ...kernels.arrays.concatenation import concatenate_rows
+from ...kernels.lang import launch, mat44d
+from ...kernels.memory import download
+from ...kernels.poses.anchor_ties import shift_anchors_kernel
+from ...kernels.poses.control_lattice import motion_of, move_anchors_kernel
+from ...kernels.poses.fragment_rows import FragmentRows, Fragments, Pairs
+from ...kernels.poses.fragment_steps import FragmentStep, StepSystem
+from ...kernels.search.nearest_point import find_nearest
+from ...pcd.cloud import PointCloud
+from ...pcd.point_arrays import check_cloud
+from ..pose_graphs.pose_graph import GraphArrays, PoseGraph, PoseGraphNode, check_pose_graph
+from ..pose_graphs.reports import FragmentOverlap, RefinementReport
+from ..rigid import invert_pose, rotations_of
+from .control_grid import GRID_SIZE, ControlGrid
+
+Array = NDArray[np.float64]
+MOST_ITERATIONS = 1000
+NEIGHBORS, DEVIATIONS = 20, 2.0  # of the outliers that are removed, as Open3D means to
+NORMAL_NEIGHBORS = 30
+LEAST_COSINE = 0.5  # 60 degrees: beyond that two points lie on two surfaces
+NO_PARTNER = 0xFFFF_FFFF
+
+
+@dataclasses.dataclass(frozen=True, kw_only=True)
+class SLACOptimizerParams:
+    """How fragments are aligned: Open3D's names and defaults. (Its `slac_folder` is not there: nothing is written.)
+
+    Args:
+        max_iterations: Steps; pairs of points are found anew before each.
+        voxel_size: Fragments are thinned to one point a voxel [m]; 0 takes them as they are.
+        distance_threshold: Two points lie on the same surface where they are nearer to each other [m].
+        fitness_threshold: An edge between fragments that do not follow each other counts where at least this share of
+            the pairs of points that it makes agrees with the nodes' poses.
+        regularizer_weight: How stiff the grid is; times the number of fragments.
+        grid_size: Edge of the grid's cells [m].
+
+    Raises:
+        TypeError, ValueError: A number out of range.
+
+    Example:
+        >>> import pointloom as loom
+        >>> loom.reconstruction.SLACOptimizerParams(max_iterations=10).distance_threshold
+        0.07
+    """
+
+    max_iterations: int = 5
+    voxel_size: float = 0.05
+    distance_threshold: float = 0.07
+    fitness_threshold: float = 0.3
+    regularizer_weight: float = 1.0
+    grid_size: float = GRID_SIZE
+
+    def __post_init__(self):
+        reason = "what has not settled by then does not"
+        steps = check_count("max_iterations", self.max_iterations, minimum=0, maximum=MOST_ITERATIONS, because=reason)
+        object.__setattr__(self, "max_iterations", steps)
+        for name in ("voxel_size", "distance_threshold", "regularizer_weight", "grid_size"):
+            value = check_positive(name, getattr(self, name), allow_zero=name == "voxel_size", maximum=LARGEST_NUMBER)
+            object.__setattr__(self, name, value)
+        object.__setattr__(self, "fitness_threshold", check_share("fitness_threshold", self.fitness_threshold))
+
+
+def run_slac_optimizer_for_fragments(
+    fragments: Sequence[PointCloud | str | os.PathLike[str]],
+    fragment_pose_graph: PoseGraph,
+    params: SLACOptimizerParams | None = None,
+    *,
+    progress: ReportProgress | None = None,
+) -> tuple[PoseGraph, ControlGrid]:
+    """Align fragments while a grid, which all of them share, takes up the distortion of their camera.
+
+    Each edge of the graph names two fragments that overlap. Their points are paired with the nearest ones under the
+    poses and the grid so far; poses and anchors take a step that brings each point to its partner's plane, the grid
+    being as rigid as it can; and so on.
+
+    Args:
+        fragments: The clouds, or their files, in the order of the nodes, each in the frame of its camera (where the
+            distortion is the same for all of them). At least one; all on one device.
+        fragment_pose_graph: T_world_fragment of each, as `global_optimization` leaves them, and the edges.
+        params: None for the defaults.
+        progress: Called with ("slac", steps done, steps in all).
+
+    Returns:
+        The graph with the new poses, its `report` a RefinementReport; and the grid, whose `deform` bends a fragment
+        before its new pose moves it. The first fragment of each connected part keeps its pose, and the grid moves the
+        points as little as it can: what is the same rigid motion for all of them goes to the poses.
+
+    Raises:
+        TypeError, ValueError: Not clouds, as many nodes as fragments, numbers out of range, a graph that is not sound,
+            or no two points near enough.
+        FileError: A file that cannot be read.
+        DeviceError: Clouds on different devices.
+
+    Notes:
+        The normal matrix is never written down (Open3D's is dense: (6 F + 3 G)^2 floats, 2.3 GB at 8,000 anchors): it
+        takes about 220 B a pair of points, 900 B an anchor and 40 B a point. Outliers are really removed, pairs are
+        found anew at each step, nothing is written to files or taken from them. The same bits from run to run. Zhou
+        and Koltun, "Simultaneous localization and calibration: self-calibration of consumer depth cameras", CVPR 2014.
+
+    Example:
+        >>> import numpy as np, pointloom as loom
+        >>> points = np.random.default_rng(0).random((2000, 3)) * [[1, 1, 0.0]]
+        >>> corner = np.concatenate([points, points[:, [2, 0, 1]], points[:, [1, 2, 0]]])
+        >>> reg, poses = loom.registration, [np.eye(4), np.eye(4)]
+        >>> poses[1][0, 3] = 0.02
+        >>> graph = reg.PoseGraph([reg.PoseGraphNode(T) for T in poses], [reg.PoseGraphEdge(0, 1)])
+        >>> clouds = [loom.PointCloud(corner), loom.PointCloud(corner)]
+        >>> graph, grid = loom.reconstruction.run_slac_optimizer_for_fragments(clouds, graph)
+        >>> bool(np.abs(graph.nodes[1].pose[:3, 3]).max() < 0.002), bool(graph.report.rmse[-1] < graph.report.rmse[0])
+        (True, True)
+    """
+    job = _Alignment(fragments, fragment_pose_graph, params, progress, bends=True)
+    return job.run(), job.grid
+
+
+def run_rigid_optimizer_for_fragments(
+    fragments: Sequence[PointCloud | str | os.PathLike[str]],
+    fragment_pose_graph: PoseGraph,
+    params: SLACOptimizerParams | None = None,
+    *,
+    progress: ReportProgress | None = None,
+) -> PoseGraph:
+    """As `run_slac_optimizer_for_fragments`, moving the fragments as they are.
+
+    Returns:
+        The graph with the new poses, its `report` a RefinementReport.
+
+    Raises:
+        TypeError, ValueError, FileError, DeviceError: As there.
+
+    Notes:
+        About 180 B a pair of points and 40 B a point. The same bits from run to run.
+    """
+    return _Alignment(fragments, fragment_pose_graph, params, progress, bends=False).run()
+
+
+class _Alignment:
+    """The state between steps; poses are about the middle of the scene and the grid's origin."""
+
+    def __init__(self, fragments: Any, graph: PoseGraph, params: Any, progress: Any, *, bends: bool):
+        self.params = SLACOptimizerParams() if params is None else params
+        if not isinstance(self.params, SLACOptimizerParams):
+            raise TypeError(f"params: expected a SLACOptimizerParams, got {type(params).__name__}")
+        self.tell = check_progress(progress)
+        if not isinstance(graph, PoseGraph):
+            raise TypeError(f"fragment_pose_graph: expected a PoseGraph, got {type(graph).__name__}")
+        self.graph, given = check_pose_graph(graph), check_list("fragments", fragments, "point clouds")
+        if len(given) != len(self.graph.poses) or not given:
+            raise ValueError(
+                f"fragments: expected one for each of the {len(self.graph.poses)} nodes of fragment_pose_graph, "
+                f"at least one, got {len(given)}"
+            )
+        clouds, self.sided = _prepare(given, self.params.voxel_size)
+        self.bends, self.edges = bends, list(graph.edges)
+        self.grid = ControlGrid(self.params.grid_size, device=clouds[0].device)
+        for cloud in clouds if bends else ():
+            self.grid.touch(cloud)
+        origin = self.grid.origin if len(self.grid) else clouds[0].origin
+        parts = [cloud.points_about(origin) for cloud in clouds]
+        normals = [cloud.device_array("normals") for cloud in clouds]
+        counts = [len(cloud) for cloud in clouds]
+        lattice = self.grid._lattice
+        self.fragments = Fragments(concatenate_rows(parts), concatenate_rows(normals), counts, lattice)
+        self.origin, self.poses = origin, self.graph.poses.copy()
+        self.poses[:, :3, :3] = nearest_rotations(self.poses[:, :3, :3])
+        self.poses[:, :3, 3] += self.poses[:, :3, :3] @ origin
+        self.middle = self.poses[:, :3, 3].mean(axis=0)
+        self.poses[:, :3, 3] -= self.middle
+        self.shares = _agreement(clouds, self.graph, self.params.distance_threshold)
+
+    def run(self) -> PoseGraph:
+        """All steps; returns the new graph."""
+        params, graph = self.params, self.graph
+        follows = np.abs(graph.source - graph.target) == 1
+        used = follows | (self.shares >= params.fitness_threshold)
+        ends = np.stack([graph.source[used], graph.target[used]], axis=1)
+        parts, held = _parts(ends, len(self.poses))
+        first = self.poses.copy()
+        pairs = Pairs(ends, self.fragments, params.distance_threshold, LEAST_COSINE, sided=self.sided)
+        tie = params.regularizer_weight * len(self.poses)
+        system = StepSystem(self.fragments.lattice, held, ends, tie)
+        errors, turns = [], []
+        for step in range(params.max_iterations):
+            self.tell("slac", step, params.max_iterations)
+            task = self._task(pairs, system)
+            errors.append(task.errors())
+            turns.append(self._step(task))
+        self.tell("slac", params.max_iterations, params.max_iterations)
+        last = self._task(pairs, system)
+        errors.append(last.errors())
+        if any(turns):
+            self._settle(first, parts, held)
+        return self._concluded(used, held, last.rows, errors, turns)
+
+    def _task(self, pairs: Pairs, system: StepSystem) -> FragmentStep:
+        """The problem with the pairs of points as they are now."""
+        rows = pairs.match(self.poses)
+        if not rows.count and len(pairs.ends):
+            raise ValueError(
+                f"fragments: no point lies within {self.params.distance_threshold:g} m (distance_threshold) of one of "
+                "another fragment under the poses of fragment_pose_graph; check that they are T_world_fragment"
+            )
+        return FragmentStep(rows, self.fragments.lattice, system)
+
+    def _step(self, task: FragmentStep) -> int:
+        """Take one step; returns its turns."""
+        if not task.rows.count:
+            return 0
+        count, lattice = len(self.poses), self.fragments.lattice
+        solution, turns = task.solve()
+        motions = np.array(download(solution[: 2 * count]), np.float64).reshape(count, 6)  # sync
+        R = rotations_of(motions[:, :3])
+        self.poses[:, :3, 3] = (R @ self.poses[:, :3, 3, None])[:, :, 0] + motions[:, 3:]
+        self.poses[:, :3, :3] = nearest_rotations(R @ self.poses[:, :3, :3])
+        launch(shift_anchors_kernel, lattice.anchor_count, [2 * count, solution, lattice.shifts])
+        self.fragments.bend()
+        return turns
+
+    def _settle(self, first: Array, parts: NDArray[np.int32], held: NDArray[np.bool_]) -> None:
+        """Give what the grid does to all points alike to the poses, and the first of each part its own pose back."""
+        lattice = self.fragments.lattice
+        if self.bends and lattice.anchor_count:
+            motion = motion_of(self.fragments.points, self.fragments.moved)  # sync
+            back = mat44d(*invert_pose(motion).ravel())
+            given = [lattice.anchor_keys, lattice.cell_size, back, lattice.shifts]
+            launch(move_anchors_kernel, lattice.anchor_count, given)
+            self.poses = self.poses @ motion
+        for node in np.flatnonzero(held):
+            part = parts == parts[node]
+            self.poses[part] = first[node] @ invert_pose(self.poses[node]) @ self.poses[part]
+
+    def _concluded(
+        self,
+        used: NDArray[np.bool_],
+        held: NDArray[np.bool_],
+        rows: FragmentRows,
+        errors: list[tuple[float, int, float]],
+        turns: list[int],
+    ) -> PoseGraph:
+        """The graph at the new poses; those that were held keep their bits."""
+        poses = self.poses.copy()
+        poses[:, :3, 3] += self.middle - (poses[:, :3, :3] @ self.origin)
+        poses[held] = self.graph.poses[held]
+        counts = np.zeros(len(used), np.int64)
+        counts[used] = np.diff(rows.starts)
+        edges = self.graph
+        overlaps = [
+            FragmentOverlap(int(s), int(t), float(share), bool(use), int(count))
+            for s, t, share, use, count in zip(edges.source, edges.target, self.shares, used, counts, strict=True)
+        ]
+        squares, number, stretch = np.array(errors, np.float64).T
+        solved = PoseGraph([PoseGraphNode(T) for T in poses], [dataclasses.replace(edge) for edge in self.edges])
+        rmse = np.sqrt(squares / np.maximum(number, 1))
+        counts_of = number.astype(np.int64)
+        solved.report = RefinementReport(overlaps, rmse, counts_of, stretch, np.array(turns, np.int64))
+        return solved
+
+
+def _prepare(given: Sequence[Any], voxel_size: float) -> tuple[list[PointCloud], bool]:
+    """The clouds thinned, without outliers, with normals; and whether these point to one side in all of them."""
+    clouds, sided = [], True
+    for i, item in enumerate(given):
+        cloud = read_point_cloud(item) if isinstance(item, str | Path | os.PathLike) else item
+        check_cloud(f"fragments[{i}]", cloud)
+        if clouds:
+            check_same_device(f"fragments[{i}]", clouds[0].device, cloud.device)
+        sided = sided and "normals" in cloud
+        if voxel_size:
+            cloud = cloud.voxel_down_sample(voxel_size)
+        cloud = cloud.remove_statistical_outlier(NEIGHBORS, DEVIATIONS)[0]
+        if voxel_size or "normals" not in cloud:
+            cloud = cloud.estimate_normals(max_nn=NORMAL_NEIGHBORS)
+        clouds.append(cloud)
+    return clouds, sided
+
+
+def _agreement(clouds: Sequence[PointCloud], graph: GraphArrays, distance: float) -> Array:
+    """How far each edge's pairs of points agree with the nodes' poses, 0..1."""
+    shares = np.zeros(len(graph.source))
+    for k, (s, t, T) in enumerate(zip(graph.source, graph.target, graph.transformations, strict=True)):
+        source, target = clouds[s], clouds[t]
+        queries = source.transform(T).points_about(target.origin)
+        rows = (download(find_nearest(target.search_tree(), queries, radius=distance)) & NO_PARTNER).astype(np.int64)
+        found = rows != NO_PARTNER
+        p, q = source.points[found], target.points[rows[found]]
+        apart = _moved(graph.poses[s], p) - _moved(graph.poses[t], q)
+        if len(apart):
+            shares[k] = np.mean((apart * apart).sum(axis=1) <= distance * distance)
+    return shares
+
+
+def _moved(T: Array, points: Array) -> Array:
+    """Points [n, 3] under a pose; by three products, so that no number of threads changes a bit."""
+    R, t = T[:3, :3], T[:3, 3]
+    return points[:, :1] * R[:, 0] + points[:, 1:2] * R[:, 1] + points[:, 2:] * R[:, 2] + t
+
+
+def _parts(ends: NDArray[np.int64], count: int) -> tuple[NDArray[np.int32], NDArray[np.bool_]]:
+    """The connected part of each fragment, and whether it is the first there."""
+    links = coo_matrix((np.ones(len(ends)), (ends[:, 0], ends[:, 1])), shape=(count, count))
+    parts = connected_components(links, directed=False)[1]
+    held = np.zeros(count, bool)
+    held[np.unique(parts, return_index=True)[1]] = True
+    return parts, held

@@ -1,0 +1,1 @@
+"""Poses from no guess: features, RANSAC, consensus, belief."""

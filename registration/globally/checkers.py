@@ -1,0 +1,212 @@
+"""Tests of a sample of correspondences and its pose, which a right one passes and most wrong ones do not.
+
+RANSAC runs them on the device, for all hypotheses of a round at once; `Check` answers for a single one on the host.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ...core.checks import check_list, check_numeric, check_positive, check_shape, check_transformation
+from ...kernels.poses.pose_hypotheses import Checks
+from ...pcd.cloud import PointCloud
+from ..given_pairs import check_clouds, check_pairs
+
+
+class CorrespondenceChecker:
+    """What all checkers have: `Check`, and their part in the device's test."""
+
+    def Check(self, source: PointCloud, target: PointCloud, corres: ArrayLike, transformation: ArrayLike) -> bool:
+        """Whether a few correspondences and a pose pass.
+
+        Args:
+            source: The source cloud.
+            target: The target cloud.
+            corres: Indices (source, target), shape [m, 2].
+            transformation: T_target_source, shape [4, 4].
+
+        Raises:
+            TypeError: No clouds.
+            ValueError: Another shape, or a matrix that is not finite or has no inverse.
+        """
+        check_clouds(source, target)
+        pairs, T = check_pairs(corres, source, target), check_transformation("transformation", transformation)
+        with np.errstate(over="ignore", divide="ignore", invalid="ignore"):  # what is not finite does not pass
+            return self._passes(source, target, pairs, T)
+
+    def _passes(self, source: PointCloud, target: PointCloud, pairs: NDArray[Any], T: NDArray[np.float64]) -> bool:
+        raise NotImplementedError
+
+    def _tighten(self, checks: Checks) -> None:
+        """Make the device's test at least as strict as this checker."""
+        raise NotImplementedError
+
+
+class CorrespondenceCheckerBasedOnEdgeLength(CorrespondenceChecker):
+    """A pose keeps lengths: those between any two of the sampled points must be similar in both clouds.
+
+    Args:
+        similarity_threshold: The least ratio of the shorter to the longer, 0 (loose) to 1 (strict).
+
+    Raises:
+        ValueError: A threshold outside 0..1.
+
+    Notes:
+        Do not use it where a scale is sought.
+
+    Example:
+        >>> import numpy as np, pointloom as loom
+        >>> checker = loom.registration.CorrespondenceCheckerBasedOnEdgeLength(0.9)
+        >>> a, b = loom.PointCloud([[0, 0, 0], [0, 0, 1]]), loom.PointCloud([[0, 0, 0], [0, 2, 0]])
+        >>> checker.Check(a, a, [[0, 0], [1, 1]], np.eye(4)), checker.Check(a, b, [[0, 0], [1, 1]], np.eye(4))
+        (True, False)
+    """
+
+    def __init__(self, similarity_threshold: float = 0.9):
+        self.similarity_threshold = check_positive("similarity_threshold", similarity_threshold, allow_zero=True)
+        if self.similarity_threshold > 1:
+            raise ValueError(f"similarity_threshold: expected a number in 0..1, got {similarity_threshold!r}")
+
+    def __repr__(self) -> str:
+        return f"CorrespondenceCheckerBasedOnEdgeLength(similarity_threshold={self.similarity_threshold})"
+
+    def _passes(self, source: PointCloud, target: PointCloud, pairs: NDArray[Any], T: NDArray[np.float64]) -> bool:
+        p, q = source.points[pairs[:, 0]], target.points[pairs[:, 1]]
+        first, second = np.triu_indices(len(pairs), 1)
+        a, b = np.linalg.norm(p[first] - p[second], axis=1), np.linalg.norm(q[first] - q[second], axis=1)
+        return not ((a < b * self.similarity_threshold) | (b < a * self.similarity_threshold)).any()
+
+    def _tighten(self, checks: Checks) -> None:
+        checks.similarity = max(checks.similarity, self.similarity_threshold)
+
+
+class CorrespondenceCheckerBasedOnDistance(CorrespondenceChecker):
+    """The sampled points must lie close together under the pose.
+
+    Args:
+        distance_threshold: The greatest distance [m] that passes.
+
+    Raises:
+        ValueError: A threshold that is not positive.
+
+    Example:
+        >>> import numpy as np, pointloom as loom
+        >>> checker = loom.registration.CorrespondenceCheckerBasedOnDistance(0.5)
+        >>> a, b = loom.PointCloud([[0, 0, 0]]), loom.PointCloud([[0, 0, 0.4], [0, 0, 0.6]])
+        >>> checker.Check(a, b, [[0, 0]], np.eye(4)), checker.Check(a, b, [[0, 1]], np.eye(4))
+        (True, False)
+    """
+
+    def __init__(self, distance_threshold: float):
+        self.distance_threshold = check_positive("distance_threshold", distance_threshold)
+
+    def __repr__(self) -> str:
+        return f"CorrespondenceCheckerBasedOnDistance(distance_threshold={self.distance_threshold})"
+
+    def _passes(self, source: PointCloud, target: PointCloud, pairs: NDArray[Any], T: NDArray[np.float64]) -> bool:
+        moved = source.points[pairs[:, 0]] @ T[:3, :3].T + T[:3, 3]
+        return not (np.linalg.norm(moved - target.points[pairs[:, 1]], axis=1) > self.distance_threshold).any()
+
+    def _tighten(self, checks: Checks) -> None:
+        checks.distance = min(checks.distance, self.distance_threshold)
+
+
+class CorrespondenceCheckerBasedOnNormal(CorrespondenceChecker):
+    """The normals at the sampled points must agree under the pose; clouds without normals pass.
+
+    Args:
+        normal_angle_threshold: The greatest angle [rad] that passes.
+
+    Raises:
+        ValueError: A threshold that is negative.
+
+    Notes:
+        Normals with opposite signs do not agree: orient them first. A pose's scale does not count (in Open3D a scale
+        above one lets more angles pass).
+
+    Example:
+        >>> import numpy as np, pointloom as loom
+        >>> checker = loom.registration.CorrespondenceCheckerBasedOnNormal(np.radians(30))
+        >>> up, side = (loom.PointCloud([[0, 0, 0]], normals=[n]) for n in ([0, 0, 1], [0, 1, 0]))
+        >>> checker.Check(up, up, [[0, 0]], np.eye(4)), checker.Check(up, side, [[0, 0]], np.eye(4))
+        (True, False)
+    """
+
+    def __init__(self, normal_angle_threshold: float):
+        self.normal_angle_threshold = check_positive("normal_angle_threshold", normal_angle_threshold, allow_zero=True)
+
+    def __repr__(self) -> str:
+        return f"CorrespondenceCheckerBasedOnNormal(normal_angle_threshold={self.normal_angle_threshold})"
+
+    def _passes(self, source: PointCloud, target: PointCloud, pairs: NDArray[Any], T: NDArray[np.float64]) -> bool:
+        if not source.has_normals or not target.has_normals:
+            return True
+        scale = float(np.linalg.norm(T[:3, 0]))
+        turned = source.normals[pairs[:, 0]].astype(np.float64) @ T[:3, :3].T / scale
+        cosines = (turned * target.normals[pairs[:, 1]]).sum(axis=1)
+        return not (cosines < math.cos(self.normal_angle_threshold)).any()
+
+    def _tighten(self, checks: Checks) -> None:
+        checks.cosine = max(checks.cosine, math.cos(self.normal_angle_threshold))
+
+
+class CorrespondenceCheckerBasedOnSourceRotation(CorrespondenceChecker):
+    """The pose must not turn the source too far about its axes.
+
+    Args:
+        rotation_threshold: The greatest size [rad] of the angles x, y, z of the pose's rotation Rz Ry Rx, shape [3]:
+            how far it may tilt about x and y, and turn about z.
+
+    Raises:
+        ValueError: Another shape, or a threshold that is negative.
+
+    Notes:
+        As Open3D 0.20 does it; its documentation speaks of the components of a rotation vector.
+
+    Example:
+        >>> import numpy as np, pointloom as loom
+        >>> about_z = loom.registration.CorrespondenceCheckerBasedOnSourceRotation([0.1, 0.1, 3.2])
+        >>> cloud, T = loom.PointCloud([[0, 0, 0]]), np.diag([-1.0, -1, 1, 1])
+        >>> about_z.Check(cloud, cloud, [[0, 0]], T), about_z.Check(cloud, cloud, [[0, 0]], T[[2, 0, 1, 3]])
+        (True, False)
+    """
+
+    def __init__(self, rotation_threshold: ArrayLike):
+        given = check_numeric("rotation_threshold", rotation_threshold)
+        limits = check_shape("rotation_threshold", given.reshape(-1), (3,))
+        if not (limits >= 0).all():
+            raise ValueError(f"rotation_threshold: expected angles >= 0 [rad], got {limits.tolist()}")
+        self.rotation_threshold = limits
+
+    def __repr__(self) -> str:
+        return f"CorrespondenceCheckerBasedOnSourceRotation(rotation_threshold={self.rotation_threshold.tolist()})"
+
+    def _passes(self, source: PointCloud, target: PointCloud, pairs: NDArray[Any], T: NDArray[np.float64]) -> bool:
+        R = T[:3, :3] / np.linalg.norm(T[:3, 0])
+        turn = np.array(
+            [np.arctan2(R[2, 1], R[2, 2]), np.arcsin(np.clip(R[2, 0], -1, 1)), np.arctan2(R[1, 0], R[0, 0])]
+        )
+        return bool((np.abs(turn) <= self.rotation_threshold).all())
+
+    def _tighten(self, checks: Checks) -> None:
+        rotation = np.minimum(checks.rotation, self.rotation_threshold)
+        checks.rotation = tuple(float(limit) for limit in rotation)
+
+
+def checks_of(checkers: Sequence[CorrespondenceChecker]) -> Checks:
+    """The device's test that passes what all checkers pass.
+
+    Raises:
+        TypeError: Something else than a checker.
+    """
+    checks = Checks()
+    for checker in check_list("checkers", checkers, "checkers"):
+        if not isinstance(checker, CorrespondenceChecker):
+            raise TypeError(f"checkers: expected pointloom.registration's checkers, got {type(checker).__name__}")
+        checker._tighten(checks)
+    return checks

@@ -1,0 +1,299 @@
+"""Two clouds registered from wherever they lie, with nothing to choose: `register_pair`."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ...core.checks import LARGEST_NUMBER, check_callback, check_positive, shown
+from ...core.progress import ReportProgress, say_nothing
+from ...core.reports import Fields, Report
+from ...core.wording import format_share, plain
+from ...pcd.cloud import PointCloud
+from ..given_pairs import check_clouds
+from ..icp.estimation import (
+    TransformationEstimation,
+    TransformationEstimationForColoredICP,
+    TransformationEstimationForGeneralizedICP,
+    TransformationEstimationPointToPlane,
+    TransformationEstimationPointToPoint,
+    TransformationEstimationSymmetric,
+)
+from ..icp.icp import ICPConvergenceCriteria, check_poses
+from ..icp.multi_scale import NORMAL_RADIUS, multi_scale_icp
+from ..result import RegistrationResult
+from ..rigid import pose_error
+from ..voxel_size import choose_for
+from .global_registration import register_globally
+from .rating import rate_registration
+
+Matrix = NDArray[np.float64]
+
+# What ICP brings together, by name.
+METHODS: dict[str, Callable[[], TransformationEstimation]] = {
+    "point-to-point": TransformationEstimationPointToPoint,
+    "point-to-plane": TransformationEstimationPointToPlane,
+    "symmetric": TransformationEstimationSymmetric,
+    "generalized": TransformationEstimationForGeneralizedICP,
+    "colored": TransformationEstimationForColoredICP,
+}
+
+LEAST_SCORE, LEAST_FITNESS = 0.5, 0.1  # a result is poor whose score is no more, or whose fitness is less
+
+# Correspondences lie closer than two voxels: neighbours on a thinned surface are about one apart. From a start that was
+# not searched for, coarser clouds come first, so that it may be wrong by more.
+DISTANCE = 2.0  # [voxels]
+COARSE_TO_FINE, AT_ONCE = (4.0, 2.0, 1.0), (1.0,)
+
+RATED_WITHIN = 1.5  # [voxels] as global registration rates its own poses
+FEWEST_VOXELS = 10  # with points in them
+
+
+class UnfitCloudError(ValueError):
+    """A cloud that cannot be registered as asked.
+
+    Args:
+        role: "source" or "target".
+        lacks: What it has not: "colors", or so many "voxels".
+        reason: Why it cannot, as said of it.
+        remedy: What to do.
+    """
+
+    def __init__(self, role: str, lacks: str, reason: str, remedy: str):
+        self.role, self.lacks, self.reason = role, lacks, reason
+        super().__init__(f"{role}: {reason}. {remedy}")
+
+
+@dataclass(frozen=True, eq=False)
+class PairRegistration(Report):
+    """What `register_pair` found, and how; `print` shows it.
+
+    Attributes:
+        result: Of the last and finest scale of ICP; its iterations are those of all scales.
+        score: How far to believe that the clouds lie on each other there, 0..1, as of `rate_registration`.
+        init: Where it began: "global" where it searched, else "given".
+        method: What ICP brought together.
+        voxel_size: Edge of the finest voxels [m].
+        voxel_size_given: Whether it was given, not chosen.
+        points, thinned: How many points source and target have, before and after they are thinned to these voxels.
+        distance: Correspondences lie closer than this [m].
+        normals_estimated: Which of "source" and "target" had none.
+        normal_radius: Within which the neighbours of a normal lay [m]; None where there was none to estimate.
+        rotation_deg: The angle of the motion [degrees].
+        shift_m: How far it moves the middle of the source [m].
+        doubt: What the search says of the start that it found; "" where nothing speaks against it.
+    """
+
+    result: RegistrationResult
+    score: float
+    init: str
+    method: str
+    voxel_size: float
+    voxel_size_given: bool
+    points: tuple[int, int]
+    thinned: tuple[int, int]
+    distance: float
+    normals_estimated: tuple[str, ...]
+    normal_radius: float | None
+    rotation_deg: float
+    shift_m: float
+    doubt: str = ""
+
+    @property
+    def transformation(self) -> Matrix:
+        """The pose T_target_source, float64 [4, 4]."""
+        return self.result.transformation
+
+    @property
+    def poor(self) -> str | None:
+        """Why the pose is not to be believed, or None."""
+        if self.result.fitness == 0:
+            return "no point of the source has a correspondence"
+        if self.result.fitness < LEAST_FITNESS:
+            share = f"{format_share(self.result.fitness)} of the source, less than {LEAST_FITNESS:.0%}"
+            return f"only {share}, has a correspondence"
+        if self.score > LEAST_SCORE:
+            return None
+        return f"the score is {self.score:.2f}, not above {LEAST_SCORE}: " + (
+            self.doubt or "the surfaces hardly lie on each other"
+        )
+
+    def to_json(self) -> dict[str, Any]:
+        """All of it, the pose as rows, in JSON's types."""
+        result = self.result
+        return plain(
+            {
+                "init": self.init,
+                "method": self.method,
+                "voxel_size": self.voxel_size,
+                "voxel_size_given": self.voxel_size_given,
+                "score": self.score,
+                "points": _by_role(self.points),
+                "thinned": _by_role(self.thinned),
+                "distance": self.distance,
+                "normals_estimated": self.normals_estimated,
+                "normal_radius": self.normal_radius,
+                "transformation": result.transformation,
+                "rotation_deg": self.rotation_deg,
+                "shift_m": self.shift_m,
+                "fitness": result.fitness,
+                "inlier_rmse": result.inlier_rmse,
+                "iterations": result.iterations,
+                "reason": result.reason,
+                "degenerate_directions": result.degenerate_directions,
+            }
+        )
+
+    def fields(self) -> Fields:
+        """How the pose came about, how good it is, and the pose."""
+        result = self.result
+        voxels = f"{self.voxel_size:g} m{'' if self.voxel_size_given else ', chosen from the clouds'}"
+        method = f"{self.method} within {self.distance:g} m"
+        if self.normals_estimated:
+            whose = " and ".join(self.normals_estimated)
+            method += f"; normals of the {whose} estimated, radius {self.normal_radius:g} m"
+        fit = f"fitness {format_share(result.fitness)}, rmse {result.inlier_rmse:.4g} m, score {self.score:.2f}"
+        open_motions = len(result.degenerate_directions)
+        return [
+            ("points", "{:,} onto {:,}".format(*self.points)),
+            ("thinned", "{:,} onto {:,}, one a voxel of ".format(*self.thinned) + voxels),
+            ("start", self.init),
+            ("method", method),
+            ("result", f"{fit}; {result.iterations} iterations, {result.reason}"),
+            *([("open", f"{open_motions} of 6 motions, which the clouds do not determine")] if open_motions else []),
+            ("motion", f"{self.rotation_deg:.3f} degrees, {self.shift_m:.4g} m at the middle of the source"),
+            ("pose", "\n".join("".join(f"{value:17.9f}" for value in row) for row in result.transformation)),
+        ]
+
+
+def register_pair(
+    source: PointCloud,
+    target: PointCloud,
+    *,
+    init: ArrayLike | None = None,
+    method: str = "point-to-plane",
+    voxel_size: float | None = None,
+    distance: float | None = None,
+    progress: ReportProgress | None = None,
+) -> PairRegistration:
+    """Bring one cloud onto another from wherever they lie: what `pointloom register` does.
+
+    The clouds are thinned to voxels; a start is searched for (`register_globally`) unless one is given, ICP refines it
+    (`multi_scale_icp`; from a start that was given from coarse to fine), and the pose is rated (`rate_registration`).
+
+    Args:
+        source: The cloud that moves.
+        target: The cloud that stays, on the same device.
+        init: Pose to begin from, T_target_source, 4x4; None searches for one.
+        method: What ICP brings together: "point-to-point", "point-to-plane", "symmetric", "generalized" or "colored".
+            Normals that it needs and the clouds lack are estimated.
+        voxel_size: Edge of the voxels that both clouds are thinned to [m]; None takes `choose_voxel_size`.
+        distance: Correspondences lie closer than this [m]; None takes two voxels, and where a start is given, eight
+            and four of them before, on coarser clouds.
+        progress: Called with ("voxels", 0, 0), then "search", "refine" and "rate", as each begins.
+
+    Returns:
+        The pose with what speaks for it; look at `poor`.
+
+    Raises:
+        TypeError: Not a PointCloud.
+        ValueError: A cloud that has points in fewer than ten voxels or lacks the colours that the method needs, an
+            init that is no rigid motion, a length that is not positive, or no such method.
+        DeviceError: Clouds on different devices.
+
+    Notes:
+        O(n) memory. The same bits from run to run, whatever the number of threads.
+
+    Example:
+        >>> import numpy as np, pointloom as loom
+        >>> x, y = np.random.default_rng(0).uniform(-1, 1, (2, 3000))
+        >>> surface = np.column_stack([x, y, 0.2 * np.sin(5 * x) * np.cos(4 * y) + 0.1 * np.sin(9 * y + x)])
+        >>> target, source = loom.PointCloud(surface), loom.PointCloud(surface + [0.02, -0.03, 0.01])
+        >>> found = loom.registration.register_pair(source, target, init=np.eye(4), voxel_size=0.08)
+        >>> bool(np.abs(found.transformation[:3, 3] - [-0.02, 0.03, -0.01]).max() < 0.01), found.poor
+        (True, None)
+    """
+    estimation, tell = _check_method(method), check_callback("progress", progress) or say_nothing
+    check_clouds(source, target)
+    start = None if init is None else check_poses("init", init, estimation)
+    reach, given = _check_length("distance", distance), _check_length("voxel_size", voxel_size)
+    clouds = {"source": source, "target": target}
+    tell("voxels", 0, 0)
+    if estimation.needs_colors:
+        _check_colors(clouds, method)
+    size = choose_for(clouds) if given is None else given
+    thinned = _count_voxels(clouds, size)
+    believed, doubt, scales = 1.0, "", COARSE_TO_FINE if reach is None else AT_ONCE
+    if start is None:
+        tell("search", 0, 0)
+        found = register_globally(source, target, voxel_size=size)
+        start, believed, doubt, scales = found.transformation, found.score or 0.0, found.reason, AT_ONCE
+    tell("refine", 0, 0)
+    sizes = [scale * size for scale in scales]
+    limits = [reach or DISTANCE * edge for edge in sizes]
+    rules = [ICPConvergenceCriteria()] * len(sizes)
+    result = multi_scale_icp(source, target, sizes, rules, limits, start, estimation, estimate_normals=True)
+    tell("rate", 0, 0)
+    score = min(believed, rate_registration(source, target, result.transformation, RATED_WITHIN * size))
+    estimated = tuple(role for role in estimation.needs_normals if not clouds[role].has_normals)
+    rotation, shift = _motion(source, result.transformation)
+    return PairRegistration(
+        result,
+        score,
+        "global" if init is None else "given",
+        method,
+        size,
+        given is not None,
+        (len(source), len(target)),
+        thinned,
+        limits[-1],
+        estimated,
+        NORMAL_RADIUS * size if estimated else None,
+        rotation,
+        shift,
+        "" if doubt == "converged" else doubt,
+    )
+
+
+def _check_method(method: Any) -> TransformationEstimation:
+    if not isinstance(method, str) or method not in METHODS:
+        raise ValueError(f"method: expected one of {', '.join(METHODS)}, got {shown(method)}")
+    return METHODS[method]()
+
+
+def _check_colors(clouds: dict[str, PointCloud], method: str) -> None:
+    for role, cloud in clouds.items():
+        if not cloud.has_colors:
+            reason = f"has no colours, which method={method!r} needs"
+            raise UnfitCloudError(role, "colors", reason, "Choose another method, such as point-to-plane")
+
+
+def _count_voxels(clouds: dict[str, PointCloud], size: float) -> tuple[int, int]:
+    """In how many voxels source and target have points, once it is sure that they are enough."""
+    counts = {}
+    for role, cloud in clouds.items():
+        counts[role] = count = len(cloud.voxel_down_sample(size))
+        if count < FEWEST_VOXELS:
+            plural = "" if count == 1 else "s"
+            reason = f"has points in {count} voxel{plural} of {size:g} m, and {FEWEST_VOXELS} are needed"
+            raise UnfitCloudError(role, "voxels", reason, "Take a smaller voxel_size, or a cloud with more points")
+    return counts["source"], counts["target"]
+
+
+def _motion(source: PointCloud, T: Matrix) -> tuple[float, float]:
+    """The angle of a pose [degrees], and how far it moves the middle: a turn far from zero makes any other shift."""
+    middle = (source.get_min_bound() + source.get_max_bound()) / 2
+    angle = float(np.degrees(pose_error(T, np.eye(4))[0]))
+    return angle, float(np.linalg.norm(T[:3, :3] @ middle + T[:3, 3] - middle))
+
+
+def _by_role(counts: tuple[int, int]) -> dict[str, int]:
+    return dict(zip(("source", "target"), counts, strict=True))
+
+
+def _check_length(name: str, value: float | None) -> float | None:
+    return None if value is None else check_positive(name, value, maximum=LARGEST_NUMBER)

@@ -1,0 +1,194 @@
+"""How far to believe a pose: do the clouds lie on each other there, and does that fix it?"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ...core.checks import check_positive, check_transformation
+from ...kernels.memory import download
+from ...kernels.poses.overlap_evidence import MATCHED_AT, weigh_overlap
+from ...kernels.surface.hollow_side import Surface
+from ...pcd.cloud import PointCloud
+from ..given_pairs import check_clouds
+from ..icp.estimation import TransformationEstimationPointToPlane
+from ..icp.icp import ICPConvergenceCriteria, registration_icp_batch
+from ..result import RegistrationResult
+from ..rigid import invert_pose, nearest_rotation, symmetric_matrices, to_local
+
+VOXELS = 1.5  # of a match's distance: what it usually is for down-sampled clouds
+NARROW, WIDE = 3.0, 5.0  # [voxels] radii of the fit of a normal, and of the side that it points to
+NEAR = 4.0  # distances of a match within which a surface should have met the other
+COSINE = 0.866  # 30 degrees: right matches' normals mostly differ by less, those of surfaces that cross by more
+TIGHT = 0.2  # of the distance of a match, along the normal, where a match counts no more
+RIDGE = 1e-3  # of the mean eigenvalue: what the overlap hardly fixes is no evidence
+
+# Log odds = a ln(share) + b ln(firmness) + c, fitted to 580 poses to which ICP had converged: right ones of pairs of
+# scans of objects, rooms and streets that overlap by 15 % and more, and the best wrong ones of these and of others.
+# Then c was lowered, so that a quarter more than even evidence is asked for.
+SHARE_WEIGHT, FIRMNESS_WEIGHT, OFFSET = 5.15, 0.48, 10.2
+LEAST_SHARE, LEAST_FIRMNESS = 0.01, 3e-4
+FIRM = 0.002  # firmness below which a motion is left open: planes, spheres and tubes have a quarter of it and less
+STILL = 1e-5  # of the distance of a match: the change of the error below which ICP ends
+# Beside the three planes that most matches lie on, the share has to be this part of the whole's: noise and little
+# overlap lower both alike, but where a corner lies in another, the rest is chance. Chosen by the half of the scenes of
+# benchmarks/beliefs.py that is for it: 33 wrong poses have up to 0.2, of 235 right ones two less than 0.259.
+LEAST_REST, STEEP = 0.25, 4.0
+SAMPLES = 64  # points that tell how far two poses lie apart
+ENOUGH = 30  # matches below which they may be chance
+
+
+class Evidence(NamedTuple):
+    """What speaks for a pose.
+
+    Attributes:
+        share: Of what the points near the other surface could fix, how much those that match do fix, 0..1.
+        firmness: Smallest eigenvalue of the matches' mean normal matrix, rotations in units of the overlap's radius:
+            what they say of the motion that they say least of.
+        matches: How many they are, those off the surface counting less.
+        rest: The share, beside the three planes that most matches lie on; one where it was not asked for.
+    """
+
+    share: float
+    firmness: float
+    matches: float
+    rest: float = 1.0
+
+    @property
+    def odds(self) -> float:
+        """Logarithm of the odds of the whole, not counting doubt; minus infinity without a match."""
+        if not self.matches:
+            return -np.inf
+        weighed = SHARE_WEIGHT * np.log(self.share + LEAST_SHARE)
+        return float(weighed + FIRMNESS_WEIGHT * np.log(self.firmness + LEAST_FIRMNESS) + OFFSET)
+
+    @property
+    def score_with_planes(self) -> float:
+        """What all matches together say of the pose, 0..1."""
+        doubt = min(1.0, self.firmness / FIRM) ** 2 * min(1.0, self.matches / ENOUGH)
+        return float(doubt / (1 + np.exp(-self.odds))) if self.matches else 0.0
+
+    @property
+    def score(self) -> float:
+        """The rating of the pose, 0..1: what the whole and what the rest say of it, whichever is less."""
+        rest = max(self.rest, 1e-9) / max(self.share, 1e-9)
+        return min(self.score_with_planes, 1 / (1 + (LEAST_REST / rest) ** STEEP))
+
+
+NO_EVIDENCE = Evidence(0.0, 0.0, 0.0)
+
+
+def rate_registration(
+    source: PointCloud, target: PointCloud, transformation: ArrayLike, max_correspondence_distance: float
+) -> float:
+    """How far to believe that two clouds lie on each other under a pose.
+
+    Where the clouds come near each other under the right pose, most of what could fix the six motions matches: points
+    lie close along the normal, and the normals agree. Under a wrong one surfaces cross, or a floor lies on a floor
+    while no wall meets a wall. The evidence is counted as what it fixes, not by points, both ways, and only where the
+    clouds are near each other, so partial overlap does no harm. Three planes fix a pose, and a floor and two walls fit
+    those of any other room: so what matches beside the three planes that most matches lie on has to bear the pose out.
+    A pose that is a little off is refined before it is judged, as far as the distance of a match.
+
+    Args:
+        source: The cloud that was moved.
+        target: The cloud that stayed, on the same device.
+        transformation: T_target_source, 4x4; a scale is taken into account.
+        max_correspondence_distance: Of a match [m]: that of the registration. The clouds are compared in voxels of two
+            thirds of it.
+
+    Returns:
+        0..1, above 0.5 where they do lie on each other. 0 where no surface shows. Low where the matches leave a motion
+        open (a plane on a plane), since the pose is then one of many, and where nothing but three planes matches (an
+        empty corner on an empty corner), since it is then as good as those of other rooms.
+
+    Raises:
+        ValueError: A distance that is not positive, or a transformation that is not invertible.
+        TypeError: Not a PointCloud.
+        DeviceError: Clouds on different devices.
+
+    Notes:
+        A symmetric scene (a street turned round, an ear on the other ear) deceives it, as it would ICP; noise above a
+        tenth of the distance lowers it. O(n) memory. The same bits from run to run.
+
+    Example:
+        >>> import numpy as np, pointloom as loom
+        >>> x, y = np.random.default_rng(0).uniform(-2, 2, (2, 20000))
+        >>> surface = np.column_stack([x, y, 0.3 * np.sin(3 * x) * np.cos(2 * y) + 0.1 * np.sin(5 * y + x)])
+        >>> source, target = loom.PointCloud(surface[:12000]), loom.PointCloud(surface[8000:])
+        >>> shifted = np.eye(4)
+        >>> shifted[0, 3] = 0.5
+        >>> [loom.registration.rate_registration(source, target, T, 0.1) > 0.5 for T in (np.eye(4), shifted)]
+        [True, False]
+    """
+    check_clouds(source, target)
+    distance = check_positive("max_correspondence_distance", max_correspondence_distance)
+    T = check_transformation("transformation", transformation)
+    if np.abs(T[:3, :3] @ T[:3, :3].T - np.eye(3)).max() > 0.05 or np.linalg.det(T[:3, :3]) < 0:
+        source, T = source.transform(T), np.eye(4)
+    try:
+        left, right = surface_of(source, distance / VOXELS), surface_of(target, distance / VOXELS)
+    except ValueError as error:
+        raise ValueError(f"max_correspondence_distance: {distance} m is too small for these clouds: {error}") from error
+    if not len(left) or not len(right):
+        return 0.0
+    pose = to_local(T, source.origin, target.origin)
+    pose[:3, :3] = nearest_rotation(pose[:3, :3])  # of matrices rounded to a few digits too
+    refined = refine_poses(left, right, pose[None], distance)[0].transformation
+    drift = np.diff(moved_samples(left, np.stack([pose, refined])), axis=0)
+    if np.sqrt((drift**2).sum(axis=2).mean()) > distance:
+        refined = pose
+    return rate_surfaces(left, right, refined, distance).score
+
+
+def surface_of(cloud: PointCloud, voxel_size: float) -> Surface:
+    """The surface of a cloud that is thinned to one point a voxel [m]."""
+    bare = cloud.with_arrays({"points": cloud.device_array("points")})
+    thinned = bare.voxel_down_sample(voxel_size)
+    return Surface(thinned.device_array("points"), NARROW * voxel_size, WIDE * voxel_size)
+
+
+def rate_surfaces(source: Surface, target: Surface, pose: NDArray[np.float64], distance: float) -> Evidence:
+    """All the evidence for a pose, as of `compare_surfaces`; beside the planes only where the rest speaks for it."""
+    found = compare_surfaces(source, target, pose, distance)
+    if found.score <= 0.5:
+        return found
+    return found._replace(rest=compare_surfaces(source, target, pose, distance, beside_planes=True).share)
+
+
+def compare_surfaces(
+    source: Surface, target: Surface, pose: NDArray[np.float64], distance: float, *, beside_planes: bool = False
+) -> Evidence:
+    """The evidence for a rigid pose between the coordinates about the clouds' origins: the weaker of both ways."""
+    both = []
+    for a, b, T in ((source, target, pose), (target, source, invert_pose(pose))):
+        limits = distance, NEAR * distance, COSINE, TIGHT * distance
+        sums = weigh_overlap(a, b, T, *limits, beside_planes=beside_planes)
+        if not sums[MATCHED_AT]:
+            return NO_EVIDENCE
+        near, matched = symmetric_matrices(sums[:42].reshape(2, 21))
+        ridge = RIDGE * np.trace(near) / 6 * np.eye(6)
+        share = float(np.trace(np.linalg.solve(near + ridge, matched))) / 6
+        firmness = max(float(np.linalg.eigvalsh(matched / sums[MATCHED_AT])[0]), 0.0)
+        both.append((share, firmness, float(sums[MATCHED_AT])))
+    share, firmness, matches = np.min(both, axis=0).tolist()
+    return Evidence(share, firmness, matches)
+
+
+def refine_poses(
+    source: Surface, target: Surface, poses: NDArray[np.float64], distance: float, steps: int = 30
+) -> list[RegistrationResult]:
+    """Poses about the clouds' origins, refined by point-to-plane ICP on the surfaces, all at once."""
+    left, right = (
+        PointCloud.from_device_arrays({"points": s.points, "normals": s.normals}, np.zeros(3)) for s in (source, target)
+    )
+    rules = ICPConvergenceCriteria(1e-4, STILL * distance, steps)
+    return registration_icp_batch(left, right, distance, poses, TransformationEstimationPointToPlane(), rules)
+
+
+def moved_samples(surface: Surface, poses: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Some 64 points of a surface under poses, float64 [k, p, 3]: how far poses lie apart, in metres."""
+    points = download(surface.points)[:: max(1, len(surface) // SAMPLES)].astype(np.float64)  # sync
+    return np.einsum("kij,pj->kpi", poses[:, :3, :3], points) + poses[:, None, :3, 3]

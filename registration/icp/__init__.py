@@ -1,0 +1,1 @@
+"""Poses from nearest points: the ICP family."""

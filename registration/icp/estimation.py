@@ -1,0 +1,350 @@
+"""What the pairs of an iteration are asked to bring together: the transformation estimators of the ICP family."""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Sequence
+from typing import Any, ClassVar, Self
+
+import numpy as np
+import warp as wp
+from numpy.typing import ArrayLike
+
+from ...core.checks import check_count, check_positive, check_rigid, check_share
+from ...kernels.icp.loop import RegistrationLoop
+from ...kernels.icp.matches import PointColumns
+from ...kernels.icp.robust_weights import Loss
+from ...kernels.icp.rows import (
+    DopplerRule,
+    sum_colored_rows,
+    sum_doppler_rows,
+    sum_generalized_rows,
+    sum_plane_rows,
+    sum_point_rows,
+    sum_symmetric_rows,
+)
+from ...kernels.icp.step import GAUSS_NEWTON, PAIRS, SYMMETRIC
+from ...pcd.cloud import PointCloud
+from ..robust_kernels import Geometry, L2Loss, RobustKernel
+from .preparation import colored_source, colored_target, doppler_measurements, generalized_covariances, normals_of
+
+Columns = dict[str, list[wp.array]]  # by attribute, a device array a cloud
+LEAST_SQUARES = L2Loss()
+
+
+@dataclasses.dataclass(frozen=True)
+class TransformationEstimation:
+    """How a pose follows from pairs; the estimators below are its kinds.
+
+    Raises:
+        TypeError: A kernel that is none.
+    """
+
+    rows: ClassVar[Any]
+    method: ClassVar[int] = GAUSS_NEWTON
+    needs_normals: ClassVar[tuple[str, ...]] = ()  # of "source" and "target"
+    needs_colors: ClassVar[bool] = False  # of both
+
+    def __post_init__(self) -> None:
+        for field in dataclasses.fields(self):
+            value = getattr(self, field.name)
+            if field.name.endswith("kernel") and not isinstance(value, RobustKernel):
+                raise TypeError(f"{field.name}: expected a robust kernel such as TukeyLoss(0.1), got {value!r}")
+
+    @property
+    def scales(self) -> bool:
+        """Whether the pose may hold a scale."""
+        return False
+
+    @property
+    def target_voxel_size(self) -> float | None:
+        """Edge of the voxels [m] that stand for the target's points, if any do."""
+        return None
+
+    def geometry(self) -> Self | None:
+        """The estimator whose rows tell which motions the clouds determine: every residual weighs the same there.
+
+        None where that is the estimator itself.
+        """
+        kernels = [f.name for f in dataclasses.fields(self) if f.name.endswith("kernel")]
+        robust = [name for name in kernels if getattr(self, name) != LEAST_SQUARES]
+        return dataclasses.replace(self, **dict.fromkeys(robust, LEAST_SQUARES)) if robust else None
+
+    def source_columns(self, clouds: Sequence[PointCloud], names: Sequence[str], distance: float) -> Columns:
+        """What the rows need of the sources' points.
+
+        Raises:
+            ValueError: A cloud lacks it; the message says what to call.
+        """
+        return {}
+
+    def target_columns(self, clouds: Sequence[PointCloud], names: Sequence[str], distance: float) -> Columns:
+        """What the rows need of the targets' points; errors as `source_columns`."""
+        return {}
+
+    def arguments(self, loop: RegistrationLoop, source: PointColumns, target: PointColumns) -> list[Any]:
+        """The arguments of the rows after those that all share."""
+        raise NotImplementedError
+
+    def prepare(self, loop: RegistrationLoop) -> None:
+        """Launches of each iteration before the rows."""
+
+
+@dataclasses.dataclass(frozen=True)
+class TransformationEstimationPointToPoint(TransformationEstimation):
+    """Least squared distances of the pairs, in closed form (Horn 1987); with scale as Umeyama 1991.
+
+    Args:
+        with_scaling: Let the source grow or shrink.
+        kernel: Weighs pairs by their distance; Open3D has none here.
+    """
+
+    with_scaling: bool = False
+    kernel: RobustKernel = LEAST_SQUARES
+    rows = sum_point_rows
+    method = PAIRS
+
+    @property
+    def scales(self) -> bool:
+        """Whether the pose may hold a scale."""
+        return self.with_scaling
+
+    def geometry(self) -> Self | None:
+        """None: pairs of points are judged by where the points lie."""
+        return None
+
+    def arguments(self, loop: RegistrationLoop, source: PointColumns, target: PointColumns) -> list[Any]:
+        """The kernel and the pivots of the sums."""
+        return [Loss(*self.kernel.parameters), loop.progress.pivots]
+
+
+@dataclasses.dataclass(frozen=True)
+class TransformationEstimationPointToPlane(TransformationEstimation):
+    """Least squared distances of the source's points from the target's planes (Chen and Medioni 1991).
+
+    Args:
+        kernel: Weighs pairs by that distance [m].
+    """
+
+    kernel: RobustKernel = LEAST_SQUARES
+    rows = sum_plane_rows
+    needs_normals = ("target",)
+
+    def target_columns(self, clouds: Sequence[PointCloud], names: Sequence[str], distance: float) -> Columns:
+        """Normals."""
+        return {"normals": normals_of(clouds, names, "point-to-plane ICP")}
+
+    def arguments(self, loop: RegistrationLoop, source: PointColumns, target: PointColumns) -> list[Any]:
+        """The kernel and the normals."""
+        return [Loss(*self.kernel.parameters), target]
+
+
+@dataclasses.dataclass(frozen=True)
+class TransformationEstimationSymmetric(TransformationEstimation):
+    """Both clouds' planes at once, each turned half of the way (Rusinkiewicz 2019): exact on spheres, fewer steps.
+
+    Args:
+        kernel: Weighs pairs by (p - q) . (n_p + n_q), about twice a distance [m].
+    """
+
+    kernel: RobustKernel = LEAST_SQUARES
+    rows = sum_symmetric_rows
+    method = SYMMETRIC
+    needs_normals = ("source", "target")
+
+    def source_columns(self, clouds: Sequence[PointCloud], names: Sequence[str], distance: float) -> Columns:
+        """Normals."""
+        return {"normals": normals_of(clouds, names, "symmetric ICP")}
+
+    def target_columns(self, clouds: Sequence[PointCloud], names: Sequence[str], distance: float) -> Columns:
+        """Normals."""
+        return self.source_columns(clouds, names, distance)
+
+    def arguments(self, loop: RegistrationLoop, source: PointColumns, target: PointColumns) -> list[Any]:
+        """The kernel and both normals."""
+        return [Loss(*self.kernel.parameters), source, target]
+
+
+@dataclasses.dataclass(frozen=True)
+class TransformationEstimationForGeneralizedICP(TransformationEstimation):
+    """Both clouds' planes as thin Gaussians (Segal, Haehnel and Thrun 2009).
+
+    Covariances are the cloud's own where it has them, else planes by its normals, else by 20 neighbours.
+
+    Args:
+        epsilon: Variance across a plane, where it is 1 along it.
+        kernel: Weighs each of the three rows of a pair by its residual, which has no unit.
+        voxel_size: Bring the source to Gaussians of the target's voxels of this edge [m] instead of to its points
+            (Koide et al. 2021): faster, and no search. Open3D has no such form.
+    """
+
+    epsilon: float = 1e-3
+    kernel: RobustKernel = LEAST_SQUARES
+    voxel_size: float | None = None
+    rows = sum_generalized_rows
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        check_positive("epsilon", self.epsilon)
+        if self.voxel_size is not None:
+            check_positive("voxel_size", self.voxel_size)
+
+    @property
+    def target_voxel_size(self) -> float | None:
+        """Edge of the voxels [m] that stand for the target's points, if any do."""
+        return self.voxel_size
+
+    def geometry(self) -> Self:
+        """Pairs that count alike, without what covariances hold along the planes, which is there on any surface."""
+        return dataclasses.replace(self, kernel=Geometry())
+
+    def source_columns(self, clouds: Sequence[PointCloud], names: Sequence[str], distance: float) -> Columns:
+        """Covariances."""
+        pairs = zip(clouds, names, strict=True)
+        return {"covariances": [generalized_covariances(c, self.epsilon, n) for c, n in pairs]}
+
+    def target_columns(self, clouds: Sequence[PointCloud], names: Sequence[str], distance: float) -> Columns:
+        """Covariances."""
+        return self.source_columns(clouds, names, distance)
+
+    def arguments(self, loop: RegistrationLoop, source: PointColumns, target: PointColumns) -> list[Any]:
+        """The kernel and both covariances."""
+        return [Loss(*self.kernel.parameters), source, target]
+
+
+@dataclasses.dataclass(frozen=True)
+class TransformationEstimationForColoredICP(TransformationEstimation):
+    """Point-to-plane, and the colours of the surface along it (Park, Zhou and Koltun 2017).
+
+    Args:
+        lambda_geometric: Share of the geometric term, 0..1.
+        kernel: Weighs the geometric and the photometric row of a pair, each by its residual.
+
+    Raises:
+        ValueError: A share beyond 0..1 (Open3D takes its default there without a word).
+    """
+
+    lambda_geometric: float = 0.968
+    kernel: RobustKernel = LEAST_SQUARES
+    rows = sum_colored_rows
+    needs_normals = ("target",)
+    needs_colors = True
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        check_share("lambda_geometric", self.lambda_geometric)
+
+    def source_columns(self, clouds: Sequence[PointCloud], names: Sequence[str], distance: float) -> Columns:
+        """Intensities."""
+        found = [colored_source(c, n) for c, n in zip(clouds, names, strict=True)]
+        return {"intensities": [values.reshape((values.size, 1)) for values in found]}
+
+    def target_columns(self, clouds: Sequence[PointCloud], names: Sequence[str], distance: float) -> Columns:
+        """Normals, intensities and their gradients."""
+        found = [colored_target(c, distance, name=n) for c, n in zip(clouds, names, strict=True)]
+        return {
+            "normals": [surface.normals for surface in found],
+            "intensities": [surface.intensities.reshape((surface.intensities.size, 1)) for surface in found],
+            "gradients": [surface.gradients for surface in found],
+        }
+
+    def arguments(self, loop: RegistrationLoop, source: PointColumns, target: PointColumns) -> list[Any]:
+        """The kernel, normals, intensities, gradients and the share."""
+        return [Loss(*self.kernel.parameters), source, target, self.lambda_geometric]
+
+
+@dataclasses.dataclass(frozen=True)
+class TransformationEstimationForDopplerICP(TransformationEstimation):
+    """Point-to-plane, and the radial speeds that a Doppler LiDAR measures (Hexsel, Vhavle and Chen 2022).
+
+    The source is the earlier scan, in its sensor's frame, with the attribute "dopplers", shape [n] [m/s]; the target is
+    the next one, `period` seconds later.
+
+    Args:
+        period: Time between the scans [s].
+        lambda_doppler: Share of the Doppler term, 0..1.
+        reject_dynamic_outliers: Drop points whose speed differs from that of the motion.
+        doppler_outlier_threshold: By more than this [m/s].
+        outlier_rejection_min_iteration: From this iteration on.
+        geometric_robust_loss_min_iteration: When the geometric kernel sets in.
+        doppler_robust_loss_min_iteration: When the Doppler kernel sets in.
+        geometric_kernel, doppler_kernel: Kernels of the two rows.
+        transform_vehicle_to_sensor: Pose of the vehicle in the sensor's frame.
+    """
+
+    period: float = 0.1
+    lambda_doppler: float = 0.01
+    reject_dynamic_outliers: bool = False
+    doppler_outlier_threshold: float = 2.0
+    outlier_rejection_min_iteration: int = 2
+    geometric_robust_loss_min_iteration: int = 0
+    doppler_robust_loss_min_iteration: int = 2
+    geometric_kernel: RobustKernel = LEAST_SQUARES
+    doppler_kernel: RobustKernel = LEAST_SQUARES
+    transform_vehicle_to_sensor: ArrayLike | None = None
+    rows = sum_doppler_rows
+    needs_normals = ("target",)
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        check_positive("period", self.period)
+        check_share("lambda_doppler", self.lambda_doppler)
+        check_positive("doppler_outlier_threshold", self.doppler_outlier_threshold)
+        for name in ("outlier_rejection", "geometric_robust_loss", "doppler_robust_loss"):
+            check_count(f"{name}_min_iteration", getattr(self, f"{name}_min_iteration"), minimum=0)
+        if self.transform_vehicle_to_sensor is not None:
+            check_rigid("transform_vehicle_to_sensor", self.transform_vehicle_to_sensor)
+
+    def source_columns(self, clouds: Sequence[PointCloud], names: Sequence[str], distance: float) -> Columns:
+        """Speeds and directions."""
+        _check_sensor_frames(clouds, names)
+        found = [doppler_measurements(c, n) for c, n in zip(clouds, names, strict=True)]
+        return {
+            "dopplers": [f.dopplers.reshape((f.dopplers.size, 1)) for f in found],
+            "directions": [f.directions for f in found],
+        }
+
+    def target_columns(self, clouds: Sequence[PointCloud], names: Sequence[str], distance: float) -> Columns:
+        """Normals."""
+        _check_sensor_frames(clouds, names)
+        return {"normals": normals_of(clouds, names, "Doppler ICP")}
+
+    def geometry(self) -> Self:
+        """Both rows of a pair alike: a speed then determines the way along its ray as a plane does along its normal."""
+        return dataclasses.replace(
+            self,
+            period=1.0,
+            lambda_doppler=0.5,
+            reject_dynamic_outliers=False,
+            geometric_kernel=LEAST_SQUARES,
+            doppler_kernel=LEAST_SQUARES,
+        )
+
+    def prepare(self, loop: RegistrationLoop) -> None:
+        """The velocities of the poses."""
+        loop.measure_velocities(self.period)
+
+    def arguments(self, loop: RegistrationLoop, source: PointColumns, target: PointColumns) -> list[Any]:
+        """Everything the two rows take."""
+        sensor = np.zeros(3)
+        if self.transform_vehicle_to_sensor is not None:
+            sensor = np.asarray(self.transform_vehicle_to_sensor, np.float64)[:3, 3]
+        never = 2**31 - 1
+        rule = DopplerRule(
+            sensor,
+            self.period,
+            self.lambda_doppler,
+            Loss(*self.doppler_kernel.parameters),
+            geometric_from=self.geometric_robust_loss_min_iteration,
+            doppler_from=self.doppler_robust_loss_min_iteration,
+            reject_from=self.outlier_rejection_min_iteration if self.reject_dynamic_outliers else never,
+            threshold=self.doppler_outlier_threshold,
+        )
+        kernel = Loss(*self.geometric_kernel.parameters)
+        return [kernel, source, target, loop.velocities, loop.progress.iterations, rule]
+
+
+def _check_sensor_frames(clouds: Sequence[PointCloud], names: Sequence[str]) -> None:
+    for cloud, name in zip(clouds, names, strict=True):
+        if cloud.origin.any():
+            raise ValueError(f"{name}: Doppler ICP takes scans in their sensor's own frame, within 10 km of zero")

@@ -1,0 +1,71 @@
+"""How well two clouds lie on each other under a pose."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ...core.checks import check_positive, check_transformation
+from ...pcd.cloud import PointCloud
+from ..given_pairs import check_clouds
+from ..result import RegistrationResult
+from .estimation import TransformationEstimationPointToPoint
+from .iterative import IterativeRegistration
+
+
+def evaluate_registration(
+    source: PointCloud, target: PointCloud, max_correspondence_distance: float, transformation: ArrayLike | None = None
+) -> RegistrationResult:
+    """Fitness, rmse and correspondences of two clouds under a pose.
+
+    Args:
+        source, target: The clouds.
+        max_correspondence_distance: Points this far apart or farther are no correspondence [m].
+        transformation: T_target_source, any affine 4x4; None: the identity.
+
+    Returns:
+        The result, with the transformation as given.
+
+    Raises:
+        ValueError: A distance that is not positive, or a transformation that is not invertible.
+        DeviceError: Clouds on different devices.
+
+    Example:
+        >>> import pointloom as loom
+        >>> source, target = loom.PointCloud([[0, 0, 0], [5, 0, 0]]), loom.PointCloud([[0, 0, 0.1]])
+        >>> result = loom.registration.evaluate_registration(source, target, 0.5)
+        >>> result.fitness, round(result.inlier_rmse, 6), result.correspondence_set.tolist()
+        (0.5, 0.1, [[0, 0]])
+    """
+    T = np.eye(4) if transformation is None else check_transformation("transformation", transformation)
+    problem = _evaluate(source, target, max_correspondence_distance, T)
+    result = problem.results()[0]
+    result.transformation, result.reason = T.copy(), "evaluated"
+    return result
+
+
+def get_information_matrix_from_point_clouds(
+    source: PointCloud, target: PointCloud, max_correspondence_distance: float, transformation: ArrayLike
+) -> NDArray[np.float64]:
+    """How firmly the correspondences of two clouds hold each of the six motions: what pose graphs weigh edges with.
+
+    Args:
+        source, target, max_correspondence_distance, transformation: As of `evaluate_registration`.
+
+    Returns:
+        The sum of G^T G over the correspondences' target points q, with G = (-[q]x, I): float64 [6, 6], rotation
+        first, about the world's origin; the last entry is the number of correspondences (Choi et al. 2015, eq. 4).
+
+    Raises:
+        ValueError, DeviceError: As `evaluate_registration`.
+    """
+    T = check_transformation("transformation", transformation)
+    return _evaluate(source, target, max_correspondence_distance, T).information()[0]
+
+
+def _evaluate(source: PointCloud, target: PointCloud, distance: float, T: NDArray[np.float64]) -> IterativeRegistration:
+    check_clouds(source, target)
+    distance = check_positive("max_correspondence_distance", distance)
+    problem = IterativeRegistration([source], [target], T[None], distance, TransformationEstimationPointToPoint())
+    problem.run(0, 0.0, 0.0)
+    return problem

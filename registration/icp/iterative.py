@@ -1,0 +1,256 @@
+"""From clouds to jobs on the device and back: what single registrations, batches and evaluations share."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...core.array_libraries import NUMPY, hand_out
+from ...core.devices import check_same_device
+from ...kernels.arrays.concatenation import concatenate_rows
+from ...kernels.arrays.row_numbers import list_partners
+from ...kernels.icp.job_states import CONVERGED, NO_PAIRS, NOT_FINITE, OUT_OF_ITERATIONS
+from ...kernels.icp.jobs import Jobs
+from ...kernels.icp.loop import RegistrationLoop
+from ...kernels.icp.matches import PointColumns
+from ...kernels.icp.pair_rejection import PairRejection
+from ...kernels.icp.step import StepRules
+from ...kernels.icp.voxel_gaussians import VoxelGaussians
+from ...kernels.lang import int32
+from ...kernels.memory import download, empty, upload
+from ...kernels.search.many_clouds import ManyClouds
+from ...kernels.search.point_forest import PointForest
+from ...pcd.cloud import PointCloud
+from ...pcd.kept_tree import check_extent
+from ..result import Pairs, RegistrationResult
+from ..rigid import skew, symmetric_matrices, to_local, to_world
+from .estimation import Columns, TransformationEstimation
+from .preparation import normals_of
+
+REASONS = {
+    CONVERGED: "converged",
+    OUT_OF_ITERATIONS: "max_iteration",
+    NO_PAIRS: "no correspondences",
+    NOT_FINITE: "the step is not finite",
+}
+# Of the largest eigenvalue: below it a motion changes the residuals so little that noise of the normals may be all that
+# holds it. Planes with noise of 1/1000 of their size have up to 0.0008, corridors and tubes whose normals come from
+# 2,000 points 0.005, bumps of 5 cm on 2 m 0.006, scans of rooms, streets, terrain and objects 0.03 and more.
+DEGENERACY = 5e-3
+# Of the source's spread: a smaller change of the rmse ends ICP where the user gave none. Open3D's 1e-6 m at a metre,
+# and alike at any scale: of a cloud of a micrometre that limit is its whole size.
+STILL = 1e-6
+
+
+class IterativeRegistration:
+    """Jobs over clouds of one device: prepared once, run, read.
+
+    Args:
+        sources, targets: The cloud of each job.
+        poses: T_target_source of each job in world coordinates, float64 [jobs, 4, 4].
+        distance: Greatest distance of a correspondence [m].
+        estimation: The estimator.
+        overlap: Share of the source's points whose nearest correspondences are kept; None finds it in each iteration.
+        max_normal_angle: Correspondences whose normals enclose more than this [rad] are dropped; None keeps all.
+        degeneracy: Motions with less than this share of the largest eigenvalue are left out.
+
+    Raises:
+        ValueError: A cloud lacks what the estimator needs.
+        DeviceError: Clouds on different devices.
+    """
+
+    def __init__(
+        self,
+        sources: Sequence[PointCloud],
+        targets: Sequence[PointCloud],
+        poses: NDArray[np.float64],
+        distance: float,
+        estimation: TransformationEstimation,
+        *,
+        overlap: float | None = 1.0,
+        max_normal_angle: float | None = None,
+        degeneracy: float = DEGENERACY,
+    ):
+        self.estimation, self.distance, self.degeneracy = estimation, distance, degeneracy
+        self._sources, self.source_of = _distinct(sources)
+        self._targets, self.target_of = _distinct(targets)
+        device = self._sources[0].device
+        for cloud in (*self._sources, *self._targets):
+            check_same_device("clouds", device, cloud.device)
+        source_columns, target_columns = self._columns(max_normal_angle is not None)
+        known = self._sources[0].known_search_tree if len(self._sources) == 1 else None
+        self.source_clouds = ManyClouds([c.device_array("points") for c in self._sources], known)
+        source = _place(self.source_clouds, source_columns)
+        forest, gaussians, target = None, None, PointColumns()
+        if estimation.target_voxel_size is None:
+            forest = self._grow_forest()
+            target = _place(forest.clouds, target_columns)
+        else:
+            gaussians = self._make_gaussians(target_columns["covariances"], estimation.target_voxel_size)
+        jobs = Jobs(self.source_clouds, forest, self.source_of, self.target_of)
+        geometry = estimation.geometry()
+        self.loop = RegistrationLoop(
+            jobs, self._local_poses(poses), distance, gaussians, judged_apart=geometry is not None
+        )
+        if gaussians is not None:
+            target = PointColumns(covariances=self.loop.target_covariances)
+        self._arguments = estimation.arguments(self.loop, source, target)
+        self._plain_arguments = None if geometry is None else geometry.arguments(self.loop, source, target)
+        self._rejection = None
+        if overlap is None or overlap < 1 or max_normal_angle is not None:
+            wanted = None if overlap is None or overlap >= 1 else np.ceil(overlap * jobs.counts).astype(np.int32)
+            normals = None
+            if max_normal_angle is not None:
+                normals = (source.normals, target.normals, float(np.cos(max_normal_angle)))
+            sizes = self.loop.progress.sizes if overlap is None else None
+            self._rejection = PairRejection(self.loop.matches, wanted, normals, sizes=sizes)
+
+    def _columns(self, with_normals: bool) -> tuple[Any, Any]:
+        """What the estimator asks of the points on either side, with normals where pairs are judged by them."""
+        source_names, target_names = _names("source", self.source_of), _names("target", self.target_of)
+        source_columns = self.estimation.source_columns(self._sources, source_names, self.distance)
+        target_columns = self.estimation.target_columns(self._targets, target_names, self.distance)
+        if with_normals:
+            self._add_normals(source_columns, self._sources, source_names)
+            self._add_normals(target_columns, self._targets, target_names)
+        return source_columns, target_columns
+
+    def _grow_forest(self) -> PointForest:
+        """The search trees of all targets: the one that a single target keeps, or a forest of new ones."""
+        tree = self._targets[0].search_tree() if len(self._targets) == 1 else None
+        forest = PointForest([c.device_array("points") for c in self._targets], tree)
+        if tree is None:
+            clouds = forest.clouds
+            check_extent("targets", clouds.low, clouds.high, clouds.points)
+        return forest
+
+    def _local_poses(self, poses: NDArray[np.float64]) -> NDArray[np.float64]:
+        """The first poses between the clouds' own origins, [jobs, 4, 4]."""
+        self._source_origins = [cloud.origin for cloud in self._sources]
+        self._target_origins = [cloud.origin for cloud in self._targets]
+        pairs = zip(self.source_of, self.target_of, poses, strict=True)
+        local = [to_local(T, self._source_origins[s], self._target_origins[t]) for s, t, T in pairs]
+        return np.array(local).reshape(-1, 4, 4)
+
+    def run(
+        self,
+        max_iteration: int,
+        relative_fitness: float,
+        relative_rmse: float | None,
+        watch: Callable[[], None] | None = None,
+    ) -> None:
+        """Run all jobs to their ends; without a `relative_rmse` [m] it is STILL of each source's spread."""
+        estimation, loop = self.estimation, self.loop
+        limits = (0.0, STILL) if relative_rmse is None else (relative_rmse, 0.0)
+        criteria = max_iteration, relative_fitness, *limits
+        rules = StepRules(estimation.method, estimation.scales, criteria, self.degeneracy)
+
+        def iterate() -> None:
+            loop.match()
+            if self._rejection is not None:
+                self._rejection.run()
+            estimation.prepare(loop)
+            loop.sum_rows(estimation.rows, self._arguments, self._plain_arguments)
+            loop.step(rules)
+
+        loop.run(iterate, watch)
+
+    def judged(self) -> dict[str, Any]:
+        """What the last turn judged of the first job: steps so far, pose in world coordinates, fitness and rmse."""
+        states = self.loop.states.download()  # sync
+        return {
+            # a job that goes on has taken one step more
+            "iteration_index": int(states["iterations"][0]) - int(states["live"][0]),
+            "transformation": self._world(0, states["earlier"][0]),
+            "fitness": float(states["fitness"][0]),
+            "inlier_rmse": float(states["rmse"][0]),
+        }
+
+    def results(self) -> list[RegistrationResult]:
+        """The results of all jobs, in their order."""
+        states = self.loop.states.download()  # sync
+        outcomes, free_counts = states["outcomes"], states["free_counts"]
+        return [
+            RegistrationResult(
+                self._world(job, states["poses"][job]),
+                float(states["fitness"][job]),
+                float(states["rmse"][job]),
+                lambda job=job: self._pairs_of(job),
+                iterations=int(states["iterations"][job]),
+                converged=bool(outcomes[job] == CONVERGED),
+                reason=REASONS[int(outcomes[job])],
+                degenerate_directions=states["free"][job].reshape(6, 6)[: free_counts[job]].copy(),
+            )
+            for job in range(self.loop.jobs.count)
+        ]
+
+    def information(self) -> NDArray[np.float64]:
+        """Information matrices of the pairs in world coordinates, [jobs, 6, 6]."""
+        matrices = symmetric_matrices(self.loop.measure_information())
+        for job, t in enumerate(self.target_of):
+            shift = np.eye(6)  # G(q + o) = G(q) (I, 0; -[o]x, I)
+            shift[3:, :3] = -skew(self._target_origins[t])
+            matrices[job] = shift.T @ matrices[job] @ shift
+        return matrices
+
+    def _world(self, job: int, pose: NDArray[np.float64]) -> NDArray[np.float64]:
+        return to_world(pose, self._source_origins[self.source_of[job]], self._target_origins[self.target_of[job]])
+
+    def _pairs_of(self, job: int) -> Pairs:
+        """(source, target) rows of a job's pairs, by source; in a voxelised target a row is that of the voxel."""
+        jobs, s = self.loop.jobs, self.source_of[job]
+        count, first, base = int(jobs.counts[job]), int(jobs.firsts[job]), int(self.source_clouds.bases[s])
+        if not count:  # Warp refuses an empty part that begins behind the last element
+            return self._sources[s].handed_out(empty((0, 2), int32, self._sources[s].device))
+        found = self.loop.matches.pairs[first : first + count]
+        rows = self.source_clouds.order[base : base + count]
+        library = self._sources[s].array_library
+        if library != NUMPY:
+            places = empty(0, int32, found.device) if jobs.targets is None else jobs.targets.clouds.order
+            return hand_out(list_partners(len(self._sources[s]), rows, found, places), library)
+        found, rows = download(found), download(rows)
+        paired = found >= 0
+        places = found[paired]
+        if jobs.targets is not None:
+            places = download(jobs.targets.clouds.order)[places]
+        pairs = np.stack([rows[paired], places], axis=1).astype(np.int32)
+        return pairs[np.argsort(pairs[:, 0], kind="stable")]
+
+    def _add_normals(self, columns: Columns, clouds: Sequence[PointCloud], names: Sequence[str]) -> None:
+        if "normals" not in columns:
+            columns["normals"] = normals_of(clouds, names, "max_normal_angle")
+
+    def _make_gaussians(self, covariances: list[Any], voxel_size: float) -> VoxelGaussians:
+        points = concatenate_rows([c.device_array("points") for c in self._targets])
+        sizes = [len(c) for c in self._targets]
+        segments = upload(np.repeat(np.arange(len(sizes)), sizes), int32, points.device)
+        return VoxelGaussians(
+            points, concatenate_rows(covariances), voxel_size, segments=segments, segment_count=len(sizes)
+        )
+
+
+def _distinct(clouds: Sequence[PointCloud]) -> tuple[list[PointCloud], NDArray[np.int64]]:
+    """The clouds without repetition, and which of them each is."""
+    places: dict[int, int] = {}
+    found: list[PointCloud] = []
+    numbers = np.empty(len(clouds), np.int64)
+    for i, cloud in enumerate(clouds):
+        place = places.setdefault(id(cloud), len(found))
+        if place == len(found):
+            found.append(cloud)
+        numbers[i] = place
+    return found, numbers
+
+
+def _names(role: str, numbers: NDArray[np.int64]) -> list[str]:
+    """What an error calls each distinct cloud: by the first job that it stands in."""
+    _, firsts = np.unique(numbers, return_index=True)
+    return [role] if len(firsts) == 1 else [f"{role}s[{i}]" for i in firsts]
+
+
+def _place(clouds: ManyClouds, columns: Columns) -> PointColumns:
+    """The rows of all clouds at the places of their points."""
+    return PointColumns(**{name: clouds.gather(arrays) for name, arrays in columns.items()})

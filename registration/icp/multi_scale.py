@@ -1,0 +1,116 @@
+"""ICP from coarse to fine."""
+
+from __future__ import annotations
+
+import itertools
+import math
+from collections.abc import Sequence
+from functools import partial
+from typing import Any
+
+from numpy.typing import ArrayLike
+
+from ...core.checks import check_callback, check_list, check_number, check_positive
+from ...core.watching import standing_for
+from ...pcd.cloud import PointCloud
+from ..given_pairs import check_clouds
+from ..result import RegistrationResult
+from .estimation import TransformationEstimation, TransformationEstimationPointToPoint
+from .icp import ICPConvergenceCriteria, Watcher, registration_icp
+
+NORMAL_RADIUS, NORMAL_NEIGHBORS = 3.0, 30  # [voxels], points at most, where normals are estimated
+_ROLES = ("source", "target")
+
+
+def multi_scale_icp(
+    source: PointCloud,
+    target: PointCloud,
+    voxel_sizes: Sequence[float],
+    criteria_list: Sequence[ICPConvergenceCriteria],
+    max_correspondence_distances: Sequence[float],
+    init: ArrayLike | None = None,
+    estimation_method: TransformationEstimation | None = None,
+    *,
+    estimate_normals: bool = False,
+    callback_after_iteration: Watcher | None = None,
+) -> RegistrationResult:
+    """Register from coarse to fine: each scale on down-sampled clouds, from the pose of the one before.
+
+    Args:
+        source, target, init, estimation_method: As of `registration_icp`.
+        voxel_sizes: Edges of the voxels that the clouds are down-sampled by [m], strictly descending; the last may be
+            -1 for the clouds as they are. Normals and colours are averaged over a voxel.
+        criteria_list: The criteria of each scale.
+        max_correspondence_distances: The greatest distance of a correspondence of each scale [m].
+        estimate_normals: Give those clouds normals that `estimation_method` needs them of and that have none: at each
+            scale, by up to 30 neighbours within 3 voxels (of the clouds as they are, however far). Their sign is not
+            known, which the symmetric method minds; without this, clouds that lack normals are an error.
+        callback_after_iteration: As of `registration_icp`; its dict has `scale_index` too.
+
+    Returns:
+        The result of the last scale, whose iterations are those of all scales together.
+
+    Raises:
+        ValueError: Lists of different lengths, sizes that do not descend, or as `registration_icp`.
+        DeviceError: Clouds on different devices.
+
+    Example:
+        >>> import numpy as np, pointloom as loom
+        >>> points = np.random.default_rng(0).random((4000, 3)) * [2, 2, 0.1]
+        >>> target, source = loom.PointCloud(points), loom.PointCloud(points + [0.03, 0.02, 0])
+        >>> reg = loom.registration
+        >>> rules = [reg.ICPConvergenceCriteria(max_iteration=20), reg.ICPConvergenceCriteria(max_iteration=50)]
+        >>> result = reg.multi_scale_icp(source, target, [0.1, -1], rules, [0.2, 0.05])
+        >>> bool(np.abs(result.transformation[:3, 3] + [0.03, 0.02, 0]).max() < 1e-5)
+        True
+    """
+    check_clouds(source, target)
+    check_callback("callback_after_iteration", callback_after_iteration)
+    sizes, distances = _check_scales(voxel_sizes, max_correspondence_distances, criteria_list)
+    method = TransformationEstimationPointToPoint() if estimation_method is None else estimation_method
+    wanted = getattr(method, "needs_normals", ()) if estimate_normals else ()
+    pose, steps = init, 0
+    result: RegistrationResult | None = None
+    for scale, (size, rules, distance) in enumerate(zip(sizes, criteria_list, distances, strict=True)):
+        clouds = [c if size == 0 else c.voxel_down_sample(size) for c in (source, target)]
+        left, right = (_with_normals(c, size) if n in wanted else c for n, c in zip(_ROLES, clouds, strict=True))
+        watch = None if callback_after_iteration is None else partial(_at_scale, callback_after_iteration, scale)
+        told: dict[str, Any] = {"callback_after_iteration": watch}
+        with standing_for(source=source, target=target, scale_index=scale, voxel_size=size):
+            result = registration_icp(left, right, distance, pose, method, rules, **told)
+        pose, steps = result.transformation, steps + result.iterations
+        result.iterations = steps
+    assert result is not None
+    return result
+
+
+def _with_normals(cloud: PointCloud, voxel_size: float) -> PointCloud:
+    if cloud.has_normals:
+        return cloud
+    return cloud.estimate_normals(radius=NORMAL_RADIUS * voxel_size or None, max_nn=NORMAL_NEIGHBORS)
+
+
+def _at_scale(callback: Watcher, scale: int, state: dict[str, Any]) -> None:
+    callback(state | {"scale_index": scale})
+
+
+def _check_scales(
+    voxel_sizes: Sequence[float], distances: Sequence[float], criteria: Sequence[ICPConvergenceCriteria]
+) -> tuple[list[float], list[float]]:
+    """The voxel sizes, 0 for clouds as they are, and the distances."""
+    lengths = check_list("voxel_sizes", voxel_sizes, "lengths")
+    sizes = [check_number("voxel_sizes", size, allow_nan=True, allow_infinite=True) for size in lengths]
+    distances = check_list("max_correspondence_distances", distances, "lengths")
+    criteria = check_list("criteria_list", criteria, "ICPConvergenceCriteria")
+    for rules in criteria:
+        if not isinstance(rules, ICPConvergenceCriteria):
+            raise TypeError(f"criteria_list: expected ICPConvergenceCriteria, got {type(rules).__name__}")
+    if not sizes or len(sizes) != len(criteria) or len(sizes) != len(distances):
+        raise ValueError(
+            "voxel_sizes, criteria_list, max_correspondence_distances: expected lists of one length of at least 1, "
+            f"got {len(sizes)}, {len(criteria)}, {len(distances)}"
+        )
+    edges = [*sizes[:-1], max(sizes[-1], 0.0)]
+    if not all(before > after for before, after in itertools.pairwise([math.inf, *edges])):
+        raise ValueError(f"voxel_sizes: expected positive sizes in descending order, the last may be -1, got {sizes}")
+    return edges, [check_positive("max_correspondence_distances", distance) for distance in distances]

@@ -1,0 +1,162 @@
+"""What an estimator needs of a cloud's points: taken from the cloud where it is there, made on the device where not.
+
+Normals and colours are never made up here: whoever lacks them is told what to call.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+import warp as wp
+
+from ...core.exchange import share_vectors
+from ...kernels.algebra.transform import transform_points
+from ...kernels.icp.color_gradients import average_colors, estimate_color_gradients
+from ...kernels.icp.plane_covariances import plane_covariances, plane_covariances_from_normals
+from ...kernels.lang import float32
+from ...kernels.memory import cast
+from ...kernels.surface.orientation import normalize_vectors
+from ...pcd.cloud import PointCloud
+
+GRADIENT_RADIUS = 2.0  # times the greatest distance of correspondences, as Open3D has it
+GRADIENT_NEIGHBORS = 30
+COVARIANCE_NEIGHBORS = 20  # as in the paper on generalised ICP, and in Open3D and small_gicp
+
+
+class ColoredSurface(NamedTuple):
+    """A target of coloured ICP: device arrays by point."""
+
+    normals: wp.array
+    intensities: wp.array
+    gradients: wp.array
+
+
+class DopplerMeasurements(NamedTuple):
+    """A source of Doppler ICP: device arrays by point."""
+
+    dopplers: wp.array
+    directions: wp.array
+
+
+def require_normals(cloud: PointCloud, name: str, method: str) -> wp.array:
+    """The normals of a cloud, vec3 [n].
+
+    Args:
+        cloud: The cloud.
+        name: What the user's argument is called, such as "source".
+        method: What needs them, such as "point-to-plane ICP".
+
+    Raises:
+        ValueError: There are none.
+
+    Example:
+        >>> import pointloom as loom
+        >>> from pointloom.registration.icp.preparation import require_normals
+        >>> require_normals(loom.PointCloud([[0, 0, 0]]), "source", "point-to-plane ICP")
+        Traceback (most recent call last):
+        ...
+        ValueError: source: point-to-plane ICP needs normals, and it has none; call estimate_normals()
+    """
+    if not cloud.has_normals:
+        raise ValueError(f"{name}: {method} needs normals, and it has none; call estimate_normals()")
+    return cloud.device_array("normals")
+
+
+def normals_of(clouds: Sequence[PointCloud], names: Sequence[str], method: str) -> list[wp.array]:
+    """The normals of several clouds; arguments and errors as `require_normals`."""
+    return [require_normals(cloud, name, method) for cloud, name in zip(clouds, names, strict=True)]
+
+
+def require_colors(cloud: PointCloud, name: str, method: str) -> wp.array:
+    """The colours of a cloud, vec3 [n]; arguments and errors as `require_normals`."""
+    if not cloud.has_colors:
+        raise ValueError(f"{name}: {method} needs colours, and it has none; assign cloud.colors")
+    return cloud.device_array("colors")
+
+
+def colored_source(cloud: PointCloud, name: str = "source") -> wp.array:
+    """The intensities of a source of coloured ICP, float32 [n]: the mean of red, green and blue.
+
+    Raises:
+        ValueError: It has no colours.
+    """
+    return average_colors(require_colors(cloud, name, "coloured ICP"))
+
+
+def colored_target(cloud: PointCloud, max_correspondence_distance: float, *, name: str = "target") -> ColoredSurface:
+    """Normals, intensities and their gradients along the surface, of a target of coloured ICP.
+
+    The gradients come from the 30 nearest neighbours within twice `max_correspondence_distance` [m], as in Open3D;
+    but for the projection onto the tangent plane, which Open3D left out in 2022 and the paper has: without it the
+    gradient depends on the unit of length.
+
+    Raises:
+        ValueError: It has no normals or no colours.
+    """
+    normals = require_normals(cloud, name, "coloured ICP")
+    colors = require_colors(cloud, name, "coloured ICP")
+    radius = GRADIENT_RADIUS * max_correspondence_distance
+    found = estimate_color_gradients(cloud.search_tree(), normals, colors, radius, GRADIENT_NEIGHBORS)
+    return ColoredSurface(normals, *found)
+
+
+def generalized_covariances(cloud: PointCloud, epsilon: float, name: str = "cloud"):
+    """The covariances that generalised ICP takes a cloud's points to have, float32 device array [n, 9].
+
+    Args:
+        cloud: Its attribute "covariances" is taken as it stands; else planes come from its normals; else from the 20
+            nearest points of each point.
+        epsilon: Variance across a plane, where it is 1 along it.
+        name: What the user's argument is called.
+
+    Raises:
+        ValueError: Covariances of another shape than [n, 9].
+    """
+    if "covariances" in cloud:
+        rows = cloud.device_array("covariances")
+        if rows.shape != (len(cloud), 9):
+            raise ValueError(f"{name}: expected covariances of shape [{len(cloud)}, 9], got {list(rows.shape)}")
+        return rows if rows.dtype == float32 else cast(rows, float32)
+    if cloud.has_normals:
+        return plane_covariances_from_normals(cloud.device_array("normals"), epsilon)
+    return plane_covariances(cloud.search_tree(), COVARIANCE_NEIGHBORS, epsilon)
+
+
+def doppler_measurements(cloud: PointCloud, name: str = "source") -> DopplerMeasurements:
+    """Radial speeds [m/s], float32 [n], and unit vectors from the sensor to the points, vec3 [n].
+
+    Args:
+        cloud: In the sensor's own frame, with the attribute "dopplers" of shape [n] or [n, 1]: the speed at which a
+            point moves away. The directions are those from zero to its world coordinates, zero for a point at zero;
+            where a cloud was moved since it was measured they have to stand in its attribute "directions" [n, 3].
+        name: What the user's argument is called.
+
+    Raises:
+        ValueError: No dopplers, or shapes that do not fit.
+    """
+    if "dopplers" not in cloud:
+        raise ValueError(
+            f"{name}: Doppler ICP needs radial speeds, and it has none; assign cloud['dopplers'], shape [n] in m/s"
+        )
+    speeds = cloud.device_array("dopplers")
+    if speeds.shape not in ((len(cloud),), (len(cloud), 1)):
+        raise ValueError(f"{name}: expected dopplers of shape [{len(cloud)}], got {list(speeds.shape)}")
+    speeds = speeds.reshape(len(cloud))
+    if speeds.dtype != float32:
+        speeds = cast(speeds, float32)
+    return DopplerMeasurements(speeds, _directions(cloud, name))
+
+
+def _directions(cloud: PointCloud, name: str) -> wp.array:
+    """The cloud's own directions, or those to its points, made unit."""
+    if "directions" in cloud:
+        rows = cloud.device_array("directions")
+        if rows.shape != (len(cloud), 3):
+            raise ValueError(f"{name}: expected directions of shape [{len(cloud)}, 3], got {list(rows.shape)}")
+        return normalize_vectors(share_vectors("directions", rows if rows.dtype == float32 else cast(rows, float32)))
+    points = cloud.device_array("points")
+    if cloud.origin.any():
+        points = transform_points(points, np.eye(3), cloud.origin)
+    return normalize_vectors(points)

@@ -1,0 +1,1 @@
+"""A moving LiDAR: deskewing, scan to map."""

@@ -1,0 +1,336 @@
+"""LiDAR odometry: the path of a scanner from its scans alone.
+
+After Vizzo et al., "KISS-ICP: In Defense of Point-to-Point ICP - Simple, Accurate, and Robust Registration If Done the
+Right Way", IEEE Robotics and Automation Letters 8(2), 2023. Equation numbers are that paper's.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+import numpy as np
+import warp as wp
+from numpy.typing import ArrayLike, NDArray
+
+from ...core.checks import check_count, check_positive
+from ...core.devices import check_same_device, resolve_device
+from ...core.watching import report
+from ...kernels.memory import clone
+from ...kernels.odometry.deskewing import bound_times, deskew_points
+from ...kernels.odometry.odometry_sampling import first_in_voxels, shift_points
+from ...kernels.odometry.voxel_map import VoxelMap
+from ...pcd.cloud import PointCloud
+from ...pcd.point_arrays import check_cloud
+from ..rigid import invert_pose
+from .deskewing import point_times, twist_of
+from .lidar_steps import NO_POINTS, OdometryStep, OdometrySummary, summarize_steps
+from .scan_matching import AdaptiveThreshold, match_scan, start_guesses
+
+Matrix = NDArray[np.float64]
+
+MOST_IN_VOXEL = 1024  # points
+MAP_VOXELS = 0.5  # alpha of section III-B: the map takes one point a voxel of half the edge
+SCAN_VOXELS = 1.5  # beta: registration takes one point a voxel of one and a half
+START_VOXELS = 3.0  # the same for the second scan, to choose with among many places
+START_TURNS = 2  # registrations of the second scan after its first one, each with a better motion to straighten by
+PRUNE_SHARE = 0.1  # of max_range that the sensor goes between two prunings of the map
+
+
+@dataclass(frozen=True, eq=False)
+class RawScan:
+    """The points of a scan about an origin, and their times where it is to be straightened."""
+
+    points: wp.array
+    origin: NDArray[np.float64]
+    times: wp.array | None
+
+    def kept(self) -> RawScan:
+        """The scan in arrays of its own: a sensor's driver may write the next one over this."""
+        return RawScan(clone(self.points), self.origin, None if self.times is None else clone(self.times))
+
+    def straightened(self, motion: Matrix) -> wp.array:
+        """The points about the sensor at the end of the scan, which it reached by this motion (eqs. 2 to 4)."""
+        if self.times is not None and not np.array_equal(motion, np.eye(4)):
+            first, last = bound_times(self.points, self.times)
+            if first < last:
+                return deskew_points(self.points, self.times, self.origin, first, last, twist_of(motion))
+        return shift_points(self.points, self.origin)
+
+
+@dataclass(frozen=True, eq=False)
+class _Known:
+    """What is carried from scan to scan, beside the steps."""
+
+    threshold: AdaptiveThreshold
+    map: VoxelMap | None = None
+    first: RawScan | None = None  # the first scan, until the second one came
+    pruned_at: NDArray[np.float64] = field(default_factory=lambda: np.zeros(3))
+
+
+@dataclass(frozen=True, eq=False)
+class _Next:
+    """A scan on its way into the map: its step, what holds once it is there, and the number of its addition."""
+
+    step: OdometryStep
+    known: _Known
+    addition: int
+
+    def is_in_map(self) -> bool:
+        return self.known.map is not None and self.known.map.additions >= self.addition
+
+
+class LidarOdometry:
+    """Finds the pose of each scan against a map of those before it.
+
+    Each scan is straightened with the motion that the last two poses predict (eqs. 1 to 4), thinned twice (section
+    III-B), and brought onto the map by robust point-to-point ICP (eqs. 9 to 12) within a threshold that follows how
+    wrong the predictions were (eqs. 5 to 8), then by ICP to the planes of the map; then it joins the map.
+
+    Args:
+        voxel_size: Edge of the map's voxels [m]; None takes a hundredth of `max_range`.
+        max_range, min_range: Points farther from or nearer to the sensor [m] do not count.
+        max_points_per_voxel: Points that a voxel of the map keeps.
+        deskew: Whether scans whose points have times are straightened.
+        initial_threshold: Standard deviation of the prediction's error [m] before any motion was seen.
+        min_motion: Errors of the prediction below this [m] do not lower the threshold.
+        device: Where the map lies; None takes that of the first scan.
+
+    Raises:
+        ValueError: A number out of range.
+        DeviceError: No such device.
+
+    Notes:
+        Memory O(map): 12 B times `max_points_per_voxel` a voxel. The map is exact after any length of travel: its
+        points are float32 inside voxels counted by whole numbers, its poses float64. The same bits from run to run
+        and for any number of threads. Up to half a dozen host synchronisations a scan, none in the ICP loop. A scan
+        whose `register` was interrupted (Ctrl-C, no memory) is part of the run or is not: `len(steps)` tells.
+
+        Beside the paper:
+
+        - Loops to planes follow the point-to-point one, from where it ends and from the prediction. The rings that a
+          turning scanner draws move with it, and point-to-point ICP alone goes part of the way with them.
+        - The scan is referred to its end, not its start; the motion between two poses is a screw; a scan that was
+          predicted wrongly is straightened once more with the motion found.
+        - A drive may begin at speed: the second scan is tried from 25 places within 1.5 initial thresholds, and its
+          motion straightens the first one too.
+        - Map points keep the spacing at which a voxel would be full.
+        - A scan that does not overlap the map is reported, keeps the predicted pose, and joins the map there.
+
+    Example:
+        >>> import numpy as np, pointloom as loom
+        >>> rng = np.random.default_rng(0)
+        >>> room = rng.uniform(-8, 8, (6000, 3)) * [1, 1, 0.3]
+        >>> room[np.arange(6000), np.arange(6000) % 3] = np.where(rng.random(6000) < 0.5, -1, 1) * 8.0
+        >>> odometry = loom.registration.LidarOdometry(max_range=30, min_range=0.5)
+        >>> for i in range(3):
+        ...     T = odometry.register(loom.PointCloud(room - [0.1 * i, 0, 0]))
+        >>> bool(abs(T[0, 3] - 0.2) < 0.01), odometry.steps[-1].converged
+        (True, True)
+    """
+
+    def __init__(
+        self,
+        *,
+        voxel_size: float | None = None,
+        max_range: float = 100.0,
+        min_range: float = 5.0,
+        max_points_per_voxel: int = 20,
+        deskew: bool = True,
+        initial_threshold: float = 2.0,
+        min_motion: float = 0.1,
+        device: Any = None,
+    ):
+        self.max_range = check_positive("max_range", max_range)
+        self.min_range = check_positive("min_range", min_range, allow_zero=True)
+        if self.min_range >= self.max_range:
+            raise ValueError(f"min_range: expected less than max_range = {max_range!r}, got {min_range!r}")
+        size = self.max_range / 100 if voxel_size is None else voxel_size
+        self.voxel_size = check_positive("voxel_size", size)
+        self.max_points_per_voxel = check_count(
+            "max_points_per_voxel",
+            max_points_per_voxel,
+            maximum=MOST_IN_VOXEL,
+            because="each takes 12 B in every voxel",
+        )
+        self.deskew = bool(deskew)
+        initial = check_positive("initial_threshold", initial_threshold)
+        least = check_positive("min_motion", min_motion)
+        self.device = None if device is None else resolve_device(device)
+        self._steps: list[OdometryStep] = []
+        self._known = _Known(AdaptiveThreshold(initial, least, self.max_range, initial * initial))
+        self._next: _Next | None = None
+
+    @property
+    def steps(self) -> list[OdometryStep]:
+        """How each scan's pose was found."""
+        self._settle()
+        return self._steps
+
+    @property
+    def threshold(self) -> AdaptiveThreshold:
+        """How far the predictions were off."""
+        self._settle()
+        return self._known.threshold
+
+    def __repr__(self) -> str:
+        where = "no device yet" if self.device is None else self.device
+        return f"LidarOdometry({len(self.steps)} scans, {self.voxel_size} m voxels, {where})"
+
+    def __reduce__(self) -> Any:
+        raise TypeError("LidarOdometry cannot be copied or pickled: keep its poses (odometry.poses, odometry.map)")
+
+    @property
+    def poses(self) -> Matrix:
+        """T_world_sensor of each scan, float64 [n, 4, 4]."""
+        return np.array([step.pose for step in self.steps]).reshape(-1, 4, 4)
+
+    @property
+    def map(self) -> PointCloud:
+        """The points around the sensor that scans are matched with, in world coordinates."""
+        self._settle()
+        if self._known.map is None:
+            return PointCloud(device=self.device)
+        points, origin = self._known.map.points(self._last_pose()[:3, 3])
+        return PointCloud.from_device_arrays({"points": points}, np.array(origin))
+
+    @property
+    def summary(self) -> OdometrySummary:
+        """The run so far in a few numbers."""
+        return summarize_steps(self.steps)
+
+    def register(self, scan: PointCloud, timestamps: ArrayLike | None = None) -> Matrix:
+        """The pose of the next scan.
+
+        Args:
+            scan: Points in the sensor's frame. Scans come at a constant rate, and their times, where there are any,
+                span the interval between two.
+            timestamps: Time of each point, shape [n], in any unit and from any start; None takes the scan's attribute
+                "time", "timestamp", "timestamps", "t", "time_offset", "offset_time" or "gps_time" where there is one.
+
+        Returns:
+            T_world_sensor at the end of the scan, float64 [4, 4]. `steps[-1]` says how it was found: a scan without
+            points in range or without overlap with the map gets the predicted pose and is marked.
+
+        Raises:
+            TypeError: No cloud.
+            ValueError: Times of another length than the scan, or a path that leaves the 2^20 voxels from its start.
+            DeviceError: The scan is not on the odometry's device.
+        """
+        check_cloud("scan", scan)
+        check_same_device("scan", scan.device, self.device or scan.device)
+        self._settle()
+        known = self._known
+        times = point_times(scan, timestamps) if self.deskew or timestamps is not None else None
+        raw = RawScan(scan.device_array("points"), scan.origin, times if self.deskew else None)
+        voxel_map = self._empty_map(scan.device) if known.map is None else known.map
+        predicted = self._last_pose() @ self._last_motion()
+        kept = self._thin(raw, self._last_motion())
+        step = self._match(voxel_map, kept, predicted, is_second=known.first is not None)
+        if raw.times is not None and not step.is_predicted and step.iterations:
+            if known.first is not None:
+                step, kept, voxel_map = self._straighten_start(known.first, raw, step, voxel_map)
+            elif known.threshold.error_of(invert_pose(predicted) @ step.pose) > known.threshold.min_motion:
+                step, kept = self._straighten_again(raw, step, voxel_map)
+        threshold, first = known.threshold, known.first
+        if step.iterations and not step.is_predicted:
+            threshold = threshold.updated(invert_pose(predicted) @ step.pose)
+        if step.reason != NO_POINTS:  # as long as nothing was seen, the next scan is the first
+            first = raw.kept() if step.reason == "first scan" else None
+        after = _Known(threshold, voxel_map, first, known.pruned_at)
+        self._next = _Next(step, after, voxel_map.additions + 1)
+        voxel_map.add(kept, step.pose, self.max_range)
+        self._adopt(self._next)
+        report("scan", odometry=self, scan=scan, step=step)
+        return step.pose.copy()
+
+    # ------------------------------------------------------------------------------------------ internals
+
+    def _settle(self) -> None:
+        """Take over a scan that was interrupted where its points joined the map, else forget it."""
+        if self._next is not None:
+            if self._next.is_in_map():
+                self._adopt(self._next)
+            self._next = None
+        self._prune()
+
+    def _adopt(self, step: _Next) -> None:
+        """Take over a scan whose points are in the map."""
+        if len(self._steps) == step.step.index:
+            self._steps.append(step.step)
+        assert step.known.map is not None
+        self.device, self._known, self._next = step.known.map.device, step.known, None
+        self._prune()
+
+    def _empty_map(self, device: Any) -> VoxelMap:
+        return VoxelMap(self.voxel_size, self.max_points_per_voxel, device)
+
+    def _last_pose(self) -> Matrix:
+        return self._steps[-1].pose if self._steps else np.eye(4)
+
+    def _last_motion(self) -> Matrix:
+        """The motion from the last scan to this one as the last two poses predict it (eq. 1)."""
+        if len(self._steps) < 2:
+            return np.eye(4)
+        return invert_pose(self._steps[-2].pose) @ self._steps[-1].pose
+
+    def _thin(self, raw: RawScan, motion: Matrix) -> wp.array:
+        """The points that join the map, about the sensor at the end of the scan."""
+        size = MAP_VOXELS * self.voxel_size
+        return first_in_voxels(raw.straightened(motion), size, self.min_range, self.max_range)
+
+    def _match(
+        self, voxel_map: VoxelMap, kept: wp.array, predicted: Matrix, *, is_second: bool = False
+    ) -> OdometryStep:
+        """The pose of the thinned scan, and how it was found."""
+        threshold = self._known.threshold
+        index, sigma = len(self._steps), threshold.value(self.poses)
+        if kept.size == 0:
+            return OdometryStep(index, predicted, sigma, 0, 0.0, 0.0, 0, False, True, NO_POINTS)
+        if voxel_map.count == 0:
+            return OdometryStep(index, predicted, sigma, 0, 0.0, 0.0, 0, True, False, "first scan")
+        sparse = first_in_voxels(kept, SCAN_VOXELS * self.voxel_size, self.min_range, self.max_range)
+        further, few = [], None
+        if is_second:
+            further = start_guesses(predicted, threshold.initial)
+            few = first_in_voxels(sparse, START_VOXELS * self.voxel_size, self.min_range, self.max_range)
+        match = match_scan(sparse, voxel_map, predicted, sigma, further, few)
+        reason = ("converged" if match.converged else "max_iteration") if match.is_found else "no overlap"
+        rmse = float(np.sqrt(match.sqsum / max(match.inliers, 1)))
+        return OdometryStep(
+            index, match.pose if match.is_found else predicted, sigma, match.inliers, match.fitness, rmse, match.turns,
+            match.converged, not match.is_found, reason, rmse / self.voxel_size,
+        )  # fmt: skip
+
+    def _straighten_again(self, raw: RawScan, step: OdometryStep, voxel_map: VoxelMap) -> tuple[OdometryStep, wp.array]:
+        """Register a scan once more whose motion was not the one predicted, straightened with the one found."""
+        kept = self._thin(raw, invert_pose(self._last_pose()) @ step.pose)
+        again = self._match(voxel_map, kept, step.pose)
+        return (again if not again.is_predicted else step), kept
+
+    def _straighten_start(
+        self, first: RawScan, second: RawScan, step: OdometryStep, voxel_map: VoxelMap
+    ) -> tuple[OdometryStep, wp.array, VoxelMap]:
+        """Register the second scan once more: only now is there a motion to straighten the first two with.
+
+        Without this the map would begin with a scan as skewed as the start was fast, and keep it.
+        """
+        start = self._last_pose()
+        kept = self._thin(second, invert_pose(start) @ step.pose)
+        for _ in range(START_TURNS):
+            motion = invert_pose(start) @ step.pose
+            straight = self._empty_map(voxel_map.device)
+            straight.add(self._thin(first, motion), start, self.max_range)
+            again = self._match(straight, self._thin(second, motion), step.pose)
+            if again.is_predicted:
+                break
+            step, voxel_map = again, straight
+            kept = self._thin(second, invert_pose(start) @ step.pose)
+        return step, kept, voxel_map
+
+    def _prune(self) -> None:
+        """Drop what is out of range, not at every scan: what stays longer is never reached by a scan."""
+        known, place = self._known, self._last_pose()[:3, 3]
+        if known.map is not None and np.linalg.norm(place - known.pruned_at) > PRUNE_SHARE * self.max_range:
+            near = known.map.without_far(place, self.max_range + 2 * self.voxel_size)
+            self._known = replace(known, map=near, pruned_at=place.copy())

@@ -1,0 +1,79 @@
+"""Odometry over many scans: one by one as they come, or all of them to a path."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from ...cameras.trajectory import Trajectory
+from ...core.checks import check_callback, check_shape
+from ...files.points.scan_files import Scans, read_scans
+from .lidar_odometry import LidarOdometry
+from .lidar_steps import OdometryStep
+
+
+def iterate_odometry(scans: Scans, *, device: Any = None, **options: Any) -> Iterator[OdometryStep]:
+    """Register scans one by one, and hand each step out when it is done.
+
+    Args:
+        scans: A folder of scans, taken in natural order of their names (scan2 before scan10); or files (.bin as KITTI
+            has them, .ply, .pcd, .npz, .las, ...); or clouds.
+        device: Where files are read to, and the map lies; None for the CPU, or the device of the first cloud.
+        **options: As of LidarOdometry.
+
+    Raises:
+        FileError: No scans, or one that cannot be read.
+        TypeError, ValueError: As LidarOdometry.
+
+    Example:
+        >>> import pointloom as loom
+        >>> wall = loom.PointCloud([[10, 0.5 * i, 0.5 * j] for i in range(-20, 20) for j in range(20)])
+        >>> [(step.index, step.reason) for step in loom.registration.iterate_odometry([wall, wall])]
+        [(0, 'first scan'), (1, 'converged')]
+    """
+    odometry = LidarOdometry(device=device, **options)
+    for scan in read_scans(scans, device=device):
+        odometry.register(scan)
+        yield odometry.steps[-1]
+
+
+def run_odometry(
+    scans: Scans,
+    *,
+    timestamps: ArrayLike | None = None,
+    progress: Callable[[OdometryStep], None] | None = None,
+    device: Any = None,
+    **options: Any,
+) -> Trajectory:
+    """The path of a scanner: the pose of each scan, T_world_sensor, the first at the identity.
+
+    Args:
+        scans: As of iterate_odometry.
+        timestamps: Time of each scan [s], which the trajectory then has.
+        progress: Called after each scan with its OdometryStep, whose `is_predicted` tells where the scan did not.
+        device: As of iterate_odometry.
+        **options: As of LidarOdometry.
+
+    Returns:
+        A Trajectory; `write_trajectory` writes it as KITTI or TUM.
+
+    Raises:
+        FileError: No scans, or one that cannot be read.
+        ValueError: Not one timestamp for each scan.
+
+    Example:
+        >>> import pointloom as loom
+        >>> wall = loom.PointCloud([[10, 0.5 * i, 0.5 * j] for i in range(-20, 20) for j in range(20)])
+        >>> loom.registration.run_odometry([wall, wall], timestamps=[0.0, 0.1]).poses.shape
+        (2, 4, 4)
+    """
+    poses, tell = [], check_callback("progress", progress)
+    for step in iterate_odometry(scans, device=device, **options):
+        poses.append(step.pose)
+        if tell is not None:
+            tell(step)
+    times = None if timestamps is None else check_shape("timestamps", timestamps, (len(poses),))
+    return Trajectory(np.array(poses).reshape(-1, 4, 4), times)

@@ -1,0 +1,156 @@
+"""A thinned scan against the map: robust ICP from one or several guesses, and the threshold that it works with.
+
+Equation numbers are those of Vizzo et al. 2023 (see odometry.py).
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+import warp as wp
+from numpy.typing import NDArray
+
+from ...kernels.odometry.map_icp import CONVERGED, LOST, MapPairs, align_to_map
+from ...kernels.odometry.voxel_map import VoxelMap
+from ..rigid import make_pose, nearest_rotation, rotation_vector
+
+Matrix = NDArray[np.float64]
+
+SIGMAS = 3.0  # eq. 8: correspondences within three standard deviations
+MOVED = 5.0  # times min_motion from the start, before which the initial threshold holds
+MAX_TURNS = 50  # of a loop; three are usual, and where pairs change for ever no more of them help
+TOLERANCE = 1e-4  # [rad, m] of a turn that ends it
+ROUGH = 1e-2  # the same where another loop follows
+LOST_SHARE = 0.1  # of a scan's points with a correspondence, below which a pose is not believed
+JUDGED_VOXELS = 2.0  # edges of a voxel beyond which a distance says no more than that there is nothing
+PLANE_VOXELS = 1.0  # edges of a voxel: reach of the points of a plane
+COARSE_KERNEL, FINE_KERNEL = 0.5, 0.1  # squared edges: Geman-McClure's scale of distances from planes
+START_RINGS = (0.375, 0.75, 1.5)  # times the initial threshold: distances of the guesses while no motion is known
+START_DIRECTIONS = 8
+
+
+@dataclass(frozen=True, eq=False)
+class ScanMatch:
+    """Where a scan lies in a map.
+
+    Attributes:
+        pose: T_map_sensor, float64 [4, 4]; the guess where the scan does not overlap the map.
+        is_found: Whether it does.
+        converged: Whether the loop came to rest.
+        turns: Turns of the loop.
+        inliers: Points with a correspondence.
+        fitness: Their share, 0..1.
+        sqsum: Sum of their squared distances [m^2].
+        cost: Mean of Geman-McClure's cost, 0..1.
+    """
+
+    pose: Matrix
+    is_found: bool
+    converged: bool
+    turns: int
+    inliers: int
+    fitness: float
+    sqsum: float
+    cost: float
+
+
+def match_scan(
+    points: wp.array,
+    voxel_map: VoxelMap,
+    guess: Matrix,
+    sigma: float,
+    further: Sequence[Matrix] = (),
+    few: wp.array | None = None,
+) -> ScanMatch:
+    """The pose of a scan.
+
+    Robust ICP between points (eqs. 9 to 12) finds it from far. Its weights let pairs count that are no pairs, though:
+    the rings that a turning scanner draws on the ground and on walls along its way move with it, so that it favours
+    standing still. Along a plane a ring may lie anywhere: therefore loops to the planes of the map follow, from the
+    guess, from what was found, and from further guesses, and the scan lies where their cost is least.
+
+    Args:
+        points: Device array of vec3, finite, at least one.
+        voxel_map: The map, not empty.
+        guess: T_map_sensor to begin with.
+        sigma: Standard deviation [m] of the guess' error.
+        further: Other poses to begin with, where nothing is known of the motion.
+        few: Fewer points of the scan, to choose among many poses with; None takes all.
+    """
+    size = voxel_map.voxel_size
+    pairs = MapPairs(points, voxel_map, PLANE_VOXELS * size)
+    far = _align(pairs, guess, SIGMAS * sigma, sigma / 3, ROUGH, to_planes=False)
+    if not far.is_found:
+        return far
+    limit, coarse, fine = JUDGED_VOXELS * size, COARSE_KERNEL * size**2, FINE_KERNEL * size**2
+    tried = pairs if few is None else MapPairs(few, voxel_map, PLANE_VOXELS * size)
+    near = [_align(tried, start, limit, coarse, ROUGH, to_planes=True) for start in (guess, far.pose, *further)]
+    best = min((match for match in near if match.is_found), key=lambda match: match.cost, default=far)
+    last = _align(pairs, best.pose, limit, fine, TOLERANCE, to_planes=True)
+    turns = far.turns + last.turns + sum(match.turns for match in near)
+    return replace(last if last.is_found else far, turns=turns)
+
+
+def _align(
+    pairs: MapPairs, guess: Matrix, max_distance: float, kernel_scale: float, tolerance: float, *, to_planes: bool
+) -> ScanMatch:
+    """Where a guess leads to."""
+    count = pairs.points.size
+    T, state, turns, inliers, sqsum, cost = align_to_map(
+        pairs, guess, max_distance, kernel_scale,
+        least=LOST_SHARE * count, tolerance=tolerance, turns=MAX_TURNS, to_planes=to_planes,
+    )  # fmt: skip
+    pose = guess if state == LOST else make_pose(nearest_rotation(T[:3, :3]), T[:3, 3])
+    return ScanMatch(pose, state != LOST, state == CONVERGED, turns, inliers, inliers / count, sqsum, cost)
+
+
+def start_guesses(pose: Matrix, threshold: float) -> list[Matrix]:
+    """A pose, and poses around it in the sensor's plane: where the first motion may have led."""
+    guesses = [pose]
+    for ring in START_RINGS:
+        for k in range(START_DIRECTIONS):
+            angle = 2 * math.pi * k / START_DIRECTIONS
+            step = np.array([math.cos(angle), math.sin(angle), 0.0]) * ring * threshold
+            guesses.append(pose @ make_pose(np.eye(3), step))
+    return guesses
+
+
+@dataclass(frozen=True)
+class AdaptiveThreshold:
+    """How far the constant-velocity prediction has been off, as a standard deviation [m] (eqs. 5 to 8).
+
+    Attributes:
+        initial: The standard deviation [m] before any motion was seen.
+        min_motion: Errors below this [m] do not count.
+        max_range: Of the sensor [m].
+        sqsum: Sum of the squared errors so far [m^2], the first of them `initial`.
+        count: Their number.
+    """
+
+    initial: float
+    min_motion: float
+    max_range: float
+    sqsum: float
+    count: int = 1
+
+    def value(self, poses: Matrix) -> float:
+        """The threshold for the next scan; the initial one as long as the sensor has not left its place."""
+        if not len(poses) or np.linalg.norm(poses[-1, :3, 3] - poses[0, :3, 3]) <= MOVED * self.min_motion:
+            return self.initial
+        return math.sqrt(self.sqsum / self.count)
+
+    def error_of(self, deviation: Matrix) -> float:
+        """How far [m] a point at full range moves with the pose found in the frame of the predicted (eqs. 6, 7)."""
+        angle = float(np.linalg.norm(rotation_vector(deviation[:3, :3])))
+        return 2 * self.max_range * math.sin(angle / 2) + float(np.linalg.norm(deviation[:3, 3]))
+
+    def updated(self, deviation: Matrix) -> AdaptiveThreshold:
+        """The threshold that knows how far a pose found lies from the predicted one (eq. 8); the smallest motions say
+        nothing."""
+        error = self.error_of(deviation)
+        if error <= self.min_motion:
+            return self
+        return replace(self, sqsum=self.sqsum + error**2, count=self.count + 1)

@@ -1,0 +1,1 @@
+"""Many clouds at once: pose graphs and their optimization."""

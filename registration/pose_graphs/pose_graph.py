@@ -1,0 +1,234 @@
+"""Pose graphs: places (nodes) and what was measured between them (edges), for `global_optimization` to reconcile."""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...cameras.camera import LARGEST_NUMBER
+from ...core.checks import check_count, check_list, check_number, check_rigid, check_shape
+
+if TYPE_CHECKING:
+    from .reports import GlobalOptimizationReport, RefinementReport
+
+ROTATION_TOLERANCE = 0.02  # as in `check_rigid`: poses of real data sets are rounded to a few digits
+LAST_ROW_TOLERANCE = 1e-6
+# Share of the largest entry by which an information matrix may miss symmetry, or of its trace by which an eigenvalue
+# may fall below zero: sums over points of products that a file holds with 7 digits.
+INFORMATION_TOLERANCE = 1e-6
+
+
+@dataclass(eq=False)
+class PoseGraphNode:
+    """A place: a fragment, a scan or a frame.
+
+    Args:
+        pose: T_world_node, float64 [4, 4] [m].
+
+    Raises:
+        TypeError: Not numbers.
+        ValueError: Another shape. That the matrix is rigid is checked for the whole graph where it is used.
+    """
+
+    pose: NDArray[np.float64] = field(default_factory=lambda: np.eye(4))
+
+    def __post_init__(self):
+        self.pose = check_shape("pose", self.pose, (4, 4))
+
+
+@dataclass(eq=False)
+class PoseGraphEdge:
+    """A measured motion between two nodes, and how well it is known.
+
+    Args:
+        source_node_id: Index of the node whose coordinates the motion takes.
+        target_node_id: Index of the node to whose coordinates it takes them.
+        transformation: T_target_source, float64 [4, 4] [m], as registration of the two clouds gives it.
+        information: Weights of the misfit (rotation [rad] about the axes of the source's coordinates, then
+            translation [m]), symmetric, float64 [6, 6], as `get_information_matrix_from_point_clouds` gives it: the
+            sum of squared distances that the misfit moves the correspondences by. [5, 5] is their number.
+        uncertain: Whether the edge may be wrong altogether: a loop closure, not odometry.
+        confidence: How far an uncertain edge is believed, 0..1; `global_optimization` sets it. 1 where it is certain.
+
+    Raises:
+        TypeError: Not numbers.
+        ValueError: Another shape. Ranges are checked for the whole graph where it is used.
+    """
+
+    source_node_id: int = -1
+    target_node_id: int = -1
+    transformation: NDArray[np.float64] = field(default_factory=lambda: np.eye(4))
+    information: NDArray[np.float64] = field(default_factory=lambda: np.eye(6))
+    uncertain: bool = False
+    confidence: float = 1.0
+
+    def __post_init__(self):
+        self.source_node_id = check_count("source_node_id", self.source_node_id, minimum=-1)
+        self.target_node_id = check_count("target_node_id", self.target_node_id, minimum=-1)
+        self.transformation = check_shape("transformation", self.transformation, (4, 4))
+        self.information = check_shape("information", self.information, (6, 6))
+        self.uncertain = bool(self.uncertain)
+        self.confidence = check_number("confidence", self.confidence, allow_nan=True, allow_infinite=True)
+
+
+class PoseGraph:
+    """Nodes, and edges between them.
+
+    Args:
+        nodes: The places.
+        edges: The measured motions.
+
+    Attributes:
+        nodes: list of PoseGraphNode; append to it.
+        edges: list of PoseGraphEdge; append to it.
+        report: How `global_optimization`, or an alignment of fragments, came to this graph; None of graphs that were
+            built or read.
+
+    Example:
+        >>> import numpy as np
+        >>> import pointloom as loom
+        >>> reg = loom.registration
+        >>> step = np.eye(4)
+        >>> step[0, 3] = -1  # takes coordinates of node 0 to those of node 1, which lies 1 m further along x
+        >>> graph = reg.PoseGraph([reg.PoseGraphNode(), reg.PoseGraphNode()])
+        >>> graph.edges.append(reg.PoseGraphEdge(0, 1, step))
+        >>> solved = reg.global_optimization(graph, option=reg.GlobalOptimizationOption(reference_node=0))
+        >>> solved.nodes[1].pose[:3, 3].round(3).tolist()
+        [1.0, 0.0, 0.0]
+    """
+
+    def __init__(self, nodes: Iterable[PoseGraphNode] = (), edges: Iterable[PoseGraphEdge] = ()):
+        self.nodes: list[PoseGraphNode] = check_list("nodes", nodes, "PoseGraphNode")
+        self.edges: list[PoseGraphEdge] = check_list("edges", edges, "PoseGraphEdge")
+        self.report: GlobalOptimizationReport | RefinementReport | None = None
+
+    def __repr__(self) -> str:
+        uncertain = sum(edge.uncertain for edge in self.edges)
+        return f"PoseGraph({len(self.nodes)} nodes, {len(self.edges)} edges, {uncertain} of them uncertain)"
+
+
+@dataclass(frozen=True, eq=False)
+class GraphArrays:
+    """A checked graph of n nodes and m edges, one array a field.
+
+    Attributes:
+        poses: T_world_node as given, [n, 4, 4].
+        source: Node ids, int64 [m].
+        target: Node ids, int64 [m].
+        transformations: T_target_source as given, [m, 4, 4].
+        information: Symmetric, [m, 6, 6].
+        uncertain: bool [m].
+        confidences: [m].
+    """
+
+    poses: NDArray[np.float64]
+    source: NDArray[np.int64]
+    target: NDArray[np.int64]
+    transformations: NDArray[np.float64]
+    information: NDArray[np.float64]
+    uncertain: NDArray[np.bool_]
+    confidences: NDArray[np.float64]
+
+    def edges_at(self, chosen: NDArray[Any]) -> GraphArrays:
+        """The graph with these edges alone."""
+        fields = ("source", "target", "transformations", "information", "uncertain", "confidences")
+        return dataclasses.replace(self, **{name: getattr(self, name)[chosen] for name in fields})
+
+
+def check_pose_graph(graph: PoseGraph) -> GraphArrays:
+    """The graph's arrays, once every node and edge is known to be sound; all at once, as graphs may be large.
+
+    Raises:
+        TypeError: Not a pose graph, or a list that holds something else.
+        ValueError: A pose that is not rigid, a node id out of range, an edge from a node to itself, information that
+            is not finite, symmetric and positive semi-definite, or a confidence outside 0..1; names node or edge.
+    """
+    if not isinstance(graph, PoseGraph):
+        raise TypeError(f"pose_graph: expected a PoseGraph, got {type(graph).__name__}")
+    nodes, edges = graph.nodes, graph.edges
+    for name, items, kind in (("nodes", nodes, PoseGraphNode), ("edges", edges, PoseGraphEdge)):
+        for i, item in enumerate(items):
+            if not isinstance(item, kind):
+                raise TypeError(f"{name}[{i}]: expected a {kind.__name__}, got {type(item).__name__}")
+    poses = _stacked("nodes", "pose", [node.pose for node in nodes], (4, 4))
+    transformations = _stacked("edges", "transformation", [edge.transformation for edge in edges], (4, 4))
+    information = _stacked("edges", "information", [edge.information for edge in edges], (6, 6))
+    confidences = _stacked("edges", "confidence", [edge.confidence for edge in edges], ())
+    ends = _stacked("edges", "node ids", [(edge.source_node_id, edge.target_node_id) for edge in edges], (2,))
+    _check_ends(ends, len(nodes))
+    _check_poses("nodes", "pose", poses)
+    _check_poses("edges", "transformation", transformations)
+    information = _check_information(information)
+    _refuse(~((confidences >= 0) & (confidences <= 1)), "edges", "confidence: expected 0..1", confidences)
+    source, target = ends.astype(np.int64).T
+    uncertain = np.array([bool(edge.uncertain) for edge in edges], bool)
+    return GraphArrays(poses, source, target, transformations, information, uncertain, confidences)
+
+
+def _stacked(items: str, name: str, values: Sequence[Any], shape: tuple[int, ...]) -> NDArray[np.float64]:
+    """The values as one float64 array, whatever was assigned to the attributes since they were made."""
+    try:
+        stack = np.array(values, np.float64)
+    except (TypeError, ValueError):
+        stack = None
+    if stack is None or (stack.shape != (len(values), *shape) and len(values)):
+        for i, value in enumerate(values):
+            check_shape(f"{items}[{i}].{name}", value, shape)
+        raise TypeError(f"{items}: expected numbers as {name}")
+    return stack.reshape(len(values), *shape)
+
+
+def _refuse(wrong: NDArray[np.bool_], items: str, expected: str, found: NDArray[Any]) -> None:
+    """Raise for the first of the items that is wrong."""
+    if wrong.any():
+        i = int(np.flatnonzero(wrong)[0])
+        attribute, _, rest = expected.partition(":")
+        value = f"{found[i]:g}" if found.ndim == 1 else found[i].tolist()
+        raise ValueError(f"{items}[{i}].{attribute}:{rest}, got {value}")
+
+
+def _check_ends(ends: NDArray[np.float64], count: int) -> None:
+    whole = ends == np.floor(ends)
+    for column, name in enumerate(("source_node_id", "target_node_id")):
+        inside = whole[:, column] & (ends[:, column] >= 0) & (ends[:, column] < count)
+        expected = f"{name}: expected the index of one of {count} nodes"
+        _refuse(~inside, "edges", expected, ends[:, column])
+    _refuse(ends[:, 0] == ends[:, 1], "edges", "target_node_id: expected another node than the source", ends[:, 1])
+
+
+def _check_poses(items: str, name: str, poses: NDArray[np.float64]) -> None:
+    """All at once the rule of `check_rigid`, which then words the error."""
+    R = poses[:, :3, :3]
+    with np.errstate(invalid="ignore", over="ignore"):
+        skewed = np.abs(R @ R.transpose(0, 2, 1) - np.eye(3)).max(axis=(1, 2), initial=0) > ROTATION_TOLERANCE
+        mirrored = np.einsum("ni,ni->n", np.cross(R[:, 0], R[:, 1]), R[:, 2]) < 0
+        other = np.abs(poses[:, 3] - (0, 0, 0, 1)).max(axis=1, initial=0) > LAST_ROW_TOLERANCE
+    suspects = skewed | mirrored | other | ~np.isfinite(poses).all(axis=(1, 2))
+    for i in np.flatnonzero(suspects):
+        check_rigid(f"{items}[{i}].{name}", poses[i], tolerance=ROTATION_TOLERANCE)
+    far = np.abs(poses[:, :3, 3]).max(axis=1, initial=0) > LARGEST_NUMBER
+    _refuse(far, items, f"{name}: expected a translation of at most {LARGEST_NUMBER:g}", poses[:, :3, 3])
+
+
+def _check_information(information: NDArray[np.float64]) -> NDArray[np.float64]:
+    """The matrices, symmetric to the last digit, once they are symmetric but for rounding and semi-definite."""
+    largest = np.abs(information).max(axis=(1, 2), initial=0)
+    _refuse(~(largest <= LARGEST_NUMBER), "edges", "information: expected finite numbers", information)
+    across = information.transpose(0, 2, 1)
+    skewed = np.abs(information - across).max(axis=(1, 2), initial=0) > INFORMATION_TOLERANCE * largest
+    _refuse(skewed, "edges", "information: expected a symmetric matrix", information)
+    symmetric = (information + across) / 2
+    slack = INFORMATION_TOLERANCE * np.trace(symmetric, axis1=1, axis2=2)
+    lifted = symmetric + np.maximum(slack, np.finfo(float).tiny)[:, None, None] * np.eye(6)
+    try:
+        np.linalg.cholesky(lifted)  # a fraction of the cost of eigenvalues
+    except np.linalg.LinAlgError:
+        eigenvalues = np.linalg.eigvalsh(symmetric)
+        below = eigenvalues[:, 0] < -np.maximum(slack, 0)
+        _refuse(below, "edges", "information: expected a positive semi-definite matrix, not eigenvalues", eigenvalues)
+    return symmetric

@@ -1,0 +1,214 @@
+"""The least squares of a pose graph: residuals of its edges, their Jacobians, and the sparse normal equations.
+
+With X = T_target_source measured and T_s, T_t the nodes' poses, an edge's misfit is E = X^-1 T_t^-1 T_s (Choi, Zhou and
+Koltun 2015, eq. 6). Its residual is (2 sin(a/2) axis, translation) of E: the vector part of the quaternion, doubled. It
+grows with the angle a all the way to half a turn, and 2 sin(a/2) is what a rotation moves points by at unit distance,
+as the information matrices presume. (Open3D takes sin(a), which falls again beyond a right angle, to 0 at half a turn.)
+
+A step turns a node about its own position and then shifts it: R <- exp(w) R, t <- t + v. So neither residuals nor their
+Jacobians depend on where the origin of the world lies.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+import scipy.sparse as sp
+from numpy.typing import NDArray
+from scipy.sparse.linalg import splu
+
+from ...core.quaternions import nearest_rotations, rotations_to_quaternions
+from ..rigid import rotations_of, skews
+from .pose_graph import GraphArrays
+
+Array = NDArray[np.float64]
+# SuperLU as a symmetric solver: no pivoting off the diagonal, an ordering for A + A^T.
+SYMMETRIC = {"diag_pivot_thresh": 0.0, "options": {"SymmetricMode": True}}
+
+
+@dataclass(frozen=True, eq=False)
+class NodePoses:
+    """Poses of the nodes: rotations [n, 3, 3] and positions [n, 3] [m]."""
+
+    rotations: Array
+    positions: Array
+
+    def moved(self, step: Array) -> NodePoses:
+        """The poses after a step [n, 6]: turned about their own positions, then shifted."""
+        return NodePoses(rotations_of(step[:, :3]) @ self.rotations, self.positions + step[:, 3:])
+
+
+@dataclass(frozen=True, eq=False)
+class Misfit:
+    """How far the edges are from being met.
+
+    Attributes:
+        residuals: Rotation, then translation, of each edge, [m, 6].
+        scalars: Cosine of half the angle of each, [m].
+        squares: Residuals weighted by the information, [m].
+    """
+
+    residuals: Array
+    scalars: Array
+    squares: Array
+
+
+class EdgeMeasurements:
+    """What edges measured, in the form that residuals take it.
+
+    Args:
+        graph: The graph; its rotations are brought to the nearest orthonormal ones.
+    """
+
+    def __init__(self, graph: GraphArrays):
+        self.source, self.target = graph.source, graph.target
+        self.information = graph.information
+        self.rotations = nearest_rotations(graph.transformations[:, :3, :3])
+        self.translations = graph.transformations[:, :3, 3]
+
+    def misfit(self, poses: NodePoses) -> Misfit:
+        """The residuals at these poses."""
+        to_misfit, apart = self._frames(poses)
+        quaternions = rotations_to_quaternions(to_misfit @ poses.rotations[self.source])
+        translations = _apply(to_misfit, apart) - _apply(self.rotations.transpose(0, 2, 1), self.translations)
+        residuals = np.concatenate([2 * quaternions[:, :3], translations], axis=1)
+        squares = (residuals * _apply(self.information, residuals)).sum(axis=1)
+        return Misfit(residuals, quaternions[:, 3], squares)
+
+    def jacobians(self, poses: NodePoses, misfit: Misfit) -> tuple[Array, Array]:
+        """Derivatives of the residuals by the steps of source and target node, [m, 6, 6] each."""
+        to_misfit, apart = self._frames(poses)
+        turning = misfit.scalars[:, None, None] * np.eye(3) - skews(misfit.residuals[:, :3]) / 2
+        by_source = np.zeros((len(self.source), 6, 6))
+        by_target = np.zeros_like(by_source)
+        by_source[:, :3, :3] = turning @ to_misfit
+        by_source[:, 3:, 3:] = to_misfit
+        by_target[:, :3, :3] = -by_source[:, :3, :3]
+        by_target[:, 3:, :3] = to_misfit @ skews(apart)
+        by_target[:, 3:, 3:] = -to_misfit
+        return by_source, by_target
+
+    def _frames(self, poses: NodePoses) -> tuple[Array, Array]:
+        """Rotations from the world to the frames of the misfits, [m, 3, 3]; from target to source, [m, 3] [m]."""
+        to_misfit = (poses.rotations[self.target] @ self.rotations).transpose(0, 2, 1)
+        return to_misfit, poses.positions[self.source] - poses.positions[self.target]
+
+
+class NormalEquations:
+    """The sparse system of one set of edges: pattern and ordering once, then numbers and a solution a step.
+
+    Args:
+        edges: The edges.
+        anchored: bool [n], nodes that stay where they are.
+
+    Notes:
+        The ordering is found on the graph of nodes, a sixth of the unknowns. All sums run in a fixed order.
+    """
+
+    def __init__(self, edges: EdgeMeasurements, anchored: NDArray[np.bool_]):
+        self.edges = edges
+        self.free = np.flatnonzero(~anchored)
+        count = len(self.free)
+        places = np.full(len(anchored), -1)
+        places[self.free] = np.arange(count)
+        source, target = places[edges.source], places[edges.target]
+        places[self.free] = _fill_reducing_places(source, target, count)
+        self.free = self.free[np.argsort(places[self.free])]
+        source, target = places[edges.source], places[edges.target]
+        between = (source >= 0) & (target >= 0)
+        low, high = np.minimum(source, target), np.maximum(source, target)
+        self.pairs, pair_of = np.unique(low[between] * count + high[between], return_inverse=True)
+        self.upper = between & (source < target)
+        self.sum_pairs = _sums(pair_of, np.flatnonzero(between), (len(self.pairs), len(source)))
+        ends = np.concatenate([source, target])
+        self.sum_nodes = _sums(ends[ends >= 0], np.flatnonzero(ends >= 0), (count, len(ends)))
+        self._lay_out(count)
+
+    def _lay_out(self, count: int) -> None:
+        """Where blocks go: the diagonal ones, the pairs', and their transposes, sorted by row and column."""
+        low, high = np.divmod(self.pairs, max(count, 1))
+        rows = np.concatenate([np.arange(count), low, high])
+        columns = np.concatenate([np.arange(count), high, low])
+        self.order = np.lexsort((columns, rows))
+        self.columns = columns[self.order]
+        self.starts = np.concatenate([[0], np.cumsum(np.bincount(rows, minlength=count))])
+        ones = self._matrix(np.ones((len(rows), 6, 6)))
+        self.diagonal = np.flatnonzero(ones.indices == np.repeat(np.arange(6 * count), np.diff(ones.indptr)))
+
+    def linearise(self, poses: NodePoses, misfit: Misfit, weights: Array) -> None:
+        """Take the numbers of the system at these poses, each edge weighted.
+
+        Sets `right`, minus half the gradient by each free node, [6 f], and `scale`, how stiff it is held, [6 f].
+        """
+        by_source, by_target = self.edges.jacobians(poses, misfit)
+        information = weights[:, None, None] * self.edges.information
+        weighted_source, weighted_target = information @ by_source, information @ by_target
+        source_across, target_across = by_source.transpose(0, 2, 1), by_target.transpose(0, 2, 1)
+        ends = np.concatenate([source_across @ weighted_source, target_across @ weighted_target])
+        upper = self.upper[:, None, None]
+        between = np.where(upper, source_across, target_across) @ np.where(upper, weighted_target, weighted_source)
+        pulls = np.concatenate(
+            [_apply(weighted_source.transpose(0, 2, 1), misfit.residuals),
+             _apply(weighted_target.transpose(0, 2, 1), misfit.residuals)]
+        )  # fmt: skip
+        nodes = (self.sum_nodes @ ends.reshape(-1, 36)).reshape(-1, 6, 6)
+        pairs = (self.sum_pairs @ between.reshape(-1, 36)).reshape(-1, 6, 6)
+        self.right = -(self.sum_nodes @ pulls).ravel()
+        self.matrix = self._matrix(np.concatenate([nodes, pairs, pairs.transpose(0, 2, 1)]))
+        self.scale = _stiffness(nodes)
+
+    def solve(self, damping: float) -> Array:
+        """The step [6 f] of the system with `damping` times the scale on its diagonal.
+
+        Raises:
+            RuntimeError: Singular.
+        """
+        damped = self.matrix.copy()
+        damped.data[self.diagonal] += damping * self.scale
+        return splu(damped, permc_spec="NATURAL", **SYMMETRIC).solve(self.right)
+
+    def step_of(self, solution: Array, count: int) -> Array:
+        """The solution as a step of all nodes, [count, 6]; 0 of those that are anchored."""
+        step = np.zeros((count, 6))
+        step[self.free] = solution.reshape(-1, 6)
+        return step
+
+    def _matrix(self, blocks: Array) -> sp.csc_matrix:
+        size = 6 * (len(self.starts) - 1)
+        rows = sp.bsr_matrix((blocks[self.order], self.columns, self.starts), shape=(size, size)).tocsr()
+        return sp.csc_matrix((rows.data, rows.indices, rows.indptr), shape=(size, size))  # symmetric
+
+
+def _stiffness(nodes: Array) -> Array:
+    """How stiff each node is held in rotation and in translation, the same along all axes, [6 f].
+
+    The means over three axes do not depend on the world's; nodes that nothing holds get a trace of the rest's, so that
+    damping keeps them where they are.
+    """
+    diagonal = np.diagonal(nodes, axis1=1, axis2=2)
+    means = diagonal.reshape(-1, 2, 3).mean(axis=2)
+    floor = 1e-9 * means.max(axis=0, initial=0)
+    floor = np.where(floor > 0, floor, 1.0)
+    return np.repeat(np.maximum(means, floor), 3, axis=1).ravel()
+
+
+def _fill_reducing_places(source: NDArray[np.int64], target: NDArray[np.int64], count: int) -> NDArray[np.int64]:
+    """The places of nodes in an order that keeps the factors sparse (minimum degree, found by SuperLU)."""
+    between = (source >= 0) & (target >= 0)
+    rows, columns = np.concatenate([[source, target], [target, source]], axis=1)[:, np.tile(between, 2)]
+    links = sp.coo_matrix((np.full(len(rows), -1.0), (rows, columns)), shape=(count, count)).tocsc()
+    degrees = np.bincount(rows, minlength=count)
+    if not count:
+        return np.empty(0, np.int64)
+    system = (links + sp.diags(degrees + 1.0)).tocsc()
+    return splu(system, permc_spec="MMD_AT_PLUS_A", **SYMMETRIC).perm_c.astype(np.int64)
+
+
+def _sums(rows: NDArray[np.int64], columns: NDArray[np.int64], shape: tuple[int, int]) -> sp.csr_matrix:
+    """The matrix that adds what stands in the columns up in the rows, in the order of the columns."""
+    return sp.csr_matrix((np.ones(len(rows)), (rows, columns)), shape=shape)
+
+
+def _apply(matrices: Array, vectors: Array) -> Array:
+    return (matrices @ vectors[:, :, None])[:, :, 0]

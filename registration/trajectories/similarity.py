@@ -1,0 +1,344 @@
+"""The scale, and the place in the world, of a model of structure from motion.
+
+Structure from motion knows neither. One known distance gives the scale; positions of cameras that something else
+measured (GPS, a tracker, an earlier reconstruction) give scale, rotation and translation, by consensus: wrong ones are
+found and left out.
+
+Source: Umeyama 1991 (the fit); Fischler and Bolles 1981 (consensus); Rousseeuw 1984 (least median of squares).
+"""
+
+from __future__ import annotations
+
+import itertools
+import math
+import os
+import re
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ...cameras.picture_names import meant_pictures
+from ...cameras.trajectory import Trajectory, parse_floats, read_lines, read_trajectory
+from ...core.checks import check_finite, check_list, check_name, check_positive, check_seed, check_shape, shown
+from ...core.errors import FileError
+from ...core.known_names import nearest_name
+from ...files.models.sfm_model import SfmModel
+from ..rigid import fit_pose
+
+FEWEST = 3  # pairs that a similarity needs
+TRIPLES = 2000  # tried: with half of the pairs wrong one of eight is all right
+CHUNK = 256  # of them at a time
+SIGMAS = 2.5  # a pair farther off than so many deviations is wrong
+TO_SIGMA = 1.4826  # from the median of errors to their deviation
+TURNS = 20  # of fitting again to those that agree
+STRAIGHT = 1e-6  # of the cameras' extent across: below it they stand on a line
+ROUNDED = 1e-14  # of the coordinates: what float64 leaves of positions far from the origin
+EXACT = 1e-9  # of the extent: errors below are rounding
+
+_NUMBER = re.compile(r"\d+(?:\.\d+)?")
+
+
+@dataclass(frozen=True)
+class SimilarityFit:
+    """How a model is brought onto given positions.
+
+    Attributes:
+        transformation: T_world_model, float64 [4, 4]: scale times a rotation, and a translation; for
+            `SfmModel.transform`.
+        scale: World units a unit of the model.
+        names: The pictures whose positions were given, sorted.
+        residuals: Distance of each camera from its given position, shape [n] [world unit].
+        inliers: Which of them the fit rests on, shape [n].
+        rmse: Root mean square of the residuals of those.
+        rotation_uncertainty: Deviation [degrees] of the rotation about the axis that the cameras leave freest, as
+            their errors and their spread across it say.
+    """
+
+    transformation: NDArray[np.float64]
+    scale: float
+    names: tuple[str, ...]
+    residuals: NDArray[np.float64]
+    inliers: NDArray[np.bool_]
+    rmse: float
+    rotation_uncertainty: float
+
+
+def scale_from_known(model: SfmModel, a: str | ArrayLike, b: str | ArrayLike, distance: float) -> float:
+    """The factor that makes a distance of the model the known one.
+
+    Args:
+        model: The model.
+        a: The name of a picture, for the place of its camera, or a point of the model, shape [3].
+        b: Likewise.
+        distance: Between the two [m], > 0.
+
+    Returns:
+        The factor for `SfmModel.scaled`, which makes the model's unit the metre.
+
+    Raises:
+        TypeError: No SfmModel, or neither names nor positions.
+        KeyError: No picture of a name.
+        ValueError: Places that are the same in the model, or a distance that is not positive.
+
+    Example:
+        >>> import numpy as np, pointloom as loom
+        >>> camera = loom.CameraModel("PINHOLE", 640, 480, [500, 500, 320, 240])
+        >>> poses = np.tile(np.eye(4), (2, 1, 1))
+        >>> poses[1, 0, 3] = -0.5
+        >>> model = loom.SfmModel(["a.png", "b.png"], [camera] * 2, poses)
+        >>> loom.registration.scale_from_known(model, "a.png", "b.png", 1.0)
+        2.0
+    """
+    _check_model(model)
+    wanted = check_positive("distance", distance, maximum=1e30)
+    places = [_place_of(model, name, value) for name, value in (("a", a), ("b", b))]
+    found = float(np.linalg.norm(places[1] - places[0]))
+    extent = max(float(np.abs(place).max()) for place in places)
+    if not found > EXACT * extent:
+        raise ValueError("a, b: the two places are the same in the model; expected two that lie apart")
+    return wanted / found
+
+
+def _place_of(model: SfmModel, name: str, value: Any) -> NDArray[np.float64]:
+    if isinstance(value, str):
+        if value not in model.names:
+            raise KeyError(f"{name}: no picture {shown(value)}{nearest_name(value, model.names)}")
+        return model.centers[model.index_of(value)]
+    return check_finite(name, check_shape(name, value, (3,)))
+
+
+def fit_to_positions(
+    model: SfmModel, positions: Mapping[str, ArrayLike], *, max_error: float | None = None, seed: int = 0
+) -> SimilarityFit:
+    """The similarity that brings the cameras of a model to given positions.
+
+    Args:
+        model: The model.
+        positions: Of pictures by name, shape [3] each [m]; those of pictures that the model does not have are passed
+            over.
+        max_error: A camera farther than this from its position [m] is left out of the fit; None finds the limit from
+            the errors themselves, as long as more than half of the positions are right.
+        seed: Of the random choice of triples, where there are too many to try all.
+
+    Returns:
+        The fit, with the residual of each camera.
+
+    Raises:
+        TypeError: No SfmModel, or no mapping from names to positions.
+        ValueError: Fewer than 3 positions of pictures of the model, cameras on a line or at one place, positions that
+            are not finite, or fewer than 3 that agree to `max_error`.
+
+    Notes:
+        On the host in float64; up to 2000 triples, each against all cameras. The same result from run to run.
+
+    Example:
+        >>> import numpy as np, pointloom as loom
+        >>> camera = loom.CameraModel("PINHOLE", 640, 480, [500, 500, 320, 240])
+        >>> poses = np.tile(np.eye(4), (4, 1, 1))
+        >>> poses[1:, :3, 3] = -np.eye(3)
+        >>> model = loom.SfmModel(["a", "b", "c", "d"], [camera] * 4, poses)
+        >>> known = {"a": (1, 0, 0), "b": (3, 0, 0), "c": (1, 2, 0), "d": (1, 0, 2)}
+        >>> fit = loom.registration.fit_to_positions(model, known)
+        >>> round(fit.scale, 6), (model.transform(fit.transformation).centers[1].round(6) + 0.0).tolist()
+        (2.0, [3.0, 0.0, 0.0])
+    """
+    _check_model(model)
+    if not isinstance(positions, Mapping):
+        raise TypeError(f"positions: expected a mapping from names to positions, got {type(positions).__name__}")
+    limit = None if max_error is None else check_positive("max_error", max_error, allow_zero=True, maximum=1e30)
+    seed = check_seed(seed)
+    names = tuple(name for name in model.names if name in positions)
+    if len(names) < FEWEST:
+        raise ValueError(f"positions: expected those of at least {FEWEST} pictures of the model, got {len(names)}")
+    target = np.array([check_finite("positions", check_shape("positions", positions[n], (3,))) for n in names])
+    source = model.centers[[model.index_of(name) for name in names]]
+    _check_spread("model", source)
+    _check_spread("positions", target)
+    T, limit = _best_of_triples(source, target, limit, seed)
+    T, inliers = _refine(source, target, T, limit)
+    if inliers.sum() < FEWEST:
+        raise ValueError(
+            f"max_error: only {inliers.sum()} of {len(names)} cameras agree to {limit:.4g}; give a larger one"
+        )
+    _check_spread("positions", source[inliers])
+    residuals = _distances(source, target, T)
+    rmse = math.sqrt(float((residuals[inliers] ** 2).mean()))
+    scale = float(np.cbrt(np.linalg.det(T[:3, :3])))
+    return SimilarityFit(T, scale, names, residuals, inliers, rmse, _uncertainty(scale * source[inliers], rmse))
+
+
+def _check_model(model: Any) -> None:
+    if not isinstance(model, SfmModel):
+        raise TypeError(f"model: expected an SfmModel, got {type(model).__name__}")
+
+
+def _check_spread(name: str, places: NDArray[np.float64]) -> None:
+    spread = np.linalg.svd(places - places.mean(axis=0), compute_uv=False)
+    if not spread[1] > STRAIGHT * spread[0]:
+        what = "at one place" if not spread[0] > 0 else "on a line"
+        raise ValueError(f"{name}: the cameras stand {what}, which leaves the rotation open; expected them spread out")
+
+
+def _best_of_triples(
+    source: NDArray[np.float64], target: NDArray[np.float64], limit: float | None, seed: int
+) -> tuple[NDArray[np.float64], float]:
+    """The similarity of the three pairs that most others agree with, and the error up to which they do."""
+    count = len(source)
+    best, chosen = (math.inf, math.inf), None
+    floor = EXACT * float(np.abs(target - target.mean(axis=0)).max()) + ROUNDED * float(np.abs(target).max())
+    for triples in _triples(count, seed):
+        fits = _fit_triples(source[triples], target[triples])
+        gaps = np.einsum("kij,nj->kni", fits[:, :3, :3], source) + fits[:, None, :3, 3] - target
+        squares = (gaps * gaps).sum(axis=2)
+        squares[~np.isfinite(squares)] = np.inf
+        middle = np.sort(squares, axis=1)[:, count // 2]
+        if limit is None:
+            scores = np.stack([middle, middle], axis=1)
+        else:
+            within = squares <= max(limit, floor) ** 2
+            scores = np.stack([-within.sum(axis=1), np.where(within, squares, 0.0).sum(axis=1)], axis=1)
+        k = int(np.lexsort((scores[:, 1], scores[:, 0]))[0])
+        if tuple(scores[k]) < best:
+            best, chosen = tuple(scores[k]), fits[k]
+    if chosen is None:
+        raise ValueError("positions: no three of them lie apart in the model as well; expected cameras spread out")
+    if limit is None:
+        slack = 1.0 + 5.0 / max(count - FEWEST, 1)  # the median of few errors is too small (Rousseeuw and Leroy 1987)
+        limit = SIGMAS * TO_SIGMA * slack * math.sqrt(best[0])
+    return chosen, max(limit, floor)
+
+
+def _triples(count: int, seed: int):
+    """All triples of indices, or some at random, [k, 3] at a time."""
+    if math.comb(count, 3) <= TRIPLES:
+        every = np.array(list(itertools.combinations(range(count), 3)))
+    else:
+        rng = np.random.Generator(np.random.PCG64(seed))
+        every = rng.integers(0, count, (TRIPLES, 3))
+        every = every[(every[:, 0] != every[:, 1]) & (every[:, 1] != every[:, 2]) & (every[:, 0] != every[:, 2])]
+    for begin in range(0, len(every), CHUNK):
+        yield every[begin : begin + CHUNK]
+
+
+def _fit_triples(source: NDArray[np.float64], target: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Similarities of many triples of pairs, [k, 3, 3] each; Umeyama 1991, eqs. 40 to 43."""
+    means = source.mean(axis=1), target.mean(axis=1)
+    s, t = source - means[0][:, None], target - means[1][:, None]
+    U, D, Vt = np.linalg.svd(t.transpose(0, 2, 1) @ s)
+    signs = np.ones((len(s), 3))
+    signs[:, 2] = np.sign(np.linalg.det(U @ Vt))
+    R = (U * signs[:, None]) @ Vt
+    with np.errstate(all="ignore"):
+        scale = (D * signs).sum(axis=1) / (s * s).sum(axis=(1, 2))
+        scale[~((D[:, 1] > STRAIGHT * D[:, 0]) & (scale > 0))] = np.nan  # three on a line
+        T = np.tile(np.eye(4), (len(s), 1, 1))
+        T[:, :3, :3] = scale[:, None, None] * R
+        T[:, :3, 3] = means[1] - np.einsum("kij,kj->ki", T[:, :3, :3], means[0])
+    return T
+
+
+def _refine(
+    source: NDArray[np.float64], target: NDArray[np.float64], T: NDArray[np.float64], limit: float
+) -> tuple[NDArray[np.float64], NDArray[np.bool_]]:
+    """Fit again to all that agree until those stay the same."""
+    inliers = _distances(source, target, T) <= limit
+    for _ in range(TURNS):
+        if inliers.sum() < FEWEST:
+            break
+        T = fit_pose(source[inliers], target[inliers], with_scaling=True)
+        agree = _distances(source, target, T) <= limit
+        if (agree == inliers).all():
+            break
+        inliers = agree
+    return T, inliers
+
+
+def _distances(source: NDArray[np.float64], target: NDArray[np.float64], T: NDArray[np.float64]) -> NDArray[np.float64]:
+    return np.linalg.norm(source @ T[:3, :3].T + T[:3, 3] - target, axis=1)
+
+
+def _uncertainty(places: NDArray[np.float64], rmse: float) -> float:
+    """Deviation of the freest angle [degrees]: the error over the lever arm about the cameras' longest axis."""
+    spread = np.linalg.svd(places - places.mean(axis=0), compute_uv=False)
+    return math.degrees(rmse / math.sqrt(3.0) / math.hypot(spread[1], spread[2]))
+
+
+# ------------------------------------------------------------------------------------------------ files of positions
+
+
+def read_positions(path: str | os.PathLike[str], names: Sequence[str]) -> dict[str, NDArray[np.float64]]:
+    """Positions of pictures from a file.
+
+    Args:
+        path: Lines of `name x y z` (blanks or commas between; names with or without folder and ending, or numbers in
+            the names), or a trajectory as `read_trajectory` takes it.
+        names: Of the pictures of the model.
+
+    Returns:
+        By name. The poses of a trajectory belong to pictures by number, where the last number in the names is the
+        first id of a pose or its time; else by order, where there is one pose a picture.
+
+    Raises:
+        FileError: Unreadable, a line of another form, a name that stands twice or fits several pictures, no name of
+            the model, or poses that belong to no picture.
+        TypeError: Names that are no list of strings.
+
+    Example:
+        >>> from pathlib import Path
+        >>> import pointloom as loom
+        >>> _ = Path("gps.txt").write_text("porch 1 0 0\\ngarden 3 0 0\\n")
+        >>> positions = loom.registration.read_positions("gps.txt", ["0001_garden.jpg", "0002_porch.jpg"])
+        >>> positions["0001_garden.jpg"].tolist()
+        [3.0, 0.0, 0.0]
+    """
+    path = Path(path)
+    names = tuple(check_name(f"names[{k}]", name) for k, name in enumerate(check_list("names", names, "names")))
+    lines = [] if path.suffix.lower() in (".log", ".json") else read_lines(path)
+    widths = {len(columns) for _, columns in lines}
+    if lines and not widths <= {8} and not widths <= {12}:
+        return _named_positions(path, lines, names)
+    trajectory = read_trajectory(path)
+    return _positions_of(path, trajectory, names)
+
+
+def _named_positions(path: Path, lines: Any, names: tuple[str, ...]) -> dict[str, NDArray[np.float64]]:
+    found: dict[str, NDArray[np.float64]] = {}
+    for number, columns in lines:
+        words = " ".join(columns).replace(",", " ").split()
+        if len(words) < 4:
+            reason = f"expected a name and three numbers, got {len(words)} columns"
+            raise FileError(path, reason, where=f"line {number}", remedy="Lines are `name x y z`")
+        place = np.array(parse_floats(path, (number, words[-3:]), 3))
+        given = " ".join(words[:-3])
+        meant = [names[k] for k in meant_pictures(given, names)]
+        if len(meant) > 1:
+            reason = f"{given!r} may be {' or '.join(meant[:3])}"
+            raise FileError(path, reason, where=f"line {number}", remedy="Write the names in full")
+        if not meant:
+            continue  # of a picture that was not registered
+        if meant[0] in found:
+            raise FileError(path, f"the picture {meant[0]!r} stands twice", where=f"line {number}")
+        found[meant[0]] = place
+    if not found:
+        remedy = f"Names are those of the pictures, such as {names[0]!r}" if names else ""
+        raise FileError(path, "names no picture of the model", remedy=remedy)
+    return found
+
+
+def _positions_of(path: Path, trajectory: Trajectory, names: tuple[str, ...]) -> dict[str, NDArray[np.float64]]:
+    """The poses of a trajectory by number, else by order."""
+    keys = trajectory.timestamps if trajectory.ids is None else trajectory.ids[:, 0].astype(np.float64)
+    numbers = [float(found[-1]) if (found := _NUMBER.findall(Path(name).stem)) else math.nan for name in names]
+    if keys is not None and len(set(numbers)) == len(names) and len(set(keys.tolist())) == len(keys):
+        rows = {key: row for row, key in enumerate(keys.tolist())}
+        found = {n: trajectory.poses[rows[k], :3, 3] for n, k in zip(names, numbers, strict=True) if k in rows}
+        if len(found) >= FEWEST:
+            return found
+    if len(trajectory) == len(names):
+        return {name: T[:3, 3] for name, T in zip(names, trajectory.poses, strict=True)}
+    reason = f"{len(trajectory)} poses, whose ids or times are no numbers in the names of the {len(names)} pictures"
+    raise FileError(path, reason, remedy="Write lines of `name x y z` instead")

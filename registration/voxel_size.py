@@ -1,0 +1,65 @@
+"""The voxels that suit the registration of clouds whose size nobody told: `choose_voxel_size`."""
+
+from __future__ import annotations
+
+from statistics import median_low
+
+import numpy as np
+
+from ..core.coordinates import quiet
+from ..pcd.cloud import PointCloud
+from ..pcd.probes import distance_of_nearest, probe_points, rounded_up
+from ..pcd.search import NearestNeighborSearch
+from .given_pairs import check_cloud
+
+# A voxel of a 32nd of the distance from the middle within which three quarters of the points lie: some 5,000 to 15,000
+# of them hold points of a room, an object or a street.
+VOXELS_TO_MIDDLE, WITHIN = 32.0, 0.75
+
+
+def choose_voxel_size(*clouds: PointCloud) -> float:
+    """The edge of voxels [m] that suits the registration of clouds, to two digits.
+
+    A 32nd of the distance from its middle within which three quarters of a cloud's points lie, by a sample of them; no
+    less than the usual distance between neighbours. The smaller one of two clouds, the median of more.
+
+    Args:
+        *clouds: At least one, each with a finite point.
+
+    Returns:
+        The edge; 1 where all points lie at one place.
+
+    Raises:
+        TypeError: Not a PointCloud.
+        ValueError: No cloud, or one without a finite point.
+
+    Notes:
+        A sample of some 1,000 points a cloud, and one search for their neighbours. The same bits from run to run.
+
+    Example:
+        >>> import numpy as np, pointloom as loom
+        >>> room = loom.PointCloud(np.random.default_rng(0).random((20000, 3)) * [4, 5, 2.5])
+        >>> loom.registration.choose_voxel_size(room)
+        0.076
+    """
+    if not clouds:
+        raise ValueError("clouds: expected at least one, got none")
+    return choose_for({f"clouds[{i}]": cloud for i, cloud in enumerate(clouds)})
+
+
+def choose_for(clouds: dict[str, PointCloud]) -> float:
+    """`choose_voxel_size` of clouds by the names that messages give them."""
+    size = median_low([_size_of(name, cloud) for name, cloud in clouds.items()])
+    return rounded_up(size) if size > 0 else 1.0
+
+
+@quiet()
+def _size_of(name: str, cloud: PointCloud) -> float:
+    check_cloud(name, cloud)
+    probes = probe_points(cloud)
+    if not len(probes):
+        held = f"{len(cloud):,} points, none of them finite" if len(cloud) else "no point"
+        raise ValueError(f"{name}: holds {held}, so there is nothing to register")
+    reach = float(np.quantile(np.linalg.norm(probes - np.median(probes, axis=0), axis=1), WITHIN))
+    spacing = distance_of_nearest(NearestNeighborSearch(cloud), probes, 2) or 0.0
+    return max(reach / VOXELS_TO_MIDDLE, spacing)

@@ -1,0 +1,1 @@
+"""RGB-D frames whose poses are known, to one surface."""

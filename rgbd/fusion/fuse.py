@@ -1,0 +1,177 @@
+"""Posed RGB-D frames to a coloured mesh: `fuse`."""
+
+from __future__ import annotations
+
+import contextlib
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...core.checks import check_callback, check_count, check_positive, check_rigid
+from ...core.devices import resolve_device
+from ...core.progress import ReportProgress, say_nothing
+from ...core.timing import Clock, check_clock
+from ...files.frames.frames import (
+    DEPTH_MAX,
+    READ_AHEAD,
+    FrameSource,
+    check_frames,
+    count_of,
+    depth_unit,
+    measured_shares,
+    read_frames,
+)
+from ...files.frames.rgbd_sources import RGBDSource
+from ...meshing.volume.surface_weights import least_weight
+from ...meshing.volume.tsdf import TSDFVolume
+from ..slam.model import Model
+from ..slam.sizes import check_sizes
+from .refine import PoseRefinement, PoseRefiner
+from .results import FusionResult
+
+Pose = NDArray[np.float64]
+
+VOXEL_SIZE = 0.02  # [m] twice the noise of structured light at 2 m; a room then takes some 100 MB
+
+NO_FRAME = "frames: expected at least one frame, got none"
+
+
+def fuse(
+    frames: FrameSource | RGBDSource,
+    *,
+    voxel_size: float = VOXEL_SIZE,
+    truncation: float | None = None,
+    depth_max: float = DEPTH_MAX,
+    weight_threshold: float | None = None,
+    refine: bool = False,
+    device: Any = None,
+    read_ahead: int = READ_AHEAD,
+    progress: ReportProgress | None = None,
+    clock: Clock | None = None,
+) -> FusionResult:
+    """Fuse posed RGB-D frames into a mesh, as `pointloom fuse` does.
+
+    Args:
+        frames: Of `open_dataset`, `open_frames`, `frames_from`, a camera, or anything with `intrinsic`, `depth_scale`
+            and either `len` and `read(i)` or an iterator. Each frame says where it was taken, `T_world_camera`.
+        voxel_size: Edge of a voxel [m].
+        truncation: Distance from the surface [m] up to which depth is trusted; None takes 4 voxels.
+        depth_max: Farther depth is left out [m].
+        weight_threshold: Voxels seen more often than this count; None takes 3 from 30 frames on, 1 from 10, else 0.
+        refine: Align each frame with the model that those before it made, from its pose; a frame that does not fit
+            keeps the pose given.
+        device: Where to compute; None for the CPU.
+        read_ahead: Frames that are read while others are integrated; 0 reads each when its turn comes.
+        progress: Called with the stage, how many of its steps are done, and how many there are (0: nobody knows).
+        clock: Counts the seconds of the stages: waiting for frames ("read"), "integrate", "extract".
+
+    Returns:
+        The mesh, the volume that it was taken from, and the figures.
+
+    Raises:
+        TypeError: No frames of one camera.
+        ValueError: A length that is not positive, no frame, a frame without pose, or a pose that is no rigid motion.
+        FileError: A frame that cannot be read.
+        DeviceError: No such device.
+
+    Notes:
+        The same bits from run to run on one device: frames are integrated in their order, however they are read.
+        Memory: the volume and `read_ahead` frames. Curless and Levoy 1996.
+
+    Example:
+        >>> import numpy as np, pointloom as loom
+        >>> from types import SimpleNamespace
+        >>> camera = loom.PinholeCameraIntrinsic(32, 24, 30.0, 30.0, 15.5, 11.5)
+        >>> wall = SimpleNamespace(depth=np.full((24, 32), 1000, np.uint16), color=None, T_world_camera=np.eye(4))
+        >>> result = loom.fuse(loom.frames_from([wall, wall], camera), voxel_size=0.05)
+        >>> result.frame_count, bool(np.allclose(result.mesh.vertices[:, 2], 1.0, atol=1e-4))
+        (2, True)
+    """
+    count, where = count_of(check_frames("frames", frames)), resolve_device(device)
+    say, clock = check_callback("progress", progress) or say_nothing, check_clock(clock)
+    farthest, ahead = check_positive("depth_max", depth_max), check_count("read_ahead", read_ahead, minimum=0)
+    if weight_threshold is not None:
+        weight_threshold = check_positive("weight_threshold", weight_threshold, allow_zero=True)
+    if hasattr(frames, "__len__") and not count:
+        raise ValueError(NO_FRAME)
+    edge, cut = check_sizes(voxel_size, truncation)
+    sizes = {"voxel_size": edge, "truncation": cut, "device": where}
+    fold = (_Refined if refine else _AsGiven)(frames, farthest, sizes)
+    poses, shares = _integrate_frames(frames, fold, farthest, ahead, say, clock)
+    threshold = least_weight(len(poses)) if weight_threshold is None else weight_threshold
+    say("extract", 0, 0)
+    mesh = fold.volume.extract_triangle_mesh(weight_threshold=threshold)
+    clock.stop("extract")
+    return FusionResult(mesh, fold.volume, poses, farthest, *shares, threshold, fold.refinement)
+
+
+class _AsGiven:
+    """A volume that takes each frame at the pose given; with colour if the first frame has it."""
+
+    volume: TSDFVolume
+    refinement: PoseRefinement | None = None
+
+    def __init__(self, frames: FrameSource | RGBDSource, depth_max: float, sizes: dict[str, Any]):
+        self._camera = frames.intrinsic, {"depth_scale": frames.depth_scale, "depth_max": depth_max}
+        self._sizes = sizes
+
+    def __call__(self, frame: Any, T_world_camera: Pose) -> Pose:
+        """Fold a frame in; gives the pose at which it was."""
+        if not hasattr(self, "volume"):
+            self.volume = TSDFVolume(color=frame.color is not None, **self._sizes)
+        camera, limits = self._camera
+        self.volume.integrate(frame.depth, camera, np.linalg.inv(T_world_camera), color=frame.color, **limits)
+        return T_world_camera
+
+
+class _Refined:
+    """... and at the pose that the model says."""
+
+    def __init__(self, frames: FrameSource | RGBDSource, depth_max: float, sizes: dict[str, Any]):
+        limits = {"depth_scale": frames.depth_scale, "depth_max": depth_max}
+        model = Model(frames.intrinsic, **limits, **sizes)
+        self.volume, self._refiner = model.volume, PoseRefiner(model)
+
+    def __call__(self, frame: Any, T_world_camera: Pose) -> Pose:
+        """Fold a frame in; gives the pose at which it was."""
+        return self._refiner.integrate(frame, T_world_camera)
+
+    @property
+    def refinement(self) -> PoseRefinement | None:
+        """What became of the poses."""
+        return self._refiner.refinement
+
+
+def _integrate_frames(
+    frames: FrameSource | RGBDSource,
+    fold: Callable[[Any, Pose], Pose],
+    depth_max: float,
+    read_ahead: int,
+    say: ReportProgress,
+    clock: Clock,
+) -> tuple[Pose, tuple[float, float]]:
+    """Fold all frames in; gives the poses at which they were, and the shares of pixels measured and used."""
+    poses, shares, count = [], [], count_of(frames)
+    say("frames", 0, count)
+    with contextlib.closing(read_frames(frames, read_ahead)) as taken:
+        for frame in taken:
+            clock.stop("read")
+            shares.append(measured_shares(frame.depth, depth_max * depth_unit(frames, frame)))
+            try:
+                poses.append(fold(frame, _pose_of(frame)))
+            except ValueError as error:
+                raise ValueError(f"frame {frame.name}: {error}") from error
+            clock.stop("integrate")
+            say("frames", len(poses), count)
+    if not poses:
+        raise ValueError(NO_FRAME)
+    depth_share, used_share = np.mean(shares, axis=0).tolist()
+    return np.array(poses), (depth_share, used_share)
+
+
+def _pose_of(frame: Any) -> Pose:
+    if frame.T_world_camera is None:
+        raise ValueError("has no pose, and fusing needs where each frame was taken; pointloom reconstruct finds out")
+    return check_rigid("T_world_camera", frame.T_world_camera)

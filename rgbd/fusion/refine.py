@@ -1,0 +1,127 @@
+"""Given poses, moved onto what the frames before saw: `PoseRefiner`, one frame after another."""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...core.number_runs import some_frames
+from ...core.wording import format_share
+from ..odometry.alignment import align_frames
+from ..slam.model import Model
+
+Pose = NDArray[np.float64]
+
+# A pose that would have to move farther than this is another's place, not this one's error: structure from motion errs
+# by some 20 cm and a few degrees at its worst.
+FARTHEST_SHIFT = 0.3  # [m]
+FARTHEST_TURN = 10.0  # [degrees]
+
+# Posed frames often lie far apart, so that most of what they see was seen by few others: all of it is aligned with.
+SEEN_ONCE = 0.0
+
+MANY_KEPT = 0.5  # share of the frames beyond which the refinement did not do what was asked for
+
+
+@dataclasses.dataclass(frozen=True)
+class PoseRefinement:
+    """What became of poses that were given.
+
+    Attributes:
+        kept: Frames that keep the pose given, by number, and why. The first keeps its own without a reason.
+        shifts: How far each of the others was moved [m].
+        turns: Likewise [degrees].
+    """
+
+    kept: dict[int, str]
+    shifts: tuple[float, ...]
+    turns: tuple[float, ...]
+
+    def __str__(self) -> str:
+        parts = [f"{len(self.shifts)} refined"]
+        if self.shifts:
+            medians = f"by {np.median(self.shifts) * 1000:.1f} mm and {np.median(self.turns):.3f} degrees (medians)"
+            parts[0] += f", {medians}, {max(self.shifts) * 1000:.1f} mm at most"
+        if self.kept:
+            parts.append(f"{len(self.kept)} as given: {some_frames(list(self.kept))}")
+        return "\n".join(parts)
+
+    @property
+    def frame_count(self) -> int:
+        """How many frames there were."""
+        return 1 + len(self.kept) + len(self.shifts)
+
+    @property
+    def poor(self) -> str | None:
+        """Whether so many poses were kept that the refinement did not do what was asked for."""
+        kept, count = self.kept, self.frame_count
+        if len(kept) <= MANY_KEPT * (count - 1):
+            return None
+        first, reason = next(iter(kept.items()))
+        return (
+            f"{len(kept)} of {count} poses could not be refined and are as given ({format_share(len(kept) / count)}; "
+            f"frame {first}: {reason})"
+        )
+
+    def to_json(self) -> dict[str, Any]:
+        """The figures, in JSON's types."""
+        return {
+            "refined": len(self.shifts),
+            "kept": [{"frame": number, "reason": reason} for number, reason in self.kept.items()],
+            "moved_m": float(np.median(self.shifts)) if self.shifts else None,
+            "moved_most_m": max(self.shifts, default=None),
+            "turned_deg": float(np.median(self.turns)) if self.turns else None,
+        }
+
+
+class PoseRefiner:
+    """Aligns each frame with the model that those before it made, from the pose given.
+
+    Args:
+        model: Its volume is what is fused.
+    """
+
+    def __init__(self, model: Model):
+        self._model, self._count = model, 0
+        self._kept: dict[int, str] = {}
+        self._shifts: list[float] = []
+        self._turns: list[float] = []
+
+    def integrate(self, frame: Any, T_world_camera: Pose) -> Pose:
+        """Fold a frame into the model; gives the pose at which it was."""
+        number, self._count = self._count, self._count + 1
+        prepared = self._model.prepare(frame)
+        pose = T_world_camera
+        if number:
+            surface = self._model.seen_from(T_world_camera, weight_threshold=SEEN_ONCE)
+            found = align_frames(prepared.pyramid, surface)
+            moved = found.transformation
+            shift, turn = float(np.linalg.norm(moved[:3, 3])), _angle(moved)
+            reason = found.reason or _why_too_far(shift, turn)
+            if reason:
+                self._kept[number] = reason
+            else:
+                pose = T_world_camera @ moved
+                self._shifts.append(shift)
+                self._turns.append(turn)
+        self._model.integrate(prepared, pose)
+        return pose
+
+    @property
+    def refinement(self) -> PoseRefinement:
+        """What became of the poses so far."""
+        return PoseRefinement(dict(self._kept), tuple(self._shifts), tuple(self._turns))
+
+
+def _why_too_far(shift: float, turn: float) -> str:
+    if shift <= FARTHEST_SHIFT and turn <= FARTHEST_TURN:
+        return ""
+    return f"the model lies {shift * 1000:.0f} mm and {turn:.1f} degrees from the pose given"
+
+
+def _angle(T: Pose) -> float:
+    return math.degrees(math.acos(float(np.clip((np.trace(T[:3, :3]) - 1) / 2, -1, 1))))

@@ -1,0 +1,114 @@
+"""What fusing posed frames gives: a surface, and how it came about."""
+
+from __future__ import annotations
+
+import dataclasses
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...core.reports import Fields, in_columns
+from ...core.wording import format_bounds, format_bytes, format_share
+from ...files.frames.frames import why_out_of_reach
+from ...meshing.mesh.mesh import TriangleMesh
+from ...meshing.mesh.mesh_summary import describe_mesh
+from ...meshing.volume.tsdf import BLOCK_VOXELS, TSDFVolume
+from .refine import PoseRefinement
+
+
+@dataclasses.dataclass(frozen=True, eq=False)
+class FusionResult:
+    """A surface and how it came about; `print(result)` tells it, `result.poor` says what speaks against it.
+
+    Attributes:
+        mesh: The surface; empty where no voxel was seen often enough.
+        volume: What it was extracted from.
+        T_world_camera: Where the camera was, float64 [n, 4, 4] [m].
+        depth_max: Farther depth was left out [m].
+        depth_share: Share of all pixels that have a depth.
+        used_share: Share of all pixels that have a depth up to `depth_max`.
+        weight_threshold: A voxel counts where it was seen more often than this.
+        refinement: What became of the poses given, where they were refined.
+
+    Example:
+        >>> import numpy as np, pointloom as loom
+        >>> from types import SimpleNamespace
+        >>> camera = loom.PinholeCameraIntrinsic(32, 24, 30.0, 30.0, 15.5, 11.5)
+        >>> wall = SimpleNamespace(depth=np.full((24, 32), 1000, np.uint16), color=None, T_world_camera=np.eye(4))
+        >>> print(loom.fuse(loom.frames_from([wall], camera), voxel_size=0.05))
+          frames  1 on cpu; 100.0% of the pixels within 4 m
+          voxels  8,192 of 50 mm, truncation 200 mm, in 16 blocks
+          mesh    315 vertices, 560 triangles
+          bounds  [-0.5000, -0.3500, 1.0000] to [0.5000, 0.3500, 1.0000]
+          memory  782.0 KiB of volume
+    """
+
+    mesh: TriangleMesh
+    volume: TSDFVolume
+    T_world_camera: NDArray[np.float64]
+    depth_max: float
+    depth_share: float
+    used_share: float
+    weight_threshold: float
+    refinement: PoseRefinement | None = None
+
+    def __str__(self) -> str:
+        return in_columns(self.fields())
+
+    @property
+    def frame_count(self) -> int:
+        """How many frames were integrated."""
+        return len(self.T_world_camera)
+
+    @property
+    def surface_fault(self) -> str | None:
+        """Why there is hardly a surface, if that is so, in the words of the command line."""
+        if reason := why_out_of_reach(self.depth_share, self.used_share, self.depth_max):
+            return reason
+        if not len(self.mesh):
+            return (
+                f"the mesh is empty, and nothing was written: no voxel was seen more than {self.weight_threshold:g} "
+                "times; take more frames (a smaller --every), or check poses and camera"
+            )
+        return None
+
+    @property
+    def poor(self) -> str | None:
+        """Why the result is poor, in the words of the command line; None where nothing speaks against it."""
+        refinement = None if self.refinement is None else self.refinement.poor
+        return "; ".join(reason for reason in (self.surface_fault, refinement) if reason) or None
+
+    def to_json(self) -> dict[str, Any]:
+        """The figures, in JSON's types."""
+        volume, size = self.volume, describe_mesh(self.mesh).to_json()
+        return {
+            "device": str(volume.device),
+            "frames": self.frame_count,
+            "voxel_size": volume.voxel_size,
+            "truncation": volume.truncation,
+            "depth_max": self.depth_max,
+            "weight_threshold": self.weight_threshold,
+            "depth_share": self.depth_share,
+            "used_share": self.used_share,
+            "blocks": volume.block_count,
+            "voxels": volume.block_count * BLOCK_VOXELS,
+            "volume_bytes": volume.memory_bytes,
+            **size,
+            "refinement": None if self.refinement is None else self.refinement.to_json(),
+        }
+
+    def fields(self) -> Fields:
+        """The figures as labels and values."""
+        volume, mesh = self.volume, self.mesh
+        seen = f"{format_share(self.used_share)} of the pixels within {self.depth_max:g} m"
+        size = f"{volume.voxel_size * 1000:g} mm, truncation {volume.truncation * 1000:g} mm"
+        blocks = volume.block_count
+        return [
+            ("frames", f"{self.frame_count} on {volume.device}; {seen}"),
+            *([("poses", str(self.refinement))] if self.refinement else []),
+            ("voxels", f"{blocks * BLOCK_VOXELS:,} of {size}, in {blocks:,} blocks"),
+            ("mesh", f"{len(mesh.vertices):,} vertices, {len(mesh):,} triangles"),
+            ("bounds", format_bounds(describe_mesh(mesh).to_json()["bounds"])),
+            ("memory", f"{format_bytes(volume.memory_bytes)} of volume"),
+        ]

@@ -1,0 +1,130 @@
+"""What Open3D's odometries are told, under its names, checked."""
+
+from __future__ import annotations
+
+import dataclasses
+import enum
+from collections.abc import Sequence
+
+from ...core.checks import check_count, check_list, check_positive
+
+MOST_STEPS = 1000
+MOST_LEVELS = 12
+
+
+class Method(enum.Enum):
+    """What two frames are compared by: surfaces, brightness, or both."""
+
+    PointToPlane = 0
+    Intensity = 1
+    Hybrid = 2
+
+
+class RGBDOdometryJacobianFromColorTerm:
+    """Brightness alone (Steinbruecker, Sturm and Cremers 2011)."""
+
+    def __repr__(self) -> str:
+        return "RGBDOdometryJacobianFromColorTerm()"
+
+
+class RGBDOdometryJacobianFromHybridTerm:
+    """Brightness and surface (Park, Zhou and Koltun 2017)."""
+
+    def __repr__(self) -> str:
+        return "RGBDOdometryJacobianFromHybridTerm()"
+
+
+@dataclasses.dataclass(frozen=True)
+class OdometryOption:
+    """How `compute_rgbd_odometry` works: Open3D's fields and defaults.
+
+    Args:
+        iteration_number_per_pyramid_level: Steps at most in each level, the coarsest first; more levels than numbers
+            begin with the first number. With `weights="open3d"`: exactly so many, in so many levels.
+        depth_diff_max: Pixels whose depths differ by more are no pair [m]. It holds for `weights="open3d"`; otherwise
+            the reach follows the noise of the frames.
+        depth_min, depth_max: Depths outside are no measurement [m].
+
+    Raises:
+        ValueError, TypeError: A number out of range.
+
+    Example:
+        >>> import pointloom as loom
+        >>> loom.odometry.OdometryOption(depth_max=3.0).iteration_number_per_pyramid_level
+        (20, 10, 5)
+    """
+
+    iteration_number_per_pyramid_level: Sequence[int] = (20, 10, 5)
+    depth_diff_max: float = 0.03
+    depth_min: float = 0.0
+    depth_max: float = 4.0
+
+    def __post_init__(self) -> None:
+        name = "iteration_number_per_pyramid_level"
+        steps = check_list(name, self.iteration_number_per_pyramid_level, "numbers of steps")
+        if not 1 <= len(steps) <= MOST_LEVELS:
+            raise ValueError(f"{name}: expected 1 to {MOST_LEVELS} levels, got {len(steps)}")
+        reason = "what has not come near by then does not come"
+        most = {"maximum": MOST_STEPS, "because": reason}
+        object.__setattr__(self, name, tuple(check_count(name, step, minimum=0, **most) for step in steps))
+        check_positive("depth_diff_max", self.depth_diff_max)
+        check_positive("depth_min", self.depth_min, allow_zero=True)
+        check_positive("depth_max", self.depth_max, allow_infinite=True)
+        if self.depth_min >= self.depth_max:
+            raise ValueError(f"depth_min: {self.depth_min} is not below depth_max, {self.depth_max}")
+
+
+@dataclasses.dataclass(frozen=True)
+class OdometryConvergenceCriteria:
+    """When a level of `rgbd_odometry_multi_scale` ends.
+
+    Args:
+        max_iteration: Steps at most.
+        relative_rmse, relative_fitness: With `weights="open3d"` the relative changes below both of which a level ends;
+            otherwise it ends when a step moves pixels by less than 0.03 px.
+
+    Raises:
+        ValueError, TypeError: A number out of range.
+
+    Example:
+        >>> import pointloom as loom
+        >>> loom.odometry.OdometryConvergenceCriteria(10).relative_rmse
+        1e-06
+    """
+
+    max_iteration: int
+    relative_rmse: float = 1e-6
+    relative_fitness: float = 1e-6
+
+    def __post_init__(self) -> None:
+        reason = "what has not come near by then does not come"
+        check_count("max_iteration", self.max_iteration, minimum=0, maximum=MOST_STEPS, because=reason)
+        check_positive("relative_rmse", self.relative_rmse, allow_zero=True)
+        check_positive("relative_fitness", self.relative_fitness, allow_zero=True)
+
+
+@dataclasses.dataclass(frozen=True)
+class OdometryLossParams:
+    """Limits of the residuals, for `weights="open3d"`; otherwise they follow the noise of the frames.
+
+    Args:
+        depth_outlier_trunc: Residuals of depth beyond do not count [m].
+        depth_huber_delta: Where Huber's loss of depth becomes linear [m].
+        intensity_huber_delta: Where that of brightness does, 0..1.
+
+    Raises:
+        ValueError, TypeError: A number that is not positive.
+
+    Example:
+        >>> import pointloom as loom
+        >>> loom.odometry.OdometryLossParams().depth_outlier_trunc
+        0.07
+    """
+
+    depth_outlier_trunc: float = 0.07
+    depth_huber_delta: float = 0.05
+    intensity_huber_delta: float = 0.1
+
+    def __post_init__(self) -> None:
+        for field in dataclasses.fields(self):
+            check_positive(field.name, getattr(self, field.name))

@@ -1,0 +1,102 @@
+"""Whether a motion that was found is to be believed."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...kernels.rgbd import verdict_rows as at
+from ...kernels.rgbd.alignment import Alignment
+from .frames import OdometryFrame
+from .results import OdometryResult, spread_information
+
+POINTS = slice(at.POINTS, at.POINTS + 9)
+
+UNDETERMINED = "the frames do not determine the motion"  # a reason that says nothing against the pose
+
+# Seen over 400 pairs of a kitchen and 1,000 of different places (benchmarks/rgbd_odometry_accuracy.py): right | wrong.
+LEAST_OVERLAP = 0.25  # of the source's pixels meet depth in the target: less tells little, right or wrong
+LEAST_INLIERS = 0.6  # of these lie on its surface: 0.69 and more | half of them below 0.35
+MOST_IN_FRONT = 0.1  # of these lie where the target looked through: up to 0.04 | half of them above 0.28
+LEAST_AGREEMENT = 0.87  # of the normals agree: 0.93 and more | half of them below 0.3, one passed all else with 0.79
+MOST_EXCESS = 8.0  # times as much as noise explains, squared: up to 4.2 | nearly all above 20
+LEAST_CORRELATION = 0.3  # of the brightness: 0.65 and more | nearly all below 0.57
+LEAST_EIGENVALUE = 0.015  # 0.07 and more | walls without texture 0.004 and less
+SHADED = 0.3  # share of the inliers that must have brightness for it to count
+SHIFT = 0.01  # [m] what an eigenvalue is the price of: a pixel's mean square, in variances of the noise
+
+
+def judge(found: Alignment, source: OdometryFrame, level: int) -> OdometryResult:
+    """The result of an Alignment whose sums are those of a level of the source."""
+    v = found.verdict
+    pixels, seen, inliers = v[at.PIXELS], v[at.SEEN], v[at.INLIERS]
+    reason = _first_fault(found, pixels, seen, inliers)
+    smallest = smallest_eigenvalue(found.certainty, v)
+    if not reason and smallest < LEAST_EIGENVALUE:
+        reason = UNDETERMINED
+    scale = source.width * source.height / float(source.levels.counts[level])
+    shades = v[at.SHADE_COUNT]
+    return OdometryResult(
+        success=not reason,
+        transformation=found.pose,
+        information=np.zeros((6, 6)) if reason else spread_information(inliers, v[POINTS]) * scale,
+        reason=reason,
+        inliers=int(inliers),
+        fitness=float(inliers / pixels) if pixels else 0.0,
+        overlap=float(seen / pixels) if pixels else 0.0,
+        inlier_rmse=float(np.sqrt(v[at.SQUARES] / v[at.PLANES])) if v[at.PLANES] else 0.0,
+        intensity_rmse=float(np.sqrt(v[at.SHADE_SQUARES] / shades)) if shades else float("nan"),
+        smallest_eigenvalue=smallest,
+        iterations=found.steps,
+        contradiction=_contradiction(v),
+    )
+
+
+def _first_fault(found: Alignment, pixels: float, seen: float, inliers: float) -> str:
+    v = found.verdict
+    if not np.isfinite(found.pose).all():
+        return "the steps left the numbers"
+    if pixels == 0:
+        return "the source has no depth"
+    if seen / pixels < LEAST_OVERLAP:
+        return f"only {100 * seen / pixels:.0f} % of the source's pixels meet depth in the target"
+    if inliers / seen < LEAST_INLIERS:
+        return f"only {100 * inliers / seen:.0f} % of the pixels that meet depth lie on its surface"
+    if v[at.IN_FRONT] / seen > MOST_IN_FRONT:
+        return f"{100 * v[at.IN_FRONT] / seen:.0f} % of the source's pixels lie where the target looked through"
+    return _contradiction(v)
+
+
+def _contradiction(v: NDArray[np.float64]) -> str:
+    """What the pixels that lie on the target's surface say against the pose, whatever hides the others."""
+    inliers = v[at.INLIERS]
+    if v[at.NORMALS] and v[at.AGREEING] / v[at.NORMALS] < LEAST_AGREEMENT:
+        return f"only {100 * v[at.AGREEING] / v[at.NORMALS]:.0f} % of the normals agree"
+    if v[at.PLANES] and v[at.EXCESS] / v[at.PLANES] > MOST_EXCESS:
+        return f"the surfaces lie {np.sqrt(v[at.EXCESS] / v[at.PLANES]):.1f} times as far apart as noise explains"
+    if v[at.SHADE_COUNT] > SHADED * inliers and correlation(v) < LEAST_CORRELATION:
+        return f"the brightness does not agree (correlation {correlation(v):.2f})"
+    return ""
+
+
+def correlation(v: NDArray[np.float64]) -> float:
+    """The correlation of the brightness of pixels that meet; 1 where there is no contrast."""
+    n, s, t, ss, tt, st = v[at.SHADE_COUNT : at.SHADE_COUNT + 6]
+    variances = (ss / n - (s / n) ** 2) * (tt / n - (t / n) ** 2)
+    return float((st / n - s * t / n / n) / np.sqrt(variances)) if variances > 1e-8 else 1.0
+
+
+def smallest_eigenvalue(sums: NDArray[np.float64], v: NDArray[np.float64]) -> float:
+    """Of the normal equations about the middle of the points, rotations in units of their spread, as a share."""
+    n = v[at.INLIERS]
+    if n < 12:
+        return 0.0
+    h = np.zeros((6, 6))
+    h[np.triu_indices(6)] = sums[:21]
+    h = h + np.triu(h, 1).T
+    c = v[at.POINTS : at.POINTS + 3] / n
+    spread = np.sqrt(max((v[at.POINTS + 3] + v[at.POINTS + 6] + v[at.POINTS + 8]) / n - c @ c, 1e-12))
+    cross = np.array([[0, -c[2], c[1]], [c[2], 0, -c[0]], [-c[1], c[0], 0]])
+    b = np.block([[np.eye(3) / spread, np.zeros((3, 3))], [cross / spread, np.eye(3)]])
+    values = np.linalg.eigvalsh(b.T @ h @ b) / n
+    return float(values[0] * SHIFT * SHIFT)

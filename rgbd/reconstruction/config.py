@@ -1,0 +1,300 @@
+"""Configuration of the reconstruction system: Open3D's names, from Python or from its JSON files, read strictly."""
+
+from __future__ import annotations
+
+import dataclasses
+import json
+from collections.abc import Mapping
+from pathlib import PurePosixPath
+from typing import Any
+
+from ...core.atomic import atomic_write
+from ...core.checks import check_count, check_name, check_positive, shown
+from ...core.errors import FileError, FilePath
+from ...core.json_files import read_json_object
+from ...core.known_names import nearest_name
+
+TSDF_RESOLUTION = 512  # voxels along the edge of Open3D's cube, `tsdf_cubic_size`
+LEAST_TRUNCATION = 0.04  # [m] Open3D's; more than the noise of depth cameras at 3 m
+TRUNCATION_VOXELS = 4.0
+FRAGMENT_VOXELS = 5.0  # to the edge of a registration's voxel: fragments are thinned to a quarter of it at most
+
+ICP_METHODS = ("point_to_point", "point_to_plane", "color", "generalized")
+GLOBAL_METHODS = ("ransac", "fgr", "robust")
+ODOMETRY_METHODS = ("hybrid", "intensity", "point_to_plane")
+
+# Other names of the same: of older configurations, and of Open3D's tensor system (t_reconstruction_system).
+ALIASES = {
+    "max_depth": "depth_max",
+    "min_depth": "depth_min",
+    "max_depth_diff": "depth_diff_max",
+    "fragment_size": "n_frames_per_fragment",
+    "odometry_loop_interval": "n_keyframes_per_n_frame",
+    "odometry_loop_weight": "preference_loop_closure_odometry",
+    "odometry_distance_thr": "depth_diff_max",
+    "registration_loop_weight": "preference_loop_closure_registration",
+    "global_registration_method": "global_registration",
+    "icp_voxelsize": "voxel_size",
+    "surface_weight_thr": "surface_weight_threshold",
+}
+# Names that only the tensor system has: beside one of them `voxel_size` is that of the volume.
+_TENSOR_NAMES = frozenset(("icp_voxelsize", "fragment_size", "odometry_loop_interval", "trunc_voxel_multiplier"))
+_TENSOR_GROUPS = frozenset(("general", "input", "odometry", "registration", "integration", "slac"))
+VALUE_ALIASES = {
+    "icp_method": {"colored": "color", "point2point": "point_to_point", "point2plane": "point_to_plane"},
+    "odometry_method": {"point2plane": "point_to_plane"},
+}
+# Without meaning here: how Open3D spreads its work and its memory, which follows the machine here.
+IGNORED = frozenset(
+    (
+        *("name", "python_multi_threading", "multiprocessing", "block_count", "est_point_count", "engine"),
+        *("debug_mode", "depth_map_type", "device", "depth_folder", "color_folder", "path_color_intrinsic"),
+        *("integrate_color", "subfolder_slac", "icp_distance_thr"),
+    )
+)
+
+
+@dataclasses.dataclass(frozen=True)
+class ReconstructionConfig:
+    """What the reconstruction system does; names and most defaults are those of Open3D's reconstruction_system.
+
+    Args:
+        path_dataset: Folder of the frames, for who reads the configuration; the functions here take a source.
+        path_intrinsic: File of the camera, likewise.
+        depth_min, depth_max: Depth that is used [m].
+        depth_scale: Units of stored depth a metre; None takes the source's.
+        depth_diff_max: Greatest difference in depth of two pixels that odometry takes for one point [m].
+        odometry_method: "hybrid", "intensity" or "point_to_plane"; frames without colour take the last.
+        n_frames_per_fragment: Frames of a fragment, at most.
+        n_frames_least: Frames of a fragment, at least; shorter ones are kept out and reported.
+        n_keyframes_per_n_frame: Frames from one keyframe to the next; loops are sought between keyframes.
+        preference_loop_closure_odometry: Of the pose graph of a fragment, as `GlobalOptimizationOption`.
+        voxel_size: Edge of the voxels by which fragments are registered [m]; refined at a half and a quarter of it.
+        global_registration: Open3D's choices are accepted; all mean what
+            `registration.register_fragments` does.
+        icp_method: "point_to_point", "point_to_plane", "color" or "generalized"; "color" becomes point-to-plane where
+            fragments have no colour.
+        preference_loop_closure_registration: Of the pose graph of the fragments.
+        tsdf_cubic_size: 512 voxels [m]: sets the voxel of the scene's volume where `tsdf_voxel_size` does not.
+        tsdf_voxel_size: Edge of a voxel of the scene's volume [m].
+        fragment_voxel_size: Edge of a voxel of the fragments' volumes [m]; None for a fifth of `voxel_size`.
+        sdf_trunc: Truncation of the scene's volume [m]; None for 4 voxels, but at least 4 cm.
+        surface_weight_threshold: Voxels seen more often than this make the scene's surface; None takes what fits the
+            number of frames, as `fuse` does.
+        seed: Chooses correspondences where there are very many.
+        max_iterations, distance_threshold, fitness_threshold, regularizer_weight, method, save_output_as: Of the
+            non-rigid refinement (SLAC).
+        folder_fragment, folder_scene, folder_slac, template_fragment_posegraph, template_fragment_posegraph_optimized,
+            template_fragment_pointcloud, template_global_posegraph, template_global_posegraph_optimized,
+            template_refined_posegraph, template_refined_posegraph_optimized, template_global_mesh,
+            template_global_traj, template_optimized_posegraph_slac: Places of the files, within the job's folder.
+
+    Raises:
+        TypeError, ValueError: A value of another type or out of range; names it.
+
+    Example:
+        >>> import pointloom as loom
+        >>> config = loom.reconstruction.ReconstructionConfig(voxel_size=0.1)
+        >>> config.n_frames_per_fragment, round(config.volume_voxel_size, 5), config.truncation
+        (100, 0.00586, 0.04)
+        >>> loom.reconstruction.ReconstructionConfig.from_names({"max_depth": 2.0, "icp_method": "color"}).depth_max
+        2.0
+    """
+
+    path_dataset: str = ""
+    path_intrinsic: str = ""
+    depth_min: float = 0.3
+    depth_max: float = 3.0
+    depth_scale: float | None = None
+    depth_diff_max: float = 0.07
+    odometry_method: str = "hybrid"
+    n_frames_per_fragment: int = 100
+    n_frames_least: int = 2
+    n_keyframes_per_n_frame: int = 5
+    preference_loop_closure_odometry: float = 0.1
+    voxel_size: float = 0.05
+    global_registration: str = "robust"
+    icp_method: str = "color"
+    preference_loop_closure_registration: float = 5.0
+    tsdf_cubic_size: float = 3.0
+    tsdf_voxel_size: float | None = None
+    fragment_voxel_size: float | None = None
+    sdf_trunc: float | None = None
+    surface_weight_threshold: float | None = None
+    seed: int = 0
+    max_iterations: int = 5
+    distance_threshold: float = 0.07
+    fitness_threshold: float = 0.3
+    regularizer_weight: float = 1.0
+    method: str = "slac"
+    save_output_as: str = "pointcloud"
+    folder_fragment: str = "fragments/"
+    folder_scene: str = "scene/"
+    folder_slac: str = "slac/"
+    template_fragment_posegraph: str = "fragments/fragment_%03d.json"
+    template_fragment_posegraph_optimized: str = "fragments/fragment_optimized_%03d.json"
+    template_fragment_pointcloud: str = "fragments/fragment_%03d.ply"
+    template_global_posegraph: str = "scene/global_registration.json"
+    template_global_posegraph_optimized: str = "scene/global_registration_optimized.json"
+    template_refined_posegraph: str = "scene/refined_registration.json"
+    template_refined_posegraph_optimized: str = "scene/refined_registration_optimized.json"
+    template_global_mesh: str = "scene/integrated.ply"
+    template_global_traj: str = "scene/trajectory.log"
+    template_optimized_posegraph_slac: str = "optimized_posegraph_slac.json"
+
+    def __post_init__(self):
+        for field in dataclasses.fields(self):
+            value = getattr(self, field.name)
+            object.__setattr__(self, field.name, _checked(field.name, value, field.default))
+        if self.depth_min >= self.depth_max:
+            raise ValueError(f"depth_min: expected less than depth_max, got {self.depth_min} and {self.depth_max}")
+        if self.n_frames_least > self.n_frames_per_fragment:
+            limits = f"{self.n_frames_least} and {self.n_frames_per_fragment}"
+            raise ValueError(f"n_frames_least: expected at most n_frames_per_fragment, got {limits}")
+        if self.sdf_trunc is not None and self.sdf_trunc < self.volume_voxel_size:
+            raise ValueError(
+                f"sdf_trunc: {self.sdf_trunc} m is below one voxel ({self.volume_voxel_size:.4g} m); 4 voxels are usual"
+            )
+
+    @property
+    def volume_voxel_size(self) -> float:
+        """Edge of a voxel of the scene's volume [m]."""
+        return self.tsdf_voxel_size or self.tsdf_cubic_size / TSDF_RESOLUTION
+
+    @property
+    def truncation(self) -> float:
+        """Truncation of the scene's volume [m]."""
+        return self.sdf_trunc or max(LEAST_TRUNCATION, TRUNCATION_VOXELS * self.volume_voxel_size)
+
+    @property
+    def fragment_voxel(self) -> float:
+        """Edge of a voxel of the fragments' volumes [m]."""
+        return self.fragment_voxel_size or self.voxel_size / FRAGMENT_VOXELS
+
+    @classmethod
+    def from_names(cls, names: Mapping[str, Any]) -> ReconstructionConfig:
+        """A configuration from names and values as a JSON file holds them, Open3D's other names among them.
+
+        Names of the tensor system are taken too, in its groups ("odometry", "integration", ...) or without; beside
+        `icp_voxelsize` its `voxel_size` is the volume's. Those that say how Open3D spreads its work
+        (`python_multi_threading`, `block_count`, ...) are passed over.
+
+        Raises:
+            TypeError, ValueError: A name that is unknown, with the nearest one, or given twice; or a value as above.
+        """
+        if not isinstance(names, Mapping):
+            raise TypeError(f"names: expected a mapping of names to values, got {type(names).__name__}")
+        return cls(**_translated(_flat(names)))
+
+    @classmethod
+    def read(cls, path: FilePath) -> ReconstructionConfig:
+        """The configuration in a JSON file, Open3D's or one that `write` wrote.
+
+        Raises:
+            FileError: Unreadable, not JSON, a name that is unknown or given twice, or a value that makes no sense.
+        """
+        content = read_json_object(path)
+        try:
+            return cls.from_names(content)
+        except (TypeError, ValueError) as error:
+            raise FileError(path, str(error)) from error
+
+    def to_names(self) -> dict[str, Any]:
+        """All names and values, in JSON's types."""
+        return dataclasses.asdict(self)
+
+    def write(self, path: FilePath, *, overwrite: bool = True) -> None:
+        """Write all names and values as JSON; the file appears whole or not at all.
+
+        Raises:
+            FileError: The place cannot be written, or the file exists and may not be replaced.
+        """
+        text = json.dumps(self.to_names(), indent=4) + "\n"
+        with atomic_write(path, overwrite=overwrite) as file:
+            file.write(text.encode())
+
+
+_CHOICES = {
+    "icp_method": ICP_METHODS,
+    "global_registration": GLOBAL_METHODS,
+    "odometry_method": ODOMETRY_METHODS,
+    "method": ("slac", "rigid"),
+    "save_output_as": ("pointcloud", "mesh"),
+}
+_MAY_BE_NONE = frozenset(("depth_scale", "tsdf_voxel_size", "fragment_voxel_size", "sdf_trunc"))
+_MAY_BE_ZERO = frozenset(("depth_min", "regularizer_weight", "fitness_threshold"))
+
+
+def _checked(name: str, value: Any, default: Any) -> Any:
+    """A value of a field, in the field's type."""
+    if name == "surface_weight_threshold":
+        return None if value is None else check_positive(name, value, allow_zero=True)
+    if name in _MAY_BE_NONE:
+        return None if value is None else check_positive(name, value)
+    if name in _CHOICES:
+        if check_name(name, value) not in _CHOICES[name]:
+            raise ValueError(f"{name}: expected one of {_CHOICES[name]}, got {shown(value)}")
+        return value
+    if isinstance(default, int):
+        return check_count(name, value, minimum=0 if name == "seed" else 1)
+    if isinstance(default, float):
+        return check_positive(name, value, allow_zero=name in _MAY_BE_ZERO)
+    text = check_name(name, value)
+    if name.startswith(("folder_", "template_")):
+        _check_place(name, text)
+    return text
+
+
+def _check_place(name: str, text: str) -> None:
+    """That a place lies within the job's folder, and has room for a number where there is one file a fragment."""
+    path = PurePosixPath(text)
+    if not path.parts or path.is_absolute() or ".." in path.parts:
+        raise ValueError(f"{name}: expected a path within the job's folder, got {shown(text)}")
+    if name.startswith("template_fragment_"):
+        try:
+            is_one = text % 1 != text % 2
+        except (TypeError, ValueError):
+            is_one = False
+        if not is_one:
+            raise ValueError(f"{name}: expected one %03d for the fragment's number, got {shown(text)}")
+
+
+def _flat(names: Mapping[str, Any]) -> dict[str, Any]:
+    """Names without the groups of the tensor system."""
+    flat: dict[str, Any] = {}
+    for name, value in names.items():
+        inner = value if name in _TENSOR_GROUPS and isinstance(value, Mapping) else {name: value}
+        for key in inner:
+            if key in flat:
+                raise ValueError(f"{key}: given twice")
+        flat.update(inner)
+    return flat
+
+
+def _translated(names: Mapping[str, Any]) -> dict[str, Any]:
+    """The fields that names and values as of Open3D stand for."""
+    known = {field.name for field in dataclasses.fields(ReconstructionConfig)}
+    of_volume = not _TENSOR_NAMES.isdisjoint(names)
+    fields: dict[str, Any] = {}
+    origins: dict[str, str] = {}
+    for given, value in names.items():
+        if given in IGNORED:
+            continue
+        name = ALIASES.get(given, given)
+        if given == "voxel_size" and of_volume:
+            name = "tsdf_voxel_size"
+        elif given == "trunc_voxel_multiplier":
+            name = "sdf_trunc"
+        if name not in known:
+            near = nearest_name(str(given), [*known, *ALIASES, *IGNORED])
+            raise ValueError(f"{given}: no name of a reconstruction's configuration{near}")
+        if name in fields:
+            raise ValueError(f"{given}: the same as {origins[name]}, which is given too")
+        choices = VALUE_ALIASES.get(name, {})
+        fields[name] = choices.get(value, value) if isinstance(value, str) else value
+        origins[name] = given
+    if "trunc_voxel_multiplier" in names:
+        sizes = {name: fields[name] for name in ("tsdf_voxel_size", "tsdf_cubic_size") if name in fields}
+        voxel = ReconstructionConfig(**sizes).volume_voxel_size
+        fields["sdf_trunc"] = voxel * check_positive("trunc_voxel_multiplier", names["trunc_voxel_multiplier"])
+    return fields

@@ -1,0 +1,154 @@
+"""A model by fragments, in stages whose files stay: `model_by_fragments`."""
+
+from __future__ import annotations
+
+import dataclasses
+import os
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from ...cameras.trajectory import Trajectory, read_trajectory
+from ...core.errors import FilePath
+from ...core.progress import ReportProgress
+from ...core.reports import Fields
+from ...core.timing import Clock
+from ...files.frames.frames import DEPTH_MAX
+from ...meshing.mesh.mesh import TriangleMesh
+from ...meshing.mesh.mesh_files import read_triangle_mesh
+from .config import ReconstructionConfig
+from .job import run_system
+from .places import Places
+
+_SHOWN = 5  # runs of lost frames
+
+
+@dataclasses.dataclass(frozen=True)
+class FragmentOptions:
+    """How `loom.reconstruct` works by fragments, which are registered with each other from any pose.
+
+    Attributes:
+        folder: Of the stages' files; it is made where it is missing, and earlier results in it are replaced.
+        config: Settings of the stages; None takes the usual ones with depth up to 4 m.
+        resume: Keep what an earlier run finished there and what still fits.
+        slac: Find the distortion of the camera's depth too, and take it out of the frames.
+
+    Raises:
+        TypeError: No path, no configuration.
+
+    Example:
+        >>> import pointloom as loom
+        >>> options = loom.reconstruction.FragmentOptions("stages", resume=True)
+        >>> options.config is None, options.slac
+        (True, False)
+    """
+
+    folder: FilePath
+    config: ReconstructionConfig | None = None
+    resume: bool = False
+    slac: bool = False
+
+    def __post_init__(self):
+        if not isinstance(self.folder, str | os.PathLike):
+            raise TypeError(f"folder: expected a path, got {type(self.folder).__name__}")
+        if self.config is not None and not isinstance(self.config, ReconstructionConfig):
+            raise TypeError(f"config: expected a ReconstructionConfig or None, got {type(self.config).__name__}")
+
+
+@dataclasses.dataclass(frozen=True, eq=False)
+class FragmentsAccount:
+    """How fragments made a model.
+
+    Attributes:
+        trajectory: The poses of the frames in the model; ids hold their numbers.
+        figures: What was done, in JSON's types, as `run_system` tells it.
+        device: Where it was computed.
+        voxel_size: Edge of a voxel of the mesh [m].
+        depth_max: Farther depth was left out [m].
+        folder: Of the stages' files.
+        poor: Why the model is poor, or None.
+        uncertain: Frames whose pose is told with a doubt: none, as those of a fragment hang together.
+    """
+
+    trajectory: Trajectory
+    figures: dict[str, Any]
+    device: str
+    voxel_size: float
+    depth_max: float
+    folder: str
+    poor: str | None
+    uncertain: tuple[int, ...] = ()
+
+    def to_json(self) -> dict[str, Any]:
+        """The figures, in JSON's types."""
+        sizes = {"voxel_size": self.voxel_size, "depth_max": self.depth_max}
+        return {"device": self.device, **self.figures, **sizes, "work": self.folder}
+
+    def fields(self) -> Fields:
+        """The frames and the fragments as labels and values."""
+        report = self.figures
+        placed = sum(fragment["placed"] for fragment in report["fragments"])
+        fragments = f"{placed} of {len(report['fragments'])} joined, {report['loops']} loops"
+        if kept := report["resumed"]["fragments"]:
+            fragments += f"; {kept} kept from an earlier run"
+        frames = f"{report['used']} of {report['frames']} in the model, on {self.device}"
+        fields = [("frames", frames), ("fragments", fragments)]
+        if report["lost"]:
+            runs = [_run_line(run) for run in report["lost"][:_SHOWN]]
+            fields.append(("lost", "\n".join([*runs, *(["and more"] if len(report["lost"]) > _SHOWN else [])])))
+        if report["slac"]:
+            fields.append(("slac", _slac_line(report["slac"])))
+        return [*fields, ("stages", self.folder)]
+
+
+def settings_for(
+    config: ReconstructionConfig | None, voxel_size: float | None, depth_max: float | None
+) -> ReconstructionConfig:
+    """A configuration, or the usual one, with what else was asked for.
+
+    Raises:
+        TypeError, ValueError: Lengths out of range, or that do not go together.
+    """
+    given = {"tsdf_voxel_size": voxel_size, "depth_max": depth_max}
+    settings = ReconstructionConfig(depth_max=DEPTH_MAX) if config is None else config
+    return dataclasses.replace(settings, **{name: value for name, value in given.items() if value is not None})
+
+
+def model_by_fragments(
+    frames: Any, options: FragmentOptions, *, device: Any, progress: ReportProgress, clock: Clock
+) -> tuple[TriangleMesh, FragmentsAccount]:
+    """Run the system, and take its mesh, empty where there is none, and its path.
+
+    Raises:
+        FileError: A file of a stage that cannot be written; what was finished stays.
+    """
+    settings, work = settings_for(options.config, None, None), Path(options.folder)
+    switches = {"slac": options.slac, "resume": options.resume}
+    report = run_system(frames, settings, work, **switches, device=device, progress=progress)
+    clock.seconds |= report["seconds"]
+    clock.restart()
+    places = Places.make(work, settings)
+    mesh, path = TriangleMesh(device=device), Trajectory(np.empty((0, 4, 4)), ids=np.empty((0, 3), np.int64))
+    for file in report["files"]:
+        if Path(file) == places.scene_mesh:
+            mesh = read_triangle_mesh(file, device=device)
+        elif Path(file) == places.trajectory:
+            path = read_trajectory(file)
+    clock.stop("read")
+    names = ("frames", "used", "lost", "fragments", "edges", "loops", "slac", "resumed")
+    figures, sizes = {name: report[name] for name in names}, (settings.volume_voxel_size, settings.depth_max)
+    return mesh, FragmentsAccount(path, figures, str(device), *sizes, str(work), report["poor"])
+
+
+def _slac_line(figures: dict[str, Any]) -> str:
+    if not figures["edges"]:
+        return "nothing to align: no two fragments overlap; fewer frames a fragment (--config) make more of them"
+    apart = f"{figures['rmse_before'] * 1000:.1f} to {figures['rmse'] * 1000:.1f} mm apart"
+    bent = f", {figures['anchors']:,} anchors moved by {figures['bent_m'] * 1000:.1f} mm" if figures["anchors"] else ""
+    return f"fragments {apart} on {figures['used']} of {figures['edges']} overlaps{bent}"
+
+
+def _run_line(run: dict[str, Any]) -> str:
+    ends = run["first"] if run["count"] == 1 else f"{run['first']} to {run['last']} ({run['count']})"
+    return f"{ends}: {run['reason']}"

@@ -1,0 +1,337 @@
+"""Frames to fragments: odometry, loops within a fragment, a pose graph, and a cloud of what the frames saw."""
+
+from __future__ import annotations
+
+import contextlib
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...core.checks import check_progress
+from ...core.devices import resolve_device
+from ...core.errors import FileError, FilePath
+from ...core.progress import ReportProgress
+from ...core.records import digest_of, read_record, write_record
+from ...files.frames.frames import FrameSource
+from ...files.points.point_cloud import read_point_cloud, write_point_cloud
+from ...pcd.cloud import PointCloud
+from ...registration.pose_graphs.pose_graph import PoseGraph, PoseGraphEdge, PoseGraphNode
+from ...registration.pose_graphs.pose_graph_files import write_pose_graph
+from ...registration.pose_graphs.pose_graph_optimization import GlobalOptimizationOption, global_optimization
+from ...registration.rigid import adjoint_of
+from .config import ReconstructionConfig
+from .frames import Frames, LostFrame
+from .keyframes import find_candidates
+from .places import Places
+from .volumes import cloud_of, fuse_frames, make_volume
+from .walk import Draft, Joint, Start, Walk, align, digest_of_fragment
+
+Matrix = NDArray[np.float64]
+
+STAGE = "fragment"
+PRUNE = 0.25  # confidence of a loop closure at which it is dropped: Open3D's
+# What of the configuration decides fragments.
+SETTINGS = (
+    *("depth_min", "depth_max", "depth_diff_max", "odometry_method", "n_frames_per_fragment", "n_frames_least"),
+    *("n_keyframes_per_n_frame", "preference_loop_closure_odometry"),
+)
+
+
+@dataclass(frozen=True, eq=False)
+class Fragment:
+    """Frames that hang together, and the cloud of what they saw.
+
+    Attributes:
+        number: Its place among the fragments.
+        indices: Places of its frames in the source, int64 [n].
+        names: Their names.
+        poses: T_fragment_frame, float64 [n, 4, 4]; its coordinates are those of its first frame.
+        joint: How odometry hangs it on an earlier fragment; None where it does not.
+        broke: Why it does not go on from the fragment before; empty where it does.
+        loops: Pairs of keyframes that close loops in it: those tried, aligned, and kept by the pose graph.
+        colored: Whether all of its frames have colour.
+        cloud_path: The file of its cloud.
+        made_from: Digest of all that decided it.
+    """
+
+    number: int
+    indices: NDArray[np.int64]
+    names: list[str]
+    poses: Matrix
+    joint: Joint | None
+    broke: str
+    loops: tuple[int, int, int]
+    colored: bool
+    cloud_path: Path
+    made_from: str
+
+    def __len__(self) -> int:
+        return len(self.indices)
+
+    def read_cloud(self, device: Any = None) -> PointCloud:
+        """Its cloud, with normals and, where all frames had colour, colours."""
+        return read_point_cloud(self.cloud_path, device=device)
+
+    def T_earlier(self, earlier: Fragment) -> Matrix:
+        """T_earlier_this by the joint."""
+        assert self.joint is not None
+        return earlier.poses[-1] @ self.joint.T_last_first
+
+
+@dataclass(frozen=True, eq=False)
+class FragmentSet:
+    """All fragments of a source.
+
+    Attributes:
+        fragments: In order of their frames.
+        lost: Frames that are in none, in order.
+        kept: How many of the fragments an earlier run had made.
+    """
+
+    fragments: list[Fragment]
+    lost: list[LostFrame]
+    kept: int
+
+
+def make_fragments(
+    source: FrameSource,
+    config: ReconstructionConfig,
+    folder: FilePath,
+    *,
+    resume: bool = False,
+    device: Any = None,
+    progress: ReportProgress | None = None,
+) -> FragmentSet:
+    """Cut frames into fragments, and write a pose graph and a cloud of each.
+
+    Each frame is aligned with the one before. A pair that cannot be aligned ends the fragment: no motion is made up,
+    the next fragment begins, and registration has to find where it lies. Every few frames is a keyframe; keyframes that
+    by their poses see the same are aligned too, and a pose graph of all alignments says where the frames were. The
+    cloud of a fragment comes from a volume of its frames.
+
+    Args:
+        source: Frames that can be read by their place, each twice or more.
+        config: Sizes and names.
+        folder: Of the job; it is made where it is missing.
+        resume: Keep fragments that are done and still fit: same frames, same configuration, files unchanged.
+        device: Where to compute; None for the CPU.
+        progress: Called with ("frames", done, all).
+
+    Returns:
+        The fragments, and the frames that are in none, with the reason: frames without depth, frames that cannot be
+        read, too few that hang together. Where nothing else is left, the longest run that is too short is kept.
+
+    Raises:
+        TypeError: No such source or configuration.
+        ValueError: No frame.
+        FileError: A file that cannot be written. What was finished stays, and `resume` goes on from there.
+        DeviceError: No such device.
+
+    Notes:
+        At most one fragment's keyframes are in memory. Each fragment's files are written whole, its record last. The
+        same bits from run to run, resumed or not.
+
+    Example:
+        >>> import pointloom as loom
+        >>> from pointloom.app.scenes.room import room_sequence
+        >>> frames = room_sequence(300, width=80, height=60)
+        >>> config = loom.reconstruction.ReconstructionConfig(n_frames_per_fragment=6, depth_max=4.0)
+        >>> class First:
+        ...     intrinsic, depth_scale, read = frames.intrinsic, frames.depth_scale, frames.read
+        ...     def __len__(self): return 9
+        >>> found = loom.reconstruction.make_fragments(First(), config, "room")
+        >>> [len(fragment) for fragment in found.fragments], found.lost
+        ([6, 3], [])
+    """
+    places, where = Places.make(folder, config), resolve_device(device)
+    frames, say = Frames(source, config), check_progress(progress)
+    settings = _settings_of(frames)
+    fragments, lost = _read_done(places, frames, settings) if resume else ([], [])
+    kept, start = len(fragments), Start()
+    if fragments:
+        last = fragments[-1]
+        velocity = _result_of(places, last.number)["velocity"]
+        start = Start(last.number + 1, int(last.indices[-1]) + 1, np.array(velocity), last.made_from)
+    _forget(places, kept)
+    walk = Walk(frames, settings, where, start, say)
+    with contextlib.closing(walk.drafts()) as drafts:
+        for draft in drafts:
+            before = [frame for frame in walk.lost if frame.index < draft.indices[-1]]
+            fragments.append(_finish(draft, frames, places, where, before))
+    everything = sorted([*lost, *walk.lost], key=lambda frame: frame.index)
+    return FragmentSet(fragments, everything, kept)
+
+
+def _settings_of(frames: Frames) -> dict[str, Any]:
+    config, camera = frames.config, frames.intrinsic
+    sizes = {name: getattr(config, name) for name in SETTINGS}
+    lens = [camera.width, camera.height, camera.fx, camera.fy, camera.cx, camera.cy]
+    return sizes | {"voxel": config.fragment_voxel, "depth_scale": frames.depth_scale, "camera": lens}
+
+
+# ------------------------------------------------------------------------------------------------ one fragment
+
+
+def _finish(draft: Draft, frames: Frames, places: Places, device: Any, lost: Sequence[LostFrame]) -> Fragment:
+    """Close a draft's loops, fuse its frames, and write its files; the record comes last."""
+    graph, tried = _close_loops(draft, frames)
+    solved = _optimize(graph, frames.config)
+    found = sum(edge.uncertain for edge in graph.edges)
+    loops = tried, found, sum(edge.uncertain for edge in solved.edges)
+    poses = np.array([node.pose for node in solved.nodes])
+    volume = make_volume(frames.config.fragment_voxel, None, draft.colored, device)
+    fuse_frames(frames, draft.indices, poses, volume)  # a frame that has gone since: its neighbours saw the same
+    cloud, number = cloud_of(volume), draft.number
+    paths = places.fragment_graph(number), places.fragment_graph_optimized(number), places.fragment_cloud(number)
+    write_pose_graph(paths[0], graph)
+    write_pose_graph(paths[1], solved)
+    write_point_cloud(paths[2], cloud)
+    fragment = Fragment(
+        number,
+        np.array(draft.indices, np.int64),
+        draft.names,
+        poses,
+        draft.joint,
+        draft.broke,
+        loops,
+        draft.colored,
+        paths[2],
+        draft.made_from,
+    )
+    result = _to_json(fragment) | {"velocity": draft.velocity.tolist()}
+    result |= {"lost": [[frame.index, frame.name, frame.reason] for frame in lost]}
+    write_record(places.record(STAGE, number), STAGE, draft.made_from, places.root, paths, result)
+    return fragment
+
+
+def _close_loops(draft: Draft, frames: Frames) -> tuple[PoseGraph, int]:
+    """The pose graph of a draft, and how many loops were tried."""
+    edges = [
+        make_edge(i + 1, i, found.transformation, found.information, uncertain=False)
+        for i, found in enumerate(draft.motions)
+    ]
+    candidates = find_candidates(draft.keyframes, draft.poses, frames.intrinsic)
+    for later, earlier, T in candidates:
+        b, a = draft.keyframes[later], draft.keyframes[earlier]
+        found = align(frames.config, b.frame, a.frame, T)
+        if found.success:
+            edges.append(make_edge(b.place, a.place, found.transformation, found.information, uncertain=True))
+    draft.keyframes.clear()  # their pyramids
+    return PoseGraph([PoseGraphNode(pose) for pose in draft.poses], edges), len(candidates)
+
+
+def make_edge(source: int, target: int, T_target_source: Matrix, information: Matrix, *, uncertain: bool) -> Any:
+    """An edge of a pose graph from what registration measured, whose information is about the target."""
+    A = adjoint_of(T_target_source)  # the edge's weighs a misfit in the source's coordinates
+    matrix = A.T @ information @ A
+    return PoseGraphEdge(source, target, T_target_source, (matrix + matrix.T) / 2, uncertain)
+
+
+def _optimize(graph: PoseGraph, config: ReconstructionConfig) -> PoseGraph:
+    option = GlobalOptimizationOption(
+        max_correspondence_distance=config.depth_diff_max,
+        edge_prune_threshold=PRUNE,
+        preference_loop_closure=config.preference_loop_closure_odometry,
+        reference_node=0,
+    )
+    return global_optimization(graph, option=option)
+
+
+# ------------------------------------------------------------------------------------------------ resuming
+
+
+def _to_json(fragment: Fragment) -> dict[str, Any]:
+    joint = fragment.joint
+    hung = None if joint is None else [joint.fragment, joint.T_last_first.tolist(), joint.skipped]
+    return {
+        "frames": fragment.indices.tolist(),
+        "names": fragment.names,
+        "poses": fragment.poses.tolist(),
+        "joint": hung,
+        "broke": fragment.broke,
+        "loops": list(fragment.loops),
+        "colored": fragment.colored,
+    }
+
+
+def _result_of(places: Places, number: int) -> dict[str, Any]:
+    result = read_record(places.record(STAGE, number), STAGE, places.root)
+    assert result is not None  # it was read just now
+    return result
+
+
+def read_fragments(places: Places) -> list[Fragment]:
+    """The fragments that are done, as far as their files are whole."""
+    fragments = []
+    while True:
+        number = len(fragments)
+        result = read_record(places.record(STAGE, number), STAGE, places.root)
+        if result is None:
+            return fragments
+        fragments.append(_from_json(number, result, places))
+
+
+def digest_of_all(fragments: Sequence[Fragment]) -> str:
+    """A digest of all that decided some fragments."""
+    return digest_of([fragment.made_from for fragment in fragments])
+
+
+def fragments_in(places: Places) -> list[Fragment]:
+    """The fragments of a job, at least one.
+
+    Raises:
+        FileError: None are there.
+    """
+    fragments = read_fragments(places)
+    if not fragments:
+        raise FileError(places.root, "holds no fragments", remedy="Run make_fragments with this folder first")
+    return fragments
+
+
+def _from_json(number: int, result: dict[str, Any], places: Places) -> Fragment:
+    joint = result["joint"]
+    return Fragment(
+        number,
+        np.array(result["frames"], np.int64),
+        result["names"],
+        np.array(result["poses"]),
+        None if joint is None else Joint(joint[0], np.array(joint[1]), joint[2]),
+        result["broke"],
+        (result["loops"][0], result["loops"][1], result["loops"][2]),
+        result["colored"],
+        places.fragment_cloud(number),
+        result["made_from"],
+    )
+
+
+def _read_done(places: Places, frames: Frames, settings: dict[str, Any]) -> tuple[list[Fragment], list[LostFrame]]:
+    """The fragments that still fit, and the frames lost between them."""
+    done, lost, before, first = [], [], "", 0
+    for fragment in read_fragments(places):
+        last = int(fragment.indices[-1])
+        if last >= frames.count:
+            break
+        digests = [frames.digest(i) for i in range(first, last + 1)]
+        digests.append(frames.digest(last + 1) if last + 1 < frames.count else "")
+        if digest_of_fragment(settings, before, digests) != fragment.made_from:
+            break
+        done.append(fragment)
+        found = _result_of(places, fragment.number)["lost"]
+        lost += [LostFrame(*entry) for entry in found if first <= entry[0] <= last]
+        before, first = fragment.made_from, last + 1
+    return done, lost
+
+
+def _forget(places: Places, number: int) -> None:
+    """Remove fragments from a number on, which are out of date; their records first, so that none speaks for a part."""
+    for record in sorted(places.record(STAGE, 0).parent.glob(f"{STAGE}_*.json"), reverse=True):
+        digits = record.stem.removeprefix(f"{STAGE}_")
+        if digits.isdecimal() and int(digits) >= number:
+            record.unlink()
+            old = int(digits)
+            for path in (places.fragment_cloud(old), places.fragment_graph(old), places.fragment_graph_optimized(old)):
+                path.unlink(missing_ok=True)

@@ -1,0 +1,168 @@
+"""Frames of a source, read one at a time as often as a stage needs them, with what is wrong with those that are."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+from collections.abc import Generator, Iterable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...cameras.camera import PinholeCameraIntrinsic
+from ...core.checks import check_positive
+from ...core.errors import FileError
+from ...core.records import digest_of_bytes
+from ...files.frames.frames import read_in_order
+from .config import ReconstructionConfig
+
+HARDLY_ANY = 0.01  # share of the pixels with a depth in reach, below which a frame tells nothing of where it was
+
+
+@dataclass(frozen=True)
+class LostFrame:
+    """A frame that is not in the model.
+
+    Attributes:
+        index: Its place in the source.
+        name: Its name.
+        reason: Why it is not.
+    """
+
+    index: int
+    name: str
+    reason: str
+
+
+@dataclass(frozen=True, eq=False)
+class ReadFrame:
+    """A frame as it was read, or why it cannot be used.
+
+    Attributes:
+        index: Its place in the source.
+        name: Its name.
+        depth: float32 [h, w] [m], 0 where there is none in reach; None where the frame cannot be used.
+        color: uint8 [h, w, 3], or None.
+        T_world_camera: The true pose, where the source knows it.
+        digest: Of its pictures.
+        reason: Why it cannot be used; empty where it can.
+    """
+
+    index: int
+    name: str
+    depth: NDArray[np.float32] | None
+    color: NDArray[np.uint8] | None
+    T_world_camera: NDArray[np.float64] | None
+    digest: str
+    reason: str
+
+
+class Frames:
+    """The frames of a source within reach of depth.
+
+    Args:
+        source: Any `FrameSource`: of `open_dataset`, `open_frames`, `room_sequence`.
+        config: Says the reach and the scale of depth.
+
+    Raises:
+        TypeError: No such source; a stream is one once it is recorded.
+        ValueError: It has no frame.
+    """
+
+    def __init__(self, source: Any, config: ReconstructionConfig):
+        for name in ("__len__", "read", "intrinsic"):
+            if not hasattr(source, name):
+                raise TypeError(
+                    f"source: expected frames that can be read by their place (open_frames, open_dataset), got "
+                    f"{type(source).__name__} without {name}; record a stream to a folder first"
+                )
+        if not isinstance(source.intrinsic, PinholeCameraIntrinsic):
+            found = type(source.intrinsic).__name__
+            raise TypeError(f"source.intrinsic: expected a PinholeCameraIntrinsic, got {found}")
+        self.source, self.config, self.count = source, config, len(source)
+        if not self.count:
+            raise ValueError("source: expected at least one frame, got none")
+        scale = config.depth_scale or getattr(source, "depth_scale", 1000.0)
+        self.depth_scale = check_positive("source.depth_scale", scale)
+
+    @property
+    def intrinsic(self) -> PinholeCameraIntrinsic:
+        """The camera of all frames."""
+        return self.source.intrinsic
+
+    @property
+    def name(self) -> str:
+        """What the source is, for reports."""
+        folder = getattr(self.source, "folder", None)
+        return type(self.source).__name__ if folder is None else os.fspath(folder)
+
+    def digest(self, index: int) -> str:
+        """A digest of a frame's files, or of its pictures where it has no files; empty where it cannot be read.
+
+        Files count by name, size and time of change, so that a folder is looked through without decoding a picture.
+        """
+        stamp = self._stamp(index)
+        return self.read(index).digest if stamp is None else stamp
+
+    def read(self, index: int) -> ReadFrame:
+        """A frame by its place; one that cannot be used says why."""
+        stamp = self._stamp(index)
+        try:
+            frame = self.source.read(index)
+        except (FileError, OSError) as error:
+            return ReadFrame(index, f"frame {index}", None, None, None, stamp or "", f"cannot be read: {error}")
+        name = str(getattr(frame, "name", f"frame {index}"))
+        pose = getattr(frame, "T_world_camera", None)
+        depth, color = np.asarray(frame.depth), frame.color
+        digest = stamp
+        if digest is None:
+            digest = digest_of_bytes([np.ascontiguousarray(a) for a in (depth, color) if a is not None])
+        reason = self._fault(depth, color)
+        if reason:
+            return ReadFrame(index, name, None, None, pose, digest, reason)
+        meters = depth.astype(np.float32) / np.float32(self.depth_scale if depth.dtype.kind in "iu" else 1.0)
+        near, far = self.config.depth_min, self.config.depth_max
+        in_reach = (meters >= near) & (meters <= far)  # not of NaN
+        share = float(np.mean(in_reach))
+        if share < HARDLY_ANY:
+            reason = f"{share:.1%} of its pixels have a depth from {near:g} to {far:g} m"
+            return ReadFrame(index, name, None, color, pose, digest, reason)
+        return ReadFrame(index, name, np.where(in_reach, meters, np.float32(0)), color, pose, digest, "")
+
+    def read_all(self, indices: Iterable[int]) -> Generator[ReadFrame, None, None]:
+        """Frames in the order asked for, some of them decoded in threads before their turn comes."""
+        with contextlib.closing(read_in_order(self.read, indices)) as frames:
+            for take in frames:
+                yield take()
+
+    def closing(self, indices: Iterable[int]) -> contextlib.closing[Generator[ReadFrame, None, None]]:
+        """`read_all` for a `with`: its threads end with the block."""
+        return contextlib.closing(self.read_all(indices))
+
+    def _stamp(self, index: int) -> str | None:
+        """A digest of the state of a frame's files, empty where one is missing; None of frames without files."""
+        try:
+            files = self.source.frames[index]
+            paths = [Path(path) for path in (files.depth, files.color) if path is not None]
+        except (TypeError, AttributeError, IndexError):
+            return None
+        try:
+            states = [(path.name, path.stat()) for path in paths]
+        except OSError:
+            return ""
+        return digest_of_bytes(f"{name} {state.st_size} {state.st_mtime_ns}\n".encode() for name, state in states)
+
+    def _fault(self, depth: NDArray[Any], color: Any) -> str:
+        """Why pictures cannot be used; empty where they can."""
+        size = (self.intrinsic.height, self.intrinsic.width)
+        if depth.shape != size:
+            return f"its depth is {list(depth.shape)}, the camera's pictures are {list(size)}"
+        if depth.dtype.kind not in "iuf" or depth.dtype.itemsize == 1:
+            return f"its depth is {depth.dtype}; expected whole numbers of 16 bits or more, or metres in float"
+        if color is not None and (np.asarray(color).dtype != np.uint8 or np.shape(color) != (*size, 3)):
+            found = f"{np.asarray(color).dtype} {list(np.shape(color))}"
+            return f"its colour is {found}; expected uint8 {[*size, 3]}"
+        return ""

@@ -1,0 +1,173 @@
+"""The stage of SLAC: placed fragments aligned together with the distortion of their camera."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from ...core.checks import check_progress
+from ...core.devices import resolve_device
+from ...core.errors import FileError, FilePath
+from ...core.progress import ReportProgress
+from ...core.records import digest_of, read_record, write_record
+from ...registration.deformable.control_grid import ControlGrid
+from ...registration.deformable.control_grid_files import read_control_grid, write_control_grid
+from ...registration.deformable.slac import (
+    SLACOptimizerParams,
+    run_rigid_optimizer_for_fragments,
+    run_slac_optimizer_for_fragments,
+)
+from ...registration.pose_graphs.pose_graph import PoseGraph
+from ...registration.pose_graphs.pose_graph_files import read_pose_graph, write_pose_graph
+from ...registration.pose_graphs.reports import RefinementReport
+from .config import ReconstructionConfig
+from .fragments import Fragment, fragments_in
+from .placement import Placement, read_clouds
+from .places import Places
+from .refinement import latest_placement
+
+STAGE = "slac"
+SETTINGS = ("max_iterations", "voxel_size", "distance_threshold", "fitness_threshold", "regularizer_weight")
+
+
+@dataclass(frozen=True, eq=False)
+class BentPlacement:
+    """Where fragments lie once their camera's distortion is known.
+
+    Attributes:
+        placement: Where they lie; its pose graph has no `report`.
+        grid: Bends the frames of each fragment, in the fragment's coordinates; without anchors where nothing is bent.
+        figures: "method", "anchors", "bent_m" (root mean square of the anchors' shifts), "rmse_before" and "rmse"
+            (distance of points from their partners' planes [m]), "edges", and how many of them were "used".
+    """
+
+    placement: Placement
+    grid: ControlGrid
+    figures: dict[str, Any]
+
+
+def slac_params(config: ReconstructionConfig) -> SLACOptimizerParams:
+    """What a configuration says of SLAC.
+
+    Raises:
+        ValueError: A number that SLAC does not take, by its name.
+    """
+    return SLACOptimizerParams(**{name: getattr(config, name) for name in SETTINGS})
+
+
+def refine_with_slac(
+    config: ReconstructionConfig,
+    folder: FilePath,
+    *,
+    resume: bool = False,
+    device: Any = None,
+    progress: ReportProgress | None = None,
+) -> BentPlacement:
+    """Align the placed fragments in a job's folder together with the distortion of their camera.
+
+    `run_slac_optimizer_for_fragments` from where `refine_registration` left them, or `register_fragments` where that
+    was not run; `run_rigid_optimizer_for_fragments` where `config.method` is "rigid". `integrate_scene` with
+    `slac=True` then fuses the frames through the grid.
+
+    Args:
+        config, folder, device: As of `register_fragments`. The grid is in the frame of a fragment's first camera:
+            shorter fragments (`n_frames_per_fragment`) let it follow the camera's distortion more closely.
+        resume: Keep the result where it is there and made from this.
+        progress: Called with ("slac", steps done, steps).
+
+    Returns:
+        Where the fragments lie, the grid, and how it went.
+
+    Raises:
+        TypeError: No configuration.
+        ValueError: Numbers of the configuration that SLAC does not take, or no two points within `distance_threshold`.
+        FileError: No placement of the fragments, or a file that cannot be read or written.
+        DeviceError: No such device.
+
+    Notes:
+        The same bits from run to run. A single fragment, or fragments without an edge, are left as they are.
+    """
+    places, where, params = Places.make(folder, config), resolve_device(device), slac_params(config)
+    say = check_progress(progress)
+    fragments = fragments_in(places)
+    before = latest_placement(places, fragments)
+    settings = {name: getattr(config, name) for name in (*SETTINGS, "method")}
+    made_from = digest_of([before.made_from, settings])
+    if resume:
+        done = _read(places, before, where, made_from)
+        if done is not None:
+            return done
+    clouds = read_clouds([fragments[i] for i in before.members], config, where)
+    graph, grid = before.pose_graph, ControlGrid(device=where)
+    if graph.edges:
+        if config.method == "rigid":
+            graph = run_rigid_optimizer_for_fragments(clouds, graph, params, progress=say)
+        else:
+            graph, grid = run_slac_optimizer_for_fragments(clouds, graph, params, progress=say)
+    result = BentPlacement(_placement(before, graph, made_from), grid, _figures(config.method, grid, graph.report))
+    _write(places, result)
+    return result
+
+
+def placement_with_slac(places: Places, fragments: list[Fragment], device: Any) -> BentPlacement:
+    """What `refine_with_slac` found of the placement as it is now.
+
+    Raises:
+        FileError: It did not run, or the fragments were placed again since.
+    """
+    found = _read(places, latest_placement(places, fragments), device)
+    if found is None:
+        raise FileError(places.root, "holds no placement by SLAC", remedy="Run refine_with_slac with it first")
+    return found
+
+
+def _placement(before: Placement, graph: PoseGraph, made_from: str) -> Placement:
+    poses = before.poses.copy()
+    poses[before.members] = [node.pose for node in graph.nodes]
+    graph = PoseGraph(graph.nodes, graph.edges)
+    return replace(before, poses=poses, pose_graph=graph, made_from=made_from, before=before.made_from)
+
+
+def _figures(method: str, grid: ControlGrid, report: Any) -> dict[str, Any]:
+    shifts = grid.get_curr_positions() - grid.get_init_positions()
+    bent = float(np.sqrt((shifts**2).sum(axis=1).mean())) if len(grid) else 0.0
+    told = {"method": method, "anchors": len(grid), "bent_m": bent}
+    if not isinstance(report, RefinementReport):
+        return told | {"rmse_before": None, "rmse": None, "edges": 0, "used": 0}
+    used = sum(overlap.used for overlap in report.overlaps)
+    ends = {"rmse_before": float(report.rmse[0]), "rmse": float(report.rmse[-1])}
+    return told | ends | {"edges": len(report.overlaps), "used": used}
+
+
+# ------------------------------------------------------------------------------------------------ files
+
+
+def _grid_path(places: Places) -> Path:
+    return places.slac_graph.with_name("control_grid.npz")
+
+
+def _write(places: Places, found: BentPlacement) -> None:
+    """The pose graph, the grid, and the record, which comes last."""
+    paths, placement = [places.slac_graph, _grid_path(places)], found.placement
+    try:
+        paths[0].parent.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise FileError(paths[0].parent, f"cannot be made: {error.strerror or error}") from error
+    write_pose_graph(paths[0], placement.pose_graph)
+    write_control_grid(paths[1], found.grid)
+    result = {"poses": placement.poses.tolist(), "before": placement.before, "figures": found.figures}
+    write_record(places.record(STAGE), STAGE, placement.made_from, places.root, paths, result)
+
+
+def _read(places: Places, before: Placement, device: Any, made_from: str | None = None) -> BentPlacement | None:
+    """What was found from a placement, where it is there and fits."""
+    result = read_record(places.record(STAGE), STAGE, places.root, made_from)
+    if result is None or result["before"] != before.made_from:
+        return None
+    graph = read_pose_graph(places.slac_graph)
+    names = {"poses": np.array(result["poses"]), "made_from": result["made_from"], "before": result["before"]}
+    placement = replace(before, pose_graph=graph, **names)
+    return BentPlacement(placement, read_control_grid(_grid_path(places), device=device), result["figures"])

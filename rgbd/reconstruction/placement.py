@@ -1,0 +1,163 @@
+"""Fragments to one frame: what odometry joined, what registration finds, a pose graph that drops what contradicts."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...core.checks import check_progress
+from ...core.devices import resolve_device
+from ...core.errors import FileError, FilePath
+from ...core.progress import ReportProgress
+from ...core.records import digest_of, read_record, write_record
+from ...pcd.cloud import PointCloud
+from ...registration.pose_graphs import multiway
+from ...registration.pose_graphs.multiway import FragmentPair
+from ...registration.pose_graphs.pose_graph import PoseGraph
+from ...registration.pose_graphs.pose_graph_files import read_pose_graph, write_pose_graph
+from .config import ReconstructionConfig
+from .fragments import Fragment, digest_of_all, fragments_in
+from .places import Places
+
+Matrix = NDArray[np.float64]
+
+STAGE = "register"
+SETTINGS = ("voxel_size", "seed")
+THINNED = 4.0  # to the edge of a voxel: the finest that fragments are compared at
+SURE = 1.0  # how far a joint of odometry is believed beside what registration finds
+
+
+@dataclass(frozen=True, eq=False)
+class Placement:
+    """Where fragments lie.
+
+    Attributes:
+        poses: T_scene_fragment of each fragment, float64 [n, 4, 4]; the identity where it could not be placed.
+        placed: Whether it was, bool [n].
+        groups: Which fragments hang together, int [n]: equal numbers do. The largest group is the scene.
+        pose_graph: Over the placed fragments, its nodes in their order.
+        made_from: Digest of all that decided it.
+        before: That of the placement that was refined; empty where none was.
+        fragments: Digest of the fragments.
+    """
+
+    poses: Matrix
+    placed: NDArray[np.bool_]
+    groups: NDArray[np.int64]
+    pose_graph: PoseGraph
+    made_from: str
+    before: str = ""
+    fragments: str = ""
+
+    @property
+    def members(self) -> list[int]:
+        """The numbers of the placed fragments, in order."""
+        return np.flatnonzero(self.placed).tolist()
+
+
+def register_fragments(
+    config: ReconstructionConfig,
+    folder: FilePath,
+    *,
+    resume: bool = False,
+    device: Any = None,
+    progress: ReportProgress | None = None,
+) -> Placement:
+    """Bring the fragments in a job's folder into one frame.
+
+    What odometry joined is refined; every other pair is registered from no guess and taken where it is believed; a pose
+    graph over all drops loops that contradict the rest (`registration.register_fragments`).
+
+    Args:
+        config: As of `make_fragments`.
+        folder: The job's, where `make_fragments` left its files.
+        resume: Keep the result where it is there and made from these fragments.
+        device: Where to compute; None for the CPU.
+        progress: Called with ("pairs", done, all).
+
+    Returns:
+        Where they lie. The largest group that hangs together is placed, the first of equal ones; the others are not.
+
+    Raises:
+        TypeError: No configuration.
+        FileError: No fragments, or a file that cannot be read or written.
+        DeviceError: No such device.
+
+    Notes:
+        The same bits from run to run. O(points of all fragments, thinned) memory.
+    """
+    places, where = Places.make(folder, config), resolve_device(device)
+    say = check_progress(progress)
+    fragments = fragments_in(places)
+    whole = digest_of_all(fragments)
+    made_from = digest_of([whole, {name: getattr(config, name) for name in SETTINGS}])
+    if resume:
+        found = read_placement(places, STAGE, made_from)
+        if found is not None:
+            return found
+    clouds = read_clouds(fragments, config, where)
+    known = [
+        FragmentPair(f.number, f.joint.fragment, f.T_earlier(fragments[f.joint.fragment]), 0.0, SURE)
+        for f in fragments
+        if f.joint is not None
+    ]
+    found = multiway.register_fragments(
+        clouds, voxel_size=config.voxel_size, seed=config.seed, known=known, progress=say
+    )
+    placement = Placement(found.poses, found.placed, found.groups, found.pose_graph, made_from, fragments=whole)
+    write_placement(places, STAGE, placement)
+    return placement
+
+
+def read_clouds(fragments: list[Fragment], config: ReconstructionConfig, device: Any) -> list[PointCloud]:
+    """The clouds of fragments, thinned to what registration looks at."""
+    size = config.voxel_size / THINNED
+    return [fragment.read_cloud(device).voxel_down_sample(size) for fragment in fragments]
+
+
+def write_placement(places: Places, stage: str, placement: Placement) -> None:
+    """Write where fragments lie: the pose graph, and the record."""
+    path = places.scene_graph if stage == STAGE else places.refined_graph_optimized
+    write_pose_graph(path, placement.pose_graph)
+    result = {
+        "poses": placement.poses.tolist(),
+        "placed": placement.placed.tolist(),
+        "groups": placement.groups.tolist(),
+        "before": placement.before,
+        "fragments": placement.fragments,
+    }
+    write_record(places.record(stage), stage, placement.made_from, places.root, [path], result)
+
+
+def placement_of(places: Places, fragments: list[Fragment]) -> Placement:
+    """What `register_fragments` found of these fragments.
+
+    Raises:
+        FileError: It did not run, or the fragments were made again since.
+    """
+    placed = read_placement(places, STAGE)
+    if placed is None or placed.fragments != digest_of_all(fragments):
+        reason = "holds no placed fragments" if placed is None else "holds fragments that were made again since"
+        raise FileError(places.root, reason, remedy="Run register_fragments with it first")
+    return placed
+
+
+def read_placement(places: Places, stage: str, made_from: str | None = None) -> Placement | None:
+    """What a stage found, where it is there and fits."""
+    result = read_record(places.record(stage), stage, places.root, made_from)
+    if result is None:
+        return None
+    graph = read_pose_graph(places.scene_graph if stage == STAGE else places.refined_graph_optimized)
+    poses, placed = np.array(result["poses"]), np.array(result["placed"], bool)
+    return Placement(
+        poses,
+        placed,
+        np.array(result["groups"], np.int64),
+        graph,
+        result["made_from"],
+        result["before"],
+        result["fragments"],
+    )

@@ -1,0 +1,95 @@
+"""Where the files of a job lie: names of Open3D's configuration below the job's folder, and a record of each stage."""
+
+from __future__ import annotations
+
+import os
+from dataclasses import dataclass
+from pathlib import Path
+
+from ...core.checks import shown
+from ...core.errors import FileError, FilePath
+from ...core.records import record_file
+from .config import ReconstructionConfig
+
+
+@dataclass(frozen=True)
+class Places:
+    """The files of a job.
+
+    Attributes:
+        root: The job's folder.
+        config: Names the files.
+    """
+
+    root: Path
+    config: ReconstructionConfig
+
+    @classmethod
+    def make(cls, folder: FilePath, config: ReconstructionConfig) -> Places:
+        """The places, once their folders are there.
+
+        Raises:
+            TypeError: No path, or no configuration.
+            FileError: A folder cannot be made or written to.
+        """
+        if not isinstance(config, ReconstructionConfig):
+            raise TypeError(f"config: expected a ReconstructionConfig, got {type(config).__name__}")
+        if not isinstance(folder, str | os.PathLike):
+            raise TypeError(f"folder: expected a path, got {shown(folder)}")
+        places = cls(Path(folder), config)
+        for path in (places.fragment_cloud(0), places.scene_mesh, places.trajectory, places.record("fragment", 0)):
+            try:
+                path.parent.mkdir(parents=True, exist_ok=True)
+            except OSError as error:
+                raise FileError(path.parent, f"cannot be made: {error.strerror or error}") from error
+            if not os.access(path.parent, os.W_OK | os.X_OK):
+                raise FileError(path.parent, "is not writable", remedy="Choose another folder")
+        for name in ("template_fragment_posegraph", "template_fragment_posegraph_optimized"):
+            (places.root / (getattr(config, name) % 0)).parent.mkdir(parents=True, exist_ok=True)
+        return places
+
+    def fragment_graph(self, number: int) -> Path:
+        """The pose graph of a fragment as odometry and loops measured it."""
+        return self.root / (self.config.template_fragment_posegraph % number)
+
+    def fragment_graph_optimized(self, number: int) -> Path:
+        """... and optimised."""
+        return self.root / (self.config.template_fragment_posegraph_optimized % number)
+
+    def fragment_cloud(self, number: int) -> Path:
+        """The cloud of a fragment."""
+        return self.root / (self.config.template_fragment_pointcloud % number)
+
+    @property
+    def scene_graph(self) -> Path:
+        """The optimised pose graph of the fragments."""
+        return self.root / self.config.template_global_posegraph_optimized
+
+    @property
+    def refined_graph(self) -> Path:
+        """The pose graph of refined edges, before it is optimised."""
+        return self.root / self.config.template_refined_posegraph
+
+    @property
+    def refined_graph_optimized(self) -> Path:
+        """... and after."""
+        return self.root / self.config.template_refined_posegraph_optimized
+
+    @property
+    def slac_graph(self) -> Path:
+        """The pose graph once fragments were aligned with their camera's distortion."""
+        return self.root / self.config.folder_slac / self.config.template_optimized_posegraph_slac
+
+    @property
+    def scene_mesh(self) -> Path:
+        """The model."""
+        return self.root / self.config.template_global_mesh
+
+    @property
+    def trajectory(self) -> Path:
+        """Where the camera was."""
+        return self.root / self.config.template_global_traj
+
+    def record(self, stage: str, number: int | None = None) -> Path:
+        """The record of a stage, or of one fragment."""
+        return record_file(self.root, stage, number)

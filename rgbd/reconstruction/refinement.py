@@ -1,0 +1,160 @@
+"""Edges between fragments refined from coarse to fine by ICP, all at once, and their pose graph optimised again."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...core.checks import check_progress
+from ...core.devices import resolve_device
+from ...core.errors import FilePath
+from ...core.progress import ReportProgress
+from ...core.records import digest_of
+from ...pcd.cloud import PointCloud
+from ...registration.icp.estimation import (
+    TransformationEstimation,
+    TransformationEstimationForColoredICP,
+    TransformationEstimationForGeneralizedICP,
+    TransformationEstimationPointToPlane,
+    TransformationEstimationPointToPoint,
+)
+from ...registration.icp.iterative import IterativeRegistration
+from ...registration.pose_graphs.pose_graph import PoseGraph, PoseGraphNode
+from ...registration.pose_graphs.pose_graph_files import write_pose_graph
+from ...registration.pose_graphs.pose_graph_optimization import GlobalOptimizationOption, global_optimization
+from ...registration.rigid import invert_pose
+from .config import ReconstructionConfig
+from .fragments import PRUNE, Fragment, fragments_in, make_edge
+from .placement import Placement, placement_of, read_clouds, read_placement, write_placement
+from .places import Places
+
+Matrix = NDArray[np.float64]
+
+STAGE = "refine"
+SETTINGS = ("voxel_size", "icp_method", "preference_loop_closure_registration")
+SCALES = ((1.0, 50), (2.0, 30), (4.0, 14))  # voxels to the edge of the coarsest, iterations: Open3D's
+REACH = 1.4  # [voxels] of a correspondence: Open3D's
+STILL = 1e-6  # change of fitness or error below which a scale ends: Open3D's
+ASTRAY = 2.0  # [coarsest voxels] that refining may move a fragment; beyond it, it has slid to another place
+METHODS: dict[str, type[TransformationEstimation]] = {
+    "point_to_point": TransformationEstimationPointToPoint,
+    "point_to_plane": TransformationEstimationPointToPlane,
+    "color": TransformationEstimationForColoredICP,
+    "generalized": TransformationEstimationForGeneralizedICP,
+}
+
+
+def refine_registration(
+    config: ReconstructionConfig,
+    folder: FilePath,
+    *,
+    resume: bool = False,
+    device: Any = None,
+    progress: ReportProgress | None = None,
+) -> Placement:
+    """Refine where the fragments in a job's folder lie.
+
+    Each edge that `register_fragments` kept is refined at voxels of `voxel_size`, a half and a quarter of it, by
+    `icp_method`, all edges at once; then the pose graph is optimised again. An edge that wanders off keeps its pose.
+
+    Args:
+        config, folder, device: As of `register_fragments`.
+        resume: Keep the result where it is there and made from this.
+        progress: Called with ("refine", scales done, scales).
+
+    Returns:
+        Where the fragments lie.
+
+    Raises:
+        TypeError: No configuration.
+        FileError: No placement of the fragments, or a file that cannot be read or written.
+        DeviceError: No such device.
+
+    Notes:
+        The same bits from run to run.
+    """
+    places, where = Places.make(folder, config), resolve_device(device)
+    say = check_progress(progress)
+    fragments = fragments_in(places)
+    before = placement_of(places, fragments)
+    made_from = digest_of([before.made_from, {name: getattr(config, name) for name in SETTINGS}])
+    if resume:
+        done = read_placement(places, STAGE, made_from)
+        if done is not None:
+            return done
+    members = before.members
+    clouds = read_clouds([fragments[i] for i in members], config, where)
+    graph = _refine_edges(before.pose_graph, clouds, config, say)
+    write_pose_graph(places.refined_graph, graph)
+    option = GlobalOptimizationOption(
+        max_correspondence_distance=REACH * config.voxel_size,
+        edge_prune_threshold=PRUNE,
+        preference_loop_closure=config.preference_loop_closure_registration,
+        reference_node=0,
+    )
+    solved = global_optimization(graph, option=option)
+    poses = before.poses.copy()
+    poses[members] = [node.pose for node in solved.nodes]
+    placement = Placement(poses, before.placed, before.groups, solved, made_from, before.made_from, before.fragments)
+    write_placement(places, STAGE, placement)
+    return placement
+
+
+def latest_placement(places: Places, fragments: list[Fragment]) -> Placement:
+    """The refined placement where it is one of the fragments' placement as it is now, else that.
+
+    Raises:
+        FileError: The fragments are not placed.
+    """
+    placed = placement_of(places, fragments)
+    refined = read_placement(places, STAGE)
+    return placed if refined is None or refined.before != placed.made_from else refined
+
+
+def _refine_edges(
+    graph: PoseGraph, clouds: Sequence[PointCloud], config: ReconstructionConfig, say: ReportProgress
+) -> PoseGraph:
+    """The graph with each edge refined."""
+    edges, nodes = graph.edges, [PoseGraphNode(node.pose) for node in graph.nodes]
+    if not edges:
+        return PoseGraph(nodes)
+    start = np.array([invert_pose(nodes[e.target_node_id].pose) @ nodes[e.source_node_id].pose for e in edges])
+    poses, method = start, method_for(config, clouds)
+    information: Sequence[Matrix] = []
+    for done, (fineness, steps) in enumerate(SCALES):
+        say("refine", done, len(SCALES))
+        size = config.voxel_size / fineness
+        level = [cloud.voxel_down_sample(size) for cloud in clouds]
+        sources, targets = [level[e.source_node_id] for e in edges], [level[e.target_node_id] for e in edges]
+        problem = IterativeRegistration(sources, targets, poses, REACH * size, method)
+        problem.run(steps, STILL, STILL)
+        poses, information = np.array([r.transformation for r in problem.results()]), list(problem.information())
+    say("refine", len(SCALES), len(SCALES))
+    refined = []
+    for edge, first, last, matrix in zip(edges, start, poses, information, strict=True):
+        if _moved(clouds[edge.source_node_id], first, last) > ASTRAY * config.voxel_size:
+            refined.append(edge)
+        else:
+            ends = edge.source_node_id, edge.target_node_id
+            refined.append(make_edge(*ends, last, matrix, uncertain=edge.uncertain))
+    return PoseGraph(nodes, refined)
+
+
+def method_for(config: ReconstructionConfig, clouds: Sequence[PointCloud]) -> TransformationEstimation:
+    """The method of the configuration; that of surfaces where it wants colours and a cloud has none."""
+    name = config.icp_method
+    if name == "color" and not all(cloud.has_colors for cloud in clouds):
+        name = "point_to_plane"
+    return METHODS[name]()
+
+
+def _moved(cloud: PointCloud, first: Matrix, last: Matrix) -> float:
+    """How far a cloud's box moves from one pose to another, root mean square of its corners [m]."""
+    box = cloud.get_axis_aligned_bounding_box()
+    low, high = np.asarray(box.min_bound), np.asarray(box.max_bound)
+    corners = np.array([[x, y, z] for x in (low[0], high[0]) for y in (low[1], high[1]) for z in (low[2], high[2])])
+    D = last - first
+    return float(np.sqrt(((corners @ D[:3, :3].T + D[:3, 3]) ** 2).sum(axis=1).mean()))

@@ -1,0 +1,182 @@
+"""All frames of the placed fragments to one model, and the path of the camera."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...cameras.trajectory import Trajectory, write_trajectory
+from ...core.checks import check_progress
+from ...core.devices import resolve_device
+from ...core.errors import FilePath
+from ...core.progress import ReportProgress
+from ...core.records import digest_of, read_record, write_record
+from ...files.frames.frames import FrameSource
+from ...meshing.mesh.mesh import TriangleMesh
+from ...meshing.mesh.mesh_files import write_triangle_mesh
+from ...meshing.mesh.mesh_summary import describe_mesh
+from ...meshing.volume.surface_weights import least_weights
+from ...meshing.volume.tsdf import TSDFVolume
+from ...registration.trajectories.trajectory_error import evaluate_trajectory
+from .config import ReconstructionConfig
+from .fragments import Fragment, fragments_in
+from .frames import Frames, LostFrame, ReadFrame
+from .nonrigid import placement_with_slac
+from .placement import Placement
+from .places import Places
+from .refinement import latest_placement
+from .volumes import Straightener, fuse_frames, make_volume
+
+Matrix = NDArray[np.float64]
+
+STAGE = "integrate"
+
+
+@dataclass(frozen=True, eq=False)
+class Scene:
+    """The model of a scene.
+
+    Attributes:
+        mesh_path: The file of its mesh; None where the mesh is empty, and none was written.
+        trajectory_path: The file of the camera's path.
+        indices: Places in the source of the frames in it, int64 [n].
+        T_world_camera: Where the camera was, float64 [n, 4, 4]; the world is the first placed fragment's frame.
+        lost: Frames that were placed, and could not be read again.
+        figures: Vertices, triangles, bounds, the voxels; and where the source knows the true path, the error of this
+            one after alignment ("trajectory_error": rmse, median and max [m]).
+    """
+
+    mesh_path: Path | None
+    trajectory_path: Path
+    indices: NDArray[np.int64]
+    T_world_camera: Matrix
+    lost: list[LostFrame]
+    figures: dict[str, Any]
+
+
+def integrate_scene(
+    source: FrameSource,
+    config: ReconstructionConfig,
+    folder: FilePath,
+    *,
+    slac: bool = False,
+    resume: bool = False,
+    device: Any = None,
+    progress: ReportProgress | None = None,
+) -> Scene:
+    """Fuse all frames of the placed fragments, and write the mesh and the camera's path.
+
+    Args:
+        source: The frames that the fragments were made of.
+        config, folder, device: As of `make_fragments`.
+        slac: Whether frames are bent straight, at the poses of `refine_with_slac`.
+        resume: Keep the result where it is there and made from this.
+        progress: Called with ("integrate", done, all), and ("extract", 0, 0).
+
+    Returns:
+        The scene. Without `slac` poses are those of `refine_registration` where it was run, else of
+        `register_fragments`.
+
+    Raises:
+        TypeError: No such source or configuration.
+        ValueError: Another number of frames than the fragments were made of.
+        FileError: No placed fragments, with `slac` no `refine_with_slac` of them, or a file that cannot be read or
+            written.
+        DeviceError: No such device.
+
+    Notes:
+        One frame in memory at a time, beside those that are decoded ahead. The same bits from run to run.
+    """
+    places, where = Places.make(folder, config), resolve_device(device)
+    frames, say = Frames(source, config), check_progress(progress)
+    fragments = fragments_in(places)
+    bent = placement_with_slac(places, fragments, where) if slac else None
+    placement = latest_placement(places, fragments) if bent is None else bent.placement
+    indices, poses = poses_of(fragments, placement)
+    if len(indices) and indices[-1] >= frames.count:
+        raise ValueError(f"source: has {frames.count} frames, and the fragments hold frame {indices[-1]}")
+    colored = all(fragments[i].colored for i in placement.members)
+    sizes = {"voxel_size": config.volume_voxel_size, "truncation": config.truncation}
+    made_from = digest_of([placement.made_from, sizes, config.surface_weight_threshold])
+    if resume and (done := _read_scene(places, made_from)) is not None:
+        return done
+    volume = make_volume(config.volume_voxel_size, config.truncation, colored, where)
+    truths: list[Any] = []
+
+    def see(frame: ReadFrame) -> None:
+        truths.append(frame.T_world_camera)
+        say("integrate", len(truths), len(indices))
+
+    say("integrate", 0, len(indices))
+    straight = None
+    if bent is not None and len(bent.grid):
+        steps = np.concatenate([fragments[i].poses for i in placement.members])
+        straight = Straightener(bent.grid, steps)
+    lost = fuse_frames(frames, indices.tolist(), poses, volume, straight=straight, seen=see)
+    say("extract", 0, 0)
+    mesh, threshold = extract_mesh(volume, config.surface_weight_threshold)
+    figures = sizes | {"weight_threshold": threshold, "volume_bytes": volume.memory_bytes}
+    figures |= describe_mesh(mesh).to_json() | {"trajectory_error": _error_of(poses, truths)}
+    files = [places.trajectory, *([places.scene_mesh] if len(mesh) else [])]
+    ids = np.stack([indices, indices, np.full(len(indices), frames.count)], axis=1)
+    write_trajectory(places.trajectory, Trajectory(poses, ids=ids))
+    if len(mesh):
+        write_triangle_mesh(places.scene_mesh, mesh)
+    scene = Scene(places.scene_mesh if len(mesh) else None, places.trajectory, indices, poses, lost, figures)
+    _write_scene(places, scene, made_from, files)
+    return scene
+
+
+def poses_of(fragments: list[Fragment], placement: Placement) -> tuple[NDArray[np.int64], Matrix]:
+    """The frames of the placed fragments, and T_scene_camera of each, in order."""
+    members = placement.members
+    indices = np.concatenate([fragments[i].indices for i in members])
+    return indices, np.concatenate([placement.poses[i] @ fragments[i].poses for i in members])
+
+
+def extract_mesh(volume: TSDFVolume, threshold: float | None) -> tuple[TriangleMesh, float]:
+    """The surface of a volume, and the threshold it was made with: the first that leaves any, where none is given."""
+    mesh, used = TriangleMesh(), 0.0
+    for used in least_weights(volume.frame_count) if threshold is None else [threshold]:
+        mesh = volume.extract_triangle_mesh(used)
+        if len(mesh):
+            break
+    return mesh, used
+
+
+def _error_of(poses: Matrix, truths: list[Any]) -> dict[str, float] | None:
+    """How far the path is from the true one, where that is known of all frames."""
+    if len(truths) != len(poses) or len(poses) < 3 or any(T is None for T in truths):
+        return None
+    found = evaluate_trajectory(Trajectory(poses), Trajectory(np.array(truths))).absolute_translation
+    return {"rmse": found.rmse, "median": found.median, "max": found.max}
+
+
+def _write_scene(places: Places, scene: Scene, made_from: str, files: list[Path]) -> None:
+    result = {
+        "has_mesh": scene.mesh_path is not None,
+        "indices": scene.indices.tolist(),
+        "poses": scene.T_world_camera.tolist(),
+        "lost": [[frame.index, frame.name, frame.reason] for frame in scene.lost],
+        "figures": scene.figures,
+    }
+    write_record(places.record(STAGE), STAGE, made_from, places.root, files, result)
+
+
+def _read_scene(places: Places, made_from: str) -> Scene | None:
+    """The scene, where it is there and fits."""
+    result = read_record(places.record(STAGE), STAGE, places.root, made_from)
+    if result is None:
+        return None
+    return Scene(
+        places.scene_mesh if result["has_mesh"] else None,
+        places.trajectory,
+        np.array(result["indices"], np.int64),
+        np.array(result["poses"]),
+        [LostFrame(*entry) for entry in result["lost"]],
+        result["figures"],
+    )

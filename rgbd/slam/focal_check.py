@@ -1,0 +1,219 @@
+"""Whether the focal length is right, from the frames alone: `check_focal`.
+
+A wrong focal length stretches what a frame shows across its line of sight. Frames that look the same way are stretched
+alike and fit each other as well as before; frames that are turned against each other do not. So pairs of frames that
+are turned by some degrees are aligned with several focal lengths, and the one given should fit best.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+from collections.abc import Callable, Iterable, Sequence
+from typing import Any
+
+import numpy as np
+
+from ...cameras.camera import PinholeCameraIntrinsic
+from ...cameras.trajectory import Trajectory
+from ...core.checks import check_count, check_list, check_positive, check_rigid
+from ...core.devices import resolve_device
+from ...core.errors import FileError
+from ...files.frames.frames import DEPTH_MAX, FrameSource, can_read, check_frames
+from ...files.frames.rgbd_sources import RGBDSource
+from ..odometry.alignment import align_frames
+from ..odometry.frames import OdometryFrame
+from ..odometry.results import OdometryResult
+from .tracking import track
+
+TURN = 12.0  # [degrees] between the frames of a pair: enough to tell 10 % of the focal length, and they still overlap
+PAIRS = 8
+FEWEST_PAIRS = 3  # below it nothing is said
+FACTORS = (0.8, 0.9, 1.1, 1.25)  # of the focal length, that are tried beside the one given
+BETTER = 0.95  # of the residual, below which another focal length fits better: noise alone stays above 0.99
+LEAST_OVERLAP = 0.2
+MISS = 0.05  # [m] what a pixel counts that is off the other frame's surface
+
+
+@dataclasses.dataclass(frozen=True)
+class FocalCheck:
+    """Residuals of turned pairs of frames with the focal length given and with others.
+
+    Attributes:
+        pairs: How many were aligned.
+        residual: With the focal length given, the median [m].
+        factor: By which the focal length fits best; 1 where none is clearly better.
+        residual_there: With that one, the median [m].
+
+    Example:
+        >>> from pointloom import FocalCheck
+        >>> print(FocalCheck(pairs=8, residual=0.004, factor=1.0, residual_there=0.004))
+        8 pairs of turned frames are 4.0 mm off each other, and no other focal length fits better
+        >>> FocalCheck(pairs=8, residual=0.012, factor=1.25, residual_there=0.004).doubt is None
+        False
+    """
+
+    pairs: int
+    residual: float
+    factor: float
+    residual_there: float
+
+    def __str__(self) -> str:
+        found = f"{self.pairs} pairs of turned frames are {self.residual * 1000:.1f} mm off each other"
+        return self.doubt or f"{found}, and no other focal length fits better"
+
+    @property
+    def doubt(self) -> str | None:
+        """Whether another focal length fits the frames better, in the words of the command line."""
+        if self.factor == 1.0:
+            return None
+        return (
+            f"the camera may be wrong: frames that are turned against each other fit better with a focal length "
+            f"about {self.factor:g} times as long ({self.residual_there * 1000:.1f} mm off each other instead of "
+            f"{self.residual * 1000:.1f}); give the right one with --intrinsic"
+        )
+
+    def to_json(self) -> dict[str, Any]:
+        """The figures, in JSON's types."""
+        residuals = {"residual_m": self.residual, "factor": self.factor, "residual_there_m": self.residual_there}
+        return {"pairs": self.pairs, **residuals}
+
+
+def check_focal(
+    frames: FrameSource | RGBDSource,
+    trajectory: Trajectory | None = None,
+    *,
+    uncertain: Iterable[int] = (),
+    depth_max: float = DEPTH_MAX,
+    device: Any = None,
+) -> FocalCheck | None:
+    """Whether frames that are turned against each other fit better with another focal length.
+
+    Args:
+        frames: Of `open_frames`, `frames_from`, or anything with `intrinsic`, `depth_scale` and either `len` and
+            `read(i)` or an iterator that can be asked for again.
+        trajectory: Poses of some of them; ids hold their numbers, without ids they are those of the first frames. None
+            finds them with `loom.track`.
+        uncertain: Numbers of frames whose poses say nothing.
+        depth_max: Farther depth is left out [m].
+        device: Where to compute; None for the CPU.
+
+    Returns:
+        None where the camera turned too little to tell, or too few of the frames overlap.
+
+    Raises:
+        TypeError: No frames of one camera, no trajectory.
+        ValueError: A length that is not positive, or a number of a frame that is none.
+        DeviceError: No such device.
+
+    Notes:
+        At most eight pairs are aligned with five focal lengths each. The same bits from run to run.
+
+    Example:
+        >>> import numpy as np, pointloom as loom
+        >>> camera = loom.PinholeCameraIntrinsic(64, 48, 60.0, 60.0, 31.5, 23.5)
+        >>> frames = loom.frames_from([(None, np.ones((48, 64), np.float32))] * 3, camera)
+        >>> still = loom.Trajectory(np.tile(np.eye(4), (3, 1, 1)))
+        >>> print(loom.check_focal(frames, still))  # a camera that did not turn tells nothing
+        None
+    """
+    check_frames("frames", frames)
+    where, farthest = resolve_device(device), check_positive("depth_max", depth_max)
+    doubtful = [check_count("uncertain", number, minimum=0) for number in check_list("uncertain", uncertain, "numbers")]
+    if trajectory is None:
+        tracked = track(frames, depth_max=farthest, device=where)
+        path, doubtful = tracked.trajectory, [*doubtful, *tracked.uncertain]
+    elif isinstance(trajectory, Trajectory):
+        path = trajectory
+    else:
+        raise TypeError(f"trajectory: expected a Trajectory or None, got {type(trajectory).__name__}")
+    poses, numbers = _sure(path, doubtful)
+    pairs = turned_pairs(Trajectory(poses))
+    read = _reader(frames, {int(numbers[place]) for pair in pairs for place in pair})
+    options = {"depth_scale": frames.depth_scale, "depth_max": farthest, "device": where}
+    found = []
+    for first, second in pairs:
+        ends = [
+            check_rigid(f"trajectory: the pose of frame {numbers[place]}", poses[place]) for place in (first, second)
+        ]
+        start = np.linalg.inv(ends[0]) @ ends[1]
+        residuals = _residuals(read, frames.intrinsic, (int(numbers[first]), int(numbers[second])), start, options)
+        if residuals is not None:
+            found.append(residuals)
+    return _judged(found)
+
+
+def _judged(found: Sequence[Sequence[float]]) -> FocalCheck | None:
+    """The residuals of all pairs, those with the focal length given first, in one verdict."""
+    if len(found) < FEWEST_PAIRS:
+        return None
+    table = np.array(found)
+    ratios = np.median(table[:, 1:] / table[:, :1], axis=0)
+    best = int(np.argmin(ratios))
+    given = float(np.median(table[:, 0]))
+    factor, ratio = (FACTORS[best], float(ratios[best])) if ratios[best] < BETTER else (1.0, 1.0)
+    return FocalCheck(len(found), given, factor, given * ratio)
+
+
+def turned_pairs(path: Trajectory) -> list[tuple[int, int]]:
+    """Places in a path of poses that are turned against each other, spread over it."""
+    axes = path.poses[:, :3, 2]
+    pairs = []
+    for first in range(0, len(path), max(1, len(path) // PAIRS)):
+        turned = np.flatnonzero(axes[first + 1 :] @ axes[first] < math.cos(math.radians(TURN)))
+        if len(turned) and first + 1 + int(turned[0]) not in (second for _, second in pairs):
+            pairs.append((first, first + 1 + int(turned[0])))
+    return pairs
+
+
+def _sure(path: Trajectory, uncertain: Sequence[int]) -> tuple[Any, Any]:
+    """The poses that say something, and the numbers of their frames."""
+    numbers = np.arange(len(path)) if path.ids is None else path.ids[:, 0]
+    sure = ~np.isin(numbers, np.array(uncertain, np.int64))
+    return path.poses[sure], numbers[sure]
+
+
+def _reader(frames: FrameSource | RGBDSource, numbers: set[int]) -> Callable[[int], Any]:
+    """What gives frames by their numbers: those of a stream are taken from it and kept."""
+    if can_read(frames):
+        read: Callable[[int], Any] = frames.read
+        known = numbers.intersection(range(len(frames)))
+    else:
+        kept = {i: frame for i, frame in enumerate(frames if numbers else ()) if i in numbers}  # type: ignore[arg-type]
+        read, known = kept.__getitem__, set(kept)
+    if unknown := numbers - known:
+        raise ValueError(f"trajectory: names frame {min(unknown)}, and frames has no such frame")
+    return read
+
+
+def _residuals(
+    read: Callable[[int], Any],
+    intrinsic: PinholeCameraIntrinsic,
+    pair: tuple[int, int],
+    start: Any,
+    options: dict[str, Any],
+) -> list[float] | None:
+    """The residual of a pair with each focal length, the one given first; None where it says nothing."""
+    try:
+        frames = [read(number) for number in pair]
+    except FileError:
+        return None
+    results = []
+    for factor in (1.0, *FACTORS):
+        camera = _stretched(intrinsic, factor)
+        target, source = (OdometryFrame(frame.depth, camera, frame.color, **options) for frame in frames)
+        results.append(align_frames(source, target, start))
+    if not any(result.success for result in results) or min(result.overlap for result in results) < LEAST_OVERLAP:
+        return None
+    return [_residual(result) for result in results]
+
+
+def _residual(result: OdometryResult) -> float:
+    """Root of the mean square distance [m] over the pixels that meet depth."""
+    share = result.fitness / result.overlap
+    return math.sqrt(share * result.inlier_rmse**2 + (1 - share) * MISS**2)
+
+
+def _stretched(camera: PinholeCameraIntrinsic, factor: float) -> PinholeCameraIntrinsic:
+    fx, fy = factor * camera.fx, factor * camera.fy
+    return PinholeCameraIntrinsic(camera.width, camera.height, fx, fy, camera.cx, camera.cy)

@@ -1,0 +1,80 @@
+"""A frame of a depth camera on a device, uploaded once for tracking and for fusion."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+import warp as wp
+
+from ...cameras.camera import PinholeCameraIntrinsic
+from ...cameras.images import check_intrinsic, upload_color, upload_depth
+from ...core.checks import check_number
+from ..odometry.frames import OdometryFrame
+
+MOST_PIXELS = 20_000  # that frames and the model are compared by: a quarter of VGA's sides; more wins nothing
+
+
+class SensorFrame:
+    """Depth and colour on a device, and their pyramid.
+
+    Args:
+        frame: Anything with `depth` and, where it has them, `color`, `timestamp` and `name`: an RGBDImage, a frame of
+            `open_dataset`, of a live source. Integers are divided by `depth_scale`, floats are metres.
+        intrinsic: The camera of both pictures.
+        depth_scale: Integer units a metre.
+        depth_max: Farthest depth used [m].
+        device: Where it goes.
+
+    Attributes:
+        depth: float32 [pixels] [m], 0 where nothing was measured.
+        pixels: uint8 [pixels, 3], or None without colour.
+        still: The depth without what moved, once a tracker has told that; else None.
+        pyramid: The OdometryFrame; of what is still, once that is known.
+        timestamp: Time [s], or None.
+
+    Raises:
+        TypeError: No depth, or wrong element types.
+        ValueError: Shapes that do not fit the camera or each other.
+    """
+
+    def __init__(
+        self, frame: Any, intrinsic: PinholeCameraIntrinsic, depth_scale: float, depth_max: float, device: wp.Device
+    ):
+        if not hasattr(frame, "depth"):
+            kind = type(frame).__name__
+            raise TypeError(f"frame: expected something with depth and color, such as a Frame, got {kind}")
+        self.depth, _, height, width = upload_depth(frame.depth, depth_scale, depth_max, device)
+        self.intrinsic = check_intrinsic(intrinsic, width, height)
+        color = getattr(frame, "color", None)
+        if color is not None and np.issubdtype(getattr(color, "dtype", np.uint8), np.floating):
+            color = np.rint(255 * np.clip(color, 0, 1)).astype(np.uint8)  # an RGBDImage of brightness
+        self.pixels: Any = None if color is None else upload_color(color, height, width, device)
+        self.still: Any = None
+        self._pyramid: OdometryFrame | None = None
+        self.name = str(getattr(frame, "name", ""))
+        time = getattr(frame, "timestamp", None)
+        self.timestamp = None if time is None else check_number("timestamp", time)
+        self.device = device
+
+    @property
+    def pyramid(self) -> OdometryFrame:
+        """The frame for odometry, made when it is first asked for."""
+        if self._pyramid is None:
+            self._pyramid = self.pyramid_of(self.depth)
+        return self._pyramid
+
+    def keep_still(self, depth: Any, pyramid: OdometryFrame) -> None:
+        """Take the depth of what is still, and its pyramid, for the frame's."""
+        self.still, self._pyramid = depth, pyramid
+
+    def pyramid_of(self, depth: Any) -> OdometryFrame:
+        """The frame for odometry with another depth, float32 [pixels]."""
+        return OdometryFrame.from_device_maps(depth, self.pixels, self.intrinsic, MOST_PIXELS)
+
+    def seconds_since(self, earlier: float | None) -> float:
+        """The time from another time to this frame's [s]; NaN where one of them is unknown."""
+        if earlier is None or self.timestamp is None:
+            return math.nan
+        return self.timestamp - earlier

@@ -1,0 +1,92 @@
+"""Frames by which a lost camera finds back: their codes on the device, their poses on the host."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import warp as wp
+from numpy.typing import NDArray
+
+from ...kernels.lang import uint8
+from ...kernels.memory import copy, download, zeros
+from ...kernels.rgbd.keyframe_codes import FERNS, compare_codes, encode_frame
+from ...registration.rigid import rotation_vector
+from ..odometry.frames import OdometryFrame
+
+Pose = NDArray[np.float64]
+
+APART = 0.25  # [m] from the nearest keyframe, or
+TURNED = np.deg2rad(18.0)  # from it: then a view is new
+LEAST_COMMON = 0.15  # share of the tests that two frames both have to answer
+
+
+class Keyframes:
+    """Views of a scene that frames can be recognised from.
+
+    Args:
+        device: Where the codes lie.
+        seed: Chooses the tests that codes are made of.
+
+    Attributes:
+        poses: T_world_camera of each keyframe; they may be replaced when the map is corrected.
+        numbers: The number of each keyframe's frame.
+    """
+
+    def __init__(self, device: wp.Device, seed: int = 0):
+        self.device, self.seed = device, seed
+        self.poses: list[Pose] = []
+        self.numbers: list[int] = []
+        self._codes: Any = zeros(64 * FERNS, uint8, device)
+
+    def __len__(self) -> int:
+        return len(self.poses)
+
+    def add(self, frame: OdometryFrame, pose: Pose, number: int) -> int:
+        """Keep a view; its index."""
+        index = len(self.poses)
+        if (index + 1) * FERNS > self._codes.size:
+            larger: Any = zeros(2 * self._codes.size, uint8, self.device)
+            copy(larger, self._codes, count=self._codes.size)
+            self._codes = larger
+        self._encode(frame, self._codes, index)
+        self.poses.append(pose.copy())
+        self.numbers.append(number)
+        return index
+
+    def is_new_view(self, pose: Pose) -> bool:
+        """Whether no keyframe looks from so near into so much the same direction."""
+        return all(view_distance(pose, other) > 1.0 for other in reversed(self.poses))
+
+    def recognize(self, frame: OdometryFrame, count: int) -> list[tuple[int, float]]:
+        """The keyframes most like a frame: (index, share of the tests that differ), the likest first.
+
+        A sync. Of views that are nearly the same only the likest comes along.
+        """
+        if not self.poses:
+            return []
+        counts = download(compare_codes(self._encode(frame), self._codes, len(self.poses)))  # sync
+        common, different = counts[:, 0], counts[:, 1]
+        least = max(LEAST_COMMON * common.max(initial=0), 1)
+        shares = np.where(common >= least, different / np.maximum(common, 1), 1.0)
+        found: list[tuple[int, float]] = []
+        for index in np.argsort(shares, kind="stable").tolist():
+            pose = self.poses[index]
+            if shares[index] < 0.5 and all(view_distance(pose, self.poses[i]) > 1.5 for i, _ in found):
+                found.append((index, float(shares[index])))
+            if len(found) == count:
+                break
+        return found
+
+    def _encode(self, frame: OdometryFrame, codes: Any = None, row: int = 0) -> Any:
+        levels = frame.levels
+        last = levels.count - 1
+        width, height = (int(side) for side in levels.sizes[last])
+        first = int(levels.firsts[last])
+        return encode_frame(levels.depth, levels.brightness, first, width, height, seed=self.seed, codes=codes, row=row)
+
+
+def view_distance(a: Pose, b: Pose) -> float:
+    """How far two views are apart: 1 for APART metres, or for TURNED radians."""
+    shift = float(np.linalg.norm(a[:3, 3] - b[:3, 3])) / APART
+    return shift + float(np.linalg.norm(rotation_vector(a[:3, :3].T @ b[:3, :3]))) / TURNED

@@ -1,0 +1,258 @@
+"""Pairs of submaps that may show the same place: which those are, and whether they do.
+
+A pair is tried where the submaps can overlap, given how far tracking may have drifted between them; it is registered
+from where tracking put it, and from no guess where that may be too far. A pose is taken where `registration` believes
+it (registration/globally/rating.py) and it moves the submap no further than tracking may have drifted.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import heapq
+from collections.abc import Sequence
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...kernels.surface.hollow_side import Surface
+from ...pcd.cloud import PointCloud
+from ...registration.globally.global_registration import FEWEST_POINTS, Description, describe, register_described
+from ...registration.globally.rating import rate_surfaces, surface_of
+from ...registration.icp.estimation import (
+    TransformationEstimationForGeneralizedICP,
+    TransformationEstimationPointToPlane,
+)
+from ...registration.icp.iterative import IterativeRegistration
+from ...registration.rigid import adjoint_of, invert_pose, to_local
+from .submaps import Submap
+
+Matrix = NDArray[np.float64]
+
+FAR = 5.0  # [voxels] of a correspondence at first; a start further off than this is tried from no guess too
+REACH = 1.5  # [voxels] of a correspondence at last
+OVERLAP = 0.2  # share of the smaller submap that has to lie on the other
+SURE = 0.5  # score above which a pose is believed that tracking has foretold
+SURER = 0.95  # and one as far from that as tracking may be off: wrong poses believed at 0.5 to 0.7 lie far off
+STEPS = 30  # of ICP at each distance
+STILL = 1e-6
+AT_ONCE = 64  # pairs in the same launches
+
+
+class SubmapSurface:
+    """A submap as registration sees it.
+
+    Attributes:
+        cloud: Its points, one a voxel, in coordinates of the submap.
+        thinned: Where a surface shows, with normals.
+        box: Corners of the box of its points, float64 [8, 3]; none where it shows no surface.
+    """
+
+    def __init__(self, submap: Submap, voxel_size: float):
+        self.cloud, self.voxel_size = submap.cloud(voxel_size / 4), voxel_size
+        self.box = np.zeros((0, 3))
+        self.thinned: PointCloud | None = None
+        self.surface: Surface | None = None
+        if len(self.cloud) < FEWEST_POINTS:
+            return
+        surface = surface_of(self.cloud, voxel_size)
+        if len(surface) < FEWEST_POINTS:
+            return
+        self.surface = surface
+        self.thinned = self._as_cloud(surface)
+        points = self.cloud.points
+        ends = np.stack([points.min(axis=0), points.max(axis=0)])
+        self.box = np.array([[ends[i, 0], ends[j, 1], ends[k, 2]] for i in (0, 1) for j in (0, 1) for k in (0, 1)])
+
+    def _as_cloud(self, surface: Surface) -> PointCloud:
+        return PointCloud.from_device_arrays({"points": surface.points, "normals": surface.normals}, self.cloud.origin)
+
+    @cached_property
+    def fine(self) -> PointCloud:
+        """As `thinned`, with voxels of half the size."""
+        return self._as_cloud(surface_of(self.cloud, self.voxel_size / 2))
+
+    @cached_property
+    def described(self) -> Description:
+        """Its features, for registration from no guess."""
+        return describe(self.cloud, self.voxel_size)
+
+
+@dataclasses.dataclass(frozen=True, eq=False)
+class Loop:
+    """Two submaps that were tried against each other, not one after the other in tracking.
+
+    Attributes:
+        source, target: Their places in the list of submaps.
+        T_target_source: How the source lies to the target, float64 [4, 4].
+        information: As of PoseGraphEdge, float64 [6, 6].
+        score: How far `registration` believes it, 0..1.
+        overlap: Share of the source's voxels that lie on the target.
+        residual: Distance of the surfaces from each other along their normals [m], root of the mean square, once they
+            were refined: noise, what tracking lost within the two, and how the camera bends depth. NaN before.
+        shift: How far the pose moves the source from where it was before [m]: the farthest corner of its box.
+        limit: How far tracking may have drifted between them [m].
+        refused: Why it was not taken; empty where it was.
+    """
+
+    source: int
+    target: int
+    T_target_source: Matrix
+    information: Matrix
+    score: float
+    overlap: float
+    shift: float
+    limit: float
+    refused: str = ""
+    residual: float = np.nan
+
+
+@dataclasses.dataclass(frozen=True, eq=False)
+class Candidate:
+    """A pair that may overlap: where the source would lie in the target, and how far off that may be [m]."""
+
+    source: int
+    target: int
+    T_target_source: Matrix
+    limit: float
+
+
+def shortest_ways(count: int, links: Sequence[tuple[int, int, float]]) -> Matrix:
+    """The shortest way between each two of `count` places over links (a, b, length), infinite where none leads."""
+    near: list[list[tuple[int, float]]] = [[] for _ in range(count)]
+    for a, b, length in links:
+        near[a].append((b, length))
+        near[b].append((a, length))
+    ways = np.full((count, count), np.inf)
+    for start in range(count):
+        ways[start, start] = 0.0
+        waiting = [(0.0, start)]
+        while waiting:
+            way, at = heapq.heappop(waiting)
+            if way > ways[start, at]:
+                continue
+            for other, length in near[at]:
+                if way + length < ways[start, other]:
+                    ways[start, other] = way + length
+                    heapq.heappush(waiting, (way + length, other))
+    return ways
+
+
+def find_candidates(
+    surfaces: Sequence[SubmapSurface], poses: Matrix, limits: Matrix, known: set[tuple[int, int]]
+) -> list[Candidate]:
+    """The pairs that are not known yet and whose boxes meet, each grown by what poses may be off by."""
+    found = []
+    for target in range(len(surfaces)):
+        for source in range(target + 1, len(surfaces)):
+            if (source, target) in known or not len(surfaces[source].box) or not len(surfaces[target].box):
+                continue
+            T, limit = invert_pose(poses[target]) @ poses[source], float(limits[source, target])
+            if not np.isfinite(limit) or _boxes_meet(surfaces[source].box, surfaces[target].box, T, limit):
+                found.append(Candidate(source, target, T, limit))
+    return found
+
+
+def _boxes_meet(source: Matrix, target: Matrix, T: Matrix, limit: float) -> bool:
+    """Whether two boxes come within a distance, along the axes of either."""
+    there = source @ T[:3, :3].T + T[:3, 3]
+    back = invert_pose(T)
+    here = target @ back[:3, :3].T + back[:3, 3]
+    pairs = ((there, target), (here, source))
+    return all((a.min(0) - limit <= b.max(0)).all() and (b.min(0) - limit <= a.max(0)).all() for a, b in pairs)
+
+
+def shift_of(box: Matrix, before: Matrix, after: Matrix) -> float:
+    """How far a box goes from one pose to another: its farthest corner [m]."""
+    moved = box @ (after[:3, :3] - before[:3, :3]).T + (after[:3, 3] - before[:3, 3])
+    return float(np.linalg.norm(moved, axis=1).max())
+
+
+def verify_near(surfaces: Sequence[SubmapSurface], candidates: Sequence[Candidate]) -> list[Loop]:
+    """The candidates registered from where they are, each with its verdict."""
+    loops: list[Loop] = []
+    for first in range(0, len(candidates), AT_ONCE):
+        part = candidates[first : first + AT_ONCE]
+        starts = np.array([c.T_target_source for c in part])
+        loops += _register(surfaces, part, starts, coarse=True)
+    return loops
+
+
+def verify_far(surfaces: Sequence[SubmapSurface], candidates: Sequence[Candidate], seed: int) -> list[Loop]:
+    """The candidates registered from no guess; those of which nothing is found are left out."""
+    loops = []
+    for c in candidates:
+        found = register_described(surfaces[c.source].described, surfaces[c.target].described, seed=seed)
+        if found.score is not None and found.score > SURE:  # one of two poses that fit alike is not believed
+            loops += _register(surfaces, [c], found.transformation[None], coarse=False)
+    return loops
+
+
+def _register(
+    surfaces: Sequence[SubmapSurface], candidates: Sequence[Candidate], starts: Matrix, *, coarse: bool
+) -> list[Loop]:
+    """Candidates registered from poses, all in the same launches, and judged."""
+    left = [surfaces[c.source].thinned for c in candidates]
+    right = [surfaces[c.target].thinned for c in candidates]
+    size, poses = surfaces[candidates[0].source].voxel_size, starts
+    if coarse:
+        plane = TransformationEstimationPointToPlane()
+        first = IterativeRegistration(left, right, poses, FAR * size, plane)  # type: ignore[arg-type]
+        first.run(STEPS, STILL, None)
+        poses = np.array([result.transformation for result in first.results()])
+    fine = TransformationEstimationForGeneralizedICP()
+    last = IterativeRegistration(left, right, poses, REACH * size, fine)  # type: ignore[arg-type]
+    last.run(STEPS, STILL, None)
+    information = last.information()
+    loops = []
+    for c, result, matrix in zip(candidates, last.results(), information, strict=True):
+        T = result.transformation
+        A = adjoint_of(T)  # an edge's matrix weighs a misfit in the source's coordinates, the problem's in the target's
+        loops.append(_judge(surfaces, c, T, A.T @ matrix @ A, result.fitness))
+    return loops
+
+
+def _judge(surfaces: Sequence[SubmapSurface], c: Candidate, T: Matrix, information: Matrix, fitness: float) -> Loop:
+    """A registered candidate with what speaks against it."""
+    source, target = surfaces[c.source], surfaces[c.target]
+    assert source.surface is not None and target.surface is not None
+    share = fitness * max(1.0, len(source.surface) / len(target.surface))  # of the smaller one
+    shift, score, refused = shift_of(source.box, c.T_target_source, T), 0.0, ""
+    if shift > c.limit:
+        refused = f"it lies {shift:.2f} m from where tracking, which may be off by {c.limit:.2f} m, has it"
+    elif share < OVERLAP:
+        refused = f"{share:.0%} of the smaller submap lie on the other, {OVERLAP:.0%} are asked for"
+    else:
+        local = to_local(T, source.cloud.origin, target.cloud.origin)
+        score = rate_surfaces(source.surface, target.surface, local, REACH * source.voxel_size).score
+        asked = SURE + (SURER - SURE) * shift / c.limit if np.isfinite(c.limit) else SURE
+        if score <= asked:
+            refused = f"it is not believed: score {score:.2f}, {asked:.2f} asked for {shift:.2f} m off tracking"
+    return Loop(c.source, c.target, T, information, score, fitness, shift, c.limit, refused)
+
+
+def refine(surfaces: Sequence[SubmapSurface], loops: Sequence[Loop]) -> list[Loop]:
+    """Loops refined with voxels of half the size; without those whose surfaces then have no pair of points left."""
+    refined = []
+    for first in range(0, len(loops), AT_ONCE):
+        part = loops[first : first + AT_ONCE]
+        left, right = [surfaces[p.source].fine for p in part], [surfaces[p.target].fine for p in part]
+        starts = np.array([p.T_target_source for p in part])
+        reach = REACH * surfaces[part[0].source].voxel_size / 2
+        problem = IterativeRegistration(left, right, starts, reach, TransformationEstimationForGeneralizedICP())
+        problem.run(STEPS, STILL, None)
+        for p, result, matrix in zip(part, problem.results(), problem.information(), strict=True):
+            T = result.transformation
+            A = adjoint_of(T)
+            residual = _plane_distance(surfaces[p.source].fine, surfaces[p.target].fine, T, result.correspondence_set)
+            refined.append(dataclasses.replace(p, T_target_source=T, information=A.T @ matrix @ A, residual=residual))
+    return [p for p in refined if np.isfinite(p.residual)]
+
+
+def _plane_distance(source: PointCloud, target: PointCloud, T: Matrix, pairs: NDArray[np.int32]) -> float:
+    """The distances of pairs of points along the target's normals, root of the mean square [m]."""
+    moved = source.points[pairs[:, 0]] @ T[:3, :3].T + T[:3, 3]
+    normals = target.normals
+    assert normals is not None
+    along = ((moved - target.points[pairs[:, 1]]) * normals[pairs[:, 1]]).sum(axis=1)
+    return float(np.sqrt((along**2).mean())) if len(along) else np.inf

@@ -1,0 +1,129 @@
+"""Tracking against the model, loops between submaps, and the surface of all: `model_by_slam`."""
+
+from __future__ import annotations
+
+import dataclasses
+from typing import Any
+
+import numpy as np
+
+from ...cameras.trajectory import Trajectory
+from ...core.progress import ReportProgress
+from ...core.reports import Fields
+from ...core.timing import Clock
+from ...files.frames.frames import FrameSource
+from ...files.frames.rgbd_sources import RGBDSource
+from ...meshing.mesh.mesh import TriangleMesh
+from ...meshing.volume.surface_weights import least_weight
+from ...meshing.volume.tsdf import TSDFVolume
+from .submaps import FRAMES as SUBMAP_FRAMES
+from .tracked_path import TrackedPath
+from .tracking import make_slam, track_with
+
+
+@dataclasses.dataclass(frozen=True, eq=False)
+class SlamAccount:
+    """How tracking and closing loops made a model.
+
+    Attributes:
+        path: The path, once loops are closed, and what became of each frame.
+        submap_count: How many submaps the run was cut into.
+        loops: Pairs of submaps (target, source) that show the same place and were brought together.
+        refused_loop_count: Pairs that were tried and not believed.
+        corrected: The farthest that a frame was moved by that [m].
+    """
+
+    path: TrackedPath
+    submap_count: int = 0
+    loops: tuple[tuple[int, int], ...] = ()
+    refused_loop_count: int = 0
+    corrected: float = 0.0
+
+    @property
+    def trajectory(self) -> Trajectory:
+        """The poses of the frames that have one; ids hold their numbers."""
+        return self.path.trajectory
+
+    @property
+    def uncertain(self) -> tuple[int, ...]:
+        """Frames whose pose is told with a doubt."""
+        return self.path.uncertain
+
+    @property
+    def voxel_size(self) -> float:
+        """Edge of a voxel [m]."""
+        return self.path.voxel_size
+
+    @property
+    def depth_max(self) -> float:
+        """Farther depth was left out [m]."""
+        return self.path.depth_max
+
+    @property
+    def poor(self) -> str | None:
+        """What is wrong with the path, or None."""
+        return self.path.poor
+
+    def to_json(self) -> dict[str, Any]:
+        """The figures, in JSON's types."""
+        return self.path.to_json() | self.loops_to_json()
+
+    def loops_to_json(self) -> dict[str, Any]:
+        """Those of the loops alone."""
+        loops = [list(loop) for loop in self.loops]
+        refused = {"refused_loops": self.refused_loop_count, "corrected_m": self.corrected}
+        return {"submaps": self.submap_count, "loops": loops, **refused}
+
+    def fields(self, frames_per_second: float | None = None) -> Fields:
+        """The frames, the path and the loops as labels and values, with the rate where it was measured."""
+        told = self.path.fields(frames_per_second)
+        if not self.loops:
+            return [*told, ("loops", "none")]
+        count = f"{len(self.loops)} closed among {self.submap_count} submaps"
+        return [*told, ("loops", f"{count}, which moved frames by {self.corrected * 1000:.1f} mm at most")]
+
+
+def model_by_slam(
+    frames: FrameSource | RGBDSource,
+    *,
+    voxel_size: float,
+    depth_max: float,
+    device: Any,
+    read_ahead: int,
+    progress: ReportProgress,
+    clock: Clock,
+) -> tuple[TriangleMesh, SlamAccount]:
+    """Track each frame against the model of those before it, close the loops, and take the surface.
+
+    Args:
+        frames, voxel_size, depth_max, device, read_ahead, progress: As of `loom.track`.
+        clock: Counts the seconds of the stages "read", "track", "loops", "extract".
+
+    Raises:
+        TypeError, ValueError, FileError: As `loom.track`.
+    """
+    sizes: dict[str, Any] = {"voxel_size": voxel_size, "depth_max": depth_max, "device": device}
+    slam = make_slam(frames, **sizes, submap_frames=SUBMAP_FRAMES)
+    path = track_with(slam, frames, **sizes, read_ahead=read_ahead, progress=progress, clock=clock)
+    volume, account = _close_loops(slam, path, progress)
+    clock.stop("loops")
+    progress("extract", 0, 0)
+    mesh = volume.extract_triangle_mesh(weight_threshold=least_weight(len(path.trajectory)))
+    clock.stop("extract")
+    return mesh, account
+
+
+def _close_loops(slam: Any, path: TrackedPath, progress: ReportProgress) -> tuple[TSDFVolume, SlamAccount]:
+    """The surface, and what is told of the loops, with the path corrected."""
+    volume = slam.volume  # as it was tracked: where no loop is closed, it is not to be made anew from its submaps
+    if not slam.model.frame_count:
+        return volume, SlamAccount(path)
+    closure = slam.close_loops(progress=progress)
+    counts: dict[str, Any] = {"submap_count": len(closure.T_world_submap), "refused_loop_count": len(closure.refused)}
+    if not closure.loops:
+        return volume, SlamAccount(path, **counts)
+    loops = tuple((loop.target, loop.source) for loop in closure.loops)
+    before, poses = path.trajectory.poses, [result.pose for result in slam.results if result.pose is not None]
+    shifts = [np.linalg.norm(new[:3, 3] - old[:3, 3]) for new, old in zip(poses, before, strict=True)]
+    corrected = float(max(shifts))
+    return slam.volume, SlamAccount(path.with_poses(poses), loops=loops, corrected=corrected, **counts)

@@ -1,0 +1,212 @@
+"""A surface that frames are tracked against and fused into, in the spirit of Open3D's `t.pipelines.slam.Model`."""
+
+from __future__ import annotations
+
+import dataclasses
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ...cameras.camera import PinholeCameraIntrinsic
+from ...core.checks import check_positive, check_rigid
+from ...core.watching import report
+from ...kernels.lang import uint8
+from ...kernels.memory import upload
+from ...kernels.rgbd.model_maps import hide_unseen
+from ...meshing.mesh.mesh import TriangleMesh
+from ...meshing.volume.tsdf import RayCast, TSDFVolume
+from ...pcd.cloud import PointCloud
+from ..odometry.alignment import Method, align_frames
+from ..odometry.frames import OdometryFrame
+from ..odometry.results import OdometryResult
+from .frames import MOST_PIXELS, SensorFrame
+from .movers import Movers
+
+Pose = NDArray[np.float64]
+
+SEEN_OFTEN = 3  # frames beyond which a voxel is rendered, once there are so many; Open3D's figure
+DEPTH_MIN = 0.1  # [m] where rays begin
+
+
+class Model:
+    """A signed-distance volume that a depth camera is tracked against, frame to model.
+
+    Beside Open3D's Model: the camera is given once, frames are anything with `depth` and `color`, the model is rendered
+    at the size that frames are compared at, with colour, and `track_frame` begins where it is told to.
+
+    Args:
+        intrinsic: The camera of all frames.
+        voxel_size: Edge of a voxel [m].
+        truncation: Distance at which signed distances are cut [m]; None for 4 voxels.
+        T_init: The first pose, T_world_camera; None for the identity.
+        depth_scale: Integer units a metre.
+        depth_max: Farthest depth used [m].
+        leave_out_moving: Whether pixels are left out that show what was not there a second ago.
+        device: "cpu", "cuda:0", "auto"; None for the CPU.
+
+    Attributes:
+        current_frame_pose: The pose of the latest frame that was integrated; before that, T_init.
+        volume: The TSDFVolume.
+        movers: What tells moving things from still ones; knows nothing where they are not left out.
+
+    Raises:
+        ValueError: Sizes that are not positive, a pose that is no rigid motion.
+        TypeError: An intrinsic of another type.
+
+    Example:
+        >>> import numpy as np, pointloom as loom
+        >>> camera = loom.PinholeCameraIntrinsic(64, 48, 60.0, 60.0, 31.5, 23.5)
+        >>> v, u = np.mgrid[:48, :64]
+        >>> depth = 1.0 + 0.1 * np.sin(u / 5) * np.cos(v / 7)
+        >>> frame = loom.RGBDImage(np.zeros((48, 64), np.uint8), depth)
+        >>> model = loom.slam.Model(camera, voxel_size=0.02)
+        >>> model.integrate(frame, np.eye(4))
+        >>> model.track_frame(frame).success
+        True
+    """
+
+    def __init__(
+        self,
+        intrinsic: PinholeCameraIntrinsic,
+        *,
+        voxel_size: float = 0.01,
+        truncation: float | None = None,
+        T_init: ArrayLike | None = None,
+        depth_scale: float = 1000.0,
+        depth_max: float = 4.0,
+        leave_out_moving: bool = True,
+        device: Any = None,
+    ):
+        if not isinstance(intrinsic, PinholeCameraIntrinsic):
+            raise TypeError(f"intrinsic: expected a PinholeCameraIntrinsic, got {type(intrinsic).__name__}")
+        self.intrinsic = intrinsic
+        self.depth_scale = check_positive("depth_scale", depth_scale)
+        self.depth_max = check_positive("depth_max", depth_max)
+        if self.depth_max <= DEPTH_MIN:
+            raise ValueError(f"depth_max: expected more than {DEPTH_MIN} m, where depth begins, got {depth_max}")
+        self.current_frame_pose = np.eye(4) if T_init is None else check_rigid("T_init", T_init)
+        self.volume = TSDFVolume(voxel_size=voxel_size, truncation=truncation, device=device)
+        self.device = self.volume.device
+        self.leave_out_moving, self.movers = bool(leave_out_moving), Movers()
+        self._view = compared_camera(intrinsic)
+
+    def __repr__(self) -> str:
+        return f"Model({self.volume!r})"
+
+    @property
+    def frame_count(self) -> int:
+        """Frames integrated."""
+        return self.volume.frame_count
+
+    def prepare(self, frame: Any) -> SensorFrame:
+        """The frame on the model's device, for several calls with it; a prepared one as it is.
+
+        Raises:
+            TypeError, ValueError: As `SensorFrame`.
+        """
+        if isinstance(frame, SensorFrame):
+            return frame
+        return SensorFrame(frame, self.intrinsic, self.depth_scale, self.depth_max, self.device)
+
+    def track_frame(self, frame: Any, T_world_camera: ArrayLike | None = None) -> OdometryResult:
+        """Where a frame was taken, from its alignment with the model as it is seen from a pose nearby.
+
+        Args:
+            frame: The frame.
+            T_world_camera: Where to begin; None for `current_frame_pose`.
+
+        Returns:
+            An OdometryResult whose transformation is T_world_camera; its information is about that camera.
+
+        Raises:
+            TypeError, ValueError: As `prepare`; a start that is no rigid motion.
+        """
+        given = self.current_frame_pose if T_world_camera is None else check_rigid("T_world_camera", T_world_camera)
+        found = align_frames(self.prepare(frame).pyramid, self.seen_from(given), method=Method.Hybrid)
+        return _moved(found, given)
+
+    def integrate(self, frame: Any, T_world_camera: ArrayLike) -> None:
+        """Fuse a frame, which becomes the current one.
+
+        What an earlier frame of the last second looked through moved there since, and is left out. A frame without
+        colour in a model of coloured ones takes the model's own, grey where it shows none.
+
+        Raises:
+            TypeError, ValueError: As `prepare`; a pose that is no rigid motion. The model stays as it was.
+        """
+        self.fuse(self.prepare(frame), check_rigid("T_world_camera", T_world_camera))
+
+    def fuse(self, prepared: SensorFrame, pose: Pose) -> tuple[Any, Any]:
+        """`integrate` for what is checked already; the depth and the colours that were taken, on the device."""
+        pixels = prepared.pixels
+        if self.frame_count and not self.volume.has_frame_colors:
+            pixels = None
+        elif self.frame_count and pixels is None:
+            pixels = self._own_colors(pose)
+        depth = prepared.still if prepared.still is not None else self.movers.still_depth(prepared, pose)
+        self.volume.integrate_device_frame(depth, self.intrinsic, pose, pixels, 1.0, self.depth_max)
+        if self.leave_out_moving:
+            self.movers.add(prepared, pose)
+        self.current_frame_pose = pose
+        report("integrate", volume=self.volume, intrinsic=self.intrinsic, T_world_camera=pose)
+        return depth, pixels
+
+    def render(self, T_world_camera: ArrayLike, *, weight_threshold: float | None = None) -> RayCast:
+        """What the camera would see of the model: depth, points, normals, colours.
+
+        Args:
+            T_world_camera: The pose.
+            weight_threshold: Voxels seen by no more frames than this are as if absent; None for 3, or fewer while there
+                are fewer frames.
+
+        Raises:
+            ValueError: A pose that is no rigid motion.
+        """
+        pose = check_rigid("T_world_camera", T_world_camera)
+        threshold = self.threshold if weight_threshold is None else weight_threshold
+        limits = {"depth_min": DEPTH_MIN, "depth_max": self.depth_max}
+        return self.volume.ray_cast(self.intrinsic, np.linalg.inv(pose), weight_threshold=threshold, **limits)
+
+    def seen_from(self, T_world_camera: Pose, *, weight_threshold: float | None = None) -> OdometryFrame:
+        """The model as a frame for odometry, at the size that frames are compared at; it stays on the device.
+
+        Its planes are fitted to its depth, as a frame's are: gradients of the distances about a voxel are coarser.
+        """
+        threshold = self.threshold if weight_threshold is None else weight_threshold
+        limits: dict[str, Any] = {"depth_min": DEPTH_MIN, "depth_max": self.depth_max, "normals": False}
+        maps: Any = self.volume.render_maps(self._view, T_world_camera, weight_threshold=threshold, **limits)
+        if maps.intensity is not None:
+            hide_unseen(maps.depth, maps.intensity)
+        return OdometryFrame.from_device_maps(maps.depth, maps.intensity, self._view, MOST_PIXELS)
+
+    def extract_triangle_mesh(self, weight_threshold: float = 3.0) -> TriangleMesh:
+        """The surface as a mesh; see `TSDFVolume.extract_triangle_mesh`."""
+        return self.volume.extract_triangle_mesh(weight_threshold)
+
+    def extract_point_cloud(self, weight_threshold: float = 3.0) -> PointCloud:
+        """The surface as points; see `TSDFVolume.extract_point_cloud`."""
+        return self.volume.extract_point_cloud(weight_threshold)
+
+    @property
+    def threshold(self) -> float:
+        """Frames beyond which a voxel is rendered: 3, or fewer while there are fewer frames."""
+        return float(max(min(self.frame_count - 1, SEEN_OFTEN), 0))
+
+    def _own_colors(self, pose: Pose) -> Any:
+        seen = self.render(pose, weight_threshold=0.0)
+        colors = np.where(np.asarray(seen.depth)[..., None] > 0, np.asarray(seen.colors), 0.5)
+        return upload(np.rint(255 * colors).astype(np.uint8).reshape(-1, 3), uint8, self.device)
+
+
+def compared_camera(intrinsic: PinholeCameraIntrinsic) -> PinholeCameraIntrinsic:
+    """The camera at the size of the finest level of a SensorFrame's pyramid."""
+    camera = intrinsic
+    while camera.width * camera.height > MOST_PIXELS and min(camera.width, camera.height) >= 2:
+        camera = camera.scaled(0.5)
+    return camera
+
+
+def _moved(found: OdometryResult, pose: Pose) -> OdometryResult:
+    """The result with its motion in the world."""
+    return dataclasses.replace(found, transformation=pose @ found.transformation)

@@ -1,0 +1,43 @@
+"""What moves is kept out of the model: frames of a while ago tell what was free then."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...kernels.rgbd.moved_pixels import FreeSpace, hide_moved
+from ...registration.rigid import invert_pose
+from .frames import SensorFrame
+
+Pose = NDArray[np.float64]
+
+EVERY = 6  # fused frames from one that is kept to the next
+KEPT = 5  # frames kept: the last second, at 30 a second
+ASKED = (0, 2)  # which of them are asked, from the oldest on: a slow walker is told from afar, a quick one soon
+
+
+class Movers:
+    """The frames of the last second, and what they say of those that follow."""
+
+    def __init__(self) -> None:
+        self._earlier: list[tuple[FreeSpace, Pose]] = []
+        self._count = 0
+
+    def __bool__(self) -> bool:
+        return bool(self._earlier)
+
+    def still_depth(self, frame: SensorFrame, pose: Pose) -> Any:
+        """The frame's depth on its device, 0 where it shows what was not there before."""
+        asked = [self._earlier[index] for index in ASKED if index < len(self._earlier)]
+        if not asked:
+            return frame.depth
+        views = [(free, invert_pose(its_pose) @ pose) for free, its_pose in asked]
+        return hide_moved(frame.depth, frame.intrinsic, views)
+
+    def add(self, frame: SensorFrame, pose: Pose) -> None:
+        """A frame that was fused."""
+        if self._count % EVERY == 0:
+            self._earlier = [*self._earlier[-KEPT + 1 :], (FreeSpace(frame.pyramid.levels), pose.copy())]
+        self._count += 1

@@ -1,0 +1,292 @@
+"""Submaps: pieces of a run of frames, each a volume of its own that may be moved as a whole later."""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ...cameras.camera import PinholeCameraIntrinsic
+from ...core.checks import check_count, check_list, check_numeric, check_positive, check_rigid, check_share
+from ...meshing.volume.surface_weights import least_weight
+from ...meshing.volume.tsdf import TSDFVolume
+from ...pcd.cloud import PointCloud
+from ...registration.rigid import invert_pose, make_pose, nearest_rotation, rotation_vector
+
+Matrix = NDArray[np.float64]
+
+FRAMES = 100  # of a submap: at 30 a second some 3 s, in which a tracker loses millimetres
+SHARED = 0.2  # of a submap, which the one before it has too: what fixes how they lie to each other
+ARM = 1.0  # [m] a turn by an angle counts as a way of so long an arm
+
+
+@dataclasses.dataclass(frozen=True, eq=False)
+class Submap:
+    """A piece of a run: the volume of its frames in the frame of its first camera, and where it lies.
+
+    Args:
+        volume: A TSDFVolume in coordinates of the submap.
+        T_world_submap: Where tracking put it, float64 [4, 4].
+        frames: Numbers of its frames in the run, ascending, int64 [n].
+        T_submap_camera: Where its cameras stand in it, float64 [n, 4, 4].
+        follows: Whether tracking led here from the submap before; False where it was lost between them.
+
+    Raises:
+        TypeError: No TSDFVolume, or not numbers.
+        ValueError: Frames that do not ascend, not as many poses as frames, or one that is no rigid motion.
+
+    Example:
+        >>> import numpy as np, pointloom as loom
+        >>> camera, pose = loom.PinholeCameraIntrinsic(64, 48, 60.0, 60.0, 31.5, 23.5), np.eye(4)
+        >>> volume = loom.TSDFVolume(voxel_size=0.1, color=False)
+        >>> touched = volume.integrate(np.full((48, 64), 1000, np.uint16), camera, pose)
+        >>> submap = loom.slam.Submap(volume, pose, [7], [pose])
+        >>> submap.T_world_camera.shape, len(submap.cloud(0.2)) > 10
+        ((1, 4, 4), True)
+    """
+
+    volume: TSDFVolume
+    T_world_submap: Matrix
+    frames: NDArray[np.int64]
+    T_submap_camera: Matrix
+    follows: bool = True
+
+    def __post_init__(self):
+        if not isinstance(self.volume, TSDFVolume):
+            raise TypeError(f"volume: expected a TSDFVolume, got {type(self.volume).__name__}")
+        frames = check_numeric("frames", self.frames)
+        if frames.ndim != 1 or not len(frames) or frames.dtype.kind not in "iu" or (np.diff(frames) <= 0).any():
+            raise ValueError("frames: expected ascending whole numbers, at least one")
+        given = check_list("T_submap_camera", self.T_submap_camera, "poses")
+        if len(given) != len(frames):
+            raise ValueError(f"T_submap_camera: expected {len(frames)} poses, got {len(given)}")
+        poses = [_rigid(f"T_submap_camera[{i}]", T) for i, T in enumerate(given)]
+        object.__setattr__(self, "T_world_submap", _rigid("T_world_submap", self.T_world_submap))
+        object.__setattr__(self, "frames", frames.astype(np.int64))
+        object.__setattr__(self, "T_submap_camera", np.array(poses))
+
+    def __repr__(self) -> str:
+        first, last = int(self.frames[0]), int(self.frames[-1])
+        return f"Submap({len(self.frames)} frames {first}..{last}, {self.volume.block_count:,} blocks)"
+
+    @property
+    def T_world_camera(self) -> Matrix:
+        """Where tracking put its cameras, float64 [n, 4, 4]."""
+        return self.T_world_submap @ self.T_submap_camera
+
+    @property
+    def weight_threshold(self) -> float:
+        """Voxels seen more often than this count as surface."""
+        return least_weight(self.volume.frame_count)
+
+    def cloud(self, voxel_size: float) -> PointCloud:
+        """Its surface as points in coordinates of the submap, one a voxel, with normals and colours.
+
+        Args:
+            voxel_size: Edge of the voxels [m].
+
+        Raises:
+            TypeError, ValueError: No positive number.
+        """
+        check_positive("voxel_size", voxel_size)
+        cloud = self.volume.extract_point_cloud(self.weight_threshold)
+        return cloud.voxel_down_sample(voxel_size) if len(cloud) else cloud
+
+
+def _rigid(name: str, pose: ArrayLike) -> Matrix:
+    """A rigid motion, its rotation exact: files round to a few digits, and inverses are taken by the transpose."""
+    T = check_rigid(name, pose)
+    return make_pose(nearest_rotation(T[:3, :3]), T[:3, 3])
+
+
+def way_between(first: Matrix, second: Matrix) -> float:
+    """How far a camera went between two poses [m], turns counted on an arm of a metre."""
+    motion = invert_pose(first) @ second
+    return float(np.linalg.norm(motion[:3, 3]) + ARM * np.linalg.norm(rotation_vector(motion[:3, :3])))
+
+
+class _Recording:
+    """A submap that is being recorded."""
+
+    def __init__(self, volume: TSDFVolume, T_world_submap: Matrix, follows: bool):
+        self.volume, self.T_world_submap, self.follows = volume, T_world_submap, follows
+        self.numbers: list[int] = []
+        self.poses: list[Matrix] = []
+        self.way = 0.0
+        self.latest = T_world_submap
+
+    def done(self) -> Submap:
+        poses = invert_pose(self.T_world_submap) @ np.array(self.poses)
+        return Submap(self.volume, self.T_world_submap, np.array(self.numbers), poses, self.follows)
+
+
+class SubmapRecorder:
+    """Posed frames in, submaps out: each takes frames until it is full, and shares its last ones with the next.
+
+    A submap lies in coordinates of its first camera, so that its volume is small numbers wherever it is. At most two
+    are recorded at a time.
+
+    Args:
+        intrinsic: The camera.
+        voxel_size: Of the volumes [m].
+        truncation: As of TSDFVolume.
+        depth_scale: Integer units a metre.
+        depth_max: Farther depth is left out [m].
+        frames: Frames of a full submap.
+        way: A submap is also full when the camera went this far [m], a turn by an angle counted on an arm of a metre;
+            None for any.
+        shared: Share of a submap that the next one has too, 0 to 0.5.
+        color: Whether colour is kept.
+        device: As of TSDFVolume.
+
+    Attributes:
+        submaps: Those that are full.
+
+    Raises:
+        TypeError: No PinholeCameraIntrinsic, or not numbers.
+        ValueError: Sizes and counts out of range.
+
+    Example:
+        >>> import numpy as np, pointloom as loom
+        >>> camera = loom.PinholeCameraIntrinsic(64, 48, 60.0, 60.0, 31.5, 23.5)
+        >>> recorder = loom.slam.SubmapRecorder(camera, voxel_size=0.05, frames=4, shared=0.25, color=False)
+        >>> for step in range(10):
+        ...     pose = np.eye(4)
+        ...     pose[0, 3] = 0.01 * step
+        ...     recorder.add(np.full((48, 64), 1000, np.uint16), pose)
+        >>> [submap.frames.tolist() for submap in recorder.finish()]
+        [[0, 1, 2, 3], [3, 4, 5, 6], [6, 7, 8, 9]]
+    """
+
+    def __init__(
+        self,
+        intrinsic: PinholeCameraIntrinsic,
+        *,
+        voxel_size: float,
+        truncation: float | None = None,
+        depth_scale: float = 1000.0,
+        depth_max: float = 4.0,
+        frames: int = FRAMES,
+        way: float | None = None,
+        shared: float = SHARED,
+        color: bool = True,
+        device: Any = None,
+    ):
+        if not isinstance(intrinsic, PinholeCameraIntrinsic):
+            raise TypeError(f"intrinsic: expected a PinholeCameraIntrinsic, got {type(intrinsic).__name__}")
+        self._intrinsic, self._scale = intrinsic, check_positive("depth_scale", depth_scale)
+        self._depth_max = check_positive("depth_max", depth_max)
+        self._sizes = {"voxel_size": voxel_size, "truncation": truncation, "color": color, "device": device}
+        TSDFVolume(**self._sizes)  # checks them
+        self._most_frames = check_count("frames", frames)
+        self._most_way = math.inf if way is None else check_positive("way", way)
+        self._shared = check_share("shared", shared)
+        if self._shared > 0.5:
+            raise ValueError(f"shared: expected at most 0.5, got {shared}")
+        self.submaps: list[Submap] = []
+        self._open: list[_Recording] = []
+        self._follows, self._count = False, 0
+
+    @property
+    def current(self) -> Submap | None:
+        """The submap that has most frames of those being recorded, as far as it is; None before the first frame."""
+        return self._open[0].done() if self._open and self._open[0].numbers else None
+
+    def add(
+        self,
+        depth: ArrayLike,
+        T_world_camera: ArrayLike | None,
+        color: ArrayLike | None = None,
+        number: int | None = None,
+    ) -> None:
+        """Take in a frame where tracking put its camera.
+
+        Args:
+            depth: As of `TSDFVolume.integrate`, of the camera's size.
+            T_world_camera: Shape [4, 4]; None where tracking was lost: the next submap then follows none.
+            color: Likewise; needed where colour is kept.
+            number: The frame's number in the run, above those before; None counts.
+
+        Raises:
+            ValueError, TypeError: As of `TSDFVolume.integrate`, or a number that is not above those before.
+        """
+        number = self._count if number is None else check_count("number", number, minimum=0)
+        if number < self._count:
+            raise ValueError(f"number: expected {self._count} or more, got {number}")
+        self._count = number + 1
+        if T_world_camera is None:
+            self.finish()
+            self._follows = False
+            return
+        pose = _rigid("T_world_camera", T_world_camera)
+        if not self._open or (len(self._open) == 1 and self._fullness(self._open[0]) >= 1 - self._shared):
+            self._open.append(_Recording(TSDFVolume(**self._sizes), pose, bool(self._open) or self._follows))
+        for recording in self._open:
+            self._record(recording, number, depth, pose, color)
+        self._follows = True
+        if len(self._open) == 2 and self._fullness(self._open[0]) >= 1:
+            self.submaps.append(self._open.pop(0).done())
+
+    def _record(self, recording: _Recording, number: int, depth: ArrayLike, pose: Matrix, color: Any) -> None:
+        extrinsic = invert_pose(pose) @ recording.T_world_submap
+        recording.volume.integrate(depth, self._intrinsic, extrinsic, color, self._scale, self._depth_max)
+        recording.way += way_between(recording.latest, pose)
+        recording.latest = pose
+        recording.numbers.append(number)
+        recording.poses.append(pose)
+
+    def _fullness(self, recording: _Recording) -> float:
+        return max(len(recording.numbers) / self._most_frames, recording.way / self._most_way)
+
+    def finish(self) -> list[Submap]:
+        """All submaps; one that has no frame of its own is left out. Frames that follow begin a new one."""
+        last = self.submaps[-1].frames[-1] if self.submaps else -1
+        for recording in self._open:
+            if recording.numbers and recording.numbers[-1] > last:
+                self.submaps.append(recording.done())
+                last = recording.numbers[-1]
+        self._open = []
+        return list(self.submaps)
+
+
+def tracked_run(submaps: Sequence[Submap]) -> tuple[NDArray[np.int64], Matrix]:
+    """The numbers of all frames of submaps, ascending, and where tracking put their cameras."""
+    poses: dict[int, Matrix] = {}
+    for submap in submaps:
+        for number, pose in zip(submap.frames.tolist(), submap.T_world_camera, strict=True):
+            poses.setdefault(number, pose)
+    numbers = sorted(poses)
+    return np.array(numbers, np.int64), np.array([poses[n] for n in numbers]).reshape(-1, 4, 4)
+
+
+def check_submaps(submaps: Sequence[Submap]) -> list[Submap]:
+    """Submaps as a list.
+
+    Raises:
+        TypeError: Not Submaps.
+        ValueError: None of them.
+    """
+    items = check_list("submaps", submaps, "Submaps")
+    if not items:
+        raise ValueError("submaps: expected at least one, got none")
+    for i, submap in enumerate(items):
+        if not isinstance(submap, Submap):
+            raise TypeError(f"submaps[{i}]: expected a Submap, got {type(submap).__name__}")
+    return items
+
+
+def check_poses(submaps: Sequence[Submap], poses: ArrayLike) -> Matrix:
+    """A rigid motion for each submap.
+
+    Raises:
+        TypeError: Not numbers.
+        ValueError: Another number of poses, or one that is no rigid motion.
+    """
+    stack = check_numeric("T_world_submap", poses)
+    if stack.shape != (len(submaps), 4, 4):
+        raise ValueError(f"T_world_submap: expected shape [{len(submaps)}, 4, 4], got {list(stack.shape)}")
+    return np.array([check_rigid(f"T_world_submap[{i}]", T) for i, T in enumerate(stack)])

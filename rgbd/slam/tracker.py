@@ -1,0 +1,263 @@
+"""From a frame to its pose: what is expected, where the model is poor, and when the camera was lost.
+
+A frame is aligned with the model as it would be seen from where constant velocity puts the camera. Where that fails, it
+is tried from where the camera last stood, then against the frame before, which sees what the model does not have yet.
+A lost camera is looked for where its velocity led, at the keyframes that its picture looks like, and by its shape.
+
+Somebody who came in with a new part of the scene counts as scene. Before a wall, whose surface lets the camera slide,
+they pull it along as they walk; the brightness of all the rest tells, and then leads.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+from collections.abc import Iterator
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...registration.rigid import invert_pose, make_pose, nearest_rotation, pose_of, rotation_of, rotation_vector
+from ..odometry.alignment import Method, align_frames, align_steps
+from ..odometry.frames import OdometryFrame
+from ..odometry.results import OdometryResult
+from .frames import SensorFrame
+from .keyframes import Keyframes
+from .model import Model
+from .places import PlaceSearch
+from .verdicts import (
+    LEAST_DEPTH,
+    SURE_OVERLAP,
+    Attempt,
+    agreement_of,
+    depth_share,
+    judge_recognition,
+    judge_tracking,
+    lies_on_model,
+)
+
+Pose = NDArray[np.float64]
+
+CANDIDATES = 5  # keyframes that are tried for a lost frame
+LONGEST_STEP = 3.0  # times the usual time between frames; after a longer one nothing is known of the motion
+SUSPECT = 1.15  # times the usual difference in brightness: more, and something that moves may pull the surface along
+PLAINLY = 0.95  # times the difference: where brightness leads it has to be smaller than where the surface leads
+PULLED = 0.008  # [m], [rad] that the two are apart; where they are nearer the surface is the firmer of them
+RECENT = 0.1  # weight of the latest frame in what is usual
+NEAR_AGAIN = 0.05  # [m], [rad] a second alignment from a recognised pose may move it
+PLACE_OFF = 0.15  # and from one that was found by shape, in voxels of some centimetres
+AGREED = 0.06  # [m], [rad] that two frames found by shape may differ by from the motion between them
+NOTHING = OdometryResult(False, np.eye(4), np.zeros((6, 6)))
+
+
+@dataclasses.dataclass
+class Motion:
+    """Where the camera was last, and how it moved.
+
+    Attributes:
+        pose: T_world_camera of the last frame that was not lost; None before the first.
+        step: Its motion from the frame before, T_before_camera.
+        seconds: The time that this took; NaN where it is unknown.
+        time: Of the last frame; None where it is unknown.
+        frame: The last tracked frame's pyramid.
+        missed: Frames lost since.
+        shades: How far the brightness of tracked frames is from the model's, 0..1, a running mean.
+    """
+
+    pose: Pose | None = None
+    step: Pose = dataclasses.field(default_factory=lambda: np.eye(4))
+    seconds: float = math.nan
+    time: float | None = None
+    frame: OdometryFrame | None = None
+    missed: int = 0
+    shades: float = math.nan
+
+    def expected(self, frame: SensorFrame) -> Pose:
+        """Where constant velocity puts the next camera; where it stood, after frames were lost or time jumped."""
+        assert self.pose is not None
+        if self.missed:
+            return self.pose
+        seconds = frame.seconds_since(self.time)
+        share = seconds / self.seconds if self.seconds > 0 and not math.isnan(seconds) else 1.0
+        if not 0.0 < share <= LONGEST_STEP:
+            return self.pose
+        turn = rotation_of(share * rotation_vector(self.step[:3, :3]))
+        return self.pose @ make_pose(turn, share * self.step[:3, 3])
+
+    def ahead(self) -> list[Pose]:
+        """Where the camera may be after frames were lost: half the way and all the way that its velocity leads."""
+        assert self.pose is not None
+        turn, shift = rotation_vector(self.step[:3, :3]), self.step[:3, 3]
+        if not self.missed or not (np.any(turn) or np.any(shift)):
+            return []
+        pose, twist = self.pose, np.concatenate([turn, shift])
+        return [pose @ pose_of(share * (self.missed + 1) * twist) for share in (1.0, 0.5)]
+
+    def learn(self, result: OdometryResult) -> None:
+        """Take a tracked frame's difference in brightness for what is usual."""
+        if not math.isnan(result.intensity_rmse):
+            before = result.intensity_rmse if math.isnan(self.shades) else self.shades
+            self.shades = (1 - RECENT) * before + RECENT * result.intensity_rmse
+
+    def advance(self, pose: Pose, frame: SensorFrame, *, is_tracked: bool, is_continuous: bool) -> None:
+        """The next frame stands at a pose; one found from a keyframe, or one that may have slid, tells no velocity."""
+        if self.pose is not None and is_continuous and not self.missed:
+            self.step, self.seconds = invert_pose(self.pose) @ pose, frame.seconds_since(self.time)
+        else:
+            self.step, self.seconds = np.eye(4), math.nan
+        self.pose, self.time, self.missed = pose, frame.timestamp, 0
+        if is_tracked:
+            self.frame = frame.pyramid
+
+
+class Tracker:
+    """Finds frames in a model.
+
+    Args:
+        model: The Model.
+        keyframes: What lost frames are recognised from.
+    """
+
+    def __init__(self, model: Model, keyframes: Keyframes):
+        self.model, self.keyframes, self.motion = model, keyframes, Motion()
+        self.places, self._tries = PlaceSearch(model, keyframes.seed), 0
+        self._proposal: tuple[OdometryFrame, Pose] | None = None
+
+    def locate(self, frame: SensorFrame) -> tuple[Attempt, bool]:
+        """The best attempt for a frame, and whether it was found anew, not from the frames before."""
+        still = self._follow_still(frame)
+        if still is not None:
+            self._tries = 0
+            return still, False
+        if depth_share(frame.pyramid) < LEAST_DEPTH:
+            return Attempt(np.eye(4), NOTHING, "lost", "the picture is blank"), False
+        if not self.motion.missed:
+            followed = self._follow(frame, frame.pyramid)
+            if followed.verdict != "lost":
+                self._tries = 0
+                return followed, False
+        self._tries += 1
+        best = max(self._recognitions(frame), key=_score)
+        if best.verdict == "tracked":
+            self._tries = 0
+        return best, True
+
+    def _follow_still(self, frame: SensorFrame) -> Attempt | None:
+        """A frame found from the one before by what did not move since, where that tracks it firmly."""
+        if self.motion.missed or not self.model.movers:
+            return None
+        depth = self.model.movers.still_depth(frame, self.motion.expected(frame))
+        still = frame.pyramid_of(depth)
+        if depth_share(still) < LEAST_DEPTH:
+            return None
+        followed = self._follow(frame, still)
+        if followed.verdict != "tracked":
+            return None
+        frame.keep_still(depth, still)
+        return followed
+
+    def _recognitions(self, frame: SensorFrame) -> Iterator[Attempt]:
+        """A lost frame tried where it may be, until it is found."""
+        assert self.motion.pose is not None
+        places = [self.motion.pose, *self.motion.ahead()]
+        places += [self.keyframes.poses[index] for index, _ in self.keyframes.recognize(frame.pyramid, CANDIDATES)]
+        for place in places:
+            attempt = self._recognize(frame, place, SURE_OVERLAP)
+            yield attempt
+            if attempt.verdict == "tracked":
+                return
+        if self._proposal is not None or self.places.is_due(self._tries):
+            yield self._place(frame)
+
+    def _place(self, frame: SensorFrame) -> Attempt:
+        """A lost frame found by its shape; where it sees little of the model, the next one has to agree."""
+        before, self._proposal = self._proposal, None
+        place = self.places.find(frame)
+        if place is None:
+            return Attempt(np.eye(4), NOTHING, "lost", "its shape is nowhere on the model")
+        attempt = self._recognize(frame, place, SURE_OVERLAP)
+        if attempt.verdict == "tracked":
+            return attempt
+        result = align_frames(frame.pyramid, self.model.seen_from(place, weight_threshold=0.0))
+        pose = clean_pose(place @ result.transformation)
+        if not lies_on_model(result) or _apart(invert_pose(place) @ pose) > PLACE_OFF:
+            return dataclasses.replace(attempt, verdict="lost", reason="its shape fits, the model does not")
+        if before is not None:
+            pyramid, its_pose = before
+            step = align_frames(frame.pyramid, pyramid)
+            if step.success and _apart(invert_pose(its_pose @ step.transformation) @ pose) < AGREED:
+                return Attempt(pose, result, "tracked")
+        self._proposal = frame.pyramid, pose
+        return Attempt(pose, result, "lost", "found by its shape; the next frame has to confirm it")
+
+    def _follow(self, frame: SensorFrame, pyramid: OdometryFrame) -> Attempt:
+        """A frame found from the one before."""
+        last, expected = self.motion.pose, self.motion.expected(frame)
+        assert last is not None
+        seen = self.model.seen_from(expected)
+        best = self._try(pyramid, seen, expected, expected, expected)
+        if best.verdict != "tracked" and not np.array_equal(expected, last):
+            best = max(best, self._try(pyramid, seen, expected, last, expected), key=_score)
+        if best.verdict != "tracked":
+            best = max(best, self._extend(pyramid, expected), key=_score)
+        return best
+
+    def _extend(self, pyramid: OdometryFrame, expected: Pose) -> Attempt:
+        """A frame that shows what the model lacks: found from the frame before, then on all of the model."""
+        last, before = self.motion.pose, self.motion.frame
+        assert last is not None
+        start = expected
+        if before is not None:
+            found = align_frames(pyramid, before, invert_pose(last) @ expected)
+            if found.success:
+                start = clean_pose(last @ found.transformation)
+        return self._try(pyramid, self.model.seen_from(start, weight_threshold=0.0), start, start, expected)
+
+    def _recognize(self, frame: SensorFrame, pose: Pose, least_overlap: float) -> Attempt:
+        """A frame tried at a place: aligned from there, and once more from where that led."""
+        found = align_frames(frame.pyramid, self.model.seen_from(pose))
+        at = clean_pose(pose @ found.transformation)
+        if found.success or agreement_of(found) > 0.5:
+            again = align_frames(frame.pyramid, self.model.seen_from(at))
+            moved = again.transformation
+            verdict, reason = judge_recognition(again, least_overlap)
+            if verdict == "tracked" and _apart(moved) > NEAR_AGAIN:
+                verdict, reason = "lost", "it has not settled"
+            attempt = Attempt(clean_pose(at @ moved), again, verdict, reason)
+            return self._settle(frame, attempt) if verdict == "tracked" else attempt
+        return Attempt(at, found, "lost", found.reason)
+
+    def _settle(self, frame: SensorFrame, found: Attempt) -> Attempt:
+        """A recognised frame on all of the model: at its rim, seen seldom, it may hold most of what the frame shows."""
+        result = align_frames(frame.pyramid, self.model.seen_from(found.pose, weight_threshold=0.0))
+        is_near = _apart(result.transformation) < NEAR_AGAIN and result.fitness > found.result.fitness
+        if not is_near or judge_recognition(result, SURE_OVERLAP)[0] != "tracked":
+            return found
+        return Attempt(clean_pose(found.pose @ result.transformation), result, "tracked")
+
+    def _try(self, pyramid: OdometryFrame, seen: OdometryFrame, at: Pose, start: Pose, expected: Pose) -> Attempt:
+        """A frame aligned with the model as seen from `at`, from a start, and judged by what was expected."""
+        T = invert_pose(at) @ start
+        result = align_frames(pyramid, seen, T)
+        if result.intensity_rmse > SUSPECT * self.motion.shades:
+            by_shades = align_steps(pyramid, seen, T, Method.Hybrid, share=1.0)
+            between = _apart(invert_pose(result.transformation) @ by_shades.transformation)
+            if between > PULLED and by_shades.intensity_rmse < PLAINLY * result.intensity_rmse:
+                result = by_shades
+        pose = clean_pose(at @ result.transformation)
+        verdict, reason = judge_tracking(result, invert_pose(expected) @ pose)
+        return Attempt(pose, result, verdict, reason)
+
+
+def clean_pose(T: Pose) -> Pose:
+    """The pose with its rotation made orthonormal again; NaN stays."""
+    return make_pose(nearest_rotation(T[:3, :3]), T[:3, 3]) if np.isfinite(T).all() else T
+
+
+def _apart(T: Pose) -> float:
+    """How much a motion is: the larger of its shift [m] and its turn [rad]."""
+    return max(float(np.linalg.norm(T[:3, 3])), float(np.linalg.norm(rotation_vector(T[:3, :3]))))
+
+
+def _score(attempt: Attempt) -> float:
+    return attempt.score

@@ -1,0 +1,181 @@
+"""The path of a camera from its RGB-D frames: `track`."""
+
+from __future__ import annotations
+
+import contextlib
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...cameras.pose_files import trajectory_of
+from ...core.checks import check_callback, check_count, check_positive
+from ...core.devices import resolve_device
+from ...core.errors import FileError
+from ...core.progress import ReportProgress, say_nothing
+from ...core.timing import Clock, check_clock
+from ...files.frames.frames import (
+    DEPTH_MAX,
+    READ_AHEAD,
+    FrameSource,
+    check_frames,
+    count_of,
+    depth_unit,
+    measured_shares,
+    read_frames_or_errors,
+)
+from ...files.frames.rgbd_sources import RGBDSource
+from .dense_slam import DenseSLAM
+from .sizes import check_sizes
+from .tracked_path import TrackedPath
+
+VOXEL_SIZE = 0.02  # [m] of the model that frames are held against
+
+
+def track(
+    frames: FrameSource | RGBDSource,
+    *,
+    voxel_size: float = VOXEL_SIZE,
+    depth_max: float = DEPTH_MAX,
+    device: Any = None,
+    read_ahead: int = READ_AHEAD,
+    progress: ReportProgress | None = None,
+    clock: Clock | None = None,
+) -> TrackedPath:
+    """Find where each frame of a moving depth camera was taken, as `pointloom track` does.
+
+    Each frame is held against the model of those before it (`loom.slam.DenseSLAM`), and folded into it where it fits.
+
+    Args:
+        frames: Of `open_frames`, `frames_from`, a camera, or anything with `intrinsic`, `depth_scale` and either `len`
+            and `read(i)` or an iterator; in their order. Poses of theirs are kept as the truth and tell the tracker
+            nothing.
+        voxel_size: Edge of a voxel of the model [m].
+        depth_max: Farther depth is left out [m].
+        device: Where to compute; None for the CPU.
+        read_ahead: Frames that are read while others are tracked; 0 reads each when its turn comes.
+        progress: Called with the stage, how many of its steps are done, and how many there are (0: nobody knows).
+        clock: Counts the seconds of the stages: waiting for frames ("read"), "track".
+
+    Returns:
+        The poses, T_world_camera with the first frame that has depth as the world, and what became of each frame.
+        Frames that were lost, or cannot be read by their place, have no pose, and the reason is told.
+
+    Raises:
+        TypeError: No frames of one camera.
+        ValueError: A length out of range, no frame, or pictures whose size is not the camera's.
+        FileError: No frame can be read, or one of those that only come one after another.
+        DeviceError: No such device.
+
+    Notes:
+        The same bits from run to run, for any number of threads.
+
+    Example:
+        >>> import numpy as np, pointloom as loom
+        >>> camera = loom.PinholeCameraIntrinsic(64, 48, 60.0, 60.0, 31.5, 23.5)
+        >>> v, u = np.mgrid[:48, :64]
+        >>> depth = np.float32(1.0 + 0.1 * np.sin(u / 5) * np.cos(v / 7))
+        >>> path = loom.track(loom.frames_from([(None, depth)] * 3, camera))
+        >>> path.trajectory, path.lost
+        (Trajectory(3 poses, ids), {})
+    """
+    check_frames("frames", frames)
+    sizes: dict[str, Any] = {"voxel_size": check_sizes(voxel_size)[0], "device": resolve_device(device)}
+    sizes["depth_max"] = check_positive("depth_max", depth_max)
+    options: dict[str, Any] = {"read_ahead": read_ahead, "progress": progress, "clock": clock}
+    return track_with(make_slam(frames, **sizes), frames, **sizes, **options)
+
+
+def track_with(
+    slam: Any,
+    frames: FrameSource | RGBDSource,
+    *,
+    voxel_size: float,
+    depth_max: float,
+    device: Any,
+    read_ahead: int = READ_AHEAD,
+    progress: ReportProgress | None = None,
+    clock: Clock | None = None,
+) -> TrackedPath:
+    """`track` by a tracker that was made for these frames, and stays with what it saw.
+
+    Raises:
+        TypeError, ValueError, FileError: As `track`.
+    """
+    say, clock = check_callback("progress", progress) or say_nothing, check_clock(clock)
+    tally, count = _Tally(), count_of(frames)
+    first_error: FileError | None = None
+    say("frames", 0, count)
+    with contextlib.closing(read_frames_or_errors(frames, check_count("read_ahead", read_ahead, minimum=0))) as taken:
+        for number, frame in enumerate(taken):
+            clock.stop("read")
+            if isinstance(frame, FileError):
+                first_error = first_error or frame
+                tally.unreadable[number] = str(frame)
+            else:
+                tally.take(number, frame, slam, depth_max * depth_unit(frames, frame))
+                clock.stop("track")
+            tally.count += 1
+            say("frames", tally.count, count)
+    if first_error is not None and len(tally.unreadable) == tally.count:
+        raise first_error
+    if not tally.count:
+        raise ValueError("frames: expected at least one frame, got none")
+    return tally.path(voxel_size=voxel_size, depth_max=depth_max, device=str(device))
+
+
+def make_slam(
+    frames: FrameSource | RGBDSource,
+    *,
+    voxel_size: float,
+    depth_max: float,
+    device: Any,
+    submap_frames: int | None = None,
+) -> DenseSLAM:
+    """A tracker for frames of one camera; one that can close loops where it keeps submaps."""
+    options: dict[str, Any] = {"depth_scale": frames.depth_scale, "depth_max": depth_max, "device": device}
+    return DenseSLAM(frames.intrinsic, voxel_size=voxel_size, submap_frames=submap_frames, **options)
+
+
+class _Tally:
+    """What became of the frames so far; the attributes are those of a TrackedPath."""
+
+    def __init__(self):
+        self.count = 0
+        self.placed: list[int] = []
+        self.poses: list[NDArray[np.float64]] = []
+        self.timestamps: list[float | None] = []
+        self.true_poses: list[NDArray[np.float64] | None] = []
+        self.uncertain: list[int] = []
+        self.lost: dict[int, str] = {}
+        self.unreadable: dict[int, str] = {}
+        self.residuals: list[float] = []
+        self.fitness: list[float] = []
+        self.shares: list[tuple[float, float]] = []
+
+    def take(self, number: int, frame: Any, slam: Any, farthest: float) -> None:
+        """One frame: its pose, and its part of the model."""
+        self.shares.append(measured_shares(frame.depth, farthest))
+        step = slam.step(frame)
+        if step.pose is None:
+            self.lost[number] = step.reason
+            return
+        if not step.is_tracked:
+            self.uncertain.append(number)
+        self.placed.append(number)
+        self.poses.append(step.pose)
+        self.timestamps.append(getattr(frame, "timestamp", None))
+        self.true_poses.append(getattr(frame, "T_world_camera", None))
+        if len(self.placed) > 1:  # the first is where the model begins
+            self.residuals.append(step.inlier_rmse)
+            self.fitness.append(step.fitness)
+
+    def path(self, **sizes: Any) -> TrackedPath:
+        """The result; `sizes` are those that the frames were tracked with."""
+        depth_share, used_share = np.mean(self.shares, axis=0).tolist() if self.shares else (0.0, 0.0)
+        return TrackedPath(
+            trajectory=trajectory_of(self.poses, self.placed, self.timestamps), true_poses=tuple(self.true_poses),
+            frame_count=self.count, uncertain=tuple(self.uncertain), lost=self.lost, unreadable=self.unreadable,
+            residuals=tuple(self.residuals), fitness=tuple(self.fitness),
+            depth_share=depth_share, used_share=used_share, **sizes,
+        )  # fmt: skip

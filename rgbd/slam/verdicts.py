@@ -1,0 +1,107 @@
+"""Whether a frame lies on the model where its alignment ended.
+
+In tracking the start is near, so that a wrong pose is one that slid or that left the model: what counts is how much of
+what both see agrees, whether the frame fixes its motion, and how far it jumped. People who walk about stand in front of
+the model and take part of the picture; the pixels that do lie on its surface agree in normals, distances and brightness
+at a right pose, whoever hides the others, and contradict a wrong one. From a keyframe the start says little, and the
+pair has to prove itself: that is odometry's verdict (rgbd/odometry/verdicts.py), with stricter shares.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...kernels.memory import download
+from ...registration.rigid import rotation_vector
+from ..odometry.frames import OdometryFrame
+from ..odometry.results import OdometryResult
+from ..odometry.verdicts import UNDETERMINED
+from .results import Verdict
+
+LEAST_DEPTH = 0.02  # share of the pixels with depth below which a picture is blank
+LEAST_OVERLAP, FIRM_OVERLAP = 0.15, 0.25  # share of the frame's depth that meets the model's
+LEAST_AGREEMENT, FIRM_AGREEMENT = 0.45, 0.6  # share of that which lies on its surface
+LEAST_EIGENVALUE = 0.005  # as of OdometryResult: rooms in tiny pictures 0.007 and more | flat walls up to 0.004
+MOST_SHIFT, MOST_TURN = 0.35, np.deg2rad(30.0)  # [m], from where the camera was expected: a jump
+SURE_OVERLAP, SURE_AGREEMENT = 0.5, 0.75  # from a keyframe: enough to be believed
+SHAPE_OVERLAP = 0.08  # where registration believes the place already, and two frames agree on it
+
+
+@dataclasses.dataclass(frozen=True, eq=False)
+class Attempt:
+    """A frame aligned with something, and what comes of it.
+
+    Attributes:
+        pose: T_world_camera.
+        result: The OdometryResult.
+        verdict, reason: Of the frame there.
+    """
+
+    pose: NDArray[np.float64]
+    result: OdometryResult
+    verdict: Verdict
+    reason: str = ""
+
+    @property
+    def score(self) -> float:
+        """What tells the better of two attempts: the share of the frame that lies on the model, lost ones last."""
+        rank = {"tracked": 2.0, "uncertain": 1.0, "lost": 0.0}[self.verdict]
+        return rank + self.result.fitness
+
+
+def agreement_of(result: OdometryResult) -> float:
+    """The share of what both see that lies on the model's surface."""
+    return result.fitness / result.overlap if result.overlap > 0 else 0.0
+
+
+def is_determined(result: OdometryResult) -> bool:
+    """Whether what a frame shows fixes its motion; else it may slide, and where it slid tells no velocity."""
+    return result.smallest_eigenvalue >= LEAST_EIGENVALUE
+
+
+def judge_tracking(result: OdometryResult, moved: NDArray[np.float64]) -> tuple[Verdict, str]:
+    """The verdict on a frame that was aligned from where it was expected; `moved` is how far off that was."""
+    agreement = agreement_of(result)
+    shift = float(np.linalg.norm(moved[:3, 3]))
+    turn = float(np.linalg.norm(rotation_vector(moved[:3, :3])))
+    if not np.isfinite(moved).all() or shift > MOST_SHIFT or turn > MOST_TURN:
+        return "lost", f"it jumps by {shift:.2f} m, {np.rad2deg(turn):.0f} degrees"
+    if result.overlap < LEAST_OVERLAP:
+        return "lost", f"{result.overlap:.0%} of its depth meet the model"
+    if agreement < LEAST_AGREEMENT:
+        return "lost", f"{agreement:.0%} of what meets the model lie on its surface"
+    if result.contradiction:
+        return "lost", result.contradiction
+    if not is_determined(result):
+        return "uncertain", "what it shows does not fix where it was taken"
+    if result.overlap < FIRM_OVERLAP:
+        return "uncertain", f"{result.overlap:.0%} of its depth meet the model"
+    if agreement < FIRM_AGREEMENT:
+        return "uncertain", f"{agreement:.0%} of what meets the model lie on its surface"
+    return "tracked", ""
+
+
+def judge_recognition(result: OdometryResult, least_overlap: float) -> tuple[Verdict, str]:
+    """The verdict on a frame that was aligned from a place it may be at: it is found, or it stays lost."""
+    if not result.success and result.reason != UNDETERMINED:  # whose limit is for frames of full size
+        return "lost", result.reason
+    if not is_determined(result):
+        return "lost", UNDETERMINED
+    if agreement_of(result) < SURE_AGREEMENT or result.overlap < least_overlap:
+        return "lost", f"{result.fitness:.0%} of its depth lie on the model"
+    return "tracked", ""
+
+
+def lies_on_model(result: OdometryResult) -> bool:
+    """Whether a frame whose place is proposed lies on what little of the model it sees."""
+    return result.overlap >= SHAPE_OVERLAP and agreement_of(result) >= SURE_AGREEMENT
+
+
+def depth_share(frame: OdometryFrame) -> float:
+    """The share of a frame's pixels that have depth, in its coarsest level (sync)."""
+    levels = frame.levels
+    first = int(levels.firsts[levels.count - 1])
+    return float((download(levels.depth[first:]) > 0).mean())

@@ -1,0 +1,198 @@
+"""Pinhole cameras: what is accepted, what is refused, and Open3D's JSON."""
+
+from __future__ import annotations
+
+import contextlib
+import json
+
+import numpy as np
+import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+
+from pointloom.cameras.camera import (
+    PinholeCameraIntrinsic,
+    read_pinhole_camera_intrinsic,
+    write_pinhole_camera_intrinsic,
+)
+from pointloom.core.errors import FileError
+
+CAMERA = PinholeCameraIntrinsic(640, 480, 525.1, 525.25, 1 / 3, 239.5)
+MATRIX = [525.1, 0, 0, 0, 525.25, 0, 320, 240, 1]
+
+
+def store(path, content) -> str:
+    path.write_text(content if isinstance(content, str) else json.dumps(content))
+    return str(path)
+
+
+def test_matrix_holds_the_focal_lengths_and_the_principal_point():
+    assert CAMERA.matrix.tolist() == [[525.1, 0, 1 / 3], [0, 525.25, 239.5], [0, 0, 1]]
+    assert CAMERA.matrix.dtype == np.float64
+
+
+def test_camera_cannot_be_changed_through_its_matrix():
+    CAMERA.matrix[0, 0] = 1.0
+    assert CAMERA.matrix[0, 0] == 525.1
+
+
+def test_camera_comes_back_from_its_matrix():
+    assert PinholeCameraIntrinsic.from_matrix(CAMERA.matrix, 640, 480) == CAMERA
+
+
+def test_numpy_numbers_are_taken_as_plain_ones():
+    camera = PinholeCameraIntrinsic(np.int64(640), np.uint16(480), np.float32(525), 525, np.int32(3), np.float64(4))
+    assert [type(v) for v in (camera.width, camera.height, camera.fx, camera.cx)] == [int, int, float, float]
+
+
+@pytest.mark.parametrize(
+    ("field", "value", "error"),
+    [
+        ("width", 0, ValueError),
+        ("height", -480, ValueError),
+        ("width", 640.0, TypeError),
+        ("width", True, TypeError),
+        ("fx", 0.0, ValueError),
+        ("fy", -525.0, ValueError),
+        ("fx", float("nan"), ValueError),
+        ("fy", float("inf"), ValueError),
+        ("cx", float("nan"), ValueError),
+        ("cy", float("-inf"), ValueError),
+        ("cx", "middle", TypeError),
+        ("cy", None, TypeError),
+    ],
+)
+def test_impossible_values_are_refused_by_name(field, value, error):
+    values = {"width": 640, "height": 480, "fx": 525.0, "fy": 525.0, "cx": 319.5, "cy": 239.5, field: value}
+    with pytest.raises(error, match=field):
+        PinholeCameraIntrinsic(**values)
+
+
+def test_principal_point_may_lie_outside_the_picture():
+    assert PinholeCameraIntrinsic(64, 48, 525, 525, -20.5, 100).cx == -20.5
+
+
+@pytest.mark.parametrize(
+    ("place", "value", "claim"),
+    [((0, 1), 0.5, "skew"), ((1, 0), 1e-3, "skew"), ((2, 2), 2.0, "last row"), ((0, 0), np.nan, "finite")],
+)
+def test_matrices_that_are_no_pinhole_are_refused(place, value, claim):
+    K = CAMERA.matrix
+    K[place] = value
+    with pytest.raises(ValueError, match=claim):
+        PinholeCameraIntrinsic.from_matrix(K, 640, 480)
+    with pytest.raises(ValueError, match=r"shape \[3, 3\]"):
+        PinholeCameraIntrinsic.from_matrix(np.eye(4), 640, 480)
+
+
+def test_scaling_keeps_the_borders_of_the_picture_in_place():
+    """The corners (-0.5, -0.5) and (w - 0.5, h - 0.5) are seen along the same rays at every size."""
+    for factor in (0.5, 0.25, 2.0, 1 / 3, 0.123):
+        small = CAMERA.scaled(factor)
+        for camera_u, small_u in ((-0.5, -0.5), (CAMERA.width - 0.5, small.width - 0.5)):
+            ray, small_ray = (camera_u - CAMERA.cx) / CAMERA.fx, (small_u - small.cx) / small.fx
+            assert small_ray == pytest.approx(ray, abs=1e-12)
+
+
+def test_scaling_by_one_changes_nothing():
+    assert CAMERA.scaled(1).matrix == pytest.approx(CAMERA.matrix, abs=1e-12)
+
+
+@pytest.mark.parametrize("factor", [0, -1, float("nan"), 1e-4])
+def test_scaling_to_nothing_is_refused(factor):
+    with pytest.raises(ValueError, match="factor"):
+        CAMERA.scaled(factor)
+
+
+@pytest.mark.parametrize(
+    ("ours", "theirs"),
+    [
+        ("prime_sense_default", "PrimeSenseDefault"),
+        ("kinect2_depth_default", "Kinect2DepthCameraDefault"),
+        ("kinect2_color_default", "Kinect2ColorCameraDefault"),
+    ],
+)
+def test_defaults_are_those_of_open3d(ours, theirs):
+    camera = pytest.importorskip("open3d", exc_type=ImportError).camera
+    camera_ours = getattr(PinholeCameraIntrinsic, ours)()
+    camera_theirs = camera.PinholeCameraIntrinsic(getattr(camera.PinholeCameraIntrinsicParameters, theirs))
+    assert (camera_ours.width, camera_ours.height) == (camera_theirs.width, camera_theirs.height)
+    assert np.array_equal(camera_ours.matrix, camera_theirs.intrinsic_matrix)
+
+
+def test_file_gives_back_every_bit(tmp_path):
+    write_pinhole_camera_intrinsic(tmp_path / "camera.json", CAMERA)
+    assert read_pinhole_camera_intrinsic(tmp_path / "camera.json") == CAMERA
+
+
+def test_open3d_reads_our_file_and_we_read_theirs(tmp_path):
+    o3d = pytest.importorskip("open3d", exc_type=ImportError)
+    write_pinhole_camera_intrinsic(tmp_path / "ours.json", CAMERA)
+    theirs = o3d.io.read_pinhole_camera_intrinsic(str(tmp_path / "ours.json"))
+    assert (theirs.width, theirs.height) == (640, 480)
+    assert np.array_equal(theirs.intrinsic_matrix, CAMERA.matrix)
+    o3d.io.write_pinhole_camera_intrinsic(str(tmp_path / "theirs.json"), theirs)
+    assert read_pinhole_camera_intrinsic(tmp_path / "theirs.json") == CAMERA
+    parameters = o3d.camera.PinholeCameraParameters()
+    parameters.intrinsic, parameters.extrinsic = theirs, np.eye(4)
+    o3d.io.write_pinhole_camera_parameters(str(tmp_path / "parameters.json"), parameters)
+    assert read_pinhole_camera_intrinsic(tmp_path / "parameters.json") == CAMERA
+
+
+def test_metadata_of_a_recorder_does_no_harm(tmp_path):
+    content = {"width": 640, "height": 480, "intrinsic_matrix": MATRIX, "serial_number": "7", "fps": 30.0}
+    assert read_pinhole_camera_intrinsic(store(tmp_path / "intrinsic.json", content)).cx == 320
+
+
+@pytest.mark.parametrize(
+    ("content", "claim"),
+    [
+        ("", "line 1"),
+        ("{\n\n]", "line 3"),
+        ("[]", "expected a JSON object, got a list"),
+        ("\xff\xfe", "JSON"),
+        ("[" * 100_000, "JSON"),
+        ({"width": 640, "height": 480}, "key intrinsic_matrix"),
+        ({"width": 640, "intrinsic_matrix": MATRIX}, "key height"),
+        ({"width": 640, "height": 480, "intrinsic_matrix": MATRIX, "distortion": [0.1]}, "key distortion"),
+        ({"width": 640, "height": 480, "intrinsic_matrix": MATRIX[:8]}, "9 numbers, got 8"),
+        ({"width": 640, "height": 480, "intrinsic_matrix": [*MATRIX[:8], "1"]}, "finite numbers, got '1'"),
+        ({"width": 640, "height": 480, "intrinsic_matrix": [*MATRIX[:8], True]}, "finite numbers"),
+        ({"width": 640, "height": 480, "intrinsic_matrix": "eye"}, "9 numbers, got a str"),
+        ({"width": 640, "height": 480, "intrinsic_matrix": [525, 0, 320, 0, 525, 240, 0, 0, 1]}, "column by column"),
+        ({"width": 640, "height": 480, "intrinsic_matrix": [525, 0, 0, 0.1, 525, 0, 320, 240, 1]}, "skew"),
+        ({"width": 640, "height": 0, "intrinsic_matrix": MATRIX}, "height"),
+        ({"width": "640", "height": 480, "intrinsic_matrix": MATRIX}, "width"),
+        ('{"width": 640, "height": 480, "intrinsic_matrix": [NaN,0,0,0,5,0,3,2,1]}', "NaN"),
+        ('{"width": 640, "height": 480, "intrinsic_matrix": [1e999,0,0,0,5,0,3,2,1]}', "1e999"),
+        ('{"width": 640, "width": 641, "height": 480, "intrinsic_matrix": [5,0,0,0,5,0,3,2,1]}', "given twice"),
+        ({"intrinsic": [1], "extrinsic": []}, "key intrinsic"),
+        ({"intrinsic": {"width": 640}, "extrinsic": []}, "key intrinsic.height"),
+    ],
+)
+def test_bad_files_are_refused_with_the_place(tmp_path, content, claim):
+    path = store(tmp_path / "camera.json", content)
+    with pytest.raises(FileError, match=r"camera\.json") as caught:
+        read_pinhole_camera_intrinsic(path)
+    assert claim in str(caught.value)
+
+
+def test_missing_file_and_folder_are_file_errors(tmp_path):
+    for path in (tmp_path / "none.json", tmp_path):
+        with pytest.raises(FileError, match="cannot be read"):
+            read_pinhole_camera_intrinsic(path)
+    with pytest.raises(FileError, match="does not exist"):
+        write_pinhole_camera_intrinsic(tmp_path / "none" / "camera.json", CAMERA)
+
+
+@settings(
+    max_examples=300, derandomize=True, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture]
+)
+@given(start=st.integers(0, 200), length=st.integers(0, 8), patch=st.binary(max_size=8))
+def test_changed_bytes_give_a_camera_or_a_file_error(tmp_path, start, length, patch):
+    path = tmp_path / "camera.json"
+    write_pinhole_camera_intrinsic(path, CAMERA)
+    data = path.read_bytes()
+    path.write_bytes(data[:start] + patch + data[start + length :])
+    with contextlib.suppress(FileError):
+        assert isinstance(read_pinhole_camera_intrinsic(path), PinholeCameraIntrinsic)

@@ -1,0 +1,257 @@
+"""Cameras with lenses: where they see what, against COLMAP's own answers; and that no answer is a wrong one."""
+
+from __future__ import annotations
+
+import math
+import pickle
+
+import numpy as np
+import pytest
+from hypothesis import assume, given, settings
+from hypothesis import strategies as st
+
+import pointloom as loom
+from pointloom.cameras.camera_models import MODELS
+
+from .colmap_oracle import ask_colmap
+
+WIDTH, HEIGHT = 640, 480
+LENSES = {
+    "SIMPLE_PINHOLE": [500.0, 322.5, 238.0],
+    "PINHOLE": [500.0, 510.0, 322.5, 238.0],
+    "SIMPLE_RADIAL": [500.0, 322.5, 238.0, -0.12],
+    "RADIAL": [500.0, 322.5, 238.0, -0.25, 0.08],
+    "OPENCV": [500.0, 510.0, 322.5, 238.0, -0.28, 0.07, 1e-3, -2e-3],
+    "OPENCV_FISHEYE": [300.0, 305.0, 322.5, 238.0, -0.02, 0.005, -1e-3, 2e-4],
+    "FULL_OPENCV": [500.0, 510.0, 322.5, 238.0, 0.1, -0.05, 1e-3, -2e-3, 0.02, 0.15, -0.02, 0.01],
+    "FOV": [400.0, 410.0, 322.5, 238.0, 0.9],
+    "SIMPLE_RADIAL_FISHEYE": [300.0, 322.5, 238.0, 0.03],
+    "RADIAL_FISHEYE": [300.0, 322.5, 238.0, 0.03, -0.01],
+    "THIN_PRISM_FISHEYE": [300.0, 305.0, 322.5, 238.0, 0.02, -0.01, 1e-3, -2e-3, 3e-3, -1e-3, 1e-3, -1e-3],
+    "SIMPLE_DIVISION": [500.0, 322.5, 238.0, -0.3],
+    "DIVISION": [500.0, 510.0, 322.5, 238.0, 0.2],
+    "SIMPLE_FISHEYE": [300.0, 322.5, 238.0],
+    "FISHEYE": [300.0, 305.0, 322.5, 238.0],
+    "EUCM": [300.0, 305.0, 322.5, 238.0, 0.6, 1.1],
+}
+METASHAPE = [500.0, 322.5, 238.0, -0.2, 0.08, -0.02, 0.005, 1e-3, -2e-3, 3.0, -2.0]
+OURS = {**LENSES, "METASHAPE": METASHAPE, "METASHAPE_FISHEYE": [300.0, *METASHAPE[1:]]}
+GRID = np.stack(np.meshgrid(np.linspace(-0.5, WIDTH - 0.5, 24), np.linspace(-0.5, HEIGHT - 0.5, 18)), -1).reshape(-1, 2)
+RAYS = np.stack(np.meshgrid(np.linspace(-2, 2, 21), np.linspace(-2, 2, 21), [1.0]), -1).reshape(-1, 3)
+EARLY = 5e-8  # [px] where COLMAP ends its search: projected again, its rays are up to 1.5e-8 px off, ours 1e-12
+
+
+def camera_of(model: str, params=None) -> loom.CameraModel:
+    return loom.CameraModel(model, WIDTH, HEIGHT, OURS[model] if params is None else params)
+
+
+@pytest.fixture(scope="module")
+def colmap():
+    """COLMAP's rays of the grid and, of those rays at other depths, its pixels; by model."""
+    rays = {model: camera_of(model).unproject(GRID) for model in LENSES}
+    cameras = [[model, WIDTH, HEIGHT, params] for model, params in LENSES.items()]
+    depths = np.linspace(0.5, 20.0, len(GRID))[:, None]
+    points = [(rays[model] * depths).tolist() for model in LENSES]
+    seen = ask_colmap("unproject", [[camera, (GRID + 0.5).tolist()] for camera in cameras])
+    shown = ask_colmap("project", list(zip(cameras, points, strict=True)))
+    return {model: (np.array(points[i]), np.array(shown[i]) - 0.5, np.array(seen[i])) for i, model in enumerate(LENSES)}
+
+
+@pytest.mark.parametrize("model", LENSES)
+def test_points_are_seen_where_colmap_sees_them(colmap, model):
+    points, pixels, _ = colmap[model]
+    assert np.isfinite(points).all()
+    assert np.abs(camera_of(model).project(points) - pixels).max() < 1e-9
+
+
+@pytest.mark.parametrize("model", LENSES)
+def test_pixels_see_the_rays_that_colmap_gives_them(colmap, model):
+    _, _, rays = colmap[model]
+    focal = LENSES[model][0]
+    off = np.abs(camera_of(model).unproject(GRID)[:, :2] - rays)
+    assert (off / (1 + (rays**2).sum(axis=1, keepdims=True)) * focal).max() < EARLY
+
+
+@pytest.mark.parametrize("model", OURS)
+def test_pixels_come_back_from_their_rays(model):
+    camera = camera_of(model)
+    rays = camera.unproject(GRID)
+    assert np.isfinite(rays).all()
+    assert (rays[:, 2] == 1).all()
+    assert np.abs(camera.project(rays * 7.5) - GRID).max() < 1e-9
+
+
+@settings(max_examples=60, deadline=None, derandomize=True)
+@given(st.data())
+def test_whatever_the_lens_an_answer_is_never_a_wrong_one(data):
+    """What has a ray comes back to its pixel, and no two rays that the lens sees share a pixel.
+
+    Radial factors may be anything; tangential and prism ones are small, as those of lenses: with large ones two rays
+    do share a pixel.
+    """
+    model = data.draw(st.sampled_from(sorted(OURS)))
+    names = MODELS[model].params.split(", ")
+    params = [
+        data.draw(
+            st.floats(*{"f": (100, 2000), "c": (0, 640), "p": (-0.02, 0.02), "s": (-0.02, 0.02)}.get(n[0], (-2, 2)))
+        )
+        for n in names
+    ]
+    assume(model != "EUCM" or (0 <= params[-2] <= 1 and params[-1] > 0))
+    camera = camera_of(model, params)
+    rays = camera.unproject(GRID)
+    known = np.isfinite(rays).all(axis=1)
+    assert (np.isnan(rays[~known])).all()
+    back = camera.project(rays[known])
+    slack = 1e-6 * (1 + np.abs(rays[known]).max(axis=1)) ** 2  # [px] near the horizon a ray's digits are few
+    assert (np.abs(back - GRID[known]).max(axis=1, initial=0) <= slack).all()
+    pixels = camera.project(RAYS)
+    seen = np.isfinite(pixels).all(axis=1)
+    again = camera.unproject(pixels[seen])[:, :2]
+    off = np.abs(again - RAYS[seen, :2]).max(axis=1, initial=0) / (1 + (RAYS[seen, :2] ** 2).sum(axis=1))
+    assert not (off > 1e-4).any()  # NaN is no wrong answer; where a lens all but turns back digits are lost
+
+
+@pytest.mark.parametrize("model", ["SIMPLE_RADIAL", "OPENCV", "OPENCV_FISHEYE", "METASHAPE"])
+def test_a_lens_that_turns_back_sees_nothing_beyond(model):
+    params = {"SIMPLE_RADIAL": [200, 320, 240, -0.2], "OPENCV": [200, 200, 320, 240, -0.2, 0, 1e-3, 1e-3]}
+    params |= {"OPENCV_FISHEYE": [200, 200, 320, 240, -0.2, 0, 0, 0], "METASHAPE": [200, 320, 240, -0.2, *[0] * 7]}
+    camera = camera_of(model, params[model])
+    turning = math.sqrt(1 / 0.6)  # of r - 0.2 r^3
+    radii = np.linspace(0.01, 2.5, 400)
+    angles = radii if model == "OPENCV_FISHEYE" else None
+    reach = radii if angles is None else np.tan(np.minimum(angles, 1.55))
+    columns = camera.project(np.stack([reach, 0 * reach, np.ones_like(reach)], axis=1))[:, 0]
+    inside = radii < turning * 0.98
+    assert np.isfinite(columns[inside]).all()
+    assert (np.diff(columns[inside]) > 0).all()
+    assert np.isnan(columns[radii > turning * 1.001]).all()
+    assert np.isnan(camera.unproject([[319.5 + 200, 239.5]])).all()
+
+
+@pytest.mark.parametrize("model", ["OPENCV", "FULL_OPENCV", "METASHAPE"])
+def test_a_solution_beyond_the_fold_is_no_ray(model):
+    """What Newton's method finds on the far side of where a lens with tangential terms turns."""
+    k1, k2, p1, p2 = -0.3, 0.02, 2e-3, -1e-3
+    params = {"OPENCV": [200, 200, 320, 240, k1, k2, p1, p2], "METASHAPE": [200, 320, 240, k1, k2, 0, 0, p2, p1, 0, 0]}
+    camera = camera_of(model, params.get(model, [*params["OPENCV"], 0, 0, 0, 0]))
+    pixels = np.stack(np.meshgrid(np.linspace(-2000, 3000, 120), np.linspace(-2000, 3000, 120)), -1).reshape(-1, 2)
+    rays = camera.unproject(pixels)
+    known = np.isfinite(rays[:, 0])
+    assert 0 < known.sum() < 40
+    assert np.abs(camera.project(rays[known]) - pixels[known]).max() < 1e-9
+    assert np.hypot(*rays[known, :2].T).max() < 1.2  # r - 0.3 r^3 + 0.02 r^5 turns at 1.12
+
+
+def test_a_fisheye_sees_up_to_a_right_angle():
+    camera = camera_of("SIMPLE_FISHEYE", [200.0, 320.0, 240.0])
+    at = 200 * np.array([math.pi / 2 - 1e-3, math.pi / 2 + 1e-3])
+    rays = camera.unproject([[319.5 + at[0], 239.5], [319.5 + at[1], 239.5]])
+    assert math.degrees(math.atan(rays[0, 0])) == pytest.approx(90 - math.degrees(1e-3))
+    assert np.isnan(rays[1]).all()
+    assert np.isnan(camera.project([[1, 0, 0], [1, 0, -0.1], [0, 0, -1], [0, 0, 0]])).all()
+
+
+def test_metashape_has_the_tangential_terms_the_other_way_round():
+    k1, k2, k3, p1, p2 = -0.2, 0.08, -0.02, 1e-3, -2e-3
+    ours = camera_of("METASHAPE", [500, 322, 238, k1, k2, k3, 0, p1, p2, 4, 0])
+    same = camera_of("FULL_OPENCV", [504, 500, 322, 238, k1, k2, p2, p1, k3, 0, 0, 0])
+    assert np.abs(ours.unproject(GRID) - same.unproject(GRID)).max() < 1e-12
+
+
+def test_metashapes_formula_gives_the_pixel():
+    """The user manual's: u = w / 2 + cx + x' f + x' B1 + y' B2, pixel corners at whole numbers."""
+    f, cx, cy, k1, k2, k3, k4, p1, p2, b1, b2 = METASHAPE
+    x, y = 0.31, -0.22
+    r2 = x * x + y * y
+    radial = 1 + k1 * r2 + k2 * r2**2 + k3 * r2**3 + k4 * r2**4
+    xd = x * radial + p1 * (r2 + 2 * x * x) + 2 * p2 * x * y
+    yd = y * radial + p2 * (r2 + 2 * y * y) + 2 * p1 * x * y
+    expected = [cx + xd * f + xd * b1 + yd * b2 - 0.5, cy + yd * f - 0.5]
+    assert camera_of("METASHAPE").project([[x, y, 1]])[0].tolist() == pytest.approx(expected, abs=1e-10)
+
+
+# ------------------------------------------------------------------------------------------------ straight cameras
+
+
+def test_the_straight_camera_is_colmaps():
+    settings = [(blank, longest) for blank in (0.0, 0.4, 1.0) for longest in (-1, 300)]
+    cases = [([model, WIDTH, HEIGHT, p], setting) for model, p in LENSES.items() for setting in settings]
+    answers = ask_colmap("undistort_cameras", cases)
+    for ((model, *_), (blank, longest)), (_, width, height, params) in zip(cases, answers, strict=True):
+        ours = camera_of(model).undistorted(blank_share=blank, max_size=None if longest < 0 else longest)
+        fx, fy, cx, cy = params if len(params) == 4 else [params[0], *params]
+        assert (ours.width, ours.height) == (width, height), (model, blank, longest)
+        assert [ours.fx, ours.fy, ours.cx + 0.5, ours.cy + 0.5] == pytest.approx([fx, fy, cx, cy], abs=1e-9), model
+
+
+def test_a_pinhole_stays_as_it_is():
+    camera = camera_of("PINHOLE")
+    assert camera.is_pinhole
+    assert camera.undistorted() == camera.intrinsic
+    assert loom.CameraModel.from_intrinsic(camera.intrinsic) == camera
+    assert camera_of("OPENCV", [500, 510, 322.5, 238, 0, 0, 0, 0]).intrinsic == camera.intrinsic
+
+
+def test_a_straight_camera_has_the_size_asked_for():
+    camera = camera_of("SIMPLE_RADIAL")
+    straight, small = camera.undistorted(), camera.undistorted(size=(320, 320))
+    assert (small.width, small.height) == (320, 320)
+    assert small.fx / 320 == pytest.approx(straight.fx / straight.width)
+    assert (small.cy + 0.5) / 320 == pytest.approx((straight.cy + 0.5) / straight.height)
+
+
+def test_a_lens_has_no_intrinsic():
+    with pytest.raises(ValueError, match="undistort_picture"):
+        _ = camera_of("SIMPLE_RADIAL").intrinsic
+
+
+def test_a_lens_without_an_inverse_along_a_border_has_no_straight_camera():
+    with pytest.raises(ValueError, match="no inverse along the left or right border"):
+        camera_of("SIMPLE_RADIAL", [100, 320, 240, -0.3]).undistorted()
+
+
+# ------------------------------------------------------------------------------------------------ what is refused
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (("OPENCV_FISH", 640, 480, [1] * 8), "did you mean 'OPENCV_FISHEYE'"),
+        (("EQUIRECTANGULAR", 640, 480, [640, 480]), "EQUIRECTANGULAR is not read"),
+        (("PINHOLE", 640, 480, [500, 500, 320]), "takes fx, fy, cx, cy; got 3"),
+        (("PINHOLE", 640, 480, [500, 500, 320, math.nan]), "finite"),
+        (("PINHOLE", 640, 480, [500, -500, 320, 240]), "focal lengths above"),
+        (("PINHOLE", 0, 480, [500, 500, 320, 240]), "width"),
+        (("PINHOLE", 2**16, 2**16, [500, 500, 320, 240]), "2\\^28"),
+        (("FOV", 640, 480, [500, 500, 320, 240, 3.2]), "omega"),
+        (("EUCM", 640, 480, [500, 500, 320, 240, 1.1, 1]), "alpha in 0..1"),
+        (("METASHAPE", 640, 480, [1.0, 320, 240, *[0] * 6, -2.0, 0]), "focal lengths above"),
+    ],
+)
+def test_what_is_no_camera_is_refused(arguments, message):
+    with pytest.raises(ValueError, match=message):
+        loom.CameraModel(*arguments)
+
+
+@pytest.mark.parametrize("size", [0, 1, 7])
+def test_any_number_of_points_is_projected(size):
+    camera = camera_of("OPENCV")
+    assert camera.project(np.ones((size, 3))).shape == (size, 2)
+    assert camera.unproject(np.ones((size, 2))).shape == (size, 3)
+
+
+def test_points_that_are_not_finite_are_seen_nowhere():
+    points = [[np.nan, 0, 1], [np.inf, 0, 1], [0, 0, np.inf], [0, 0, np.nan], [1e200, 0, 1e-200], [0, 0, 1]]
+    for model in OURS:
+        pixels = camera_of(model).project(points)
+        assert np.isnan(pixels[[0, 1, 3, 4]]).all(), model
+        assert np.isfinite(pixels[5]).all(), model
+        assert np.isnan(camera_of(model).unproject([[np.nan, 0], [np.inf, 0], [1e200, 1e200]])[:2]).all(), model
+
+
+def test_equal_cameras_are_one():
+    assert len({camera_of("OPENCV"), camera_of("OPENCV"), camera_of("FOV")}) == 2
+    camera = camera_of("OPENCV")
+    camera.project([[0, 0, 1]])
+    assert pickle.loads(pickle.dumps(camera)) == camera

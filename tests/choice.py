@@ -1,0 +1,75 @@
+"""Which compilers the tests run on, and which tests share a process: what `make test` leaves out of `make test-all`.
+
+`make test` is `pytest -m "not slow" --compilers warp`, `make test-all` is pytest without these. A test that takes
+`device` and is marked `both_compilers` runs on both in either: the tests of the compilers themselves. That Taichi makes
+of each operation what Warp makes of it is the claim of tests/test_compilers.py, which runs in either too.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+
+import pytest
+
+OPTION = "--compilers"
+COMPILERS = {"cpu-taichi": "taichi", "cpu-warp": "warp"}
+VARIABLE = "POINTLOOM_CPU"
+TESTS = Path(__file__).parent
+
+# Groups of tests that take longest, the longest first, so that the last ones to be handed out are short. By CPU seconds
+# of `make test`: only the order counts, and folders that are not named come behind these.
+DEAREST = (
+    "registration", "pcd", "meshing", "app", "files", "test_compilers.py", "drawing/viewer", "test_doctests.py",
+    "photos/sfm", "rgbd/reconstruction", "kernels/reconstruction", "photos/mvs", "kernels/language", "photos/depth",
+)  # fmt: skip
+
+
+def pytest_addoption(parser: pytest.Parser) -> None:
+    parser.addoption(
+        OPTION, choices=("both", "warp"), default="both", help="CPU compilers of tests that are not of the compilers"
+    )
+
+
+def places_of(config: pytest.Config, definition: pytest.Item) -> list[str]:
+    """The CPU runs of a test that takes `device`, as its name says them."""
+    return [place for place, compiler in COMPILERS.items() if compiler == "warp" or runs_on_both(config, definition)]
+
+
+def runs_on_both(config: pytest.Config, item: pytest.Item) -> bool:
+    """Whether a test's kernels are compiled as users have them, and by each compiler where it asks for one."""
+    return config.getoption(OPTION) == "both" or item.get_closest_marker("both_compilers") is not None
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_runtest_protocol(item: pytest.Item) -> Iterator[None]:
+    """Where Warp is alone it takes the kernels of tests without `device` too, and of processes that they start."""
+    if runs_on_both(item.config, item) or VARIABLE in os.environ:
+        return (yield)
+    os.environ[VARIABLE] = "warp"
+    try:
+        return (yield)
+    finally:
+        os.environ.pop(VARIABLE, None)
+
+
+@pytest.hookimpl(tryfirst=True)  # before pytest-xdist reads the marks
+def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+    """Tests of a room share a process, which so loads the room's kernels once; the dearest rooms begin."""
+    if not getattr(config.option, "loadgroup", False):  # in processes of pytest-xdist alone
+        return
+    groups = {item: group_of(item.path) for item in items}
+    for item, group in groups.items():
+        item.add_marker(pytest.mark.xdist_group(group))
+    items.sort(key=lambda item: rank_of(groups[item], DEAREST))
+
+
+def group_of(path: Path) -> str:
+    """The house of a test file, or its room where it has rooms; of a file that lies beside the houses, itself."""
+    house, *rest = path.relative_to(TESTS).parts
+    return "/".join([house, *rest[:-1][:1]])
+
+
+def rank_of(group: str, dearest: Sequence[str]) -> int:
+    return dearest.index(group) if group in dearest else len(dearest)

@@ -1,0 +1,346 @@
+"""Arrays come back as they came: whose they are, where they are, at which address, and with the same numbers."""
+
+from __future__ import annotations
+
+import gc
+import pickle
+import subprocess
+import sys
+import weakref
+
+import numpy as np
+import pytest
+
+import pointloom as loom
+
+from ..array_library import LIBRARIES, assert_same, package, stand_in
+
+POLYGON = loom.SelectionPolygonVolume([[0, 0, 0], [1, 0, 0], [0, 1, 0]], "Z", axis_min=-1, axis_max=1)
+
+
+@pytest.fixture(params=LIBRARIES)
+def library(request, device, monkeypatch):
+    """A library: `make` an array of its of NumPy's where `device` is, its address, and back to NumPy."""
+    return stand_in(request.param, device, monkeypatch)
+
+
+@pytest.fixture
+def surface(rng):
+    x, y = rng.random((2, 400))
+    return np.column_stack([x, y, 0.2 * np.sin(6 * x) * np.cos(5 * y)]).astype(np.float32)
+
+
+@pytest.fixture
+def clouds(library, device, surface):
+    """The same cloud twice: of the library's array, and of NumPy's."""
+    theirs = loom.PointCloud(library.make(surface)).estimate_normals(max_nn=12)
+    ours = loom.PointCloud(surface, device=device).estimate_normals(max_nn=12)
+    assert str(theirs.device) == str(ours.device) == device
+    return theirs, ours
+
+
+# ------------------------------------------------------------------------------------------------ in
+
+
+def test_a_cloud_holds_the_memory_that_it_was_given(library, device, surface):
+    points, normals, label = library.make(surface), library.make(surface), library.make(np.arange(400, dtype=np.int32))
+    cloud = loom.PointCloud(points, normals=normals, label=label)
+    assert str(cloud.device) == device
+    for name, given in (("points", points), ("normals", normals), ("label", label)):
+        assert cloud.array(name).ptr == library.address(given)
+    np.testing.assert_array_equal(cloud.points, surface.astype(np.float64))
+
+
+def test_what_is_written_to_a_shared_array_is_noticed(library, surface):
+    if library.name in ("torch", "jax"):
+        pytest.skip("written to through Warp below, as both are")
+    points = library.make(surface)
+    cloud = loom.PointCloud(points)
+    before = library.host(cloud.compute_nearest_neighbor_distance()).copy()
+    memory = points if library.name == "warp" else points.memory
+    memory.assign(surface * 2)
+    np.testing.assert_allclose(library.host(cloud.compute_nearest_neighbor_distance()), 2 * before, rtol=1e-6)
+
+
+@pytest.mark.parametrize(
+    "convert",
+    [
+        lambda p: p.astype(np.float64),
+        lambda p: p.astype(np.float16),
+        lambda p: (p * 100).astype(np.int32),
+        lambda p: p.astype(np.float64) + np.float64([5e5, 5.4e6, 100]),
+        lambda p: p + np.float32([2e4, 0, 0]),
+        lambda p: np.vstack([p, [[np.nan, 0, 0], [np.inf, 1, 1]]]),
+        lambda p: p[:0],
+    ],
+)
+def test_other_types_and_places_become_what_they_become_from_numpy(library, device, surface, convert):
+    given = convert(surface)
+    theirs, ours = loom.PointCloud(library.make(given)), loom.PointCloud(given, device=device)
+    if library.name == "jax" and given.dtype == np.float64:
+        return  # its array is float32 already
+    np.testing.assert_array_equal(theirs.origin, ours.origin)
+    np.testing.assert_array_equal(theirs.points, ours.points)
+
+
+def test_colors_of_both_kinds_are_taken(library, device, surface, rng):
+    for colors in (rng.random((400, 3)).astype(np.float32), rng.integers(0, 256, (400, 3)).astype(np.uint8)):
+        theirs = loom.PointCloud(library.make(surface), colors=library.make(colors))
+        np.testing.assert_array_equal(theirs.colors, loom.PointCloud(surface, colors=colors, device=device).colors)
+    with pytest.raises(ValueError, match=r"colors: expected 0..1, got .*; divide 8-bit colours by 255"):
+        loom.PointCloud(library.make(surface), colors=library.make(np.full((400, 3), 7, np.float32)))
+
+
+def test_assigned_arrays_are_taken_too(library, surface):
+    cloud = loom.PointCloud(library.make(surface))
+    cloud.normals, cloud["label"] = library.make(surface), library.make(np.arange(400))
+    assert cloud["label"].tolist() == list(range(400))
+    np.testing.assert_array_equal(cloud.normals, surface)
+    cloud.points = library.make(surface + 1)
+    np.testing.assert_array_equal(cloud.points, surface + np.float32(1))
+
+
+# ------------------------------------------------------------------------------------------------ out
+
+
+def test_operations_of_a_cloud_give_arrays_of_its_library(library, clouds):
+    theirs, ours = clouds
+    T = np.eye(4)
+    T[0, 3] = 0.01
+    operations = {
+        "dbscan": lambda c: c.cluster_dbscan(0.1, 4),
+        "euclidean": lambda c: c.cluster_euclidean(0.06, 2),
+        "nearest": lambda c: c.compute_nearest_neighbor_distance(),
+        "distance": lambda c: c.compute_point_cloud_distance(c.transform(T)),
+        "mahalanobis": lambda c: c.compute_mahalanobis_distance(),
+        "statistical": lambda c: c.remove_statistical_outlier(8, 1.0)[1],
+        "radius": lambda c: c.remove_radius_outlier(4, 0.1)[1],
+        "plane": lambda c: c.segment_plane(0.05)[1],
+        "planes": lambda c: c.segment_planes(0.03, min_points=20)[0],
+        "hidden": lambda c: c.hidden_point_removal([0, 0, 5], 100)[1],
+        "hull": lambda c: c.compute_convex_hull()[1],
+        "farthest": lambda c: c.farthest_point_indices(7),
+        "none farthest": lambda c: c.farthest_point_indices(0),
+        "box": lambda c: loom.AxisAlignedBoundingBox([0, 0, 0], [0.5] * 3).get_point_indices_within_bounding_box(c),
+        "polygon": lambda c: POLYGON.crop_in_polygon(c),
+        "ground": lambda c: loom.classify_ground(c),
+        "keypoints": lambda c: loom.compute_iss_keypoints(c, 0.2, 0.1, return_indices=True)[1],
+        "features": lambda c: loom.compute_fpfh_feature(c, max_nn=20),
+        "trace": lambda c: c.voxel_down_sample_and_trace(0.3).voxel_of_point,
+        "cubes": lambda c: c.voxel_down_sample_and_trace(0.3).cubic_id,
+        "voxels": lambda c: c.voxel_down_sample_and_trace(0.3).original_indices[1],
+        "pairs": lambda c: loom.registration.evaluate_registration(c, c.transform(T), 0.02).correspondence_set,
+        "no pairs": lambda c: loom.registration.evaluate_registration(c, c.scale(9, [9] * 3), 0.01).correspondence_set,
+        "thinned": lambda c: c.voxel_down_sample(0.1).cluster_dbscan(0.2, 3),
+        "sum": lambda c: (c + c).cluster_dbscan(0.1, 4),
+    }
+    for name, operation in operations.items():
+        try:
+            assert_same(library, operation(theirs), operation(ours))
+        except AssertionError as error:
+            raise AssertionError(name) from error
+
+
+def test_searches_answer_in_the_form_of_the_queries(library, clouds, surface):
+    theirs, ours = clouds
+    queries = surface[::7] + np.float32(0.01)
+    for search in (loom.NearestNeighborSearch(theirs), loom.NearestNeighborSearch(ours)):
+        for answer in (
+            lambda q, s=search: s.knn_search(q, 5),
+            lambda q, s=search: s.hybrid_search(q, 0.1, 6),
+            lambda q, s=search: s.radius_search(q, 0.1),
+        ):
+            for found, expected in zip(answer(library.make(queries)), answer(queries), strict=True):
+                assert package(expected) == "numpy"
+                assert_same(library, found, expected)
+            assert_same(library, answer(theirs).indices, answer(ours).indices)
+    single = loom.NearestNeighborSearch(ours).knn_search(library.make(queries[3]), 4)
+    assert_same(library, single.indices, loom.NearestNeighborSearch(ours).knn_search(queries[3], 4).indices)
+    assert int(np.ravel(library.host(single.counts) if library.name == "warp" else single.counts)[0]) == 4
+
+
+def test_a_result_is_the_memory_that_the_device_wrote(library, clouds, monkeypatch):
+    from pointloom.core import array_libraries
+
+    written, through = [], array_libraries.hand_out
+
+    def watched(array, *args, **options):
+        written.append(array)
+        return through(array, *args, **options)
+
+    monkeypatch.setattr("pointloom.pcd.point_arrays.hand_out", watched)
+    labels, distances = clouds[0].cluster_dbscan(0.1, 4), clouds[0].compute_nearest_neighbor_distance()
+    assert library.address(labels) == written[0].ptr
+    if library.name != "jax":  # which makes float32 of them
+        assert library.address(distances) == written[1].ptr
+
+
+def test_indices_and_masks_come_as_arrays_of_any_library(library, clouds):
+    theirs, ours = clouds
+    for rows in (np.array([3, 1, 1, 399]), np.array([-1, 5], np.int32), np.array([2], np.uint8), np.zeros(0, np.int64)):
+        for invert in (False, True):
+            chosen = theirs.select_by_index(library.make(rows), invert)
+            np.testing.assert_array_equal(chosen.points, ours.select_by_index(rows, invert).points)
+    mask = np.arange(400) % 3 == 0
+    for invert in (False, True):
+        chosen = theirs.select_by_mask(library.make(mask), invert)
+        np.testing.assert_array_equal(chosen.points, ours.select_by_mask(mask, invert).points)
+    rows = np.array([7, -1, 3])
+    wanted = loom.compute_fpfh_feature(theirs, max_nn=20, indices=library.make(rows))
+    assert_same(library, wanted, loom.compute_fpfh_feature(ours, max_nn=20, indices=rows))
+    with pytest.raises(IndexError, match=r"indices: 0..400 reach beyond a cloud of 400 points"):
+        theirs.select_by_index(library.make(np.array([0, 400])))
+    with pytest.raises(TypeError, match="indices: expected whole numbers, got float32; for a mask see select_by_mask"):
+        theirs.select_by_index(library.make(np.zeros(3, np.float32)))
+    with pytest.raises(ValueError, match=r"mask: expected booleans of shape \[400\]"):
+        theirs.select_by_mask(library.make(mask[:5]))
+
+
+def test_registrations_take_features_and_pairs_where_they_are(library, clouds):
+    theirs, ours = clouds
+    T = np.eye(4)
+    T[:3, 3] = 0.02, -0.01, 0.03
+    features = {c: loom.compute_fpfh_feature(c, max_nn=30) for c in clouds}
+    register = loom.registration
+    pairs = register.correspondences_from_features(features[ours], features[ours], True)
+    assert_same(library, register.correspondences_from_features(features[theirs], features[theirs], True), pairs)
+    twice = np.concatenate([pairs, pairs[::-1]])
+    calls = {
+        "ransac": lambda c, f, p: register.registration_ransac_based_on_feature_matching(
+            c, c.transform(T), f, f, True, 0.05, criteria=register.RANSACConvergenceCriteria(500)
+        ),
+        "fgr": lambda c, f, p: register.registration_fgr_based_on_correspondence(c, c.transform(T), p),
+        "robust": lambda c, f, p: register.registration_robust_based_on_correspondence(c, c.transform(T), p, 0.02),
+    }
+    for name, call in calls.items():
+        found = call(theirs, features[theirs], library.make(twice))
+        expected = call(ours, features[ours], twice)
+        np.testing.assert_array_equal(found.transformation, expected.transformation, err_msg=name)
+        assert_same(library, found.correspondence_set, expected.correspondence_set)
+    with pytest.raises(IndexError, match=r"corres: target indices 0..400 reach beyond a cloud of 400 points"):
+        calls["fgr"](theirs, None, library.make(np.array([[0, 0], [1, 400]])))
+    with pytest.raises(TypeError, match="corres: expected whole numbers"):
+        calls["fgr"](theirs, None, library.make(np.zeros((2, 2), np.float32)))
+
+
+def test_a_pickled_result_needs_no_device(clouds):
+    found = loom.registration.evaluate_registration(clouds[0], clouds[0], 0.02)
+    if package(found.correspondence_set) == "cupy":
+        return  # the stand-in's arrays cannot be pickled
+    np.testing.assert_array_equal(
+        np.asarray(pickle.loads(pickle.dumps(found)).correspondence_set), np.column_stack([np.arange(400)] * 2)
+    )
+
+
+# ------------------------------------------------------------------------------------------------ pictures
+
+
+def test_depth_and_colour_pictures_are_taken_where_they_are(library, device, rng):
+    camera = loom.PinholeCameraIntrinsic(16, 12, 20.0, 20.0, 7.5, 5.5)
+    color = rng.integers(0, 256, (12, 16, 3)).astype(np.uint8)
+    for depth in (
+        rng.integers(0, 3000, (12, 16)).astype(np.uint16),
+        rng.integers(0, 3000, (12, 16)).astype(np.int32),
+        rng.random((12, 16)).astype(np.float32),
+    ):
+        theirs = loom.PointCloud.from_depth_image(library.make(depth), camera)
+        ours = loom.PointCloud.from_depth_image(depth, camera, device=device)
+        assert str(theirs.device) == device
+        np.testing.assert_array_equal(theirs.points, ours.points)
+        assert_same(library, theirs.compute_nearest_neighbor_distance(), ours.compute_nearest_neighbor_distance())
+        for shade in (color, color[:, :, 0]):
+            image = loom.RGBDImage(library.make(shade), library.make(depth))
+            expected = loom.RGBDImage(shade, depth, device=device)
+            np.testing.assert_array_equal(image.color, expected.color)
+            np.testing.assert_array_equal(image.depth, expected.depth)
+        filtered = loom.filter_depth_bilateral(library.make(depth))
+        assert_same(library, filtered, loom.filter_depth_bilateral(depth, device=device))
+    assert_same(library, loom.pyrdown_color(library.make(color)), loom.pyrdown_color(color, device=device))
+    normals = loom.create_normal_map(library.make(depth), camera)
+    expected = loom.create_normal_map(depth, camera, device=device)
+    np.testing.assert_array_equal(library.host(normals), expected)
+
+
+# ------------------------------------------------------------------------------------------------ what is what
+
+
+def test_a_cloud_speaks_dlpack_where_its_origin_is_zero(library, clouds, surface):
+    ours = clouds[1]
+    for cloud in clouds:
+        assert tuple(map(int, cloud.__dlpack_device__())) == tuple(map(int, ours.array("points").__dlpack_device__()))
+    if ours.device.is_cpu:
+        points = np.from_dlpack(ours)
+        np.testing.assert_array_equal(points, surface)
+        assert points.ctypes.data == ours.array("points").ptr
+    far = loom.PointCloud(surface + np.float64([5e5, 5.4e6, 0]))
+    with pytest.raises(BufferError, match=r"the points count from the origin \[5000.*add cloud.origin"):
+        np.from_dlpack(far)
+
+
+def test_a_cloud_from_a_file_gives_what_it_is_told_to(library, device, surface):
+    cloud = loom.PointCloud(surface, device=device)
+    theirs = cloud.to(device, arrays=library.name)
+    assert_same(library, theirs.cluster_dbscan(0.1, 4), cloud.cluster_dbscan(0.1, 4))
+    assert theirs.array("points") is cloud.array("points")
+    assert package(theirs.to(device, arrays="numpy").cluster_dbscan(0.1, 4)) == "numpy"
+    assert package(cloud.cluster_dbscan(0.1, 4)) == "numpy"
+
+
+@pytest.mark.parametrize("name", ["tensorflow", "", None, 3])
+def test_a_library_that_is_not_known_is_refused(name):
+    if name is None:
+        return
+    with pytest.raises(ValueError, match="arrays: expected one of numpy, warp, torch, cupy, jax, got"):
+        loom.PointCloud([[0, 0, 0]]).to("cpu", arrays=name)
+
+
+def test_a_library_that_is_not_installed_is_named(monkeypatch):
+    monkeypatch.setitem(sys.modules, "cupy", None)
+    with pytest.raises(ImportError, match="arrays of cupy need the package cupy: pip install cupy"):
+        loom.PointCloud([[0, 0, 0]]).to("cpu", arrays="cupy")
+
+
+def test_the_library_goes_with_copies_and_pickles(library, clouds):
+    theirs, _ = clouds
+    for cloud in (theirs.copy(), pickle.loads(pickle.dumps(theirs)), theirs.select_by_index([1, 2, 3])):
+        assert package(cloud.compute_nearest_neighbor_distance()) == library.name
+
+
+def test_numpy_lists_and_files_give_numpy_on_every_device(device, surface):
+    for given in (surface, surface.tolist(), surface.astype(">f8"), np.asfortranarray(surface)[::-1]):
+        cloud = loom.PointCloud(given, device=device)
+        assert type(cloud.cluster_dbscan(0.1, 4)) is np.ndarray
+        assert type(loom.NearestNeighborSearch(cloud).knn_search(surface, 2).indices) is np.ndarray
+    before = surface.copy()
+    cloud = loom.PointCloud(surface, device=device)
+    surface += 1
+    np.testing.assert_array_equal(cloud.points, before)  # a copy, as ever
+
+
+@pytest.mark.slow
+def test_a_shared_array_lives_as_long_as_what_needs_it(library, surface):
+    if library.name == "jax":
+        pytest.skip("its arrays take no weak references")
+    points = library.make(surface)
+    gone = weakref.ref(points)
+    cloud = loom.PointCloud(points)
+    labels = cloud.cluster_dbscan(0.1, 4)
+    del points
+    gc.collect()
+    np.testing.assert_array_equal(cloud.points, surface.astype(np.float64))
+    expected = library.host(labels).copy()
+    del cloud
+    gc.collect()
+    assert library.name == "torch" or gone() is None  # torch keeps the memory, not the tensor
+    np.testing.assert_array_equal(library.host(labels), expected)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("library", ["torch", "jax", "cupy"])
+def test_no_library_is_imported_that_was_not_given(library):
+    code = f"""
+import sys, numpy as np, pointloom as loom
+loom.PointCloud(np.zeros((3, 3))).cluster_dbscan(1.0, 1)
+assert {library!r} not in sys.modules
+"""
+    subprocess.run([sys.executable, "-c", code], check=True)

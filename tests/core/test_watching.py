@@ -1,0 +1,165 @@
+"""Who watches is told of what algorithms do, and the algorithms do the same whether anybody watches or not."""
+
+from __future__ import annotations
+
+import threading
+from typing import Any
+
+import numpy as np
+import pytest
+
+import pointloom as loom
+from pointloom.core.watching import report, standing_for, unwatched, watch, watched
+
+SHIFT = np.array([0.03, -0.02, 0.01])
+Events = list[tuple[str, dict[str, Any]]]
+
+
+def noted(events: Events) -> Any:
+    return lambda event, data: events.append((event, data))
+
+
+def bumps(count: int = 2000) -> np.ndarray:
+    x, y = np.random.default_rng(0).uniform(-1, 1, (2, count))
+    return np.column_stack([x, y, 0.2 * np.sin(3 * x) * np.cos(4 * y)])
+
+
+def test_what_is_reported_inside_a_block_reaches_its_watcher_and_nothing_else_does():
+    events: Events = []
+    report("before")
+    with watch(noted(events)):
+        assert watched()
+        report("inside", number=1)
+    report("after")
+    assert events == [("inside", {"number": 1})]
+    assert not watched()
+
+
+def test_watchers_nest_and_the_outer_one_hears_first():
+    order: list[str] = []
+    with watch(lambda event, data: order.append("outer")):
+        with watch(lambda event, data: order.append("inner")):
+            report("both")
+        report("one")
+    assert order == ["outer", "inner", "outer"]
+
+
+def test_what_a_watcher_calls_itself_is_not_reported():
+    events: Events = []
+
+    def watcher(event: str, data: dict[str, Any]) -> None:
+        events.append((event, data))
+        report("echo")
+
+    with watch(watcher):
+        report("call")
+        report("call")
+    assert [event for event, _ in events] == ["call", "call"]
+
+
+def test_an_error_of_a_watcher_ends_the_block_and_is_not_heard_again():
+    with pytest.raises(KeyError, match="mine"), watch(lambda event, data: {}["mine"]):
+        report("bad")
+    report("fine now")
+    assert not watched()
+
+
+def test_threads_do_not_hear_each_other():
+    events: Events = []
+    with watch(noted(events)):
+        other = threading.Thread(target=lambda: report("elsewhere"))
+        other.start()
+        other.join()
+    assert events == []
+
+
+def test_clouds_that_stand_for_others_are_reported_as_those():
+    events: Events = []
+    with watch(noted(events)):
+        with standing_for(source="whole"), standing_for(source="half", scale=2):
+            report("step", source="thin", pose=1)
+        with unwatched():
+            report("silent")
+        report("step", source="thin")
+    assert events == [("step", {"source": "whole", "pose": 1, "scale": 2}), ("step", {"source": "thin"})]
+
+
+@pytest.mark.parametrize("bad", [3, "watcher"])
+def test_a_watcher_has_to_be_a_function(bad: Any):
+    with pytest.raises(TypeError, match="callback"), watch(bad):
+        pass
+
+
+def test_icp_reports_its_start_and_every_step_as_its_callback_hears_them(device):
+    target = loom.PointCloud(bumps(), device=device)
+    source = loom.PointCloud(bumps() + SHIFT, device=device)
+    events: Events = []
+    heard: list[dict[str, Any]] = []
+    with watch(noted(events)):
+        result = loom.registration.registration_icp(source, target, 0.2, callback_after_iteration=heard.append)
+    steps = [data for event, data in events if event == "icp"]
+    assert [data["iteration_index"] for data in steps] == list(range(result.iterations + 1))
+    assert np.array_equal(steps[0]["transformation"], np.eye(4))
+    for told, state in zip(steps[1:], heard, strict=True):
+        assert np.array_equal(told["transformation"], state["transformation"])
+        assert told["fitness"] == state["fitness"]
+        assert told["source"] is source
+        assert told["target"] is target
+    assert events[-1][0] == "registration"
+    assert events[-1][1]["result"] is result
+
+
+@pytest.mark.parametrize("method", ["registration_icp", "registration_generalized_icp", "registration_symmetric_icp"])
+def test_icp_has_the_same_bits_watched_or_not(device, method):
+    target = loom.PointCloud(bumps(), device=device).estimate_normals(max_nn=20)
+    source = loom.PointCloud(bumps() + SHIFT, device=device).estimate_normals(max_nn=20)
+    register = getattr(loom.registration, method)
+    alone = register(source, target, 0.2)
+    with watch(lambda event, data: None):
+        seen = register(source, target, 0.2)
+    assert np.array_equal(alone.transformation, seen.transformation)
+    assert (alone.fitness, alone.inlier_rmse, alone.iterations) == (seen.fitness, seen.inlier_rmse, seen.iterations)
+    assert np.array_equal(alone.correspondence_set, seen.correspondence_set)
+
+
+def test_multi_scale_icp_reports_the_clouds_that_it_was_given(device):
+    target = loom.PointCloud(bumps(), device=device)
+    source = loom.PointCloud(bumps() + SHIFT, device=device)
+    rules = [loom.registration.ICPConvergenceCriteria(max_iteration=5)] * 2
+    events: Events = []
+    with watch(noted(events)):
+        loom.registration.multi_scale_icp(source, target, [0.1, -1], rules, [0.3, 0.1])
+    assert all(data["source"] is source and data["target"] is target for _, data in events)
+    assert sorted({data["scale_index"] for _, data in events}) == [0, 1]
+
+
+def test_fusion_clusters_and_planes_have_the_same_bits_watched_or_not(device):
+    camera = loom.PinholeCameraIntrinsic(32, 24, 30.0, 30.0, 15.5, 11.5)
+    depth = (1.0 + 0.1 * np.sin(np.mgrid[:24, :32].sum(axis=0) / 4)).astype(np.float32)
+    cloud = loom.PointCloud(np.vstack([bumps(), bumps() + 100 * SHIFT]), device=device)
+
+    def work() -> list[np.ndarray]:
+        volume = loom.TSDFVolume(voxel_size=0.05, device=device)
+        for _ in range(2):
+            volume.integrate(depth, camera, np.eye(4))
+        mesh = volume.extract_triangle_mesh(0)
+        return [mesh.vertices, mesh.triangles, cloud.cluster_dbscan(0.2, 5), *cloud.segment_plane(0.05)]
+
+    events: Events = []
+    alone = work()
+    with watch(noted(events)):
+        seen = work()
+    assert [event for event, _ in events] == ["integrate", "integrate", "clusters", "plane"]
+    for left, right in zip(alone, seen, strict=True):
+        assert np.array_equal(left, right)
+
+
+def test_an_error_of_a_watcher_ends_icp_and_leaves_the_clouds_to_others(device):
+    cloud = loom.PointCloud(bumps(), device=device)
+
+    def refuse(event: str, data: dict[str, Any]) -> None:
+        raise RuntimeError("enough")
+
+    with pytest.raises(RuntimeError, match="enough"), watch(refuse):
+        loom.registration.registration_icp(cloud, cloud, 0.2)
+    assert loom.registration.registration_icp(cloud, cloud, 0.2).fitness == 1.0

@@ -1,0 +1,51 @@
+"""The tests that take most of a run, by the CPU seconds of their process and of those that it waited for.
+
+Seconds of the clock would say which tests ran while the machine had other work.
+"""
+
+from __future__ import annotations
+
+import resource
+from collections import Counter
+from collections.abc import Iterator
+from typing import Any
+
+import pytest
+
+SHOWN, FEWEST = 20, 0.3  # tests, and the CPU seconds [s] below which there is nothing to tell
+SLOW = 1.0  # [s] from which on a test is marked `slow`
+
+
+def cpu_seconds() -> float:
+    """CPU seconds of this process so far and of its children that have ended."""
+    own, children = resource.getrusage(resource.RUSAGE_SELF), resource.getrusage(resource.RUSAGE_CHILDREN)
+    return own.ru_utime + own.ru_stime + children.ru_utime + children.ru_stime
+
+
+class CpuSeconds:
+    """Takes the seconds where a test runs, and sums them up where the reports come together (pytest -n: elsewhere)."""
+
+    def __init__(self) -> None:
+        self.before = 0.0
+        self.seconds: Counter[str] = Counter()
+
+    def pytest_runtest_logstart(self) -> None:
+        self.before = cpu_seconds()
+
+    @pytest.hookimpl(wrapper=True)
+    def pytest_runtest_makereport(self) -> Iterator[None]:
+        report: Any = yield
+        now = cpu_seconds()
+        report.cpu_seconds, self.before = now - self.before, now
+        return report
+
+    def pytest_runtest_logreport(self, report: Any) -> None:
+        self.seconds[report.nodeid.partition("@")[0]] += report.cpu_seconds
+
+    def pytest_terminal_summary(self, terminalreporter: Any) -> None:
+        dearest = [(test, spent) for test, spent in self.seconds.most_common(SHOWN) if spent >= FEWEST]
+        if not dearest:
+            return
+        terminalreporter.section(f"dearest tests, of {self.seconds.total() / 60:.1f} CPU min")
+        for test, spent in dearest:
+            terminalreporter.write_line(f"{spent:6.1f} s  {test}")

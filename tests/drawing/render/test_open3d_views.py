@@ -1,0 +1,189 @@
+"""Views as Open3D has them: the same cameras, files that go there and back, clear refusals."""
+
+import json
+
+import numpy as np
+import pytest
+
+import pointloom as loom
+from pointloom.core.errors import FileError
+
+LOW, HIGH = np.array([5.0, 6.0, 7.0]), np.array([7.0, 6.9, 9.5])
+BOUNDS = (LOW, HIGH)
+
+# By the rule of Open3D's ViewControl, for a window of 640 x 480, of a cloud with these two corners.
+BY_HAND = [
+    (
+        {"zoom": 0.7, "front": [0.0, 0.0, 1.0], "lookat": [6.0, 6.45, 8.25], "up": [0.0, 1.0, 0.0]},
+        60.0,
+        415.69219382,
+        [6.0, 6.45, 8.25 + 1.75 * 3**0.5],
+    ),
+    (
+        {"zoom": 0.5, "front": [3.0, 0.0, 4.0], "lookat": [5.5, 6.2, 8.0], "up": [0, 2, 0]},
+        90.0,
+        240.0,
+        [6.25, 6.2, 9.0],
+    ),
+]
+
+
+@pytest.mark.parametrize(("parameters", "angle", "focal", "eye"), BY_HAND)
+def test_cameras_are_where_open3d_has_them(parameters, angle, focal, eye):
+    view = loom.View.from_open3d(BOUNDS, **parameters, field_of_view=angle, width=640, height=480)
+    assert view.intrinsic.fx == pytest.approx(focal) and (view.intrinsic.cx, view.intrinsic.cy) == (319.5, 239.5)
+    assert view.T_world_camera[:3, 3] == pytest.approx(eye)
+
+
+def test_cameras_are_those_of_open3d_itself():
+    o3d = pytest.importorskip("open3d")
+    window = o3d.visualization.Visualizer()
+    with o3d.utility.VerbosityContextManager(o3d.utility.VerbosityLevel.Error):
+        if not window.create_window(visible=False, width=640, height=480):
+            pytest.skip("no window, and no EGL for one off screen")
+        window.add_geometry(o3d.geometry.PointCloud(o3d.utility.Vector3dVector(np.stack(BOUNDS))))
+    control = window.get_view_control()
+    rng = np.random.default_rng(3)
+    for _ in range(20):
+        front, side = np.linalg.qr(rng.normal(size=(3, 2)))[0].T
+        values = {"front": front, "lookat": rng.normal(size=3), "up": side, "zoom": rng.uniform(0.02, 2)}
+        for name, value in values.items():
+            getattr(control, f"set_{name}")(value)
+        control.change_field_of_view(rng.integers(-3, 3))
+        angle = json.loads(window.get_view_status())["trajectory"][0]["field_of_view"]
+        if angle == 5:
+            continue  # parallel projection
+        expected = control.convert_to_pinhole_camera_parameters()
+        view = loom.View.from_open3d(BOUNDS, **values, field_of_view=angle, width=640, height=480)
+        assert np.abs(view.intrinsic.matrix - expected.intrinsic.intrinsic_matrix).max() < 1e-6
+        assert np.abs(np.linalg.inv(view.T_world_camera) - expected.extrinsic).max() < 1e-6
+    window.destroy_window()
+
+
+def test_a_view_that_open3d_wrote_is_read(tmp_path):
+    path = tmp_path / "view.json"
+    path.write_text(
+        """{"class_name" : "ViewTrajectory", "interval" : 29, "is_loop" : false, "trajectory" : [ {
+        "boundingbox_max" : [ 7.0, 6.9, 9.5 ], "boundingbox_min" : [ 5.0, 6.0, 7.0 ], "field_of_view" : 60.0,
+        "front" : [ 0.0, 0.0, 1.0 ], "lookat" : [ 6.0, 6.45, 8.25 ], "up" : [ 0.0, 1.0, 0.0 ], "zoom" : 0.7 } ],
+        "version_major" : 1, "version_minor" : 0 }"""
+    )
+    view = loom.read_view(path, width=640, height=480)
+    assert view.T_world_camera[:3, 3] == pytest.approx([6.0, 6.45, 8.25 + 1.75 * 3**0.5])
+    assert (view.intrinsic.width, view.intrinsic.height) == (640, 480)
+
+
+def test_pinhole_camera_parameters_of_open3d_are_read(tmp_path):
+    o3d = pytest.importorskip("open3d")
+    parameters = o3d.camera.PinholeCameraParameters()
+    parameters.intrinsic = o3d.camera.PinholeCameraIntrinsic(320, 240, 300.0, 310.0, 150.0, 120.0)
+    T = np.eye(4)
+    T[:3, 3] = 1, 2, 3
+    parameters.extrinsic = np.linalg.inv(T)
+    o3d.io.write_pinhole_camera_parameters(str(tmp_path / "camera.json"), parameters)
+    view = loom.read_view(tmp_path / "camera.json")
+    assert view.intrinsic == loom.PinholeCameraIntrinsic(320, 240, 300.0, 310.0, 150.0, 120.0)
+    assert np.allclose(view.T_world_camera, T)
+
+
+@pytest.mark.parametrize("scale", [1e-6, 1.0, 1e6])
+@pytest.mark.parametrize("offset", [(0, 0, 0), (5e5, 5.4e6, 300.0)])
+def test_views_go_to_open3d_and_back(tmp_path, scale, offset):
+    rng = np.random.default_rng(1)
+    points = np.asarray(offset) + scale * rng.random((50, 3))
+    bounds = points.min(axis=0), points.max(axis=0)
+    view = loom.fit_view(points, width=200, height=150)
+    loom.write_view(tmp_path / "view.json", view, bounds)
+    again = loom.read_view(tmp_path / "view.json", width=200, height=150)
+    assert np.allclose(again.intrinsic.matrix, view.intrinsic.matrix, rtol=1e-12)
+    assert np.allclose(again.T_world_camera[:3, :3], view.T_world_camera[:3, :3], atol=1e-12)
+    gap = np.abs(again.T_world_camera[:3, 3] - view.T_world_camera[:3, 3]).max()
+    assert gap <= 1e-9 * max(scale, np.abs(offset).max())
+    assert 0.02 <= view.to_open3d(bounds)["zoom"] <= 2
+
+
+def test_an_up_that_leans_is_set_upright():
+    view = loom.View.from_open3d(BOUNDS, front=[0, 0, 1], up=[0, 1, 5])
+    assert np.allclose(view.T_world_camera[:3, 1], (0, -1, 0))
+
+
+def test_a_box_that_is_a_point_still_has_a_view():
+    assert np.isfinite(loom.View.from_open3d((LOW, LOW)).T_world_camera).all()
+
+
+def test_cameras_that_open3d_has_not_are_refused():
+    camera = loom.PinholeCameraIntrinsic(640, 480, 500.0, 510.0, 319.5, 239.5)
+    with pytest.raises(ValueError, match="square pixels"):
+        loom.View(camera, np.eye(4)).to_open3d(BOUNDS)
+    camera = loom.PinholeCameraIntrinsic(640, 480, 500.0, 500.0, 300, 239.5)
+    with pytest.raises(ValueError, match="principal point"):
+        loom.View(camera, np.eye(4)).to_open3d(BOUNDS)
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        ({"front": (0, 0, 0)}, "front"),
+        ({"front": (np.nan, 0, 0)}, "front"),
+        ({"up": (0, 0, 0)}, "up"),
+        ({"front": (0, 2, 0)}, "along front"),
+        ({"lookat": (0, 0)}, "lookat"),
+        ({"zoom": 0}, "zoom"),
+        ({"zoom": -1}, "zoom"),
+        ({"field_of_view": 180}, "field_of_view"),
+        ({"width": 0}, "width"),
+        ({"bounds": [0, 1, 2]}, "bounds"),
+        ({"bounds": (LOW, HIGH * np.inf)}, "bounds"),
+    ],
+)
+def test_parameters_out_of_range_are_refused(change, message):
+    with pytest.raises(ValueError, match=message):
+        loom.View.from_open3d(**{"bounds": BOUNDS, **change})
+
+
+def _changed(change):
+    entry = {"boundingbox_max": [1, 1, 1], "boundingbox_min": [0, 0, 0], "field_of_view": 60.0, "zoom": 0.7}
+    entry |= {"front": [0, 0, 1], "lookat": [0, 0, 0], "up": [0, 1, 0]}
+    content = {"class_name": "ViewTrajectory", "trajectory": [entry]}
+    change(content, entry)
+    return json.dumps(content)
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("", "not JSON"),
+        ("[]", "expected a JSON object"),
+        ('{"class_name": "ViewTrajectory"}', "trajectory"),
+        (_changed(lambda c, e: c.update(class_name="Other")), "ViewTrajectory"),
+        (_changed(lambda c, e: c.update(trajectory=[])), "one view, got 0"),
+        (_changed(lambda c, e: c.update(trajectory=[e, e])), "one view, got 2"),
+        (_changed(lambda c, e: c.update(trajectory={})), "got a dict"),
+        (_changed(lambda c, e: e.pop("zoom")), "zoom"),
+        (_changed(lambda c, e: e.update(zoom="big")), "expected numbers, got 'big'"),
+        (_changed(lambda c, e: e.update(zoom=[1, 2, 3])), "expected a number"),
+        (_changed(lambda c, e: e.update(zoom=True)), "zoom"),
+        (_changed(lambda c, e: e.update(front=[0, 0, 0])), "front"),
+        (_changed(lambda c, e: e.update(front=[0, 1])), "three numbers"),
+        (_changed(lambda c, e: e.update(up=[0, 0, 2])), "along front"),
+        (_changed(lambda c, e: e.update(lookat=None)), "lookat"),
+        (_changed(lambda c, e: e.update(lookat=[0, 0, 1e300])), "lookat"),
+        (_changed(lambda c, e: e.update(fov=3)), "unknown meaning"),
+        ('{"intrinsic": {"width": 4, "height": 4, "intrinsic_matrix": [1, 0, 0, 0, 1, 0, 1, 1, 1]}}', "extrinsic"),
+    ],
+)
+def test_files_that_are_no_view_are_refused(tmp_path, text, message):
+    path = tmp_path / "view.json"
+    path.write_text(text)
+    with pytest.raises(FileError, match=message):
+        loom.read_view(path)
+
+
+def test_places_that_cannot_be_used_are_said(tmp_path):
+    view = loom.View.from_open3d(BOUNDS)
+    with pytest.raises(FileError):
+        loom.read_view(tmp_path / "nothing.json")
+    with pytest.raises(FileError):
+        loom.write_view(tmp_path / "no" / "folder.json", view, BOUNDS)
+    with pytest.raises(TypeError, match="view"):
+        loom.write_view(tmp_path / "view.json", np.eye(4), BOUNDS)

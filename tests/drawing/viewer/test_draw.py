@@ -1,0 +1,174 @@
+"""`loom.draw`: what it says, when it waits, where a browser opens."""
+
+import os
+import signal
+import socket
+import subprocess
+import sys
+import threading
+import time
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import pointloom as loom
+from pointloom.core.errors import PointloomError
+from pointloom.drawing.render.view import View
+from pointloom.drawing.viewer import draw as drawing
+from pointloom.drawing.viewer import viewer as viewers
+
+from .pages import page_of
+from .pages import wait_until as wait_for
+
+ROOT = Path(__file__).resolve().parents[3]
+UTM = np.array([500_000.0, 5_600_000.0, 300.0])
+
+
+def wait_until(claim, seconds=30.0):
+    """Of a machine that may have much else to do, or kernels to load."""
+    wait_for(claim, seconds)
+
+
+@pytest.fixture
+def cloud(rng):
+    return loom.PointCloud(rng.random((50, 3)))
+
+
+@pytest.fixture(autouse=True)
+def no_ssh(monkeypatch):
+    monkeypatch.delenv("SSH_CONNECTION", raising=False)
+
+
+def draw(*geometries, **options):
+    return loom.draw(*geometries, **{"port": 0, "block": False, "open_browser": False} | options)
+
+
+def test_draw_says_where_the_page_is_on_stderr_alone(cloud, capfd):
+    with draw([cloud]) as viewer:
+        out, err = capfd.readouterr()
+    assert out == ""
+    assert err == f"viewer: {viewer.url} (Ctrl-C ends it)\n"
+
+
+def test_draw_says_how_to_come_through_ssh(cloud, capfd, monkeypatch):
+    monkeypatch.setenv("SSH_CONNECTION", "10.0.0.1 50000 10.0.0.2 22")
+    with draw([cloud]) as viewer:
+        lines = capfd.readouterr().err.splitlines()
+    assert len(lines) == 2
+    assert f"ssh -L {viewer.server.port}:127.0.0.1:{viewer.server.port} " in lines[1]
+    assert lines[1].endswith("@10.0.0.2")
+
+
+def test_a_port_that_is_taken_is_told_with_the_next_one(cloud, capfd):
+    with socket.create_server(("127.0.0.1", 0)) as taken:
+        port = taken.getsockname()[1]
+        with draw([cloud], port=port) as viewer:
+            first = capfd.readouterr().err.splitlines()[0]
+    assert first == f"port {port} is taken; the next free one is {viewer.server.port}"
+
+
+def test_an_open_door_is_told(cloud, capfd):
+    with draw([cloud], host="0.0.0.0"):
+        assert "whoever reaches this machine sees the scene" in capfd.readouterr().err
+
+
+def test_open3d_s_parameters_count(cloud):
+    mesh = loom.TriangleMesh([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]])
+    look = {"zoom": 0.5, "front": [0, 0, -1], "lookat": [0.5, 0.5, 0.5], "up": [0, -1, 0]}
+    with draw([cloud, mesh], "title", 640, 480, 0, 0, True, True, False, **look) as viewer:
+        assert list(viewer.items) == ["cloud", "mesh"]
+        assert viewer.normals
+        assert viewer.wireframe
+        assert viewer.items["mesh"].parts[0].cull
+        expected = View.from_open3d(viewer.bounds, **look, width=640, height=480)
+        assert np.allclose(viewer.home().T_world_camera, expected.T_world_camera)
+        assert viewer.screenshot().shape == (480, 640, 3)
+    with draw({"floor": mesh}, mesh_show_back_face=True) as viewer:
+        assert not viewer.items["floor"].parts[0].cull
+    with draw({"geometry": mesh, "name": "wall", "color": (1, 0, 0)}) as viewer:
+        assert viewer.items["wall"].parts[0].plain == (1, 0, 0)
+
+
+def test_draw_geometries_is_draw():
+    assert loom.draw_geometries is loom.draw
+
+
+@pytest.mark.parametrize("geometries", [[], {}])
+def test_nothing_to_draw_is_an_empty_page(geometries):
+    with draw(geometries) as viewer:
+        assert not viewer.items
+        assert viewer.screenshot().min() == 255
+
+
+@pytest.mark.parametrize(
+    ("geometries", "options", "error"),
+    [
+        (object(), {}, TypeError),
+        ([np.zeros((1, 3)), "scan.ply"], {}, TypeError),
+        (np.zeros((4, 2)), {}, ValueError),
+        ({"geometry": np.zeros((1, 3)), "colour": (1, 0, 0)}, {}, ValueError),
+        (np.zeros((1, 3)), {"width": 0}, ValueError),
+        (np.zeros((1, 3)), {"zoom": -1}, ValueError),
+        (np.zeros((1, 3)), {"port": 70_000}, ValueError),
+        (np.zeros((1, 3)), {"host": "no.such.host.invalid"}, PointloomError),
+    ],
+)
+def test_hostile_arguments_leave_no_server(geometries, options, error):
+    before = threading.active_count()
+    with pytest.raises(error):
+        draw(geometries, **options)
+    wait_until(lambda: threading.active_count() <= before)
+
+
+def test_draw_waits_until_the_last_page_has_gone(cloud, monkeypatch):
+    monkeypatch.setattr(viewers, "LEFT_ALONE", 0.2)
+    made, done = [], []
+    announce = drawing.announce
+    monkeypatch.setattr(drawing, "announce", lambda viewer: (made.append(viewer), announce(viewer)))
+    thread = threading.Thread(target=lambda: done.append(draw([cloud], block=None)), daemon=True)
+    thread.start()
+    wait_until(lambda: made)
+    with page_of(made[0].server):
+        wait_until(lambda: made[0].sessions)
+        time.sleep(0.5)
+        assert not done
+    wait_until(lambda: done)
+    assert done[0].closed
+
+
+@pytest.mark.slow
+def test_ctrl_c_ends_a_script_s_wait_and_the_script_goes_on(tmp_path):
+    script = (
+        "import signal, sys, numpy as np, pointloom as loom\n"
+        "signal.signal(signal.SIGINT, signal.default_int_handler)\n"  # a job of a script's begins with it ignored
+        "viewer = loom.draw(np.eye(3), port=0, open_browser=False)\n"
+        "print('went on', viewer.closed, file=sys.stderr)\n"
+    )
+    environment = os.environ | {"PYTHONPATH": str(ROOT / "src")}
+    process = subprocess.Popen(
+        [sys.executable, "-c", script], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=environment
+    )
+    assert process.stderr is not None
+    assert process.stderr.readline().startswith("viewer: http://127.0.0.1:")
+    time.sleep(0.2)
+    process.send_signal(signal.SIGINT)
+    out, err = process.communicate(timeout=60)
+    assert (process.returncode, out, err) == (0, "", "went on True\n")
+
+
+@pytest.mark.parametrize(
+    ("environment", "opens"),
+    [({}, False), ({"DISPLAY": ":0"}, True), ({"DISPLAY": ":0", "SSH_CONNECTION": "1 2 3 4"}, False)],
+)
+def test_a_browser_opens_where_there_is_a_display(cloud, monkeypatch, environment, opens):
+    for name in ("DISPLAY", "WAYLAND_DISPLAY"):
+        monkeypatch.delenv(name, raising=False)
+    for name, value in environment.items():
+        monkeypatch.setenv(name, value)
+    opened = []
+    monkeypatch.setattr(drawing.webbrowser, "open", opened.append)
+    with draw([cloud], open_browser=True) as viewer:
+        assert opened == [viewer.url] * opens
+    with draw([cloud], open_browser=False):
+        assert len(opened) == opens

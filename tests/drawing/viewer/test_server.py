@@ -1,0 +1,306 @@
+"""The viewer's server: who is answered, what a page may say, and that it goes without a trace."""
+
+from __future__ import annotations
+
+import gc
+import os
+import socket
+import subprocess
+import sys
+import textwrap
+import threading
+import time
+import weakref
+
+import numpy as np
+import pytest
+from websockets.exceptions import ConnectionClosed, InvalidStatus
+
+from pointloom.core.errors import PointloomError
+from pointloom.drawing.viewer.server import MOST_PORTS, ViewerError, ViewerServer
+
+from .pages import count, get, hear, is_well, page_of, send_raw, silent_line, wait_until
+
+
+@pytest.fixture
+def free_port() -> int:
+    with socket.create_server(("127.0.0.1", 0)) as line:
+        return line.getsockname()[1]
+
+
+# -- where it listens -------------------------------------------------------------------------------------------------
+
+
+def test_it_listens_on_this_machine_alone(server):
+    bound = server.viser._websock_server._bound  # type: ignore[attr-defined]
+    assert bound.getsockname() == ("127.0.0.1", server.port)
+    assert server.url == f"http://127.0.0.1:{server.port}"
+    assert not server.exposed
+    assert server.moved_from is None
+
+
+def test_the_line_for_ssh_names_both_ports(server, monkeypatch):
+    monkeypatch.setenv("SSH_CONNECTION", "10.0.0.9 50000 10.0.0.2 2222")
+    with ViewerServer(port=0) as remote:
+        assert remote.ssh_line.startswith(f"ssh -p 2222 -L {remote.port}:127.0.0.1:{remote.port} ")
+        assert remote.ssh_line.endswith("@10.0.0.2")
+
+
+def test_a_port_that_is_taken_gives_the_next_and_says_so(server):
+    with ViewerServer(port=server.port) as second:
+        assert server.port < second.port < server.port + MOST_PORTS
+        assert second.moved_from == server.port
+
+
+def test_a_port_asked_for_is_the_port(free_port):
+    with ViewerServer(port=free_port) as server:
+        assert server.port == free_port
+        assert server.moved_from is None
+
+
+def test_no_free_port_is_an_error_with_a_remedy(monkeypatch):
+    monkeypatch.setattr("pointloom.drawing.viewer.server.MOST_PORTS", 1)
+    with ViewerServer(port=0) as server, pytest.raises(ViewerError, match=f"{server.port}: all taken. Choose another"):
+        ViewerServer(port=server.port)
+
+
+@pytest.mark.parametrize("host", ["203.0.113.7", "no-such-host.invalid", "a" * 300, "127.0.0.1:80"])
+def test_an_address_of_others_is_an_error_with_a_remedy(host):
+    with pytest.raises(PointloomError, match=r"127\.0\.0\.1 is this machine"):
+        ViewerServer(host, port=0)
+
+
+@pytest.mark.parametrize("port", [-1, 65536, 1.5, "8080", None, True])
+def test_a_port_is_a_whole_number(port):
+    with pytest.raises(ValueError, match="port: expected"):
+        ViewerServer(port=port)
+
+
+@pytest.mark.parametrize("host", ["", None, 7])
+def test_a_host_is_an_address(host):
+    with pytest.raises(ValueError, match="host: expected"):
+        ViewerServer(host, port=0)
+
+
+def test_beyond_this_machine_only_when_asked_and_it_is_said():
+    with ViewerServer("0.0.0.0", port=0) as server:
+        assert server.exposed
+        assert server.url == f"http://127.0.0.1:{server.port}"
+        assert get(server, Host=f"192.168.1.5:{server.port}")[0] == 200
+        assert get(server, Host=f"evil.example:{server.port}")[0] == 403
+
+
+def test_localhost_and_the_other_loopback_are_loopback():
+    with ViewerServer("localhost", port=0) as server:
+        assert not server.exposed
+        assert is_well(server)
+    if socket.has_ipv6:
+        try:
+            socket.create_server(("::1", 0), family=socket.AF_INET6).close()
+        except OSError:
+            return
+        with ViewerServer("::1", port=0) as server:
+            assert server.url == f"http://[::1]:{server.port}"
+            assert not server.exposed
+
+
+# -- requests ---------------------------------------------------------------------------------------------------------
+
+
+def test_the_page_is_served_under_our_name(server):
+    status, headers, body = get(server)
+    assert status == 200
+    assert headers["content-type"] == "text/html; charset=utf-8"
+    assert b"<title>pointloom</title>" in body
+    assert get(server, "/index.html?fixedDpr=1")[2] == body
+    packed = get(server, Accept_Encoding="gzip, br")
+    assert packed[1]["content-encoding"] == "gzip"
+    assert len(packed[2]) < len(body)
+
+
+def test_a_title_is_text():
+    with ViewerServer(port=0, title="<script>x</script>&") as server:
+        assert b"<title>&lt;script>x&lt;/script>&amp;</title>" in get(server)[2]
+
+
+def test_every_answer_tells_the_browser_what_it_may_not(server):
+    for answer in (get(server), get(server, "/other"), get(server, Host="evil.example")):
+        headers = answer[1]
+        assert "default-src 'none'" in headers["content-security-policy"]
+        assert headers["x-content-type-options"] == "nosniff"
+        assert headers["referrer-policy"] == "no-referrer"
+        assert headers["cross-origin-resource-policy"] == "same-origin"
+        assert headers["cache-control"] == "no-store"
+        assert "access-control-allow-origin" not in headers
+        assert "server" not in headers
+
+
+@pytest.mark.parametrize(
+    "path",
+    [
+        "/etc/passwd", "/../../../../etc/passwd", "/%2e%2e/%2e%2e/etc/passwd", "/..%5c..%5cetc", "//etc/passwd", "/.",
+        "/index.html/", "/%00", "/hdri/x.hdr", "/INDEX.HTML", "/index.html%00.png", "http://127.0.0.1/", "*",
+    ],
+)  # fmt: skip
+def test_there_is_nothing_but_the_page(server, path):
+    status, _, body = get(server, path)
+    assert status == 404
+    assert b"root:" not in body
+
+
+@pytest.mark.parametrize("host", ["evil.example", "evil.example:8080", "127.0.0.1.evil.example", "192.168.1.5"])
+def test_a_foreign_host_gets_403(server, host):
+    assert get(server, Host=host)[0] == 403
+
+
+def test_a_foreign_origin_gets_403(server):
+    for origin in ("http://evil.example", "null", f"http://localhost:{server.port}", "http://127.0.0.1:1"):
+        assert get(server, Origin=origin)[0] == 403
+    assert get(server, Origin=f"http://127.0.0.1:{server.port}")[0] == 200
+
+
+def test_another_port_of_the_user_behind_ssh_is_answered(server):
+    assert get(server, Host="localhost:9000", Origin="http://localhost:9000")[0] == 200
+    with silent_line(server, "localhost", 9000) as line:
+        assert line.recv(100).startswith(b"HTTP/1.1 101 ")
+
+
+@pytest.mark.parametrize("origin", ["http://evil.example", "null", "http://127.0.0.1:1", None])
+def test_a_websocket_of_another_page_gets_403(server, origin):
+    with pytest.raises(InvalidStatus, match="403"), page_of(server, origin=origin, camera=False):
+        pass
+
+
+def test_a_websocket_of_another_version_is_refused(server):
+    for offered in (["viser-v0.0.0"], None, ["chat"]):
+        with pytest.raises(InvalidStatus, match="426"), page_of(server, subprotocols=offered, camera=False):
+            pass
+
+
+@pytest.mark.parametrize("method", ["POST", "PUT", "DELETE", "OPTIONS", "CONNECT", "PATCH"])
+def test_only_get_is_answered(server, method):
+    assert b" 200 " not in send_raw(server, f"{method} / HTTP/1.1\r\nHost: 127.0.0.1\r\n\r\n".encode())
+
+
+@pytest.mark.parametrize(
+    "data",
+    [
+        b"\x00" * 100, b"GET / HTTP/1.1\r\n\r\n", b"GET /\r\n\r\n",
+        b"GET / HTTP/1.1\r\nHost: 127.0.0.1\r\nHost: evil\r\n\r\n",
+        b"GET / HTTP/1.1\r\n" + b"A: b\r\n" * 1000 + b"\r\n", b"GET /" + b"a" * 100_000,
+        b"\x16\x03\x01\x02\x00" + b"x" * 600, b"GET / HTTP/1.1\r\nHost: 127.0.0.1\r\nContent-Length: 5\r\n\r\nhello",
+        b"GET / HTTP/1.1\r\nHost: 127.0.0.1\r\nUpgrade: websocket\r\nOrigin: http://127.0.0.1\r\n\r\n",
+    ],
+)  # fmt: skip
+def test_what_is_no_request_gets_nothing(server, data):
+    assert b" 200 " not in send_raw(server, data)
+    assert is_well(server)
+
+
+# -- closing ----------------------------------------------------------------------------------------------------------
+
+
+def test_closing_frees_the_port_at_once(free_port):
+    for _ in range(3):
+        with ViewerServer(port=free_port) as server:
+            assert server.port == free_port
+            with page_of(server) as line:
+                hear(line)
+                server.close()
+                with pytest.raises(ConnectionClosed):
+                    while True:
+                        line.recv(timeout=5)
+
+
+def test_closing_twice_is_no_error_and_what_is_closed_says_so(capfd):
+    server = ViewerServer(port=0)
+    server.close()
+    server.close()
+    assert server.closed
+    with pytest.raises(ViewerError, match="closed"):
+        _ = server.viser
+    assert capfd.readouterr() == ("", "")
+
+
+def test_closing_ends_the_threads():
+    before = set(threading.enumerate())
+    with ViewerServer(port=0) as server:
+        server.viser.on_client_connect(lambda client: None)
+        with page_of(server) as line:
+            hear(line)
+    wait_until(lambda: {thread for thread in threading.enumerate() if thread.is_alive()} <= before)
+
+
+@pytest.mark.slow
+def test_closing_frees_the_memory():
+    with ViewerServer(port=0) as server:
+        server.viser.scene.add_point_cloud("/cloud", np.zeros((100_000, 3), np.float32), (255, 0, 0))
+        with page_of(server) as line:
+            hear(line)
+        died = weakref.ref(server.viser)
+    deadline = time.monotonic() + 5
+    while died() is not None and time.monotonic() < deadline:
+        time.sleep(0.02)
+        gc.collect()
+    assert died() is None
+
+
+def test_closing_does_not_wait_for_a_page_that_does_not_read():
+    with ViewerServer(port=0) as server:
+        server.viser.scene.add_point_cloud("/large", np.zeros((500_000, 3), np.float32), (255, 0, 0))
+        with silent_line(server):
+            wait_until(lambda: count(server) == 1)
+            start = time.monotonic()
+            server.close()
+            assert time.monotonic() - start < 2
+
+
+def run_python(script: str, **settings) -> subprocess.CompletedProcess[str]:
+    source = textwrap.dedent(script)
+    return subprocess.run(
+        [sys.executable, "-W", "error", "-c", source], capture_output=True, text=True, timeout=60, **settings
+    )
+
+
+SRC = os.pathsep.join(path for path in sys.path if path)
+
+
+@pytest.mark.parametrize(
+    "end",
+    [
+        "", "server.close()", "import sys; sys.exit(0)", "import os, signal; os.kill(os.getpid(), signal.SIGINT)",
+        "import asyncio\nasync def cell():\n    ViewerServer(port=0).close()\nasyncio.run(cell())",
+    ],
+    ids=["end of the script", "close", "sys.exit", "Ctrl-C", "in a running loop"],
+)  # fmt: skip
+def test_a_script_ends_silently_however_it_ends(end):
+    script = f"""
+import time
+from pointloom.drawing.viewer.server import ViewerServer
+server = ViewerServer(port=0)
+server.viser.scene.add_frame("/frame")
+try:
+    {end.replace(chr(10), chr(10) + "    ") or "pass"}
+    time.sleep(0.05)
+except KeyboardInterrupt:
+    pass
+"""
+    done = run_python(script, env=os.environ | {"PYTHONPATH": SRC})
+    assert (done.returncode, done.stdout, done.stderr) == (0, "", "")
+
+
+def test_without_the_extra_the_line_to_run_is_said():
+    script = """
+        import sys
+        sys.modules["viser"] = None
+        sys.modules["msgspec"] = None
+        from pointloom.drawing.viewer.server import ViewerServer
+        from pointloom.core.errors import PointloomError
+        try:
+            ViewerServer(port=0)
+        except ImportError as error:
+            assert isinstance(error, PointloomError)
+            print(error)
+    """
+    done = run_python(script, env=os.environ | {"PYTHONPATH": SRC})
+    assert 'pip install "pointloom[viewer]"' in done.stdout, done.stderr

@@ -1,0 +1,437 @@
+"""GLB: scenes built by hand, what trimesh and Open3D read and write, and files that lie."""
+
+from __future__ import annotations
+
+import base64
+import copy
+import json
+import re
+import struct
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+import pointloom as loom
+from pointloom.core.errors import FileError
+from pointloom.files.meshes.glb import read_glb
+from pointloom.files.meshes.glb_writer import write_glb
+from pointloom.files.pictures.image_files import encode_png
+from pointloom.files.table import MeshTable
+
+from .textured_meshes import PICTURE, square, textured
+
+CODES = {"i1": 5120, "u1": 5121, "i2": 5122, "u2": 5123, "u4": 5125, "f4": 5126}
+KINDS = {1: "SCALAR", 2: "VEC2", 3: "VEC3", 4: "VEC4"}
+TRIANGLE = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0]], "f4")
+Z = [[0.0, 0.0, 1.0]] * 3
+
+
+class Scene:
+    """A glTF scene that grows array by array."""
+
+    def __init__(self):
+        self.data, self.views, self.accessors, self.primitives = b"", [], [], []
+        self.more: dict = {}
+
+    def bytes(self, content: bytes, **more) -> int:
+        self.views.append({"buffer": 0, "byteOffset": len(self.data), "byteLength": len(content), **more})
+        self.data += content + b"\0" * (-len(content) % 4)
+        return len(self.views) - 1
+
+    def array(self, values, **more) -> int:
+        rows = values.reshape(len(values), -1)
+        code = f"{values.dtype.kind}{values.dtype.itemsize}"
+        accessor = {"bufferView": self.bytes(rows.tobytes()), "componentType": CODES[code], "count": len(rows)}
+        self.accessors.append(accessor | {"type": KINDS[rows.shape[1]]} | more)
+        return len(self.accessors) - 1
+
+    def primitive(self, *, indices=None, extra=None, **attributes):
+        names = {name: self.array(np.asarray(values)) for name, values in attributes.items()}
+        self.primitives.append({"attributes": names, **(extra or {})})
+        if indices is not None:
+            self.primitives[-1]["indices"] = self.array(np.asarray(indices))
+
+    def content(self) -> dict:
+        return {
+            "asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+            "meshes": [{"primitives": self.primitives}], "accessors": self.accessors, "bufferViews": self.views,
+            "buffers": [{"byteLength": len(self.data)}], **self.more,
+        }  # fmt: skip
+
+    def write(self, path, content=None):
+        text = json.dumps(self.content() if content is None else content).encode()
+        path.write_bytes(container(text, self.data))
+        return path
+
+
+def container(text: bytes, data: bytes) -> bytes:
+    text += b" " * (-len(text) % 4)
+    chunks = struct.pack("<II", len(text), 0x4E4F534A) + text + struct.pack("<II", len(data), 0x004E4942) + data
+    return b"glTF" + struct.pack("<II", 2, 12 + len(chunks)) + chunks
+
+
+def one_triangle(**more) -> Scene:
+    scene = Scene()
+    scene.primitive(POSITION=TRIANGLE, indices=np.arange(3, dtype="u2"), **more)
+    return scene
+
+
+# ------------------------------------------------------------------------------------------------ reading
+
+
+@pytest.mark.parametrize("code", ["u1", "u2", "u4", None])
+def test_indices_of_every_type_and_none(tmp_path, code):
+    scene = Scene()
+    corners = TRIANGLE[[2, 0, 1]]
+    scene.primitive(POSITION=corners, indices=None if code is None else np.array([1, 2, 0], code))
+    mesh = read_glb(scene.write(tmp_path / "m.glb"))
+    np.testing.assert_array_equal(mesh.triangles, [[0, 1, 2]] if code is None else [[1, 2, 0]])
+    np.testing.assert_array_equal(mesh.vertices, corners)
+    assert mesh.vertices.dtype == np.float32
+
+
+def test_strips_and_fans_turn_as_their_triangles_do(tmp_path):
+    grid = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0], [0, 2, 0]], "f4")
+    ring = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], "f4")
+    scene = Scene()
+    scene.primitive(POSITION=grid, extra={"mode": 5})
+    scene.primitive(POSITION=ring, extra={"mode": 6})
+    scene.primitive(POSITION=ring, extra={"mode": 1})
+    mesh = read_glb(scene.write(tmp_path / "m.glb"))
+    assert len(mesh.triangles) == 5
+    normals = loom.TriangleMesh(mesh.vertices, mesh.triangles).compute_triangle_normals()
+    np.testing.assert_array_equal(normals, [[0, 0, 1]] * 5)
+
+
+def test_nodes_place_turn_and_mirror_their_meshes(tmp_path):
+    scene = one_triangle(NORMAL=np.array([[0.6, 0, 0.8]] * 3, "f4"))
+    half = np.sqrt(0.5)
+    scene.more["nodes"] = [
+        {"children": [1, 2], "translation": [5e5, 5.4e6, 10]},
+        {"mesh": 0, "rotation": [0, 0, half, half], "scale": [2, 1, 4]},
+        {"mesh": 0, "matrix": [-1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 7, 1]},
+    ]
+    mesh = read_glb(scene.write(tmp_path / "m.glb"))
+    first = np.array([[0, 0, 0], [0, 2, 0], [-1, 0, 0]])
+    second = TRIANGLE * [-1, 1, 1] + [0, 0, 7]
+    np.testing.assert_allclose(mesh.vertices, np.add([*first, *second], [5e5, 5.4e6, 10]), rtol=0, atol=1e-9)
+    np.testing.assert_array_equal(mesh.triangles, [[0, 1, 2], [5, 4, 3]])
+    turned = np.array([0, 0.6 / 2, 0.8 / 4])  # by the inverse of the scales, then about z
+    expected = [turned / np.linalg.norm(turned)] * 3 + [[-0.6, 0, 0.8]] * 3
+    np.testing.assert_allclose(mesh.vertex_normals, expected, atol=1e-7)
+    placed = loom.read_triangle_mesh(tmp_path / "m.glb")
+    np.testing.assert_allclose(placed.vertices, mesh.vertices, atol=1e-6)
+
+
+def test_primitives_that_share_vertices_still_do(tmp_path):
+    scene = Scene()
+    scene.primitive(POSITION=square().vertices, indices=np.array([0, 1, 2], "u1"))
+    scene.primitives.append({**scene.primitives[0], "indices": scene.array(np.array([0, 2, 3], "u1"))})
+    mesh = read_glb(scene.write(tmp_path / "m.glb"))
+    np.testing.assert_array_equal(mesh.triangles, [[0, 1, 2], [0, 2, 3]])
+    assert len(mesh.vertices) == 4
+
+
+def test_numbers_of_every_type_and_step_are_taken_for_what_they_are(tmp_path):
+    scene = one_triangle()
+    rows = np.zeros(3, [("c", "u1", 4), ("uv", "<u2", 2)])
+    rows["c"], rows["uv"] = [[255, 0, 51, 9]] * 3, [[65535, 0], [0, 0], [0, 65535]]
+    view = scene.bytes(rows.tobytes(), byteStride=8)
+    names = scene.primitives[0]["attributes"]
+    for name, offset, code, kind in (("COLOR_0", 0, 5121, "VEC4"), ("TEXCOORD_0", 4, 5123, "VEC2")):
+        scene.accessors.append({
+            "bufferView": view, "byteOffset": offset, "componentType": code, "count": 3, "type": kind,
+            "normalized": True,
+        })  # fmt: skip
+        names[name] = len(scene.accessors) - 1
+    mesh = read_glb(scene.write(tmp_path / "m.glb"))
+    np.testing.assert_array_equal(mesh.vertex_colors, np.float32([[1, 0, 0.2]] * 3))
+    np.testing.assert_array_equal(mesh.triangle_uvs, [[1, 1], [0, 1], [0, 0]])
+
+
+def materials_of(tmp_path, materials, used, **more):
+    scene = Scene()
+    for material in used:
+        extra = {} if material is None else {"material": material}
+        scene.primitive(
+            POSITION=TRIANGLE, TEXCOORD_0=np.zeros((3, 2), "f4"), TEXCOORD_1=np.ones((3, 2), "f4"), extra=extra
+        )
+    picture = scene.bytes(encode_png(PICTURE))
+    uri = "data:image/png;base64," + base64.b64encode(encode_png(PICTURE[::-1])).decode()
+    scene.more = {
+        "materials": materials, "textures": [{"source": 0}, {"source": 1}],
+        "images": [{"bufferView": picture, "mimeType": "image/png"}, {"uri": uri}], **more,
+    }  # fmt: skip
+    return scene.write(tmp_path / "m.glb")
+
+
+def look(**more) -> dict:
+    return {"pbrMetallicRoughness": more}
+
+
+def test_materials_are_textures_factors_and_white(tmp_path):
+    materials = [
+        look(baseColorTexture={"index": 1, "texCoord": 1}), look(baseColorFactor=[1, 0.2158605, 0, 1]), {},
+        look(baseColorTexture={"index": 0}),
+    ]  # fmt: skip
+    mesh = read_glb(materials_of(tmp_path, materials, [0, 1, None, 3]))
+    np.testing.assert_array_equal(mesh.triangle_material_ids, [0, 1, 4, 3])
+    np.testing.assert_array_equal(mesh.textures[0], PICTURE[::-1])
+    np.testing.assert_array_equal(mesh.textures[3], PICTURE)
+    pixels = [picture.reshape(3).tolist() for picture in mesh.textures if picture.size == 3]
+    assert pixels == [[255, 128, 0], [255, 255, 255], [255, 255, 255]]  # sRGB holds 0.216 of the light as 128
+    np.testing.assert_array_equal(mesh.triangle_uvs, np.repeat([[1, 0], [0, 1], [0, 1], [0, 1]], 3, axis=0))
+
+
+def test_plain_white_materials_are_no_textures(tmp_path):
+    mesh = read_glb(materials_of(tmp_path, [{}, look(metallicFactor=0.5)], [0, 1]))
+    assert mesh.textures == ()
+    assert mesh.triangle_material_ids is None
+
+
+def test_normals_that_some_lack_are_left_behind_with_a_warning(tmp_path):
+    scene = one_triangle(NORMAL=np.array(Z, "f4"))
+    scene.primitive(POSITION=TRIANGLE)
+    with pytest.warns(UserWarning, match="the normals are left behind, since some primitives have none"):
+        assert read_glb(scene.write(tmp_path / "m.glb")).vertex_normals is None
+
+
+def test_without_scenes_the_nodes_that_are_nobodys_child_count(tmp_path):
+    scene = one_triangle()
+    scene.more = {"scenes": [], "nodes": [{"mesh": 0}, {"children": [0], "translation": [0, 0, 3]}]}
+    np.testing.assert_array_equal(read_glb(scene.write(tmp_path / "m.glb")).vertices[:, 2], 3)
+
+
+# ------------------------------------------------------------------------------------------------ others
+
+
+def test_open3d_reads_what_we_write(tmp_path):
+    o3d = pytest.importorskip("open3d")
+    table = textured().without_texture()
+    write_glb(tmp_path / "m.glb", table)
+    theirs = o3d.io.read_triangle_mesh(str(tmp_path / "m.glb"))
+    corners = np.asarray(theirs.triangles)
+    for name in ("vertices", "vertex_normals", "vertex_colors"):
+        ours = getattr(table, name)[table.triangles]
+        np.testing.assert_allclose(np.asarray(getattr(theirs, name))[corners], ours, atol=1e-6)
+
+
+def test_we_read_what_open3d_writes(tmp_path):
+    o3d = pytest.importorskip("open3d")
+    theirs = o3d.geometry.TriangleMesh.create_sphere(resolution=4).compute_vertex_normals()
+    theirs.paint_uniform_color([0.2, 0.4, 0.6])
+    assert o3d.io.write_triangle_mesh(str(tmp_path / "m.glb"), theirs)
+    assert not len(o3d.io.read_triangle_mesh(str(tmp_path / "m.glb")).triangles)  # it cannot read its own file
+    mesh = read_glb(tmp_path / "m.glb")
+    corners = np.asarray(theirs.triangles)
+    np.testing.assert_allclose(mesh.vertices[mesh.triangles], np.asarray(theirs.vertices)[corners], atol=1e-7)
+    np.testing.assert_allclose(
+        mesh.vertex_normals[mesh.triangles], np.asarray(theirs.vertex_normals)[corners], atol=1e-7
+    )
+    np.testing.assert_allclose(mesh.vertex_colors, [[0.2, 0.4, 0.6]] * len(mesh.vertices), atol=1 / 255)
+
+
+def test_trimesh_and_we_read_each_others_scenes(tmp_path):
+    trimesh = pytest.importorskip("trimesh")
+    box, ball = trimesh.creation.box([1, 2, 3]), trimesh.creation.icosphere(subdivisions=1)
+    scene = trimesh.Scene([box])
+    scene.add_geometry(ball, transform=trimesh.transformations.rotation_matrix(0.7, [1, 2, 3], [4, 5, 6]))
+    scene.export(tmp_path / "t.glb")
+    ours, both = read_glb(tmp_path / "t.glb"), scene.to_geometry()
+    np.testing.assert_allclose(ours.vertices[ours.triangles], both.vertices[both.faces], atol=1e-6)
+    moved = MeshTable(np.add(ours.vertices, [5e5, 5.4e6, 0]), ours.triangles)
+    write_glb(tmp_path / "m.glb", moved)
+    theirs = trimesh.load(tmp_path / "m.glb", process=False, force="mesh")
+    np.testing.assert_allclose(theirs.vertices[theirs.faces], moved.vertices[moved.triangles], rtol=0, atol=1e-6)
+
+
+def test_vertices_that_no_triangle_has_are_kept(tmp_path):
+    mesh = square()
+    mesh.vertices = np.vstack([mesh.vertices, [[9, 9, 9]]])
+    write_glb(tmp_path / "m.glb", mesh)
+    np.testing.assert_array_equal(read_glb(tmp_path / "m.glb").vertices, mesh.vertices)
+
+
+@pytest.mark.parametrize(
+    ("change", "reason"),
+    [
+        ({"attributes": {"w": np.zeros(4)}}, "GLB cannot hold the attributes w"),
+        ({"triangles": np.empty((0, 3), int), "triangle_uvs": None}, "without triangles"),
+        ({"vertices": np.full((4, 3), np.nan)}, "POSITION: GLB cannot hold NaN"),
+        ({"triangle_uvs": np.full((6, 2), np.inf)}, "TEXCOORD_0: GLB cannot hold NaN"),
+    ],
+)
+def test_what_glb_cannot_hold_is_refused(tmp_path, change, reason):
+    mesh = square()
+    for name, value in change.items():
+        setattr(mesh, name, value)
+    with pytest.raises(FileError, match=reason):
+        write_glb(tmp_path / "m.glb", mesh)
+    assert not list(tmp_path.iterdir())
+
+
+# ------------------------------------------------------------------------------------------------ lies
+
+
+def lie(*path_and_value):
+    """A change of the JSON: keys, then the new value."""
+    *path, last, value = path_and_value
+
+    def change(content):
+        for key in path:
+            content = content[key]
+        content[last] = value
+
+    return change
+
+
+LIES = [
+    (lie("asset", {"version": "1.0"}), "glTF '1.0'; version 2 is read"),
+    (lie("asset", None), "glTF None"),
+    (lie("extensionsRequired", ["KHR_draco_mesh_compression"]), "needs the extension KHR_draco_mesh_compression"),
+    (lie("meshes", 0, "primitives", 0, "extensions", {"KHR_draco_mesh_compression": {}}), "compressed with Draco"),
+    (lie("meshes", 0, "primitives", 0, "targets", [{"POSITION": 0}]), "morph targets"),
+    (lie("nodes", 0, "skin", 0), "has a skin"),
+    (lie("accessors", 0, "sparse", {"count": 1}), "is sparse"),
+    (lie("accessors", 0, "count", 4), "says 4 elements, beyond the 36 bytes"),
+    (lie("accessors", 0, "count", 0), "says 0 elements"),
+    (lie("accessors", 0, "count", -3), "count is -3"),
+    (lie("accessors", 0, "count", 2**62), "count is 4611686018427387904"),
+    (lie("accessors", 0, "count", 1e9), "count is 1000000000.0"),
+    (lie("accessors", 0, "count", True), "count is True"),
+    (lie("accessors", 0, "byteOffset", 4), "beyond the 36 bytes"),
+    (lie("accessors", 0, "componentType", 5124), "of the type VEC3 5124"),
+    (lie("accessors", 0, "type", "VEC2"), "of the type VEC2 5126"),
+    (lie("accessors", 1, "componentType", 5126), "of the type SCALAR 5126"),
+    (lie("accessors", 0, "bufferView", None), "names bufferViews None"),
+    (lie("accessors", 0, "bufferView", 9), "names bufferViews 9, of 2"),
+    (lie("bufferViews", 0, "byteLength", 4000), "reaches to byte 4000 of a buffer of 44"),
+    (lie("bufferViews", 0, "byteOffset", 40), "reaches to byte 76"),
+    (lie("bufferViews", 0, "byteStride", 8), "elements of 12 bytes every 8"),
+    (lie("bufferViews", 0, "buffer", 1), "names buffers 1, of 1"),
+    (lie("buffers", 0, "byteLength", 45), "says 45 bytes, 44 are there"),
+    (lie("buffers", 0, "uri", "m.bin"), "lies in another file, 'm.bin'"),
+    (lie("buffers", 0, "uri", "data:;base64,@@"), "its data URI is damaged"),
+    (lie("meshes", 0, "primitives", 0, "attributes", 3), "has no attributes"),
+    (lie("meshes", 0, "primitives", 0, "mode", 7), "the unknown mode 7"),
+    (lie("meshes", 0, "primitives", 0, "mode", 0), "holds no triangles"),
+    (lie("meshes", 0, "primitives", 0, "material", 0), "names materials 0, of 0"),
+    (lie("meshes", 0, "primitives", 3), "primitives: expected a list of objects"),
+    (lie("meshes", 3), "meshes: expected a list of objects"),
+    (lie("nodes", 0, "mesh", -1), "names meshes -1, of 1"),
+    (lie("nodes", 0, "children", [0]), "stands in two places of the tree"),
+    (lie("nodes", 0, "children", [5]), "names nodes 5, of 1"),
+    (lie("nodes", 0, "children", ["a"]), "expected a list of numbers"),
+    (lie("nodes", 0, "rotation", [0, 0, 0, 0]), "rotation is no unit quaternion"),
+    (lie("nodes", 0, "matrix", [1, 2, 3]), "matrix is not 16 numbers"),
+    (lie("nodes", 0, "translation", ["x", 0, 0]), "translation is not 3 numbers"),
+    (lie("scenes", 0, "nodes", []), "holds no triangles"),
+    (lie("scene", 4), "names scenes 4, of 1"),
+]
+
+
+@pytest.mark.parametrize(("change", "reason"), LIES, ids=[reason[:40] for _, reason in LIES])
+def test_a_lie_is_refused_by_name(tmp_path, change, reason):
+    scene = one_triangle()
+    content = copy.deepcopy(scene.content())
+    change(content)
+    with pytest.raises(FileError, match=re.escape(reason)):
+        read_glb(scene.write(tmp_path / "m.glb", content))
+
+
+def test_indices_beyond_the_vertices_are_refused(tmp_path):
+    scene = Scene()
+    scene.primitive(POSITION=TRIANGLE, indices=np.array([0, 1, 3], "u1"))
+    with pytest.raises(FileError, match="name vertex 3, of 3"):
+        read_glb(scene.write(tmp_path / "m.glb"))
+    scene = Scene()
+    scene.primitive(POSITION=TRIANGLE, indices=np.array([0, 1, 2, 0], "u1"))
+    with pytest.raises(FileError, match="4 corners are no whole triangles"):
+        read_glb(scene.write(tmp_path / "m.glb"))
+    scene = one_triangle(NORMAL=np.array(Z[:2], "f4"))
+    with pytest.raises(FileError, match="NORMAL of meshes 0 has 2 elements, POSITION 3"):
+        read_glb(scene.write(tmp_path / "m.glb"))
+    scene = one_triangle(COLOR_0=np.array([[2, 0, 0]] * 3, "f4"))
+    with pytest.raises(FileError, match=r"a colour is outside 0\.\.1"):
+        read_glb(scene.write(tmp_path / "m.glb"))
+
+
+@pytest.mark.parametrize(
+    ("materials", "more", "reason"),
+    [
+        ([look(baseColorTexture={"index": 2})], {}, "names textures 2, of 2"),
+        ([look(baseColorTexture={"index": 0, "extensions": {"KHR_texture_transform": {}}})], {}, "KHR_texture_tra"),
+        ([look(baseColorFactor=[1, 1])], {}, "baseColorFactor is not 4 numbers"),
+        ([look(baseColorTexture={"index": 0})], {"textures": [{}]}, "source is None"),
+        ([look(baseColorTexture={"index": 0})], {"images": [{"uri": "p.png"}]}, "lies in another file"),
+        ([look(baseColorTexture={"index": 0})], {"images": [{"bufferView": 0}]}, "neither PNG nor JPEG"),
+    ],
+)
+def test_materials_that_lie_are_refused(tmp_path, materials, more, reason):
+    with pytest.raises(FileError, match=reason):
+        read_glb(materials_of(tmp_path, materials, [0], **more))
+
+
+@pytest.mark.parametrize(
+    ("change", "reason"),
+    [
+        (lambda data: b"glTX" + data[4:], "does not begin with glTF"),
+        (lambda data: data[:4] + b"\1\0\0\0" + data[8:], "GLB version 1"),
+        (lambda data: data[:15], "cut off in its header"),
+        (lambda data: data + b"\0" * 4, "its header says"),
+        (lambda data: data[:12] + b"\xff\xff\xff\x7f" + data[16:], "a chunk says 2147483647 bytes"),
+        (lambda data: data[:16] + b"ABCD" + data[20:], "its first chunk is not JSON"),
+        (lambda data: data.replace(b'"2.0"', b'"2.0\xff'), "its JSON is damaged"),
+        (lambda data: data.replace(b'"scene": 0, ', b'"scene":NaN,'), "NaN is no number"),
+        (lambda data: container(b"[" * 100_000, b""), "its JSON is damaged"),
+        (lambda data: container(b"[]", b""), "its JSON is no object"),
+    ],
+)
+def test_a_damaged_container_is_refused(tmp_path, change, reason):
+    path = one_triangle().write(tmp_path / "m.glb")
+    data = change(path.read_bytes())
+    if reason.startswith(("NaN", "its JSON is damaged")) and data[:4] == b"glTF":
+        data = data[:8] + struct.pack("<I", len(data)) + data[12:]
+    path.write_bytes(data)
+    with pytest.raises(FileError, match=reason):
+        read_glb(path)
+
+
+def places_of(content, path=()):
+    """Every place in the JSON."""
+    yield path
+    items = content.items() if isinstance(content, dict) else enumerate(content) if isinstance(content, list) else ()
+    for key, value in items:
+        yield from places_of(value, (*path, key))
+
+
+JUNK = st.sampled_from([None, True, -1, 0, 1, 2, 3, 2**31, 2**63, 1e308, 0.5, "", "x", "VEC4", [], [0], [[]], {}, 5126])
+
+
+@pytest.mark.slow
+@settings(max_examples=300, derandomize=True, deadline=None, database=None)
+@given(st.data())
+@pytest.mark.filterwarnings("ignore:.*are left behind")
+def test_any_value_in_any_place_is_a_mesh_or_a_file_error(tmp_path_factory, data):
+    path = tmp_path_factory.getbasetemp() / "junk.glb"
+    write_glb(path, textured())
+    whole = path.read_bytes()
+    size = struct.unpack("<I", whole[12:16])[0]
+    content, body = json.loads(whole[20 : 20 + size]), whole[28 + size :]
+    content["nodes"][0]["matrix"] = np.eye(4).reshape(-1).tolist()
+    for _ in range(data.draw(st.integers(1, 2))):
+        *above, last = data.draw(st.sampled_from([place for place in places_of(content) if place]))
+        holder = content
+        for key in above:
+            holder = holder[key]
+        holder[last] = data.draw(JUNK)
+    path.write_bytes(container(json.dumps(content).encode(), body))
+    try:
+        mesh = read_glb(path)
+    except FileError as error:
+        assert error.reason
+    else:
+        assert mesh.triangles.min() >= 0
+        assert mesh.triangles.max() < len(mesh.vertices)

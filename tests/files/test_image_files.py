@@ -1,0 +1,273 @@
+"""Depth maps and pictures: read bit for bit, or refused; a damaged PNG is never read as another picture."""
+
+from __future__ import annotations
+
+import io
+import os
+from pathlib import Path
+
+import numpy as np
+import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+from PIL import Image, ImageFile
+
+from pointloom.core.errors import FileError
+from pointloom.files.pictures.image_files import PictureHeader, read_color, read_depth, read_picture_header, write_png
+
+from .png_files import png_claiming, with_checksums
+
+DATA = os.environ.get("POINTLOOM_DATA")
+needs_data = pytest.mark.skipif(not DATA, reason="POINTLOOM_DATA is not set: no real pictures")
+BITS = settings(
+    max_examples=250, derandomize=True, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture]
+)
+
+
+@pytest.fixture
+def depth() -> np.ndarray:
+    depth = np.random.default_rng(0).integers(0, 2**16, (24, 32), np.uint16)
+    depth[0, :4] = 0, 1, 255, 65535
+    return depth
+
+
+@pytest.fixture
+def color() -> np.ndarray:
+    return np.random.default_rng(1).integers(0, 256, (24, 32, 3), np.uint8)
+
+
+def test_depth_comes_back_bit_for_bit(tmp_path, depth):
+    write_png(tmp_path / "d.png", depth)
+    again = read_depth(tmp_path / "d.png")
+    assert again.dtype == np.uint16 and again.flags.writeable and np.array_equal(again, depth)
+
+
+def test_color_comes_back_bit_for_bit(tmp_path, color):
+    write_png(tmp_path / "c.png", color)
+    again = read_color(tmp_path / "c.png")
+    assert again.dtype == np.uint8 and again.flags.writeable and np.array_equal(again, color)
+
+
+@pytest.mark.parametrize("view", ["transposed", "every other", "other byte order"])
+def test_any_memory_layout_is_written_as_it_looks(tmp_path, depth, view):
+    array = {"transposed": depth.T, "every other": depth[::2, ::-2], "other byte order": depth.astype(">u2")}[view]
+    write_png(tmp_path / "d.png", array)
+    assert np.array_equal(read_depth(tmp_path / "d.png"), array)
+
+
+def test_open3d_reads_what_we_write(tmp_path, depth, color):
+    o3d = pytest.importorskip("open3d", exc_type=ImportError)
+    for name, array in (("d.png", depth), ("c.png", color), ("g.png", color[:, :, 0])):
+        write_png(tmp_path / name, array)
+        assert np.array_equal(np.asarray(o3d.io.read_image(str(tmp_path / name))), array)
+
+
+@needs_data
+def test_real_frames_are_read_as_open3d_reads_them():
+    o3d = pytest.importorskip("open3d", exc_type=ImportError)
+    folder = Path(str(DATA))
+    for path in ("rgbd-7scenes-redkitchen/frame-000007.depth.png", "rgbd-cupoch-redwood5/depth/00003.png"):
+        assert np.array_equal(read_depth(folder / path), np.asarray(o3d.io.read_image(str(folder / path))))
+    path = folder / "rgbd-cupoch-redwood5/color/00003.jpg"
+    theirs = np.asarray(o3d.io.read_image(str(path))).astype(int)
+    assert np.abs(read_color(path).astype(int) - theirs).max() <= 3  # two JPEG decoders round differently
+
+
+@pytest.mark.parametrize("mode", ["1", "L", "LA", "P", "RGBA", "CMYK"])
+def test_every_kind_of_picture_becomes_rgb(tmp_path, color, mode):
+    name = "c.jpg" if mode == "CMYK" else "c.png"
+    picture = Image.fromarray(color).convert(mode)
+    picture.save(tmp_path / name)
+    again = read_color(tmp_path / name)
+    assert again.shape == (24, 32, 3) and again.dtype == np.uint8
+    if mode != "CMYK":
+        assert np.array_equal(again, np.asarray(picture.convert("RGB")))
+
+
+def test_transparency_is_dropped_and_does_not_darken(tmp_path, color):
+    rgba = np.concatenate([color, np.zeros((24, 32, 1), np.uint8)], axis=2)
+    Image.fromarray(rgba).save(tmp_path / "c.png")
+    assert np.array_equal(read_color(tmp_path / "c.png"), color)
+    palette = Image.fromarray(color).convert("P")
+    palette.save(tmp_path / "p.png", transparency=bytes(range(256)))
+    assert np.array_equal(read_color(tmp_path / "p.png"), np.asarray(palette.convert("RGB")))
+
+
+def test_float_depth_comes_from_npy_and_keeps_nan(tmp_path):
+    depth = np.array([[0.0, 1.5, np.nan], [np.inf, -1.0, 3.25]], np.float32)
+    for k, array in enumerate((depth, np.asfortranarray(depth), depth.astype(">f4"))):
+        np.save(tmp_path / f"{k}.npy", array)
+        again = read_depth(tmp_path / f"{k}.npy")
+        assert again.dtype == np.float32 and again.dtype.isnative and again.flags.c_contiguous and again.flags.writeable
+        np.testing.assert_array_equal(again, depth)
+
+
+def test_headers_tell_size_and_kind_without_the_pixels(tmp_path, depth, color):
+    write_png(tmp_path / "d.png", depth)
+    (tmp_path / "d.png").write_bytes((tmp_path / "d.png").read_bytes()[:33])
+    assert read_picture_header(tmp_path / "d.png") == PictureHeader("png", 32, 24, 1, 16)
+    Image.fromarray(color).save(tmp_path / "c.jpg")
+    assert read_picture_header(tmp_path / "c.jpg") == PictureHeader("jpeg", 32, 24, 3, 8)
+
+
+@pytest.mark.parametrize("mode", ["L", "RGB", "RGBA", "P"])
+def test_pictures_are_not_taken_for_depth(tmp_path, color, mode):
+    Image.fromarray(color).convert(mode).save(tmp_path / "c.png")
+    with pytest.raises(FileError, match=r"expected a depth map.*16-bit grey PNG"):
+        read_depth(tmp_path / "c.png")
+
+
+def test_jpeg_is_not_taken_for_depth_nor_depth_for_color(tmp_path, depth, color):
+    Image.fromarray(color).save(tmp_path / "c.jpg")
+    with pytest.raises(FileError, match="expected a depth map, got a JPEG"):
+        read_depth(tmp_path / "c.jpg")
+    write_png(tmp_path / "d.png", depth)
+    with pytest.raises(FileError, match=r"c\.png|d\.png.*read_depth"):
+        read_color(tmp_path / "d.png")
+
+
+@pytest.mark.parametrize(
+    ("data", "claim"),
+    [
+        (b"", "empty"),
+        (b"P5 2 2 65535\n", "neither PNG nor JPEG"),
+        (b"\x89PNG\r\n\x1a\n", "damaged PNG header"),
+        (b"\xff\xd8\xff\xe0", "damaged picture"),
+        (png_claiming(2**20, 2**20), "1048576 x 1048576"),
+        (png_claiming(2**31 - 1, 1), "expected 1 to"),
+        (png_claiming(0, 5), "expected 1 to"),
+        (png_claiming(400, 300), "take 240300 bytes, but its stream of pixels holds 64"),
+        (png_claiming(4, 4)[:-12], "the end of the PNG is missing"),
+        (png_claiming(2**14, 2**14), "take 536887296 bytes"),
+        (b"\x93NUMPY", ".npy header"),
+        (b"\x93NUMPY\x07\x00" + bytes(200), ".npy header"),
+    ],
+)
+def test_damaged_files_are_refused(tmp_path, data, claim):
+    path = tmp_path / "x.png"
+    path.write_bytes(data)
+    with pytest.raises(FileError, match=r"x\.png") as caught:
+        read_depth(path)
+    assert claim in str(caught.value)
+
+
+@pytest.mark.parametrize(
+    "array",
+    [
+        np.zeros((2, 3)),
+        np.zeros((2, 3), np.int32),
+        np.zeros((1, 2, 3), np.float32),
+        np.zeros((0, 3), np.float32),
+        np.array([[None]]),
+    ],
+)
+def test_other_arrays_are_no_depth(tmp_path, array):
+    np.save(tmp_path / "d.npy", array, allow_pickle=True)
+    with pytest.raises(FileError, match=r"d\.npy"):
+        read_depth(tmp_path / "d.npy")
+
+
+def test_an_npy_header_whose_shape_is_no_number_is_refused(tmp_path):
+    path = tmp_path / "d.npy"
+    np.save(path, np.ones((1, 4), np.float32))
+    path.write_bytes(path.read_bytes().replace(b"(1, 4), }   ", b"(True, 4), }"))
+    with pytest.raises(FileError, match=r"d\.npy: damaged \.npy header: its shape is \(True, 4\)"):
+        read_depth(path)
+
+
+def test_npy_that_announces_more_than_it_holds_is_refused_before_allocation(tmp_path):
+    np.save(tmp_path / "d.npy", np.zeros((10, 10), np.float32))
+    data = (tmp_path / "d.npy").read_bytes()
+    (tmp_path / "d.npy").write_bytes(data[:-1])
+    with pytest.raises(FileError, match="399 bytes of data, 400 announced"):
+        read_depth(tmp_path / "d.npy")
+    (tmp_path / "d.npy").write_bytes(data.replace(b"(10, 10)", b"(99999, 99999)"))
+    with pytest.raises(FileError, match="pixels, got 99999 x 99999"):
+        read_depth(tmp_path / "d.npy")
+
+
+def test_missing_files_and_folders_are_file_errors(tmp_path):
+    for read in (read_depth, read_color, read_picture_header):
+        for path in (tmp_path / "none.png", tmp_path):
+            with pytest.raises(FileError, match="cannot be read"):
+                read(path)
+
+
+def test_cut_off_pictures_are_errors_at_every_length(tmp_path, depth, color):
+    assert not ImageFile.LOAD_TRUNCATED_IMAGES
+    write_png(tmp_path / "d.png", depth)
+    data = (tmp_path / "d.png").read_bytes()
+    for length in range(0, len(data), 7):
+        (tmp_path / "d.png").write_bytes(data[:length])
+        with pytest.raises(FileError):
+            read_depth(tmp_path / "d.png")
+    file = io.BytesIO()
+    Image.fromarray(color).save(file, "JPEG")
+    for length in range(0, len(file.getvalue()) - 16, 23):
+        (tmp_path / "c.jpg").write_bytes(file.getvalue()[:length])
+        with pytest.raises(FileError):
+            read_color(tmp_path / "c.jpg")
+
+
+def test_an_animation_is_not_a_frame(tmp_path, color):
+    frames = [Image.fromarray(color), Image.fromarray(255 - color)]
+    frames[0].save(tmp_path / "a.png", save_all=True, append_images=frames[1:])
+    with pytest.raises(FileError, match="an animation"):
+        read_color(tmp_path / "a.png")
+
+
+@pytest.mark.parametrize(
+    ("array", "error", "claim"),
+    [
+        (np.zeros((4, 4)), TypeError, "float64"),
+        (np.zeros((4, 4), np.int16), TypeError, "int16"),
+        ([[1, 2]], TypeError, "list"),
+        (np.zeros((4, 4, 4), np.uint8), ValueError, r"\[4, 4, 4\]"),
+        (np.zeros((4, 4, 3), np.uint16), ValueError, r"expected shape \[h, w\] for uint16"),
+        (np.zeros(4, np.uint8), ValueError, "shape"),
+        (np.zeros((0, 4), np.uint8), ValueError, "pixels"),
+    ],
+)
+def test_arrays_that_png_cannot_hold_are_refused(tmp_path, array, error, claim):
+    with pytest.raises(error, match=claim):
+        write_png(tmp_path / "x.png", array)
+    assert not list(tmp_path.iterdir())
+
+
+def test_png_is_not_written_under_another_name(tmp_path, depth):
+    with pytest.raises(FileError, match=r"ends in \.png"):
+        write_png(tmp_path / "d.jpg", depth)
+    with pytest.raises(FileError, match="does not exist"):
+        write_png(tmp_path / "none" / "d.png", depth)
+
+
+@BITS
+@given(place=st.integers(0, 10_000), change=st.integers(1, 255))
+def test_a_changed_byte_is_noticed_wherever_it_lies(tmp_path, depth, place, change):
+    write_png(tmp_path / "d.png", depth)
+    data = bytearray((tmp_path / "d.png").read_bytes())
+    data[place % len(data)] ^= change
+    (tmp_path / "d.png").write_bytes(data)
+    with pytest.raises(FileError):
+        read_depth(tmp_path / "d.png")
+
+
+@pytest.mark.parametrize("name", ["c.png", "c.jpg", "d.npy"])
+@BITS
+@given(start=st.integers(0, 10_000), length=st.integers(0, 8), patch=st.binary(max_size=8), sound=st.booleans())
+def test_changed_bytes_give_a_picture_or_a_file_error(tmp_path, color, name, start, length, patch, sound):
+    """Also where the checksums were made to fit again, so that the decoder sees the damage."""
+    path = tmp_path / name
+    if name == "d.npy":
+        np.save(path, color[:, :, 0].astype(np.float32))
+    else:
+        Image.fromarray(color[:8, :8]).save(path)
+    data = path.read_bytes()
+    start %= min(len(data), 160) if name == "d.npy" else len(data)
+    data = data[:start] + patch + data[start + length :]
+    path.write_bytes(with_checksums(data) if sound and name == "c.png" else data)
+    try:
+        array = read_depth(path) if name == "d.npy" else read_color(path)
+    except FileError:
+        return
+    assert array.ndim == (2 if name == "d.npy" else 3) and array.size

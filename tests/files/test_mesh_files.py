@@ -1,0 +1,190 @@
+"""Triangle meshes: PLY read and written, OBJ and STL written."""
+
+from __future__ import annotations
+
+import re
+
+import numpy as np
+import pytest
+
+from pointloom.core.errors import FileError
+from pointloom.files.meshes.obj import write_obj
+from pointloom.files.meshes.stl import write_stl
+from pointloom.files.points.ply import read_ply, read_ply_mesh, write_ply_mesh
+from pointloom.files.table import MeshTable
+
+SQUARE = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n2 2 0\n"
+HEAD = (
+    "ply\nformat ascii 1.0\nelement vertex 5\nproperty float x\nproperty float y\nproperty float z\n"
+    "element face {}\nproperty list uchar int {}\nend_header\n"
+)
+
+
+def mesh(dtype=np.float32, *, count=60):
+    rng = np.random.default_rng(5)
+    return MeshTable(
+        rng.normal(size=(count, 3)).astype(dtype),
+        rng.integers(0, count, (90, 3)).astype(np.int32),
+        rng.normal(size=(count, 3)).astype(np.float32),
+        rng.integers(0, 256, (count, 3)).astype(np.float32) / np.float32(255),
+        {"weight": rng.random(count).astype(np.float32)},
+    )
+
+
+def bare(mesh, *, normals=False, colors=False):
+    return MeshTable(
+        mesh.vertices, mesh.triangles, mesh.vertex_normals if normals else None, mesh.vertex_colors if colors else None
+    )
+
+
+@pytest.mark.parametrize("ascii", [False, True])
+@pytest.mark.parametrize("dtype", [np.float32, np.float64])
+def test_a_ply_mesh_survives_a_round_trip_to_the_bit(tmp_path, ascii, dtype):
+    written = mesh(dtype)
+    write_ply_mesh(tmp_path / "m.ply", written, ascii=ascii)
+    read = read_ply_mesh(tmp_path / "m.ply")
+    for name in ("vertices", "triangles", "vertex_normals", "vertex_colors"):
+        assert getattr(read, name).dtype == getattr(written, name).dtype
+        np.testing.assert_array_equal(getattr(read, name), getattr(written, name))
+    np.testing.assert_array_equal(read.attributes["weight"], written.attributes["weight"])
+    np.testing.assert_array_equal(read_ply(tmp_path / "m.ply").points, written.vertices)
+
+
+@pytest.mark.parametrize("ascii", [False, True])
+def test_an_empty_mesh_survives_a_round_trip(tmp_path, ascii):
+    write_ply_mesh(tmp_path / "m.ply", MeshTable(np.empty((0, 3)), np.empty((0, 3), np.int32)), ascii=ascii)
+    read = read_ply_mesh(tmp_path / "m.ply")
+    assert read.vertices.shape == (0, 3)
+    assert read.triangles.shape == (0, 3)
+
+
+@pytest.mark.parametrize("name", ["vertex_indices", "vertex_index"])
+def test_larger_faces_become_fans_around_their_first_corner(tmp_path, name):
+    path = tmp_path / "m.ply"
+    path.write_text(HEAD.format(3, name) + SQUARE + "4 0 1 2 3\n3 4 1 0\n5 4 3 2 1 0\n")
+    expected = [[0, 1, 2], [0, 2, 3], [4, 1, 0], [4, 3, 2], [4, 2, 1], [4, 1, 0]]
+    np.testing.assert_array_equal(read_ply_mesh(path).triangles, expected)
+
+
+@pytest.mark.parametrize("byte_order", ["<", ">"])
+def test_binary_faces_of_varying_length_become_fans(tmp_path, byte_order):
+    path, form = tmp_path / "m.ply", {"<": "binary_little_endian", ">": "binary_big_endian"}[byte_order]
+    faces = [[0, 1, 2, 3], [4, 1, 0], [4, 3, 2, 1, 0]]
+    payload = np.zeros((5, 3), byte_order + "f4").tobytes()
+    payload += b"".join(bytes([len(face)]) + np.array(face, byte_order + "i4").tobytes() for face in faces)
+    path.write_bytes(HEAD.format(3, "vertex_indices").replace("ascii", form).encode() + payload)
+    expected = [[0, 1, 2], [0, 2, 3], [4, 1, 0], [4, 3, 2], [4, 2, 1], [4, 1, 0]]
+    np.testing.assert_array_equal(read_ply_mesh(path).triangles, expected)
+
+
+@pytest.mark.parametrize(
+    ("faces", "where", "reason"),
+    [
+        ("3 0 1 2\n2 0 1\n", "face 1", "a face has 2 corners"),
+        ("3 0 1 2\n0\n", "face 1", "a face has 0 corners"),
+        ("4 0 1 2 3\n3 0 1 5\n", "face 1", "names vertex 5, but there are 5"),
+        ("3 0 1 -1\n3 0 1 2\n", "face 0", "names vertex -1"),
+        ("3 0 1 2\n3 0 1\n", "line 16", "the line ends too early"),
+        ("3 0 1 2\n3 0 1 2 3\n", "line 16", "more values than declared"),
+        ("3 0 1 2\n3 0 1 2.5\n", "line 16", "does not fit"),
+        ("3 0 1 2\n300 0 1 2\n", "line 16", "does not fit"),
+    ],
+)
+def test_a_bad_face_is_refused_with_its_row(tmp_path, faces, where, reason):
+    path = tmp_path / "m.ply"
+    path.write_text(HEAD.format(2, "vertex_indices") + SQUARE + faces)
+    with pytest.raises(FileError, match=re.escape(reason)) as caught:
+        read_ply_mesh(path)
+    assert caught.value.where == where
+
+
+@pytest.mark.parametrize(
+    ("header", "reason"),
+    [
+        ("", "holds no faces"),
+        ("element tristrips 0\nproperty list int int vertex_indices\n", "triangle strips"),
+        ("element face 0\nproperty uchar flag\n", "no property vertex_indices"),
+        ("element face 0\nproperty int vertex_indices\n", "not a list of whole numbers"),
+        ("element face 0\nproperty list uchar float vertex_indices\n", "not a list of whole numbers"),
+    ],
+)
+def test_a_file_without_usable_faces_is_refused(tmp_path, header, reason):
+    path = tmp_path / "m.ply"
+    vertex = "element vertex 0\nproperty float x\nproperty float y\nproperty float z\n"
+    path.write_text(f"ply\nformat ascii 1.0\n{vertex}{header}end_header\n")
+    with pytest.raises(FileError, match=reason):
+        read_ply_mesh(path)
+
+
+def test_open3d_and_we_read_each_others_ply_meshes(tmp_path):
+    o3d = pytest.importorskip("open3d")
+    written, path = mesh(), str(tmp_path / "m.ply")
+    write_ply_mesh(path, written)
+    theirs = o3d.io.read_triangle_mesh(path)
+    np.testing.assert_array_equal(np.asarray(theirs.vertices), written.vertices)
+    np.testing.assert_array_equal(np.asarray(theirs.triangles), written.triangles)
+    np.testing.assert_array_equal(np.asarray(theirs.vertex_normals), written.vertex_normals)
+    np.testing.assert_allclose(np.asarray(theirs.vertex_colors), written.vertex_colors, atol=1e-7)
+    assert o3d.io.write_triangle_mesh(path, theirs)
+    read = read_ply_mesh(path)
+    np.testing.assert_array_equal(read.vertices, written.vertices)
+    np.testing.assert_array_equal(read.triangles, written.triangles)
+
+
+@pytest.mark.parametrize("normals", [False, True])
+@pytest.mark.parametrize("colors", [False, True])
+def test_open3d_reads_our_obj(tmp_path, normals, colors):
+    o3d = pytest.importorskip("open3d")
+    written, path = bare(mesh(), normals=normals, colors=colors), str(tmp_path / "m.obj")
+    write_obj(path, written)
+    theirs = o3d.io.read_triangle_mesh(path)
+    assert len(theirs.triangles) == len(written.triangles)
+    corners = np.asarray(theirs.vertices)[np.asarray(theirs.triangles)]
+    np.testing.assert_allclose(corners, written.vertices[written.triangles], rtol=1e-6)
+
+
+def test_obj_text_is_what_the_specification_says(tmp_path):
+    small = MeshTable(np.eye(3, dtype=np.float32), np.array([[0, 1, 2]]), np.eye(3), np.eye(3) * 0.5)
+    write_obj(tmp_path / "m.obj", small)
+    assert (tmp_path / "m.obj").read_text().splitlines() == [
+        "v 1 0 0 0.5 0 0", "v 0 1 0 0 0.5 0", "v 0 0 1 0 0 0.5", "vn 1 0 0", "vn 0 1 0", "vn 0 0 1", "f 1//1 2//2 3//3",
+    ]  # fmt: skip
+
+
+def test_open3d_reads_our_stl(tmp_path):
+    o3d = pytest.importorskip("open3d")
+    written, path = bare(mesh(np.float64)), str(tmp_path / "m.stl")
+    write_stl(path, written)
+    theirs = o3d.io.read_triangle_mesh(path)
+    facets = np.asarray(theirs.vertices)[np.asarray(theirs.triangles)]
+    real = [k for k, row in enumerate(written.triangles) if len(set(row)) == 3]
+    expected = written.vertices[written.triangles[real]].astype(np.float32)
+    assert {facet.tobytes() for facet in facets.astype(np.float32)} >= {facet.tobytes() for facet in expected}
+
+
+def test_stl_bytes_are_what_the_specification_says(tmp_path):
+    small = MeshTable(np.array([[0, 0, 0], [2, 0, 0], [0, 2, 0]]), np.array([[0, 1, 2], [0, 1, 1]]))
+    write_stl(tmp_path / "m.stl", small)
+    data = (tmp_path / "m.stl").read_bytes()
+    assert len(data) == 84 + 2 * 50
+    assert not data.startswith(b"solid")
+    assert np.frombuffer(data[80:84], "<u4")[0] == 2
+    np.testing.assert_array_equal(np.frombuffer(data[84:132], "<f4"), [0, 0, 1, 0, 0, 0, 2, 0, 0, 0, 2, 0])
+    np.testing.assert_array_equal(np.frombuffer(data[134:146], "<f4"), [0, 0, 0])
+
+
+@pytest.mark.parametrize("write", [write_obj, write_stl])
+def test_what_a_mesh_format_cannot_hold_is_refused_naming_ply(tmp_path, write):
+    with pytest.raises(FileError, match=r"cannot hold.* weight.*Write \.ply"):
+        write(tmp_path / "m.any", mesh())
+    nowhere = bare(mesh())
+    nowhere.vertices[nowhere.triangles[7, 0]] = np.nan
+    with pytest.raises(FileError, match=r"finite|NaN"):
+        write(tmp_path / "m.any", nowhere)
+    assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.parametrize("write", [write_obj, write_stl, write_ply_mesh])
+def test_a_triangle_of_a_missing_vertex_is_refused_with_its_row(tmp_path, write):
+    with pytest.raises(ValueError, match=r"triangles: row 1 is \[0, 1, 3\], but there are vertices 0\.\.2 only"):
+        write(tmp_path / "m.any", MeshTable(np.zeros((3, 3)), np.array([[0, 1, 2], [0, 1, 3]])))

@@ -1,0 +1,239 @@
+"""OBJ and STL read: against a reading by hand, Open3D and what we write, and what is refused."""
+
+from __future__ import annotations
+
+import re
+import warnings
+
+import numpy as np
+import pytest
+
+import pointloom as loom
+from pointloom.core.errors import FileError
+from pointloom.files.meshes.obj import read_obj, write_obj
+from pointloom.files.meshes.stl import read_stl, write_stl
+from pointloom.files.table import MeshTable
+
+SQUARE = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n"
+TEXT_FACET = "facet normal 0 0 1\n outer loop\n  vertex 0 0 0\n  vertex 1 0 0\n  vertex 0 1 0\n endloop\nendfacet\n"
+LARGE = [pytest.param(name, marks=pytest.mark.slow) for name in ("nefertiti.obj", "stanford-bunny.obj")]
+MESHES = ("cheburashka.obj", "fandisk.obj", *LARGE)
+
+
+def obj(tmp_path, text):
+    (tmp_path / "m.obj").write_text(text)
+    return tmp_path / "m.obj"
+
+
+def sorted_facets(vertices, triangles):
+    """The corners of the triangles in float32, sorted: equal for equal surfaces in whatever order."""
+    facets = np.asarray(vertices)[np.asarray(triangles)].astype(np.float32).reshape(-1, 9)
+    return facets[np.lexsort(facets.T)]
+
+
+# ------------------------------------------------------------------------------------------------ OBJ
+
+
+@pytest.mark.parametrize("name", MESHES)
+def test_real_files_are_what_a_reading_by_hand_gives(data, name):
+    path = data / "mesh-common3d" / name
+    vertices, triangles = [], []
+    for line in path.read_text().splitlines():
+        kind, *words = line.split() or [""]
+        if kind == "v":
+            vertices.append([float(word) for word in words])
+        elif kind == "f":
+            triangles.append([int(word.split("/")[0]) - 1 for word in words])
+    table = read_obj(path)
+    np.testing.assert_array_equal(table.vertices, vertices)
+    np.testing.assert_array_equal(table.triangles, triangles)
+
+
+def test_a_real_file_has_the_triangles_that_open3d_reads(data):
+    o3d = pytest.importorskip("open3d")
+    path = data / "mesh-common3d" / "fandisk.obj"
+    ours, theirs = loom.read_triangle_mesh(path), o3d.io.read_triangle_mesh(str(path))
+    # its parser of decimals is a bit off: 15.2005 and so on come as the float32 beside the nearest
+    np.testing.assert_allclose(
+        sorted_facets(ours.vertices, ours.triangles), sorted_facets(theirs.vertices, theirs.triangles), rtol=2.5e-7
+    )
+
+
+@pytest.mark.parametrize(
+    "face",
+    ["1 2 3 4", "1/1 2/2 3/3 4/4", "1//1 2//2 3//3 4//4", "1/1/1 2/2/2 3/3/3 4/4/4", "-4 -3 -2 -1", "1/1 2//2 3 4/4/4",
+     "-4//-4 -3//-3 -2//-2 -1//-1", "1 \\\n 2 3 \\\n 4"],
+)  # fmt: skip
+def test_every_form_of_a_face_is_the_same_fan(tmp_path, face):
+    extras = "".join(f"vt {k} 0\nvn 0 0 1\n" for k in range(4))
+    with warnings.catch_warnings(record=True):
+        warnings.simplefilter("always")
+        table = read_obj(obj(tmp_path, f"{SQUARE}{extras}f {face}\n"))
+    np.testing.assert_array_equal(table.triangles, [[0, 1, 2], [0, 2, 3]])
+    np.testing.assert_array_equal(table.vertices, [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]])
+
+
+def test_negative_corners_count_from_the_face_on_back(tmp_path):
+    table = read_obj(obj(tmp_path, f"{SQUARE}f -4 -3 -2\nv 5 5 5\nf -2 -1 1\n"))
+    np.testing.assert_array_equal(table.triangles, [[0, 1, 2], [3, 4, 0]])
+
+
+def test_polygons_and_what_is_no_surface(tmp_path):
+    head, tail = "# c\nmtllib a.mtl\no thing\n", "g side\nusemtl red\ns off\nf 1 2 3 4 5\nl 1 2\np 1\nf 1 2 3\n"
+    text = f"{head}{SQUARE}v 2 2 0 # a corner\n{tail}"
+    with pytest.warns(UserWarning, match="textures are left behind, since the file 'a.mtl' of its materials"):
+        table = read_obj(obj(tmp_path, text))
+    np.testing.assert_array_equal(table.triangles, [[0, 1, 2], [0, 2, 3], [0, 3, 4], [0, 1, 2]])
+
+
+def test_normals_are_taken_where_they_are_one_a_vertex(tmp_path):
+    agree = "vn 0 0 1\nvn 1 0 0\nf 1//1 2//2 3//1\nf 1//1 3//1 4//2\n"
+    table = read_obj(obj(tmp_path, SQUARE + agree))
+    np.testing.assert_array_equal(table.vertex_normals, [[0, 0, 1], [1, 0, 0], [0, 0, 1], [1, 0, 0]])
+    for face in ("f 1//1 2//2 3//1\nf 1//2 3//1 4//1\n", "f 1//1 2//1 3//1\n", "f 1 2 3\nf 1//1 3//1 4//1\n"):
+        path = obj(tmp_path, f"{SQUARE}vn 0 0 1\nvn 1 0 0\n{face}")
+        with pytest.warns(UserWarning, match="the normals are left behind, since they are not one a vertex"):
+            assert read_obj(path).vertex_normals is None
+
+
+def test_colours_of_vertices_are_read(tmp_path):
+    table = read_obj(obj(tmp_path, "v 0 0 0 1 0 0\nv 1 0 0 0 0.5 0\nv 0 1 0 0 0 1\nf 1 2 3\n"))
+    np.testing.assert_array_equal(table.vertex_colors, [[1, 0, 0], [0, 0.5, 0], [0, 0, 1]])
+
+
+@pytest.mark.parametrize("normals", [False, True])
+@pytest.mark.parametrize("colors", [False, True])
+def test_what_we_write_as_obj_reads_back_the_same(tmp_path, rng, normals, colors):
+    written = MeshTable(
+        rng.normal(size=(50, 3)),
+        rng.integers(0, 49, (80, 3)).astype(np.int32),  # no triangle has the last vertex
+        rng.normal(size=(50, 3)).astype(np.float32) if normals else None,
+        rng.random((50, 3)).astype(np.float32) if colors else None,
+    )
+    write_obj(tmp_path / "m.obj", written)
+    read = read_obj(tmp_path / "m.obj")
+    for name in ("vertices", "triangles", "vertex_normals", "vertex_colors"):
+        if getattr(written, name) is None:
+            assert getattr(read, name) is None
+        else:
+            np.testing.assert_array_equal(getattr(read, name), getattr(written, name))
+
+
+@pytest.mark.parametrize(
+    ("text", "where", "reason"),
+    [
+        (SQUARE, "", "holds no faces"),
+        ("f 1 2 3\n", "", "holds no vertices"),
+        (SQUARE + "f 1 2\n", "line 5", "a face has 2 corners"),
+        (SQUARE + "f 1 2 3\n\nf 1 2 5\n", "line 7", "a face names 5 of 4 vertices"),
+        (SQUARE + "f 0 1 2\n", "line 5", "a face names 0 of 4 vertices"),
+        (SQUARE + "f -5 1 2\n", "line 5", "a face names -5 of 4 vertices"),
+        (SQUARE + "f 1/1 2/2 3/3\n", "line 5", "a face names 1 of 0 texture coordinates"),
+        (SQUARE + "vn 0 0 1\nf 1//1 2//1 3//2\n", "line 6", "a face names 2 of 1 normals"),
+        (SQUARE + "f 1 2 3.0\n", "line 5", "not a corner of a face: '3.0'"),
+        (SQUARE + "f 1 2 3/\n", "line 5", "not a corner of a face: '3/'"),
+        (SQUARE + "f 1 2 1_0\n", "line 5", "not a corner of a face: '1_0'"),
+        (SQUARE + "f 1 2 +3\n", "line 5", "not a corner of a face: '+3'"),
+        (SQUARE + "f 1 2 --3\n", "line 5", "not a corner of a face: '--3'"),
+        (SQUARE + "f 1/1/1/1 2 3\n", "line 5", "not a corner of a face: '1/1/1/1'"),
+        ("v 0 0 0\nv 0 0\nf 1 2 1\n", "line 2", "expected 3 values, found 2"),
+        ("v 0 0\nf 1 1 1\n", "line 1", "a vertex has 3, 4 or 6 values, found 2"),
+        ("v 0 0 0 1\nv 0 0 0 2\nf 1 2 1\n", "line 2", "a vertex has the weight 2"),
+        ("v 0 0 0 0 0 255\nf 1 1 1\n", "row 0", "a colour is outside 0..1"),
+        (SQUARE + "\nv 0 x 0\nf 1 2 3\n", "line 6", "not a number: 'x'"),
+        (SQUARE + "curv 0 1 1 2\nf 1 2 3\n", "line 5", "the statement 'curv' is not read"),
+        (SQUARE + "f 1 2 3 \\", "line 5", "ends in a line that is to go on"),
+    ],
+)
+def test_a_damaged_obj_is_refused_with_its_line(tmp_path, text, where, reason):
+    with pytest.raises(FileError, match=re.escape(reason)) as caught:
+        read_obj(obj(tmp_path, text))
+    assert caught.value.where == where
+
+
+# ------------------------------------------------------------------------------------------------ STL
+
+
+def test_a_cube_as_stl_gets_its_eight_vertices_back(tmp_path):
+    corners = np.array([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)], np.float32)
+    quads = [[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]]
+    triangles = np.array([[a, b, c] for p, q, r, s in quads for a, b, c in ((p, q, r), (p, r, s))])
+    write_stl(tmp_path / "m.stl", MeshTable(corners, triangles))
+    mesh = loom.read_triangle_mesh(tmp_path / "m.stl")
+    np.testing.assert_array_equal(mesh.vertices[mesh.triangles], corners[triangles])
+    assert len(mesh.vertices) == 8
+    assert mesh.is_watertight()
+    assert mesh.get_volume() == 1
+
+
+def test_vertices_come_in_the_order_of_the_facets_and_minus_zero_is_zero(tmp_path):
+    text = TEXT_FACET + TEXT_FACET.replace("vertex 0 0 0", "vertex -0 5 0").replace("vertex 1 0 0", "vertex -0 -0.0 0")
+    (tmp_path / "m.stl").write_text(f"solid a b\n{text}endsolid a b\n")
+    table = read_stl(tmp_path / "m.stl")
+    np.testing.assert_array_equal(table.vertices, [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 5, 0]])
+    np.testing.assert_array_equal(table.triangles, [[0, 1, 2], [3, 0, 2]])
+
+
+@pytest.mark.parametrize("name", ["fandisk.obj", "stanford-bunny.obj"])
+def test_real_meshes_through_stl_keep_their_triangles(data, tmp_path, name):
+    source = read_obj(data / "mesh-common3d" / name)
+    write_stl(tmp_path / "m.stl", MeshTable(source.vertices, source.triangles))
+    table, corners = read_stl(tmp_path / "m.stl"), source.vertices.astype(np.float32)[source.triangles]
+    np.testing.assert_array_equal(table.vertices[table.triangles], corners)
+    assert len(table.vertices) == len(np.unique(corners.reshape(-1, 3), axis=0))
+
+
+@pytest.mark.parametrize("as_text", [False, True])
+def test_stl_that_open3d_writes_has_its_triangles(tmp_path, rng, as_text):
+    o3d = pytest.importorskip("open3d")
+    sphere = o3d.geometry.TriangleMesh.create_sphere(resolution=6).compute_triangle_normals()
+    path = tmp_path / "m.stl"
+    if as_text:
+        facets = np.asarray(sphere.vertices)[np.asarray(sphere.triangles)]
+        lines = ["".join(f"vertex {x:.9g} {y:.9g} {z:.9g}\n" for x, y, z in facet) for facet in facets]
+        body = "".join(f"facet normal 0 0 0\nouter loop\n{corners}endloop\nendfacet\n" for corners in lines)
+        path.write_text(f"solid\n{body}endsolid\n")
+    else:
+        assert o3d.io.write_triangle_mesh(str(path), sphere)
+    ours, theirs = read_stl(path), o3d.io.read_triangle_mesh(str(path))
+    # its parser of decimals is a bit off: 15.2005 and so on come as the float32 beside the nearest
+    np.testing.assert_allclose(
+        sorted_facets(ours.vertices, ours.triangles), sorted_facets(theirs.vertices, theirs.triangles), rtol=2.5e-7
+    )
+    assert loom.read_triangle_mesh(path).is_watertight()
+
+
+def test_a_binary_file_that_begins_with_solid_is_read(tmp_path):
+    write_stl(tmp_path / "m.stl", MeshTable(np.eye(3, dtype=np.float32), np.array([[0, 1, 2]])))
+    data = (tmp_path / "m.stl").read_bytes()
+    (tmp_path / "m.stl").write_bytes(b"solid" + data[5:])
+    np.testing.assert_array_equal(read_stl(tmp_path / "m.stl").vertices, np.eye(3))
+
+
+@pytest.mark.parametrize(
+    ("text", "where", "reason"),
+    [
+        ("solid a\n" + TEXT_FACET, "line 9", "truncated: ends without endsolid"),
+        ("solid a\nfacet normal 0 0 1\nouter loop\nendsolid\n", "line 4", "expected vertex and three numbers"),
+        ("solid a\n" + TEXT_FACET.replace("1 0 0", "1 0") + "endsolid\n", "line 5", "found 'vertex 1 0'"),
+        ("solid a\n" + TEXT_FACET.replace("1 0 0", "1 0 x") + "endsolid\n", "line 5", "not a number: 'x'"),
+        ("solid a\n" + TEXT_FACET.replace("1 0 0", "1 0 inf") + "endsolid\n", "triangle 0", "a corner is not finite"),
+        ("solid a\nendsolid\n" + TEXT_FACET, "line 3", "expected solid, found 'facet normal 0 0 1'"),
+        ("no mesh", "byte 7", "is no STL"),
+        ("x" * 200, "byte 200", "facets that it declares take"),
+    ],
+)
+def test_a_damaged_stl_is_refused_with_its_place(tmp_path, text, where, reason):
+    (tmp_path / "m.stl").write_text(text)
+    with pytest.raises(FileError, match=re.escape(reason)) as caught:
+        read_stl(tmp_path / "m.stl")
+    assert caught.value.where == where
+
+
+def test_a_truncated_binary_stl_is_refused(tmp_path):
+    write_stl(tmp_path / "m.stl", MeshTable(np.eye(3), np.array([[0, 1, 2]] * 3)))
+    data = (tmp_path / "m.stl").read_bytes()
+    for changed, place in ((data[:-1], 233), (data + b"\0", 234)):
+        (tmp_path / "m.stl").write_bytes(changed)
+        with pytest.raises(FileError, match=rf"\(byte {place}\): {len(changed)} bytes, but the 3 facets .* take 234"):
+            read_stl(tmp_path / "m.stl")

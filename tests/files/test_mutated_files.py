@@ -1,0 +1,239 @@
+"""Damaged files: a reader returns a consistent table or raises FileError, whatever the bytes."""
+
+from __future__ import annotations
+
+import tempfile
+from pathlib import Path
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from pointloom.core.errors import FileError
+from pointloom.files.meshes.glb import read_glb
+from pointloom.files.meshes.glb_writer import write_glb
+from pointloom.files.meshes.obj import read_obj, write_obj
+from pointloom.files.meshes.off import read_off, write_off
+from pointloom.files.meshes.stl import read_stl, write_stl
+from pointloom.files.points.npz import read_npz, write_npz
+from pointloom.files.points.pcd import read_pcd, write_pcd
+from pointloom.files.points.ply import read_ply, read_ply_mesh, write_ply, write_ply_mesh
+from pointloom.files.points.text import read_text, write_text
+from pointloom.files.points.text_table import read_text_table
+from pointloom.files.table import MeshTable, PointTable
+
+from .textured_meshes import square, textured
+
+EXAMPLES = 150
+
+
+def cloud(count=7) -> PointTable:
+    rng = np.random.default_rng(11)
+    return PointTable(
+        rng.normal(size=(count, 3)).astype(np.float32),
+        rng.normal(size=(count, 3)).astype(np.float32),
+        rng.integers(0, 256, (count, 3)).astype(np.float32) / np.float32(255),
+        {"ring": rng.integers(0, 99, count).astype(np.uint16), "time": rng.random(count)},
+    )
+
+
+def quads_and_triangles(path, byte_order):
+    """Faces of varying length behind vertices that carry a list of varying length."""
+    word = {"<": "binary_little_endian", ">": "binary_big_endian"}[byte_order]
+    header = (
+        f"ply\nformat {word} 1.0\nelement vertex 4\nproperty float x\nproperty list uchar short tags\n"
+        "property float y\nproperty float z\nelement face 2\nproperty list uchar int vertex_indices\n"
+        "property uchar flag\nend_header\n"
+    )
+    f4, i2, i4 = (np.dtype(code).newbyteorder(byte_order) for code in ("f4", "i2", "i4"))
+    body = b""
+    for k in range(4):
+        tags = np.arange(k, dtype=i2)
+        body += np.array(k, f4).tobytes() + bytes([k]) + tags.tobytes() + np.array([k, k], f4).tobytes()
+    for face in ([0, 1, 2], [0, 1, 2, 3]):
+        body += bytes([len(face)]) + np.array(face, i4).tobytes() + b"\1"
+    path.write_bytes(header.encode() + body)
+
+
+def text_table(suffix):
+    table = cloud()
+    return PointTable(
+        table.points,
+        table.normals if suffix == ".xyzn" else None,
+        table.colors if suffix in (".xyzrgb", ".pts") else None,
+    )
+
+
+def mesh():
+    table = cloud(4)
+    return MeshTable(table.points, np.array([[0, 1, 2], [1, 2, 3]]), table.normals, table.colors)
+
+
+def bare_mesh():
+    return MeshTable(mesh().vertices, mesh().triangles, mesh().vertex_normals, mesh().vertex_colors)
+
+
+def write_text_stl(path):
+    corners = "vertex 0 0 0\nvertex 1 0 0\nvertex 0 1.5 0\n"
+    path.write_text(f"solid\nfacet normal 0 0 1\nouter loop\n{corners}endloop\nendfacet\nendsolid\n")
+
+
+MAKERS = {
+    "binary.ply": (lambda path: write_ply(path, cloud()), read_ply),
+    "ascii.ply": (lambda path: write_ply(path, cloud(), ascii=True), read_ply),
+    "big.ply": (lambda path: quads_and_triangles(path, ">"), read_ply_mesh),
+    "little.ply": (lambda path: quads_and_triangles(path, "<"), read_ply_mesh),
+    "mesh.ply": (lambda path: write_ply_mesh(path, mesh()), read_ply_mesh),
+    "ascii_mesh.ply": (lambda path: write_ply_mesh(path, mesh(), ascii=True), read_ply_mesh),
+    "binary.pcd": (lambda path: write_pcd(path, cloud()), read_pcd),
+    "ascii.pcd": (lambda path: write_pcd(path, cloud(), encoding="ascii"), read_pcd),
+    "compressed.pcd": (lambda path: write_pcd(path, cloud(40), encoding="binary_compressed"), read_pcd),
+    "cloud.xyz": (lambda path: write_text(path, text_table(".xyz")), read_text),
+    "cloud.xyzn": (lambda path: write_text(path, text_table(".xyzn")), read_text),
+    "cloud.xyzrgb": (lambda path: write_text(path, text_table(".xyzrgb")), read_text),
+    "cloud.pts": (lambda path: write_text(path, text_table(".pts")), read_text),
+    "cloud.csv": (lambda path: path.write_text("x,y,z,r,g,b,t\n1,2,3,0,1,255,7\n4,5,6,9,8,7,0\n"), read_text_table),
+    "plain.txt": (lambda path: path.write_text("# x y z\n1 2 3\n4.5 5e1 -6\n"), read_text_table),
+    "mesh.obj": (lambda path: write_obj(path, bare_mesh()), read_obj),
+    "mesh.stl": (lambda path: write_stl(path, MeshTable(mesh().vertices, mesh().triangles)), read_stl),
+    "text.stl": (write_text_stl, read_stl),
+    "mesh.off": (lambda path: write_off(path, bare_mesh()), read_off),
+    "mesh.glb": (lambda path: write_glb(path, square()), read_glb),
+    "square.obj": (lambda path: write_obj(path, square()), read_obj),
+    "textured.ply": (lambda path: write_ply_mesh(path, textured()), read_ply_mesh),
+    "square_ascii.ply": (lambda path: write_ply_mesh(path, square(), ascii=True), read_ply_mesh),
+    "cloud.npz": (lambda path: write_npz(path, cloud()), read_npz),
+}
+
+
+@pytest.fixture(scope="module")
+def valid_files():
+    with tempfile.TemporaryDirectory() as folder:
+        files = {}
+        for name, (write, _) in MAKERS.items():
+            path = Path(folder) / name
+            write(path)
+            files[name] = path.read_bytes()
+        yield Path(folder), files
+
+
+TEXT = ("ascii", "cloud.xyz", "cloud.pts", "cloud.csv", "plain.txt", "mesh.obj", "mesh.off", "text.stl", "square")
+
+pytestmark = [
+    pytest.mark.filterwarnings("ignore:.*are left behind"),
+    pytest.mark.filterwarnings("ignore:.*it is taken for white"),
+]
+
+
+@st.composite
+def damages(draw):
+    """A list of edits, each at a relative position of the file."""
+    edits = st.tuples(
+        st.sampled_from(["set", "cut", "insert", "delete", "repeat"]),
+        st.floats(0, 1, exclude_max=True),
+        st.binary(min_size=1, max_size=6)
+        | st.sampled_from([b"-1", b"99999999999", b"nan", b"\n", b" ", b"list", b"\xff" * 8]),
+        st.integers(1, 40),
+    )
+    return draw(st.lists(edits, min_size=1, max_size=4)), draw(st.floats(0, 1))
+
+
+def damage(valid, edits, share):
+    """Apply the edits; a share below 0.6 keeps them in the header, where they do the most."""
+    data = bytearray(valid)
+    for kind, place, payload, length in edits:
+        reach = min(len(data), 400) if share < 0.6 else len(data)
+        at = int(place * reach)
+        if kind == "set":
+            data[at : at + len(payload)] = payload[: len(data) - at]
+        elif kind == "cut":
+            del data[at:]
+        elif kind == "insert":
+            data[at:at] = payload
+        elif kind == "delete":
+            del data[at : at + length]
+        else:
+            data[at:at] = data[at : at + length]
+    return bytes(data)
+
+
+def check_consistent(table):
+    points = table.vertices if isinstance(table, MeshTable) else table.points
+    count = len(points)
+    assert points.shape == (count, 3)
+    assert points.dtype in (np.float32, np.float64)
+    if isinstance(table, MeshTable):
+        triples = (table.vertex_normals, table.vertex_colors)
+        assert table.triangles.ndim == 2
+        assert table.triangles.shape[1] == 3
+        assert not table.triangles.size or 0 <= table.triangles.min() <= table.triangles.max() < count
+        uvs, ids = table.triangle_uvs, table.triangle_material_ids
+        assert uvs is None or uvs.shape == (3 * len(table.triangles), 2)
+        assert ids is None or (
+            ids.shape == (len(table.triangles),) and 0 <= ids.min() <= ids.max() < len(table.textures)
+        )
+    else:
+        triples = (table.normals, table.colors)
+        assert table.grid is None or table.grid[0] * table.grid[1] == count
+    for array in triples:
+        assert array is None or (array.shape == (count, 3) and array.dtype == np.float32)
+    for array in table.attributes.values():
+        assert len(array) == count
+        assert array.dtype.kind in "biuf"
+
+
+@pytest.mark.parametrize("name", MAKERS)
+@settings(max_examples=EXAMPLES, derandomize=True, deadline=None, database=None)
+@given(damages())
+def test_damaged_bytes_give_a_consistent_table_or_a_file_error(name, valid_files, damaged):
+    folder, files = valid_files
+    path = folder / f"damaged_{name}"
+    path.write_bytes(damage(files[name], *damaged))
+    try:
+        table = MAKERS[name][1](path)
+    except FileError as error:
+        assert str(path) in str(error)
+        assert error.reason
+    else:
+        check_consistent(table)
+
+
+@pytest.mark.parametrize("name", [name for name in MAKERS if not name.startswith(TEXT)])
+def test_every_truncation_of_a_binary_file_is_an_error(name, valid_files):
+    folder, files = valid_files
+    path = folder / f"short_{name}"
+    for size in range(len(files[name])):
+        path.write_bytes(files[name][:size])
+        with pytest.raises(FileError):
+            MAKERS[name][1](path)
+
+
+@pytest.mark.parametrize("name", ["ascii.ply", "ascii_mesh.ply", "ascii.pcd", "cloud.pts", "text.stl", "mesh.off"])
+def test_every_truncation_of_a_counted_text_file_that_costs_a_value_is_an_error(name, valid_files):
+    folder, files = valid_files
+    path = folder / f"short_{name}"
+    last_value = len(files[name].rstrip()) - len(files[name].split()[-1])
+    for size in range(last_value):
+        path.write_bytes(files[name][:size])
+        with pytest.raises(FileError):
+            MAKERS[name][1](path)
+
+
+@pytest.mark.parametrize("name", [name for name in MAKERS if not name.startswith(("cloud.xyz", "plain"))])
+def test_bytes_behind_the_payload_are_an_error(name, valid_files):
+    folder, files = valid_files
+    path = folder / f"long_{name}"
+    path.write_bytes(files[name] + b"\n1 2 3\n")
+    with pytest.raises(FileError):
+        MAKERS[name][1](path)
+
+
+@pytest.mark.parametrize("name", MAKERS)
+@settings(max_examples=25, derandomize=True, deadline=None, database=None)
+@given(st.binary(max_size=200))
+def test_random_bytes_are_a_file_error(name, valid_files, garbage):
+    path = valid_files[0] / f"garbage_{name}"
+    path.write_bytes(b"\0" + garbage)
+    with pytest.raises(FileError):
+        MAKERS[name][1](path)

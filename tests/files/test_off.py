@@ -1,0 +1,150 @@
+"""OFF: against what Open3D reads and writes, every header, and what is refused."""
+
+from __future__ import annotations
+
+import re
+
+import numpy as np
+import pytest
+
+import pointloom as loom
+from pointloom.core.errors import FileError
+from pointloom.files.meshes.off import read_off, write_off
+from pointloom.files.table import MeshTable
+
+SQUARE = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n"
+
+
+def mesh(normals=True, colors=True, dtype=np.float32) -> MeshTable:
+    rng = np.random.default_rng(7)
+    return MeshTable(
+        rng.normal(size=(30, 3)).astype(dtype),
+        rng.permuted(np.tile(np.arange(30), (40, 1)), axis=1)[:, :3],
+        rng.normal(size=(30, 3)).astype(np.float32) if normals else None,
+        rng.integers(0, 256, (30, 3)).astype(np.float32) / np.float32(255) if colors else None,
+    )
+
+
+def off(tmp_path, text):
+    (tmp_path / "m.off").write_text(text)
+    return tmp_path / "m.off"
+
+
+@pytest.mark.parametrize("normals", [False, True])
+@pytest.mark.parametrize("colors", [False, True])
+@pytest.mark.parametrize("dtype", [np.float32, np.float64])
+def test_what_we_write_reads_back_the_same(tmp_path, normals, colors, dtype):
+    written = mesh(normals, colors, dtype)
+    write_off(tmp_path / "m.off", written)
+    read = read_off(tmp_path / "m.off")
+    np.testing.assert_array_equal(read.vertices.astype(dtype), written.vertices)
+    np.testing.assert_array_equal(read.triangles, written.triangles)
+    for name, given in (("vertex_normals", normals), ("vertex_colors", colors)):
+        assert (getattr(read, name) is not None) == given
+        if given:
+            np.testing.assert_array_equal(getattr(read, name), getattr(written, name))
+
+
+@pytest.mark.parametrize("normals", [False, True])
+@pytest.mark.parametrize("colors", [False, True])
+def test_open3d_and_we_read_each_others_files(tmp_path, normals, colors):
+    o3d = pytest.importorskip("open3d")
+    written, path = mesh(normals, colors), str(tmp_path / "m.off")
+    for _ in range(2):
+        loom_mesh = loom.TriangleMesh(written.vertices, written.triangles)
+        loom_mesh.vertex_normals = written.vertex_normals if normals else np.zeros((30, 3))
+        write_off(path, written)
+        theirs = o3d.io.read_triangle_mesh(path)
+        np.testing.assert_allclose(np.asarray(theirs.vertices), written.vertices, rtol=1e-7)
+        np.testing.assert_array_equal(np.asarray(theirs.triangles), written.triangles)
+        assert (theirs.has_vertex_normals(), theirs.has_vertex_colors()) == (normals, colors)
+        if normals:
+            np.testing.assert_allclose(np.asarray(theirs.vertex_normals), written.vertex_normals, rtol=1e-6)
+        if colors:
+            np.testing.assert_allclose(np.asarray(theirs.vertex_colors), written.vertex_colors, atol=1e-7)
+        assert o3d.io.write_triangle_mesh(path, theirs)
+        written = read_off(path)
+    np.testing.assert_allclose(written.vertices, mesh().vertices, rtol=1e-5)  # it writes 6 digits
+    assert (written.vertex_normals is not None, written.vertex_colors is not None) == (normals, colors)
+
+
+@pytest.mark.parametrize(
+    "head", ["OFF\n4 2 0\n", "OFF 4 2 5\n", "OFF4 2 0\n", "# a\n\nOFF # b\n\n4 2 0 # c\n", "OFF\r\n4 2 0\r\n"]
+)
+def test_faces_are_fans_and_comments_and_colours_of_faces_are_passed_over(tmp_path, head):
+    read = read_off(off(tmp_path, head + SQUARE + "\n4 0 1 2 3 # d\n3 0 1 2 255 0 0\n"))
+    np.testing.assert_array_equal(read.triangles, [[0, 1, 2], [0, 2, 3], [0, 1, 2]])
+    np.testing.assert_array_equal(read.vertices[2], [1, 1, 0])
+
+
+def test_every_header_says_what_stands_at_vertices(tmp_path):
+    rows = {"": "1 2 3", "N": "4 5 6", "C": "255 0 51", "ST": "0.25 0.75"}
+    for textured in ("", "ST"):
+        for colored in ("", "C"):
+            for normal in ("", "N"):
+                for alpha in ("", " 9") if colored else ("",):
+                    row = " ".join(filter(None, ["1 2 3", normal and rows["N"], colored and rows["C"] + alpha,
+                                                 textured and rows["ST"]]))  # fmt: skip
+                    head = f"{textured}{colored}{normal}OFF\n3 1 0\n"
+                    read = read_off(off(tmp_path, head + f"{row}\n" * 3 + "3 0 1 2\n"))
+                    np.testing.assert_array_equal(read.vertices, [[1, 2, 3]] * 3)
+                    if normal:
+                        np.testing.assert_array_equal(read.vertex_normals, [[4, 5, 6]] * 3)
+                    if colored:
+                        np.testing.assert_array_equal(read.vertex_colors, np.float32([[1, 0, 0.2]] * 3))
+                    if textured:
+                        np.testing.assert_array_equal(read.triangle_uvs, [[0.25, 0.75]] * 3)
+
+
+def test_colours_up_to_one_are_parts(tmp_path):
+    read = read_off(off(tmp_path, "COFF\n3 1 0\n" + "0 0 0 1 0.5 0 1\n" * 3 + "3 0 1 2\n"))
+    np.testing.assert_array_equal(read.vertex_colors, [[1, 0.5, 0]] * 3)
+
+
+def test_an_empty_mesh_survives(tmp_path):
+    write_off(tmp_path / "m.off", MeshTable(np.empty((0, 3)), np.empty((0, 3), np.int32)))
+    read = read_off(tmp_path / "m.off")
+    assert (read.vertices.shape, read.triangles.shape) == ((0, 3), (0, 3))
+
+
+@pytest.mark.parametrize(
+    ("text", "where", "reason"),
+    [
+        ("PLY\n", "", "is no OFF"),
+        ("OFFER\n", "", "is no OFF"),
+        ("OFF BINARY\n", "line 1", "binary OFF is not read"),
+        ("4OFF\n", "line 1", "OFF of another dimension"),
+        ("nOFF\n3\n", "line 1", "OFF of another dimension"),
+        ("OFF\n", "line 1", "it has no counts"),
+        ("OFF\n4 1\n" + SQUARE + "3 0 1 2\n", "line 2", "expected 3 values, found 2"),
+        ("OFF\n-1 1 0\n", "line 2", "a count: -1 does not fit"),
+        ("OFF\n4.5 1 0\n", "line 2", "a count: 4.5 does not fit"),
+        ("OFF\n4000000000 4000000000 0\n" + SQUARE, "line 6", "truncated: 4 lines for 4000000000 vertices"),
+        ("OFF\n4 2 0\n" + SQUARE + "3 0 1 2\n", "line 7", "truncated: 5 lines for 4 vertices and 2 faces"),
+        ("OFF\n4 1 0\n" + SQUARE + "3 0 1 2\n3 0 1 2\n", "line 8", "1 lines follow"),
+        ("OFF\n3 1 0\n0 0 0\n0 0\n0 0 0\n3 0 1 2\n", "line 4", "expected 3 values, found 2"),
+        ("NOFF\n3 1 0\n0 0 0\n0 0 0\n0 0 0\n3 0 1 2\n", "line 3", "a vertex has 6 values, found 3"),
+        ("COFF\n1 0 0\n0 0 0 256 0 0\n", "line 3", "a colour: 256 does not fit"),
+        ("COFF\n1 0 0\n0 0 0 -1 0 0\n", "row 0", "a colour is outside 0..1"),
+        ("OFF\n4 1 0\n" + SQUARE + "3 0 1 4\n", "line 7", "a face names vertex 4"),
+        ("OFF\n4 1 0\n" + SQUARE + "3 0 1 -1\n", "line 7", "a corner: -1 does not fit"),
+        ("OFF\n4 1 0\n" + SQUARE + "2 0 1\n", "face 0", "a face has 2 corners"),
+        ("OFF\n4 1 0\n" + SQUARE + "3 0 1\n", "line 7", "a face of 3 corners has 2 values"),
+        ("OFF\n4 1 0\n" + SQUARE + "3 0 1 2 1 1\n", "line 7", "a face of 3 corners has 5 values"),
+        ("OFF\n4 1 0\n" + SQUARE + "3 0 x 2\n", "line 7", "not a number: 'x'"),
+    ],
+)
+def test_a_damaged_file_is_refused_with_its_line(tmp_path, text, where, reason):
+    with pytest.raises(FileError, match=re.escape(reason)) as caught:
+        read_off(off(tmp_path, text))
+    assert caught.value.where == where
+
+
+def test_what_off_cannot_hold_is_refused(tmp_path):
+    holds_more, wild = mesh(), mesh()
+    holds_more.attributes = {"weight": np.zeros(30)}
+    wild.vertices[3, 0] = np.inf
+    for bad, reason in ((holds_more, "cannot hold weight"), (wild, "NaN or infinite")):
+        with pytest.raises(FileError, match=reason):
+            write_off(tmp_path / "m.off", bad)
+    assert not list(tmp_path.iterdir())

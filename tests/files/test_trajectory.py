@@ -1,0 +1,285 @@
+"""Trajectories: every format gives back what it was given, agrees with Open3D, and refuses the rest by line."""
+
+from __future__ import annotations
+
+import json
+import os
+from pathlib import Path
+
+import numpy as np
+import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+
+from pointloom.cameras.camera import PinholeCameraIntrinsic
+from pointloom.cameras.trajectory import Trajectory, read_pose, read_trajectory, write_trajectory
+from pointloom.core.errors import FileError
+
+CAMERA = PinholeCameraIntrinsic.prime_sense_default()
+FORMATS = [
+    ("log", "t.log"),
+    ("tum", "t.txt"),
+    ("kitti", "t.txt"),
+    ("tum", "t.tum"),
+    ("kitti", "t.kitti"),
+    ("json", "t.json"),
+]
+BITS = settings(
+    max_examples=200, derandomize=True, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture]
+)
+DATA = os.environ.get("POINTLOOM_DATA")
+needs_data = pytest.mark.skipif(not DATA, reason="POINTLOOM_DATA is not set: no real trajectories")
+
+
+def rotations(generator, count):
+    """Random rotations, among them half turns, where a quaternion has w = 0."""
+    q = generator.normal(size=(count, 4))
+    q[:3] = [[1, 0, 0, 0], [0, 1, 0, 1e-9], [0.6, 0.8, 0, 0]]
+    q /= np.linalg.norm(q, axis=1, keepdims=True)
+    R = []
+    for vx, vy, vz, w in q:
+        K = np.array([[0, -vz, vy], [vz, 0, -vx], [-vy, vx, 0]])
+        R.append(np.eye(3) + 2 * w * K + 2 * K @ K)
+    return np.array(R)
+
+
+@pytest.fixture
+def trajectory() -> Trajectory:
+    generator = np.random.default_rng(0)
+    poses = np.tile(np.eye(4), (12, 1, 1))
+    poses[:, :3, :3] = rotations(generator, 12)
+    poses[:, :3, 3] = generator.normal(size=(12, 3)) * (1, 10, 100)
+    ids = np.stack([np.arange(12) * 3, np.arange(12), np.full(12, 99)], axis=1)
+    return Trajectory(poses, timestamps=1305031102.175304 + np.arange(12) / 30, ids=ids)
+
+
+def log_text(pose=None, ids="0 0 1") -> str:
+    rows = np.eye(4) if pose is None else pose
+    return f"{ids}\n" + "".join(" ".join(map(repr, row.tolist())) + "\n" for row in rows)
+
+
+@pytest.mark.parametrize(("format", "name"), FORMATS)
+def test_reading_what_was_written_gives_the_same_poses(tmp_path, trajectory, format, name):
+    write_trajectory(tmp_path / name, trajectory, format=format, intrinsic=CAMERA)
+    again = read_trajectory(tmp_path / name)
+    np.testing.assert_allclose(again.poses, trajectory.poses, rtol=0, atol=1e-12)
+    if format in ("log", "kitti"):
+        assert np.array_equal(again.poses, trajectory.poses)
+    assert (again.timestamps is not None) == (format == "tum")
+    assert (again.ids is not None) == (format == "log")
+    if again.timestamps is not None:
+        assert np.array_equal(again.timestamps, trajectory.timestamps)
+    if again.ids is not None:
+        assert np.array_equal(again.ids, trajectory.ids)
+
+
+@pytest.mark.parametrize("name", ["t.log", "t.txt", "t.json"])
+def test_open3d_reads_what_we_write(tmp_path, trajectory, name):
+    o3d = pytest.importorskip("open3d", exc_type=ImportError)
+    write_trajectory(tmp_path / name, trajectory, format="tum" if name == "t.txt" else None, intrinsic=CAMERA)
+    theirs = o3d.io.read_pinhole_camera_trajectory(str(tmp_path / name)).parameters
+    assert len(theirs) == len(trajectory)
+    poses = np.linalg.inv([np.asarray(camera.extrinsic) for camera in theirs])
+    np.testing.assert_allclose(poses, trajectory.poses, rtol=0, atol=1e-11)
+
+
+@pytest.mark.parametrize("name", ["t.log", "t.txt", "t.json"])
+def test_we_read_what_open3d_writes(tmp_path, trajectory, name):
+    """Every pose, the first of a .txt file too, which Open3D itself loses behind its comment; to its 6 decimals."""
+    o3d = pytest.importorskip("open3d", exc_type=ImportError)
+    content = o3d.camera.PinholeCameraTrajectory()
+    cameras = []
+    for T_camera_world in np.linalg.inv(trajectory.poses):
+        camera = o3d.camera.PinholeCameraParameters()
+        camera.intrinsic = o3d.camera.PinholeCameraIntrinsic(640, 480, 525.0, 525.0, 319.5, 239.5)
+        camera.extrinsic = T_camera_world
+        cameras.append(camera)
+    content.parameters = cameras
+    assert o3d.io.write_pinhole_camera_trajectory(str(tmp_path / name), content)
+    ours = read_trajectory(tmp_path / name)
+    np.testing.assert_allclose(ours.poses, trajectory.poses, rtol=0, atol=1e-11 if name == "t.json" else 3e-6)
+
+
+@needs_data
+def test_real_logs_are_read_in_full():
+    folder = Path(str(DATA))
+    assert len(read_trajectory(folder / "rgbd-cupoch-redwood5/trajectory.log")) == 5
+    odometry = read_trajectory(folder / "rgbd-cupoch-redwood5/odometry.log")
+    assert odometry.poses[0, :3, 3].tolist() == [2, 2, -0.3]
+    pairs = read_trajectory(folder / "reg-3dmatch-logs/configs/benchmarks/3DMatch/7-scenes-redkitchen/gt.log")
+    assert pairs.ids is not None and pairs.ids[1].tolist() == [0, 2, 60]
+
+
+def test_tum_quaternions_are_x_y_z_w_and_camera_to_world(tmp_path):
+    path = tmp_path / "groundtruth.txt"
+    path.write_text("# a comment\n\n7.5 1 2 3 0 0 0.7071 0.7071\n")
+    trajectory = read_trajectory(path)
+    assert trajectory.timestamps is not None and trajectory.timestamps.tolist() == [7.5]
+    quarter_turn_about_z = [[0, -1, 0, 1], [1, 0, 0, 2], [0, 0, 1, 3], [0, 0, 0, 1]]
+    np.testing.assert_allclose(trajectory.poses[0], quarter_turn_about_z, atol=1e-12)
+
+
+def test_the_pose_that_open3d_writes_behind_its_comment_is_not_lost(tmp_path):
+    header = "# TUM trajectory, format: <t> <x> <y> <z> <qx> <qy> <qz> <qw>"
+    (tmp_path / "t.txt").write_text(header + "0 1.0 2.0 3.0 0.0 0.0 0.0 1.0\n1 4.0 5.0 6.0 0.0 0.0 0.0 1.0\n")
+    assert read_trajectory(tmp_path / "t.txt").poses[:, :3, 3].tolist() == [[1, 2, 3], [4, 5, 6]]
+    (tmp_path / "t.txt").write_text(header + "\n1 4.0 5.0 6.0 0.0 0.0 0.0 1.0\n")
+    assert len(read_trajectory(tmp_path / "t.txt")) == 1
+
+
+def test_json_stores_world_to_camera_column_by_column(tmp_path):
+    T_camera_world = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 5, 6, 7, 1]
+    content = {"class_name": "PinholeCameraTrajectory", "parameters": [{"extrinsic": T_camera_world}]}
+    (tmp_path / "t.json").write_text(json.dumps(content))
+    assert read_trajectory(tmp_path / "t.json").poses[0, :3, 3].tolist() == [-5, -6, -7]
+
+
+def test_missing_times_and_ids_are_counted_as_open3d_does(tmp_path):
+    plain = Trajectory(np.tile(np.eye(4), (3, 1, 1)))
+    write_trajectory(tmp_path / "t.log", plain)
+    write_trajectory(tmp_path / "t.tum", plain)
+    ids, times = read_trajectory(tmp_path / "t.log").ids, read_trajectory(tmp_path / "t.tum").timestamps
+    assert ids is not None and ids.tolist() == [[0, 0, 1], [1, 1, 2], [2, 2, 3]]
+    assert times is not None and times.tolist() == [0, 1, 2]
+
+
+def test_rounded_rotations_are_returned_as_they_stand(tmp_path):
+    rounded = np.eye(4)
+    rounded[0, 0] = 0.995
+    (tmp_path / "t.log").write_text(log_text(rounded))
+    assert np.array_equal(read_trajectory(tmp_path / "t.log").poses[0], rounded)
+
+
+def test_tum_takes_the_nearest_rotation_of_a_rounded_one(tmp_path):
+    rounded = np.eye(4)
+    rounded[:3, :3] *= 1.004
+    write_trajectory(tmp_path / "t.tum", Trajectory(rounded[None]))
+    np.testing.assert_allclose(read_trajectory(tmp_path / "t.tum").poses[0], np.eye(4), atol=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "claim"),
+    [
+        ("t.log", "", "holds no pose"),
+        ("t.log", "# nothing\n", "holds no pose"),
+        ("t.log", log_text() + "1 1 2\n1 0 0 0\n", "line 7): ends within a pose"),
+        ("t.log", log_text() + log_text(ids="1 1"), "line 6): expected three whole numbers"),
+        ("t.log", log_text(ids="0 0 1.5"), "line 1): expected three whole numbers"),
+        ("t.log", log_text(ids=f"0 0 {2**63}"), "line 1): expected three whole numbers"),
+        ("t.log", log_text() + log_text(np.diag([2.0, 1, 1, 1])), "line 7): pose: expected a rigid motion"),
+        ("t.log", log_text(np.diag([-1.0, 1, 1, 1])), "rigid"),
+        ("t.log", log_text().replace("1.0", "nan"), "line 2): expected finite"),
+        ("t.log", log_text().replace("1.0", "1e200"), "line 2): expected finite"),
+        ("t.log", log_text().replace("1.0", "one"), "line 2): not a number"),
+        ("t.log", log_text().replace("1.0", "1_0"), "line 2): expected finite"),
+        ("t.log", log_text().replace("1.0 0.0", "1.0", 1), "line 2): expected 4 numbers, got 3"),
+        ("t.txt", "1 2 3 4\n", "line 1): expected 8 columns (TUM) or 12 (KITTI), got 4"),
+        ("t.tum", "1 " * 12, "expected 8 columns, got 12"),
+        ("t.kitti", "1 " * 8, "expected 12 columns, got 8"),
+        ("t.txt", "# t\n0 0 0 0 0 0 0 1\n1 0 0 0 0 0 0 0.98\n", "line 3): expected a unit quaternion"),
+        ("t.txt", "0 0 0 0 0 0 0 0\n", "length 0"),
+        ("t.txt", "0 0 0 0 0 0 0 1\n1 0 0 0 0 0 1\n", "line 2): expected 8 numbers, got 7"),
+        ("t.txt", "1 0 0 0 0 1 0 0 0 0 1 0\n1 0 0 0 0 2 0 0 0 0 1 0\n", "line 2): pose: expected a rigid"),
+        ("t.json", "{}", "key class_name): missing"),
+        (
+            "t.json",
+            '{"class_name": "PoseGraph", "parameters": []}',
+            "expected PinholeCameraTrajectory, got 'PoseGraph'",
+        ),
+        ("t.json", '{"class_name": "PinholeCameraTrajectory", "parameters": []}', "at least one camera"),
+        ("t.json", '{"class_name": "PinholeCameraTrajectory", "parameters": [3]}', "key parameters[0]"),
+        (
+            "t.json",
+            '{"class_name": "PinholeCameraTrajectory", "parameters": [{"extrinsic": [1, 2]}]}',
+            "key parameters[0].extrinsic): expected a list of 16 numbers, got 2",
+        ),
+        (
+            "t.json",
+            '{"class_name": "PinholeCameraTrajectory", "parameters": [{"extrinsic": [' + "0," * 15 + "1]}]}",
+            "key parameters[0].extrinsic): pose: expected a rigid motion",
+        ),
+        ("t.csv", "1", "unknown kind of trajectory '.csv'"),
+        ("t.log", "\xff", "not a text file"),
+    ],
+)
+def test_bad_files_are_refused_with_the_line(tmp_path, name, text, claim):
+    (tmp_path / name).write_bytes(text.encode("latin-1"))
+    with pytest.raises(FileError) as caught:
+        read_trajectory(tmp_path / name)
+    assert claim in str(caught.value) and name in str(caught.value)
+
+
+def test_missing_file_is_a_file_error(tmp_path):
+    with pytest.raises(FileError, match="cannot be read"):
+        read_trajectory(tmp_path / "none.log")
+
+
+def test_a_pose_file_holds_four_rows(tmp_path):
+    path = tmp_path / "frame.pose.txt"
+    path.write_text("1 0 0 5\n0 1 0 6\n0 0 1 7\n0 0 0 1\n")
+    assert read_pose(path)[:3, 3].tolist() == [5, 6, 7]
+    path.write_text("1 0 0 5\n0 1 0 6\n0 0 1 7\n")
+    with pytest.raises(FileError, match="expected 4 rows of a pose, got 3"):
+        read_pose(path)
+
+
+def test_writing_refuses_before_it_touches_the_file(tmp_path, trajectory):
+    path = tmp_path / "t.json"
+    path.write_text("precious")
+    with pytest.raises(ValueError, match="intrinsic"):
+        write_trajectory(path, trajectory)
+    with pytest.raises(FileError, match="exists already"):
+        write_trajectory(path, trajectory, intrinsic=CAMERA, overwrite=False)
+    skewed = Trajectory(trajectory.poses * 1.0)
+    skewed.poses[7, 0, 0] += 1
+    with pytest.raises(ValueError, match=r"poses\[7\]"):
+        write_trajectory(path, skewed, intrinsic=CAMERA)
+    with pytest.raises(ValueError, match="at least one pose"):
+        write_trajectory(path, Trajectory(np.empty((0, 4, 4))), intrinsic=CAMERA)
+    assert path.read_text() == "precious" and len(list(tmp_path.iterdir())) == 1
+
+
+def test_formats_and_names_must_agree(tmp_path, trajectory):
+    with pytest.raises(FileError, match="does not tell the format"):
+        write_trajectory(tmp_path / "t.txt", trajectory)
+    with pytest.raises(FileError, match=r"log files end in \.log"):
+        write_trajectory(tmp_path / "t.txt", trajectory, format="log")
+    with pytest.raises(ValueError, match="format: expected one of"):
+        write_trajectory(tmp_path / "t.txt", trajectory, format="euroc")
+    assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.parametrize(
+    ("arguments", "claim"),
+    [
+        ({"poses": np.eye(4)}, r"poses: expected shape \[n, 4, 4\], got \[4, 4\]"),
+        ({"poses": np.eye(4)[None], "timestamps": [1, 2]}, r"timestamps: expected shape \[1\]"),
+        ({"poses": np.eye(4)[None], "ids": [[0.5, 1, 2]]}, "ids: expected whole numbers"),
+        ({"poses": np.eye(4)[None], "ids": [[0], [1]]}, r"ids: expected whole numbers of shape \[1, k\]"),
+    ],
+)
+def test_trajectories_of_wrong_shape_are_refused(arguments, claim):
+    with pytest.raises(ValueError, match=claim):
+        Trajectory(**arguments)
+
+
+@pytest.mark.parametrize("name", ["t.log", "t.tum", "t.kitti", "t.json"])
+@BITS
+@given(
+    start=st.integers(0, 2000),
+    length=st.integers(0, 40),
+    patch=st.one_of(
+        st.binary(max_size=6), st.sampled_from([b"nan", b"\n", b" ", b"-", b"1e400", b"9" * 30, b"[", b"#"])
+    ),
+)
+def test_changed_bytes_give_poses_or_a_file_error(tmp_path, trajectory, name, start, length, patch):
+    path = tmp_path / name
+    write_trajectory(path, Trajectory(trajectory.poses[:2]), intrinsic=CAMERA)
+    data = path.read_bytes()
+    start %= len(data)
+    path.write_bytes(data[:start] + patch + data[start + length :])
+    try:
+        again = read_trajectory(path)
+    except FileError:
+        return
+    assert np.isfinite(again.poses).all() and len(again) >= 1

@@ -1,0 +1,85 @@
+"""create_surface: the surface of `pointloom mesh` for a cloud in memory, and what there is to say of it."""
+
+import json
+
+import numpy as np
+import pytest
+import warp as wp
+
+import pointloom as loom
+from pointloom.app.jobs.mesh import mesh_file
+from pointloom.core.wording import to_json
+
+
+def ball(count: int = 1500, **attributes) -> loom.PointCloud:
+    points = np.random.default_rng(0).normal(size=(count, 3))
+    return loom.PointCloud(points / np.linalg.norm(points, axis=1, keepdims=True), **attributes)
+
+
+@pytest.mark.parametrize(
+    "settings", [{"depth": 4}, {"method": "ball"}, {"method": "alpha", "alpha": 2.0}], ids=["poisson", "ball", "alpha"]
+)
+def test_a_cloud_in_memory_has_the_bits_and_the_words_of_its_file(tmp_path, device, settings):
+    loom.write_point_cloud(tmp_path / "ball.ply", ball(intensity=np.arange(1500.0, dtype=np.float32)))
+    report = mesh_file(tmp_path / "ball.ply", tmp_path / "out.ply", device=device, **settings)
+    found = loom.create_surface(loom.read_point_cloud(tmp_path / "ball.ply", device=device), **settings)
+    written = loom.read_triangle_mesh(tmp_path / "out.ply")
+    np.testing.assert_array_equal(written.vertices, found.mesh.vertices)
+    np.testing.assert_array_equal(written.triangles, found.mesh.triangles)
+    shared = json.loads(to_json(found.to_json()))
+    assert shared == {key: json.loads(to_json(report.to_json()))[key] for key in shared} and shared["not_carried"] == [
+        "intensity"
+    ]
+    said = {label: value for label, value in report.fields() if label not in ("seconds", "files")}
+    assert [line.split(maxsplit=1)[0] for line in str(found).splitlines()] == [label.split()[0] for label in said]
+    assert all(value in str(found) for value in said.values())
+
+
+def test_stages_are_told_as_they_begin():
+    told = []
+    loom.create_surface(ball(), "ball", progress=lambda *stage: told.append(stage))
+    assert told == [("normals", 0, 0), ("ball", 0, 0), ("check", 0, 0)]
+
+
+def test_the_remedy_is_named_as_a_caller_gives_it(recwarn):
+    points = ball().points
+    mixed = loom.PointCloud(points, normals=points * np.where(np.arange(1500) % 3 == 0, -1, 1)[:, None])
+    found = loom.create_surface(mixed, depth=4)
+    assert found.normals.given and "give new_normals, or orient" in str(found.poor) and "--" not in str(found.poor)
+    assert not recwarn.list
+    assert loom.create_surface(mixed, depth=4, new_normals=True).poor is None
+
+
+@pytest.mark.parametrize("method", ["poisson", "ball", "alpha"])
+def test_without_a_finite_point_there_is_no_surface_and_no_error(method, device):
+    for points in (np.full((4, 3), np.nan), np.zeros((0, 3))):
+        found = loom.create_surface(loom.PointCloud(points, device=device), method)
+        assert len(found.mesh) == 0 and found.poor == "no point is finite, so there is no surface"
+        assert (found.points_in, found.points, found.to_json()["bounds"]) == (len(points), 0, None)
+        assert found.mesh.device == loom.PointCloud(points, device=device).device
+
+
+def test_the_mesh_has_the_arrays_of_the_cloud():
+    cloud = loom.PointCloud(wp.array(ball().points.astype(np.float32), device="cpu"))
+    found = loom.create_surface(cloud, depth=4)
+    assert isinstance(found.mesh.cluster_connected_triangles()[0], wp.array)
+    plain = loom.create_surface(cloud.to("cpu", arrays="numpy"), depth=4)
+    np.testing.assert_array_equal(found.mesh.vertices, plain.mesh.vertices)
+    assert found.to_json() == plain.to_json()
+
+
+@pytest.mark.parametrize(
+    ("settings", "said"),
+    [
+        ({"radii": [0.1]}, "radii: goes with method 'ball', not with 'poisson'"),
+        ({"method": "ball", "depth": 7}, "depth: goes with method 'poisson', not with 'ball'"),
+        ({"method": "alpha", "density_quantile": 0.1}, "density_quantile: goes with method 'poisson'"),
+        ({"alpha": 0.1}, "alpha: goes with method 'alpha'"),
+        ({"method": "voronoi"}, "method: expected one of poisson, ball, alpha, got 'voronoi'"),
+        ({"density_quantile": 1}, "density_quantile: expected a share from 0 and below 1"),
+        ({"method": "alpha", "alpha": [0.1, 0.2]}, "alpha: expected a number"),
+    ],
+)
+def test_settings_that_make_no_sense_are_refused_by_name(settings, said):
+    with pytest.raises((ValueError, TypeError), match=said):
+        loom.create_surface(ball(50), **settings)

@@ -1,0 +1,116 @@
+"""clean_mesh, simplify_mesh, smooth_mesh and compare_meshes: what the commands do, for meshes in memory."""
+
+import json
+
+import numpy as np
+import pytest
+
+import pointloom as loom
+from pointloom import TriangleMesh
+from pointloom.app.jobs.clean_mesh import clean_mesh_file
+from pointloom.app.jobs.compare_meshes import compare_mesh_files
+from pointloom.app.jobs.simplify import simplify_file
+from pointloom.app.jobs.smooth_mesh import smooth_mesh_file
+from pointloom.core.audience import to_shell
+
+
+def torn() -> TriangleMesh:
+    """A ball without a cap, with normals."""
+    ball = TriangleMesh.create_sphere(1.0, 12).compute_vertex_normals()
+    return ball.remove_triangles_by_mask(ball.vertices[ball.triangles].mean(axis=1)[:, 2] > 0.9)
+
+
+CALLS = {
+    "clean": (clean_mesh_file, {"fill": 0.6}, loom.clean_mesh, {"hole_size": 0.6}),
+    "simplify": (simplify_file, {"by": "ratio", "amount": 0.5}, loom.simplify_mesh, {"ratio": 0.5}),
+    "voxels": (simplify_file, {"by": "voxel", "amount": 0.2}, loom.simplify_mesh, {"voxel_size": 0.2}),
+    "smooth": (smooth_mesh_file, {"factors": {"mu": -0.6}}, loom.smooth_mesh, {"mu": -0.6}),
+    "sharpen": (
+        *(smooth_mesh_file, {"method": "sharpen", "iterations": 1}),
+        *(loom.smooth_mesh, {"method": "sharpen", "iterations": 1}),
+    ),
+}
+
+
+@pytest.mark.parametrize("name", CALLS)
+def test_a_mesh_in_memory_has_the_bits_and_the_words_of_its_file(tmp_path, device, name):
+    command, options, call, arguments = CALLS[name]
+    loom.write_triangle_mesh(tmp_path / "in.ply", torn())
+    report = command(tmp_path / "in.ply", tmp_path / "out.ply", device=device, **options)
+    mesh = loom.read_triangle_mesh(tmp_path / "in.ply", device=device)
+    before = mesh.vertices
+    found = call(mesh, **arguments)
+    written = loom.read_triangle_mesh(tmp_path / "out.ply")
+    for array in ("vertices", "triangles", "vertex_normals"):
+        np.testing.assert_array_equal(getattr(written, array), getattr(found.mesh, array))
+    np.testing.assert_array_equal(mesh.vertices, before)  # what was given stays
+    figures, all_figures = json.loads(json.dumps(found.to_json())), json.loads(json.dumps(report.to_json()))
+    assert figures | {"poor": 0} == {key: all_figures[key] for key in figures} | {"poor": 0}
+    assert (all_figures["poor"] is None) == (found.poor is None) and all_figures["poor"] == found.why_poor(to_shell)
+    assert report.fields()[: len(found.fields())] == found.fields()
+    assert [line.split()[0] for line in str(found).splitlines()] == [label for label, _ in found.fields()]
+
+
+def test_two_meshes_in_memory_are_compared_as_their_files_are(tmp_path, device):
+    loom.write_triangle_mesh(tmp_path / "a.ply", torn())
+    loom.write_triangle_mesh(tmp_path / "b.ply", TriangleMesh.create_sphere(1.01, 12))
+    options = {"samples": 500, "limit": 0.05, "seed": 3}
+    report = compare_mesh_files(tmp_path / "a.ply", tmp_path / "b.ply", device=device, **options).to_json()
+    meshes = [loom.read_triangle_mesh(tmp_path / name, device=device) for name in ("a.ply", "b.ply")]
+    found = loom.compare_meshes(*meshes, **options)
+    assert found.to_json() == {key: report[key] for key in found.to_json()}
+    assert report["fscore"].keys() == {str(0.01 * found.diagonal)} and "more than 0.05 m" in found.poor
+    assert loom.compare_meshes(meshes[0], meshes[0], thresholds=[], samples=100).poor is None
+
+
+def test_stages_are_told_as_they_begin():
+    told = []
+    loom.clean_mesh(torn(), progress=lambda *stage: told.append(stage))
+    loom.simplify_mesh(torn(), ratio=0.5, progress=lambda *stage: told.append(stage))
+    assert [stage for stage, done, total in told if not done + total] == [
+        "repair",
+        "parts",
+        "check",
+        "simplify",
+        "check",
+    ]
+
+
+def test_a_mesh_without_triangles_is_poor_and_no_error():
+    for mesh in (TriangleMesh(), TriangleMesh([[0, 0, 0], [np.nan, 1, 2]])):
+        assert loom.clean_mesh(mesh).poor == "no triangle is left"
+        assert loom.simplify_mesh(mesh, ratio=0.5).poor == "no triangle is left; take more triangles or smaller voxels"
+        assert loom.smooth_mesh(mesh).poor == "the mesh has no triangles"
+        with pytest.raises(ValueError, match="first: holds no triangle with an area"):
+            loom.compare_meshes(mesh, torn())
+    assert loom.smooth_mesh(TriangleMesh([[np.nan] * 3])).moved is None
+
+
+def test_the_remedy_is_named_as_a_caller_gives_it():
+    merged = loom.clean_mesh(TriangleMesh.create_sphere(), merge_distance=0.9)
+    shrunk = loom.smooth_mesh(TriangleMesh.create_sphere(), "simple", 50)
+    for found, argument, option in (
+        (merged, "merge_distance", "--merge"),
+        (shrunk, "method='taubin'", "--method taubin"),
+    ):
+        assert argument in found.poor and "--" not in found.poor
+        assert option in found.why_poor(to_shell)
+
+
+@pytest.mark.parametrize(
+    ("call", "said"),
+    [
+        (lambda mesh: loom.simplify_mesh(mesh), "give one of triangles, ratio and voxel_size, got none"),
+        (lambda mesh: loom.simplify_mesh(mesh, triangles=9, ratio=0.5), "got triangles and ratio"),
+        (lambda mesh: loom.simplify_mesh(mesh, ratio=0), "ratio: expected a share above 0"),
+        (lambda mesh: loom.simplify_mesh(mesh, voxel_size=1, max_error=1), "max_error, boundary_weight: go with"),
+        (lambda mesh: loom.smooth_mesh(mesh, "simple", mu=-1), "mu: goes with method 'taubin', not with 'simple'"),
+        (lambda mesh: loom.smooth_mesh(mesh, strength=1), "strength: goes with method 'sharpen'"),
+        (lambda mesh: loom.smooth_mesh(mesh, "bilateral"), "method: expected one of taubin, laplacian, simple"),
+        (lambda mesh: loom.clean_mesh(mesh, min_triangles=0), "min_triangles: expected a whole number >= 1"),
+        (lambda mesh: loom.compare_meshes(mesh, mesh, limit=0), "limit: expected a number > 0"),
+    ],
+)
+def test_what_makes_no_sense_is_refused_by_name(call, said):
+    with pytest.raises(ValueError, match=said):
+        call(torn())

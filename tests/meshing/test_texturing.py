@@ -1,0 +1,101 @@
+"""texture_mesh: frames in memory give a mesh their colours; what is no frame, pose or mesh is refused by name."""
+
+import dataclasses
+from typing import Any
+
+import numpy as np
+import pytest
+
+import pointloom as loom
+from pointloom.core.audience import to_shell
+
+from ..hostile import faults_of
+
+CAMERA = loom.PinholeCameraIntrinsic(64, 48, 60.0, 60.0, 31.5, 23.5)
+POSE = np.eye(4)
+
+
+def wall(**options: Any) -> loom.TriangleMesh:
+    """A wall 1 m before the camera, a bit larger than what it sees."""
+    x, y = np.meshgrid(np.linspace(-0.42, 0.42, 13), np.linspace(-0.3, 0.3, 11))
+    places = np.arange(143).reshape(11, 13)
+    a, b, c, d = places[:-1, :-1].ravel(), places[:-1, 1:].ravel(), places[1:, 1:].ravel(), places[1:, :-1].ravel()
+    vertices = np.stack([x.ravel(), y.ravel(), np.ones(143)], 1)
+    return loom.TriangleMesh(vertices, np.concatenate([np.stack([a, c, b], 1), np.stack([a, d, c], 1)]), **options)
+
+
+def frames(count: int = 2, color: Any = (0, 255, 0)) -> Any:
+    picture = np.full((48, 64, 3), color, np.uint8)
+    return loom.frames_from([(picture, np.full((48, 64), 1000, np.uint16))] * count, CAMERA)
+
+
+def test_frames_in_memory_give_a_mesh_their_colours(device):
+    told = []
+    found = loom.color_map.texture_mesh(
+        wall(device=device), frames(), [POSE] * 2, method="none", progress=lambda *stage: told.append(stage)
+    )
+    assert (found.mesh.vertex_colors == (0, 1, 0)).all() and found.poor is None
+    assert found.frame_count == 2 and found.blind_frames == 0 and 0.3 < found.seen_share < 0.9
+    assert found.texel_share is None and (found.turned, found.moved) == (0.0, 0.0)
+    assert told == [("frames", 0, 2), ("frames", 1, 2), ("frames", 2, 2), ("colours", 0, 0)]
+
+
+def test_a_texture_takes_the_place_of_the_vertices_colours():
+    mesh = wall()
+    mesh.triangle_uvs = (mesh.vertices[mesh.triangles][..., :2] + 0.42).reshape(-1, 2) / 0.84
+    found = loom.color_map.texture_mesh(mesh, frames(), loom.Trajectory([POSE] * 2), size=32)
+    assert found.mesh.vertex_colors is None and found.mesh.textures[0].shape == (32, 32, 3)
+    assert found.size == 32 and 0.3 < found.texel_share < 0.9
+    assert "32 x 32, " in str(found).splitlines()[-1]
+    assert (found.colors.mesh.vertex_colors == (0, 1, 0)).all()
+
+
+def test_pictures_that_agree_no_better_are_a_poor_result():
+    good = loom.color_map.texture_mesh(wall(), frames(10), [POSE] * 10, method="none")
+
+    def why_poor(method: str, before: float, after: float, blind: int = 0) -> str | None:
+        views = np.where(np.arange(10) < blind, 0, 9)
+        colors = dataclasses.replace(good.colors, residual_before=before, residual=after, view_counts=views)
+        return dataclasses.replace(good, method=method, colors=colors).why_poor(to_shell)
+
+    assert "agree no better" in str(why_poor("rigid", 0.05, 0.0499))
+    assert "compare with --method none" in str(why_poor("rigid", 0.05, 0.0499))
+    assert why_poor("none", 0.05, 0.0499) is None
+    assert why_poor("rigid", 0.05, 0.03) is None
+    assert why_poor("rigid", 0.005, 0.005) is None
+    assert "6 of 10 frames" in str(why_poor("rigid", 0.05, 0.0, blind=6))
+
+
+def test_frames_that_cannot_colour_a_mesh_are_refused_by_name():
+    def texture(given: Any, poses: Any = (POSE,), mesh: Any = None) -> None:
+        loom.color_map.texture_mesh(wall() if mesh is None else mesh, given, poses)
+
+    gray = loom.frames_from([(None, np.full((48, 64), 1000, np.uint16))], CAMERA)
+    for given, poses, said in (
+        (gray, [POSE], "frames: frame-000000 has no colour"),
+        (frames(1), None, "frames: frame-000000 has no pose; give poses"),
+        (frames(0), [], "frames: expected one frame at least"),
+        (frames(2), [POSE], "poses: 1 poses, but more frames"),
+        (frames(1), [POSE] * 2, "poses: 2 poses, but 1 frames"),
+        (frames(1), [2 * POSE], r"poses\[0\]"),
+    ):
+        with pytest.raises(ValueError, match=said):
+            texture(given, poses)
+    with pytest.raises(ValueError, match="mesh: it has no vertices"):
+        texture(frames(1), mesh=loom.TriangleMesh())
+    with pytest.raises(ValueError, match="mesh: it has no triangles, which a texture needs"):
+        loom.color_map.texture_mesh(loom.TriangleMesh(), frames(1), [POSE], size=8)
+    with pytest.raises(loom.color_map.NothingSeenError):
+        texture(frames(1), mesh=wall().translate([0, 0, 100]))
+
+
+ARGUMENTS = {"method": "none", "size": 8, "depth_max": 4.0, "progress": None}
+
+
+@pytest.mark.parametrize("argument", ["mesh", "frames", "poses", *ARGUMENTS])
+def test_a_hostile_value_is_refused_by_name(argument):
+    mesh = wall()
+    mesh.triangle_uvs = (mesh.vertices[mesh.triangles][..., :2] + 0.42).reshape(-1, 2) / 0.84
+    good = {"mesh": mesh, "frames": frames(1), "poses": [POSE], **ARGUMENTS}
+    faults = faults_of(loom.color_map.texture_mesh, good, argument)
+    assert not faults, "\n".join(faults)

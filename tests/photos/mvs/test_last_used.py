@@ -1,0 +1,75 @@
+"""What was used last is kept within the budget, and what is in use makes no room."""
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from pointloom.photos.mvs.last_used import LastUsed
+
+
+class Shelf:
+    """Things of one size, and a note of what was made and what was dropped."""
+
+    def __init__(self, room):
+        self.made, self.dropped = [], []
+        self.kept = LastUsed(room, dropped=self.dropped.append)
+
+    def take(self, key, size=10, beside=None):
+        return self.kept.get(key, size, lambda: self.made.append(key) or key, beside=beside)
+
+
+def test_what_is_kept_is_not_made_again():
+    shelf = Shelf(20)
+    assert [shelf.take(key) for key in (1, 2, 1, 2, 1)] == [1, 2, 1, 2, 1]
+    assert shelf.made == [1, 2] and shelf.dropped == []
+
+
+def test_what_was_not_used_for_longest_makes_room():
+    shelf = Shelf(20)
+    for key in (1, 2, 1, 3, 1, 2):
+        shelf.take(key)
+    assert shelf.made == [1, 2, 3, 2] and shelf.dropped == [2, 3]
+
+
+def test_the_budget_is_filled_to_its_last_byte():
+    shelf = Shelf(20)
+    for key, size in ((1, 10), (2, 10), (3, 1)):
+        shelf.take(key, size)
+    assert shelf.dropped == [1]
+
+
+def test_what_is_in_use_makes_no_room():
+    shelf = Shelf(20)
+    shelf.take("own")
+    for key in (1, 2, 3):
+        shelf.take(key, beside="own")
+    assert shelf.take("own") == "own"
+    assert shelf.made == ["own", 1, 2, 3] and shelf.dropped == [1, 2]
+
+
+def test_what_is_larger_than_the_budget_is_kept_alone():
+    shelf = Shelf(5)
+    for key in (1, 1, 2):
+        shelf.take(key)
+    assert shelf.made == [1, 2] and shelf.dropped == [1]
+    shelf.take(3, beside=2)
+    assert shelf.dropped == [1]
+
+
+def test_what_cannot_be_made_is_not_kept():
+    shelf = Shelf(20)
+    shelf.take(1)
+    with pytest.raises(ZeroDivisionError):
+        shelf.kept.get(2, 10, lambda: 1 // 0)
+    assert shelf.take(1) == 1 and shelf.take(2) == 2 and shelf.made == [1, 2]
+
+
+@given(asked=st.lists(st.tuples(st.integers(0, 6), st.integers(1, 9)), max_size=40), room=st.integers(9, 30))
+@settings(max_examples=100, deadline=None)
+def test_the_budget_holds_whatever_is_asked_for(asked, room):
+    sizes = dict(asked)
+    shelf = Shelf(room)
+    for key, _ in asked:
+        shelf.take(key, sizes[key])
+        held = [k for k in set(shelf.made) if shelf.made.count(k) > shelf.dropped.count(k)]
+        assert key in held and sum(sizes[k] for k in held) <= room

@@ -1,0 +1,189 @@
+"""Programs that are run beside ours: limits, deaths, last words, and nothing left behind."""
+
+from __future__ import annotations
+
+import contextlib
+import io
+import os
+import signal
+import threading
+import time
+from pathlib import Path
+from types import SimpleNamespace
+
+import pytest
+
+import pointloom as loom
+from pointloom.photos.sfm import colmap_jobs, colmap_worker, features, limited_process
+from pointloom.photos.sfm.limited_process import LimitedProcess
+
+from .conftest import write_pictures
+
+# What a worker does instead of its job, and what is then said.
+FAIL = 'print("{{\\"failed\\": \\"{}\\"}}")'
+DEATHS = {
+    "killed": ("os.kill(os.getpid(), signal.SIGKILL)", r"was ended by SIGKILL.*fewer or smaller pictures"),
+    "crashed": ("print('no', file=sys.stderr); os.abort()", r"was ended by SIGABRT; its last words: no"),
+    "hung": ("time.sleep(60)", r"was stopped after 1 s, its limit \(max_seconds\).*Give it more time"),
+    "greedy": ("b = bytearray(10**9); time.sleep(60)", r"of memory; its limit \(max_memory\) is 200.0 MiB"),
+    "out of memory": (FAIL.format("out of memory"), r"out of memory. Give it more memory"),
+    "full disk": (FAIL.format("database or disk is full"), r"free on the disk of .*Free some space"),
+    "without pycolmap": ('print(\'{"missing": "it"}\')', r'the package pycolmap. pip install "pointloom\[sfm\]"'),
+    "refusing": (FAIL.format("ValueError: no"), r"finding features failed: ValueError: no"),
+    "silent": ("pass", r"finding features ended with exit code 0"),
+    "mumbling": ("print('no json'); print('[1]'); sys.exit(7)", r"finding features ended with exit code 7"),
+}
+
+
+@pytest.fixture
+def worker(tmp_path, monkeypatch):
+    """A function that puts other lines in the place of COLMAP's worker."""
+
+    def replace(lines: str) -> None:
+        (tmp_path / "worker.py").write_text(f"import os, signal, subprocess, sys, time\n{lines}\nsys.stdout.flush()\n")
+        monkeypatch.setattr(colmap_jobs, "_WORKER", tmp_path / "worker.py")
+
+    return replace
+
+
+@pytest.mark.parametrize("death", DEATHS)
+def test_a_worker_that_dies_is_an_error_with_its_last_words_and_a_remedy(walked, tmp_path, worker, death):
+    lines, said = DEATHS[death]
+    worker(lines)
+    pictures = write_pictures(tmp_path / "pictures", walked[:2])
+    limits = {"hung": {"max_seconds": 1}, "greedy": {"max_memory": 200 * 2**20}}.get(death, {})
+    began = time.monotonic()
+    with pytest.raises(loom.FileError, match=said):
+        loom.sfm.find_features(pictures, tmp_path / "f.db", **limits)
+    assert time.monotonic() - began < 30
+    assert {path.name for path in tmp_path.iterdir()} == {"pictures", "worker.py"}
+
+
+@pytest.mark.parametrize("package", ["pycolmap", "cv2"])
+def test_a_package_that_is_missing_is_told_with_the_line_that_installs_it(walked, tmp_path, monkeypatch, package):
+    (tmp_path / "gone").mkdir()
+    (tmp_path / "gone" / f"{package}.py").write_text("raise ImportError('no such package')")
+    monkeypatch.setenv("PYTHONPATH", os.fspath(tmp_path / "gone"))
+    pictures = write_pictures(tmp_path / "pictures", walked[:2])
+    if package == "pycolmap":
+        with pytest.raises(loom.FileError, match=r'pip install "pointloom\[sfm\]"'):
+            loom.sfm.find_features(pictures, tmp_path / "f.db")
+    else:
+        (tmp_path / "video.mp4").write_bytes(b"video")
+        with pytest.raises(loom.FileError, match=r"pip install opencv-python-headless"):
+            loom.sfm.choose_frames(tmp_path / "video.mp4", tmp_path / "out", reader="opencv")
+
+
+def is_alive(pid: int) -> bool:
+    with contextlib.suppress(OSError):
+        return " Z " not in Path(f"/proc/{pid}/stat").read_text()
+    return False
+
+
+def wait_for(path: Path) -> list[int]:
+    for _ in range(400):
+        if path.exists() and path.read_text().endswith("\n"):
+            return [int(text) for text in path.read_text().split()]
+        time.sleep(0.05)
+    raise AssertionError(f"{path} was not written")
+
+
+def test_an_interrupt_kills_the_worker_and_its_children(walked, tmp_path, worker):
+    place = tmp_path / "pids"
+    worker(
+        "child = subprocess.Popen(['sleep', '60'])\n"
+        f"open({os.fspath(place)!r}, 'w').write(f'{{os.getpid()}} {{child.pid}}\\n')\n"
+        "signal.signal(signal.SIGINT, signal.SIG_IGN)\ntime.sleep(60)"
+    )
+    pictures = write_pictures(tmp_path / "pictures", walked[:2])
+
+    def interrupt() -> None:
+        wait_for(place)
+        signal.raise_signal(signal.SIGINT)
+
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)  # a job of a script's begins with it ignored
+    threading.Thread(target=interrupt, daemon=True).start()
+    try:
+        with pytest.raises(KeyboardInterrupt):
+            loom.sfm.find_features(pictures, tmp_path / "f.db")
+    finally:
+        signal.signal(signal.SIGINT, before)
+    pids = wait_for(place)
+    for _ in range(100):
+        if not any(map(is_alive, pids)):
+            break
+        time.sleep(0.05)
+    assert [is_alive(pid) for pid in pids] == [False, False]
+    assert not (tmp_path / "f.db").exists()
+
+
+def test_an_error_of_the_caller_ends_the_program():
+    with pytest.raises(ZeroDivisionError), LimitedProcess(["sleep", "60"]) as process:
+        assert process._process is not None
+        pid = process._process.pid
+        _ = 1 // 0
+    assert not is_alive(pid)
+
+
+def test_a_program_that_is_not_there_leaves_nothing_open():
+    with pytest.raises(FileNotFoundError), LimitedProcess(["/no/such/program"]):
+        pass
+
+
+def test_what_a_program_says_last_is_quoted_in_one_line():
+    with LimitedProcess(["sh", "-c", "seq 1000 >&2; exit 3"]) as process:
+        assert process.wait() == 3
+        assert process.last_words() == "995 / 996 / 997 / 998 / 999 / 1000"
+        assert process.why_ended() == "ended with exit code 3"
+
+
+def test_memory_that_a_program_held_is_known():
+    program = "b = b'x' * 10**8\nimport time; time.sleep(1)"
+    with LimitedProcess([colmap_jobs.sys.executable, "-c", program]) as process:
+        process.wait()
+    assert 10**8 < process.peak_bytes < 3 * 10**8
+
+
+def test_threads_that_find_features_fit_into_memory(monkeypatch):
+    monkeypatch.setattr(features, "usable_cores", lambda: 64)
+    size = (3072, 2048)
+    assert features.threads_for([size], 1600, 2**30) == 1
+    assert features.threads_for([size], 1600, 8 * 2**30) == 13
+    assert features.threads_for([(320, 240)], 1600, 8 * 2**30) == 64
+
+
+def test_the_largest_model_is_kept_whichever_came_first(tmp_path):
+    def model(count: int) -> SimpleNamespace:
+        return SimpleNamespace(num_reg_images=lambda: count, write=lambda place: Path(place).write_text(str(count)))
+
+    options = SimpleNamespace(mapper=SimpleNamespace(), triangulation=SimpleNamespace())
+    found = {0: model(3), 1: model(30), 2: model(30), 3: model(7)}
+    pycolmap = SimpleNamespace(IncrementalPipelineOptions=lambda: options, incremental_mapping=lambda *_, **__: found)
+    job = {"threads": 1, "seed": 5, "fixed_camera": True, "database": "", "pictures": "", "scratch": ""}
+    job |= {"model": tmp_path / "model"}
+    assert colmap_worker.map_pictures(pycolmap, job, io.StringIO()) == {"sizes": [30, 30, 7, 3]}
+    assert (tmp_path / "model").read_text() == "30"
+    assert (options.num_threads, options.random_seed, options.ba_refine_focal_length) == (1, 5, False)
+
+
+def test_what_is_no_database_is_refused(tmp_path):
+    (tmp_path / "no.db").write_bytes(b"no database" * 100)
+    for call in (
+        lambda: loom.sfm.match(tmp_path / "no.db", tmp_path / "m.db"),
+        lambda: loom.sfm.map_pictures(tmp_path, tmp_path / "no.db", tmp_path / "sparse"),
+    ):
+        with pytest.raises(loom.FileError, match=r"no.db: cannot be read as a database of COLMAP"):
+            call()
+    assert {path.name for path in tmp_path.iterdir()} == {"no.db"}
+
+
+@pytest.mark.slow
+def test_a_database_without_matches_says_so(stages, tmp_path):
+    with pytest.raises(loom.FileError, match=r"holds no matches. sfm.match makes them"):
+        loom.sfm.map_pictures(stages.pictures, stages.features_db, tmp_path / "sparse")
+
+
+def test_limits_are_checked():
+    assert limited_process.check_limits(None, None) == {"max_seconds": float("inf"), "max_memory": None}
+    with pytest.raises(ValueError, match="max_memory: expected a whole number >= 1048576"):
+        limited_process.check_limits(1, 1000)

@@ -1,0 +1,110 @@
+"""What a model is worth: angles between rays, and whether turning alone explains the pictures."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import pointloom as loom
+from pointloom.photos.sfm.parallax import parallax, triangulation_angles
+
+FOCAL, WIDTH, HEIGHT = 500.0, 640, 480
+
+
+def model_of(poses, points, *, focal=FOCAL, k=0.0, wrong_focal=1.0, noise=0.0) -> loom.SfmModel:
+    """The model of a camera that sees points, kept with another focal length than it has."""
+    true = loom.CameraModel("SIMPLE_RADIAL", WIDTH, HEIGHT, [focal, WIDTH / 2, HEIGHT / 2, k])
+    kept = loom.CameraModel("SIMPLE_RADIAL", WIDTH, HEIGHT, [focal * wrong_focal, WIDTH / 2, HEIGHT / 2, 0.0])
+    rng, seen, pixels = np.random.default_rng(1), [], []
+    for number, T in enumerate(poses):
+        at = true.project(points @ T[:3, :3].T + T[:3, 3])
+        inside = ((at >= 0) & (at < (WIDTH, HEIGHT))).all(axis=1)
+        seen += [(number, point) for point in np.flatnonzero(inside)]
+        pixels.append(at[inside] + rng.normal(0, noise, (inside.sum(), 2)))
+    names = [f"{k:03d}" for k in range(len(poses))]
+    made = {"observations": seen, "pixels": np.concatenate(pixels), "errors": np.full(len(points), 0.5)}
+    return loom.SfmModel(names, [kept] * len(poses), np.array(poses), points=points, **made)
+
+
+def views(count: int, *, side: float, turn: float) -> list[np.ndarray]:
+    found = []
+    for along in np.linspace(-0.5, 0.5, count):
+        yaw, T = turn * along, np.eye(4)
+        T[:3, :3] = [[np.cos(yaw), 0, np.sin(yaw)], [0, 1, 0], [-np.sin(yaw), 0, np.cos(yaw)]]
+        T[:3, 3] = -T[:3, :3] @ [side * along, 0, 0]
+        found.append(T)
+    return found
+
+
+@pytest.fixture
+def points(rng):
+    return np.column_stack([rng.uniform(-4, 4, (900, 2)), rng.uniform(3, 8, 900)])
+
+
+@pytest.mark.parametrize("focal", [0.7, 1.0, 1.5])
+@pytest.mark.parametrize("k", [-0.1, 0.0, 0.1])
+def test_turning_explains_what_a_camera_that_turned_saw_whatever_its_lens(points, focal, k):
+    model = model_of(views(12, side=0.0, turn=0.6), points, k=k, wrong_focal=focal, noise=0.3)
+    assert parallax(model) < 1.0  # of which features that are 0.3 px off make up 0.6
+
+
+@pytest.mark.parametrize("side", [0.2, 1.0])
+def test_turning_does_not_explain_what_a_camera_that_moved_saw(points, side):
+    model = model_of(views(12, side=side, turn=0.3), points, noise=0.3)
+    assert parallax(model) > 3 and parallax(model, fixed=True) >= parallax(model)
+    assert (loom.sfm.judge_model(model, 12).poor is None) == (side == 1.0)  # else the angles are too small
+
+
+def test_a_camera_that_turned_is_refused_though_angles_are_wide(points):
+    seen = model_of(views(12, side=0.0, turn=0.6), points, noise=0.3)
+    moved = seen.T_camera_world.copy()
+    moved[:, 0, 3] = np.linspace(-0.5, 0.5, 12)  # motion that was made up
+    model = loom.SfmModel(
+        seen.names,
+        seen.cameras,
+        moved,
+        points=seen.points,
+        observations=seen.observations,
+        pixels=seen.pixels,
+        errors=seen.errors,
+    )
+    verdict = loom.sfm.judge_model(model, 12)
+    assert verdict.angle > 2 and "the camera hardly moved" in verdict.poor and "move, do not only turn" in verdict.poor
+
+
+def test_far_points_are_uncertain(points):
+    verdict = loom.sfm.judge_model(model_of(views(12, side=0.1, turn=0.3), points * [1, 1, 0.6]), 12)
+    assert verdict.angle < 2 and verdict.poor
+
+
+def test_angles_are_those_of_the_two_rays_that_are_farthest_apart(points):
+    poses = views(9, side=1.0, turn=0.0)
+    model = model_of(poses, points)
+    angles = triangulation_angles(model)
+    for point in range(0, 900, 37):
+        rays = model.centers[model.observations[model.observations[:, 1] == point, 0]] - points[point]
+        rays /= np.linalg.norm(rays, axis=1, keepdims=True)
+        widest = np.degrees(np.arccos(np.clip((rays @ rays.T).min(), -1, 1))) if len(rays) > 1 else 0.0
+        assert angles[point] == pytest.approx(widest, abs=1e-5)
+
+
+def test_points_that_nobody_or_one_saw_have_no_angle():
+    camera = loom.CameraModel("PINHOLE", 64, 48, [60, 60, 32, 24])
+    model = loom.SfmModel(
+        ["a"], [camera], np.eye(4)[None], points=np.ones((2, 3)), observations=[[0, 1]], pixels=[[3.0, 4.0]]
+    )
+    assert triangulation_angles(model).tolist() == [0, 0] and np.isnan(parallax(model))
+    empty = loom.SfmModel([], [], np.zeros((0, 4, 4)))
+    assert triangulation_angles(empty).tolist() == [] and np.isnan(parallax(empty))
+    assert "only 0 points" in loom.sfm.judge_model(empty, 0).poor
+    assert "only 1 of 5 pictures" in loom.sfm.judge_model(model, 5).poor
+
+
+@pytest.mark.parametrize("scale", [1e-6, 1.0, 1e6])
+def test_a_verdict_does_not_depend_on_the_unit_or_the_place(points, scale):
+    model = model_of(views(12, side=1.0, turn=0.3), points)
+    T = np.diag([scale, scale, scale, 1.0])
+    T[:3, 3] = 5e5 * scale, 4e6 * scale, 0
+    moved, before = loom.sfm.judge_model(model.transform(T), 12), loom.sfm.judge_model(model, 12)
+    assert moved.poor is None
+    assert (moved.angle, moved.parallax) == (pytest.approx(before.angle, rel=1e-5), pytest.approx(before.parallax))

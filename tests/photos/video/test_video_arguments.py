@@ -1,0 +1,105 @@
+"""The call behind `pointloom video` refuses arguments that make no sense before it does anything."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+
+import pointloom as loom
+from pointloom.core.errors import DeviceError, FileError
+from pointloom.photos.video.job import reconstruct
+from pointloom.photos.video.outputs import Outputs
+from pointloom.photos.video.settings import Settings
+
+from ...app.commands import names_in
+from ...hostile import faults_of, missing_from, public_arguments, read_table
+
+CALLS = """
+loom.video.reconstruct(source=film, settings=settings, outputs=outputs, work=work, device="cpu", progress=None)
+loom.video.Settings(max_frames=30, max_size=320, intrinsic=None, units=units, seed=0)
+loom.video.Units(scale=2.0, known=None, align=None)
+loom.video.Outputs(mesh="room.ply", cloud="cloud.ply", trajectory="poses.log", picture="room.png")
+"""
+TABLE = {name.removeprefix("video."): call for name, call in read_table(CALLS, {}).items()}
+RESULTS = {"Fit", "KnownPlaces", "StageReport", "VideoFigures", "VideoResult"}
+INSIDE = {"Outputs.check", "Outputs.write", "Units.check_names"}
+
+
+def test_the_table_names_every_argument_of_every_public_call():
+    assert missing_from(TABLE, public_arguments(loom.video, RESULTS | INSIDE)) == {}
+
+
+@pytest.fixture
+def things(quick, film, tmp_path, monkeypatch) -> dict[str, Any]:
+    monkeypatch.chdir(tmp_path)  # where a string of digits is a good name of a folder
+    settings, outputs = loom.video.Settings(), loom.video.Outputs()
+    named = {"loom": loom, "film": film, "settings": settings, "outputs": outputs, "units": loom.video.Units()}
+    return named | {"work": None}
+
+
+@pytest.mark.parametrize("name", TABLE)
+def test_the_good_arguments_are_taken(name, things):
+    function, expressions = TABLE[name]
+    eval(function, things)(**{key: eval(value, dict(things)) for key, value in expressions.items()})
+
+
+CASES = [(name, argument) for name, (_, arguments) in TABLE.items() for argument in arguments]
+
+
+@pytest.mark.parametrize(("name", "argument"), CASES)
+def test_a_hostile_value_is_refused_by_name(name, argument, things):
+    function, expressions = TABLE[name]
+    good = {key: eval(value, dict(things)) for key, value in expressions.items()}
+    faults = faults_of(lambda **given: eval(function, dict(things))(**given), good, argument)
+    assert not faults, "\n".join(faults)
+
+
+@pytest.mark.parametrize(
+    ("given", "error"),
+    [
+        ({"max_frames": 1}, ValueError),
+        ({"max_frames": 2.5}, TypeError),
+        ({"max_frames": True}, TypeError),
+        ({"max_frames": "150"}, TypeError),
+        ({"max_size": 63}, ValueError),
+        ({"max_size": np.nan}, TypeError),
+        ({"max_size": None}, TypeError),
+        ({"seed": -1}, ValueError),
+        ({"seed": "0"}, TypeError),
+        ({"units": "metres"}, TypeError),
+        ({"intrinsic": 5}, TypeError),
+        ({"intrinsic": "nowhere.json"}, FileError),
+    ],
+)
+def test_settings_that_make_no_sense_are_refused(given, error):
+    with pytest.raises(error, match=f"{next(iter(given))}|nowhere|path"):
+        Settings(**given)
+
+
+@pytest.mark.parametrize(
+    ("given", "error"),
+    [
+        ({"source": None}, TypeError),
+        ({"source": 3}, TypeError),
+        ({"outputs": "room.ply"}, TypeError),
+        ({"settings": {"max_frames": 3}}, TypeError),
+        ({"progress": "loud"}, TypeError),
+        ({"device": "gpu"}, (DeviceError, ValueError)),
+        ({"resume": True}, ValueError),
+        ({"work": 3}, TypeError),
+    ],
+)
+def test_calls_that_make_no_sense_do_nothing(quick, film, tmp_path, given, error):
+    call = {"source": film, "outputs": Outputs(mesh=tmp_path / "room.ply")} | given
+    with pytest.raises(error):
+        reconstruct(call.pop("source"), **call)
+    assert quick.ran == []
+    assert names_in(tmp_path) == ["walk.mp4"]
+
+
+def test_two_outputs_in_one_file_are_refused(quick, film, tmp_path):
+    with pytest.raises(FileError, match=r"room\.ply: is given for two outputs"):
+        reconstruct(film, outputs=Outputs(mesh=tmp_path / "room.ply", cloud=tmp_path / "." / "room.ply"))
+    assert quick.ran == []

@@ -1,0 +1,110 @@
+"""`loom.video.reconstruct`: what the command does as one call, and what it gives back."""
+
+import dataclasses
+import json
+
+import numpy as np
+import pytest
+
+import pointloom as loom
+from pointloom.photos.video import chain
+
+from ...app.commands import names_in, run
+from .conftest import COUNT
+
+
+def in_json(result):
+    """The report but for what the work costs."""
+    report = json.loads(json.dumps(result.to_json()))
+    return {name: value for name, value in report.items() if name not in ("stages", "peak_bytes")}
+
+
+def test_a_film_becomes_objects_and_no_files(quick, film, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    result = loom.video.reconstruct(film)
+    assert names_in(tmp_path) == ["walk.mp4"]
+    assert (len(result.mesh), len(result.cloud), len(result.model)) == (2, 3, COUNT)
+    assert (result.files, result.work, result.poor, result.units) == ((), None, None, "arbitrary")
+    found = result.figures
+    assert (found.frame_count, found.picture_count, found.verdict.registered_count) == (80, COUNT, COUNT)
+    assert (found.picture_size, found.confirmed_share, found.triangle_count) == ((64, 48), 0.6, 2)
+
+
+def test_mesh_cloud_and_model_lie_in_one_frame_and_unit(quick, film, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    arbitrary = loom.video.reconstruct(film)
+    metres = loom.video.reconstruct(film, loom.video.Settings(units=loom.video.Units(scale=3.0)))
+    assert (metres.units, metres.fit.scale) == ("metres", 3.0)
+    np.testing.assert_allclose(metres.mesh.vertices, 3 * arbitrary.mesh.vertices, atol=1e-6)
+    np.testing.assert_allclose(metres.cloud.points, 3 * arbitrary.cloud.points, atol=1e-6)
+    np.testing.assert_allclose(metres.model.centers, 3 * arbitrary.model.centers, atol=1e-6)
+
+
+def test_the_command_prints_the_result_and_writes_its_report(quick, film, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    shown = run("video", film, "-o", "room.ply", "--cloud", "cloud.ply", "--work", "work", "--device", "cpu")
+    settings = {"work": "work", "resume": True, "overwrite": True, "device": "cpu"}
+    result = loom.video.reconstruct(film, outputs=loom.video.Outputs("room.ply", cloud="cloud.ply"), **settings)
+    same = [line for line in shown.stdout.splitlines() if not line.startswith(("  seconds", "  memory"))]
+    assert same == [line for line in str(result).splitlines() if not line.startswith(("  seconds", "  memory"))]
+    assert json.loads((tmp_path / "work" / "report.json").read_text()) == json.loads(json.dumps(result.to_json()))
+    assert all(stage.kept for stage in result.stages.values())
+
+
+def test_a_result_that_is_read_again_from_its_records_is_the_same(quick, film, tmp_path):
+    quick.reasons, quick.share = ["only 4 of 8 pictures could be placed: film more slowly"], 0.15
+    first = loom.video.reconstruct(film, work=tmp_path / "work")
+    quick.ran.clear()
+    again = loom.video.reconstruct(film, work=tmp_path / "work", resume=True)
+    assert quick.ran == []
+    assert again.figures == first.figures
+    assert again.reasons == first.reasons and len(first.reasons) == 2
+    assert in_json(again) == in_json(first)
+
+
+def test_pictures_that_do_not_suffice_are_a_result_without_a_mesh(quick, film, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    quick.turned = True
+    result = loom.video.reconstruct(film, outputs=loom.video.Outputs("room.ply"))
+    assert (result.mesh, result.cloud, result.model, result.fit) == (None, None, None, None)
+    assert result.poor == "nothing is known of depth: move, do not only turn; nothing was written"
+    assert [name for name, stage in result.stages.items() if stage is None] == list(chain.STAGES)[4:]
+    assert names_in(tmp_path) == ["walk.mp4"]
+
+
+def test_a_camera_is_taken_as_a_file_or_as_itself(quick, film, tmp_path):
+    camera = loom.PinholeCameraIntrinsic(64, 48, 50.0, 50.0, 31.5, 23.5)
+    loom.write_pinhole_camera_intrinsic(tmp_path / "camera.json", camera)
+    work = tmp_path / "work"
+    loom.video.reconstruct(film, loom.video.Settings(intrinsic=tmp_path / "camera.json"), work=work)
+    quick.ran.clear()
+    loom.video.reconstruct(film, loom.video.Settings(intrinsic=camera), work=work, resume=True)
+    assert quick.ran == []
+
+
+def test_a_result_cannot_be_changed(quick, film, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    with pytest.raises(dataclasses.FrozenInstanceError):
+        loom.video.reconstruct(film).mesh = None
+
+
+@pytest.mark.parametrize(
+    ("name", "after", "recorded"),
+    [
+        ("frames", [], {"source", "max_frames"}),
+        ("features", ["frames"], {"camera", "seed"}),
+        ("matches", ["frames", "features"], {"seed"}),
+        ("model", ["frames", "matches"], {"fixed", "seed"}),
+        ("undistorted", ["frames", "model"], {"max_size"}),
+        ("depth", ["undistorted"], {"seed"}),
+        ("fused", ["undistorted", "depth"], set()),
+        ("mesh", ["undistorted", "fused"], {"units"}),
+    ],
+)
+def test_a_stage_is_made_from_what_its_signature_asks_for(tmp_path, name, after, recorded):
+    given = chain.settings_of_stages("walk.mp4", "digest", loom.video.Settings(), "cpu")
+    names = list(chain.STAGES)
+    made = {each: chain.Made(each, tmp_path / each, each, {}, {}, False) for each in names[: names.index(name)]}
+    stage = chain.stage_of(name, chain.STAGES[name], made, given)
+    assert [each.name for each in stage.after] == after
+    assert set(stage.settings) == recorded

@@ -1,0 +1,156 @@
+"""Posed frames to a mesh: accuracy, order, colour, and what a wrong call is told."""
+
+import dataclasses
+import threading
+
+import numpy as np
+import pytest
+
+import pointloom as loom
+from pointloom.app.scenes.room import room_sequence, surface_errors
+from pointloom.core.errors import FileError
+from pointloom.files.frames.frames import READ_AHEAD
+from pointloom.meshing.volume.surface_weights import WEIGHTS
+
+from .walls import Wall
+
+VOXEL = 0.05
+
+
+@pytest.fixture(scope="module")
+def walk():
+    """12 small frames of the room."""
+    return room_sequence(12, width=160, height=120)
+
+
+class Broken(Wall):
+    """... whose third frame is as `replace` says."""
+
+    def __init__(self, **replace):
+        super().__init__(40)
+        self.replace = replace
+
+    def read(self, index):
+        frame = super().read(index)
+        if index == 2:
+            if not self.replace:
+                raise FileError("frame-2.png", "damaged")
+            return dataclasses.replace(frame, **self.replace)
+        return frame
+
+
+def test_exact_frames_of_the_room_fuse_to_its_surface(device):
+    frames = room_sequence(24, width=320, height=240, noise=False, device=device)
+    mesh = loom.fuse(frames, voxel_size=VOXEL, device=device, read_ahead=0).mesh
+    errors = surface_errors(mesh.vertices, device=device)
+    assert np.median(errors) < 0.05 * VOXEL
+    assert np.mean(errors < VOXEL / 2) > 0.9
+
+
+def test_reading_ahead_changes_no_bit(device, walk):
+    meshes = [loom.fuse(walk, voxel_size=VOXEL, device=device, read_ahead=n).mesh for n in (0, READ_AHEAD)]
+    for name in ("vertices", "triangles", "vertex_colors"):
+        left, right = (getattr(mesh, name) for mesh in meshes)
+        np.testing.assert_array_equal(left, right)
+    assert len(meshes[0]) > 1000
+
+
+def test_the_wall_keeps_its_place_and_its_colour(device):
+    mesh = loom.fuse(Wall(), voxel_size=0.02, device=device).mesh
+    np.testing.assert_allclose(mesh.vertices[:, 2], 1.0, atol=1e-4)
+    np.testing.assert_allclose(mesh.vertex_colors, np.tile([1, 128 / 255, 0], (len(mesh.vertices), 1)), atol=0.005)
+
+
+def test_frames_without_colour_give_a_mesh_without():
+    result = loom.fuse(Wall(color=False), voxel_size=0.02)
+    assert len(result.mesh) > 0
+    assert result.mesh.vertex_colors is None
+
+
+@pytest.mark.parametrize(("frame_count", "threshold"), [(1, 0), (9, 0), (10, 1), (29, 1), (30, 3)])
+def test_the_more_frames_the_more_often_a_voxel_must_be_seen(frame_count, threshold):
+    result = loom.fuse(Wall(frame_count), voxel_size=0.05)
+    assert result.weight_threshold == threshold
+    assert result.frame_count == frame_count
+    assert len(result.mesh) > 0
+    assert [frames for frames, _ in WEIGHTS] == sorted((frames for frames, _ in WEIGHTS), reverse=True)
+
+
+def test_shares_tell_missing_depth_from_depth_out_of_reach():
+    far = loom.fuse(Wall(depth=3000), voxel_size=0.05, depth_max=2.0)
+    assert (far.depth_share, far.used_share) == (1.0, 0.0)
+    none = loom.fuse(Wall(depth=0), voxel_size=0.05)
+    assert (none.depth_share, none.used_share) == (0.0, 0.0)
+    assert len(far.mesh) == len(none.mesh) == 0
+
+
+def test_progress_counts_every_frame():
+    said = []
+    loom.fuse(Wall(4), voxel_size=0.05, progress=lambda *step: said.append(step))
+    assert said == [*(("frames", i, 4) for i in range(5)), ("extract", 0, 0)]
+
+
+@pytest.mark.parametrize("read_ahead", [0, READ_AHEAD])
+def test_a_damaged_frame_ends_the_reading(read_ahead):
+    source = Broken()
+    with pytest.raises(FileError, match=r"frame-2\.png: damaged"):
+        loom.fuse(source, voxel_size=0.05, read_ahead=read_ahead)
+    assert max(source.asked) <= 2 + read_ahead
+    assert not [thread for thread in threading.enumerate() if thread.name.startswith("pointloom-read")]
+
+
+@pytest.mark.parametrize(
+    ("part", "reason"),
+    [
+        ({"T_world_camera": np.diag([2.0, 2, 2, 1])}, "rigid"),
+        ({"T_world_camera": np.full((4, 4), np.nan)}, "rigid"),
+        ({"T_world_camera": np.zeros((4, 4))}, "rigid"),
+        ({"depth": np.ones((24, 31), np.uint16)}, "31 x 24"),
+        ({"color": np.zeros((12, 16, 3), np.uint8)}, "16 x 12"),
+    ],
+)
+def test_a_frame_that_does_not_fit_is_named(part, reason):
+    with pytest.raises(ValueError, match=f"frame frame-2: .*{reason}"):
+        loom.fuse(Broken(**part), voxel_size=0.05)
+
+
+@pytest.mark.parametrize(
+    ("options", "name"),
+    [
+        ({"voxel_size": 0.0}, "voxel_size"),
+        ({"voxel_size": 0.1, "truncation": 0.01}, "truncation"),
+        ({"depth_max": -1.0}, "depth_max"),
+        ({"read_ahead": -1}, "read_ahead"),
+        ({"weight_threshold": -1.0}, "weight_threshold"),
+    ],
+)
+def test_options_out_of_range_are_named(options, name):
+    with pytest.raises(ValueError, match=name):
+        loom.fuse(Wall(), **options)
+
+
+def test_no_frame_is_an_error():
+    with pytest.raises(ValueError, match="at least one frame"):
+        loom.fuse(Wall(0))
+
+
+def test_threads_follow_the_chosen_compiler(device):
+    """What is read ahead may launch kernels; the caller's choice of compiler holds for them."""
+    from pointloom.kernels.lang import current_cpu_compiler
+
+    seen = []
+
+    class Asking(Wall):
+        def read(self, index):
+            seen.append((threading.current_thread().name.startswith("pointloom-read"), current_cpu_compiler()))
+            return super().read(index)
+
+    loom.fuse(Asking(3), voxel_size=0.05, device=device)
+    assert set(seen) == {(True, current_cpu_compiler())}
+
+
+@pytest.mark.parametrize(("depth_max", "used"), [(0.999, 0.0), (1.0, 1.0), (1.001, 1.0)])
+def test_a_depth_at_the_limit_counts_as_used_and_is_fused(depth_max, used):
+    result = loom.fuse(Wall(depth=1000), voxel_size=0.05, depth_max=depth_max)
+    assert (result.depth_share, result.used_share) == (1.0, used)
+    assert (len(result.mesh) > 0) == bool(used)

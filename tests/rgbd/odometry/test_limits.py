@@ -1,0 +1,40 @@
+"""The limits of a verdict by the sums of made-up pairs: each counts by itself."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from pointloom.kernels.rgbd import verdict_rows as at
+from pointloom.kernels.rgbd.alignment import Alignment
+from pointloom.rgbd.odometry.verdicts import _first_fault
+
+
+def fault_of(**sums):
+    """What is said of a pair of 1,000 pixels of which 900 meet depth and 800 lie on the surface, with other sums."""
+    verdict = np.zeros(at.EXCESS + 1)
+    good = {"PIXELS": 1000, "SEEN": 900, "INLIERS": 800, "IN_FRONT": 10, "NORMALS": 800, "AGREEING": 780, "PLANES": 800}
+    for name, value in (good | {"EXCESS": 800.0} | sums).items():
+        verdict[getattr(at, name)] = value
+    none = np.zeros(21)
+    found = Alignment(np.eye(4), 5, np.ones(4), none, verdict, none)
+    return _first_fault(found, *(verdict[k] for k in (at.PIXELS, at.SEEN, at.INLIERS)))
+
+
+def test_a_pair_that_agrees_has_no_fault():
+    assert fault_of() == ""
+
+
+@pytest.mark.parametrize(
+    ("sums", "fault"),
+    [
+        ({"PIXELS": 0}, "the source has no depth"),
+        ({"SEEN": 200, "INLIERS": 180}, "only 20 % of the source's pixels meet depth in the target"),
+        ({"INLIERS": 450}, "only 50 % of the pixels that meet depth lie on its surface"),
+        ({"IN_FRONT": 180}, "20 % of the source's pixels lie where the target looked through"),
+        ({"AGREEING": 640}, "only 80 % of the normals agree"),
+        ({"EXCESS": 12_800.0}, "the surfaces lie 4.0 times as far apart as noise explains"),
+    ],
+)
+def test_each_sum_counts(sums, fault):
+    assert fault_of(**sums) == fault

@@ -1,0 +1,53 @@
+"""Real frames: the kitchen's poses are found, and frames that show other places are no success."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from PIL import Image
+
+import pointloom as loom
+
+from .made_frames import errors_of
+
+od = loom.odometry
+
+
+@pytest.fixture(scope="module")
+def kitchen(data):
+    """A function that prepares a frame, and its pose."""
+    frames = loom.open_dataset(data / "rgbd-7scenes-redkitchen")
+
+    def prepare(i):
+        frame = frames.read(int(i))
+        return od.OdometryFrame(frame.depth, frames.intrinsic, frame.color), frame.T_world_camera
+
+    return prepare
+
+
+@pytest.mark.slow
+def test_ten_pairs_of_the_kitchen(kitchen, tolerances):
+    errors = []
+    for i in np.linspace(0, 289, 10).astype(int):
+        (source, first), (target, second) = kitchen(i), kitchen(i + 10)
+        result = od.align_frames(source, target)
+        assert result.success, result.reason
+        errors.append(errors_of(result.transformation, np.linalg.inv(second) @ first))
+    angle, distance = np.median(errors, axis=0)
+    assert angle < tolerances.odometry_kitchen_angle and distance < tolerances.odometry_kitchen_distance
+
+
+@pytest.mark.parametrize(("i", "j"), [(0, 200), (40, 250), (280, 10), (90, 299)])
+def test_far_apart_in_the_kitchen(kitchen, i, j):
+    assert not od.align_frames(kitchen(i)[0], kitchen(j)[0]).success
+
+
+def test_a_desk_is_no_kitchen(kitchen, data):
+    folder = data / "rgbd-slambook-ch7"
+    camera = loom.PinholeCameraIntrinsic(640, 480, 521.0, 521.0, 325.1, 249.7)
+    desks = []
+    for name in "12":
+        depth, color = (np.asarray(Image.open(folder / f"{name}{part}.png")) for part in ("_depth", ""))
+        desks.append(od.OdometryFrame(depth, camera, color[..., :3], depth_scale=5000.0))
+    assert od.align_frames(*desks).success
+    assert not od.align_frames(desks[0], kitchen(0)[0]).success

@@ -1,0 +1,218 @@
+"""The whole system: a model of what hangs together, and an account of what does not."""
+
+import dataclasses
+import json
+import os
+import subprocess
+import sys
+import weakref
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import pointloom as loom
+from pointloom.app.scenes.room import surface_errors
+from pointloom.core.errors import FileError
+from pointloom.core.wording import to_json
+from pointloom.files.frames.datasets import Frame
+
+from .walks import Walk, blank, config, frame_at
+
+run_system = loom.reconstruction.run_system
+ROOT = Path(__file__).resolve().parents[3]
+
+
+def digest_of(folder):
+    """What the files of a job hold, but for times."""
+    paths = sorted(path for path in folder.rglob("*") if path.is_file())
+    return {path.relative_to(folder).as_posix(): path.read_bytes() for path in paths}
+
+
+def on_the_truth(report, walk, folder):
+    """The vertices of the model, its first camera laid on the true one."""
+    path = loom.read_trajectory(folder / "scene" / "trajectory.log")
+    T = walk.read(int(path.ids[0, 0])).T_world_camera @ np.linalg.inv(path.poses[0])
+    vertices = loom.read_triangle_mesh(folder / "scene" / "integrated.ply").vertices
+    return vertices @ T[:3, :3].T + T[:3, 3]
+
+
+@pytest.fixture(scope="module")
+def room(tmp_path_factory):
+    """A walk of nine frames in three fragments, and what was made of it."""
+    folder, walk = tmp_path_factory.mktemp("job"), Walk(range(9), width=160)
+    report = run_system(walk, config(n_frames_per_fragment=3), folder)
+    return walk, folder, report
+
+
+@pytest.mark.slow
+def test_frames_without_poses_become_the_room(room):
+    walk, folder, report = room
+    assert (report["used"], report["lost"], report["poor"]) == (9, [], None)
+    assert [fragment["frames"] for fragment in report["fragments"]] == [3, 3, 3]
+    assert all(fragment["placed"] for fragment in report["fragments"])
+    assert report["trajectory_error"]["rmse"] < 0.01
+    errors = surface_errors(on_the_truth(report, walk, folder))
+    assert np.median(errors) < 0.01
+    assert len(errors) == report["mesh"]["vertices"] > 3000
+
+
+def test_the_report_is_json_and_names_files_that_are_there(room):
+    _, _, report = room
+    assert json.loads(to_json(report))["used"] == 9
+    assert [Path(path).name for path in report["files"]] == ["integrated.ply", "trajectory.log"]
+    assert all(Path(path).is_file() for path in report["files"])
+
+
+def test_open3d_reads_the_pose_graphs(room):
+    import open3d as o3d
+
+    _, folder, report = room
+    graph = o3d.io.read_pose_graph(str(folder / "scene" / "refined_registration_optimized.json"))
+    assert (len(graph.nodes), len(graph.edges)) == (3, report["edges"])
+    assert len(o3d.io.read_pose_graph(str(folder / "fragments" / "fragment_optimized_000.json")).nodes) == 3
+
+
+def test_the_path_names_the_frames(room):
+    _, folder, _ = room
+    path = loom.read_trajectory(folder / "scene" / "trajectory.log")
+    assert path.ids.tolist() == [[i, i, 9] for i in range(9)]
+
+
+def test_each_stage_can_be_run_by_itself(room, tmp_path):
+    walk, folder, _ = room
+    settings = config(n_frames_per_fragment=3)
+    loom.reconstruction.make_fragments(walk, settings, tmp_path)
+    loom.reconstruction.register_fragments(settings, tmp_path)
+    placed = loom.reconstruction.integrate_scene(walk, settings, tmp_path)
+    loom.reconstruction.refine_registration(settings, tmp_path)
+    refined = loom.reconstruction.integrate_scene(walk, settings, tmp_path)
+    settings.write(tmp_path / "config.json")
+    assert not np.array_equal(placed.T_world_camera, refined.T_world_camera)
+    assert digest_of(tmp_path) == digest_of(folder)
+
+
+def test_a_stage_wants_the_one_before(tmp_path):
+    with pytest.raises(FileError, match="Run make_fragments"):
+        loom.reconstruction.register_fragments(config(), tmp_path)
+    loom.reconstruction.make_fragments(Walk([0, 1]), config(), tmp_path)
+    for stage in (
+        lambda: loom.reconstruction.refine_registration(config(), tmp_path),
+        lambda: loom.reconstruction.integrate_scene(Walk([0, 1]), config(), tmp_path),
+    ):
+        with pytest.raises(FileError, match="Run register_fragments"):
+            stage()
+
+
+def test_fragments_made_again_are_placed_again(tmp_path):
+    run_system(Walk([0, 1]), config(), tmp_path)
+    loom.reconstruction.make_fragments(Walk([0, 1, 2]), config(), tmp_path)
+    with pytest.raises(FileError, match="made again since"):
+        loom.reconstruction.integrate_scene(Walk([0, 1, 2]), config(), tmp_path)
+
+
+def test_parts_that_cannot_be_joined_are_listed(tmp_path):
+    report = run_system(Walk([0, 1, 2, 3, 40, 41]), config(), tmp_path)
+    assert report["used"] == 4
+    (lost,) = report["lost"]
+    assert (lost["first"], lost["last"], lost["count"], lost["stage"]) == (
+        "frame-4",
+        "frame-5",
+        2,
+        "register_fragments",
+    )
+    assert "2 of 6 frames are not in the model" in report["poor"]
+    assert [fragment["placed"] for fragment in report["fragments"]] == [True, False]
+
+
+@pytest.mark.slow
+def test_parts_that_meet_again_are_joined_without_odometry(tmp_path):
+    walk = Walk([0, 1, 2, 40, 41, 42, 2, 1, 0], width=160)
+    report = run_system(walk, config(), tmp_path)
+    assert [fragment["placed"] for fragment in report["fragments"]] == [True, False, True]
+    assert [fragment["joined"] for fragment in report["fragments"]] == [False, False, False]
+    assert report["trajectory_error"]["rmse"] < 0.01
+
+
+def test_one_frame_is_a_model(tmp_path):
+    report = run_system(Walk([0]), config(), tmp_path)
+    assert (report["used"], report["poor"]) == (1, None)
+    assert report["mesh"]["vertices"] > 1000
+
+
+def test_blank_frames_leave_no_model_and_say_so(tmp_path):
+    report = run_system(Walk([0, 1], changed={i: blank(frame_at(i)) for i in (0, 1)}), config(), tmp_path)
+    assert (report["used"], report["files"], report["mesh"]) == (0, [], None)
+    assert report["lost"][0]["count"] == 2
+    assert "nothing was written" in report["poor"]
+
+
+class Stream:
+    """Frames that come once, one after the other."""
+
+    depth_scale = 1000.0
+
+    def __init__(self, walk):
+        self.intrinsic, self.frames = walk.intrinsic, [walk.read(i) for i in range(len(walk))]
+
+    def __iter__(self):
+        while self.frames:
+            frame = self.frames.pop(0)
+            yield Frame(frame.depth, frame.color, None, frame.name)
+
+
+def test_a_stream_is_recorded_and_then_read_as_often_as_needed(tmp_path):
+    walk = Walk(range(4))
+    report = run_system(Stream(walk), config(), tmp_path)
+    assert (report["used"], report["trajectory_error"]) == (4, None)
+    assert len(loom.open_frames(tmp_path / "frames")) == 4
+    again = run_system(Stream(Walk([])), config(), tmp_path, resume=True)
+    assert again["resumed"] == {"fragments": 1}
+    with pytest.raises(FileError, match="frames"):
+        run_system(Stream(walk), config(), tmp_path)
+
+
+def test_progress_tells_every_stage(tmp_path):
+    seen = []
+    run_system(Walk(range(4)), config(n_frames_per_fragment=2), tmp_path, progress=lambda *step: seen.append(step))
+    assert list(dict.fromkeys(stage for stage, _, _ in seen)) == ["frames", "pairs", "refine", "integrate", "extract"]
+    assert ("frames", 4, 4) in seen
+    assert ("integrate", 4, 4) in seen
+
+
+def test_frames_are_not_held(tmp_path):
+    walk, alive, most = Walk(range(8)), [], []
+    inner = walk.read
+
+    def read(index):
+        frame = inner(index)
+        frame = dataclasses.replace(frame, depth=frame.depth.copy())
+        alive.append(weakref.ref(frame.depth))
+        most.append(sum(ref() is not None for ref in alive))
+        return frame
+
+    walk.read = read
+    run_system(walk, config(n_frames_per_fragment=4), tmp_path)
+    assert len(most) == 24  # twice for fragments, once for the scene
+    assert max(most) <= 6  # those decoded ahead
+
+
+@pytest.mark.parametrize("settings", [None, {}, "config.json"], ids=["None", "a dictionary", "a path"])
+def test_a_configuration_is_one(tmp_path, settings):
+    with pytest.raises(TypeError, match="config: expected a ReconstructionConfig"):
+        loom.reconstruction.make_fragments(Walk([0]), settings, tmp_path)
+
+
+@pytest.mark.slow
+def test_the_number_of_threads_changes_no_bit(tmp_path):
+    program = f"""
+import sys
+sys.path.insert(0, {str(ROOT)!r})
+from tests.rgbd.reconstruction.walks import Walk, config
+import pointloom as loom
+loom.reconstruction.run_system(Walk(range(5)), config(n_frames_per_fragment=3), {str(tmp_path / "one")!r})
+"""
+    environment = os.environ | {"POINTLOOM_CPU_THREADS": "1", "PYTHONPATH": str(ROOT / "src")}
+    subprocess.run([sys.executable, "-c", program], env=environment, check=True, timeout=300)
+    run_system(Walk(range(5)), config(n_frames_per_fragment=3), tmp_path / "all")
+    assert digest_of(tmp_path / "one") == digest_of(tmp_path / "all")

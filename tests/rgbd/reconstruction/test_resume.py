@@ -1,0 +1,156 @@
+"""What an earlier run finished is kept where it still fits, and made again where it does not."""
+
+import errno
+import io
+import os
+
+import numpy as np
+import pytest
+
+import pointloom as loom
+from pointloom.core import atomic
+from pointloom.core.errors import FileError
+
+from ...interruptions import run_lines
+from .test_job import digest_of
+from .walks import Walk, blank, config, frame_at
+
+run_system = loom.reconstruction.run_system
+FILES = tuple(
+    f"rgbd/reconstruction/{name}.py" for name in ("fragments", "walk", "placement", "refinement", "scene", "job")
+)
+SETTINGS = config(n_frames_per_fragment=3)
+
+
+def the_walk():
+    """Seven frames with a covered one among them: two fragments, the second bridged."""
+    return Walk(range(7), changed={3: blank(frame_at(3))})
+
+
+@pytest.fixture(scope="module")
+def whole(tmp_path_factory):
+    """What an uninterrupted run leaves."""
+    folder = tmp_path_factory.mktemp("whole")
+    run_system(the_walk(), SETTINGS, folder)
+    return digest_of(folder)
+
+
+def test_a_run_that_is_done_is_kept_as_it_is(tmp_path, whole):
+    first = run_system(the_walk(), SETTINGS, tmp_path)
+    times = {path: path.stat().st_mtime_ns for path in tmp_path.rglob("*.ply")}
+    again = run_system(the_walk(), SETTINGS, tmp_path, resume=True)
+    assert again["resumed"] == {"fragments": 2}
+    assert {path: path.stat().st_mtime_ns for path in tmp_path.rglob("*.ply")} == times
+    for name in ("lost", "fragments", "mesh", "trajectory_error", "poor"):
+        assert again[name] == first[name]
+    assert digest_of(tmp_path) == whole
+
+
+@pytest.mark.slow
+def test_an_interrupted_run_resumes_to_the_same_bits(tmp_path, whole):
+    lines = run_lines(lambda: run_system(the_walk(), SETTINGS, tmp_path / "all"), FILES)
+    for k, stop in enumerate(np.linspace(1, lines - 1, 9).astype(int).tolist()):
+        folder = tmp_path / str(k)
+        assert run_lines(lambda folder=folder: run_system(the_walk(), SETTINGS, folder), FILES, stop) == stop
+        run_system(the_walk(), SETTINGS, folder, resume=True)
+        assert digest_of(folder) == whole, f"interrupted before line {stop} of {lines}"
+
+
+def test_an_interruption_loses_one_fragment_at_most(tmp_path):
+    walk = the_walk()
+    inner = walk.read
+
+    def read(index):
+        if index == 6 and (tmp_path / "records" / "fragment_000.json").exists():
+            raise KeyboardInterrupt
+        return inner(index)
+
+    walk.read = read
+    with pytest.raises(KeyboardInterrupt):
+        run_system(walk, SETTINGS, tmp_path)
+    assert run_system(the_walk(), SETTINGS, tmp_path, resume=True)["resumed"] == {"fragments": 1}
+
+
+class FullDisk(io.FileIO):
+    """A file on a disk that has little room left, for all files together."""
+
+    room = 0
+
+    def write(self, data):
+        FullDisk.room -= len(data)
+        if FullDisk.room < 0:
+            raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+        return super().write(data)
+
+
+@pytest.mark.parametrize("room", [0, 3000, 200_000, 1_500_000])
+def test_a_full_disk_is_said_and_the_run_goes_on_from_there(tmp_path, monkeypatch, whole, room):
+    FullDisk.room = room
+    with monkeypatch.context() as patch:
+        patch.setattr(atomic.os, "fdopen", lambda handle, mode: FullDisk(handle, "wb"))
+        with pytest.raises(FileError, match="No space left"):
+            run_system(the_walk(), SETTINGS, tmp_path)
+    assert not list(tmp_path.rglob("*.part"))
+    run_system(the_walk(), SETTINGS, tmp_path, resume=True)
+    assert digest_of(tmp_path) == whole
+
+
+@pytest.mark.parametrize("name", ["fragments/fragment_001.ply", "scene/integrated.ply", "records/refine.json"])
+def test_a_damaged_file_is_made_again(tmp_path, whole, name):
+    run_system(the_walk(), SETTINGS, tmp_path)
+    path = tmp_path / name
+    path.write_bytes(path.read_bytes()[:-40])
+    run_system(the_walk(), SETTINGS, tmp_path, resume=True)
+    assert digest_of(tmp_path) == whole
+
+
+def test_another_configuration_is_another_run(tmp_path):
+    run_system(the_walk(), SETTINGS, tmp_path)
+    finer = config(n_frames_per_fragment=2)
+    report = run_system(the_walk(), finer, tmp_path, resume=True)
+    assert report["resumed"] == {"fragments": 0}
+    assert [fragment["frames"] for fragment in report["fragments"]] == [2, 2]
+
+
+def test_a_stage_is_made_again_where_its_own_names_change(tmp_path):
+    first = run_system(the_walk(), SETTINGS, tmp_path)
+    report = run_system(the_walk(), config(n_frames_per_fragment=3, tsdf_voxel_size=0.04), tmp_path, resume=True)
+    assert report["resumed"] == {"fragments": 2}
+    assert report["mesh"]["vertices"] < first["mesh"]["vertices"]
+
+
+def test_a_changed_frame_is_made_again_from_there_on(tmp_path):
+    run_system(Walk(range(6)), SETTINGS, tmp_path)
+    changed = Walk(range(6), changed={4: {"depth": frame_at(4).depth + np.uint16(1)}})
+    assert run_system(changed, SETTINGS, tmp_path, resume=True)["resumed"] == {"fragments": 1}
+
+
+@pytest.mark.slow
+def test_a_walk_that_grew_keeps_what_was_complete(tmp_path):
+    run_system(Walk(range(5)), SETTINGS, tmp_path)
+    report = run_system(Walk(range(8)), SETTINGS, tmp_path, resume=True)
+    assert report["resumed"] == {"fragments": 1}
+    assert [fragment["frames"] for fragment in report["fragments"]] == [3, 3, 2]
+
+
+def test_a_walk_that_shrank_leaves_no_fragment_of_the_old_one(tmp_path):
+    run_system(Walk(range(6)), SETTINGS, tmp_path)
+    report = run_system(Walk(range(3)), SETTINGS, tmp_path, resume=True)
+    assert [fragment["frames"] for fragment in report["fragments"]] == [3]
+    assert report["used"] == 3
+    assert not list(tmp_path.rglob("*_001.*"))
+
+
+@pytest.mark.slow
+def test_fragments_of_an_older_run_are_gone_even_where_it_was_interrupted_while_removing_them(tmp_path):
+    run_system(Walk(range(8)), config(n_frames_per_fragment=2), tmp_path)
+    (tmp_path / "records" / "fragment_001.json").unlink()
+    report = run_system(Walk(range(4)), config(n_frames_per_fragment=2), tmp_path, resume=True)
+    assert report["used"] == 4
+    assert not list(tmp_path.rglob("*_003.*"))
+
+
+def test_without_resume_nothing_is_kept(tmp_path):
+    run_system(the_walk(), SETTINGS, tmp_path)
+    walk = the_walk()
+    assert run_system(walk, SETTINGS, tmp_path)["resumed"] == {"fragments": 0}

@@ -1,0 +1,44 @@
+"""Sequences of frames: parts of longer ones, and some of a wavy wall."""
+
+import numpy as np
+
+import pointloom as loom
+from pointloom.files.frames.datasets import Frame
+
+
+class Part:
+    """The first frames of a sequence, one in `every` of it."""
+
+    def __init__(self, sequence, count: int, every: int = 1):
+        self.sequence, self.count, self.every = sequence, count, every
+        self.intrinsic, self.depth_scale = sequence.intrinsic, sequence.depth_scale
+
+    def __len__(self) -> int:
+        return self.count
+
+    def __iter__(self):
+        return (self.read(i) for i in range(self.count))
+
+    @property
+    def poses(self) -> np.ndarray:
+        return self.sequence.poses[: self.count * self.every : self.every]
+
+    def read(self, index):
+        return self.sequence.read(index * self.every)
+
+
+CAMERA = loom.PinholeCameraIntrinsic(64, 48, 60.0, 60.0, 31.5, 23.5)
+
+
+def waves():
+    """Frames with a camera that moves sideways by a centimetre a frame."""
+    frames = []
+    for i in range(6):
+        v, u = np.mgrid[:48, :64]
+        x = (u - 31.5) / 60 + 0.01 * i
+        pose = np.eye(4)
+        pose[0, 3] = 0.01 * i
+        depth = np.rint(1000 + 60 * np.sin(9 * x) * np.cos(v / 7)).astype(np.uint16)
+        color = np.stack([4 * u, 5 * v, 3 * u], axis=2).astype(np.uint8)
+        frames.append(Frame(depth, color, pose, f"frame-{i:06d}", 0.1 * i))
+    return frames

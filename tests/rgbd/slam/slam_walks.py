@@ -1,0 +1,60 @@
+"""A short walk through the furnished room in tiny pictures, and what may happen to its frames."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import cache
+from types import SimpleNamespace
+from typing import Any
+
+import numpy as np
+
+import pointloom as loom
+from pointloom.app.scenes.room import room_loop_sequence
+from pointloom.rgbd.slam.dense_slam import DenseSLAM
+
+WIDTH, HEIGHT = 80, 60
+VOXEL = 0.04  # [m] some 4 pixels of the near things, 2 of the far
+LOOP = 300  # frames of the whole loop: 1 to 3 degrees and 1 to 3 cm a frame
+
+
+@cache
+def walk() -> Any:
+    return room_loop_sequence(LOOP, width=WIDTH, height=HEIGHT)
+
+
+@cache
+def frame(index: int) -> Any:
+    """A frame of the walk, rendered on the CPU and kept."""
+    return walk().read(index)
+
+
+def frames(*indices: int) -> list[Any]:
+    return [frame(index) for index in indices]
+
+
+def changed(original: Any, **changes: Any) -> Any:
+    """A frame with other pictures or another time."""
+    kept = {name: getattr(original, name) for name in ("depth", "color", "name", "timestamp", "T_world_camera")}
+    return SimpleNamespace(**{**kept, **changes})
+
+
+def blank(original: Any) -> Any:
+    return changed(original, depth=np.zeros_like(original.depth), color=np.zeros_like(original.color))
+
+
+def begun(device: str, **options: Any) -> DenseSLAM:
+    """A DenseSLAM that has seen nothing, and begins where the walk does."""
+    start = {"T_init": frame(0).T_world_camera, "voxel_size": VOXEL, "device": device}
+    return loom.slam.DenseSLAM(walk().intrinsic, **{**start, **options})
+
+
+def error_of(result: Any, true: Any) -> tuple[float, float]:
+    """How far a result is off: [m], [degrees]."""
+    turn = result.pose[:3, :3].T @ true.T_world_camera[:3, :3]
+    angle = np.degrees(np.arccos(np.clip((np.trace(turn) - 1) / 2, -1, 1)))
+    return float(np.linalg.norm(result.pose[:3, 3] - true.T_world_camera[:3, 3])), float(angle)
+
+
+def verdicts(results: Sequence[Any]) -> list[str]:
+    return [result.verdict for result in results]

@@ -1,0 +1,203 @@
+"""Closing loops: drift goes, good poses stay, and what looks alike bends nothing."""
+
+import dataclasses
+import itertools
+
+import numpy as np
+import pytest
+
+from pointloom.registration.rigid import invert_pose, pose_error, pose_of
+from pointloom.rgbd.slam import loops as loops_module
+from pointloom.rgbd.slam.loops import close_loops, corrected_trajectory, fuse_submaps
+from pointloom.rgbd.slam.submaps import Submap
+
+from .loop_scenes import hall_run, moved, room_run, surface_error, trajectory_error
+
+
+@pytest.fixture(scope="module")
+def closed():
+    """The drifted run with its loops closed: (submaps, tracked, true, LoopClosure)."""
+    submaps, tracked, true = room_run()
+    return submaps, tracked, true, close_loops(submaps)
+
+
+def farthest_shift(poses, submaps):
+    """How far submaps were moved [m, or rad on an arm of a metre]."""
+    return max(sum(pose_error(T, s.T_world_submap)) for T, s in zip(poses, submaps, strict=True))
+
+
+def bits_of(closure, order):
+    """All bits of a closure, submaps in the order of the run; `order` is where each stands in the list given."""
+    place = {given: k for k, given in enumerate(order)}
+    pairs = sorted((place[p.source], place[p.target], p.T_target_source.tobytes(), p.score) for p in closure.loops)
+    return closure.T_world_submap[order].tobytes(), pairs
+
+
+@pytest.mark.slow
+def test_closing_loops_takes_drift_out_of_the_trajectory(closed):
+    submaps, tracked, true, closure = closed
+    numbers, poses = corrected_trajectory(submaps, closure.T_world_submap)
+    assert (numbers == np.arange(len(true))).all()
+    before, after = trajectory_error(tracked, true), trajectory_error(poses, true)
+    assert before > 0.015
+    assert after < 0.01 and after < before / 2
+    assert len(closure.loops) >= len(submaps) and (closure.groups == 0).all()
+
+
+@pytest.mark.slow
+def test_fusing_at_corrected_poses_takes_drift_out_of_the_surface(closed):
+    submaps, tracked, true, closure = closed
+    _, poses = corrected_trajectory(submaps, closure.T_world_submap)
+    before = surface_error(fuse_submaps(submaps), tracked, true)
+    after = surface_error(fuse_submaps(submaps, closure.T_world_submap), poses, true)
+    assert after < 0.01 and after < 0.6 * before
+
+
+def test_every_loop_that_is_taken_is_right(closed):
+    submaps, _, true, closure = closed
+    middles = [len(s.frames) // 2 for s in submaps]
+    truth = [true[s.frames[k]] @ invert_pose(s.T_submap_camera[k]) for s, k in zip(submaps, middles, strict=True)]
+    for loop in closure.loops:
+        angle, shift = pose_error(loop.T_target_source, invert_pose(truth[loop.target]) @ truth[loop.source])
+        assert angle < np.radians(1.5) and shift < 0.08  # what was lost within the two
+
+
+@pytest.mark.slow
+def test_the_order_of_submaps_does_not_matter(closed):
+    submaps, _, _, closure = closed
+    order = list(np.random.default_rng(0).permutation(len(submaps)))
+    again = close_loops([submaps[i] for i in order])
+    assert bits_of(again, np.argsort(order)) == bits_of(closure, np.arange(len(submaps)))
+
+
+@pytest.mark.slow
+def test_right_poses_stay():
+    submaps, _, true = room_run(drift=0.0)
+    closure = close_loops(submaps)
+    _, poses = corrected_trajectory(submaps, closure.T_world_submap)
+    assert closure.loops
+    assert trajectory_error(poses, true) < 0.004
+
+
+@pytest.mark.slow
+def test_another_room_that_looks_alike_stays_where_it_is():
+    """The same room again, 7 m on: nothing that is believed there may pull them together."""
+    submaps, _, _ = room_run(drift=0.0)
+    there = pose_of(np.array([0, 0, 0, 7.0, 0, 0]))
+    pair = [submaps[0], submaps[5]]
+    twins = [*pair, *(moved(s, there, frames=s.frames + 1000, follows=True) for s in pair)]
+    closure = close_loops(twins)
+    assert all(loop.target // 2 == loop.source // 2 for loop in closure.loops)
+    assert farthest_shift(closure.T_world_submap, twins) < 0.02
+
+
+def test_a_symmetric_hall_is_not_turned_round(device):
+    """Its two ends lie on each other as well as on themselves, and three planes fit any other."""
+    parts = [hall_run(device, 4, (0.0, 1.2)), hall_run(device, 4, (np.pi, np.pi + 1.2), first=10)]
+    closure = close_loops(parts, voxel_size=0.1, drift=2.0)
+    assert closure.loops == []
+    assert farthest_shift(closure.T_world_submap, parts) == 0.0
+
+
+@pytest.mark.slow
+def test_a_loop_that_contradicts_the_others_is_dropped(closed, monkeypatch):
+    submaps, _, true, closure = closed
+    known = {(p.source, p.target) for p in closure.loops}
+    wrong = max((p for p in closure.loops), key=lambda p: p.source - p.target)
+    off = pose_of(np.array([0.1, 0.0, 0.1, 0.3, -0.2, 0.1]))
+    found = loops_module.verify_near
+
+    def deceived(surfaces, candidates):
+        loops = found(surfaces, candidates)
+        return [
+            dataclasses.replace(p, T_target_source=off @ p.T_target_source)
+            if (p.source, p.target) == (wrong.source, wrong.target)
+            else p
+            for p in loops
+        ]
+
+    monkeypatch.setattr(loops_module, "verify_near", deceived)
+
+    def unrefined(surfaces, loops):
+        return [dataclasses.replace(p, residual=0.01) for p in loops]
+
+    monkeypatch.setattr(loops_module, "refine", unrefined)
+    misled = close_loops(submaps)
+    _, poses = corrected_trajectory(submaps, misled.T_world_submap)
+    taken = {(p.source, p.target) for p in misled.loops}
+    assert (wrong.source, wrong.target) in known - taken
+    reasons = {(p.source, p.target): p.refused for p in misled.refused}
+    assert "contradicts" in reasons[wrong.source, wrong.target]
+    assert trajectory_error(poses, true) < 0.012
+
+
+@pytest.mark.slow
+def test_submaps_after_a_loss_are_found_again():
+    """Two that tracking put metres away, turned round, after it was lost."""
+    submaps, _, _ = room_run(drift=0.0)
+    lost = pose_of(np.array([0.0, 0.0, 2.5, 9.0, 4.0, 1.0]))
+    run = [*submaps[:2], moved(submaps[5], lost, follows=False), moved(submaps[6], lost)]
+    closure = close_loops(run)
+    assert (closure.groups == 0).all()
+    for T, k in zip(closure.T_world_submap[2:], (5, 6), strict=True):
+        angle, shift = pose_error(T, submaps[k].T_world_submap)
+        assert angle < np.radians(1) and shift < 0.03
+
+
+def test_submaps_that_nothing_joins_stay_in_a_group_of_their_own(device):
+    parts = [hall_run(device, 4, (0.0, 1.2)), hall_run(device, 4, (2.0, 3.2), first=10)]
+    far = moved(parts[1], pose_of(np.array([0, 0, 0, 50.0, 0, 0])), follows=False)
+    closure = close_loops([far, parts[0]], voxel_size=0.1)
+    assert closure.groups.tolist() == [0, 1] and closure.loops == []
+    assert (closure.T_world_submap == [far.T_world_submap, parts[0].T_world_submap]).all()
+
+
+def test_frames_go_with_their_submaps():
+    submaps, tracked, _ = room_run()
+    stayed = np.array([s.T_world_submap for s in submaps])
+    _, poses = corrected_trajectory(submaps, stayed)
+    assert np.abs(poses - tracked).max() < 1e-9
+    T = pose_of(np.array([0.3, 0.1, -0.2, 1.0, 2.0, 3.0]))
+    _, poses = corrected_trajectory(submaps[::-1], (T @ stayed)[::-1])
+    assert np.abs(poses - T @ tracked).max() < 1e-9
+    stayed[-1, :3, 3] += 0.1  # the last one alone: the first frames stay, the last go with it, between is between
+    _, poses = corrected_trajectory(submaps, stayed)
+    shifts = np.linalg.norm((poses - tracked)[:, :3, 3], axis=1)
+    assert shifts[0] < 1e-9 and np.isclose(shifts[-1], 0.1 * 3**0.5) and (np.diff(shifts) > -1e-9).all()
+
+
+def test_the_order_of_submaps_does_not_matter_to_the_volume(device):
+    parts = [hall_run(device, 3, (a, a + 0.8), first=int(10 * a)) for a in (0.0, 1.0, 2.0)]
+    digests = set()
+    for order in itertools.permutations(range(3)):
+        mesh = fuse_submaps([parts[i] for i in order]).extract_triangle_mesh(0)
+        digests.add(mesh.vertices.tobytes() + mesh.triangles.tobytes())
+    assert len(digests) == 1
+
+
+def test_progress_is_told(device):
+    told = []
+    close_loops([hall_run(device, 3, (0.0, 0.8))], progress=lambda *step: told.append(step))
+    assert told[0] == ("surfaces", 0, 1) and told[-1][0] == "loops" and told[-1][1] == told[-1][2]
+
+
+def test_bad_input_is_refused(device):
+    part = hall_run(device, 2, (0.0, 0.4))
+    for arguments, error, message in (
+        (([],), ValueError, "submaps: expected at least one"),
+        (([part, part],), ValueError, "begin with the same frame"),
+        (([part, None],), TypeError, r"submaps\[1\]: expected a Submap"),
+    ):
+        with pytest.raises(error, match=message):
+            close_loops(*arguments)
+    for options, message in (({"voxel_size": 0}, "voxel_size"), ({"drift": -1}, "drift")):
+        with pytest.raises(ValueError, match=message):
+            close_loops([part], **options)
+    with pytest.raises(ValueError, match="T_world_submap: expected shape"):
+        corrected_trajectory([part], np.eye(4))
+    with pytest.raises(ValueError, match=r"T_world_submap\[0\]"):
+        fuse_submaps([part], [2 * np.eye(4)])
+    with pytest.raises(ValueError, match="frames: expected ascending"):
+        Submap(part.volume, np.eye(4), np.array([3, 2]), part.T_submap_camera)
+    with pytest.raises(TypeError, match="volume: expected a TSDFVolume"):
+        Submap(None, np.eye(4), np.array([3, 4]), part.T_submap_camera)

@@ -1,0 +1,76 @@
+"""Verdicts on frames by the figures of their alignment alone: each limit counts by itself."""
+
+from __future__ import annotations
+
+import dataclasses
+
+import numpy as np
+import pytest
+
+from pointloom.rgbd.odometry.results import OdometryResult
+from pointloom.rgbd.odometry.verdicts import UNDETERMINED
+from pointloom.rgbd.slam.verdicts import SURE_OVERLAP, judge_recognition, judge_tracking
+
+GOOD = OdometryResult(
+    success=True,
+    transformation=np.eye(4),
+    information=np.eye(6),
+    reason="",
+    inliers=900,
+    fitness=0.8,
+    overlap=0.9,
+    inlier_rmse=0.001,
+    intensity_rmse=0.01,
+    smallest_eigenvalue=0.1,
+    iterations=5,
+    contradiction="",
+)
+
+
+def moved(shift=0.0, turn=0.0):
+    """A motion by a shift along x [m] and a turn about z [degrees]."""
+    T = np.eye(4)
+    c, s = np.cos(np.radians(turn)), np.sin(np.radians(turn))
+    T[:2, :2], T[0, 3] = [[c, -s], [s, c]], shift
+    return T
+
+
+def test_a_frame_that_lies_on_the_model_near_by_is_tracked():
+    assert judge_tracking(GOOD, moved(0.3, 25.0)) == ("tracked", "")
+
+
+@pytest.mark.parametrize(("shift", "turn"), [(0.5, 0.0), (0.0, 40.0), (0.5, 40.0), (np.nan, 0.0)])
+def test_a_frame_that_jumps_is_lost_however_well_it_fits(shift, turn):
+    verdict, reason = judge_tracking(GOOD, moved(shift, turn))
+    assert verdict == "lost" and reason.startswith("it jumps by ")
+
+
+@pytest.mark.parametrize(
+    ("change", "verdict"),
+    [
+        ({"overlap": 0.1, "fitness": 0.09}, "lost"),
+        ({"overlap": 0.2, "fitness": 0.19}, "uncertain"),
+        ({"fitness": 0.3}, "lost"),
+        ({"fitness": 0.5}, "uncertain"),
+        ({"contradiction": "the brightness does not agree"}, "lost"),
+        ({"smallest_eigenvalue": 0.001}, "uncertain"),
+    ],
+)
+def test_each_figure_counts_in_tracking(change, verdict):
+    found, reason = judge_tracking(dataclasses.replace(GOOD, **change), np.eye(4))
+    assert found == verdict and reason
+
+
+@pytest.mark.parametrize(
+    ("change", "verdict"),
+    [
+        ({}, "tracked"),
+        ({"success": False, "reason": UNDETERMINED}, "tracked"),  # its limit is for frames of full size
+        ({"success": False, "reason": "the source has no depth"}, "lost"),
+        ({"smallest_eigenvalue": 0.001}, "lost"),
+        ({"fitness": 0.6}, "lost"),
+        ({"overlap": 0.4, "fitness": 0.4}, "lost"),
+    ],
+)
+def test_each_figure_counts_where_a_place_is_recognised(change, verdict):
+    assert judge_recognition(dataclasses.replace(GOOD, **change), SURE_OVERLAP)[0] == verdict

@@ -1,0 +1,156 @@
+"""What `make test` leaves out is what is marked slow and Taichi's share of the rest, and nothing else."""
+
+from __future__ import annotations
+
+import re
+import shlex
+import subprocess
+import sys
+from collections import Counter
+from pathlib import Path
+from types import SimpleNamespace
+
+import pytest
+
+import pointloom as loom
+
+from . import choice
+from .cpu_seconds import CpuSeconds
+from .mutants.run import QUICK
+
+ROOT = Path(__file__).resolve().parents[1]
+
+SUITE = """
+import os
+import pytest
+
+def test_a_claim():
+    print("claim on", os.environ.get("POINTLOOM_CPU"))
+
+@pytest.mark.slow
+def test_a_slow_claim():
+    pass
+
+@pytest.mark.parametrize("count", [1, pytest.param(9, marks=pytest.mark.slow)])
+def test_a_claim_of_which_one_case_is_slow(count):
+    pass
+
+def test_of_a_device(device):
+    pass
+
+@pytest.mark.both_compilers
+def test_of_the_compilers(device):
+    print("compilers on", os.environ.get("POINTLOOM_CPU"))
+"""
+CONFTEST = """
+from tests import choice
+
+pytest_addoption = choice.pytest_addoption
+pytest_runtest_protocol = choice.pytest_runtest_protocol
+
+def pytest_generate_tests(metafunc):
+    if "device" in metafunc.fixturenames:
+        metafunc.parametrize("device", choice.places_of(metafunc.config, metafunc.definition))
+"""
+QUICK_ONES = [
+    "test_a_claim", "test_a_claim_of_which_one_case_is_slow[1]", "test_of_a_device[cpu-warp]",
+    "test_of_the_compilers[cpu-taichi]", "test_of_the_compilers[cpu-warp]",
+]  # fmt: skip
+OTHERS = ["test_a_claim_of_which_one_case_is_slow[9]", "test_a_slow_claim", "test_of_a_device[cpu-taichi]"]
+
+# Public names of which tests/test_compilers.py has no line, and why not.
+NOT_COMPARED = {
+    "on the host": (
+        *("from_open3d", "to_open3d", "to_open3d_tensor", "set_pose", "create_rays_pinhole", "compute_uvatlas"),
+        *("boolean_difference", "boolean_intersection", "boolean_union"),
+    ),
+    "shapes that NumPy makes": (
+        *("create_arrow", "create_box", "create_cone", "create_cylinder", "create_ellipsoid", "create_icosahedron"),
+        *("create_mobius", "create_moebius", "create_octahedron", "create_sphere", "create_tetrahedron"),
+    ),
+    "by the kernels of a line": (
+        *("get_max_bound", "get_min_bound"),  # get_axis_aligned_bounding_box
+        *("is_intersecting", "is_orientable", "is_vertex_manifold", "euler_poincare_characteristic"),  # mesh, topology
+        *("remove_degenerate_triangles", "remove_duplicated_triangles", "remove_duplicated_vertices"),  # mesh, cleaned
+        *("remove_non_manifold_edges", "remove_triangles_by_index", "remove_vertices_by_index"),
+        "compute_distance",  # scene, closest points and signs
+    ),
+    "by the operations that hand arrays on by it": (
+        *("device_array", "device_bounds", "from_device_arrays", "from_device_depth", "handed_out", "points_about"),
+        *("required_array", "search_tree", "select_rows", "with_arrays", "triangles_at", "edge_topology"),
+        *("integrate_device_frame", "render_maps"),
+    ),
+}
+
+
+def run_suite(folder, *options):
+    """The tests that ran, in order of name, and what was printed."""
+    (folder / "test_suite.py").write_text(SUITE)
+    (folder / "conftest.py").write_text(CONFTEST)
+    (folder / "pyproject.toml").write_text(
+        f'[tool.pytest.ini_options]\npythonpath = ["{ROOT}"]\nmarkers = ["slow", "both_compilers"]\n'
+        'addopts = "-p no:dash -p no:hypothesispytest -p no:benchmark"\n'
+    )
+    command = [sys.executable, "-m", "pytest", "-n", "0", "-rP", "-vv", *options]
+    done = subprocess.run(command, cwd=folder, capture_output=True, text=True, timeout=120)
+    assert done.returncode == 0, done.stdout
+    return sorted(re.findall(r"::(\S+) PASSED", done.stdout)), done.stdout
+
+
+def test_make_test_leaves_out_what_is_slow_and_taichi_s_runs(tmp_path, monkeypatch):
+    monkeypatch.delenv(choice.VARIABLE, raising=False)
+    ran, printed = run_suite(tmp_path, *QUICK)
+    assert ran == QUICK_ONES
+    assert "claim on warp" in printed and "compilers on None" in printed
+
+
+@pytest.mark.slow
+def test_all_tests_are_those_and_what_was_left_out(tmp_path, monkeypatch):
+    monkeypatch.delenv(choice.VARIABLE, raising=False)
+    ran, printed = run_suite(tmp_path)
+    assert ran == sorted([*QUICK_ONES, *OTHERS])
+    assert "claim on None" in printed
+
+
+def test_make_and_the_mutants_choose_alike_and_ci_runs_all():
+    makefile = (ROOT / "Makefile").read_text()
+    assert shlex.split(re.search(r"^QUICK := (.*)$", makefile, flags=re.MULTILINE)[1]) == list(QUICK)
+    commands = dict(re.findall(r"^([a-z-]+): \$\(TEST\) ##.*\n\t@(.*)$", makefile, flags=re.MULTILINE))
+    assert commands["test"] == "$(PYTEST) $(QUICK) $(ARGS)" and commands["test-all"] == "$(PYTEST) $(ARGS)"
+    assert (ROOT / ".ci" / "run").read_text().rstrip().endswith("\nrun test-all")
+
+
+@pytest.mark.parametrize(
+    "owner",
+    [loom.PointCloud, loom.TriangleMesh, loom.TSDFVolume, loom.RaycastingScene],
+    ids=lambda owner: owner.__name__,
+)
+def test_the_compilers_are_compared_on_every_operation(owner):
+    written = "".join(path.read_text() for path in (ROOT / "benchmarks").glob("digest_*.py"))
+    names = {name for name in dir(owner) if not name.startswith("_") and callable(getattr(owner, name))}
+    excused = {name for reason in NOT_COMPARED.values() for name in reason}
+    assert names - set(re.findall(r"\w+", written)) - excused == set()
+
+
+def test_rooms_share_a_process_and_the_dearest_begin():
+    folder = choice.TESTS
+    files = ["test_copies.py", "kernels/icp/test_step.py", "pcd/test_cloud.py", "kernels/test_memory.py"]
+    groups = [choice.group_of(folder / file) for file in files]
+    assert groups == ["test_copies.py", "kernels/icp", "pcd", "kernels"]
+    assert sorted(groups, key=lambda group: choice.rank_of(group, ("pcd", "kernels/icp")))[:2] == ["pcd", "kernels/icp"]
+
+
+def test_the_dearest_rooms_are_there():
+    assert [group for group in choice.DEAREST if not (choice.TESTS / group).exists()] == []
+    assert max(Counter(choice.DEAREST).values()) == 1
+
+
+def test_the_dearest_tests_are_told_in_order(capsys):
+    seconds = CpuSeconds()
+    for test, spent in (("cheap", 0.1), ("dear@pcd", 1.0), ("dearer", 2.0), ("dear@pcd", 3.0)):
+        seconds.pytest_runtest_logreport(SimpleNamespace(nodeid=test, cpu_seconds=spent))
+    reporter = SimpleNamespace(section=print, write_line=print)
+    seconds.pytest_terminal_summary(reporter)
+    assert capsys.readouterr().out.splitlines() == [
+        "dearest tests, of 0.1 CPU min", "   4.0 s  dear", "   2.0 s  dearer",
+    ]  # fmt: skip

@@ -1,0 +1,52 @@
+"""Every page is reached from the README, every link leads somewhere, and examples import public names alone."""
+
+import re
+
+import pytest
+
+from .test_imports import ROOT
+
+PAGES = sorted(path.relative_to(ROOT).as_posix() for path in [*ROOT.glob("*.md"), *ROOT.glob("docs/**/*.md")])
+PAGES += ["kernels/README.md", "benchmarks/README.md", "tests/emulated_cuda/README.md"]
+
+
+def links_of(page: str) -> list[str]:
+    """The targets of a page's relative links, as paths from the root."""
+    text = re.sub(r"```.*?```", "", (ROOT / page).read_text(), flags=re.DOTALL)
+    targets = [target.split("#")[0] for target in re.findall(r"\]\(([^)\s]+)\)", text) if "://" not in target]
+    folder = (ROOT / page).parent
+    return [(folder / target).resolve().relative_to(ROOT).as_posix() for target in targets if target]
+
+
+def faults(page: str) -> list[str]:
+    return [f"{page}: {target} is not there" for target in links_of(page) if not (ROOT / target).exists()]
+
+
+@pytest.mark.parametrize("page", PAGES)
+def test_every_link_leads_somewhere(page):
+    assert faults(page) == []
+
+
+def test_every_page_is_reached_from_the_readme():
+    reached, waiting = {"README.md"}, ["README.md"]
+    while waiting:
+        for target in links_of(waiting.pop()):
+            if target.endswith(".md") and target not in reached and (ROOT / target).exists():
+                reached.add(target)
+                waiting.append(target)
+    assert set(PAGES) - reached == set()
+
+
+@pytest.mark.parametrize("page", PAGES)
+def test_examples_import_public_names_alone(page):
+    blocks = re.findall(r"```python\n(.*?)```", (ROOT / page).read_text(), flags=re.DOTALL)
+    imports = re.findall(r"from (pointloom[\w.]*) import|import (pointloom[\w.]+)", "\n".join(blocks))
+    public = {"pointloom", *(f"pointloom.{name}" for name in ("registration", "slam", "mvs", "sfm", "odometry"))}
+    public |= {"pointloom.reconstruction", "pointloom.color_map"}
+    assert {first or second for first, second in imports} <= public
+
+
+def test_a_link_into_nothing_is_found(tmp_path, monkeypatch):
+    monkeypatch.setattr(f"{__name__}.ROOT", tmp_path)
+    (tmp_path / "a.md").write_text("[b](b.md) [c](#here) [d](https://x.y/z) [e](docs/e.md#part)")
+    assert faults("a.md") == ["a.md: b.md is not there", "a.md: docs/e.md is not there"]
