@@ -9,7 +9,7 @@ ARGS ?=
 # Processes that share the tests, a room each in turn (tests/choice.py); ARGS="-n 0 --pdb" runs them in one.
 WORKERS ?= $(shell n=$$(nproc); echo $$((n < 4 ? n : 4)))
 BIN := .venv/bin
-PYTEST := $(BIN)/python -m pytest -n $(WORKERS) --dist loadgroup --no-loadscope-reorder
+PYTEST := $(BIN)/python -m pytest -n $(WORKERS) --dist loadscope --no-loadscope-reorder
 # What `make test` leaves out of test-all: tests/choice.py says how, CONTRIBUTING.md why.
 QUICK := -m "not slow" --compilers warp
 PIP := $(BIN)/python -m pip --no-input --disable-pip-version-check

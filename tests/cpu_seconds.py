@@ -40,7 +40,7 @@ class CpuSeconds:
         return report
 
     def pytest_runtest_logreport(self, report: Any) -> None:
-        self.seconds[report.nodeid.partition("@")[0]] += report.cpu_seconds
+        self.seconds[report.nodeid] += report.cpu_seconds
 
     def pytest_terminal_summary(self, terminalreporter: Any) -> None:
         dearest = [(test, spent) for test, spent in self.seconds.most_common(SHOWN) if spent >= FEWEST]

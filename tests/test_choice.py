@@ -42,6 +42,7 @@ def test_of_a_device(device):
 def test_of_the_compilers(device):
     print("compilers on", os.environ.get("POINTLOOM_CPU"))
 """
+PLAIN = 'addopts = "-p no:dash -p no:hypothesispytest -p no:benchmark"\n'  # a start in half the time
 CONFTEST = """
 from tests import choice
 
@@ -88,8 +89,7 @@ def run_suite(folder, *options):
     (folder / "test_suite.py").write_text(SUITE)
     (folder / "conftest.py").write_text(CONFTEST)
     (folder / "pyproject.toml").write_text(
-        f'[tool.pytest.ini_options]\npythonpath = ["{ROOT}"]\nmarkers = ["slow", "both_compilers"]\n'
-        'addopts = "-p no:dash -p no:hypothesispytest -p no:benchmark"\n'
+        f'[tool.pytest.ini_options]\npythonpath = ["{ROOT}"]\nmarkers = ["slow", "both_compilers"]\n' + PLAIN
     )
     command = [sys.executable, "-m", "pytest", "-n", "0", "-rP", "-vv", *options]
     done = subprocess.run(command, cwd=folder, capture_output=True, text=True, timeout=120)
@@ -132,12 +132,29 @@ def test_the_compilers_are_compared_on_every_operation(owner):
     assert names - set(re.findall(r"\w+", written)) - excused == set()
 
 
-def test_rooms_share_a_process_and_the_dearest_begin():
-    folder = choice.TESTS
+def test_the_dearest_rooms_begin():
     files = ["test_copies.py", "kernels/icp/test_step.py", "pcd/test_cloud.py", "kernels/test_memory.py"]
-    groups = [choice.group_of(folder / file) for file in files]
+    groups = [choice.group_of(choice.TESTS / file) for file in files]
     assert groups == ["test_copies.py", "kernels/icp", "pcd", "kernels"]
     assert sorted(groups, key=lambda group: choice.rank_of(group, ("pcd", "kernels/icp")))[:2] == ["pcd", "kernels/icp"]
+
+
+def test_rooms_share_a_process(tmp_path):
+    rooms = ("kernels/icp", "kernels/fit", "pcd")
+    files = [f"{room}/test_{k}.py" for k in range(6) for room in rooms]
+    for file in files:
+        path = tmp_path / file
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text("import pytest\n@pytest.mark.parametrize('i', range(5))\ndef test_claim(i): pass\n")
+    hooks = "pytest_xdist_make_scheduler = choice.pytest_xdist_make_scheduler\nchoice.TESTS = Path(__file__).parent\n"
+    (tmp_path / "conftest.py").write_text("from pathlib import Path\nfrom tests import choice\n" + hooks)
+    (tmp_path / "pyproject.toml").write_text(f'[tool.pytest.ini_options]\npythonpath = ["{ROOT}"]\n' + PLAIN)
+    options = re.search(r"^PYTEST := .* -m pytest -n \S+ (.*)$", (ROOT / "Makefile").read_text(), flags=re.MULTILINE)[1]
+    command = [sys.executable, "-m", "pytest", "-n", "2", "-v", *options.split()]
+    done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, timeout=120)
+    ran = re.findall(r"^\[(gw\d)\].* PASSED (\S+)/\w+\.py::", done.stdout, flags=re.MULTILINE)
+    assert len(ran) == 5 * len(files), done.stdout
+    assert len(set(ran)) == len(rooms)
 
 
 def test_the_dearest_rooms_are_there():
@@ -147,7 +164,7 @@ def test_the_dearest_rooms_are_there():
 
 def test_the_dearest_tests_are_told_in_order(capsys):
     seconds = CpuSeconds()
-    for test, spent in (("cheap", 0.1), ("dear@pcd", 1.0), ("dearer", 2.0), ("dear@pcd", 3.0)):
+    for test, spent in (("cheap", 0.1), ("dear", 1.0), ("dearer", 2.0), ("dear", 3.0)):
         seconds.pytest_runtest_logreport(SimpleNamespace(nodeid=test, cpu_seconds=spent))
     reporter = SimpleNamespace(section=print, write_line=print)
     seconds.pytest_terminal_summary(reporter)
