@@ -141,7 +141,7 @@ def test_the_dearest_rooms_begin():
 
 def test_rooms_share_a_process(tmp_path):
     rooms = ("kernels/icp", "kernels/fit", "pcd")
-    files = [f"{room}/test_{k}.py" for k in range(6) for room in rooms]
+    files = [f"{room}/test_{room.rpartition('/')[2]}_{k}.py" for k in range(6) for room in rooms]
     for file in files:
         path = tmp_path / file
         path.parent.mkdir(parents=True, exist_ok=True)
