@@ -41,7 +41,7 @@ entry_keys = vector(8, int32)
 leaf_walk = vector(4, int64)
 lane_numbers = vector(8, float32)
 depth_and_weights = vector(4, float64)
-edge_weights = vector(2, float64)
+weights_and_depth = vector(3, float64)
 
 
 @func
@@ -292,10 +292,11 @@ def cross_products(ax: float, ay: float, bx: float, by: float) -> float64:
 
 
 @func
-def weights_on_edge(ax: float, ay: float, bx: float, by: float) -> edge_weights:
-    """The weights of two points in the plane at the zero between them.
+def meet_edge(ax: float, ay: float, az: float, bx: float, by: float, bz: float) -> weights_and_depth:
+    """The weights of two points in the plane at the zero between them, and the depth there.
 
-    The same bits for (b, a), the other way round: it is the edge's lower end that they are counted from.
+    The same bits for (b, a), the other way round: it is the edge's lower end that they are counted from. One division
+    comes last, so where all is whole numbers the depth of an origin that lies on the edge is zero and nothing else.
     """
     swapped = 1 if bx < ax or (bx == ax and by < ay) else 0
     p = float64(bx if swapped == 1 else ax)
@@ -303,11 +304,14 @@ def weights_on_edge(ax: float, ay: float, bx: float, by: float) -> edge_weights:
     if abs(float64(by) - float64(ay)) > abs(q - p):
         p = float64(by if swapped == 1 else ay)
         q = float64(ay if swapped == 1 else by)
+    near = float64(bz if swapped == 1 else az)
+    far = float64(az if swapped == 1 else bz)
     share = -p / (q - p)
     rest = 1.0 - share
-    weights = edge_weights(rest, share)
+    depth = (near * q - far * p) / (q - p)
+    weights = weights_and_depth(rest, share, depth)
     if swapped == 1:
-        weights = edge_weights(share, rest)
+        weights = weights_and_depth(share, rest, depth)
     return weights
 
 
@@ -334,29 +338,35 @@ def meet_triangle(
     cx = (corners[x + 6 * LEAF] - o[axes[0]]) - shear[0] * cz
     cy = (corners[y + 6 * LEAF] - o[axes[1]]) - shear[1] * cz
     zero = float64(0.0)
+    one = float64(1.0)
     u = cross_products(cx, cy, bx, by)
     v = cross_products(ax, ay, cx, cy)
     w = cross_products(bx, by, ax, ay)
     total = u + v + w
     met = depth_and_weights(float64(INFINITY), zero, zero, zero)
     if total != zero and (min(u, min(v, w)) >= zero or max(u, max(v, w)) <= zero):
+        depth = (u * float64(az) + v * float64(bz) + w * float64(cz)) / total
         u = u / total + zero  # no minus zero
         v = v / total + zero
         w = w / total + zero
         if u == zero and v != zero and w != zero:
-            edge = weights_on_edge(bx, by, cx, cy)
+            edge = meet_edge(bx, by, bz, cx, cy, cz)
             v = edge[0]
             w = edge[1]
+            depth = edge[2]
         if v == zero and w != zero and u != zero:
-            edge = weights_on_edge(cx, cy, ax, ay)
+            edge = meet_edge(cx, cy, cz, ax, ay, az)
             w = edge[0]
             u = edge[1]
+            depth = edge[2]
         if w == zero and u != zero and v != zero:
-            edge = weights_on_edge(ax, ay, bx, by)
+            edge = meet_edge(ax, ay, az, bx, by, bz)
             u = edge[0]
             v = edge[1]
-        depth = u * float64(az) + v * float64(bz) + w * float64(cz)
+            depth = edge[2]
+        if u == one or v == one or w == one:
+            depth = u * float64(az) + v * float64(bz) + w * float64(cz)  # the corner's own
         if shear[2] < 0.0:
-            depth = -depth
+            depth = zero - depth  # no minus zero
         met = depth_and_weights(depth, u, v, w)
     return met

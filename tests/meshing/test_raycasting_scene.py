@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 from scipy.spatial.transform import Rotation
 
@@ -153,6 +153,7 @@ def test_hits_are_those_of_brute_force(device):
     st.lists(st.tuples(*[st.integers(0, 9)] * 3), min_size=1, max_size=12),
     st.lists(st.tuples(*[st.integers(-2, 2)] * 6), min_size=1, max_size=8),
 )
+@example([(3, 4, 9)], [(-1, -1, 0, -1, 0, 1), (-1, -1, 0, -1, -1, 0)])  # from a place on the triangle
 def test_whole_numbers_are_met_exactly(triangles, rays):
     """Corners and rays on a grid, so that edges and corners are met all the time; the directions' steps are exact."""
     vertices = np.random.default_rng(3).integers(-2, 3, (10, 3))
