@@ -75,7 +75,7 @@ def kitchen_pair(data):
     target, source = (loom.PointCloud.from_depth_image(depth, camera, stride=2).points for depth in depths)
     turned = as_pose(np.radians(12.7) * np.array([0.36, 0.48, 0.8]), [0.4, -0.4, 0.4])
     return SimpleNamespace(
-        source=moved(source, turned), target=target, T=np.linalg.inv(poses[2]) @ poses[4] @ np.linalg.inv(turned)
+        source=moved(source, turned), target=target, T=np.linalg.inv(poses[0]) @ poses[-1] @ np.linalg.inv(turned)
     )
 
 

@@ -9,9 +9,11 @@ run_system = loom.reconstruction.run_system
 Config = loom.reconstruction.ReconstructionConfig
 
 
-def test_redwoods_five_frames_become_a_model(tmp_path, data):
-    report = run_system(loom.open_frames(data / "rgbd-cupoch-redwood5"), Config(tsdf_voxel_size=0.02), tmp_path)
-    assert (report["used"], report["poor"]) == (5, None)
+def test_redwoods_frames_become_a_model(tmp_path, data):
+    frames = loom.open_frames(data / "rgbd-cupoch-redwood5")
+    report = run_system(frames, Config(tsdf_voxel_size=0.02), tmp_path)
+    assert len(frames) >= 3  # five; three in tests/data
+    assert (report["used"], report["poor"]) == (len(frames), None)
     assert report["trajectory_error"]["rmse"] < 0.005  # what the poses that come with them are good for
 
 
