@@ -364,6 +364,7 @@ def test_the_good_arguments_are_taken(call):
 
 DEAR = [  # they take 2^24 points, and do so
     ("TriangleMesh.compute_metrics", "n_sampled_points"), ("TriangleMesh.sample_points_uniformly", "number_of_points"),
+    ("compare_meshes", "samples"),
 ]  # fmt: skip
 CASES = [
     pytest.param(call, name, marks=[pytest.mark.slow] if (call, name) in DEAR else [])
