@@ -109,7 +109,7 @@ def smooth_mesh(
     """Smooth or sharpen the vertices, normals and colours of a mesh, and say how far it moved and shrank.
 
     What `pointloom smooth-mesh` does with `TriangleMesh.filter_smooth_taubin`, `..._laplacian`, `..._simple` and
-    `filter_sharpen`.
+    `filter_sharpen`. Colours stay within 0..1, where those of the filters go beyond (taubin and sharpen do).
 
     Args:
         mesh: The mesh.
@@ -142,6 +142,8 @@ def smooth_mesh(
     count = check_count("iterations", iterations, minimum=0, maximum=MOST_PASSES, because=reason)
     filters = {name: getattr(mesh, f"filter_smooth_{name}") for name in METHODS[:3]} | {"sharpen": mesh.filter_sharpen}
     smooth = filters[method](count, *factors)
+    if smooth.vertex_colors is not None:
+        smooth.vertex_colors = smooth.vertex_colors.clip(0, 1)
     moved = np.linalg.norm(smooth.vertices - mesh.vertices, axis=1)
     moved = moved[np.isfinite(moved)]
     return SmoothedMesh(

@@ -114,3 +114,14 @@ def test_the_remedy_is_named_as_a_caller_gives_it():
 def test_what_makes_no_sense_is_refused_by_name(call, said):
     with pytest.raises(ValueError, match=said):
         call(torn())
+
+
+@pytest.mark.parametrize("method", ["taubin", "sharpen"])
+def test_saturated_colours_stay_within_0_and_1_and_are_written(method, tmp_path):
+    mesh = TriangleMesh.create_sphere(1.0, 12)
+    mesh.vertex_colors = np.where(mesh.vertices[:, 2:] > 0, [1.0, 1.0, 1.0], 0.0)
+    beyond = mesh.filter_smooth_taubin(10) if method == "taubin" else mesh.filter_sharpen(10)
+    assert beyond.vertex_colors.max() > 1 and beyond.vertex_colors.min() < 0
+    smooth = loom.smooth_mesh(mesh, method, 10).mesh
+    np.testing.assert_array_equal(smooth.vertex_colors, beyond.vertex_colors.clip(0, 1))
+    loom.write_triangle_mesh(tmp_path / "smooth.ply", smooth)
