@@ -13,6 +13,20 @@ RUN = 4096  # counts a thread on the CPU: one atomic a run
 
 
 @func
+def find_owner(offsets: array(dtype=int32), i: int) -> int:
+    """The last place whose offset is not above i: the owner of the i-th of many variable-sized results."""
+    low = 0
+    high = offsets.shape[0] - 1
+    while low < high:
+        middle = low + (high - low) // 2
+        if offsets[middle + 1] > i:
+            high = middle
+        else:
+            low = middle + 1
+    return low
+
+
+@func
 def sum_of_run(i: int, counts: array(dtype=int32), runs: Runs) -> int64:
     """The sum of a thread's counts."""
     part = int64(0)

@@ -17,6 +17,7 @@ from ..algebra.transform import narrow, transform_points, widen
 from ..array_types import Integers, Points, Vectors
 from ..arrays.key_starts import find_key_starts
 from ..arrays.packed_keys import key_index
+from ..arrays.prefix_sum import find_owner
 from ..arrays.segment_blocks import SegmentBlocks
 from ..arrays.select import positions_of
 from ..arrays.sort import argsort_keys
@@ -196,23 +197,16 @@ def fill_rows_kernel(
 ):
     """The row of each pair of points that was kept."""
     i = tid()
-    low = 0
-    high = row_starts.shape[0] - 1
-    while high - low > 1:
-        middle = (low + high) // 2
-        if row_starts[middle] <= i:
-            low = middle
-        else:
-            high = middle
+    owner = find_owner(row_starts, i)
     position = positions[i]
-    p = source_firsts[low] + position - candidate_firsts[low]
+    p = source_firsts[owner] + position - candidate_firsts[owner]
     q = partners[position]
-    source = poses[rows.ends[2 * low]]
-    target = poses[rows.ends[2 * low + 1]]
+    source = poses[rows.ends[2 * owner]]
+    target = poses[rows.ends[2 * owner + 1]]
     normal = widen(fragments.bent[p])
     turned = turn(source, normal)
     place = move(target, widen(fragments.moved[q]))
-    rows.pairs[i] = low
+    rows.pairs[i] = owner
     rows.places[i] = narrow(place)
     rows.normals[i] = narrow(turned)
     rows.source_normals[i] = fragments.bent[p]

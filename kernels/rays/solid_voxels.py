@@ -11,34 +11,23 @@ from typing import Any
 
 import numpy as np
 
-from ..algebra.transform import widen
 from ..array_types import Points, Triangles
-from ..arrays.prefix_sum import exclusive_scan, sum_counts
+from ..arrays.prefix_sum import exclusive_scan, find_owner, sum_counts
 from ..arrays.sort import argsort_keys
-from ..lang import array, ceil, cross, float64, func, int32, int64, isfinite, kernel, launch, tid, vec3, vec3d, vec3i
+from ..lang import array, ceil, cross, float64, func, int32, int64, kernel, launch, tid, vec3, vec3d, vec3i
 from ..memory import check_room, empty
-from .triangle_voxels import COLUMN_BYTES, VoxelFrame, find_owner, first_cells, last_cells, refuse_many
+from .triangle_voxels import (
+    COLUMN_BYTES,
+    VoxelFrame,
+    count_columns_kernel,
+    first_cells,
+    last_cells,
+    refuse_many,
+    widened_corners,
+)
 
 CROSSING_BYTES = 36
 CELL_BYTES = 52
-
-
-@kernel
-def count_upright_columns_kernel(
-    vertices: array(dtype=vec3), triangles: array(dtype=vec3i), frame: VoxelFrame, counts: array(dtype=int32)
-):
-    """The columns along z that each triangle may cross; 2^31 - 1 where there are more."""
-    i = tid()
-    t = triangles[i]
-    a = widen(vertices[t[0]])
-    b = widen(vertices[t[1]])
-    c = widen(vertices[t[2]])
-    count = int64(0)
-    if isfinite(a) and isfinite(b) and isfinite(c):
-        low = first_cells(a, b, c, frame)
-        high = last_cells(a, b, c, frame)
-        count = int64(max(high[0] - low[0] + 1, 0)) * int64(max(high[1] - low[1] + 1, 0))
-    counts[i] = int(min(count, 2147483647))
 
 
 @func
@@ -69,10 +58,7 @@ def cross_columns_kernel(
     """Whether a column's line crosses its triangle, or (writing) the column and the first voxel centred above."""
     i = tid()
     owner = find_owner(columns, i)
-    t = triangles[owner]
-    a = widen(vertices[t[0]])
-    b = widen(vertices[t[1]])
-    c = widen(vertices[t[2]])
+    a, b, c = widened_corners(vertices, triangles[owner])
     low = first_cells(a, b, c, frame)
     high = last_cells(a, b, c, frame)
     rank = i - columns[owner]
@@ -125,7 +111,7 @@ def inner_voxels(vertices: Points, triangles: Triangles, frame: Any):
     """
     device = triangles.device
     counts = empty(triangles.size, int32, device)
-    launch(count_upright_columns_kernel, triangles.size, [vertices, triangles, frame, counts])
+    launch(count_columns_kernel, triangles.size, [vertices, triangles, frame, 1, counts])
     total = sum_counts(counts)  # sync
     refuse_many(total, "columns of voxels over all triangles")
     check_room(device, total * COLUMN_BYTES, f"voxel_size: {total:,} columns of voxels over all triangles")

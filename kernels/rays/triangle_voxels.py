@@ -17,7 +17,7 @@ import numpy as np
 
 from ..algebra.transform import widen
 from ..array_types import Keys, Points, Triangles
-from ..arrays.prefix_sum import exclusive_scan, sum_counts
+from ..arrays.prefix_sum import exclusive_scan, find_owner, sum_counts
 from ..arrays.unique import UniqueKeys
 from ..lang import (
     array,
@@ -71,6 +71,12 @@ class VoxelFrame:
 
 
 @func
+def widened_corners(vertices: array(dtype=vec3), t: vec3i) -> tuple[vec3d, vec3d, vec3d]:
+    """The corners of a triangle in float64."""
+    return widen(vertices[t[0]]), widen(vertices[t[1]]), widen(vertices[t[2]])
+
+
+@func
 def cell_key(c: vec3i, counts: vec3i) -> int64:
     """One number for a voxel, ascending with x, then y, then z."""
     return (int64(c[0]) * int64(counts[1]) + int64(c[1])) * int64(counts[2]) + int64(c[2])
@@ -121,40 +127,32 @@ def main_axis(normal: vec3d, a: vec3d, b: vec3d, c: vec3d) -> int:
 
 @kernel
 def count_columns_kernel(
-    vertices: array(dtype=vec3), triangles: array(dtype=vec3i), frame: VoxelFrame, counts: array(dtype=int32)
+    vertices: array(dtype=vec3),
+    triangles: array(dtype=vec3i),
+    frame: VoxelFrame,
+    upright: int,
+    counts: array(dtype=int32),
 ):
-    """The columns of voxels that each triangle may touch; 2^31 - 1 where there are more."""
+    """The columns of voxels that each triangle may touch, or the `upright` ones along z that it may cross.
+
+    2^31 - 1 where there are more.
+    """
     i = tid()
-    t = triangles[i]
-    a = widen(vertices[t[0]])
-    b = widen(vertices[t[1]])
-    c = widen(vertices[t[2]])
+    a, b, c = widened_corners(vertices, triangles[i])
     count = int64(0)
     if isfinite(a) and isfinite(b) and isfinite(c):
         low = first_cells(a, b, c, frame)
         high = last_cells(a, b, c, frame)
-        axis = main_axis(cross(b - a, c - a), a, b, c)
+        axis = 2
+        if upright == 0:
+            axis = main_axis(cross(b - a, c - a), a, b, c)
         count = 1
         for k in range(3):
-            if high[k] < low[k]:
-                count = 0
-            elif k != axis:
-                count *= int64(high[k] - low[k] + 1)
+            wide = max(high[k] - low[k] + 1, 0)
+            if k == axis:
+                wide = max(min(wide, 1), upright)
+            count *= int64(wide)
     counts[i] = int(min(count, 2147483647))
-
-
-@func
-def find_owner(offsets: array(dtype=int32), i: int) -> int:
-    """The last place whose offset is not above i: the owner of the i-th of many variable-sized results."""
-    low = 0
-    high = offsets.shape[0] - 1
-    while low < high:
-        middle = low + (high - low) // 2
-        if offsets[middle + 1] > i:
-            high = middle
-        else:
-            low = middle + 1
-    return low
 
 
 @func
@@ -202,10 +200,7 @@ def visit_columns_kernel(
     """The voxels of each column that its triangle touches: how many, or (writing) their keys from `hits` on."""
     i = tid()
     owner = find_owner(columns, i)
-    t = triangles[owner]
-    a = widen(vertices[t[0]])
-    b = widen(vertices[t[1]])
-    c = widen(vertices[t[2]])
+    a, b, c = widened_corners(vertices, triangles[owner])
     low = first_cells(a, b, c, frame)
     high = last_cells(a, b, c, frame)
     n = cross(b - a, c - a)
@@ -267,7 +262,7 @@ def touched_voxels(vertices: Points, triangles: Triangles, frame: Any):
     """
     device = triangles.device
     counts = empty(triangles.size, int32, device)
-    launch(count_columns_kernel, triangles.size, [vertices, triangles, frame, counts])
+    launch(count_columns_kernel, triangles.size, [vertices, triangles, frame, 0, counts])
     total = sum_counts(counts) if triangles.size else 0  # sync
     refuse_many(total, "columns of voxels over all triangles")
     check_room(device, total * COLUMN_BYTES, f"voxel_size: {total:,} columns of voxels over all triangles")

@@ -32,12 +32,12 @@ from ..lang import (
     vec3,
     vector,
 )
-from .bucket_walk import next_bucket, start_walk
+from .bucket_walk import leaves_in_reach
 from .group_scratch import GroupScratch, LaunchPart
 from .k_nearest import search_k_nearest
 from .lane_search import search_lanes
 from .neighbor_keys import BOUNDLESS, keep_nearest, sort_keys, thin_keys
-from .point_tree import BUCKET, FAN, LEAF, SIDES, PointTree, measure_boxes, square_distance
+from .point_tree import BUCKET, FAN, LEAF, SIDES, PointTree, square_distance
 
 SLACK = 1.00001  # covers the rounding of two square roots, a sum and a product in float32
 TINY = 1.0e-37  # [m^2] covers the rounding of products below the normal numbers, which is not relative
@@ -69,24 +69,19 @@ def gather_candidates(
     More than `gather` are not copied and reported as `gather` + 1. Up to a multiple of LEAF points at infinity follow.
     """
     size = 0
-    step = start_walk(start)
-    while int(step[0]) <= tree.root and size <= scratch.gather:
-        bucket = int(step[2])
-        distances = measure_boxes(tree.boxes, bucket, a, b)
-        for leaf in range(FAN):
-            if distances[leaf] <= reach and size <= scratch.gather:
-                first = bucket * BUCKET + leaf * LEAF
-                if size + LEAF > scratch.gather:
-                    size = scratch.gather + 1
-                else:
-                    for j in range(first, min(first + LEAF, tree.count)):
-                        p = tree.points[j]
-                        scratch.xs[base + size] = p[0]
-                        scratch.ys[base + size] = p[1]
-                        scratch.zs[base + size] = p[2]
-                        scratch.ids[base + size] = labels[j]
-                        size += 1
-        step = next_bucket(step, a, b, reach, tree)
+    near = reach
+    for first in leaves_in_reach(start, a, b, near, tree):
+        if size + LEAF > scratch.gather:
+            size = scratch.gather + 1
+            near = -1.0
+        else:
+            for j in range(first, min(first + LEAF, tree.count)):
+                p = tree.points[j]
+                scratch.xs[base + size] = p[0]
+                scratch.ys[base + size] = p[1]
+                scratch.zs[base + size] = p[2]
+                scratch.ids[base + size] = labels[j]
+                size += 1
     if size <= scratch.gather:
         for j in range(base + size, base + (size + LEAF - 1) // LEAF * LEAF):
             scratch.xs[j] = INFINITY

@@ -13,6 +13,7 @@ import numpy as np
 from ..array_types import AnyArray, Integers, LongIntegers, Points, Vectors
 from ..arrays.bounds import bound_points
 from ..arrays.concatenation import concatenate_rows
+from ..arrays.prefix_sum import find_owner
 from ..arrays.sort import SortKeys
 from ..lang import INFINITY, array, float32, func, int32, int64, kernel, launch, struct, tid, vec3
 from ..memory import download, empty, upload, upload_together
@@ -90,7 +91,7 @@ class ManyClouds:
         self.curve = HilbertCurve(low, high, levels, is_empty=not finite)
         bits, keys = self.curve.code_bits, encode_points(points, self.curve)
         if count > 1:
-            launch(mark_segments_kernel, points.size, [self.starts, count, bits, keys])
+            launch(mark_segments_kernel, points.size, [self.starts, bits, keys])
         keys, rows = keys.sort(bits + segment_bits, np.concatenate([[0], np.cumsum(sizes)]))
         if count == 1:
             self.counts = np.array([finite], np.int64)
@@ -112,18 +113,10 @@ class ManyClouds:
 
 
 @kernel
-def mark_segments_kernel(starts: array(dtype=int32), count: int, bits: int, codes: SortKeys):
-    """Put the segment of each point above its code: bisection, of segments that begin at one place the last."""
+def mark_segments_kernel(starts: array(dtype=int32), bits: int, codes: SortKeys):
+    """Put the segment of each point above its code."""
     i = tid()
-    a = 0
-    b = count
-    while b - a > 1:
-        middle = (a + b) // 2
-        if starts[middle] <= i:
-            a = middle
-        else:
-            b = middle
-    codes.keys[i] = codes.keys[i] | (int64(a) << int64(bits))
+    codes.keys[i] = codes.keys[i] | (int64(find_owner(starts, i)) << int64(bits))
 
 
 @kernel

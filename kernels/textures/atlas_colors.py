@@ -13,7 +13,7 @@ from typing import Any
 
 from ..algebra.transform import narrow, widen
 from ..array_types import Triangles, Vectors
-from ..arrays.prefix_sum import exclusive_scan
+from ..arrays.prefix_sum import exclusive_scan, find_owner
 from ..lang import (
     array,
     atomic_min,
@@ -34,7 +34,6 @@ from ..lang import (
     vec3i,
 )
 from ..memory import empty, full
-from ..rays.triangle_voxels import find_owner
 
 NO_TRIANGLE = 2147483647
 AROUND = 9  # texels of a square of three
@@ -67,6 +66,15 @@ def texel_place(uv: vec2, width: int, height: int) -> vec3d:
 
 
 @func
+def texel_corners(atlas: Atlas, t: int) -> tuple[vec3d, vec3d, vec3d]:
+    """The corners of a triangle in texels."""
+    a = texel_place(atlas.uvs[3 * t], atlas.width, atlas.height)
+    b = texel_place(atlas.uvs[3 * t + 1], atlas.width, atlas.height)
+    c = texel_place(atlas.uvs[3 * t + 2], atlas.width, atlas.height)
+    return a, b, c
+
+
+@func
 def first_texel(x: float64, count: int) -> int:
     """The first texel whose centre is not below x; `count` where there is none."""
     place = ceil(x - 0.5)
@@ -90,9 +98,7 @@ def side_of(a: vec3d, b: vec3d, x: float64, y: float64) -> float64:
 def count_rows_kernel(atlas: Atlas, counts: array(dtype=int32)):
     """The rows of texels that each triangle may cover; none where it has no area in the picture."""
     i = tid()
-    a = texel_place(atlas.uvs[3 * i], atlas.width, atlas.height)
-    b = texel_place(atlas.uvs[3 * i + 1], atlas.width, atlas.height)
-    c = texel_place(atlas.uvs[3 * i + 2], atlas.width, atlas.height)
+    a, b, c = texel_corners(atlas, i)
     count = 0
     if isfinite(a) and isfinite(b) and isfinite(c):
         if side_of(a, b, c[0], c[1]) != 0.0:
@@ -107,9 +113,7 @@ def claim_texels_kernel(atlas: Atlas, rows: array(dtype=int32), owners: array(dt
     """The lowest triangle at each texel; a minimum, so that the order does not matter."""
     i = tid()
     owner = find_owner(rows, i)
-    a = texel_place(atlas.uvs[3 * owner], atlas.width, atlas.height)
-    b = texel_place(atlas.uvs[3 * owner + 1], atlas.width, atlas.height)
-    c = texel_place(atlas.uvs[3 * owner + 2], atlas.width, atlas.height)
+    a, b, c = texel_corners(atlas, owner)
     row = first_texel(min(a[1], min(b[1], c[1])), atlas.height) + i - rows[owner]
     turn = float64(1.0)
     if side_of(a, b, c[0], c[1]) < 0.0:
@@ -139,9 +143,7 @@ def mix_texels_kernel(
     marks[i] = 0
     texels[i] = vec3(0.0, 0.0, 0.0)
     if owner != NO_TRIANGLE:
-        a = texel_place(atlas.uvs[3 * owner], atlas.width, atlas.height)
-        b = texel_place(atlas.uvs[3 * owner + 1], atlas.width, atlas.height)
-        c = texel_place(atlas.uvs[3 * owner + 2], atlas.width, atlas.height)
+        a, b, c = texel_corners(atlas, owner)
         x = float64(i % atlas.width) + 0.5
         y = float64(i // atlas.width) + 0.5
         whole = side_of(a, b, c[0], c[1])

@@ -16,6 +16,7 @@ from ..arrays.prefix_sum import exclusive_scan
 from ..arrays.select import positions_of
 from ..lang import array, cross, dot, float32, float64, int32, kernel, launch, length, tid, uint8, vec3, vec3i, vec4d
 from ..memory import empty, full, zeros
+from ..rays.triangle_voxels import widened_corners
 from .atlas_colors import (
     NO_TRIANGLE,
     Atlas,
@@ -25,7 +26,7 @@ from .atlas_colors import (
     round_texels_kernel,
     side_of,
     spread_texels_kernel,
-    texel_place,
+    texel_corners,
 )
 from .hidden_vertices import drop_hidden, render_depth
 from .posed_pictures import PosedPictures, camera_place, color_at, nearest_pixel, project_vertex
@@ -61,17 +62,13 @@ def place_texels_kernel(
     i = tid()
     texel = texels[i]
     t = owners[texel]
-    u = texel_place(atlas.uvs[3 * t], atlas.width, atlas.height)
-    v = texel_place(atlas.uvs[3 * t + 1], atlas.width, atlas.height)
-    w = texel_place(atlas.uvs[3 * t + 2], atlas.width, atlas.height)
+    u, v, w = texel_corners(atlas, t)
     x = float64(texel % atlas.width) + 0.5
     y = float64(texel // atlas.width) + 0.5
     whole = side_of(u, v, w[0], w[1])
     share_b = side_of(w, u, x, y) / whole
     share_c = side_of(u, v, x, y) / whole
-    a = widen(vertices[triangles[t][0]])
-    b = widen(vertices[triangles[t][1]])
-    c = widen(vertices[triangles[t][2]])
+    a, b, c = widened_corners(vertices, triangles[t])
     points[i] = narrow(a + (b - a) * share_b + (c - a) * share_c)
     n = cross(b - a, c - a)
     area = length(n)
