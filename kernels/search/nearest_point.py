@@ -31,7 +31,18 @@ from ..lang import (
 )
 from ..memory import empty
 from .bucket_walk import next_bucket, pass_over_equal, start_walk
-from .point_tree import BUCKET, FAN, LEAF, SIDES, PointTree, find_bucket, is_one_place, measure_boxes, square_distance
+from .point_tree import (
+    BUCKET,
+    FAN,
+    LEAF,
+    SIDES,
+    PointTree,
+    find_bucket,
+    is_one_place,
+    measure_box,
+    measure_boxes,
+    square_distance,
+)
 from .tree_search import order_along_curve, reach_of, search_nearest
 
 lane_numbers = vector(8, float32)
@@ -211,16 +222,6 @@ def find_nearest_kernel(
         if best[rank - head] < none and isfinite(q):
             key = pack_bits(best[rank - head], best[LEAF + rank - head])
         nearest[row] = key
-
-
-@func
-def measure_box(boxes: array(dtype=float32), node: int, child: int, a: vec3, b: vec3) -> float:
-    """The squared distance [m^2] of the box (a, b) from that of a node's child, as `measure_boxes` has it."""
-    at = node * SIDES + child
-    x = larger(larger(boxes[at] - b[0], a[0] - boxes[at + 3 * FAN]), 0.0)
-    y = larger(larger(boxes[at + FAN] - b[1], a[1] - boxes[at + 4 * FAN]), 0.0)
-    z = larger(larger(boxes[at + 2 * FAN] - b[2], a[2] - boxes[at + 5 * FAN]), 0.0)
-    return x * x + y * y + z * z
 
 
 @kernel(most_registers=128)  # two blocks of an SM, not one

@@ -294,7 +294,7 @@ def measure_boxes(boxes: array(dtype=float32), node: int, a: vec3, b: vec3) -> b
     return distances
 
 
-@cuda_func
+@func
 def measure_box(boxes: array(dtype=float32), node: int, child: int, a: vec3, b: vec3) -> float:
     """`measure_boxes` for one child."""
     at = node * SIDES + child
