@@ -6,7 +6,7 @@ Equal parameters go to the smallest numbers, whatever the trees look like.
 """
 
 from ..algebra.transform import narrow, widen
-from ..lang import INFINITY, array, float64, func, int64, isfinite, loop, vec3, vec3d, vector
+from ..lang import INFINITY, array, float64, func, int64, isfinite, loop, vec3, vec3d, vec3i, vector
 from ..search.tree_walk import bits_of
 from .ray_walk import (
     is_ray,
@@ -64,6 +64,16 @@ def turn_back(n: vec3d, motions: array(dtype=float64), row: int) -> vec3d:
     return vector_at(motions, at) * n[0] + vector_at(motions, at + 3) * n[1] + vector_at(motions, at + 6) * n[2]
 
 
+@func
+def next_place(
+    step: leaf_walk, near: vec3i, a: vec3, b: vec3, rates: vec3, begin: float, reach: float, trees: SceneTrees
+) -> leaf_walk:
+    """`next_leaf` of the tree over the places, with room for the roundings of depths."""
+    low = begin * NARROWER
+    high = reach * WIDER
+    return next_leaf(step, trees.place_levels, trees.place_root, trees.place_boxes, near, a, b, rates, low, high)
+
+
 @loop
 def places_on_ray(o: vec3, d: vec3, nearest: float, farthest: float, trees: SceneTrees) -> int:
     """The rows of the places whose boxes a ray enters by `farthest`, which the body may shrink; a single one anyway."""
@@ -80,35 +90,13 @@ def places_on_ray(o: vec3, d: vec3, nearest: float, farthest: float, trees: Scen
         margins = signed_margins(o, d, trees.low, trees.high, axes)
         a = o + margins
         b = o - margins
-        step = next_leaf(
-            step,
-            trees.place_levels,
-            trees.place_root,
-            trees.place_boxes,
-            near,
-            a,
-            b,
-            rates,
-            nearest * main * NARROWER,
-            farthest * main * WIDER,
-        )
+        step = next_place(step, near, a, b, rates, nearest * main, farthest * main, trees)
     while int(step[3]) >= 0:
         row = int(step[3])
         yield row
         step = leaf_walk(step[0], step[1], step[2], -1)
         if trees.place_count > 1 and farthest >= 0.0:
-            step = next_leaf(
-                step,
-                trees.place_levels,
-                trees.place_root,
-                trees.place_boxes,
-                near,
-                a,
-                b,
-                rates,
-                nearest * main * NARROWER,
-                farthest * main * WIDER,
-            )
+            step = next_place(step, near, a, b, rates, nearest * main, farthest * main, trees)
 
 
 @func
