@@ -173,33 +173,20 @@ def shared_depth(differing: int64) -> int:
 
 
 @func
-def reach_left(j: int, own: int, minima: Minima) -> int:
-    """How many points before j may be passed at once, since a priority is below all of theirs; else 1."""
+def reach_beside(j: int, own: int, before: int, minima: Minima) -> int:
+    """How many points before j (`before` 1) or from j on (0) may be passed at once, else 1.
+
+    They may where a priority is below all of theirs.
+    """
     size = 1
     if j % BLOCK == 0:
-        if minima.few[j // BLOCK - 1] > own:
+        if minima.few[j // BLOCK - before] > own:
             size = int(BLOCK)
             if j % (BLOCK * BLOCK) == 0:
-                if minima.some[j // (BLOCK * BLOCK) - 1] > own:
+                if minima.some[j // (BLOCK * BLOCK) - before] > own:
                     size = int(BLOCK * BLOCK)
                     if j % (BLOCK * BLOCK * BLOCK) == 0:
-                        if minima.many[j // (BLOCK * BLOCK * BLOCK) - 1] > own:
-                            size = int(BLOCK * BLOCK * BLOCK)
-    return size
-
-
-@func
-def reach_right(j: int, own: int, minima: Minima) -> int:
-    """As reach_left, of points from j on."""
-    size = 1
-    if j % BLOCK == 0:
-        if minima.few[j // BLOCK] > own:
-            size = int(BLOCK)
-            if j % (BLOCK * BLOCK) == 0:
-                if minima.some[j // (BLOCK * BLOCK)] > own:
-                    size = int(BLOCK * BLOCK)
-                    if j % (BLOCK * BLOCK * BLOCK) == 0:
-                        if minima.many[j // (BLOCK * BLOCK * BLOCK)] > own:
+                        if minima.many[j // (BLOCK * BLOCK * BLOCK) - before] > own:
                             size = int(BLOCK * BLOCK * BLOCK)
     return size
 
@@ -215,7 +202,7 @@ def find_levels_kernel(order: array(dtype=int32), keys: array(dtype=int64), mini
     shift = int64(3 * (DEPTH - NODE_BITS))
     j = int(i)
     while j > 0:
-        size = reach_left(j, own, minima)
+        size = reach_beside(j, own, 1, minima)
         j = j - size
         differing = key ^ keys[j]
         if (differing >> shift) != 0:
@@ -230,7 +217,7 @@ def find_levels_kernel(order: array(dtype=int32), keys: array(dtype=int64), mini
     if depth == DEPTH:
         j = count
     while j < count:
-        size = reach_right(j, own, minima)
+        size = reach_beside(j, own, 0, minima)
         j = min(j + size, count)
         differing = key ^ keys[j - 1]
         if (differing >> shift) != 0:
