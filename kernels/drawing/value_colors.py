@@ -47,16 +47,6 @@ class Ramp:
 
 
 @func
-def ramp_color(value: float64, ramp: Ramp) -> vec3:
-    """The colour of a finite number."""
-    share = min(max((value - ramp.low) * ramp.factor + ramp.start, 0.0), 1.0)
-    place = float32(share) * float(ramp.last)
-    k = min(int(place), ramp.last - 1)
-    rest = place - float(k)
-    return ramp.table[k] * (1.0 - rest) + ramp.table[k + 1] * rest
-
-
-@func
 def coordinate(p: vec3, axis: int) -> float:
     """One coordinate, chosen by conditions: a computed index would put the vector into local memory."""
     value = p[0]
@@ -74,43 +64,40 @@ def raise_flag(flag: array(dtype=int32)):
         atomic_max(flag, 0, 1)
 
 
+@func
+def ramp_color(value: float64, ramp: Ramp) -> vec3:
+    """The colour of a number, finite or not."""
+    color = ramp.missing
+    if isfinite(value):
+        share = min(max((value - ramp.low) * ramp.factor + ramp.start, 0.0), 1.0)
+        place = float32(share) * float(ramp.last)
+        k = min(int(place), ramp.last - 1)
+        rest = place - float(k)
+        color = ramp.table[k] * (1.0 - rest) + ramp.table[k + 1] * rest
+    else:
+        raise_flag(ramp.flag)
+    return color
+
+
 @kernel
 def color_values_kernel(values: array(dtype=float32), ramp: Ramp, colors: array(dtype=vec3)):
     """The colours of numbers."""
     i = tid()
-    value = values[i]
-    color = ramp.missing
-    if isfinite(value):
-        color = ramp_color(float64(value), ramp)
-    else:
-        raise_flag(ramp.flag)
-    colors[i] = color
+    colors[i] = ramp_color(float64(values[i]), ramp)
 
 
 @kernel
 def color_wide_values_kernel(values: array(dtype=float64), ramp: Ramp, colors: array(dtype=vec3)):
     """The colours of numbers in float64."""
     i = tid()
-    value = values[i]
-    color = ramp.missing
-    if isfinite(value):
-        color = ramp_color(value, ramp)
-    else:
-        raise_flag(ramp.flag)
-    colors[i] = color
+    colors[i] = ramp_color(values[i], ramp)
 
 
 @kernel
 def color_coordinates_kernel(points: array(dtype=vec3), axis: int, ramp: Ramp, colors: array(dtype=vec3)):
     """The colours of one coordinate of points."""
     i = tid()
-    value = coordinate(points[i], axis)
-    color = ramp.missing
-    if isfinite(value):
-        color = ramp_color(float64(value), ramp)
-    else:
-        raise_flag(ramp.flag)
-    colors[i] = color
+    colors[i] = ramp_color(float64(coordinate(points[i], axis)), ramp)
 
 
 @func

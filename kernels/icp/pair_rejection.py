@@ -120,13 +120,6 @@ def pick_bin_kernel(
 
 
 @kernel
-def begin_counts_kernel(prefixes: array(dtype=int32)):
-    """Every pair's highest bits are counted."""
-    i = tid()
-    prefixes[i] = 0
-
-
-@kernel
 def pick_least_rmsd_kernel(
     live: array(dtype=int32), sizes: array(dtype=float64), counts: array(dtype=int32), thresholds: array(dtype=int32)
 ):
@@ -205,7 +198,7 @@ class PairRejection:
             return
         launch(measure_pairs_kernel, elements, [matches, self.bits])
         if self.sizes is not None:
-            launch(begin_counts_kernel, jobs.count, [self.prefixes])
+            launch(clear_counts_kernel, jobs.count, [self.prefixes])  # every pair's highest bits are counted
             self._count(SQUARE_SHIFT)
             launch(pick_least_rmsd_kernel, jobs.count, [matches.live, self.sizes, self.counts, self.prefixes])
         else:

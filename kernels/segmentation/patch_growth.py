@@ -32,6 +32,7 @@ from ..lang import (
     vec3,
 )
 from ..memory import download, empty, full, upload, zeros
+from .cluster_labels import rename_labels_kernel
 from .patch_boxes import tightest_boxes
 from .planar_patches import Runs
 
@@ -180,14 +181,6 @@ def hand_over_kernel(cloud: PatchPoints, planes: PatchPlanes, targets: array(dty
 
 
 @kernel
-def rename_kernel(names: array(dtype=int32), labels: array(dtype=int32)):
-    """Replace labels by their new names."""
-    i = tid()
-    if labels[i] >= 0:
-        labels[i] = names[labels[i]]
-
-
-@kernel
 def count_labels_kernel(labels: array(dtype=int32), counts: array(dtype=int32)):
     """The points of each patch; whole sums, the same in any order."""
     i = tid()
@@ -324,7 +317,7 @@ class Patches:
         names = np.full(len(chosen), -1)
         names[patches] = np.arange(len(patches))
         runs = gather_rows(self.labels, rows)
-        launch(rename_kernel, runs.size, [upload(names, int32, self.device), runs])
+        launch(rename_labels_kernel, runs.size, [upload(names, int32, self.device), runs])
         return Runs(rows, runs, self.counts[patches]), patches
 
     def _fit(self, chosen: np.ndarray) -> tuple[Runs, np.ndarray]:
