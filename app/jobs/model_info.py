@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections import Counter
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,12 +13,13 @@ from ...core.coordinates import describe_bounds
 from ...files.models.colmap import find_colmap_model, read_colmap_model
 from ...files.models.metashape import read_metashape_cameras
 from ...files.models.sfm_model import SfmModel
+from .facts import Cameras, ColmapModel, MetashapeCameras
 
 SHOWN = 20  # cameras, and pictures without a pose, that are listed
 
 
-def describe_colmap_model(folder: Path) -> dict[str, Any]:
-    """A model of COLMAP in a folder, or below it, in JSON's types.
+def describe_colmap_model(folder: Path) -> ColmapModel:
+    """A model of COLMAP in a folder, or below it.
 
     Raises:
         FileError: Damaged, or several models.
@@ -27,38 +27,31 @@ def describe_colmap_model(folder: Path) -> dict[str, Any]:
     place, form = find_colmap_model(folder)
     model = read_colmap_model(place)
     below = str(place.relative_to(folder))
-    return {
-        "kind": "COLMAP model",
-        "folder": None if below == "." else below,
-        "form": {"bin": "binary", "txt": "text"}[form],
-        **_describe_cameras(model),
-        "points": len(model.points),
-        "observations": len(model.observations),
-        "mean_views": float(model.view_counts.mean()) if len(model.points) else None,
-        "mean_error_px": _mean(model.errors),
-        "bounds": describe_bounds(model.points),
-        "unit": "arbitrary, unless the model was scaled",
-    }
+    return ColmapModel(
+        folder=None if below == "." else below,
+        form={"bin": "binary", "txt": "text"}[form],
+        views=_describe_cameras(model),
+        points=len(model.points),
+        observations=len(model.observations),
+        mean_views=float(model.view_counts.mean()) if len(model.points) else None,
+        mean_error_px=_mean(model.errors),
+        bounds=describe_bounds(model.points),
+    )
 
 
-def describe_metashape_file(path: Path) -> dict[str, Any]:
-    """Cameras that Metashape exported, in JSON's types.
+def describe_metashape_file(path: Path) -> MetashapeCameras:
+    """Cameras that Metashape exported.
 
     Raises:
         FileError: No such file.
     """
     model = read_metashape_cameras(path)
-    left_out = _cut(list(model.left_out))
-    return {"kind": "Metashape cameras", **_describe_cameras(model), "left_out": left_out or None}
+    return MetashapeCameras(_describe_cameras(model), _cut(list(model.left_out)) or None)
 
 
-def _describe_cameras(model: SfmModel) -> dict[str, Any]:
-    counts = Counter(model.cameras)
-    return {
-        "pictures": len(model),
-        "cameras": _cut([_camera_line(camera, count) for camera, count in counts.items()]),
-        "camera_bounds": describe_bounds(model.centers),
-    }
+def _describe_cameras(model: SfmModel) -> Cameras:
+    lines = [_camera_line(camera, count) for camera, count in Counter(model.cameras).items()]
+    return Cameras(len(model), _cut(lines), describe_bounds(model.centers))
 
 
 def _camera_line(camera: CameraModel, pictures: int) -> str:
