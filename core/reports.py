@@ -49,6 +49,16 @@ def rows_of(fields: Iterable[tuple[str, str]]) -> list[str]:
     return rows
 
 
+def all_of(*reasons: str | None) -> str | None:
+    """What speaks against a result in one line, from reasons of which each may be None; None where all are.
+
+    Example:
+        >>> all_of("the mesh is empty", None, "2 frames were lost")
+        'the mesh is empty; 2 frames were lost'
+    """
+    return "; ".join(reason for reason in reasons if reason) or None
+
+
 def in_columns(fields: Iterable[tuple[str, str]]) -> str:
     """Labels and values in two columns, set in by two, as one text.
 

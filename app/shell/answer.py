@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import Any, Protocol
 
 from ...core.reports import Fields
@@ -34,19 +33,3 @@ def answer_with(report: CommandReport, title: str, as_json: bool, *, err: bool =
     else:
         print_fields(report.fields(), title=title, err=err)
     return poor_result(report.poor)
-
-
-def give_answer(
-    report: dict[str, Any],
-    fields_of: Callable[[dict[str, Any]], list[tuple[str, str]]],
-    title: str,
-    as_json: bool,
-    *,
-    err: bool = False,
-) -> int:
-    """`answer_with` of a report that is a dict, whose fields a function makes."""
-    if as_json:
-        print_json(report)
-    else:
-        print_fields(fields_of(report), title=title, err=err)
-    return poor_result(report.get("poor"))

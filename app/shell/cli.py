@@ -24,7 +24,7 @@ from . import (
     video_command,
     view,
 )
-from .answer import answer_with, give_answer
+from .answer import answer_with
 from .cloud_command import Answer, from_cloud_to_cloud
 from .console import Progress, print_fields, print_json
 from .group import ERROR, INTERRUPTED, TERMINATED, CommandLine, report_error
@@ -149,9 +149,9 @@ def doctor(as_json: bool) -> int:
     \b
     pointloom doctor --json
     """
-    from .doctor import diagnose, doctor_fields
+    from .doctor import diagnose
 
-    return give_answer(diagnose(), doctor_fields, f"pointloom {__version__}", as_json)
+    return answer_with(diagnose(), f"pointloom {__version__}", as_json)
 
 
 @cli.command(short_help="Write a cloud or mesh in another format.")

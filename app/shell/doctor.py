@@ -6,12 +6,14 @@ import importlib.metadata
 import os
 import platform
 import warnings
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
 from ...core.cuda_driver import installed_driver, needed_driver, why_no_gpu
 from ...core.devices import resolve_device
+from ...core.reports import Fields, Report, all_of
 from ...core.timing import Clock
 from ...core.wording import format_bytes
 from ...kernels.arrays.bounds import bound_points
@@ -25,74 +27,160 @@ _TRIAL_POINTS = 100_000
 NO_COMPILER = "none"
 
 
-def diagnose() -> dict[str, Any]:
-    """Look at the machine, in JSON's types; "poor" says why CPU kernels fall back to one core or fail, or why no GPU
-    serves though there is a driver for one, or is None.
+@dataclass(frozen=True)
+class Machine:
+    """Where this runs; `cores` are those that this process may use."""
+
+    system: str
+    python: str
+    cores: int
+    cores_of_machine: int | None
+    memory_bytes: int
+
+
+@dataclass(frozen=True)
+class Gpu:
+    """A GPU that Warp can use: "cuda:0", what it is called, its memory [B] and its architecture (90 for sm_90)."""
+
+    name: str
+    title: str
+    memory_bytes: int
+    arch: int
+
+
+@dataclass(frozen=True)
+class Cuda:
+    """What there is of CUDA.
+
+    Attributes:
+        driver: The version of CUDA that the driver brings, where a GPU can be used.
+        installed_driver, needed_driver: Of NVIDIA; None where there is none, and where it is not known.
+        why_none: Why no GPU can be used, or None.
+        devices: The GPUs.
+        compiled_ahead: Whether kernels were, in words.
+    """
+
+    driver: str | None
+    installed_driver: str | None
+    needed_driver: int | None
+    why_none: str | None
+    devices: list[Gpu]
+    compiled_ahead: str
+
+
+@dataclass(frozen=True)
+class Trial:
+    """A small kernel by one compiler on one device, twice: the first run may compile it.
+
+    Attributes:
+        compiler, device: Which.
+        seconds: Of the runs that came to their end, "first_seconds" and "again_seconds".
+        error: What went wrong, or None.
+    """
+
+    compiler: str
+    device: str
+    seconds: dict[str, float]
+    error: str | None
+
+    @property
+    def ok(self) -> bool:
+        """Whether it gave the right result."""
+        return self.error is None
+
+    def to_json(self) -> dict[str, Any]:
+        """All of it on one level; "error" only where there is one."""
+        told: dict[str, Any] = {"compiler": self.compiler, "device": self.device, "ok": self.ok, **self.seconds}
+        return told if self.ok else {**told, "error": self.error}
+
+    def __str__(self) -> str:
+        first, again = self.seconds.get("first_seconds", 0.0), self.seconds.get("again_seconds", 0.0)
+        outcome = self.error if self.error is not None else f"{first:.2f} s the first time, {again * 1000:.1f} ms again"
+        return f"{self.compiler} on {self.device}: {outcome}"
+
+
+@dataclass(frozen=True)
+class Diagnosis(Report):
+    """How the machine is.
+
+    Attributes:
+        versions: Of pointloom and of what it stands on, by name.
+        machine: Where this runs.
+        cuda: What there is of CUDA.
+        cpu_compiler: Which one CPU kernels go through, or "none".
+        why: Why that one.
+        trials: Of each compiler on each device that it serves.
+        poor: Why CPU kernels fall back to one core or fail, or why no GPU serves though there is a driver for one, or
+            None.
+    """
+
+    versions: dict[str, str]
+    machine: Machine
+    cuda: Cuda
+    cpu_compiler: str
+    why: str
+    trials: list[Trial]
+    poor: str | None
+
+    def to_json(self) -> dict[str, Any]:
+        """All of it in JSON's types."""
+        return {"command": "doctor", **super().to_json()}
+
+    def fields(self) -> Fields:
+        """The diagnosis as labels and values for the terminal."""
+        machine, cuda = self.machine, self.cuda
+        cores = f"{machine.cores} usable of {machine.cores_of_machine}"
+        gpus = [f"{gpu.name} {gpu.title}, {format_bytes(gpu.memory_bytes)}, sm_{gpu.arch}" for gpu in cuda.devices]
+        return [
+            ("versions", ", ".join(f"{name} {version}" for name, version in self.versions.items())),
+            ("system", f"{machine.system}, Python {machine.python}"),
+            ("cores", f"{cores}, {format_bytes(machine.memory_bytes)} of memory"),
+            ("GPUs", "\n".join(gpus) or f"none: {cuda.why_none}"),
+            ("driver", f"{cuda.installed_driver or 'none'}, needed for GPUs: {cuda.needed_driver or 'not known'}"),
+            ("GPU code", cuda.compiled_ahead),
+            ("CPU kernels", f"{self.cpu_compiler}: {self.why}"),
+            ("trials", "\n".join(str(trial) for trial in self.trials)),
+            ("state", "falls short, see below" if self.poor else "healthy"),
+        ]
+
+
+def diagnose() -> Diagnosis:
+    """Look at the machine.
 
     Notes:
         Every compiler runs a small kernel on every device that it serves, twice: the first run may compile it.
     """
     trials = [_try("taichi", "cpu"), _try("warp", "cpu")]
     gpus = _gpus()
-    trials += [_try("warp", gpu["name"]) for gpu in gpus]
+    trials += [_try("warp", gpu.name) for gpu in gpus]
     chosen, why = _choose(trials[0])
-    return {
-        "command": "doctor",
-        "versions": _versions(),
-        "machine": {
-            "system": platform.platform(),
-            "python": platform.python_version(),
-            "cores": _usable_cores(),
-            "cores_of_machine": os.cpu_count(),
-            "memory_bytes": _memory_bytes(),
-        },
-        "cuda": {
-            "driver": _cuda_driver(),
-            "installed_driver": installed_driver(),
-            "needed_driver": needed_driver(),
-            "why_none": None if gpus else why_no_gpu(),
-            "devices": gpus,
-            "compiled_ahead": compiled_ahead.described(),
-        },
-        "cpu_compiler": chosen,
-        "why": why,
-        "trials": trials,
-        "poor": "; ".join(filter(None, [_why_poor(chosen, why, trials), _why_gpu_is_idle(gpus)])) or None,
-    }
+    return Diagnosis(
+        versions=_versions(),
+        machine=Machine(
+            system=platform.platform(),
+            python=platform.python_version(),
+            cores=_usable_cores(),
+            cores_of_machine=os.cpu_count(),
+            memory_bytes=_memory_bytes(),
+        ),
+        cuda=Cuda(
+            driver=_cuda_driver(),
+            installed_driver=installed_driver(),
+            needed_driver=needed_driver(),
+            why_none=None if gpus else why_no_gpu(),
+            devices=gpus,
+            compiled_ahead=compiled_ahead.described(),
+        ),
+        cpu_compiler=chosen,
+        why=why,
+        trials=trials,
+        poor=all_of(_why_poor(chosen, why, trials), _why_gpu_is_idle(gpus)),
+    )
 
 
-def doctor_fields(report: dict[str, Any]) -> list[tuple[str, str]]:
-    """The diagnosis as labels and values for the terminal."""
-    machine, cuda = report["machine"], report["cuda"]
-    cores = f"{machine['cores']} usable of {machine['cores_of_machine']}"
-    gpus = [
-        f"{gpu['name']} {gpu['title']}, {format_bytes(gpu['memory_bytes'])}, sm_{gpu['arch']}"
-        for gpu in cuda["devices"]
-    ]
-    trials = [f"{trial['compiler']} on {trial['device']}: {_outcome(trial)}" for trial in report["trials"]]
-    return [
-        ("versions", ", ".join(f"{name} {version}" for name, version in report["versions"].items())),
-        ("system", f"{machine['system']}, Python {machine['python']}"),
-        ("cores", f"{cores}, {format_bytes(machine['memory_bytes'])} of memory"),
-        ("GPUs", "\n".join(gpus) or f"none: {cuda['why_none']}"),
-        ("driver", f"{cuda['installed_driver'] or 'none'}, needed for GPUs: {cuda['needed_driver'] or 'not known'}"),
-        ("GPU code", cuda["compiled_ahead"]),
-        ("CPU kernels", f"{report['cpu_compiler']}: {report['why']}"),
-        ("trials", "\n".join(trials)),
-        ("state", "falls short, see below" if report["poor"] else "healthy"),
-    ]
-
-
-def _outcome(trial: dict[str, Any]) -> str:
-    if not trial["ok"]:
-        return trial["error"]
-    return f"{trial['first_seconds']:.2f} s the first time, {trial['again_seconds'] * 1000:.1f} ms again"
-
-
-def _try(compiler: str, device: str) -> dict[str, Any]:
+def _try(compiler: str, device: str) -> Trial:
     """Bound a cloud twice by one compiler on one device, and hold the answer against NumPy's."""
     points = np.random.default_rng(0).random((_TRIAL_POINTS, 3), np.float32)
-    trial: dict[str, Any] = {"compiler": compiler, "device": device, "ok": False}
     clock = Clock()
     try:
         with cpu_compiler(compiler):
@@ -101,12 +189,13 @@ def _try(compiler: str, device: str) -> dict[str, Any]:
                 low, high, count = bound_points(upload(points, vec3, resolve_device(device)))
                 clock.stop(stage)
         right = count == len(points) and (low == points.min(axis=0)).all() and (high == points.max(axis=0)).all()
-        return trial | clock.seconds | ({"ok": True} if right else {"error": "ran, but gave a wrong result"})
+        fault = None if right else "ran, but gave a wrong result"
     except Exception as error:  # whatever is broken on this machine is what the user wants to read
-        return trial | clock.seconds | {"error": str(error) or type(error).__name__}
+        fault = str(error) or type(error).__name__
+    return Trial(compiler, device, clock.seconds, fault)
 
 
-def _choose(taichi_trial: dict[str, Any]) -> tuple[str, str]:
+def _choose(taichi_trial: Trial) -> tuple[str, str]:
     """The compiler that CPU kernels go through, and why."""
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")  # the fallback's warning; its reason is shown here
@@ -120,27 +209,24 @@ def _choose(taichi_trial: dict[str, Any]) -> tuple[str, str]:
         threads = os.environ.get("POINTLOOM_CPU_THREADS", "")
         large = f"{threads} threads (POINTLOOM_CPU_THREADS)" if threads else "all cores"
         return chosen, f"large launches run on {large}, small ones by warp on one core"
-    return chosen, f"one core only, since {taichi_trial.get('error', 'Taichi cannot serve')}"
+    return chosen, f"one core only, since {taichi_trial.error or 'Taichi cannot serve'}"
 
 
-def _why_poor(chosen: str, why: str, trials: list[dict[str, Any]]) -> str | None:
+def _why_poor(chosen: str, why: str, trials: list[Trial]) -> str | None:
     forced = bool(os.environ.get("POINTLOOM_CPU"))
-    failed = [trial for trial in trials if not trial["ok"] and not (forced and _is_unused(trial, chosen))]
+    failed = [trial for trial in trials if not trial.ok and not (forced and _is_unused(trial, chosen))]
     if chosen == NO_COMPILER:
         return f"CPU kernels do not run: {why}"
-    if not failed:
-        return None
-    reasons = (f"{trial['compiler']} on {trial['device']}: {trial['error']}" for trial in failed)
-    return "; ".join(reasons)
+    return all_of(*(f"{trial.compiler} on {trial.device}: {trial.error}" for trial in failed))
 
 
-def _why_gpu_is_idle(gpus: list[dict[str, Any]]) -> str | None:
+def _why_gpu_is_idle(gpus: list[Gpu]) -> str | None:
     """Why no GPU serves though the machine has a driver for one."""
     return None if gpus or installed_driver() is None else f"no GPU serves: {why_no_gpu()}"
 
 
-def _is_unused(trial: dict[str, Any], chosen: str) -> bool:
-    return trial["device"] == "cpu" and trial["compiler"] != chosen
+def _is_unused(trial: Trial, chosen: str) -> bool:
+    return trial.device == "cpu" and trial.compiler != chosen
 
 
 def _versions() -> dict[str, str]:
@@ -170,10 +256,7 @@ def _cuda_driver() -> str | None:
     return ".".join(map(str, version)) if version else None
 
 
-def _gpus() -> list[dict[str, Any]]:
+def _gpus() -> list[Gpu]:
     import warp as wp
 
-    return [
-        {"name": gpu.alias, "title": gpu.name, "memory_bytes": int(gpu.total_memory), "arch": int(gpu.arch)}
-        for gpu in wp.get_cuda_devices()
-    ]
+    return [Gpu(gpu.alias, gpu.name, int(gpu.total_memory), int(gpu.arch)) for gpu in wp.get_cuda_devices()]
