@@ -7,9 +7,9 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, ClassVar, Protocol
 
-from ...core.checks import check_count
+from ...core.checks import check_count, check_progress
 from ...core.devices import resolve_device
-from ...core.progress import ReportProgress, say_nothing
+from ...core.progress import ReportProgress
 from ...core.reports import Fields, in_columns
 from ...core.timing import Clock
 from ...core.wording import format_bytes, format_seconds
@@ -128,7 +128,7 @@ def run_trial(
         DeviceError: No such device.
     """
     check_count("frame_count", trial.frame_count, minimum=trial.FEWEST)
-    place = Place(Path(folder), resolve_device(device), overwrite, progress or say_nothing)
+    place = Place(Path(folder), resolve_device(device), overwrite, check_progress(progress))
     with output_folder(place.folder, trial.outputs, overwrite=overwrite):
         report = trial.run(place)
         write_report(str(place.folder / REPORT), report.to_json(), overwrite=overwrite)

@@ -10,9 +10,10 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any, Self, TypedDict
 
 from ...core import outputs
+from ...core.checks import check_progress
 from ...core.devices import resolve_device
 from ...core.errors import FilePath
-from ...core.progress import ReportProgress, say_nothing
+from ...core.progress import ReportProgress
 from ...core.reports import Fields, Report, values_of
 from ...core.timing import Clock
 from ...core.wording import plain
@@ -137,7 +138,7 @@ class Job:
         progress: ReportProgress | None = None,
     ):
         self._command, self._device = command, device
-        self.source, self.tell, self.clock = source, progress or say_nothing, Clock()
+        self.source, self.tell, self.clock = source, check_progress(progress), Clock()
         self.form: Form = {"as_text": as_text, "overwrite": overwrite}
         self.left_out: list[str] = []
         self.files: list[str] = []

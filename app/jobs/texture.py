@@ -9,11 +9,11 @@ from typing import Any
 
 from ...cameras.camera import read_pinhole_camera_intrinsic
 from ...core.audience import to_shell
-from ...core.checks import check_count
+from ...core.checks import check_count, check_progress
 from ...core.devices import resolve_device
 from ...core.errors import FileError, FilePath
 from ...core.outputs import check_output
-from ...core.progress import ReportProgress, say_nothing
+from ...core.progress import ReportProgress
 from ...core.reports import Fields, Report
 from ...core.timing import Clock, peak_bytes
 from ...core.wording import format_bytes, format_seconds, plain
@@ -73,6 +73,7 @@ def texture_folder(
         DeviceError: No such device.
     """
     check_count("size", size)
+    tell = check_progress(progress)
     check_output(output, WRITTEN, what="coloured meshes", overwrite=overwrite)
     if picture is not None:
         check_picture(picture, overwrite=overwrite)
@@ -86,7 +87,6 @@ def texture_folder(
     task = Task(os.fspath(mesh), os.fspath(folder), dataset.layout, shape, method, len(dataset), float(depth_max))
     how: dict[str, Any] = {"method": method, "size": size if with_atlas else None, "depth_max": depth_max}
     try:
-        tell = progress or say_nothing
         with AnnouncedStages(clock, tell, first="read", part_of={"frames": "read"}) as told:
             found = texture_mesh(shape, dataset, **how, progress=told)
     except NothingSeenError:

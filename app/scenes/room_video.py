@@ -19,9 +19,9 @@ from numpy.typing import NDArray
 from ...cameras.camera import PinholeCameraIntrinsic, write_pinhole_camera_intrinsic
 from ...cameras.trajectory import Trajectory, write_trajectory
 from ...core.atomic import atomic_write, check_writable
-from ...core.checks import check_count, check_positive
+from ...core.checks import check_count, check_positive, check_progress
 from ...core.errors import FileError
-from ...core.progress import ReportProgress, say_nothing
+from ...core.progress import ReportProgress
 from ...drawing.recording.video import find_ffmpeg, write_mp4
 from .room import RoomSequence, room_views
 from .room_paths import film_pose
@@ -99,7 +99,7 @@ def write_room_video(
         Each of both is written whole or not at all. Pictures have the same bits on every device up to what rounding
         does to the light of the room; how ffmpeg encodes them is its own.
     """
-    path, say = Path(path), progress or say_nothing
+    path, say = Path(path), check_progress(progress)
     frames = room_video_frames() if frames is None else frames
     fps = check_positive("fps", fps)
     if depth and truth is None:
