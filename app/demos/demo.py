@@ -8,7 +8,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
-from ...core.reports import Fields
+from ...core.reports import Fields, all_of
 from ...core.timing import Clock, peak_bytes
 from ...drawing.render.picture_files import save_picture
 from ...drawing.render.render import render
@@ -56,8 +56,7 @@ class FuseReport:
     @property
     def poor(self) -> str | None:
         """Why the result is poor, or None."""
-        reasons = [_why_poor(self.errors, self.trial.noise), self.sofa.why_poor()]
-        return "; ".join(reason for reason in reasons if reason) or None
+        return all_of(_why_poor(self.errors, self.trial.noise), self.sofa.why_poor())
 
     def to_json(self) -> dict[str, Any]:
         """What report.json holds."""
@@ -78,8 +77,7 @@ class FuseReport:
 
     def fields(self) -> Fields:
         """The same as labels and values for the terminal."""
-        cost = self.cost
-        told = fusion_fields(self.fusion.fields(), cost.seconds, cost.peak_bytes, list(self.files))
+        told = fusion_fields(self.fusion.fields(), self.cost.seconds, self.cost.peak_bytes, self.files)
         return [*told, ("errors", error_table(self.errors)), ("sofa", str(self.sofa))]
 
     def __str__(self) -> str:

@@ -14,8 +14,9 @@ from numpy.typing import NDArray
 
 from ...cameras.pose_files import write_poses
 from ...cameras.trajectory import Trajectory
-from ...core.reports import Fields
+from ...core.reports import Fields, all_of
 from ...core.timing import peak_bytes
+from ...core.wording import plain
 from ...drawing.render.picture_files import save_picture
 from ...drawing.render.render import render
 from ...files.frames.frames import camera_line, describe_camera
@@ -27,7 +28,6 @@ from ...rgbd.slam.looped_model import SlamAccount, model_by_slam
 from ...rgbd.slam.paths import error_against_truth
 from ..jobs.frame_folder import with_camera
 from ..jobs.track import rate_of
-from ..jobs.trajectory_report import error_part, error_to_json
 from ..scenes.room import room_loop_sequence, surface_errors
 from .demo_results import SurfaceErrors, error_table
 from .trial import REPORT, Cost, Place, Trial, text_of
@@ -97,8 +97,8 @@ class ReconstructReport:
     @property
     def poor(self) -> str | None:
         """Why the result is poor, or None."""
-        reasons = [self.account.poor, *_why_poor(error_to_json(self.path_error), self.errors)]
-        return "; ".join(reason for reason in reasons if reason) or None
+        ate = self.path_error.absolute_translation.rmse if self.path_error else None
+        return all_of(self.account.poor, *_why_poor(ate, self.errors))
 
     @property
     def frames_per_second(self) -> float:
@@ -117,7 +117,7 @@ class ReconstructReport:
             "frames_per_second": self.frames_per_second,
             **self.account.loops_to_json(),
             **self.mesh.to_json(),
-            "path_errors": error_to_json(self.path_error),
+            "path_errors": plain(self.path_error),
             "drift": asdict(self.drift),
             "errors": None if self.errors is None else self.errors.to_json(),
             "seconds": self.cost.seconds,
@@ -132,7 +132,7 @@ class ReconstructReport:
         return [
             *with_camera(told, camera_line(self.camera["camera"]), [], before="path"),
             ("mesh", f"{self.mesh.vertices:,} vertices, {self.mesh.triangles:,} triangles"),
-            *error_part(self.path_error),
+            *(self.path_error.fields() if self.path_error else []),
             ("drift", str(self.drift)),
             ("errors", error_table(self.errors)),
             *self.cost.fields(),
@@ -199,11 +199,10 @@ class ReconstructTrial(Trial):
         return ReconstructReport(self, told, account, size, path_error, drift, errors, cost, files)
 
 
-def _why_poor(path: dict[str, Any] | None, surface: SurfaceErrors | None) -> list[str]:
+def _why_poor(ate: float | None, surface: SurfaceErrors | None) -> list[str]:
     reasons = []
-    if path is not None and path["absolute"]["m"]["rmse"] > LARGEST_ATE:
-        ate = path["absolute"]["m"]["rmse"] * 1000
-        reasons.append(f"the path is off by {ate:.1f} mm (ATE), more than {LARGEST_ATE * 1000:g}; take more frames")
+    if ate is not None and ate > LARGEST_ATE:
+        reasons.append(f"the path is off by {ate * 1000:.1f} mm (ATE), more than {LARGEST_ATE * 1000:g}; take more frames")
     if surface is not None and surface.median > LARGEST_MEDIAN:
         median, limit = surface.median * 1000, LARGEST_MEDIAN * 1000
         reasons.append(f"the surface is off by {median:.1f} mm in the median, more than {limit:g}; take more frames")

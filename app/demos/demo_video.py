@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 from ...cameras.camera import PinholeCameraIntrinsic
 from ...cameras.picture_names import number_of
 from ...core.atomic import check_writable
-from ...core.reports import Fields
+from ...core.reports import Fields, all_of
 from ...core.timing import peak_bytes
 from ...core.wording import format_seconds, format_share
 from ...files.models.colmap import read_colmap_model
@@ -133,7 +133,7 @@ class VideoReport:
         if verdict.registered_count < LEAST_REGISTERED * verdict.picture_count:
             placed = f"{verdict.registered_count} of {verdict.picture_count} pictures were placed"
             reasons.append(f"{placed}, and all should be")
-        return "; ".join(reason for reason in [*reasons, *self.judged.why_poor()] if reason) or None
+        return all_of(*reasons, *self.judged.why_poor())
 
     def to_json(self) -> dict[str, Any]:
         """What report.json holds; of the job's report all but the names of files, which lay elsewhere then."""

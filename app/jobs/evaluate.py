@@ -115,13 +115,8 @@ def _draw_paths(estimate: Trajectory, truth: Trajectory, found: TrajectoryError,
     return trajectory_plot(path, truth.poses[true_rows, :3, 3], times=times, title=title).to_numpy()
 
 
-def describe_errors(found: TrajectoryError) -> dict[str, Any]:
-    """`TrajectoryError.to_json`, for reports that are dicts."""
-    return found.to_json()
-
-
 def error_fields(errors: dict[str, Any]) -> Fields:
-    """`TrajectoryError.fields` of what `describe_errors` gave."""
+    """`TrajectoryError.fields` of what `TrajectoryError.to_json` gave."""
     kinds = [ErrorStatistics(**errors[kind][unit]) for kind in ("absolute", "relative") for unit in ("m", "deg")]
     names = ("length_m", "percent", "deg_per_m", "count")
     segments = tuple(SegmentError(*(segment[name] for name in names)) for segment in errors["segments"])

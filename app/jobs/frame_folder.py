@@ -3,14 +3,25 @@
 from __future__ import annotations
 
 import dataclasses
-from collections.abc import Sequence
+import os
+from collections.abc import Iterable, Sequence
 from typing import Any
 
 from ...cameras.camera import read_pinhole_camera_intrinsic
 from ...core.errors import DatasetError, FileError, FilePath, PointloomError
-from ...core.reports import Fields
+from ...core.reports import Fields, all_of
+from ...core.timing import Clock, peak_bytes
+from ...core.wording import format_bytes, format_seconds
 from ...files.frames.datasets import RGBDDataset, open_dataset, open_frames
-from ...files.frames.frames import camera_line, describe_camera, describe_folder, open_folder, why_doubted
+from ...files.frames.frames import (
+    camera_line,
+    describe_camera,
+    describe_folder,
+    open_folder,
+    why_doubted,
+    why_incomplete,
+)
+from .job import Done, JobReport
 
 
 @dataclasses.dataclass(frozen=True)
@@ -75,6 +86,15 @@ class FrameFolder:
         """Why the camera may be that of other pictures."""
         return why_doubted(self.dataset, describe_camera(self.dataset, self.intrinsic)["source"])
 
+    @property
+    def doubts(self) -> list[str | None]:
+        """Why frames may be missing and why the camera may be another's, each of them or None."""
+        return [why_incomplete(self.dataset), self.camera_doubt]
+
+    def done(self, command: str, clock: Clock, files: Iterable[str], *reasons: str | None) -> Done:
+        """What a command did with the frames, and what speaks against it."""
+        return Done(command, os.fspath(self.path), clock.seconds, (), tuple(files), all_of(*reasons))
+
     def to_json(self) -> dict[str, Any]:
         """What was opened, in JSON's types."""
         return describe_folder(self.path, self.dataset, self.intrinsic)
@@ -83,6 +103,32 @@ class FrameFolder:
         """Labels and values of a result, with what was left out behind its frames, and the camera before a label."""
         camera = camera_line(describe_camera(self.dataset, self.intrinsic))
         return with_camera(fields, camera, self.dataset.left_out, before=before)
+
+
+@dataclasses.dataclass(frozen=True, eq=False)
+class FramesReport(JobReport):
+    """What a command on a folder of frames did; each command has its kind, with what it made of them.
+
+    Attributes:
+        folder: The frames.
+        peak: The most memory [B] that was held.
+    """
+
+    folder: FrameFolder
+    peak: int = dataclasses.field(default_factory=peak_bytes, kw_only=True)
+
+    def ending_to_json(self, **more: Any) -> dict[str, Any]:
+        """What all of them end in, for programs: what the work cost, more where there is any, the files, and doubts."""
+        cost = {"seconds": self.done.seconds, "peak_bytes": self.peak}
+        return cost | more | {"files": list(self.done.files), "poor": self.poor}
+
+    def ending(self) -> Fields:
+        """The same for people."""
+        return [
+            ("seconds", format_seconds(self.done.seconds)),
+            ("memory", f"{format_bytes(self.peak)} at most"),
+            ("files", ", ".join(self.done.files) or "none"),
+        ]
 
 
 def with_camera(fields: Fields, camera: str, left_out: Sequence[str], *, before: str) -> Fields:

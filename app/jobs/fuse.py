@@ -3,67 +3,43 @@
 from __future__ import annotations
 
 import dataclasses
-import os
-from typing import Any, Self
+from collections.abc import Iterable
+from typing import Any
 
 from ...cameras.pose_files import trajectory_of
 from ...core.devices import resolve_device
 from ...core.errors import FilePath
 from ...core.progress import ReportProgress
 from ...core.reports import Fields
-from ...core.timing import Clock, peak_bytes
+from ...core.timing import Clock
 from ...core.wording import format_bytes, format_seconds
 from ...files.frames.frames import DEPTH_MAX
 from ...rgbd.fusion.fuse import VOXEL_SIZE, fuse
 from ...rgbd.fusion.results import FusionResult
-from .frame_folder import FolderOptions, FrameFolder
+from .frame_folder import FolderOptions, FrameFolder, FramesReport
 from .model_outputs import ModelOutputs
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
-class FuseReport:
-    """What `pointloom fuse` did.
+class FuseReport(FramesReport):
+    """What `pointloom fuse` did; `result` is what was made of the frames."""
 
-    Attributes:
-        folder: The frames.
-        result: What was made of them.
-        seconds: Time of each stage.
-        files: What was written.
-        peak: The most memory [B] that was held.
-    """
-
-    folder: FrameFolder
     result: FusionResult
-    seconds: dict[str, float]
-    files: list[str]
-    peak: int = dataclasses.field(default_factory=peak_bytes)
-
-    def with_file(self, path: FilePath) -> Self:
-        """The report, with one more file that was written."""
-        return dataclasses.replace(self, files=[*self.files, os.fspath(path)])
-
-    @property
-    def poor(self) -> str | None:
-        """Why the result is poor, or None."""
-        refinement = self.result.refinement
-        reasons = [self.result.surface_fault, self.folder.camera_doubt, refinement.poor if refinement else None]
-        return "; ".join(reason for reason in reasons if reason) or None
 
     def to_json(self) -> dict[str, Any]:
         """The report, in JSON's types."""
         figures = self.result.to_json()
         refinement = figures.pop("refinement")
-        report = {"command": "fuse", **self.folder.to_json(), **figures}
-        report |= {"seconds": self.seconds, "peak_bytes": self.peak, "refinement": refinement}
-        return report | {"files": self.files, "poor": self.poor}
+        report = {"command": self.done.command, **self.folder.to_json(), **figures}
+        return report | self.ending_to_json(refinement=refinement)
 
     def fields(self) -> Fields:
         """The report as labels and values for the terminal."""
         told = self.folder.among(self.result.fields(), before="voxels")
-        return fusion_fields(told, self.seconds, self.peak, self.files)
+        return fusion_fields(told, self.done.seconds, self.peak, self.done.files)
 
 
-def fusion_fields(told: Fields, seconds: dict[str, float], peak: int, files: list[str]) -> Fields:
+def fusion_fields(told: Fields, seconds: dict[str, float], peak: int, files: Iterable[str]) -> Fields:
     """What a FusionResult tells, with what the work cost and what was written."""
     *told, (memory, volume) = told
     return [
@@ -113,4 +89,6 @@ def fuse_folder(
         files += outputs.write_mesh(result.mesh, result.T_world_camera, overwrite=overwrite)
         files += outputs.write_trajectory(path, overwrite=overwrite)
         clock.stop("write")
-    return FuseReport(opened, result, clock.seconds, files)
+    refinement = result.refinement.poor if result.refinement else None
+    done = opened.done("fuse", clock, files, result.surface_fault, opened.camera_doubt, refinement)
+    return FuseReport(done, opened, result)

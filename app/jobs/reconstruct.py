@@ -3,27 +3,24 @@
 from __future__ import annotations
 
 import dataclasses
-import os
 from pathlib import Path
-from typing import Any, Self
+from typing import Any
 
 from ...core.devices import resolve_device
 from ...core.errors import FilePath
 from ...core.progress import ReportProgress
 from ...core.reports import Fields
-from ...core.timing import Clock, peak_bytes
-from ...core.wording import format_bytes, format_seconds
+from ...core.timing import Clock
+from ...core.wording import plain
 from ...core.work_folder import check_work_folder
-from ...files.frames.frames import why_incomplete
 from ...rgbd.reconstruction.config import ReconstructionConfig
 from ...rgbd.reconstruction.fragment_model import FragmentOptions, settings_for
 from ...rgbd.reconstruction.frames_to_mesh import ReconstructionResult, reconstruct
 from ...rgbd.reconstruction.job import CONFIG_FILE
 from ...rgbd.slam.looped_model import SlamAccount
-from .frame_folder import FolderOptions, FrameFolder
+from .frame_folder import FolderOptions, FrameFolder, FramesReport
 from .model_outputs import ModelOutputs
 from .track import rate_of
-from .trajectory_report import error_part, error_to_json
 
 
 @dataclasses.dataclass(frozen=True)
@@ -64,63 +61,36 @@ def default_work_folder(output: FilePath) -> Path:
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
-class ReconstructReport:
-    """What `pointloom reconstruct` did.
+class ReconstructReport(FramesReport):
+    """What `pointloom reconstruct` did; `result` is what was made of the frames."""
 
-    Attributes:
-        folder: The frames.
-        result: What was made of them.
-        seconds: Time of each stage.
-        files: What was written.
-        peak: The most memory [B] that was held.
-    """
-
-    folder: FrameFolder
     result: ReconstructionResult
-    seconds: dict[str, float]
-    files: list[str]
-    peak: int = dataclasses.field(default_factory=peak_bytes)
-
-    def with_file(self, path: FilePath) -> Self:
-        """The report, with one more file that was written."""
-        return dataclasses.replace(self, files=[*self.files, os.fspath(path)])
-
-    @property
-    def poor(self) -> str | None:
-        """Why the result is poor, or None."""
-        result, doubts = self.result, [why_incomplete(self.folder.dataset), self.folder.camera_doubt]
-        reasons = [result.model_fault, *doubts, result.focal.doubt if result.focal else None]
-        return "; ".join(reason for reason in reasons if reason) or None
 
     @property
     def rate(self) -> float | None:
         """Frames a second of tracking alone, where they were tracked."""
         account = self.result.account
-        return rate_of(account.path, self.seconds) if isinstance(account, SlamAccount) else None
+        return rate_of(account.path, self.done.seconds) if isinstance(account, SlamAccount) else None
 
     def to_json(self) -> dict[str, Any]:
         """The report, in JSON's types; "errors" holds ATE and RPE where true poses lie beside the frames."""
         figures = self.result.to_json()
         focal = figures.pop("focal")
-        report = {"command": "reconstruct", "method": figures.pop("method"), **self.folder.to_json()}
+        report = {"command": self.done.command, "method": figures.pop("method"), **self.folder.to_json()}
         for name, value in figures.items():
             report[name] = value
             if name == "path_length_m":
                 report["frames_per_second"] = self.rate
-        report |= {"errors": error_to_json(self.result.error), "focal": focal}
-        return report | {
-            "seconds": self.seconds, "peak_bytes": self.peak, "files": self.files, "poor": self.poor
-        }  # fmt: skip
+        report |= {"errors": plain(self.result.error), "focal": focal}
+        return report | self.ending_to_json()
 
     def fields(self) -> Fields:
         """The report as labels and values for the terminal."""
         told = self.result.fields(self.rate)
         return [
             *self.folder.among(told, before="path" if self.rate is not None else "fragments"),
-            *error_part(self.result.error),
-            ("seconds", format_seconds(self.seconds)),
-            ("memory", f"{format_bytes(self.peak)} at most"),
-            ("files", ", ".join(self.files) or "none"),
+            *(self.result.error.fields() if self.result.error else []),
+            *self.ending(),
         ]
 
 
@@ -165,4 +135,5 @@ def reconstruct_folder(
     if len(path):
         files += outputs.write_trajectory(path, overwrite=overwrite)
     clock.stop("write")
-    return ReconstructReport(opened, result, clock.seconds, files)
+    doubts = [result.model_fault, *opened.doubts, result.focal.doubt if result.focal else None]
+    return ReconstructReport(opened.done("reconstruct", clock, files, *doubts), opened, result)

@@ -4,75 +4,54 @@ from __future__ import annotations
 
 import dataclasses
 import os
-from typing import Any, Self
+from typing import Any
 
 from ...cameras.pose_files import check_trajectory_output, write_poses
 from ...core.devices import resolve_device
 from ...core.errors import FileError, FilePath
 from ...core.progress import ReportProgress
 from ...core.reports import Fields
-from ...core.timing import Clock, peak_bytes
-from ...core.wording import format_bytes, format_seconds
-from ...files.frames.frames import DEPTH_MAX, why_incomplete
+from ...core.timing import Clock
+from ...core.wording import plain
+from ...files.frames.frames import DEPTH_MAX
 from ...rgbd.slam.focal_check import FocalCheck, check_focal
 from ...rgbd.slam.tracked_path import TrackedPath
 from ...rgbd.slam.tracking import VOXEL_SIZE, track
-from .frame_folder import FolderOptions, FrameFolder
-from .trajectory_report import error_part, error_to_json
+from .frame_folder import FolderOptions, FrameFolder, FramesReport
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
-class TrackReport:
+class TrackReport(FramesReport):
     """What `pointloom track` did.
 
     Attributes:
-        folder: The frames.
-        path: What was made of them.
+        path: What was made of the frames.
         form: The format of the poses.
         focal: Whether another focal length fits better.
-        seconds: Time of each stage.
-        files: What was written.
-        peak: The most memory [B] that was held.
     """
 
-    folder: FrameFolder
     path: TrackedPath
     form: str
     focal: FocalCheck | None
-    seconds: dict[str, float]
-    files: list[str]
-    peak: int = dataclasses.field(default_factory=peak_bytes)
-
-    def with_file(self, path: FilePath) -> Self:
-        """The report, with one more file that was written."""
-        return dataclasses.replace(self, files=[*self.files, os.fspath(path)])
 
     @property
-    def poor(self) -> str | None:
-        """Why the result is poor, or None."""
-        doubts = [why_incomplete(self.folder.dataset), self.folder.camera_doubt]
-        reasons = [self.path.poor, *doubts, self.focal.doubt if self.focal else None]
-        return "; ".join(reason for reason in reasons if reason) or None
+    def rate(self) -> float:
+        """Frames a second of tracking alone."""
+        return rate_of(self.path, self.done.seconds)
 
     def to_json(self) -> dict[str, Any]:
         """The report, in JSON's types; "errors" holds ATE and RPE where true poses lie beside the frames."""
-        report = {"command": "track", **self.folder.to_json(), "format": self.form, **self.path.to_json()}
-        report |= {"frames_per_second": rate_of(self.path, self.seconds)}
-        report |= {"focal": self.focal.to_json() if self.focal else None, "errors": error_to_json(self.path.error)}
-        return report | {
-            "seconds": self.seconds, "peak_bytes": self.peak, "files": self.files, "poor": self.poor
-        }  # fmt: skip
+        report = {"command": self.done.command, **self.folder.to_json(), "format": self.form, **self.path.to_json()}
+        report |= {"frames_per_second": self.rate, "focal": plain(self.focal), "errors": plain(self.path.error)}
+        return report | self.ending_to_json()
 
     def fields(self) -> Fields:
         """The report as labels and values for the terminal."""
-        told = self.path.fields(rate_of(self.path, self.seconds))
         return [
-            *self.folder.among(told, before="path"),
+            *self.folder.among(self.path.fields(self.rate), before="path"),
             ("model", f"voxels of {self.path.voxel_size * 1000:g} mm"),
-            *error_part(self.path.error),
-            ("seconds", format_seconds(self.seconds)),
-            ("memory", f"{format_bytes(self.peak)} at most"),
-            ("files", ", ".join(self.files) or "none"),
+            *(self.path.error.fields() if self.path.error else []),
+            *self.ending(),
         ]
 
 
@@ -122,4 +101,5 @@ def track_folder(
         write_poses(output, path.trajectory, overwrite=overwrite)
         files.append(os.fspath(output))
         clock.stop("write")
-    return TrackReport(opened, path, form, focal, clock.seconds, files)
+    done = opened.done("track", clock, files, path.poor, *opened.doubts, focal.doubt if focal else None)
+    return TrackReport(done, opened, path, form, focal)

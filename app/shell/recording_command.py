@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any, Protocol, Self, TypeVar
@@ -11,8 +10,7 @@ from ...core.errors import FilePath
 from ...core.progress import ReportProgress
 from ...drawing.recording.recorder import record
 
-# The report of a command, as a dict or as what `with_file` is of.
-Made = TypeVar("Made", bound="dict[str, Any] | Recorded")
+Made = TypeVar("Made", bound="Recorded")
 
 
 class Recorded(Protocol):
@@ -51,10 +49,4 @@ def recorded(
         if not recorder.timeline.frames:
             recorder.discard()
             return report
-    return _with_file(report, record_as)
-
-
-def _with_file(report: Any, path: Path) -> Any:
-    if isinstance(report, dict):
-        return report | {"files": [*report["files"], os.fspath(path)]}
-    return report.with_file(path)
+    return report.with_file(record_as)

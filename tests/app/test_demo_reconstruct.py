@@ -56,6 +56,5 @@ def test_too_few_frames_leave_no_folder(tmp_path):
 
 @pytest.mark.parametrize(("ate", "median", "count"), [(1.0, 1.0, 0), (1.01, 1.0, 1), (1.0, 1.01, 1), (2.0, 2.0, 2)])
 def test_a_demo_is_poor_beyond_its_limits_and_not_at_them(ate, median, count):
-    path = {"absolute": {"m": {"rmse": ate * LARGEST_ATE}}}
     errors = SurfaceErrors(median * LARGEST_MEDIAN, 0.0, 0.0, 0.0, 1.0, voxel_size=0.02)
-    assert len(_why_poor(path, errors)) == count
+    assert len(_why_poor(ate * LARGEST_ATE, errors)) == count
