@@ -25,11 +25,16 @@ def decorator_names(node: ast.FunctionDef | ast.ClassDef) -> set[str]:
     return {each.attr if isinstance(each, ast.Attribute) else getattr(each, "id", "") for each in called}
 
 
+def is_device_code(node: ast.FunctionDef) -> bool:
+    """Whether a function is written in the kernel language."""
+    return not decorator_names(node).isdisjoint(DECORATORS)
+
+
 def device_lines(source: str) -> set[int]:
     """The lines of a file that are in the kernel language: decorated functions, and fields of structures."""
     nodes: list[ast.stmt] = []
     for node in ast.walk(ast.parse(source)):
-        if isinstance(node, ast.FunctionDef) and decorator_names(node) & DECORATORS:
+        if isinstance(node, ast.FunctionDef) and is_device_code(node):
             nodes.append(node)
         if isinstance(node, ast.ClassDef) and "struct" in decorator_names(node):
             nodes += [field for field in node.body if isinstance(field, ast.AnnAssign)]

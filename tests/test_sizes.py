@@ -4,6 +4,8 @@ import ast
 
 import pytest
 
+from scripts.check_types import is_device_code
+
 from .test_imports import ROOT, modules
 
 FILE_LINES = 400
@@ -35,9 +37,6 @@ LONG_KERNELS: dict[str, str] = {
 }
 MANY_PARAMETERS: dict[str, str] = {}
 
-# Decorators of device code, where the compilers, not the reader, ask for one function.
-DEVICE_CODE = {"kernel", "func", "loop", "reduction", "segment_reduction", "cuda_func", "cuda_loop"}
-
 
 def measure(source: str, path: str) -> dict[str, dict[str, int]]:
     """What a file has beyond the budgets: of which kind, under which name, and how much of it."""
@@ -47,18 +46,13 @@ def measure(source: str, path: str) -> dict[str, dict[str, int]]:
     for node in ast.walk(ast.parse(source)):
         if not isinstance(node, ast.FunctionDef):
             continue
-        name, device = f"{path}:{node.name}", is_device_code(node)
+        name, device = f"{path}:{node.name}", is_device_code(node)  # there the compilers ask for one function
         lines = lines_of_code(node)
         if lines > (KERNEL_LINES if device else FUNCTION_LINES):
             beyond["kernel" if device else "function"][name] = lines
         if device and len(node.args.args) > KERNEL_PARAMETERS:
             beyond["parameters"][name] = len(node.args.args)
     return beyond
-
-
-def is_device_code(node: ast.FunctionDef) -> bool:
-    called = [part.func if isinstance(part, ast.Call) else part for part in node.decorator_list]
-    return any(ast.unparse(part).split(".")[-1] in DEVICE_CODE | {"on_cuda"} for part in called)
 
 
 def lines_of_code(node: ast.FunctionDef) -> int:
