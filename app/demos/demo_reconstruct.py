@@ -202,7 +202,8 @@ class ReconstructTrial(Trial):
 def _why_poor(ate: float | None, surface: SurfaceErrors | None) -> list[str]:
     reasons = []
     if ate is not None and ate > LARGEST_ATE:
-        reasons.append(f"the path is off by {ate * 1000:.1f} mm (ATE), more than {LARGEST_ATE * 1000:g}; take more frames")
+        limit = LARGEST_ATE * 1000
+        reasons.append(f"the path is off by {ate * 1000:.1f} mm (ATE), more than {limit:g}; take more frames")
     if surface is not None and surface.median > LARGEST_MEDIAN:
         median, limit = surface.median * 1000, LARGEST_MEDIAN * 1000
         reasons.append(f"the surface is off by {median:.1f} mm in the median, more than {limit:g}; take more frames")
