@@ -12,6 +12,7 @@ from .nonrigid import refine_with_slac as refine_with_slac
 from .placement import Placement as Placement
 from .placement import register_fragments as register_fragments
 from .refinement import refine_registration as refine_registration
+from .report import SystemReport as SystemReport
 from .scene import Scene as Scene
 from .scene import integrate_scene as integrate_scene
 from .slac import ControlGrid as ControlGrid

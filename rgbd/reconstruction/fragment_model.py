@@ -20,8 +20,10 @@ from ...meshing.mesh.mesh_files import read_triangle_mesh
 from .config import ReconstructionConfig
 from .job import run_system
 from .places import Places
+from .report import SystemReport
 
-_SHOWN = 5  # runs of lost frames
+# What of the system's report belongs to the account; the rest is of the mesh and of the run.
+_TOLD = ("frames", "used", "lost", "fragments", "edges", "loops", "slac", "resumed")
 
 
 @dataclasses.dataclass(frozen=True)
@@ -62,44 +64,35 @@ class FragmentsAccount:
 
     Attributes:
         trajectory: The poses of the frames in the model; ids hold their numbers.
-        figures: What was done, in JSON's types, as `run_system` tells it.
+        system: What was done, as `run_system` tells it.
         device: Where it was computed.
         voxel_size: Edge of a voxel of the mesh [m].
         depth_max: Farther depth was left out [m].
         folder: Of the stages' files.
-        poor: Why the model is poor, or None.
         uncertain: Frames whose pose is told with a doubt: none, as those of a fragment hang together.
     """
 
     trajectory: Trajectory
-    figures: dict[str, Any]
+    system: SystemReport
     device: str
     voxel_size: float
     depth_max: float
     folder: str
-    poor: str | None
     uncertain: tuple[int, ...] = ()
+
+    @property
+    def poor(self) -> str | None:
+        """Why the model is poor, or None."""
+        return self.system.poor
 
     def to_json(self) -> dict[str, Any]:
         """The figures, in JSON's types."""
-        sizes = {"voxel_size": self.voxel_size, "depth_max": self.depth_max}
-        return {"device": self.device, **self.figures, **sizes, "work": self.folder}
+        told, sizes = self.system.to_json(), {"voxel_size": self.voxel_size, "depth_max": self.depth_max}
+        return {"device": self.device, **{name: told[name] for name in _TOLD}, **sizes, "work": self.folder}
 
     def fields(self) -> Fields:
         """The frames and the fragments as labels and values."""
-        report = self.figures
-        placed = sum(fragment["placed"] for fragment in report["fragments"])
-        fragments = f"{placed} of {len(report['fragments'])} joined, {report['loops']} loops"
-        if kept := report["resumed"]["fragments"]:
-            fragments += f"; {kept} kept from an earlier run"
-        frames = f"{report['used']} of {report['frames']} in the model, on {self.device}"
-        fields = [("frames", frames), ("fragments", fragments)]
-        if report["lost"]:
-            runs = [_run_line(run) for run in report["lost"][:_SHOWN]]
-            fields.append(("lost", "\n".join([*runs, *(["and more"] if len(report["lost"]) > _SHOWN else [])])))
-        if report["slac"]:
-            fields.append(("slac", _slac_line(report["slac"])))
-        return [*fields, ("stages", self.folder)]
+        return [*self.system.parts(f", on {self.device}"), ("stages", self.folder)]
 
 
 def settings_for(
@@ -126,29 +119,15 @@ def model_by_fragments(
     settings, work = settings_for(options.config, None, None), Path(options.folder)
     switches = {"slac": options.slac, "resume": options.resume}
     report = run_system(frames, settings, work, **switches, device=device, progress=progress)
-    clock.seconds |= report["seconds"]
+    clock.seconds |= report.seconds
     clock.restart()
     places = Places.make(work, settings)
     mesh, path = TriangleMesh(device=device), Trajectory(np.empty((0, 4, 4)), ids=np.empty((0, 3), np.int64))
-    for file in report["files"]:
+    for file in report.files:
         if Path(file) == places.scene_mesh:
             mesh = read_triangle_mesh(file, device=device)
         elif Path(file) == places.trajectory:
             path = read_trajectory(file)
     clock.stop("read")
-    names = ("frames", "used", "lost", "fragments", "edges", "loops", "slac", "resumed")
-    figures, sizes = {name: report[name] for name in names}, (settings.volume_voxel_size, settings.depth_max)
-    return mesh, FragmentsAccount(path, figures, str(device), *sizes, str(work), report["poor"])
-
-
-def _slac_line(figures: dict[str, Any]) -> str:
-    if not figures["edges"]:
-        return "nothing to align: no two fragments overlap; fewer frames a fragment (--config) make more of them"
-    apart = f"{figures['rmse_before'] * 1000:.1f} to {figures['rmse'] * 1000:.1f} mm apart"
-    bent = f", {figures['anchors']:,} anchors moved by {figures['bent_m'] * 1000:.1f} mm" if figures["anchors"] else ""
-    return f"fragments {apart} on {figures['used']} of {figures['edges']} overlaps{bent}"
-
-
-def _run_line(run: dict[str, Any]) -> str:
-    ends = run["first"] if run["count"] == 1 else f"{run['first']} to {run['last']} ({run['count']})"
-    return f"{ends}: {run['reason']}"
+    sizes = (settings.volume_voxel_size, settings.depth_max)
+    return mesh, FragmentsAccount(path, report, str(device), *sizes, str(work))

@@ -9,10 +9,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...cameras.trajectory import Trajectory
-from ...core.checks import check_callback, check_count, check_positive
+from ...core.checks import check_count, check_positive, check_progress
 from ...core.devices import resolve_device
-from ...core.progress import ReportProgress, say_nothing
-from ...core.reports import Fields, in_columns
+from ...core.progress import ReportProgress
+from ...core.reports import Fields, all_of, in_columns
 from ...core.timing import Clock, check_clock
 from ...core.wording import format_bounds
 from ...files.frames.frames import DEPTH_MAX, READ_AHEAD, FrameSource, can_read, check_frames
@@ -80,7 +80,7 @@ class ReconstructionResult:
     def poor(self) -> str | None:
         """What speaks against the result, in the words of the command line; None where nothing does."""
         doubt = None if self.focal is None else self.focal.doubt
-        return "; ".join(reason for reason in (self.model_fault, doubt) if reason) or None
+        return all_of(self.model_fault, doubt)
 
     def to_json(self) -> dict[str, Any]:
         """The figures, in JSON's types; not those of `error`."""
@@ -146,7 +146,7 @@ def reconstruct(
         (3, Trajectory(2 poses, ids))
     """
     check_frames("frames", frames)
-    where, say, clock = resolve_device(device), check_callback("progress", progress) or say_nothing, check_clock(clock)
+    where, say, clock = resolve_device(device), check_progress(progress), check_clock(clock)
     ahead = check_count("read_ahead", read_ahead, minimum=0)
     edge = None if voxel_size is None else check_sizes(voxel_size)[0]
     farthest = None if depth_max is None else check_positive("depth_max", depth_max)

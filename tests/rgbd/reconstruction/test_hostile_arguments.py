@@ -40,7 +40,7 @@ rec.integrate_deformed(volume=volume, grid=grid, depth=depth, intrinsic=camera, 
 """  # noqa: E501
 RESULTS = {
     *("Fragment", "FragmentSet", "LostFrame", "Placement", "BentPlacement", "Scene"),
-    *("FragmentOverlap", "RefinementReport"),
+    *("FragmentOverlap", "RefinementReport", "SystemReport"),
 }
 LINES = read_table(CALLS, {"settings": "ReconstructionConfig", "grid": "ControlGrid"})
 TABLE = {name.removeprefix("rec."): line for name, line in LINES.items()}

@@ -48,20 +48,20 @@ def room(tmp_path_factory):
 @pytest.mark.slow
 def test_frames_without_poses_become_the_room(room):
     walk, folder, report = room
-    assert (report["used"], report["lost"], report["poor"]) == (9, [], None)
-    assert [fragment["frames"] for fragment in report["fragments"]] == [3, 3, 3]
-    assert all(fragment["placed"] for fragment in report["fragments"])
-    assert report["trajectory_error"]["rmse"] < 0.01
+    assert (report.used, report.lost, report.poor) == (9, (), None)
+    assert [fragment.frames for fragment in report.fragments] == [3, 3, 3]
+    assert all(fragment.placed for fragment in report.fragments)
+    assert report.trajectory_error["rmse"] < 0.01
     errors = surface_errors(on_the_truth(report, walk, folder))
     assert np.median(errors) < 0.01
-    assert len(errors) == report["mesh"]["vertices"] > 3000
+    assert len(errors) == report.mesh["vertices"] > 3000
 
 
 def test_the_report_is_json_and_names_files_that_are_there(room):
     _, _, report = room
     assert json.loads(to_json(report))["used"] == 9
-    assert [Path(path).name for path in report["files"]] == ["integrated.ply", "trajectory.log"]
-    assert all(Path(path).is_file() for path in report["files"])
+    assert [Path(path).name for path in report.files] == ["integrated.ply", "trajectory.log"]
+    assert all(Path(path).is_file() for path in report.files)
 
 
 def test_open3d_reads_the_pose_graphs(room):
@@ -69,7 +69,7 @@ def test_open3d_reads_the_pose_graphs(room):
 
     _, folder, report = room
     graph = o3d.io.read_pose_graph(str(folder / "scene" / "refined_registration_optimized.json"))
-    assert (len(graph.nodes), len(graph.edges)) == (3, report["edges"])
+    assert (len(graph.nodes), len(graph.edges)) == (3, report.edges)
     assert len(o3d.io.read_pose_graph(str(folder / "fragments" / "fragment_optimized_000.json")).nodes) == 3
 
 
@@ -113,38 +113,33 @@ def test_fragments_made_again_are_placed_again(tmp_path):
 
 def test_parts_that_cannot_be_joined_are_listed(tmp_path):
     report = run_system(Walk([0, 1, 2, 3, 40, 41]), config(), tmp_path)
-    assert report["used"] == 4
-    (lost,) = report["lost"]
-    assert (lost["first"], lost["last"], lost["count"], lost["stage"]) == (
-        "frame-4",
-        "frame-5",
-        2,
-        "register_fragments",
-    )
-    assert "2 of 6 frames are not in the model" in report["poor"]
-    assert [fragment["placed"] for fragment in report["fragments"]] == [True, False]
+    assert report.used == 4
+    (lost,) = report.lost
+    assert (lost.first, lost.last, lost.count, lost.stage) == ("frame-4", "frame-5", 2, "register_fragments")
+    assert "2 of 6 frames are not in the model" in report.poor
+    assert [fragment.placed for fragment in report.fragments] == [True, False]
 
 
 @pytest.mark.slow
 def test_parts_that_meet_again_are_joined_without_odometry(tmp_path):
     walk = Walk([0, 1, 2, 40, 41, 42, 2, 1, 0], width=160)
     report = run_system(walk, config(), tmp_path)
-    assert [fragment["placed"] for fragment in report["fragments"]] == [True, False, True]
-    assert [fragment["joined"] for fragment in report["fragments"]] == [False, False, False]
-    assert report["trajectory_error"]["rmse"] < 0.01
+    assert [fragment.placed for fragment in report.fragments] == [True, False, True]
+    assert [fragment.joined for fragment in report.fragments] == [False, False, False]
+    assert report.trajectory_error["rmse"] < 0.01
 
 
 def test_one_frame_is_a_model(tmp_path):
     report = run_system(Walk([0]), config(), tmp_path)
-    assert (report["used"], report["poor"]) == (1, None)
-    assert report["mesh"]["vertices"] > 1000
+    assert (report.used, report.poor) == (1, None)
+    assert report.mesh["vertices"] > 1000
 
 
 def test_blank_frames_leave_no_model_and_say_so(tmp_path):
     report = run_system(Walk([0, 1], changed={i: blank(frame_at(i)) for i in (0, 1)}), config(), tmp_path)
-    assert (report["used"], report["files"], report["mesh"]) == (0, [], None)
-    assert report["lost"][0]["count"] == 2
-    assert "nothing was written" in report["poor"]
+    assert (report.used, report.files, report.mesh) == (0, (), None)
+    assert report.lost[0].count == 2
+    assert "nothing was written" in report.poor
 
 
 class Stream:
@@ -164,10 +159,10 @@ class Stream:
 def test_a_stream_is_recorded_and_then_read_as_often_as_needed(tmp_path):
     walk = Walk(range(4))
     report = run_system(Stream(walk), config(), tmp_path)
-    assert (report["used"], report["trajectory_error"]) == (4, None)
+    assert (report.used, report.trajectory_error) == (4, None)
     assert len(loom.open_frames(tmp_path / "frames")) == 4
     again = run_system(Stream(Walk([])), config(), tmp_path, resume=True)
-    assert again["resumed"] == {"fragments": 1}
+    assert again.kept == 1
     with pytest.raises(FileError, match="frames"):
         run_system(Stream(walk), config(), tmp_path)
 

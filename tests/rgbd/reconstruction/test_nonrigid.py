@@ -51,13 +51,13 @@ def job(whole, tmp_path):
 @pytest.mark.slow
 def test_the_stage_brings_fragments_together_and_says_how_far(whole):
     folder, report, _ = whole
-    told = report["slac"]
-    assert (report["used"], told["method"], told["edges"]) == (6, "slac", report["edges"])
+    told = report.slac
+    assert (report.used, told["method"], told["edges"]) == (6, "slac", report.edges)
     assert 2 <= told["used"] <= told["edges"]
     assert told["rmse"] < 0.95 * told["rmse_before"]
     assert told["anchors"] > 50
     assert 0 < told["bent_m"] < 0.1
-    assert report["poor"] is None
+    assert report.poor is None
     assert sorted(path.name for path in (folder / "slac").iterdir()) == [
         "control_grid.npz",
         "optimized_posegraph_slac.json",
@@ -77,14 +77,14 @@ def test_frames_go_through_the_grid(whole):
         depth = np.where((depth >= 0.3) & (depth <= 4.0), depth, 0).astype(np.float32)
         rec.integrate_deformed(volume, found.grid, depth, walk.intrinsic, pose, step, frame.color, depth_max=4.0)
     mesh = volume.extract_triangle_mesh(scene.figures["weight_threshold"])
-    assert len(mesh.vertices) == pytest.approx(report["mesh"]["vertices"], rel=1e-3)
+    assert len(mesh.vertices) == pytest.approx(report.mesh["vertices"], rel=1e-3)
     cloud, written = (loom.PointCloud(m.vertices) for m in (mesh, loom.read_triangle_mesh(scene.mesh_path)))
     assert np.median(cloud.compute_point_cloud_distance(written)) < 1e-5
 
 
 def test_a_run_without_slac_takes_nothing_of_an_earlier_one_with_it(whole, job, tmp_path):
     report = rec.run_system(bent_walk(), SETTINGS, job, resume=True)
-    assert report["slac"] is None
+    assert report.slac is None
     plain = (job / "scene" / "integrated.ply").read_bytes()
     assert plain != whole[2]["scene/integrated.ply"]
     rec.run_system(bent_walk(), SETTINGS, tmp_path / "plain")
@@ -95,21 +95,21 @@ def test_the_rigid_method_moves_fragments_and_bends_nothing(whole, job):
     report = whole[1]
     found = rec.refine_with_slac(dataclasses.replace(SETTINGS, method="rigid"), job, resume=True)
     assert (found.figures["method"], len(found.grid), found.figures["bent_m"]) == ("rigid", 0, 0)
-    assert report["slac"]["rmse"] < found.figures["rmse"] <= report["slac"]["rmse_before"] * 1.0001
+    assert report.slac["rmse"] < found.figures["rmse"] <= report.slac["rmse_before"] * 1.0001
 
 
 def test_a_single_fragment_is_left_as_it_is(tmp_path):
     plain = rec.run_system(Walk([0, 1]), config(), tmp_path / "plain")
     report = rec.run_system(Walk([0, 1]), config(), tmp_path / "slac", slac=True)
-    assert (report["slac"]["anchors"], report["slac"]["edges"]) == (0, 0)
-    assert report["mesh"] == plain["mesh"]
+    assert (report.slac["anchors"], report.slac["edges"]) == (0, 0)
+    assert report.mesh == plain.mesh
 
 
 def test_frames_without_colour_are_bent_too(tmp_path, device):
     walk = bent_walk(4)
     changed = {i: change | {"color": None} for i, change in walk.changed.items()}
     report = rec.run_system(Walk(walk.indices, changed=changed), SETTINGS, tmp_path, slac=True, device=device)
-    assert report["slac"]["anchors"] > 50
+    assert report.slac["anchors"] > 50
     assert loom.read_triangle_mesh(tmp_path / "scene" / "integrated.ply").vertex_colors is None
 
 
@@ -121,7 +121,7 @@ def test_a_run_that_is_done_is_kept_as_it_is(whole, job):
     times = {path: path.stat().st_mtime_ns for path in job.rglob("*.[np][pl][zy]")}
     again = rec.run_system(bent_walk(), SETTINGS, job, slac=True, resume=True)
     assert {path: path.stat().st_mtime_ns for path in times} == times
-    assert [again[name] for name in ("slac", "mesh", "poor")] == [first[name] for name in ("slac", "mesh", "poor")]
+    assert (again.slac, again.mesh, again.poor) == (first.slac, first.mesh, first.poor)
     assert digest_of(job) == content
 
 
@@ -159,8 +159,8 @@ def test_another_stiffness_is_another_stage(whole, job):
     _, report, content = whole
     softer = dataclasses.replace(SETTINGS, regularizer_weight=0.1)
     found = rec.refine_with_slac(softer, job, resume=True)
-    assert found.figures["bent_m"] > report["slac"]["bent_m"]
-    assert rec.refine_with_slac(SETTINGS, job, resume=True).figures == report["slac"]
+    assert found.figures["bent_m"] > report.slac["bent_m"]
+    assert rec.refine_with_slac(SETTINGS, job, resume=True).figures == report.slac
     SETTINGS.write(job / "config.json")
     assert digest_of(job) == content
 

@@ -13,8 +13,8 @@ def test_redwoods_frames_become_a_model(tmp_path, data):
     frames = loom.open_frames(data / "rgbd-cupoch-redwood5")
     report = run_system(frames, Config(tsdf_voxel_size=0.02), tmp_path)
     assert len(frames) >= 3  # five; three in tests/data
-    assert (report["used"], report["poor"]) == (len(frames), None)
-    assert report["trajectory_error"]["rmse"] < 0.005  # what the poses that come with them are good for
+    assert (report.used, report.poor) == (len(frames), None)
+    assert report.trajectory_error["rmse"] < 0.005  # what the poses that come with them are good for
 
 
 @pytest.mark.slow
@@ -22,7 +22,7 @@ def test_frames_of_3dmatch_far_apart_are_joined_or_listed(tmp_path, data):
     """Frames 0, 1, 2, 116 and 422: three follow each other, the fourth shares half with the third, the last nothing."""
     frames = loom.open_frames(data / "rgbd-nvblox-3dmatch" / "seq-01")
     report = run_system(frames, Config(tsdf_voxel_size=0.02, depth_max=4.0), tmp_path)
-    assert [run["first"] for run in report["lost"]] in (["frame-000422"], ["frame-000116", "frame-000422"])
+    assert [run.first for run in report.lost] in (["frame-000422"], ["frame-000116", "frame-000422"])
     path = loom.read_trajectory(tmp_path / "scene" / "trajectory.log").poses
     truth = np.array([frames.read(i).T_world_camera for i in range(3)])
     steps, true = (np.linalg.inv(poses[:2]) @ poses[1:3] for poses in (path, truth))
@@ -34,8 +34,8 @@ def test_a_pair_without_poses_becomes_a_model(tmp_path, data):
     camera = loom.PinholeCameraIntrinsic(640, 480, 481.2, 480.0, 319.5, 239.5)
     frames = loom.open_frames(data / "rgbd-slambook-ch7", intrinsic=camera, depth_scale=5000.0)
     report = run_system(frames, Config(tsdf_voxel_size=0.02), tmp_path)
-    assert (report["used"], report["trajectory_error"]) == (2, None)
-    assert report["mesh"]["vertices"] > 5000
+    assert (report.used, report.trajectory_error) == (2, None)
+    assert report.mesh["vertices"] > 5000
 
 
 @pytest.mark.slow
@@ -43,5 +43,5 @@ def test_every_sixth_frame_of_the_kitchen_is_placed(tmp_path, data):
     frames = loom.open_dataset(data / "rgbd-7scenes-redkitchen", every=6)
     names = {"n_frames_per_fragment": 25, "tsdf_voxel_size": 0.02}
     report = run_system(frames, Config(**names), tmp_path)
-    assert (report["used"], report["frames"]) == (50, 50)
-    assert report["trajectory_error"]["rmse"] < 0.06  # the true poses are good for centimetres
+    assert (report.used, report.frames) == (50, 50)
+    assert report.trajectory_error["rmse"] < 0.06  # the true poses are good for centimetres

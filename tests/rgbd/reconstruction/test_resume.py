@@ -39,10 +39,10 @@ def test_a_run_that_is_done_is_kept_as_it_is(tmp_path, whole):
     first = run_system(the_walk(), SETTINGS, tmp_path)
     times = {path: path.stat().st_mtime_ns for path in tmp_path.rglob("*.ply")}
     again = run_system(the_walk(), SETTINGS, tmp_path, resume=True)
-    assert again["resumed"] == {"fragments": 2}
+    assert again.kept == 2
     assert {path: path.stat().st_mtime_ns for path in tmp_path.rglob("*.ply")} == times
     for name in ("lost", "fragments", "mesh", "trajectory_error", "poor"):
-        assert again[name] == first[name]
+        assert getattr(again, name) == getattr(first, name)
     assert digest_of(tmp_path) == whole
 
 
@@ -68,7 +68,7 @@ def test_an_interruption_loses_one_fragment_at_most(tmp_path):
     walk.read = read
     with pytest.raises(KeyboardInterrupt):
         run_system(walk, SETTINGS, tmp_path)
-    assert run_system(the_walk(), SETTINGS, tmp_path, resume=True)["resumed"] == {"fragments": 1}
+    assert run_system(the_walk(), SETTINGS, tmp_path, resume=True).kept == 1
 
 
 class FullDisk(io.FileIO):
@@ -108,36 +108,36 @@ def test_another_configuration_is_another_run(tmp_path):
     run_system(the_walk(), SETTINGS, tmp_path)
     finer = config(n_frames_per_fragment=2)
     report = run_system(the_walk(), finer, tmp_path, resume=True)
-    assert report["resumed"] == {"fragments": 0}
-    assert [fragment["frames"] for fragment in report["fragments"]] == [2, 2]
+    assert report.kept == 0
+    assert [fragment.frames for fragment in report.fragments] == [2, 2]
 
 
 def test_a_stage_is_made_again_where_its_own_names_change(tmp_path):
     first = run_system(the_walk(), SETTINGS, tmp_path)
     report = run_system(the_walk(), config(n_frames_per_fragment=3, tsdf_voxel_size=0.04), tmp_path, resume=True)
-    assert report["resumed"] == {"fragments": 2}
-    assert report["mesh"]["vertices"] < first["mesh"]["vertices"]
+    assert report.kept == 2
+    assert report.mesh["vertices"] < first.mesh["vertices"]
 
 
 def test_a_changed_frame_is_made_again_from_there_on(tmp_path):
     run_system(Walk(range(6)), SETTINGS, tmp_path)
     changed = Walk(range(6), changed={4: {"depth": frame_at(4).depth + np.uint16(1)}})
-    assert run_system(changed, SETTINGS, tmp_path, resume=True)["resumed"] == {"fragments": 1}
+    assert run_system(changed, SETTINGS, tmp_path, resume=True).kept == 1
 
 
 @pytest.mark.slow
 def test_a_walk_that_grew_keeps_what_was_complete(tmp_path):
     run_system(Walk(range(5)), SETTINGS, tmp_path)
     report = run_system(Walk(range(8)), SETTINGS, tmp_path, resume=True)
-    assert report["resumed"] == {"fragments": 1}
-    assert [fragment["frames"] for fragment in report["fragments"]] == [3, 3, 2]
+    assert report.kept == 1
+    assert [fragment.frames for fragment in report.fragments] == [3, 3, 2]
 
 
 def test_a_walk_that_shrank_leaves_no_fragment_of_the_old_one(tmp_path):
     run_system(Walk(range(6)), SETTINGS, tmp_path)
     report = run_system(Walk(range(3)), SETTINGS, tmp_path, resume=True)
-    assert [fragment["frames"] for fragment in report["fragments"]] == [3]
-    assert report["used"] == 3
+    assert [fragment.frames for fragment in report.fragments] == [3]
+    assert report.used == 3
     assert not list(tmp_path.rglob("*_001.*"))
 
 
@@ -146,11 +146,11 @@ def test_fragments_of_an_older_run_are_gone_even_where_it_was_interrupted_while_
     run_system(Walk(range(8)), config(n_frames_per_fragment=2), tmp_path)
     (tmp_path / "records" / "fragment_001.json").unlink()
     report = run_system(Walk(range(4)), config(n_frames_per_fragment=2), tmp_path, resume=True)
-    assert report["used"] == 4
+    assert report.used == 4
     assert not list(tmp_path.rglob("*_003.*"))
 
 
 def test_without_resume_nothing_is_kept(tmp_path):
     run_system(the_walk(), SETTINGS, tmp_path)
     walk = the_walk()
-    assert run_system(walk, SETTINGS, tmp_path)["resumed"] == {"fragments": 0}
+    assert run_system(walk, SETTINGS, tmp_path).kept == 0

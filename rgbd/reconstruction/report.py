@@ -1,0 +1,242 @@
+"""What the whole system did, and an account of what is not in the model: `SystemReport`."""
+
+from __future__ import annotations
+
+import itertools
+import os
+from dataclasses import dataclass
+from typing import Any
+
+from ...core.reports import Fields, Report, all_of
+from ...core.wording import format_bytes, format_seconds, plain
+from .fragments import FragmentSet
+from .frames import LostFrame
+from .placement import Placement
+from .scene import Scene
+
+_SHOWN = 5  # runs of lost frames
+
+
+@dataclass(frozen=True)
+class LostRun:
+    """Frames that follow each other and are not in the model.
+
+    Attributes:
+        first, last: Their names.
+        first_index: The place of the first in the source.
+        count: How many.
+        stage: Which one lost them.
+        reason: Why.
+    """
+
+    first: str
+    last: str
+    first_index: int
+    count: int
+    stage: str
+    reason: str
+
+    def __str__(self) -> str:
+        ends = self.first if self.count == 1 else f"{self.first} to {self.last} ({self.count})"
+        return f"{ends}: {self.reason}"
+
+
+@dataclass(frozen=True)
+class LoopCount:
+    """Pairs of keyframes that close loops in a fragment: how many were tried, aligned, and kept."""
+
+    tried: int
+    aligned: int
+    kept: int
+
+
+@dataclass(frozen=True)
+class ToldFragment:
+    """What is told of a fragment.
+
+    Attributes:
+        number: Its place among the fragments.
+        frames: How many it has.
+        first, last: Their names.
+        placed: Whether it is in the model.
+        broke: Why it does not go on from the fragment before; empty where it does.
+        joined: Whether odometry hangs it on an earlier one.
+        loops: Within it.
+    """
+
+    number: int
+    frames: int
+    first: str
+    last: str
+    placed: bool
+    broke: str
+    joined: bool
+    loops: LoopCount
+
+
+@dataclass(frozen=True)
+class SystemReport(Report):
+    """What `run_system` did; `print(report)` tells it.
+
+    Attributes:
+        folder: Of the job.
+        frames: How many the source has.
+        lost: Runs of frames that are not in the model, in order.
+        fragments: All of them, in order.
+        edges: Of the graph of poses that placed the fragments.
+        loops: Edges that close loops, and that the graph may drop.
+        mesh: The figures of the model, as of `Scene.figures`; None where there is none.
+        trajectory_error: rmse, median and max [m] where the source knows the true poses.
+        kept: How many fragments an earlier run had made.
+        files: The mesh and the path, where there are any.
+        poor: Why the result is poor, or None.
+        slac: As of `BentPlacement.figures`; None where it was not asked for.
+        seconds: Of each stage [s].
+        peak_bytes: The most memory that was held [B].
+    """
+
+    folder: str
+    frames: int
+    lost: tuple[LostRun, ...]
+    fragments: tuple[ToldFragment, ...]
+    edges: int
+    loops: int
+    mesh: dict[str, Any] | None
+    trajectory_error: dict[str, float] | None
+    kept: int
+    files: tuple[str, ...]
+    poor: str | None
+    slac: dict[str, Any] | None
+    seconds: dict[str, float]
+    peak_bytes: int
+
+    @property
+    def used(self) -> int:
+        """How many frames are in the model."""
+        return self.frames - sum(run.count for run in self.lost)
+
+    def to_json(self) -> dict[str, Any]:
+        """All of it in JSON's types."""
+        return plain(
+            {
+                "command": "reconstruct",
+                "method": "fragments",
+                "folder": self.folder,
+                "frames": self.frames,
+                "used": self.used,
+                "lost": self.lost,
+                "fragments": self.fragments,
+                "edges": self.edges,
+                "loops": self.loops,
+                "mesh": self.mesh,
+                "trajectory_error": self.trajectory_error,
+                "resumed": {"fragments": self.kept},
+                "files": self.files,
+                "poor": self.poor,
+                "slac": self.slac,
+                "seconds": self.seconds,
+                "peak_bytes": self.peak_bytes,
+            }
+        )
+
+    def parts(self, where: str = "") -> Fields:
+        """The frames and the fragments; `where` stands behind the frames."""
+        placed = sum(fragment.placed for fragment in self.fragments)
+        fragments = f"{placed} of {len(self.fragments)} joined, {self.loops} loops"
+        if self.kept:
+            fragments += f"; {self.kept} kept from an earlier run"
+        fields = [("frames", f"{self.used} of {self.frames} in the model{where}"), ("fragments", fragments)]
+        if self.lost:
+            runs = [str(run) for run in self.lost[:_SHOWN]]
+            fields.append(("lost", "\n".join([*runs, *(["and more"] if len(self.lost) > _SHOWN else [])])))
+        if self.slac:
+            fields.append(("slac", _slac_line(self.slac)))
+        return fields
+
+    def fields(self) -> Fields:
+        """The frames, the fragments, what it took, and the files."""
+        memory = f"{format_bytes(self.peak_bytes)} at most"
+        cost = [("seconds", format_seconds(self.seconds)), ("memory", memory)]
+        return [*self.parts(), *cost, ("files", ", ".join(self.files) or "none")]
+
+
+def report_of(
+    folder: str,
+    frame_count: int,
+    found: FragmentSet,
+    placement: Placement | None,
+    scene: Scene | None,
+    *,
+    slac: dict[str, Any] | None,
+    seconds: dict[str, float],
+    peak_bytes: int,
+) -> SystemReport:
+    """What stages made."""
+    placed = [False] * len(found.fragments) if placement is None else placement.placed.tolist()
+    lost = _lost_frames(found, placed, scene)
+    edges = [] if placement is None else placement.pose_graph.edges
+    files = [] if scene is None else [p for p in (scene.mesh_path, scene.trajectory_path) if p is not None]
+    figures = {} if scene is None else dict(scene.figures)
+    error = figures.pop("trajectory_error", None)
+    return SystemReport(
+        folder=folder,
+        frames=frame_count,
+        lost=tuple(lost),
+        fragments=tuple(
+            ToldFragment(
+                f.number, len(f), f.names[0], f.names[-1], is_placed, f.broke, f.joint is not None, LoopCount(*f.loops)
+            )
+            for f, is_placed in zip(found.fragments, placed, strict=True)
+        ),
+        edges=len(edges),
+        loops=sum(edge.uncertain for edge in edges),
+        mesh=figures or None,
+        trajectory_error=error,
+        kept=found.kept,
+        files=tuple(os.fspath(path) for path in files),
+        poor=_why_poor(lost, scene, frame_count),
+        slac=slac,
+        seconds=seconds,
+        peak_bytes=peak_bytes,
+    )
+
+
+def _lost_frames(found: FragmentSet, placed: list[bool], scene: Scene | None) -> list[LostRun]:
+    """Runs of frames that are not in the model, in order."""
+    entries = [(frame, "make_fragments") for frame in found.lost]
+    for fragment, is_placed in zip(found.fragments, placed, strict=True):
+        if not is_placed:
+            reason = f"fragment {fragment.number} could not be joined with the others"
+            frames = zip(fragment.indices.tolist(), fragment.names, strict=True)
+            entries += [(LostFrame(i, name, reason), "register_fragments") for i, name in frames]
+    if scene is not None:
+        entries += [(frame, "integrate_scene") for frame in scene.lost]
+    entries.sort(key=lambda entry: entry[0].index)
+    runs = []
+    # equal while the reasons are, and the places follow each other
+    keys = ((frame.index - k, stage, frame.reason) for k, (frame, stage) in enumerate(entries))
+    for (_, stage, reason), run in itertools.groupby(zip(keys, entries, strict=True), key=lambda pair: pair[0]):
+        frames = [entry[0] for _, entry in run]
+        runs.append(LostRun(frames[0].name, frames[-1].name, frames[0].index, len(frames), stage, reason))
+    return runs
+
+
+def _why_poor(lost: list[LostRun], scene: Scene | None, frame_count: int) -> str | None:
+    if scene is None:
+        return f"no two of the {frame_count} frames hang together, and nothing was written; {lost[0].reason}"
+    reasons = []
+    if scene.mesh_path is None:
+        reasons.append("the mesh is empty, and was not written: no voxel was seen often enough; take more frames")
+    if lost:
+        count = sum(run.count for run in lost)
+        where = f"{lost[0].first} and on" if len(lost) == 1 else f"{len(lost)} runs, the first at {lost[0].first}"
+        reasons.append(f"{count} of {frame_count} frames are not in the model ({where}): {lost[0].reason}")
+    return all_of(*reasons)
+
+
+def _slac_line(figures: dict[str, Any]) -> str:
+    if not figures["edges"]:
+        return "nothing to align: no two fragments overlap; fewer frames a fragment (--config) make more of them"
+    apart = f"{figures['rmse_before'] * 1000:.1f} to {figures['rmse'] * 1000:.1f} mm apart"
+    bent = f", {figures['anchors']:,} anchors moved by {figures['bent_m'] * 1000:.1f} mm" if figures["anchors"] else ""
+    return f"fragments {apart} on {figures['used']} of {figures['edges']} overlaps{bent}"
