@@ -14,12 +14,7 @@ from ...cameras.trajectory import Trajectory, read_trajectory
 from ...core.errors import FileError, FilePath
 from ...core.reports import Fields, Report
 from ...drawing.render.picture_files import check_picture, save_picture
-from ...registration.trajectories.trajectory_error import (
-    ErrorStatistics,
-    SegmentError,
-    TrajectoryError,
-    evaluate_trajectory,
-)
+from ...registration.trajectories.trajectory_error import TrajectoryError, evaluate_trajectory
 
 # How the estimate is brought onto the truth: arguments of `evaluate_trajectory`.
 ALIGNMENTS: dict[str, dict[str, Any]] = {
@@ -113,21 +108,3 @@ def _draw_paths(estimate: Trajectory, truth: Trajectory, found: TrajectoryError,
     path = estimate.poses[rows, :3, 3] @ T[:3, :3].T + T[:3, 3]
     times = None if truth.timestamps is None else truth.timestamps[true_rows]
     return trajectory_plot(path, truth.poses[true_rows, :3, 3], times=times, title=title).to_numpy()
-
-
-def error_fields(errors: dict[str, Any]) -> Fields:
-    """`TrajectoryError.fields` of what `TrajectoryError.to_json` gave."""
-    kinds = [ErrorStatistics(**errors[kind][unit]) for kind in ("absolute", "relative") for unit in ("m", "deg")]
-    names = ("length_m", "percent", "deg_per_m", "count")
-    segments = tuple(SegmentError(*(segment[name] for name in names)) for segment in errors["segments"])
-    found: tuple[Any, ...] = (
-        np.zeros((errors["compared"], 2), np.int64),
-        np.array(errors["transformation"]),
-        errors["scale"],
-        *kinds,
-        segments,
-        errors["segment_percent"],
-        errors["segment_deg_per_m"],
-        errors["align"],
-    )
-    return TrajectoryError(*found).fields()
