@@ -1,5 +1,7 @@
 """The pinhole camera: x right, y down, z forward; pixel centres have whole coordinates."""
 
+from typing import Protocol, TypeAlias
+
 from ..lang import float64, func, struct, vec3d
 
 
@@ -23,6 +25,43 @@ class Camera:
     def __init__(self, width: int, height: int, fx: float, fy: float, cx: float, cy: float) -> None:
         self.width, self.height = width, height
         self.fx, self.fy, self.cx, self.cy = fx, fy, cx, cy
+
+
+class Pinhole(Protocol):
+    """What has the attributes of a Camera."""
+
+    @property
+    def width(self) -> int:
+        """Columns of its pictures [px]."""
+        ...
+
+    @property
+    def height(self) -> int:
+        """Rows of its pictures [px]."""
+        ...
+
+    @property
+    def fx(self) -> float:
+        """Focal length along x [px]."""
+        ...
+
+    @property
+    def fy(self) -> float:
+        """Focal length along y [px]."""
+        ...
+
+    @property
+    def cx(self) -> float:
+        """Column of the principal point [px]."""
+        ...
+
+    @property
+    def cy(self) -> float:
+        """Row of the principal point [px]."""
+        ...
+
+
+CameraLike: TypeAlias = Camera | Pinhole  # what host functions take as a camera
 
 
 @func

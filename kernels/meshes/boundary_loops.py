@@ -7,9 +7,7 @@ loop, with a stack. Where the way leads through an edge of three triangles or mo
 it ends, and what is left is a chain and no loop. About 60 B a half-edge of the border, 8 B a half-edge of the mesh.
 """
 
-from typing import Any
-
-from ..array_types import Indices, Integers, Triangles
+from ..array_types import Indices, Integers, LongIntegers, Triangles
 from ..arrays.packed_keys import pack_bits
 from ..arrays.select import gather_rows, positions_of
 from ..arrays.sort import argsort_keys
@@ -181,7 +179,7 @@ def mark_loops_kernel(jumps: array(dtype=int32), mask: array(dtype=uint8)):
     mask[i] = uint8(1 if jumps[i] >= 0 else 0)
 
 
-def _jump(kernel: Kernel, jumps: Any, values: Any):
+def _jump(kernel: Kernel, jumps: Integers, values: LongIntegers) -> tuple[Integers, LongIntegers]:
     """Follow jumps until each spans all there are."""
     count, device = jumps.size, jumps.device
     for _ in range(max(1, count.bit_length())):
@@ -191,7 +189,7 @@ def _jump(kernel: Kernel, jumps: Any, values: Any):
     return jumps, values
 
 
-def rank_loops(vertices: Indices, nexts: Integers):
+def rank_loops(vertices: Indices, nexts: Integers) -> tuple[Indices, UniqueKeys]:
     """The loops among successors: each from its lowest vertex on, in the order of these.
 
     Args:
@@ -280,7 +278,7 @@ def cut_at_vertices_kernel(
     closed = close_loop(rows, stack, base, top, nexts)
 
 
-def find_loops(border: Any):
+def find_loops(border: Border) -> tuple[Indices, UniqueKeys]:
     """The loops of a Border, none of which passes a vertex twice: (rows, loops) as of `rank_loops`."""
     device = border.nexts.device
     rows, loops = rank_loops(border.vertices, border.nexts)

@@ -5,9 +5,7 @@ Repeats are found by sorting: triangles turned so that their lowest vertex comes
 their first two vertices and, among equals, by the third. 12 B read and 1 B written a triangle beside two sorts.
 """
 
-from typing import Any
-
-from ..array_types import Points, Triangles
+from ..array_types import Mask, Points, Triangles
 from ..arrays.select import gather_rows
 from ..arrays.sort import argsort_keys
 from ..lang import array, func, int32, int64, isfinite, kernel, launch, length, tid, uint8, vec3, vec3i
@@ -99,21 +97,21 @@ def mask_repeats_kernel(triangles: array(dtype=vec3i), order: array(dtype=int32)
     mask[order[i]] = uint8(same)
 
 
-def mask_degenerate(vertices: Points, triangles: Triangles, *, zero_area: Any):
+def mask_degenerate(vertices: Points, triangles: Triangles, *, zero_area: bool) -> Mask:
     """uint8 [t]: 1 for triangles that name a vertex twice, and where asked for those of finite corners without area."""
     mask = empty(triangles.size, uint8, triangles.device)
     launch(mask_degenerate_kernel, triangles.size, [vertices, triangles, int(zero_area), mask])
     return mask
 
 
-def mask_not_finite(vertices: Points, triangles: Triangles):
+def mask_not_finite(vertices: Points, triangles: Triangles) -> Mask:
     """uint8 [t]: 1 for triangles with a corner that is not finite."""
     mask = empty(triangles.size, uint8, triangles.device)
     launch(mask_not_finite_kernel, triangles.size, [vertices, triangles, mask])
     return mask
 
 
-def mask_repeats(triangles: Triangles, vertex_count: int):
+def mask_repeats(triangles: Triangles, vertex_count: int) -> Mask:
     """uint8 [t]: 1 for triangles that are an earlier one, turned or not; the opposite of one is another."""
     device, count, bits = triangles.device, triangles.size, max(1, vertex_count.bit_length())
     keys = empty(count, int64, device)

@@ -13,8 +13,6 @@ lets all vertices try that come first in their cells; after ROUNDS rounds, which
 the order of their numbers need, one thread goes through the rest. About 130 B a vertex.
 """
 
-from typing import Any
-
 from ..algebra.transform import widen
 from ..array_types import Indices, Integers, Points
 from ..arrays.hash_table import HashTable, find_position, list_keys, mix_bits
@@ -141,7 +139,7 @@ class Cells:
     reach: float64
     salt: int64
 
-    def __init__(self, points: Points, reach: Any) -> None:
+    def __init__(self, points: Points, reach: float) -> None:
         device, count = points.device, points.size
         self.points, self.salt = points, 0
         self.reach = float(reach) * float(reach)
@@ -263,7 +261,7 @@ def spread_owners_kernel(rows: array(dtype=int32), found: array(dtype=int32), ow
     owners[rows[i]] = rows[found[i]]
 
 
-def find_close_vertices(vertices: Any, finite: Integers, reach: Any, owners: Indices) -> None:
+def find_close_vertices(vertices: Points, finite: Integers, reach: float, owners: Indices) -> None:
     """Write which vertex each of some follows.
 
     Args:

@@ -9,9 +9,7 @@ vertex twice. After ROUNDS rounds, which only chains of many crowded edges need,
 About 100 B a triangle at crowded edges beside the sort of all edges.
 """
 
-from typing import Any
-
-from ..array_types import Indices, Triangles
+from ..array_types import Indices, Mask, Points, Triangles
 from ..arrays.select import gather_rows, positions_of
 from ..arrays.sort import argsort_keys, positions
 from ..arrays.unique import UniqueKeys
@@ -165,7 +163,7 @@ def mask_gone_kernel(rows: array(dtype=int32), states: array(dtype=int32), mask:
         mask[rows[i]] = 1
 
 
-def _crowded_edges_of(triangles: Triangles, vertex_count: int):
+def _crowded_edges_of(triangles: Triangles, vertex_count: int) -> tuple[Indices, int]:
     """(edges of half-edges, -1 where not crowded; how many edges there are)."""
     edges = find_edges(triangles, vertex_count)  # sync
     places = run_places(edges, 3 * triangles.size)
@@ -174,13 +172,13 @@ def _crowded_edges_of(triangles: Triangles, vertex_count: int):
     return of_half_edge, edges.count
 
 
-def has_crowded_edges(triangles: Triangles, vertex_count: int):
+def has_crowded_edges(triangles: Triangles, vertex_count: int) -> bool:
     """Whether an edge has more than two half-edges."""
     edges = find_edges(triangles, vertex_count)  # sync
     return positions_of(mask_counts(edges, MANIFOLD + 1, MOST)).size > 0  # sync
 
 
-def mask_folded_at_crowded_edges(triangles: Triangles, vertex_count: int):
+def mask_folded_at_crowded_edges(triangles: Triangles, vertex_count: int) -> Mask:
     """uint8 [t]: 1 for the triangles at edges of more than two that name a vertex twice."""
     mask = empty(triangles.size, uint8, triangles.device)
     of_half_edge, _ = _crowded_edges_of(triangles, vertex_count)
@@ -188,7 +186,7 @@ def mask_folded_at_crowded_edges(triangles: Triangles, vertex_count: int):
     return mask
 
 
-def mask_crowding(vertices: Any, triangles: Triangles):
+def mask_crowding(vertices: Points, triangles: Triangles) -> Mask:
     """uint8 [t]: 1 for the triangles that have to go, none at crowded edges naming a vertex twice."""
     device, count = triangles.device, triangles.size
     of_half_edge, edge_count = _crowded_edges_of(triangles, vertices.size)

@@ -9,10 +9,8 @@ the order of threads. Rounds are about as many as there are edges on the longest
 after one in which a corner of its triangles came nearer. 16 B a vertex beside its list of corners.
 """
 
-from typing import Any
-
 from ..algebra.transform import widen
-from ..array_types import Integers, Triangles
+from ..array_types import Doubles, Integers, Points, Triangles
 from ..lang import (
     INFINITY,
     array,
@@ -76,7 +74,7 @@ class Wave:
     around: CornersByVertex
     found: array(dtype=int32)
 
-    def __init__(self, vertices: Any, triangles: Triangles) -> None:
+    def __init__(self, vertices: Points, triangles: Triangles) -> None:
         self.vertices, self.triangles = vertices, triangles
         self.around, self.found = CornersByVertex(triangles, vertices.size), zeros(1, int32, vertices.device)
 
@@ -153,7 +151,7 @@ def settle_rounds_kernel(wave: Wave, running: array(dtype=int32)):
     wave.found[i] = 0
 
 
-def geodesic_distances(vertices: Any, triangles: Triangles, sources: Integers):
+def geodesic_distances(vertices: Points, triangles: Triangles, sources: Integers) -> Doubles:
     """The distance of each vertex from the nearest of int32 sources along the mesh, float64 [m]; infinite where none.
 
     One look at a flag every second round on the CPU, none on CUDA.

@@ -8,12 +8,12 @@ have one area. Bends are compared in steps, so that rounding does not choose. A 
 already is not taken. The chords that span as many sides are one thread each; all in float64, the same bits everywhere.
 """
 
-from typing import Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from ..algebra.transform import widen
-from ..array_types import Points, Triangles
+from ..array_types import Indices, Points, Triangles
 from ..arrays.select import gather_rows, positions_of
 from ..lang import (
     INFINITY,
@@ -38,6 +38,9 @@ from ..lang import (
 from ..memory import download, empty, full, upload, zeros
 from .mesh_edges import edge_key, find_edge, key_bits, spread_runs_kernel
 from .mesh_measures import triangle_cross
+
+if TYPE_CHECKING:
+    from .holes import FoundLoops
 
 STEPS = 256.0  # in which bends of 0..2 are compared: the first is 5 degrees, later ones are less
 
@@ -82,7 +85,7 @@ class Loops:
     sizes: array(dtype=float64)
     tips: array(dtype=int32)
 
-    def __init__(self, found: Any, chosen: np.ndarray, counts: np.ndarray) -> None:
+    def __init__(self, found: "FoundLoops", chosen: np.ndarray, counts: np.ndarray) -> None:
         """Some of the loops of FoundLoops, with their numbers of vertices (NumPy arrays)."""
         device, square = found.vertices.device, counts.astype(np.int64) ** 2
         starts, entries = np.concatenate([[0], np.cumsum(counts)]), int(counts.sum())
@@ -249,7 +252,9 @@ def name_pieces_kernel(
     of_loop[i] = numbers[loops.owners[p[0]]]
 
 
-def close_loops(vertices: Points, triangles: Triangles, found: Any, batch: np.ndarray):
+def close_loops(
+    vertices: Points, triangles: Triangles, found: "FoundLoops", batch: np.ndarray
+) -> tuple[Triangles, Indices, Indices]:
     """(pieces vec3i [p], corners int32 [3 p], loop of each int32 [p]) of the loops of a batch that can be closed."""
     device, counts = triangles.device, found.counts[batch]
     loops, bits = Loops(found, batch, counts), key_bits(vertices.size)

@@ -5,8 +5,6 @@ the same chord, the later one waits for the next pass, in which the chord is an 
 for its edges, and 44 B for each pair of vertices of the loops of a batch.
 """
 
-from typing import Any
-
 import numpy as np
 
 from ..algebra.transform import widen
@@ -106,7 +104,7 @@ class FoundLoops:
         self.radii = download(radii).copy()  # sync
 
 
-def plan_batches(chosen: Any, counts: Any):
+def plan_batches(chosen: np.ndarray, counts: np.ndarray) -> list[np.ndarray]:
     """Chosen loops (NumPy array) in batches of like sizes, none with more than MOST_CELLS chords; the largest first."""
     order, batches, cells = chosen[np.argsort(-counts[chosen], kind="stable")], [], 0
     for loop, count in zip(order.tolist(), counts[order].tolist(), strict=True):
@@ -118,7 +116,9 @@ def plan_batches(chosen: Any, counts: Any):
     return [np.array(batch) for batch in batches]
 
 
-def drop_conflicts(pieces: Any, corners: Indices, of_loop: Integers, loop_count: Any, vertex_count: int):
+def drop_conflicts(
+    pieces: Triangles, corners: Indices, of_loop: Integers, loop_count: int, vertex_count: int
+) -> tuple[Triangles, Indices, int]:
     """The pieces of loops that share no chord with an earlier one, their corners, and how many loops wait."""
     device = pieces.device
     edges, waits = find_edges(pieces, vertex_count), zeros(loop_count, int32, device)  # sync
@@ -149,14 +149,14 @@ class Filling:
         left: Holes within the size that stay open.
     """
 
-    def __init__(self, vertices: Any, triangles: Triangles, hole_size: Any) -> None:
+    def __init__(self, vertices: Points, triangles: Triangles, hole_size: float) -> None:
         self.triangles, self.filled, waiting = triangles, 0, 1
         self.corners = empty(0, int32, triangles.device)
         for _ in range(PASSES):
             if waiting:
                 waiting = self._fill(vertices, hole_size)
 
-    def _fill(self, vertices: Any, hole_size: Any):
+    def _fill(self, vertices: Points, hole_size: float) -> int:
         """Close what can be closed at once; how many loops have to wait for others."""
         found = FoundLoops(vertices, self.triangles)
         within = found.radii <= hole_size
@@ -189,7 +189,7 @@ def spread_ids_kernel(ids: array(dtype=int32), corners: array(dtype=int32), firs
     out[first + i] = ids[corners[3 * i] // 3]
 
 
-def spread_corners(values: Array1[vec2], corners: Indices):
+def spread_corners(values: Array1[vec2], corners: Indices) -> Array1[vec2]:
     """Values vec2 [3 t] of corners, and behind them those of new corners."""
     out = empty(values.size + corners.size, vec2, values.device)
     copy(out, values, count=values.size)
@@ -197,7 +197,7 @@ def spread_corners(values: Array1[vec2], corners: Indices):
     return out
 
 
-def spread_ids(ids: Indices, corners: Indices):
+def spread_ids(ids: Indices, corners: Indices) -> Integers:
     """Material numbers int32 [t], and behind them those of new triangles."""
     out = empty(ids.size + corners.size // 3, int32, ids.device)
     copy(out, ids, count=ids.size)

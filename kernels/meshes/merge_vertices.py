@@ -4,10 +4,11 @@ Which vertex each one follows is an int32 array `owners` with owners[v] <= v and
 owners stay, in their order; triangles name them. About 16 B a vertex beside the sort.
 """
 
+from collections.abc import Iterable
 from typing import Any
 
 from ..algebra.transform import narrow, widen
-from ..array_types import Indices, Integers, Points, Triangles
+from ..array_types import Indices, Integers, Mask, Points, Triangles, Vectors
 from ..arrays.prefix_sum import exclusive_scan
 from ..arrays.sort import argsort_keys, positions
 from ..arrays.union_find import flatten_sets_kernel, unite
@@ -87,7 +88,7 @@ def average_members_kernel(rows: array(dtype=vec3), groups: UniqueKeys, unit: in
     means[i] = mean
 
 
-def find_equal_vertices(vertices: Points):
+def find_equal_vertices(vertices: Points) -> Indices:
     """The first vertex at the position of each, int32 [m]; those with a NaN follow themselves."""
     device, count = vertices.device, vertices.size
     bits = WORD_BITS - max(1, (count - 1).bit_length())
@@ -99,28 +100,30 @@ def find_equal_vertices(vertices: Points):
     return owners
 
 
-def number_owners(owners: Indices):
+def number_owners(owners: Indices) -> tuple[Integers, int]:
     """(places int32 [m + 1], count): the new number of each owner; one sync."""
     marks = empty(owners.size, int32, owners.device)
     launch(mark_owners_kernel, owners.size, [owners, marks])
     return exclusive_scan(marks)
 
 
-def mask_owners(owners: Indices):
+def mask_owners(owners: Indices) -> Mask:
     """uint8 [m]: 1 for the vertices that stay."""
     mask = empty(owners.size, uint8, owners.device)
     launch(mask_owners_kernel, owners.size, [owners, mask])
     return mask
 
 
-def rename_corners(triangles: Triangles, owners: Indices, places: Integers):
+def rename_corners(triangles: Triangles, owners: Indices, places: Integers) -> Triangles:
     """The triangles of the vertices that theirs follow, by their new numbers."""
     renamed = empty(triangles.size, vec3i, triangles.device)
     launch(rename_corners_kernel, triangles.size, [triangles, owners, places, renamed])
     return renamed
 
 
-def average_members(arrays: Any, unit: Any, owners: Indices, places: Integers, count: int):
+def average_members(
+    arrays: Iterable[Vectors], unit: Iterable[bool], owners: Indices, places: Integers, count: int
+) -> list[Any]:
     """The mean rows of each owner and those that follow it.
 
     Args:

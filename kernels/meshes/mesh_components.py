@@ -6,9 +6,9 @@ are summed in float64 by ascending triangle, in blocks of 1024 whatever the devi
 of memory a triangle beside the sort.
 """
 
-from typing import Any
+import numpy as np
 
-from ..array_types import Doubles, Indices, Triangles
+from ..array_types import Doubles, Indices, LongIntegers, Mask, Points, Triangles
 from ..arrays.pair_sort import argsort_pairs
 from ..arrays.segment_blocks import SegmentBlocks
 from ..arrays.select import positions_of
@@ -88,7 +88,7 @@ def mask_parts_kernel(labels: array(dtype=int64), chosen: array(dtype=uint8), ma
     mask[i] = chosen[int(labels[i])]
 
 
-def number_parts(parents: Indices):
+def number_parts(parents: Indices) -> tuple[LongIntegers, int]:
     """(labels int64 [t], count): parts by their first triangles, which `parents` gives for each; one sync."""
     device = parents.device
     marks, labels = empty(parents.size, uint8, device), empty(parents.size, int64, device)
@@ -99,7 +99,7 @@ def number_parts(parents: Indices):
     return labels, roots.size
 
 
-def sum_by_part(values: Doubles, groups: UniqueKeys, counts: Any):
+def sum_by_part(values: Doubles, groups: UniqueKeys, counts: np.ndarray) -> np.ndarray:
     """Sums over parts, float64 NumPy array [c]: by ascending triangle, in blocks of 1024.
 
     Args:
@@ -128,7 +128,7 @@ class Components:
         areas: Their areas, float64 NumPy array [c].
     """
 
-    def __init__(self, vertices: Any, triangles: Triangles) -> None:
+    def __init__(self, vertices: Points, triangles: Triangles) -> None:
         device, count = triangles.device, triangles.size
         bits = max(1, vertices.size.bit_length())
         keys, parents = empty(3 * count, int64, device), positions(count, device)
@@ -141,7 +141,7 @@ class Components:
         self.counts = download(groups.counts()).copy()  # sync
         self.areas = sum_by_part(measure_areas(vertices, triangles), groups, self.counts) / 2  # they are twice as large
 
-    def mask(self, chosen: Any):
+    def mask(self, chosen: np.ndarray) -> Mask:
         """The triangles of chosen parts, uint8 device array [t]; `chosen` is a bool NumPy array [c]."""
         device = self.labels.device
         mask = empty(self.labels.size, uint8, device)

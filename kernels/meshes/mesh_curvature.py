@@ -8,7 +8,7 @@ around a vertex close a ring and turn alike. Reads some 50 B a corner, writes 32
 
 from ..algebra.angles import angle_of
 from ..algebra.transform import widen
-from ..array_types import Points, Triangles
+from ..array_types import Array1, Points, Triangles
 from ..lang import (
     NAN,
     array,
@@ -125,7 +125,7 @@ def measure_curvatures_kernel(
     curvatures[i] = result
 
 
-def measure_curvatures(vertices: Points, triangles: Triangles):
+def measure_curvatures(vertices: Points, triangles: Triangles) -> Array1[vec4d]:
     """(mean, Gaussian, least, largest) curvature of each vertex, vec4d [m]; one sync."""
     device = vertices.device
     edges, around = MeshEdges(triangles, vertices.size), CornersByVertex(triangles, vertices.size)

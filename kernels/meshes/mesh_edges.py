@@ -5,9 +5,7 @@ they come in the order of their two numbers. A half-edge from a vertex to itself
 twice, is an edge of its own here, as Open3D counts it. About 50 B a half-edge while they are sorted, 20 B after.
 """
 
-from typing import Any
-
-from ..array_types import Indices, Triangles
+from ..array_types import Array1, Indices, Integers, Mask, Triangles
 from ..arrays.pair_sort import argsort_pairs
 from ..arrays.select import invert_mask
 from ..arrays.sort import positions
@@ -122,7 +120,7 @@ def count_sharers_kernel(edges: MeshEdges, counts: array(dtype=int32)):
     counts[i] = count
 
 
-def count_sharers(edges: Any):
+def count_sharers(edges: MeshEdges) -> Integers:
     """How many triangles each edge has, int32 [e]."""
     counts = empty(edges.count, int32, edges.lows.device)
     launch(count_sharers_kernel, edges.count, [edges, counts])
@@ -145,19 +143,19 @@ def mask_counts_kernel(starts: array(dtype=int32), least: int, most: int, mask: 
     mask[i] = uint8(1 if count >= least and count <= most else 0)
 
 
-def mask_counts(edges: Any, least: int, most: int):
+def mask_counts(edges: UniqueKeys | MeshEdges, least: int, most: int) -> Mask:
     """uint8 [e]: 1 for the edges of `least` to `most` half-edges."""
     mask = empty(edges.count, uint8, edges.starts.device)
     launch(mask_counts_kernel, edges.count, [edges.starts, least, most, mask])
     return mask
 
 
-def mask_other_counts(edges: Any, count: int):
+def mask_other_counts(edges: UniqueKeys | MeshEdges, count: int) -> Mask:
     """uint8 [e]: 1 for the edges of more or fewer half-edges."""
     return invert_mask(mask_counts(edges, count, count))
 
 
-def edge_ends(edges: Any, rows: Indices, vertex_count: int):
+def edge_ends(edges: UniqueKeys, rows: Indices, vertex_count: int) -> Array1[vec2i]:
     """The vertices of the edges at some rows, vec2i, the lower number first."""
     ends = empty(rows.size, vec2i, rows.device)
     launch(list_ends_kernel, rows.size, [edges.keys, rows, key_bits(vertex_count), ends])
@@ -225,14 +223,14 @@ def mark_split_vertices_kernel(
     mask[i] = uint8(split)
 
 
-def run_places(groups: UniqueKeys, count: int):
+def run_places(groups: UniqueKeys, count: int) -> Indices:
     """The run of each of `count` places of UniqueKeys, int32."""
     places = empty(count, int32, groups.starts.device)
     launch(spread_runs_kernel, groups.count, [groups.starts, places])
     return places
 
 
-def find_split_vertices(triangles: Triangles, vertex_count: int):
+def find_split_vertices(triangles: Triangles, vertex_count: int) -> Mask:
     """uint8 [m]: 1 where the triangles at a vertex hang together by it alone, and not by edges at it."""
     device, half_edges = triangles.device, 3 * triangles.size
     edges, parents = find_edges(triangles, vertex_count), positions(half_edges, device)  # sync

@@ -1,11 +1,12 @@
 """Meshes changed: normals that turn with them, the other winding, fewer triangles, fewer vertices."""
 
+from collections.abc import Iterable
 from typing import Any
 
 import numpy as np
 
 from ..algebra.transform import narrow, widen
-from ..array_types import Array1, Cells, Indices, Integers, Mask, Points, Triangles, Vectors
+from ..array_types import Array1, Cells, Indices, Integers, Mask, Triangles, Vectors
 from ..arrays.prefix_sum import exclusive_scan, sum_counts
 from ..arrays.select import gather_rows, positions_of
 from ..lang import array, atomic_min, int32, kernel, launch, length, mat33d, tid, uint8, vec2, vec3, vec3i
@@ -125,7 +126,7 @@ def mark_places_kernel(rows: array(dtype=int32), used: array(dtype=int32), place
     places[rows[i]] = i
 
 
-def first_listed(rows: Indices, count: int):
+def first_listed(rows: Indices, count: int) -> Indices:
     """The rows of a list, each where it comes first."""
     places, mask = full(count, rows.size, int32, rows.device), empty(rows.size, uint8, rows.device)
     launch(find_first_places_kernel, rows.size, [rows, places])
@@ -133,7 +134,7 @@ def first_listed(rows: Indices, count: int):
     return gather_rows(rows, positions_of(mask))  # sync
 
 
-def mark_places(rows: Indices, count: int):
+def mark_places(rows: Indices, count: int) -> tuple[Integers, Indices]:
     """(used, places): of `count` vertices, 1 for those in a list without repeats, and their places in it; int32."""
     used, places = zeros(count, int32, rows.device), empty(count, int32, rows.device)
     launch(mark_places_kernel, rows.size, [rows, used, places])
@@ -147,42 +148,44 @@ def renumber_triangles(triangles: Triangles, places: Integers) -> Triangles:
     return renumbered
 
 
-def turn_normals(normals: Vectors, A: np.ndarray):
+def turn_normals(normals: Vectors, A: np.ndarray) -> Vectors:
     """A n at unit length for a float64 matrix [3, 3]."""
     turned = empty(normals.size, vec3, normals.device)
     launch(turn_normals_kernel, normals.size, [normals, mat33d(*A.ravel()), turned])
     return turned
 
 
-def flip_triangles(triangles: Triangles):
+def flip_triangles(triangles: Triangles) -> Triangles:
     """The same triangles wound the other way."""
     flipped = empty(triangles.size, vec3i, triangles.device)
     launch(flip_triangles_kernel, triangles.size, [triangles, flipped])
     return flipped
 
 
-def flip_corners(values: Array1[vec2]):
+def flip_corners(values: Array1[vec2]) -> Array1[vec2]:
     """Values vec2 [3 t] of corners for triangles wound the other way."""
     flipped = empty(values.size, vec2, values.device)
     launch(flip_corners_kernel, values.size // 3, [values, flipped])
     return flipped
 
 
-def count_referenced(triangles: Triangles, vertex_count: int):
+def count_referenced(triangles: Triangles, vertex_count: int) -> int:
     """How many vertices triangles use; one sync."""
     used = zeros(vertex_count, int32, triangles.device)
     launch(mark_referenced_kernel, triangles.size, [triangles, used])
     return sum_counts(used)
 
 
-def count_unlike(triangles: Triangles, others: Cells):
+def count_unlike(triangles: Triangles, others: Cells) -> int:
     """How many triangles are not those at the same places of a list that is as long or longer; one sync."""
     unlike = empty(triangles.size, int32, triangles.device)
     launch(compare_triangles_kernel, triangles.size, [triangles, others, unlike])
     return sum_counts(unlike)
 
 
-def drop_unreferenced(triangles: Triangles, vertex_count: int, per_vertex: Any) -> tuple[Triangles, list[Any]]:
+def drop_unreferenced(
+    triangles: Triangles, vertex_count: int, per_vertex: Iterable[Vectors]
+) -> tuple[Triangles, list[Any]]:
     """Renumber triangles by the vertices that they use.
 
     Args:
@@ -198,7 +201,7 @@ def drop_unreferenced(triangles: Triangles, vertex_count: int, per_vertex: Any) 
     return keep_vertices(triangles, used, per_vertex)
 
 
-def keep_vertices(triangles: Triangles, used: Integers, per_vertex: Any) -> tuple[Cells, list[Points]]:
+def keep_vertices(triangles: Triangles, used: Integers, per_vertex: Iterable[Vectors]) -> tuple[Triangles, list[Any]]:
     """Cut arrays to the vertices that are used, and renumber triangles, none of which has another.
 
     Args:
@@ -226,12 +229,12 @@ def gather_triangles(triangles: Triangles, rows: Indices) -> Triangles:
     return gathered
 
 
-def keep_triangles(triangles: Triangles, mask: Mask):
+def keep_triangles(triangles: Triangles, mask: Mask) -> Triangles:
     """The triangles where a uint8 device mask [t] is not zero, in their order."""
     return gather_triangles(triangles, positions_of(mask))  # sync
 
 
-def gather_corners(values: Array1[vec2], rows: Indices):
+def gather_corners(values: Array1[vec2], rows: Indices) -> Array1[vec2]:
     """The values vec2 [3 t] of the corners of triangles `rows`."""
     gathered = empty(3 * rows.size, vec2, values.device)
     launch(gather_corners_kernel, rows.size, [values, rows, gathered])

@@ -6,7 +6,7 @@ that is not finite add nothing. Vertices are float32, 12 B; triangles three int3
 """
 
 from ..algebra.transform import widen
-from ..array_types import Points, Triangles
+from ..array_types import Points, Triangles, Vectors
 from ..lang import (
     array,
     cross,
@@ -91,14 +91,14 @@ def measure_triangle(vertices: array(dtype=vec3), triangles: array(dtype=vec3i))
     return vec2d(length(n), volume)
 
 
-def triangle_normals(vertices: Points, triangles: Triangles):
+def triangle_normals(vertices: Points, triangles: Triangles) -> Vectors:
     """Unit normals of triangles, vec3 [t]."""
     normals = empty(triangles.size, vec3, vertices.device)
     launch(compute_triangle_normals_kernel, triangles.size, [vertices, triangles, normals])
     return normals
 
 
-def vertex_normals(vertices: Points, triangles: Triangles):
+def vertex_normals(vertices: Points, triangles: Triangles) -> Vectors:
     """Unit normals of vertices, vec3 [m]: the mean of the triangles around each, weighted by area."""
     device = vertices.device
     crosses, normals = empty(triangles.size, vec3d, device), empty(vertices.size, vec3, device)

@@ -186,14 +186,14 @@ class Orientation:
         launch(turn_parts_kernel, count, [labels, upload(turned, uint8, device), self.flips])
 
 
-def flip_some(triangles: Triangles, flips: Bytes):
+def flip_some(triangles: Triangles, flips: Bytes) -> Triangles:
     """The triangles, wound the other way where a uint8 mask says so."""
     flipped = empty(triangles.size, vec3i, triangles.device)
     launch(flip_some_triangles_kernel, triangles.size, [triangles, flips, flipped])
     return flipped
 
 
-def flip_some_corners(values: Array1[vec2], flips: Bytes):
+def flip_some_corners(values: Array1[vec2], flips: Bytes) -> Array1[vec2]:
     """Values vec2 [3 t] of corners for triangles that are wound the other way where a mask says so."""
     flipped = empty(values.size, vec2, values.device)
     launch(flip_some_corners_kernel, flips.size, [values, flips, flipped])

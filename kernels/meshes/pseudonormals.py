@@ -9,8 +9,6 @@ directions, the triangles at a vertex are one fan, none is without area, and the
 About 40 B a half-edge to build; 12 B a triangle and 24 B a vertex are kept.
 """
 
-from typing import Any
-
 from ..algebra.angles import angle_between
 from ..algebra.transform import widen
 from ..array_types import Points, Triangles
@@ -100,7 +98,7 @@ class Pseudonormals:
     normals: array(dtype=vec3d)
     turn: float64
 
-    def __init__(self, vertices: Points, triangles: Triangles, volume: Any) -> None:
+    def __init__(self, vertices: Points, triangles: Triangles, volume: float) -> None:
         device, count, bits = vertices.device, 3 * triangles.size, max(1, vertices.size.bit_length())
         self.vertices, self.triangles, self.turn = vertices, triangles, 1.0 if volume >= 0 else -1.0
         keys, self.twins = empty(count, int64, device), empty(count, int32, device)
@@ -135,6 +133,6 @@ def side_of_part(gap: vec3d, triangle: int, part: int, sides: Pseudonormals) -> 
     return dot(gap, normal) * sides.turn
 
 
-def has_narrow_triangles(vertices: Points, triangles: Triangles):
+def has_narrow_triangles(vertices: Points, triangles: Triangles) -> bool:
     """Whether some triangle has no area or a corner that is not finite."""
     return bool(download(reduce(count_narrow, triangles.size, [vertices, triangles]))[0][0] > 0)  # sync

@@ -10,10 +10,8 @@ attribute.
 Triangles without area, and those with a corner that is not finite, get none.
 """
 
-from typing import Any
-
 from ..algebra.transform import narrow, widen
-from ..array_types import Doubles, Points, Triangles
+from ..array_types import Doubles, Points, Triangles, Vectors
 from ..arrays.random import random_bits
 from ..arrays.running_sums import running_sums
 from ..lang import NAN, array, float64, func, int32, isfinite, kernel, launch, length, sqrt, tid, vec3, vec3d, vec3i
@@ -151,7 +149,7 @@ class SurfaceSamples:
         area: Of the mesh; 0 where there is nothing to draw from. One sync.
     """
 
-    def __init__(self, vertices: Any, triangles: Triangles) -> None:
+    def __init__(self, vertices: Points, triangles: Triangles) -> None:
         self.vertices, self.triangles, self.device = vertices, triangles, vertices.device
         self.running = running_sums(measure_areas(vertices, triangles))
         self.area = float(download(self.running[triangles.size - 1 :])[0]) / 2 if triangles.size else 0.0  # sync
@@ -165,14 +163,14 @@ class SurfaceSamples:
         launch(guide_shares_kernel, steps + 1, [self.running, steps, guide])
         launch(draw_places_kernel, count, [self.running, steps, guide, seed, self.chosen, self.weights])
 
-    def mix(self, values: Any, unit: bool = False):
+    def mix(self, values: Vectors, unit: bool = False) -> Vectors:
         """What belongs to vertices, vec3 [m], at the samples; `unit` makes unit vectors of it."""
         mixed = empty(self.count, vec3, self.device)
         kernel = mix_normals_kernel if unit else mix_vectors_kernel
         launch(kernel, self.count, [values, self.triangles, self.chosen, self.weights, mixed])
         return mixed
 
-    def triangle_normals(self):
+    def triangle_normals(self) -> Vectors:
         """The unit normals of the samples' triangles, vec3 [n]."""
         normals = empty(self.count, vec3, self.device)
         launch(take_triangle_normals_kernel, self.count, [self.vertices, self.triangles, self.chosen, normals])

@@ -9,12 +9,13 @@ the same bits on every device. About 80 B of memory a triangle beside the sort o
 Source: SurfaceTrimmer of PoissonRecon (Kazhdan), whose islands and holes are these.
 """
 
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
 
 from ..algebra.transform import narrow, widen
-from ..array_types import Doubles, Integers, Mask, Triangles
+from ..array_types import Doubles, Integers, Mask, Points, Triangles, Vectors
 from ..arrays.pair_sort import argsort_pairs
 from ..arrays.prefix_sum import exclusive_scan
 from ..arrays.select import gather_rows, invert_mask, positions_of
@@ -61,7 +62,7 @@ class CutEdges:
     vertices: array(dtype=int32)
     shares: array(dtype=float64)
 
-    def __init__(self, triangles: Triangles, values: Doubles, sides: Integers, level: Any) -> None:
+    def __init__(self, triangles: Triangles, values: Doubles, sides: Integers, level: float) -> None:
         device, half_edges = triangles.device, 3 * triangles.size
         self.bits = max(1, values.size.bit_length())
         keys, mask = empty(half_edges, int64, device), empty(half_edges, uint8, device)
@@ -167,7 +168,9 @@ def write_pieces_kernel(
         kept[first + 2] = uint8(1 if sides[b] > 0 else 0)
 
 
-def cut_at_level(triangles: Triangles, per_vertex: Any, unit: Any, values: Doubles, level: Any):
+def cut_at_level(
+    triangles: Triangles, per_vertex: Sequence[Vectors], unit: Sequence[bool], values: Doubles, level: float
+) -> tuple[Triangles, list[Vectors], Mask]:
     """The mesh with its triangles cut along the level.
 
     Args:
@@ -241,7 +244,7 @@ def find_edges_of_parts_kernel(
                 atomic_max(touches, part, 1)
 
 
-def drop_islands(vertices: Any, triangles: Triangles, mask: Mask, least: Any) -> None:
+def drop_islands(vertices: Points, triangles: Triangles, mask: Mask, least: float) -> None:
     """Clear the mask (uint8 [t]) of parts of the chosen triangles whose area is below `least`."""
     rows = positions_of(mask)  # sync
     parts = Components(vertices, keep_triangles(triangles, mask))
@@ -249,7 +252,7 @@ def drop_islands(vertices: Any, triangles: Triangles, mask: Mask, least: Any) ->
     launch(spread_mask_kernel, rows.size, [rows, chosen, 0, mask])
 
 
-def keep_holes(vertices: Any, triangles: Triangles, mask: Mask, least: Any) -> None:
+def keep_holes(vertices: Points, triangles: Triangles, mask: Mask, least: float) -> None:
     """Set the mask of parts of the other triangles whose area is below `least` and that chosen ones enclose."""
     device = triangles.device
     others = invert_mask(mask)
@@ -268,7 +271,14 @@ def keep_holes(vertices: Any, triangles: Triangles, mask: Mask, least: Any) -> N
     launch(spread_mask_kernel, rows.size, [rows, chosen, 1, mask])
 
 
-def trim(triangles: Triangles, per_vertex: Any, unit: Any, values: Any, level: Any, island_ratio: Any):
+def trim(
+    triangles: Triangles,
+    per_vertex: Sequence[Vectors],
+    unit: Sequence[bool],
+    values: np.ndarray,
+    level: float,
+    island_ratio: float,
+) -> tuple[Triangles, list[Any]]:
     """The part of a mesh above a level.
 
     Args:
@@ -284,8 +294,8 @@ def trim(triangles: Triangles, per_vertex: Any, unit: Any, values: Any, level: A
     """
     device = triangles.device
     area, _ = measure(per_vertex[0], triangles)
-    values = upload(np.asarray(values, np.float64), float64, device)
-    pieces, arrays, mask = cut_at_level(triangles, per_vertex, unit, values, level)
+    field = upload(np.asarray(values, np.float64), float64, device)
+    pieces, arrays, mask = cut_at_level(triangles, per_vertex, unit, field, level)
     if island_ratio > 0:
         drop_islands(arrays[0], pieces, mask, island_ratio * area)
         keep_holes(arrays[0], pieces, mask, island_ratio * area)

@@ -1,14 +1,25 @@
 """The neighbours of each vertex of a mesh along its edges, each once and ascending. About 30 B an edge."""
 
-from typing import TYPE_CHECKING, Any
+from typing import Protocol
 
+from ..array_types import Indices
 from ..arrays.pair_sort import argsort_pairs
 from ..lang import array, int32, int64, kernel, launch, struct, tid
 from ..memory import empty, zeros
 from .mesh_topology import find_starts_kernel
 
-if TYPE_CHECKING:
-    pass
+
+class Edges(Protocol):
+    """MeshEdges, or others with these attributes.
+
+    Attributes:
+        count: How many e.
+        lows, highs: Their vertices, int32 [e], ascending by both.
+    """
+
+    count: int
+    lows: Indices
+    highs: Indices
 
 
 @kernel
@@ -57,8 +68,8 @@ class VertexNeighbors:
     vertices: array(dtype=int32)
     edges: array(dtype=int32)
 
-    def __init__(self, edges: "Any", vertex_count: int) -> None:
-        """The neighbours along MeshEdges, or along anything with `lows` and `highs` that ascend by both."""
+    def __init__(self, edges: Edges, vertex_count: int) -> None:
+        """The neighbours along edges."""
         device, count = edges.lows.device, 2 * edges.count
         keys = empty(count, int64, device)
         launch(list_ends_kernel, edges.count, [edges.lows, edges.highs, vertex_count, keys])
