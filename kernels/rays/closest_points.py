@@ -3,8 +3,6 @@
 Each query is measured once more against the triangle that nearest_triangle.py found, in float64.
 """
 
-from typing import TYPE_CHECKING, Any
-
 import numpy as np
 
 from ..algebra.transform import Transform, narrow, transform_point, widen
@@ -32,9 +30,6 @@ from ..meshes.pseudonormals import Pseudonormals, side_of_part
 from .nearest_triangle import NearestTriangles
 from .point_triangle import measure_triangle, point_at
 from .triangle_tree import TriangleTree
-
-if TYPE_CHECKING:
-    pass
 
 INSIDE_OUT = 0.5  # of a winding number: halfway between outside and once around
 
@@ -126,7 +121,9 @@ def sign_distances_kernel(
     distances[i] = distance
 
 
-def describe(queries: Points, tree: TriangleTree, nearest: Any, mesh: int, place: np.ndarray, closest: Any) -> None:
+def describe(
+    queries: Points, tree: TriangleTree, nearest: NearestTriangles, mesh: int, place: np.ndarray, closest: ClosestPoints
+) -> None:
     """Enter the closest points of the queries whose nearest triangle is one mesh's.
 
     Args:
@@ -141,7 +138,7 @@ def describe(queries: Points, tree: TriangleTree, nearest: Any, mesh: int, place
     launch(describe_closest_kernel, queries.size, [queries, *mesh_arrays, nearest, mesh, Transform(place), closest])
 
 
-def find_sides(queries: Points, nearest: Any, sides: Any):
+def find_sides(queries: Points, nearest: NearestTriangles, sides: Pseudonormals) -> Doubles:
     """float64 [n], 1 for queries inside a closed mesh, given its Pseudonormals, else 0."""
     numbers = zeros(queries.size, float64, queries.device)
     launch(find_sides_kernel, queries.size, [queries, nearest, sides, numbers])
@@ -158,14 +155,14 @@ def mark_inside_kernel(distances: array(dtype=float32), inside: array(dtype=floa
     inside[i] = mark
 
 
-def mark_inside(distances: Scalars):
+def mark_inside(distances: Scalars) -> Scalars:
     """float32 [n], 1 where signed distances say inside or on the surface, else 0; NaN where they are."""
     inside = empty(distances.size, float32, distances.device)
     launch(mark_inside_kernel, inside.size, [distances, inside])
     return inside
 
 
-def sign_distances(queries: Points, sqdists: Doubles, numbers: Doubles):
+def sign_distances(queries: Points, sqdists: Doubles, numbers: Doubles) -> Scalars:
     """float32 [n], the roots of squared distances, negative where the winding number is beyond a half."""
     distances = empty(queries.size, float32, queries.device)
     launch(sign_distances_kernel, queries.size, [queries, sqdists, numbers, distances])

@@ -10,10 +10,9 @@ written a pair.
 
 import math
 from fractions import Fraction
-from typing import Any
 
 from ..algebra.plain_min_max import larger, smaller
-from ..array_types import Bytes, Cells, Points, Triangles
+from ..array_types import Bytes, Cells, Indices, Points, Triangles
 from ..arrays.bounds import bound_points
 from ..arrays.lowest_bit import lowest_bit
 from ..arrays.prefix_sum import exclusive_scan
@@ -238,21 +237,21 @@ def shift_triangles_kernel(triangles: array(dtype=vec3i), step: int, shifted: ar
     shifted[i] = triangles[i] + vec3i(step, step, step)
 
 
-def shift_triangles(triangles: Triangles, step: int):
+def shift_triangles(triangles: Triangles, step: int) -> Triangles:
     """Triangles whose vertices stand `step` rows further back, as after those of another mesh."""
     shifted = empty(triangles.size, vec3i, triangles.device)
     launch(shift_triangles_kernel, triangles.size, [triangles, step, shifted])
     return shifted
 
 
-def rows_of(verdicts: Bytes, wanted: int):
+def rows_of(verdicts: Bytes, wanted: int) -> Indices:
     """Where a verdict is the one wanted, int32."""
     mask = empty(verdicts.size, uint8, verdicts.device)
     launch(mark_verdicts_kernel, verdicts.size, [verdicts, wanted, mask])
     return positions_of(mask)  # sync
 
 
-def exact_sides(vertices: Any, threads: int):
+def exact_sides(vertices: Points, threads: int) -> ExactSides:
     """ExactSides of vertices, those that are not finite aside; two syncs."""
     unit = lowest_bit(vertices)
     low, high, _ = bound_points(vertices)
@@ -260,7 +259,9 @@ def exact_sides(vertices: Any, threads: int):
     return ExactSides(vertices, unit, max(1, math.ceil(max(sides) / Fraction(2) ** unit)), threads)
 
 
-def find_meeting_pairs(tree: TriangleTree, vertices: Points, triangles: Triangles, others: Cells, *, within: Any):
+def find_meeting_pairs(
+    tree: TriangleTree, vertices: Points, triangles: Triangles, others: Cells, *, within: bool
+) -> tuple[Indices, Indices]:
     """The pairs of triangles that have a point in common.
 
     Args:
@@ -297,6 +298,6 @@ def find_meeting_pairs(tree: TriangleTree, vertices: Points, triangles: Triangle
     return gather_rows(owners, rows), gather_rows(partners, rows)
 
 
-def meet_anywhere(tree: TriangleTree, vertices: Any, triangles: Triangles):
+def meet_anywhere(tree: TriangleTree, vertices: Points, triangles: Triangles) -> bool:
     """Whether two triangles of a mesh without a common vertex meet."""
     return find_meeting_pairs(tree, vertices, triangles, triangles, within=True)[0].size > 0

@@ -1,6 +1,6 @@
 """Colours for distances: from dark blue over green to yellow, five colours of viridis with straight lines between."""
 
-from ..array_types import Doubles
+from ..array_types import Doubles, Vectors
 from ..lang import array, float64, isfinite, kernel, launch, tid, vec3
 from ..memory import empty
 
@@ -35,7 +35,7 @@ def color_distances_kernel(distances: array(dtype=float64), largest: float, colo
     colors[i] = color
 
 
-def color_distances(distances: Doubles, largest: float):
+def color_distances(distances: Doubles, largest: float) -> Vectors:
     """The colours of float64 distances, vec3 in 0..1."""
     colors = empty(distances.size, vec3, distances.device)
     launch(color_distances_kernel, distances.size, [distances, largest, colors])

@@ -17,7 +17,6 @@ About 5,000 operations a query of a mesh of 70k triangles; 12 B read and 4 B wri
 """
 
 import math
-from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -48,9 +47,6 @@ from ..search.hilbert_order import HilbertCurve, argsort_along
 from ..search.point_tree import FAN, LARGEST_SQDIST, measure_boxes
 from .point_triangle import measure_triangle
 from .triangle_tree import LEAF, LEAF_NUMBERS, TriangleTree, leaf_corner
-
-if TYPE_CHECKING:
-    pass
 
 ERROR = 4e-6  # 64 roundings of float32
 FLAT = 1e-30  # squared area, in units of a triangle of usual size, below which float32 knows no foot
@@ -331,7 +327,7 @@ def find_nearest_triangles_kernel(
                     nearest.triangles[row] = tree.order[place]
 
 
-def scale_of(tree: TriangleTree):
+def scale_of(tree: TriangleTree) -> float:
     """A power of two that brings the lengths of a tree's triangles near one."""
     extent = float((tree.high.astype(np.float64) - tree.low).max()) if tree.count else 0.0
     size = extent / math.sqrt(max(1, tree.count))

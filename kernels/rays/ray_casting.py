@@ -7,10 +7,9 @@ A ray that is not finite, or has no direction, meets nothing.
 """
 
 import math
-from typing import Any
 
 from ..algebra.transform import narrow, widen
-from ..array_types import Device, Scalars
+from ..array_types import Device, Indices, Integers, Mask, Scalars, Vectors
 from ..arrays.prefix_sum import exclusive_scan
 from ..lang import (
     INFINITY,
@@ -159,7 +158,7 @@ def list_hits_kernel(
         ray_ids[j] = i
 
 
-def cast_rays(trees: Any, rays: Scalars):
+def cast_rays(trees: SceneTrees, rays: Scalars) -> tuple[RayHits, Vectors]:
     """The first triangle that each ray meets.
 
     Args:
@@ -175,21 +174,21 @@ def cast_rays(trees: Any, rays: Scalars):
     return hits, normals
 
 
-def test_occlusions(trees: Any, rays: Scalars, nearest: float = 0.0, farthest: float = math.inf):
+def test_occlusions(trees: SceneTrees, rays: Scalars, nearest: float = 0.0, farthest: float = math.inf) -> Mask:
     """Whether each ray meets anything with a parameter from `nearest` to `farthest`: uint8 [n]."""
     occluded = empty(rays.size // 6, uint8, rays.device)
     launch(test_occlusions_kernel, occluded.size, [rays, nearest, farthest, trees, occluded])
     return occluded
 
 
-def count_hits(trees: Any, rays: Scalars):
+def count_hits(trees: SceneTrees, rays: Scalars) -> Integers:
     """How often each ray meets a place, int32 [n]."""
     counts = empty(rays.size // 6, int32, rays.device)
     launch(count_hits_kernel, counts.size, [rays, trees, counts])
     return counts
 
 
-def list_hits(trees: Any, rays: Scalars):
+def list_hits(trees: SceneTrees, rays: Scalars) -> tuple[RayHits, Indices, Integers]:
     """All that rays meet, by ray, then parameter, then number of the place.
 
     Returns:

@@ -7,14 +7,16 @@ mesh's arrays.
 """
 
 import itertools
-from typing import Any
+from collections.abc import Sequence
 
 import numpy as np
 
+from ..array_types import Array1, Element
 from ..lang import array, float32, float64, int32, struct, vec3
 from ..memory import copy, download, empty, upload
 from ..search.hilbert_order import HilbertOrder
 from ..search.point_tree import FAN, SIDES
+from .triangle_tree import TriangleTree
 
 LEVELS = 12  # more than 2^31 triangles have
 ROW = 16  # whole numbers a place: LEVELS firsts of levels, the root, the first leaf, the place's number
@@ -53,14 +55,14 @@ class SceneTrees:
     low: vec3
     high: vec3
 
-    def __init__(self, trees: Any, tree_of: Any, poses: Any) -> None:
+    def __init__(self, trees: Sequence[TriangleTree], tree_of: Sequence[int] | np.ndarray, poses: np.ndarray) -> None:
         self.trees, self.device = trees, trees[0].device
         self.tree_of = np.asarray(tree_of, np.int64)
         for name, dtype in (("boxes", float32), ("corners", float32), ("order", int32)):
             setattr(self, name, _joined(trees, name, dtype))
         self.put(poses)
 
-    def put(self, poses: Any) -> None:
+    def put(self, poses: np.ndarray) -> None:
         """Let the places have these poses, float64 [places, 4, 4]."""
         count = self.place_count = len(self.tree_of)
         motions = np.empty((count, MOTION))
@@ -81,7 +83,7 @@ class SceneTrees:
         self.place_boxes = upload(boxes, float32, self.device)
         self.place_levels, self.place_root = upload(first, int32, self.device), len(first) - 2
 
-    def _rows(self):
+    def _rows(self) -> np.ndarray:
         record = np.cumsum([0, *(len(tree.boxes) // SIDES for tree in self.trees)])
         leaf = np.cumsum([0, *(tree.leaf_count for tree in self.trees)])
         table = np.zeros((len(self.trees), ROW), np.int64)
@@ -94,7 +96,7 @@ class SceneTrees:
         return rows
 
 
-def _joined(trees: Any, name: str, dtype: Any):
+def _joined(trees: Sequence[TriangleTree], name: str, dtype: type[Element]) -> Array1[Element]:
     """One array of all trees, of which each tree's own becomes a part."""
     parts = [getattr(tree, name) for tree in trees]
     if len(parts) == 1:
@@ -108,7 +110,7 @@ def _joined(trees: Any, name: str, dtype: Any):
     return whole
 
 
-def _boxes_of_places(low: np.ndarray, high: np.ndarray, poses: Any):
+def _boxes_of_places(low: np.ndarray, high: np.ndarray, poses: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """The boxes of meshes under their poses, larger by SLACK and rounded outwards to float32."""
     corners = np.stack([np.where(pick, high, low) for pick in itertools.product((False, True), repeat=3)], axis=1)
     empty_rows = ~np.isfinite(corners).all(axis=(1, 2))
@@ -121,7 +123,7 @@ def _boxes_of_places(low: np.ndarray, high: np.ndarray, poses: Any):
     return a, b
 
 
-def _stacked_boxes(low: np.ndarray, high: np.ndarray):
+def _stacked_boxes(low: np.ndarray, high: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """The boxes of all levels above some boxes, float32 [SIDES a record], and where the levels begin, and end."""
     records, first = [], [0]
     while True:

@@ -7,11 +7,9 @@ vertex crosses a closed surface an even number of times too. One thread a triang
 crossings. In float64; the same voxels on every device. 8 B a column of a triangle, about 30 B a crossing, 8 B a voxel.
 """
 
-from typing import Any
-
 import numpy as np
 
-from ..array_types import Points, Triangles
+from ..array_types import Keys, Points, Triangles
 from ..arrays.prefix_sum import exclusive_scan, find_owner, sum_counts
 from ..arrays.sort import argsort_keys
 from ..lang import array, ceil, cross, float64, func, int32, int64, kernel, launch, tid, vec3, vec3d, vec3i
@@ -100,7 +98,7 @@ def fill_pairs_kernel(
             keys[counts[i] + k - begin] = place * int64(depth) + int64(k)
 
 
-def inner_voxels(vertices: Points, triangles: Triangles, frame: Any):
+def inner_voxels(vertices: Points, triangles: Triangles, frame: VoxelFrame) -> Keys:
     """The keys of the voxels whose centres a closed surface encloses, int64 device array, each once; three syncs.
 
     Every edge of the surface belongs to two triangles; none has a corner that is not finite.

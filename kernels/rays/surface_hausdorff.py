@@ -9,7 +9,6 @@ alike.) 60 B a piece.
 """
 
 import math
-from typing import Any
 
 from ..algebra.transform import narrow, widen
 from ..array_types import Doubles, Points, Triangles
@@ -150,7 +149,7 @@ def cut_pieces_kernel(pieces: array(dtype=vec3), rows: array(dtype=int32), cut: 
         cut[at + 3 * k + 2] = r
 
 
-def distances_to(points: Points, tree: TriangleTree):
+def distances_to(points: Points, tree: TriangleTree) -> Doubles:
     """The distances [m] of vec3 points about a tree's origin from its triangles, float64.
 
     Infinite where there are none or they lie 1.8e19 m away, NaN for points that are not finite.
@@ -162,15 +161,15 @@ def distances_to(points: Points, tree: TriangleTree):
     return distances
 
 
-def root_mean_square(distances: Doubles):
+def root_mean_square(distances: Doubles) -> float:
     """The root of the mean square of float64 distances, all finite."""
     total = download(reduce(square_distance, distances.size, [distances]))[0][0]  # sync
     return math.sqrt(float(total) / distances.size)
 
 
 def farthest_distance(
-    vertices: Points, triangles: Triangles, tree: TriangleTree, known_distance: Any, tolerance: float
-):
+    vertices: Points, triangles: Triangles, tree: TriangleTree, known_distance: float, tolerance: float
+) -> tuple[float, float]:
     """Bounds of the largest distance [m] of the points of a mesh from another one.
 
     Args:

@@ -5,10 +5,9 @@ floating-point arithmetic and fast robust geometric predicates", 1997), and UNSU
 form reckons by remainders (algebra/residues.py).
 """
 
-from typing import Any
-
 from ..algebra.residues import Residues, determinant_residue, minor, quadruple, residue_of, sign_of_residues
 from ..algebra.transform import widen
+from ..array_types import Points
 from ..lang import array, cross, dot, float32, float64, func, int64, struct, vec3
 from ..memory import empty
 
@@ -89,7 +88,7 @@ class ExactSides:
     plane_primes: int
     line_primes: int
 
-    def __init__(self, vertices: Any, unit: Any, size: Any, threads: int) -> None:
+    def __init__(self, vertices: Points, unit: int, size: int, threads: int) -> None:
         """For coordinates that are multiples of 2^unit, up to `size` of them from each other."""
         self.vertices, self.exact = vertices, Residues(vertices.device, unit, [6 * size**3, 2 * size**2])
         self.plane_primes, self.line_primes = self.exact.counts

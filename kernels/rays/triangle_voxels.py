@@ -11,12 +11,12 @@ All in float64 from the same words, so the voxels are the same on every device. 
 Source: Akenine-Moller, "Fast 3D Triangle-Box Overlap Testing", Journal of Graphics Tools 6 (2001).
 """
 
-from typing import Any
+from collections.abc import Sequence
 
 import numpy as np
 
 from ..algebra.transform import widen
-from ..array_types import Keys, Points, Triangles
+from ..array_types import Cells, Keys, Points, Triangles
 from ..arrays.prefix_sum import exclusive_scan, find_owner, sum_counts
 from ..arrays.unique import UniqueKeys
 from ..lang import (
@@ -62,10 +62,10 @@ class VoxelFrame:
     size: float64
     counts: vec3i
 
-    def __init__(self, low: np.ndarray, size: Any, counts: Any) -> None:
+    def __init__(self, low: np.ndarray, size: float, counts: Sequence[int] | np.ndarray) -> None:
         self.low, self.size, self.counts = vec3d(*low), float(size), vec3i(*(int(count) for count in counts))
 
-    def key_bits(self):
+    def key_bits(self) -> int:
         """Bits of the largest key."""
         return max(1, int(np.prod([int(count) for count in self.counts], dtype=object)).bit_length())
 
@@ -247,13 +247,13 @@ def place_cells_kernel(keys: array(dtype=int64), counts: vec3i, cells: array(dty
     cells[i] = vec3i(int(rest // int64(counts[1])), int(rest % int64(counts[1])), int(key % int64(counts[2])))
 
 
-def refuse_many(count: int, what: Any) -> None:
+def refuse_many(count: int, what: str) -> None:
     """Refuse more results than 32 bits count."""
     if count > MOST:
         raise ValueError(f"voxel_size: {count:,} {what} are more than 2^31 - 1; take larger voxels")
 
 
-def touched_voxels(vertices: Points, triangles: Triangles, frame: Any):
+def touched_voxels(vertices: Points, triangles: Triangles, frame: VoxelFrame) -> Keys:
     """The keys of the voxels that triangles touch, int64 device array with repeats; two syncs.
 
     Raises:
@@ -278,7 +278,7 @@ def touched_voxels(vertices: Points, triangles: Triangles, frame: Any):
     return keys
 
 
-def voxels_of(keys: Keys, frame: Any):
+def voxels_of(keys: Keys, frame: VoxelFrame) -> Cells:
     """The voxels of keys, each once and ascending: vec3i device array."""
     unique = UniqueKeys(keys, frame.key_bits()) if keys.size else None
     count = 0 if unique is None else unique.count

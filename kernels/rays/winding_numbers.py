@@ -8,8 +8,6 @@ FAR times as far as the farthest corner of its box. On closed meshes the sum is 
 All in float64 and in the tree's order. 7 numbers a child of a node; some hundred dipoles and triangles a query.
 """
 
-from typing import Any
-
 from ..algebra.angles import arctangent
 from ..algebra.transform import widen
 from ..array_types import Doubles, Indices, Points
@@ -179,6 +177,6 @@ def add_winding_numbers_kernel(
     numbers[row] = numbers[row] + total / float64(FULL)
 
 
-def add_winding_numbers(dipoles: Any, queries: Points, order: Indices, numbers: Doubles) -> None:
+def add_winding_numbers(dipoles: Dipoles, queries: Points, order: Indices, numbers: Doubles) -> None:
     """Add a mesh's winding numbers, float64 [n], about queries, vec3 [n] about the mesh's origin, in an order."""
     launch(add_winding_numbers_kernel, queries.size, [queries, order, dipoles, numbers])
