@@ -9,6 +9,7 @@ be made again) may be left as it is.
 from collections.abc import Callable
 from typing import Any
 
+from ..array_types import Device
 from ..lang import array, func, int64, struct
 from ..memory import download, zeros
 
@@ -27,7 +28,7 @@ class Changes:
     latest: array(dtype=int64)
     number: int64
 
-    def __init__(self, value: Any, device: Any) -> None:
+    def __init__(self, value: Any, device: Device) -> None:
         self.latest = zeros(1, int64, device)
         self._made: tuple[int, Any] = (0, value)
         self._begun: tuple[int, Any] | None = None

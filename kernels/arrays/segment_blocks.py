@@ -1,8 +1,7 @@
 """Segments of elements cut into blocks, the unit of a reduction over many segments at once."""
 
-from typing import Any
-
 import numpy as np
+from numpy.typing import ArrayLike
 
 from ..array_types import Device
 from ..lang import BLOCK, int32
@@ -23,7 +22,7 @@ class SegmentBlocks:
         count: Blocks in all. element_count: elements up to the end of the last segment.
     """
 
-    def __init__(self, firsts: Any, counts: Any, device: Device) -> None:
+    def __init__(self, firsts: ArrayLike, counts: ArrayLike, device: Device) -> None:
         firsts, counts = np.asarray(firsts, np.int64), np.asarray(counts, np.int64)
         blocks = -(-counts // BLOCK)
         starts = np.concatenate([[0], np.cumsum(blocks)])

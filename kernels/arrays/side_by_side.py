@@ -10,7 +10,7 @@ import numpy as np
 import warp as wp
 from numpy.typing import ArrayLike
 
-from ..array_types import AnyArray, Device
+from ..array_types import AnyArray, Device, DeviceArray, Element
 from ..lang import uint8
 from ..language.device_lock import turn_on
 from ..memory import download, upload
@@ -18,7 +18,9 @@ from ..memory import download, upload
 ALIGNMENT = 256  # bytes: that of an allocation of its own
 
 
-def part_of(whole: AnyArray, first: int, dtype: Any, shape: int | tuple[int, ...]) -> AnyArray:
+def part_of(
+    whole: AnyArray, first: int, dtype: type[Element], shape: int | tuple[int, ...]
+) -> DeviceArray[Element, Any]:
     """The memory of a device array from a byte on, as elements of another type; it keeps that array."""
     with turn_on(whole.device):
         part = wp.array(ptr=whole.ptr + first, dtype=dtype, shape=shape, device=whole.device, copy=False)
@@ -51,7 +53,7 @@ class SideBySide:
         self._whole = upload(content, uint8, device)
         self.arrays = {name: self._part(name, dtype) for name, (_, dtype) in values.items()}
 
-    def _part(self, name: str, dtype: Any) -> AnyArray:
+    def _part(self, name: str, dtype: type[Element]) -> DeviceArray[Element, Any]:
         first, shape, _ = self._places[name]
         width = len(getattr(dtype, "_shape_", ()))
         return part_of(self._whole, first, dtype, shape[: len(shape) - width] if width else shape)

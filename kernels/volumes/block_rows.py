@@ -163,7 +163,7 @@ def pack_rows_kernel(seen: SeenBlocks, words: array(dtype=int32)):
     words[i] = word
 
 
-def pack_rows(seen: SeenBlocks):
+def pack_rows(seen: SeenBlocks) -> Integers:
     """The words of all rows of SeenBlocks, int32 [blocks * 64]."""
     words = empty(seen.row_count, int32, seen.neighbors.device)
     launch(pack_rows_kernel, seen.row_count, [seen, words])

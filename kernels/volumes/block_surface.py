@@ -6,8 +6,7 @@ known from prefix sums. Nothing is hashed or merged afterwards, and the order is
 Scratch 32 B a row. Lorensen and Cline, SIGGRAPH 1987; cases from cube_table.py.
 """
 
-from typing import Any
-
+from ..array_types import Points, Triangles, Vectors
 from ..arrays.block_keys import key_block
 from ..arrays.prefix_sum import scan_two
 from ..lang import array, bit_count, func, int32, kernel, launch, sqrt, struct, tid, vec3, vec3i
@@ -52,7 +51,7 @@ class BlockSurface:
     offsets: array(dtype=int32)
     tables: CubeTables
 
-    def __init__(self, seen: SeenBlocks, need_cells: Any) -> None:
+    def __init__(self, seen: SeenBlocks, need_cells: bool) -> None:
         """Find them; with `need_cells` only edges of cells with triangles make vertices."""
         rows, device = seen.row_count, seen.neighbors.device
         self.rows = rows
@@ -64,7 +63,7 @@ class BlockSurface:
         self.offsets, self.vertex_count, total = scan_two(counts)
         self.triangle_count = total - self.vertex_count
 
-    def vertices(self, has_color: bool, has_normals: Any):
+    def vertices(self, has_color: bool, has_normals: bool) -> tuple[Points, Vectors | None, Vectors | None]:
         """(vertices, colors or None, normals or None), vec3 device arrays."""
         vertices = empty(self.vertex_count, vec3, self.device)
         colors = empty(self.vertex_count if has_color else 1, vec3, self.device)
@@ -73,7 +72,7 @@ class BlockSurface:
         launch(emit_vertices_kernel, self.edges.size, [self, *outputs])
         return vertices, colors if has_color else None, normals if has_normals else None
 
-    def triangles(self):
+    def triangles(self) -> Triangles:
         """The triangles, vec3i [t]."""
         triangles = empty(self.triangle_count, vec3i, self.device)
         launch(emit_triangles_kernel, self.cells.size, [self, triangles])

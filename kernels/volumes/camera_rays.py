@@ -5,11 +5,9 @@ cells in which rays may meet a surface (block_signs.py), and lowers the nearest 
 tiles that they may be seen in: what the rays of a tile pass before that is of no interest. 8 B a tile.
 """
 
-from typing import Any
-
 import numpy as np
 
-from ..algebra.camera import Camera
+from ..algebra.camera import Camera, CameraLike
 from ..algebra.transform import narrow
 from ..arrays.block_keys import BIAS, key_block
 from ..lang import (
@@ -68,7 +66,7 @@ class CameraRays:
 
     def __init__(
         self,
-        camera: Any,
+        camera: CameraLike,
         T_volume_camera: np.ndarray,
         nearest: float,
         farthest: float,
@@ -76,7 +74,7 @@ class CameraRays:
         signs: BlockSigns,
     ) -> None:
         """`signs` are the BlockSigns of the VoxelBlocks."""
-        self.camera, self.nearest, self.farthest = camera, nearest, farthest
+        self.camera, self.nearest, self.farthest = camera, nearest, farthest  # type: ignore[assignment]  # like a Camera
         place = T_volume_camera[:3, 3] / blocks.voxel_size
         if np.abs(place).max() >= BIAS * SIDE:
             raise ValueError(

@@ -9,12 +9,12 @@ ray's block; room for as many new blocks as rays could touch is made beforehand,
 memory, as many as were counted, for which the host waits once.
 """
 
-from typing import Any
+from types import ModuleType
 
 import numpy as np
 
-from ..algebra.camera import Camera, pixel_ray
-from ..array_types import Array2
+from ..algebra.camera import Camera, CameraLike, pixel_ray
+from ..array_types import Array1, Array2, Scalars
 from ..arrays.block_keys import block_key
 from ..arrays.hash_table import HashTable, find_position, find_slot, insert_key
 from ..arrays.lanes import LANE_BITS
@@ -36,9 +36,20 @@ from ..lang import (
     shuffle_xor,
     tid,
     uint8,
+    uint16,
 )
 from ..memory import copy, download, empty, fill, free_bytes, zeros
-from .frame_record import COUNTED, INTO_VOLUME, LOW, MISSING, SIZE, TOUCHED, recorded_rotation, recorded_translation
+from .frame_record import (
+    COUNTED,
+    INTO_VOLUME,
+    LOW,
+    MISSING,
+    SIZE,
+    TOUCHED,
+    FrameCounts,
+    recorded_rotation,
+    recorded_translation,
+)
 from .integrate import Frame, launch_integration
 from .tsdf_blocks import (
     MAX_BLOCKS,
@@ -213,7 +224,13 @@ class FrameShape:
     """
 
     def __init__(
-        self, raw: Any, scale: float, farthest: float, camera: Any, has_color: bool, blocks: VoxelBlocks
+        self,
+        raw: Scalars | Array1[uint16],
+        scale: float,
+        farthest: float,
+        camera: CameraLike,
+        has_color: bool,
+        blocks: VoxelBlocks,
     ) -> None:
         self.block_size = SIDE * blocks.voxel_size
         self.stride = ray_stride(farthest, camera, self.block_size)
@@ -229,7 +246,7 @@ class FrameShape:
 class DeviceFrames:
     """The frames of a volume on a GPU: what their launches write to, and the recording of these."""
 
-    def __init__(self, blocks: VoxelBlocks, images: Any) -> None:
+    def __init__(self, blocks: VoxelBlocks, images: ModuleType) -> None:
         """`images` is images/depth.py, of a room that comes behind this one."""
         self._blocks, self._images = blocks, images
         self._shape: FrameShape | None = None
@@ -237,13 +254,13 @@ class DeviceFrames:
 
     def integrate(
         self,
-        raw: Any,
+        raw: Scalars | Array1[uint16],
         scale: float,
         farthest: float,
-        camera: Any,
+        camera: CameraLike,
         T_volume_camera: np.ndarray,
         pixels: Array2[uint8] | None = None,
-    ):
+    ) -> FrameCounts | None:
         """Fold in a frame without waiting for it; whole or, where that is interrupted, not at all.
 
         Args:
@@ -288,7 +305,7 @@ class DeviceFrames:
         blocks.record.readback.send()
         return counts
 
-    def _prepare(self, shape: Any, raw: Any, camera: Any, cells: Any) -> None:
+    def _prepare(self, shape: FrameShape, raw: Scalars | Array1[uint16], camera: CameraLike, cells: int) -> None:
         """Arrays for frames of this shape, where those at hand are for others."""
         if self._shape is not None and shape.key == self._shape.key and cells <= self._cells:
             return
@@ -305,7 +322,7 @@ class DeviceFrames:
         self._touched = empty(min(shape.most, self._cells), int32, device)
         self._shape = shape
 
-    def _has_room(self, known: Any):
+    def _has_room(self, known: int) -> bool:
         """Whether all blocks that a frame could touch have room, which is made where it costs little."""
         blocks, most = self._blocks, self._touched.size
         if not blocks.has_room(known + most):
@@ -338,7 +355,7 @@ class DeviceFrames:
         launch(store_all_positions_kernel, blocks.keys.size, [counts, blocks.keys, blocks.table])
         launch_integration(self._touched, self._touched.size, self._frame, blocks)
 
-    def _count_missing(self):
+    def _count_missing(self) -> int:
         """How many of the blocks that were found the volume lacks (sync)."""
         first, last = self._groups, 2 * self._groups
         ends = [int(download(self._offsets[k : k + 1])[0]) for k in (first, last)]

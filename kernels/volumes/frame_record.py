@@ -2,8 +2,6 @@
 reads another frame's poses, box and number in each run.
 """
 
-from typing import Any
-
 import numpy as np
 
 from ..array_types import Device
@@ -46,10 +44,10 @@ class FrameRecord:
 class FrameCounts:
     """How many blocks a frame touched and how many count since; waits for the device when first asked."""
 
-    def __init__(self, record: Any) -> None:
+    def __init__(self, record: FrameRecord) -> None:
         self._record, self._found = record, None
 
-    def settle(self):
+    def settle(self) -> tuple[int, int]:
         """Wait for the numbers (sync), which the next frame writes over."""
         if self._found is None:
             counts = self._record.readback.read()
@@ -57,12 +55,12 @@ class FrameCounts:
         return self._found
 
     @property
-    def counted(self):
+    def counted(self) -> int:
         """Blocks that count since."""
         return self.settle()[0]
 
     @property
-    def touched(self):
+    def touched(self) -> int:
         """Blocks that the frame touched."""
         return self.settle()[1]
 

@@ -10,11 +10,9 @@ are those of a run's first row plus whole steps in float32, the same bits either
 The launch also notes that the frame is in, and how many blocks count then: it alone writes to what counts.
 """
 
-from typing import Any
-
 import numpy as np
 
-from ..algebra.camera import Camera
+from ..algebra.camera import Camera, CameraLike
 from ..algebra.plain_min_max import larger, smaller
 from ..algebra.transform import narrow
 from ..array_types import Array2, Integers, Keys, Scalars
@@ -67,8 +65,11 @@ class Frame:
     has_color: int
     camera: Camera
 
-    def __init__(self, depth: Scalars, farthest: float, camera: Any, pixels: Array2[uint8] | None = None) -> None:
-        self.depth, self.farthest, self.camera, self.has_color = depth, farthest, camera, int(pixels is not None)
+    def __init__(
+        self, depth: Scalars, farthest: float, camera: CameraLike, pixels: Array2[uint8] | None = None
+    ) -> None:
+        self.depth, self.farthest, self.has_color = depth, farthest, int(pixels is not None)
+        self.camera = camera  # type: ignore[assignment]  # like a Camera
         self.pixels = zeros((1, 3), uint8, depth.device) if pixels is None else pixels
 
 

@@ -19,12 +19,27 @@ Sources: Lorensen and Cline, "Marching cubes", SIGGRAPH 1987; the passes by rows
 Geveci, "Flying edges", LDAV 2015.
 """
 
-from typing import Any
-
 import numpy as np
 
+from ..array_types import Array2, Points, Triangles
 from ..arrays.prefix_sum import scan_two
-from ..lang import array, bit_count, float64, func, int32, kernel, launch, loop, struct, tid, vec3, vec3i, vec4i, vector
+from ..lang import (
+    array,
+    bit_count,
+    float32,
+    float64,
+    func,
+    int32,
+    kernel,
+    launch,
+    loop,
+    struct,
+    tid,
+    vec3,
+    vec3i,
+    vec4i,
+    vector,
+)
 from ..memory import empty
 from .bit_rows import LOW_31, WORD, above, bit, bits_below, has_next, lowest_bit, with_below
 from .cube_table import MAX_TRIANGLES, CubeTables, device_tables
@@ -46,7 +61,7 @@ class SurfaceEdges:
     words: array(dtype=vec4i)
     offsets: array(dtype=int32)
 
-    def __init__(self, grid: Any, tables: Any) -> None:
+    def __init__(self, grid: SignGrid, tables: CubeTables) -> None:
         device = grid.signs.device
         self.words, counts = empty(grid.rows * grid.width, vec4i, device), empty(2 * grid.rows, int32, device)
         launch(count_surface_kernel, grid.rows, [grid, tables, self, counts])
@@ -274,7 +289,9 @@ def write_triangles_kernel(grid: SignGrid, edges: SurfaceEdges, tables: CubeTabl
                 n += 1
 
 
-def extract_surface(field: Any, shape: Any, level: Any, origin: np.ndarray, spacing: Any):
+def extract_surface(
+    field: Array2[float32], shape: tuple[int, int, int], level: float, origin: np.ndarray, spacing: np.ndarray
+) -> tuple[Points, Triangles]:
     """The surface where a field passes a level.
 
     Args:

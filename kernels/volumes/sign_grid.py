@@ -4,10 +4,9 @@ A thread a word: reads the field once, 4 B a sample, and writes 8 B a word, 4 mo
 that are not finite. On CUDA the lanes of a warp read neighbouring samples and pack a word together.
 """
 
-from typing import Any
-
 import numpy as np
 
+from ..array_types import Array2
 from ..lang import (
     array,
     atomic_max,
@@ -45,7 +44,14 @@ class SampledField:
     origin: vec3
     spacing: vec3
 
-    def __init__(self, values: Any, shape: Any, level: Any, origin: np.ndarray, spacing: Any) -> None:
+    def __init__(
+        self,
+        values: Array2[float32],
+        shape: tuple[int, int, int],
+        level: float,
+        origin: np.ndarray,
+        spacing: np.ndarray,
+    ) -> None:
         self.values, (self.nx, self.ny, self.nz), self.level = values, shape, level
         self.origin, self.spacing = vec3(*origin), vec3(*spacing)
 
@@ -73,7 +79,7 @@ class SignGrid:
     whole: array(dtype=int32)
     has_gaps: array(dtype=int32)
 
-    def __init__(self, field: Any) -> None:
+    def __init__(self, field: SampledField) -> None:
         device, self.ny, self.nz = field.values.device, field.ny, field.nz
         self.width, self.rows = -(-field.nz // WORD), field.nx * field.ny
         self.signs, self.finite, self.whole = (empty(self.rows * self.width, int32, device) for _ in range(3))

@@ -7,11 +7,10 @@ grid over the frame's box where that is small, else listed and sorted: both give
 """
 
 import math
-from typing import Any
 
 import numpy as np
 
-from ..algebra.camera import Camera, pixel_ray
+from ..algebra.camera import Camera, CameraLike, pixel_ray
 from ..algebra.transform import Transform, transform_point
 from ..array_types import Device, LongIntegers, Scalars
 from ..arrays.block_keys import AXIS_BITS, BIAS, block_key
@@ -198,19 +197,19 @@ def encode_cells_kernel(cells: array(dtype=int32), marks: BlockMarks, keys: arra
     keys[i] = block_key(x + marks.low[0], y + marks.low[1], z + marks.low[2])
 
 
-def ray_stride(farthest: float, camera: Any, block_size: float) -> int:
+def ray_stride(farthest: float, camera: CameraLike, block_size: float) -> int:
     """Every how many-th pixel's ray is walked, where no depth is beyond `farthest` [m]."""
     spacing = farthest / min(camera.fx, camera.fy)
     return int(np.clip(block_size / 2 / spacing, 1, MAX_STRIDE)) if spacing > 0 else MAX_STRIDE
 
 
-def ray_grid(camera: Any, stride: int) -> tuple[int, int]:
+def ray_grid(camera: CameraLike, stride: int) -> tuple[int, int]:
     """(columns, rows) of rays, the last column and row of pixels among them."""
     return -(-(camera.width - 1) // stride) + 1, -(-(camera.height - 1) // stride) + 1
 
 
 def frame_box(
-    farthest: float, camera: Any, T_volume_camera: np.ndarray, truncation: float, voxel_size: float
+    farthest: float, camera: CameraLike, T_volume_camera: np.ndarray, truncation: float, voxel_size: float
 ) -> tuple[np.ndarray, np.ndarray, int]:
     """What a frame can touch with no depth beyond `farthest` [m].
 
@@ -236,7 +235,12 @@ def beyond_reach(low: np.ndarray, size: np.ndarray) -> bool:
 
 
 def touched_blocks(
-    depth: Scalars, farthest: float, camera: Any, T_volume_camera: np.ndarray, truncation: float, voxel_size: float
+    depth: Scalars,
+    farthest: float,
+    camera: CameraLike,
+    T_volume_camera: np.ndarray,
+    truncation: float,
+    voxel_size: float,
 ) -> LongIntegers:
     """The keys of the blocks within the truncation of a depth frame, ascending.
 

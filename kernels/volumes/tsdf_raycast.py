@@ -12,10 +12,9 @@ Positions count from the camera's own voxel, so that float32 is exact far from t
 and leaves a cell follows from the cell alone, so a picture does not depend on which cells it passed before.
 """
 
-from typing import Any
-
 import numpy as np
 
+from ..algebra.camera import CameraLike
 from ..algebra.plain_min_max import larger, smaller
 from ..arrays.block_keys import block_key
 from ..arrays.hash_table import find_position
@@ -262,7 +261,12 @@ def cast_rays_kernel(
 
 
 def cast_rays(
-    seen: SeenBlocks, camera: Any, T_volume_camera: np.ndarray, nearest: float, farthest: float, images: RayImages
+    seen: SeenBlocks,
+    camera: CameraLike,
+    T_volume_camera: np.ndarray,
+    nearest: float,
+    farthest: float,
+    images: RayImages,
 ) -> None:
     """What a camera sees of a volume.
 

@@ -13,7 +13,6 @@ SIGGRAPH 1996, section 3.3 for the mean; Kaehler, Prisacariu and Murray, ECCV 20
 
 import itertools
 from collections.abc import Sequence
-from typing import Any
 
 import numpy as np
 
@@ -75,7 +74,7 @@ class MovedVolume:
     shrink: float64
     has_color: int
 
-    def __init__(self, blocks: VoxelBlocks, matrix: np.ndarray, shrink: Any, has_color: bool) -> None:
+    def __init__(self, blocks: VoxelBlocks, matrix: np.ndarray, shrink: float, has_color: bool) -> None:
         """`matrix` is the float64 [4, 4] of R and t."""
         self.seen, self.shrink, self.has_color = SeenBlocks(blocks, 0.0), shrink, int(has_color)
         self.R, self.t = mat33d(*matrix[:3, :3].ravel()), vec3d(*matrix[:3, 3])
@@ -216,7 +215,7 @@ class BlockReach:
     half_back: vec3d
     slots: int
 
-    def __init__(self, back: Any) -> None:
+    def __init__(self, back: np.ndarray) -> None:
         """`back` is the float64 [4, 4] of R_back and t_back."""
         there = np.linalg.inv(back)
         half = np.abs(there[:3, :3]).sum(axis=1) * HALF
@@ -266,7 +265,7 @@ def mark_seen_blocks_kernel(blocks: VoxelBlocks, seen: array(dtype=uint8)):
     seen[i] = uint8(some)
 
 
-def reached_blocks(blocks: VoxelBlocks, back: Any):
+def reached_blocks(blocks: VoxelBlocks, back: np.ndarray) -> Keys:
     """The keys of the blocks that a moved volume may reach, int64, ascending.
 
     Args:
@@ -291,7 +290,7 @@ def reached_blocks(blocks: VoxelBlocks, back: Any):
     return _distinct(parts, device)
 
 
-def _distinct(parts: Sequence[Keys], device: Device):
+def _distinct(parts: Sequence[Keys], device: Device) -> Keys:
     """The distinct keys of several ascending lists, ascending."""
     parts = [part for part in parts if part.size]
     if not parts:
@@ -314,8 +313,14 @@ def check_reach(keys: np.ndarray, back: np.ndarray) -> None:
 
 
 def fuse_moved(
-    volumes: Any, backs: Any, colored: Any, voxel_size: float, truncation: float, has_color: bool, device: Device
-):
+    volumes: Sequence[VoxelBlocks],
+    backs: Sequence[np.ndarray],
+    colored: bool,
+    voxel_size: float,
+    truncation: float,
+    has_color: bool,
+    device: Device,
+) -> VoxelBlocks:
     """The VoxelBlocks of several, each moved.
 
     Args:
@@ -341,7 +346,7 @@ def fuse_moved(
     return drop_unseen(result)
 
 
-def blocks_of(keys: Keys, voxel_size: float, truncation: float, has_color: bool, device: Device):
+def blocks_of(keys: Keys, voxel_size: float, truncation: float, has_color: bool, device: Device) -> VoxelBlocks:
     """VoxelBlocks of these distinct keys, none of whose voxels was seen."""
     blocks = VoxelBlocks(voxel_size, truncation, has_color, device)
     blocks.reserve(keys.size)
@@ -352,7 +357,7 @@ def blocks_of(keys: Keys, voxel_size: float, truncation: float, has_color: bool,
     return blocks
 
 
-def drop_unseen(blocks: VoxelBlocks):
+def drop_unseen(blocks: VoxelBlocks) -> VoxelBlocks:
     """The VoxelBlocks without those of which no voxel was seen."""
     count = blocks.count
     if not count:

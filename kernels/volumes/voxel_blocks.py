@@ -78,7 +78,7 @@ class VoxelBlocks:
         return self.changes.count
 
     @property
-    def memory_bytes(self):
+    def memory_bytes(self) -> int:
         """Bytes of device memory held by voxels, keys and the hash table."""
         voxels = (self.distances, self.weights, self.colors)
         return sum(a.capacity for a in (*voxels, self.keys, self.table.keys, self.table.positions))
@@ -99,11 +99,11 @@ class VoxelBlocks:
         self.keys = keys  # last: its size says how much room there is
 
     @property
-    def block_bytes(self):
+    def block_bytes(self) -> int:
         """Bytes that a block takes, with its key and its slots in the table."""
         return BLOCK_VOXELS * (12 if self.has_color else 6) + 56
 
-    def has_room(self, count: int):
+    def has_room(self, count: int) -> bool:
         """Whether so many blocks have room, in the table too."""
         return count <= self.keys.size and 2 * self.keys.size <= self.table.capacity
 
@@ -148,7 +148,7 @@ class VoxelBlocks:
         self.record.write_counts(known, keys.size, missing.size)
         return found
 
-    def begin_on_device(self):
+    def begin_on_device(self) -> FrameCounts:
         """Begin a frame whose blocks the device finds, for which there is room; its FrameCounts."""
         counts = FrameCounts(self.record)
         self.changes.begin(counts)
