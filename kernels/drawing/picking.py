@@ -14,16 +14,17 @@ A thread a point and pass: 12 B read, some 30 operations in float64, so that a v
 exact to what the cloud holds. Next to no atomics: only points in reach of the click offer themselves.
 """
 
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
 
-from ..algebra.camera import Camera
+from ..algebra.camera import Camera, CameraLike
 from ..algebra.transform import Transform, transform_point, widen
-from ..array_types import Array1, Points
+from ..array_types import Array1, Mask, Points
 from ..arrays.packed_keys import NO_KEY, offer_cell
 from ..extent.polygons import crossings_below
-from ..lang import array, float64, func, int64, isfinite, kernel, launch, struct, tid, uint8, vec2d, vec3, vec3d
+from ..lang import Kernel, array, float64, func, int64, isfinite, kernel, launch, struct, tid, uint8, vec2d, vec3, vec3d
 from ..memory import download, empty, full
 
 STEEPNESS = 10.0  # a surface that rises by this many lengths a length on the screen (84 degrees) still counts as one
@@ -65,7 +66,7 @@ class Click:
     sqradius: float64
     hidden: array(dtype=uint8)
 
-    def __init__(self, place: np.ndarray, radius: Any, hidden: Any) -> None:
+    def __init__(self, place: Sequence[float] | np.ndarray, radius: float, hidden: Mask) -> None:
         self.place, self.sqradius, self.hidden = vec2d(*place), float(radius) * float(radius), hidden
 
 
@@ -151,7 +152,7 @@ def mask_clipped_kernel(
     mask[i] = uint8(outside)
 
 
-def _least(kernel_of_pass: Any, points: Points, arguments: Any):
+def _least(kernel_of_pass: Kernel, points: Points, arguments: Sequence[Any]) -> tuple[float, int] | None:
     """The least word that a pass finds, as (number, index), or None; 1 sync."""
     word = full(1, NO_KEY, int64, points.device)
     launch(kernel_of_pass, points.size, [points, *arguments, word])
@@ -162,8 +163,13 @@ def _least(kernel_of_pass: Any, points: Points, arguments: Any):
 
 
 def find_foremost(
-    points: Points, T_camera_points: np.ndarray, camera: Any, click: Any, radius: Any, hidden: Any = None
-):
+    points: Points,
+    T_camera_points: np.ndarray,
+    camera: CameraLike,
+    click: Sequence[float] | np.ndarray,
+    radius: float,
+    hidden: Mask | None = None,
+) -> float | None:
     """The least depth [m] of the points seen within a radius of a click.
 
     Args:
@@ -182,8 +188,14 @@ def find_foremost(
 
 
 def find_meant(
-    points: Points, T_camera_points: np.ndarray, camera: Any, click: Any, radius: Any, foremost: Any, hidden: Any = None
-):
+    points: Points,
+    T_camera_points: np.ndarray,
+    camera: CameraLike,
+    click: Sequence[float] | np.ndarray,
+    radius: float,
+    foremost: float,
+    hidden: Mask | None = None,
+) -> tuple[float, int] | None:
     """The point that a click means.
 
     Args:
@@ -197,12 +209,19 @@ def find_meant(
     return _least(find_meant_kernel, points, [*given, float(foremost)])
 
 
-def _click(points: Points, T_camera_points: np.ndarray, camera: Any, click: Any, radius: Any, hidden: Any):
+def _click(
+    points: Points,
+    T_camera_points: np.ndarray,
+    camera: CameraLike,
+    click: Sequence[float] | np.ndarray,
+    radius: float,
+    hidden: Mask | None,
+) -> list[Any]:
     marks = empty(0, uint8, points.device) if hidden is None else hidden
     return [Transform(T_camera_points), camera, Click(click, radius, marks)]
 
 
-def mask_seen(points: Points, T_camera_points: np.ndarray, camera: Any, corners: Array1[vec2d]):
+def mask_seen(points: Points, T_camera_points: np.ndarray, camera: CameraLike, corners: Array1[vec2d]) -> Mask:
     """Mark the points that are seen inside a polygon on the screen.
 
     Args:
@@ -217,7 +236,9 @@ def mask_seen(points: Points, T_camera_points: np.ndarray, camera: Any, corners:
     return mask
 
 
-def mask_clipped(points: Points, T_world_points: Any, low: np.ndarray, high: np.ndarray, normal: Any, offset: float):
+def mask_clipped(
+    points: Points, T_world_points: np.ndarray, low: np.ndarray, high: np.ndarray, normal: np.ndarray, offset: float
+) -> Mask:
     """Mark the points that clip planes hide.
 
     Args:

@@ -4,8 +4,6 @@ and the same positions about another origin.
 One thread a point, but for the extremes, where a thread takes a run and settles it by atomics on whole numbers.
 """
 
-from typing import Any
-
 import numpy as np
 
 from ..algebra.transform import narrow, widen
@@ -87,7 +85,7 @@ def shift_indices_kernel(indices: array(dtype=int32), step: int, start: int, out
     out[start + i] = indices[i] + step
 
 
-def find_extremes(points: Points, directions: Vectors):
+def find_extremes(points: Points, directions: Vectors) -> np.ndarray:
     """How far the finite points, one at least, reach along directions: the largest products, float64 [5] on the host.
 
     Args:
@@ -101,7 +99,7 @@ def find_extremes(points: Points, directions: Vectors):
     return (bits ^ ((bits >> 31) & np.int32(MAGNITUDE))).view(np.float32).astype(np.float64)
 
 
-def make_normal_lines(points: Points, normals: Vectors, size: Any):
+def make_normal_lines(points: Points, normals: Vectors, size: float) -> tuple[Points, Indices]:
     """Lines from points along their normals: (vec3 [2 n], int32 [2 n])."""
     ends, lines = empty(2 * points.size, vec3, points.device), empty(2 * points.size, int32, points.device)
     launch(make_normal_lines_kernel, points.size, [points, normals, float(size), ends, lines])

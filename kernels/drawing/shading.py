@@ -13,11 +13,9 @@ distance from them in the picture (Baerentzen et al., "Single-pass wireframe ren
 Only + - * / and sqrt are used, so that pictures have the same bits everywhere.
 """
 
-from typing import Any
-
-from ..array_types import Bytes, Vectors
+from ..array_types import Bytes, Scalars, Vectors
 from ..arrays.packed_keys import NO_KEY, key_index, key_number
-from ..lang import array, dot, func, int64, kernel, launch, length, loop, struct, tid, uint8, vec3
+from ..lang import array, dot, float32, func, int64, kernel, launch, length, loop, struct, tid, uint8, vec3
 from ..memory import empty, zeros
 from .z_buffer import DepthBuffer, View, ray_through
 
@@ -284,11 +282,11 @@ def finish_picture(buffer: DepthBuffer, light: Vectors, background: vec3) -> Byt
     return picture
 
 
-def read_depth(buffer: DepthBuffer, unit: Any, *, lines: tuple[int, int] = (0, 0), closer: float = 1.0):
+def read_depth(buffer: DepthBuffer, unit: float, *, lines: tuple[int, int] = (0, 0), closer: float = 1.0) -> Scalars:
     """The depth of each pixel, float32 [pixels] on the device: in units of the z-buffer times a unit [m].
 
     Lines with indices in a range are as far as they are, not as they were drawn.
     """
-    depths = empty((buffer.width // SAMPLES) * (buffer.height // SAMPLES), float, buffer.words.device)
+    depths = empty((buffer.width // SAMPLES) * (buffer.height // SAMPLES), float32, buffer.words.device)
     launch(read_depth_kernel, depths.size, [buffer, float(unit), *lines, float(closer), depths])
     return depths

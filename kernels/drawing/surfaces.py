@@ -5,9 +5,7 @@ again of their colours and normals each. Where all cells show one triangle, and 
 the middle of the pixel.
 """
 
-from typing import Any
-
-from ..array_types import Triangles, Vectors
+from ..array_types import Array1, Bytes, Indices, Points, Vectors
 from ..lang import array, cross, dot, floor, func, int32, kernel, launch, sqrt, struct, tid, uint8, vec2, vec3
 from .shading import SAMPLES, Region, cells_of, clamp_color, element_at, light_face, pixel_of
 from .z_buffer import DepthBuffer, View, ray_through, to_camera
@@ -47,16 +45,16 @@ class Surface:
 
     def __init__(
         self,
-        vertices: Any,
-        triangles: Triangles,
+        vertices: Points,
+        triangles: Indices,
         *,
         normals: Vectors,
-        colors: Any,
-        uvs: Any,
-        texture: Any,
+        colors: Vectors,
+        uvs: Array1[vec2],
+        texture: tuple[Bytes, int, int],
         plain: vec3,
         lit: bool,
-        edges: Any,
+        edges: bool,
     ) -> None:
         """With a texture (uint8 array, width, height)."""
         self.vertices, self.triangles, self.normals, self.colors = vertices, triangles, normals, colors
@@ -190,7 +188,7 @@ def shade_surface_kernel(buffer: DepthBuffer, view: View, region: Region, surfac
         light[pixel] = light[pixel] + total
 
 
-def shade_surface(buffer: DepthBuffer, view: View, region: Region, light: Vectors, surface: Any) -> None:
+def shade_surface(buffer: DepthBuffer, view: View, region: Region, light: Vectors, surface: Surface) -> None:
     """Add the light of triangles.
 
     Args:

@@ -9,10 +9,8 @@ on every device. 8 B a row of each triangle, 28 B a texel.
 Source: Pineda, "A Parallel Algorithm for Polygon Rasterization", SIGGRAPH 1988.
 """
 
-from typing import Any
-
 from ..algebra.transform import narrow, widen
-from ..array_types import Triangles, Vectors
+from ..array_types import Array1, Bytes, Triangles, Vectors
 from ..arrays.prefix_sum import exclusive_scan, find_owner
 from ..lang import (
     array,
@@ -53,7 +51,7 @@ class Atlas:
     width: int
     height: int
 
-    def __init__(self, uvs: Any, width: int, height: int) -> None:
+    def __init__(self, uvs: Array1[vec2], width: int, height: int) -> None:
         self.uvs, self.width, self.height = uvs, width, height
 
 
@@ -193,7 +191,7 @@ def round_texels_kernel(texels: array(dtype=vec3), picture: array(dtype=uint8)):
         picture[3 * i + k] = uint8(int(floor(level * 255.0 + 0.5)))
 
 
-def draw_vertex_colors(triangles: Triangles, colors: Vectors, uvs: Any, size: int, gutter: Any):
+def draw_vertex_colors(triangles: Triangles, colors: Vectors, uvs: Array1[vec2], size: int, gutter: int) -> Bytes:
     """A square picture of the colours of vertices, uint8 device array [3 size^2]; one sync.
 
     Args:

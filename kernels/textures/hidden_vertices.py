@@ -4,11 +4,9 @@ A ray to a point ends a thousandth of its length before it, so the point's own t
 by less than that counts as seen. 24 B written and read a ray beside the walk through the tree (rays/).
 """
 
-from typing import Any
-
 import numpy as np
 
-from ..array_types import Mask, Points, Triangles
+from ..array_types import Mask, Points, Scalars, Triangles
 from ..lang import array, float32, float64, isfinite, kernel, launch, tid, uint8, vec3
 from ..memory import empty
 from ..rays.ray_casting import cast_rays, test_occlusions
@@ -72,12 +70,12 @@ def keep_free_kernel(occluded: array(dtype=uint8), seen: array(dtype=uint8)):
         seen[i] = 0
 
 
-def plant_trees(vertices: Any, triangles: Triangles):
+def plant_trees(vertices: Points, triangles: Triangles) -> SceneTrees:
     """What rays are cast against: SceneTrees of one mesh in its own coordinates."""
     return SceneTrees([TriangleTree(vertices, triangles)], [0], np.eye(4)[None])
 
 
-def render_depth(image: int, pictures: Any, trees: Any):
+def render_depth(image: int, pictures: PosedPictures, trees: SceneTrees) -> Scalars:
     """The mesh's depth in a picture, float32 [pixels]; 0 where it is not."""
     width, height, _ = pictures.layout[image].tolist()
     rays = empty(6 * width * height, float32, pictures.device)
@@ -87,7 +85,7 @@ def render_depth(image: int, pictures: Any, trees: Any):
     return depth
 
 
-def drop_hidden(vertices: Points, image: int, pictures: Any, trees: Any, seen: Mask):
+def drop_hidden(vertices: Points, image: int, pictures: PosedPictures, trees: SceneTrees, seen: Mask) -> Mask:
     """Clear the mask `seen` (uint8 [m]) where the mesh hides the vertex from a picture's camera; the mask itself."""
     rays = empty(6 * vertices.size, float32, vertices.device)
     launch(aim_rays_kernel, vertices.size, [vertices, image, pictures, seen, rays])

@@ -9,8 +9,6 @@ A picture may have a warp, a grid of shifts over it that are bilinear between it
 projects to (u, v) is found at (u, v) + shift(u, v). A picture without one has a grid of no rows.
 """
 
-from typing import Any
-
 import numpy as np
 
 from ..array_types import Array2, Device, Scalars
@@ -313,7 +311,7 @@ def smooth_brightness(pixels: Array2[uint8], sizes: np.ndarray) -> Scalars:
     return brightness
 
 
-def unwarp_pixels(image: int, pictures: Any, warps: Warps):
+def unwarp_pixels(image: int, pictures: PosedPictures, warps: Warps) -> Array2[uint8]:
     """A picture as it would be without its warp, uint8 [pixels, 3]."""
     width, height = pictures.layout[image][:2]
     out = empty((int(width) * int(height), 3), uint8, pictures.device)

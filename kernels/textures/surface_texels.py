@@ -8,14 +8,29 @@ that it leaves no seam. Beside the edges of the mesh, as its own depth tells, a 
 made picture by picture, in their order: 76 B a texel, some 150 operations and a ray a picture, and a ray a pixel.
 """
 
-from typing import Any
-
 from ..algebra.transform import narrow, widen
-from ..array_types import Array1, Triangles, Vectors
+from ..array_types import Array1, Bytes, Points, Triangles, Vectors
 from ..arrays.prefix_sum import exclusive_scan
 from ..arrays.select import positions_of
-from ..lang import array, cross, dot, float32, float64, int32, kernel, launch, length, tid, uint8, vec3, vec3i, vec4d
+from ..lang import (
+    array,
+    cross,
+    dot,
+    float32,
+    float64,
+    int32,
+    kernel,
+    launch,
+    length,
+    tid,
+    uint8,
+    vec2,
+    vec3,
+    vec3i,
+    vec4d,
+)
 from ..memory import empty, full, zeros
+from ..rays.scene_trees import SceneTrees
 from ..rays.triangle_voxels import widened_corners
 from .atlas_colors import (
     NO_TRIANGLE,
@@ -170,7 +185,7 @@ class SurfaceTexels:
         points, normals: Where they lie on the surface, vec3 [n].
     """
 
-    def __init__(self, vertices: Any, triangles: Triangles, uvs: Any, size: Any) -> None:
+    def __init__(self, vertices: Points, triangles: Triangles, uvs: Array1[vec2], size: int) -> None:
         device, count = vertices.device, size * size
         self.triangles, self.size, self.atlas = triangles, size, Atlas(uvs, size, size)
         counts, self.owners = empty(triangles.size, int32, device), full(count, NO_TRIANGLE, int32, device)
@@ -184,7 +199,7 @@ class SurfaceTexels:
         given = [self.texels, self.atlas, self.owners, vertices, triangles, self.points, self.normals]
         launch(place_texels_kernel, self.texels.size, given)
 
-    def blend(self, pictures: Any, trees: Any):
+    def blend(self, pictures: PosedPictures, trees: SceneTrees) -> Array1[vec4d]:
         """Weighted sums of colours, 0..255, and of weights, over the pictures that show each texel: vec4d [n]."""
         sums = zeros(self.texels.size, vec4d, self.points.device)
         for image in range(pictures.count):
@@ -198,7 +213,7 @@ class SurfaceTexels:
             launch(blend_picture_kernel, self.texels.size, given)
         return sums
 
-    def write(self, sums: Array1[vec4d], colors: Vectors | None, gutter: Any):
+    def write(self, sums: Array1[vec4d], colors: Vectors | None, gutter: int) -> Bytes:
         """The texture, uint8 [3 size^2].
 
         Args:

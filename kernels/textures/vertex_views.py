@@ -8,12 +8,11 @@ through an order, by vertex. Sums over pairs go in that order, so they have the 
 Source: Zhou and Koltun 2014, section 3.
 """
 
-from collections.abc import Sequence
-from typing import Any
+from collections.abc import Iterable, Sequence
 
 import numpy as np
 
-from ..array_types import Array2, Indices, Integers, Points, Scalars, Vectors
+from ..array_types import Array2, Indices, Integers, Mask, Points, Scalars, Vectors
 from ..arrays.concatenation import concatenate_rows
 from ..arrays.prefix_sum import exclusive_scan
 from ..arrays.select import positions_of
@@ -55,7 +54,7 @@ class DepthRule:
     jump: float
     reach: int
 
-    def __init__(self, farthest: float, tolerance: float, jump: float, reach: Any) -> None:
+    def __init__(self, farthest: float, tolerance: float, jump: float, reach: int) -> None:
         self.farthest, self.tolerance, self.jump, self.reach = float(farthest), float(tolerance), float(jump), reach
 
 
@@ -222,7 +221,7 @@ def fill_colors_kernel(
         colors[rows[i]] = total / found
 
 
-def see_by_depth(vertices: Points, image: int, pictures: Any, depth: Scalars, rule: Any):
+def see_by_depth(vertices: Points, image: int, pictures: PosedPictures, depth: Scalars, rule: DepthRule) -> Mask:
     """The vertices that a depth picture shows, as a mask: uint8 [m].
 
     Args:
@@ -239,14 +238,14 @@ def see_by_depth(vertices: Points, image: int, pictures: Any, depth: Scalars, ru
     return seen
 
 
-def see_in_frame(vertices: Points, image: int, pictures: Any, farthest: float):
+def see_in_frame(vertices: Points, image: int, pictures: PosedPictures, farthest: float) -> Mask:
     """The vertices that project into a picture, hidden ones among them, as a mask: uint8 [m]."""
     seen = empty(vertices.size, uint8, vertices.device)
     launch(match_frame_kernel, vertices.size, [vertices, image, pictures, float(farthest), seen])
     return seen
 
 
-def list_sightings(masks: Any):
+def list_sightings(masks: Iterable[Mask]) -> Sightings:
     """Sightings of masks uint8 [m], one a picture; an iterable, so that no two need exist at once."""
     rows, count = [], 0
     for mask in masks:
@@ -255,7 +254,9 @@ def list_sightings(masks: Any):
     return Sightings(rows, count)
 
 
-def average_colors(vertices: Points, sightings: Sightings, pictures: Any, warps: Warps):
+def average_colors(
+    vertices: Points, sightings: Sightings, pictures: PosedPictures, warps: Warps
+) -> tuple[Vectors, Mask]:
     """Mean colours of vertices, vec3 [m] in 0..1, and whether any picture showed them, uint8 [m]."""
     colors, seen = empty(vertices.size, vec3, vertices.device), empty(vertices.size, uint8, vertices.device)
     launch(average_colors_kernel, vertices.size, [vertices, sightings, pictures, warps, colors, seen])
