@@ -221,7 +221,7 @@ def find_alpha_shapes(
         (
             read_rows(mark_faces_kernel, read_faces_kernel, vec3i, face_table, face_count, kind),
             read_rows(mark_tetrahedra_kernel, read_tetrahedra_kernel, vec4i, table, count, kind)
-            if with_tetrahedra
+            if table is not None
             else None,
         )
         for kind in range(len(alphas))

@@ -4,9 +4,7 @@ A thread does not know how many rows the others have. It takes room from one cou
 owner's rows are copied to where they belong: the result is the same whichever thread came first.
 """
 
-from typing import Any
-
-from ..array_types import Device, Integers
+from ..array_types import Array1, Device, Element, Integers
 from ..arrays.packed_keys import pack_bits
 from ..arrays.prefix_sum import exclusive_scan
 from ..arrays.select import positions_of
@@ -102,7 +100,9 @@ def read_tetrahedra_kernel(table: array(dtype=int32), rows: array(dtype=int32), 
     corners[i] = vec4i(table[at], table[at + 1], table[at + 2], table[at + 3])
 
 
-def read_rows(mark: Kernel, read: Kernel, kind_of_row: Any, table: Any, count: int, kind: int) -> Any:
+def read_rows(
+    mark: Kernel, read: Kernel, kind_of_row: type[Element], table: Integers, count: int, kind: int
+) -> Array1[Element]:
     """The rows of a table that belong to one alpha."""
     device = table.device
     mask = empty(count, uint8, device)

@@ -12,8 +12,6 @@ A round reads the half-edges around three vertices a triangle that is still unde
 About 60 B a half-edge, most of it for one sort.
 """
 
-from typing import TYPE_CHECKING, Any
-
 from ..array_types import Bytes, Indices, Scalars, Triangles
 from ..arrays.concatenation import concatenate_rows
 from ..arrays.select import gather_rows, positions_of
@@ -22,9 +20,6 @@ from ..lang import array, float32, func, int32, kernel, launch, struct, tid, uin
 from ..memory import copy, empty, full, zeros
 from ..meshes.mesh_edits import gather_triangles
 from ..meshes.mesh_topology import CornersByVertex, corner_vertex, next_corner
-
-if TYPE_CHECKING:
-    pass
 
 REFUSED, UNDECIDED, TAKEN = 0, 1, 2
 
@@ -210,7 +205,7 @@ def part_triangles_kernel(
     closed[i] = uint8(far)
 
 
-def settle_conflicts(mesh: BallMesh, first: Any) -> None:
+def settle_conflicts(mesh: BallMesh, first: int) -> None:
     """Decide which triangles are taken; those from number `first` on are undecided. One wait for the device a round."""
     device = mesh.triangles.device
     undecided = (
@@ -226,7 +221,7 @@ def settle_conflicts(mesh: BallMesh, first: Any) -> None:
         undecided = gather_rows(undecided, positions_of(left))  # sync
 
 
-def close_radius(mesh: BallMesh, asked: Bytes):
+def close_radius(mesh: BallMesh, asked: Bytes) -> tuple[Triangles, Triangles]:
     """What a radius leaves: which vertices the next is for, and its triangles in two parts.
 
     Args:
@@ -243,4 +238,5 @@ def close_radius(mesh: BallMesh, asked: Bytes):
     launch(mark_taken_kernel, mesh.triangles.size, [mesh, asked, mesh.seen, rims])
     launch(ask_again_kernel, asked.size, [mesh.seen, rims, asked])
     launch(part_triangles_kernel, mesh.triangles.size, [mesh, asked, near, far])
-    return tuple(gather_triangles(mesh.triangles, positions_of(mask)) for mask in (near, far))  # sync
+    open_rows, closed_rows = positions_of(near), positions_of(far)  # sync
+    return gather_triangles(mesh.triangles, open_rows), gather_triangles(mesh.triangles, closed_rows)

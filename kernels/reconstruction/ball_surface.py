@@ -7,11 +7,10 @@ the smaller ones left: points without a triangle, and those of edges with one tr
 20 B a point for a second tree where some points take no part; 100 B a point for each radius, and 60 B a half-edge.
 """
 
-from collections.abc import Callable
-from typing import Any
+from collections.abc import Callable, Iterable
 
 from ..algebra.transform import widen
-from ..array_types import Points, Vectors
+from ..array_types import Indices, Points, Triangles, Vectors
 from ..arrays.concatenation import concatenate_rows
 from ..arrays.select import gather_rows, positions_of
 from ..arrays.sort import argsort_keys, positions
@@ -70,7 +69,7 @@ def name_corners_kernel(rows: array(dtype=int32), bits: int, triangles: array(dt
     keys[i] = (int64(named[0]) << int64(bits)) | int64(named[1])
 
 
-def count_around(tree: PointTree, places: Any, radius: Any):
+def count_around(tree: PointTree, places: Indices, radius: float) -> float:
     """The mean number of points within a radius [m] of points at some places in a tree, of at most SAMPLE of these."""
     rows = download(places)[:: -(-places.size // SAMPLE)]
     sample = gather_rows(tree.points, upload(rows, int32, tree.device))
@@ -93,7 +92,7 @@ class RollingBall:
         normals: By place.
     """
 
-    def __init__(self, points: Points, normals: Vectors, grown: Callable[..., Any]) -> None:
+    def __init__(self, points: Points, normals: Vectors, grown: Callable[[], PointTree]) -> None:
         device = points.device
         facing = empty(points.size, uint8, device)
         launch(mark_facing_kernel, points.size, [points, normals, facing])
@@ -114,7 +113,9 @@ class RollingBall:
         launch(mark_repeated_kernel, self.tree.count, [self.tree.points, marks])
         return positions_of(marks).size > 0  # sync
 
-    def roll(self, radii: Any, row_count: Any, check: Any):
+    def roll(
+        self, radii: Iterable[float], row_count: int, check: Callable[[PointTree, float, Indices], None]
+    ) -> Triangles:
         """The triangles of balls of these radii [m], one after the other.
 
         Args:

@@ -6,12 +6,10 @@ common direction do not matter; corners outside the mesh's box are decided by th
 triangles: for envelopes of some thousand triangles at most.
 """
 
-from typing import Any
-
 import numpy as np
 
 from ..algebra.transform import widen
-from ..array_types import Mask, Scalars, Triangles
+from ..array_types import Mask, Points, Scalars, Triangles
 from ..lang import (
     array,
     atan2,
@@ -54,7 +52,7 @@ class Envelope:
     low: vec3
     high: vec3
 
-    def __init__(self, vertices: Any, triangles: Triangles, low: np.ndarray, high: np.ndarray) -> None:
+    def __init__(self, vertices: Points, triangles: Triangles, low: np.ndarray, high: np.ndarray) -> None:
         self.vertices, self.triangles, self.count = vertices, triangles, triangles.size
         self.low, self.high = vec3(*low), vec3(*high)
 
@@ -108,6 +106,6 @@ def hold_outside_kernel(
             mask[i] = 0
 
 
-def hold_outside(level: Any, cube: Any, envelope: Any, mask: Mask, values: Scalars) -> None:
+def hold_outside(level: OctreeLevel, cube: Cube, envelope: Envelope, mask: Mask, values: Scalars) -> None:
     """Set a level's values outside an envelope; `mask` tells its unknowns, by colour and block (uint8)."""
     launch(hold_outside_kernel, mask.size, [level, cube, envelope, mask, values])

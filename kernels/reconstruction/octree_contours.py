@@ -8,9 +8,8 @@ Faces of finer cells handed to coarser ones: Kazhdan, Klein, Dalal and Hoppe, "U
 arbitrary octrees", SGP 2007.
 """
 
-from typing import Any
-
 from ..algebra.transform import narrow, widen
+from ..array_types import Indices
 from ..lang import array, float64, func, int32, kernel, length, struct, tid, vec3, vec3d, vec3i
 from ..memory import empty
 from .octree_edges import LevelSurface, along, edge_vertex, own_vertex, slot_after
@@ -49,7 +48,7 @@ class Contours:
     froms: array(dtype=int32)
     tos: array(dtype=int32)
 
-    def __init__(self, cells: Any) -> None:
+    def __init__(self, cells: Indices) -> None:
         device, self.cells, self.count = cells.device, cells, cells.size
         self.sizes = empty(cells.size, int32, device)
         self.froms, self.tos = (empty(SEGMENTS * cells.size, int32, device) for _ in range(2))

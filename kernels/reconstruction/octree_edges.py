@@ -5,8 +5,6 @@ it crosses one of the edge's halves where it crosses the edge. A thread a block;
 function less its value on the surface.
 """
 
-from typing import Any
-
 from ..algebra.transform import narrow, widen
 from ..array_types import Scalars
 from ..arrays.prefix_sum import exclusive_scan
@@ -49,7 +47,7 @@ class LevelSurface:
     crossings: array(dtype=int32)
     firsts: array(dtype=int32)
 
-    def __init__(self, level: Any, values: Scalars, first: int, iso: float) -> None:
+    def __init__(self, level: OctreeLevel, values: Scalars, first: int, iso: float) -> None:
         device, count = level.device, level.count
         self.level, self.values = level, empty(values.size, float32, device)
         self.crossings = empty(count, int32, device)

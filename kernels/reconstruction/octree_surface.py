@@ -18,6 +18,7 @@ from ..volumes.cube_table import CubeTables, device_tables
 from .octree_contours import Contours, draw_contours_kernel, write_loops_kernel
 from .octree_edges import LevelSurface, along, edge_vertex, slot_after, write_vertices_kernel
 from .octree_levels import SLOTS, OctreeLevel, is_cell, is_divided, neighbor_slot
+from .sample_cells import Cube
 
 EDGES = 15  # entries of a case in the table of triangles
 
@@ -113,7 +114,9 @@ class OctreeSurface:
         ranges: (depth, first, last) of runs of vertices of one level.
     """
 
-    def __init__(self, levels: Any, solutions: Sequence[Any], iso: Any, cube: Any, is_linear: Any) -> None:
+    def __init__(
+        self, levels: Sequence[Any], solutions: Sequence[Any], iso: float, cube: Cube, is_linear: bool
+    ) -> None:
         device, last = levels[1].device, len(levels) - 1
         tables = device_tables(device)
         surfaces, vertex_count, self.ranges = [], 0, []

@@ -10,14 +10,15 @@ Kazhdan and Hoppe, "Screened Poisson surface reconstruction", ACM TOG 32(3), 201
 from collections.abc import Sequence
 from typing import Any, NamedTuple
 
-from ..array_types import Points, Vectors
+from ..array_types import Points, Scalars, Triangles, Vectors
 from ..lang import float64, int32, pow, reduce, reduction, tid, vec2d
 from ..memory import check_room, download, empty, fill
+from .envelope import Envelope
 from .octree_levels import divide, first_levels, next_level
 from .octree_surface import OctreeSurface
 from .poisson_solver import mean_at_samples, solve
 from .poisson_system import constraints
-from .sample_cells import SampleCells, gather_samples, sample_rows
+from .sample_cells import Cube, SampleCells, gather_samples, sample_rows
 from .sample_density import ENDS, DensityPyramid, SampleReach, local_depths
 
 FULL_DEPTH = 5  # up to this level all cells are divided: the function is sought in the whole cube
@@ -47,10 +48,10 @@ class PoissonSurface(NamedTuple):
         depth: The finest level that the tree came to.
     """
 
-    vertices: Any
-    normals: Any
-    triangles: Any
-    densities: Any
+    vertices: Points
+    normals: Vectors
+    triangles: Triangles
+    densities: Scalars
     depth: int
 
 
@@ -77,15 +78,15 @@ def grow_tree(
 def reconstruct_poisson(
     points: Points,
     normals: Vectors,
-    cube: Any,
+    cube: Cube,
     depth: int,
     *,
-    is_linear: Any,
-    point_weight: Any,
+    is_linear: bool,
+    point_weight: float,
     samples_per_cell: float,
     by_length: bool,
-    envelope: Any = None,
-):
+    envelope: Envelope | None = None,
+) -> PoissonSurface:
     """The surface of oriented points.
 
     Args:

@@ -40,10 +40,10 @@ from ..lang import (
     vector,
 )
 from ..memory import download, empty, upload, zeros
-from .envelope import hold_outside
+from .envelope import Envelope, hold_outside
 from .octree_levels import AROUND, SLOTS, OctreeLevel, is_cell, is_divided, neighbor_slot, slot_place
 from .poisson_system import shares_in_parent
-from .sample_cells import SampleCells
+from .sample_cells import Cube, SampleCells
 from .splines import corner_value, corner_weight, shares_in_cell
 
 if TYPE_CHECKING:
@@ -263,7 +263,11 @@ def weigh_values(
 
 
 def solve(
-    pyramid: "DensityPyramid", tests: Sequence[Scalars | None], weight: float, cube: Any = None, envelope: Any = None
+    pyramid: "DensityPyramid",
+    tests: Sequence[Scalars | None],
+    weight: float,
+    cube: Cube | None = None,
+    envelope: Envelope | None = None,
 ) -> list[Any]:
     """The solution at the corners of all levels, a list by depth (None for 0) of float32 device arrays.
 
@@ -284,6 +288,7 @@ def solve(
         mask = empty(values.size, uint8, device)
         launch(mark_unknowns_kernel, values.size, [level, level.count, mask])
         if envelope is not None:
+            assert cube is not None
             hold_outside(level, cube, envelope, mask, values)
         places = positions_of(mask)  # sync
         firsts = np.searchsorted(download(places), np.arange(SLOTS + 1) * level.count)

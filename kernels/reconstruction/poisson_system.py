@@ -17,6 +17,7 @@ Poisson surface reconstruction", ACM TOG 32(3), 2013; the corners' linear functi
 
 from typing import Any
 
+from ..array_types import Scalars
 from ..lang import array, atomic_max, callback, float32, func, int32, kernel, launch, pow, tid, vec3, vec3i, vector
 from ..memory import download, empty, zeros
 from .octree_levels import SLOTS, OctreeLevel, neighbor_slot, slot_beside, slot_place
@@ -360,7 +361,7 @@ def test_lowered_kernel(field: array(dtype=vec3), level: OctreeLevel, tested: ar
             tested[SLOTS * i + corner] = tested[SLOTS * i + corner] + total[corner]
 
 
-def constraints(pyramid: DensityPyramid) -> list[Any]:
+def constraints(pyramid: DensityPyramid) -> list[Scalars | None]:
     """The right-hand sides of all levels, a list by depth (None for 0): float32 device arrays, a number a slot.
 
     Args:

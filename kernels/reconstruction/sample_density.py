@@ -9,10 +9,10 @@ After `getSampleDepthAndWeight` of PoissonRecon (Kazhdan and Hoppe, "Screened Po
 32(3), 2013, section 4.4, and its code), whose "density" of a vertex is the local depth.
 """
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import Any
 
-from ..array_types import Device, Integers, Points
+from ..array_types import Device, Integers, Points, Scalars
 from ..arrays.select import gather_rows, positions_of
 from ..lang import array, float32, func, int32, kernel, launch, log, struct, tid, uint8, vec3
 from ..memory import empty, full
@@ -203,7 +203,7 @@ class DensityPyramid:
         launch(list_growing_kernel, cells.count, [reach, mask])
         return gather_rows(reach.slots, positions_of(mask))  # sync
 
-    def pairs(self):
+    def pairs(self) -> Iterator[tuple[SampleCells, SampleReach]]:
         """The cells of samples and their SampleReach, level by level from level 1 on."""
         return zip(self.cells[1 : len(self.reaches)], self.reaches[1:], strict=True)
 
@@ -239,7 +239,7 @@ def rise_to_density_kernel(
             slots[i] = level.parents[slot // SLOTS]
 
 
-def local_depths(pyramid: DensityPyramid, places: Points, slots: Integers, depths: Integers):
+def local_depths(pyramid: DensityPyramid, places: Points, slots: Integers, depths: Integers) -> Scalars:
     """The local depth at places in the cube, float32 [m]: how fine the tree would be for the samples around.
 
     Args:

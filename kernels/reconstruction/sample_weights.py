@@ -16,7 +16,7 @@ def sum_lengths(normals: array(dtype=vec3), rows: array(dtype=int32)) -> vec2d:
     return vec2d(length(widen(normals[rows[i]])), 1.0)
 
 
-def mean_length(normals: Vectors, rows: Indices):
+def mean_length(normals: Vectors, rows: Indices) -> float:
     """The mean length of chosen normals; 1 where none is chosen."""
     total, count = download(reduce(sum_lengths, rows.size, [normals, rows]))[0]  # sync
     return float(total) / float(count) if count else 1.0

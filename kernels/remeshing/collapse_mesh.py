@@ -12,9 +12,8 @@ that while it is squeezed.
 """
 
 from collections.abc import Sequence
-from typing import Any
 
-from ..array_types import Integers, Positions, Triangles
+from ..array_types import Array1, Integers, Positions, Triangles, Vectors
 from ..arrays.packed_keys import NO_KEY
 from ..arrays.prefix_sum import exclusive_scan
 from ..arrays.select import gather_rows
@@ -69,7 +68,12 @@ class CollapseMesh:
     has_materials: int
 
     def __init__(
-        self, places: Positions, triangles: Triangles, uvs: Any, materials: Integers | None, rows: Sequence[Any]
+        self,
+        places: Positions,
+        triangles: Triangles,
+        uvs: Array1[vec2] | None,
+        materials: Integers | None,
+        rows: Sequence[Vectors],
     ) -> None:
         device = triangles.device
         self.positions, self.triangles = places, triangles

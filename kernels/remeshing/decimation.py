@@ -8,15 +8,14 @@ eight of the first.
 """
 
 from collections.abc import Sequence
-from typing import Any
 
 import numpy as np
 
-from ..array_types import Indices, Integers, Points, Triangles
+from ..array_types import Array1, Indices, Integers, Points, Triangles, Vectors
 from ..arrays.packed_keys import NO_KEY, pack_key
 from ..arrays.select import gather_rows, positions_of
 from ..arrays.sort import argsort_keys
-from ..lang import array, cross, int32, int64, kernel, launch, length, tid, uint8
+from ..lang import array, cross, int32, int64, kernel, launch, length, tid, uint8, vec2
 from ..memory import download, empty, upload, zeros
 from ..meshes.mesh_edits import gather_corners, gather_triangles
 from .collapse_mesh import CollapseMesh, edge_valence
@@ -83,8 +82,8 @@ class Decimation:
         self,
         triangles: Triangles,
         per_vertex: Sequence[Points],
-        unit: Sequence[Any],
-        uvs: Any,
+        unit: Sequence[bool],
+        uvs: Array1[vec2] | None,
         materials: Integers | None,
         target: int,
         most: float,
@@ -100,7 +99,7 @@ class Decimation:
         self.mesh = mesh
 
     def _whole_mesh(
-        self, triangles: Triangles, per_vertex: Sequence[Points], uvs: Any, materials: Integers | None
+        self, triangles: Triangles, per_vertex: Sequence[Points], uvs: Array1[vec2] | None, materials: Integers | None
     ) -> CollapseMesh:
         positions = self.frame.scaled(per_vertex[0])
         mesh = CollapseMesh(positions, triangles, uvs, materials, per_vertex[1:])
@@ -109,7 +108,7 @@ class Decimation:
         rows = positions_of(mask)  # sync
         return mesh if rows.size == triangles.size else self._mesh_at(rows, mesh)
 
-    def _mesh_at(self, rows: Any, mesh: CollapseMesh):
+    def _mesh_at(self, rows: Indices, mesh: CollapseMesh) -> CollapseMesh:
         """Some triangles of a mesh."""
         uvs = gather_corners(mesh.uvs, rows) if mesh.has_uvs else None
         materials = gather_rows(mesh.materials, rows) if mesh.has_materials else None
@@ -178,7 +177,7 @@ class Decimation:
             self.mesh = self._mesh_at(upload(rows, int32, keys.device), mesh)
             self.mesh.positions = mesh.positions
 
-    def result(self):
+    def result(self) -> tuple[Triangles, list[Vectors], Array1[vec2] | None, Integers | None]:
         """(triangles, per_vertex, uvs or None, materials or None); some vertices may be without triangles."""
         mesh = self.mesh
         uvs, materials = mesh.uvs if mesh.has_uvs else None, mesh.materials if mesh.has_materials else None

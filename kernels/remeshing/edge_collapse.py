@@ -5,7 +5,6 @@ normals, colours and texture coordinates are those of the place in the triangle 
 """
 
 from collections.abc import Sequence
-from typing import Any
 
 from ..algebra.transform import narrow, widen
 from ..array_types import Bytes, Indices
@@ -213,7 +212,7 @@ def cheapest_edges(mesh: CollapseMesh, edges: Indices, most: int) -> Indices:
     return gather_rows(edges, positions_of(mask))  # sync
 
 
-def collapse_edges(mesh: CollapseMesh, edges: Indices, unit: Sequence[Any], touched: Bytes) -> Indices:
+def collapse_edges(mesh: CollapseMesh, edges: Indices, unit: Sequence[bool], touched: Bytes) -> Indices:
     """Collapse edges of which none is next to another.
 
     Args:

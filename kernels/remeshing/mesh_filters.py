@@ -6,10 +6,10 @@ no neighbours stays. Per pass and array 24 B read and written a vertex, and 28 B
 signal processing approach to fair surface design", SIGGRAPH 1995; weights after Open3D.
 """
 
-from typing import Any
+from collections.abc import Iterable
 
 from ..array_types import Positions, Triangles
-from ..lang import array, dot, float64, func, isfinite, kernel, launch, sqrt, struct, tid, vec3d
+from ..lang import Kernel, array, dot, float64, func, isfinite, kernel, launch, sqrt, struct, tid, vec3d
 from ..memory import empty
 from ..meshes.mesh_edges import MeshEdges
 from ..meshes.vertex_neighbors import VertexNeighbors
@@ -29,7 +29,7 @@ class FilterPass:
     around: VertexNeighbors
     positions: array(dtype=vec3d)
 
-    def __init__(self, around: Any, positions: Any) -> None:
+    def __init__(self, around: VertexNeighbors, positions: Positions) -> None:
         self.around, self.positions = around, positions
 
 
@@ -95,7 +95,13 @@ def approach_mean_kernel(rule: FilterPass, values: array(dtype=vec3d), factor: f
     out[i] = own
 
 
-def filter_values(triangles: Triangles, positions: Any, names: Any, wide: dict[str, Positions], passes: Any):
+def filter_values(
+    triangles: Triangles,
+    positions: Positions,
+    names: Iterable[str],
+    wide: dict[str, Positions],
+    passes: Iterable[tuple[Kernel, float]],
+) -> dict[str, Positions]:
     """Run passes over values at vertices.
 
     Args:

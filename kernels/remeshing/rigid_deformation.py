@@ -8,11 +8,9 @@ has them: the mean over the triangles of an edge, not below 0. A turn takes some
 rotations beside the solve; 250 B a vertex.
 """
 
-from typing import Any
-
 from ..algebra.rotations import best_rotation
 from ..algebra.transform import narrow, widen
-from ..array_types import Array1, Doubles, Indices, Points, Positions, Triangles, Vectors
+from ..array_types import Array1, Doubles, Indices, Integers, Points, Positions, Triangles, Vectors
 from ..arrays.sort import positions
 from ..arrays.union_find import flatten_sets_kernel, unite
 from ..lang import (
@@ -141,7 +139,7 @@ class Bending:
     earlier: array(dtype=mat33d)
     right: array(dtype=vec3d)
 
-    def __init__(self, rest: Any) -> None:
+    def __init__(self, rest: Positions) -> None:
         count, device = rest.size, rest.device
         self.rest, self.places, self.right = rest, clone(rest), empty(count, vec3d, device)
         self.rotations, self.earlier = empty(count, mat33d, device), empty(count, mat33d, device)
@@ -193,14 +191,14 @@ def turn_directions_kernel(rotations: array(dtype=mat33d), rows: array(dtype=vec
     turned[i] = narrow(rotations[i] @ widen(rows[i]))
 
 
-def turn_directions(rotations: Array1[mat33d], rows: Vectors):
+def turn_directions(rotations: Array1[mat33d], rows: Vectors) -> Vectors:
     """vec3 [m] rows under mat33d [m] rotations."""
     turned = empty(rows.size, vec3, rows.device)
     launch(turn_directions_kernel, rows.size, [rotations, rows, turned])
     return turned
 
 
-def _hold(edges: MeshEdges, weights: Doubles, bending: Bending, held: Indices, targets: Positions):
+def _hold(edges: MeshEdges, weights: Doubles, bending: Bending, held: Indices, targets: Positions) -> Integers:
     """Put the held vertices; int32 [m], 1 for those that move."""
     device, count = bending.rest.device, bending.rest.size
     parents = positions(count, device)
@@ -214,7 +212,7 @@ def _hold(edges: MeshEdges, weights: Doubles, bending: Bending, held: Indices, t
 
 def deform_rigidly(
     vertices: Points, triangles: Triangles, held: Indices, targets: Positions, turns: int, likeness: float
-):
+) -> tuple[Positions, Array1[mat33d]]:
     """Bend a mesh.
 
     Args:

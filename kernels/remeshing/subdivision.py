@@ -8,7 +8,6 @@ surface reconstruction", SIGGRAPH 1994; edges of more than two triangles as in O
 """
 
 from collections.abc import Sequence
-from typing import Any
 
 from ..array_types import Array1, Integers, Positions, Triangles
 from ..arrays.prefix_sum import exclusive_scan
@@ -176,14 +175,14 @@ def split_triangles(triangles: Triangles, split: EdgeSplit) -> Triangles:
     return quarters
 
 
-def split_corners(corners: Array1[vec2]):
+def split_corners(corners: Array1[vec2]) -> Array1[vec2]:
     """vec2 [3 t] values of corners for the four triangles of each."""
     quarters = empty(4 * corners.size, vec2, corners.device)
     launch(split_corners_kernel, corners.size // 3, [corners, quarters])
     return quarters
 
 
-def repeat_four_times(values: Integers):
+def repeat_four_times(values: Integers) -> Integers:
     """int32 [t] values of triangles for the four triangles of each."""
     repeated = empty(4 * values.size, int32, values.device)
     launch(repeat_four_times_kernel, repeated.size, [values, repeated])
@@ -201,7 +200,7 @@ def halve(triangles: Triangles, split: EdgeSplit, values: Sequence[Positions]) -
     return results
 
 
-def mask(triangles: Triangles, split: EdgeSplit, values: Any):
+def mask(triangles: Triangles, split: EdgeSplit, values: Sequence[Positions]) -> list[Positions]:
     """The vec3d arrays in a list by Loop's masks: old rows moved, and a row more an edge."""
     sharers, around = count_sharers(split.edges), VertexNeighbors(split.edges, split.vertex_count[0])
     results = []

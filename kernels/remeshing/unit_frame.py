@@ -48,7 +48,7 @@ class UnitFrame:
         launch(scale_points_kernel, points.size, [points, self.center, self.scale, scaled])
         return scaled
 
-    def unscaled(self, scaled: Positions):
+    def unscaled(self, scaled: Positions) -> Points:
         """vec3 of vec3d."""
         points = empty(scaled.size, vec3, scaled.device)
         launch(unscale_points_kernel, points.size, [scaled, self.center, self.scale, points])

@@ -6,12 +6,13 @@ nearest to the planes of their triangles. Vertices are sorted by voxel and trian
 summed in the order of its vertices. Some 150 B of memory a triangle.
 """
 
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
 
 from ..algebra.transform import narrow, widen
-from ..array_types import Integers, Triangles
+from ..array_types import Integers, Points, Triangles, Vectors
 from ..arrays.bounds import bound_points
 from ..arrays.prefix_sum import exclusive_scan
 from ..arrays.select import positions_of
@@ -60,7 +61,7 @@ class VertexClusters:
     stops: array(dtype=int32)
     labels: array(dtype=int32)
 
-    def __init__(self, vertices: Any, voxel_size: float) -> None:
+    def __init__(self, vertices: Points, voxel_size: float) -> None:
         """Sort vertices by voxels that are counted from half a voxel below the box.
 
         Raises:
@@ -209,7 +210,7 @@ def mark_first_rows_kernel(groups: UniqueKeys, rows: array(dtype=int32), mask: a
     mask[rows[groups.order[groups.starts[i]]]] = 1
 
 
-def join_triangles(triangles: Triangles, labels: Integers, count: int):
+def join_triangles(triangles: Triangles, labels: Integers, count: int) -> Triangles:
     """The triangles between three of `count` voxels, each once, in the order in which they first appear.
 
     Returns:
@@ -229,7 +230,9 @@ def join_triangles(triangles: Triangles, labels: Integers, count: int):
     return keep_triangles(relabeled, mask)  # sync
 
 
-def cluster_vertices(triangles: Triangles, per_vertex: Any, unit: Any, voxel_size: float, with_planes: Any):
+def cluster_vertices(
+    triangles: Triangles, per_vertex: Sequence[Vectors], unit: Sequence[bool], voxel_size: float, with_planes: bool
+) -> tuple[Triangles, list[Any]]:
     """A mesh with one vertex a voxel.
 
     Args:

@@ -48,7 +48,7 @@ def narrow_rows(wide: Positions) -> Vectors:
     return rows
 
 
-def narrow_directions(wide: Positions, earlier: Vectors, first: int = 0):
+def narrow_directions(wide: Positions, earlier: Vectors, first: int = 0) -> Vectors:
     """vec3d rows as vec3 of unit length.
 
     Args:
