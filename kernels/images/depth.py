@@ -3,11 +3,9 @@
 One thread a pixel; reads 2 or 4 B, writes 4 or 12 B. Pinhole model: x = (u - cx) z / fx, pixel centres at integers.
 """
 
-from typing import Any
-
 import numpy as np
 
-from ..algebra.camera import Camera
+from ..algebra.camera import Camera, CameraLike
 from ..algebra.transform import Transform, narrow, transform_point
 from ..array_types import AnyArray, Array1, Array2, Bytes, Integers, Scalars, Vectors
 from ..arrays.runs import Runs, elements_of, row_of
@@ -259,7 +257,9 @@ def largest_depth(largest: Integers) -> float:
     return float(download(largest).max().view(np.float32))  # sync
 
 
-def unproject_depth(depth: Scalars, grid: PixelGrid, camera: Any, T_world_camera: np.ndarray) -> tuple[Vectors, Bytes]:
+def unproject_depth(
+    depth: Scalars, grid: PixelGrid, camera: CameraLike, T_world_camera: np.ndarray
+) -> tuple[Vectors, Bytes]:
     """World points of a grid of pixels.
 
     Args:
@@ -277,7 +277,7 @@ def unproject_depth(depth: Scalars, grid: PixelGrid, camera: Any, T_world_camera
 
 
 def pixel_normals(
-    depth: Scalars, grid: PixelGrid, camera: Any, R: np.ndarray, fill: float = NAN
+    depth: Scalars, grid: PixelGrid, camera: CameraLike, R: np.ndarray, fill: float = NAN
 ) -> tuple[Vectors, Bytes]:
     """Unit normals of a grid of pixels, turned by the float64 matrix R; arguments as for `unproject_depth`.
 

@@ -181,7 +181,7 @@ def filter_bilateral(
     return filtered
 
 
-def erode_edges(depth: Scalars, width: int, height: int, radius: int, jump: float):
+def erode_edges(depth: Scalars, width: int, height: int, radius: int, jump: float) -> Scalars:
     """Depth without the pixels within `radius` of an edge, float32 [height * width]."""
     kept = empty(depth.size, float32, depth.device)
     launch(erode_edges_kernel, depth.size, [depth, width, height, radius, float(jump), kept])
@@ -196,7 +196,7 @@ def halve_depth(depth: Scalars, width: int, height: int, jump: float) -> Scalars
     return halved
 
 
-def halve_color(pixels: Scalars | Array2[uint8], width: int, height: int):
+def halve_color(pixels: Scalars | Array2[uint8], width: int, height: int) -> Scalars | Array2[uint8]:
     """A colour image, uint8 [pixels, 3], or a grey one, float32 [pixels], at half the size."""
     columns, rows = width // 2, height // 2
     if pixels.dtype == uint8:

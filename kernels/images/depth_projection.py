@@ -6,11 +6,9 @@ whatever the order of the threads; equal depths go to the lower index. 12 B read
 some 30 operations a point in float64: a pixel's own point comes back to its pixel.
 """
 
-from typing import Any
-
 import numpy as np
 
-from ..algebra.camera import Camera
+from ..algebra.camera import Camera, CameraLike
 from ..algebra.transform import Transform, transform_point, widen
 from ..array_types import Array2, LongIntegers, Points, Scalars, Vectors
 from ..arrays.packed_keys import NO_KEY, key_index, key_number, offer_cell
@@ -64,7 +62,7 @@ def read_colors_kernel(words: array(dtype=int64), colors: array(dtype=vec3), pix
         pixels[i, channel] = uint8(to_byte(c[channel]))
 
 
-def project_points(points: Points, T_camera_points: np.ndarray, camera: Any, farthest: float) -> LongIntegers:
+def project_points(points: Points, T_camera_points: np.ndarray, camera: CameraLike, farthest: float) -> LongIntegers:
     """What each pixel of a camera sees: words for `read_depth` and `read_colors`.
 
     Args:

@@ -12,8 +12,8 @@ has the formulas and their sources.
 from typing import Any
 
 from ..algebra.angles import angle_of
-from ..algebra.camera import Camera
-from ..array_types import Array1, Array2, Device
+from ..algebra.camera import Camera, CameraLike
+from ..array_types import Array1, Array2, Device, Mask
 from ..lang import array, float64, floor, func, kernel, launch, sqrt, struct, tid, uint8, vec2, vec2d
 from ..memory import empty
 
@@ -208,7 +208,7 @@ def mark_seen_kernel(places: array(dtype=vec2), seen: array(dtype=uint8)):
     seen[i] = uint8(mark)
 
 
-def find_places(lens: Any, camera: Any, device: Device):
+def find_places(lens: LensOptics, camera: CameraLike, device: Device) -> Array1[vec2]:
     """Where each pixel of a pinhole lies in the picture of a lens, vec2 [height * width]; (-1, -1) where it is unseen.
 
     Args:
@@ -221,7 +221,7 @@ def find_places(lens: Any, camera: Any, device: Device):
     return places
 
 
-def read_places(pixels: Array2[uint8], width: int, height: int, side: int, places: Array1[vec2]):
+def read_places(pixels: Array2[uint8], width: int, height: int, side: int, places: Array1[vec2]) -> Array2[uint8]:
     """A picture, uint8 [height * width, channels], at places; squares of `side` pixels are averaged before."""
     channels = pixels.shape[1]
     if side > 1:
@@ -234,7 +234,7 @@ def read_places(pixels: Array2[uint8], width: int, height: int, side: int, place
     return straight
 
 
-def mark_seen(places: Array1[vec2]):
+def mark_seen(places: Array1[vec2]) -> Mask:
     """Where the lens saw, uint8 [pixels] of 0 and 1."""
     seen = empty(places.size, uint8, places.device)
     launch(mark_seen_kernel, places.size, [places, seen])

@@ -10,10 +10,10 @@ made once: 4 B a pixel of its finest level.
 """
 
 from collections.abc import Sequence
-from typing import Any
 
 import numpy as np
 
+from ..algebra.camera import CameraLike
 from ..array_types import Scalars
 from ..lang import array, float32, floor, func, kernel, launch, struct, tid, vec3, vec4, vec4i
 from ..memory import empty
@@ -76,7 +76,7 @@ class EarlierView:
     ray: vec3
     start: vec3
 
-    def __init__(self, free: FreeSpace, camera: Any, T_earlier_now: np.ndarray) -> None:
+    def __init__(self, free: FreeSpace, camera: CameraLike, T_earlier_now: np.ndarray) -> None:
         K = np.array([[camera.fx, 0.0, camera.cx], [0.0, camera.fy, camera.cy], [0.0, 0.0, 1.0]])
         rays = T_earlier_now[:3, :3] @ np.linalg.inv(K)
         self.least, self.lens = free.least, vec4(*map(float, free.lens))
@@ -145,7 +145,7 @@ def hide_moved_kernel(
     kept[below * width + right] = beyond(d, limit)
 
 
-def hide_moved(depth: Scalars, camera: Any, views: Sequence[tuple[FreeSpace, np.ndarray]]) -> Scalars:
+def hide_moved(depth: Scalars, camera: CameraLike, views: Sequence[tuple[FreeSpace, np.ndarray]]) -> Scalars:
     """The depth [m], float32 [pixels], without what earlier frames looked through.
 
     Args:

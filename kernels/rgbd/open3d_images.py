@@ -174,7 +174,7 @@ def fill_missing(depth: Scalars) -> Scalars:
     return filled
 
 
-def round_shades(brightness: Scalars):
+def round_shades(brightness: Scalars) -> Scalars:
     """Brightness in steps of 1 / 255, as 8-bit images have it."""
     rounded = empty(brightness.size, float32, brightness.device)
     launch(round_shades_kernel, brightness.size, [brightness, rounded])

@@ -57,7 +57,7 @@ def measure_depth_kernel(
     measured[i] = value
 
 
-def measure_depth(depth: Scalars, incidence: Scalars, width: int, height: int, *, seed: int, frame: int):
+def measure_depth(depth: Scalars, incidence: Scalars, width: int, height: int, *, seed: int, frame: int) -> Scalars:
     """Depth as a structured-light camera measures it.
 
     Args:

@@ -10,9 +10,10 @@ distance of a convex solid is convex along a line, so the steps never overshoot 
 slope that is not negative proves a miss.
 """
 
-from typing import Any
+from collections.abc import Sequence
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from ..array_types import Device, Doubles, Positions
 from ..lang import (
@@ -153,7 +154,14 @@ class Solids:
     centers: array(dtype=vec3d)
     extents: array(dtype=vec4d)
 
-    def __init__(self, kinds: Any, rotations: np.ndarray, centers: np.ndarray, extents: Any, device: Device) -> None:
+    def __init__(
+        self,
+        kinds: Sequence[int] | np.ndarray,
+        rotations: np.ndarray,
+        centers: np.ndarray,
+        extents: ArrayLike,
+        device: Device,
+    ) -> None:
         self.count, self.device = len(kinds), device
         self.kinds = upload(np.asarray(kinds), int32, device)
         self.rotations = upload(np.asarray(rotations), mat33d, device)

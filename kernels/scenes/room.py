@@ -10,8 +10,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..algebra.camera import Camera, pixel_ray
+from ..algebra.camera import Camera, CameraLike, pixel_ray
 from ..algebra.transform import Transform, narrow
+from ..array_types import Bytes, Scalars
 from ..drawing.shading import color_byte
 from ..lang import (
     INFINITY,
@@ -108,7 +109,7 @@ class Room:
         self.patterns = upload(np.asarray(patterns), vec2, device)
         self.light = light if light is not None else LightGrid(solids, lamp=lamp, low=low, high=high, step=step)
 
-    def render(self, camera: Any, T_world_camera: np.ndarray):
+    def render(self, camera: CameraLike, T_world_camera: np.ndarray) -> tuple[Scalars, Scalars, Bytes]:
         """What a pinhole camera sees.
 
         Args:
@@ -141,7 +142,7 @@ class TileLists:
     counts: array(dtype=int32)
     lists: array(dtype=int32)
 
-    def __init__(self, camera: Any, T_world_camera: Transform, solids: Solids) -> None:
+    def __init__(self, camera: CameraLike, T_world_camera: Transform, solids: Solids) -> None:
         self.columns, rows = -(-camera.width // TILE), -(-camera.height // TILE)
         count, device = self.columns * rows, solids.device
         self.lists, self.counts = empty(count * solids.count, int32, device), empty(count, int32, device)

@@ -5,9 +5,10 @@ surface point costs two reads between 8 nodes each. The grid is coarse; that blu
 Light is diffuse and belongs to the room: a surface has one colour from wherever it is seen.
 """
 
-from typing import Any
+from collections.abc import Sequence
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from ..lang import array, dot, float32, float64, func, kernel, launch, length, struct, tid, vec2, vec3, vec3d, vec3i
 from ..memory import empty
@@ -46,7 +47,9 @@ class LightGrid:
     size: vec3i
     nodes: array(dtype=vec2)
 
-    def __init__(self, solids: Solids, *, lamp: Any, low: Any, high: Any, step: float) -> None:
+    def __init__(
+        self, solids: Solids, *, lamp: Sequence[float] | np.ndarray, low: ArrayLike, high: ArrayLike, step: float
+    ) -> None:
         low = np.asarray(low, np.float64)
         shape = np.ceil((np.asarray(high) - low) / step).astype(int) + 1
         self.lamp, self.low, self.step = vec3(*lamp), vec3(*low), float(step)

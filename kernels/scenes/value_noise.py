@@ -9,11 +9,9 @@ Source: value noise with a smooth blend is Perlin's ("An image synthesizer", SIG
 slopes; the lattice's hash is Teschner et al. 2003 with the finaliser of xxHash32.
 """
 
-from typing import Any
-
 import numpy as np
 
-from ..algebra.camera import Camera, pixel_ray
+from ..algebra.camera import Camera, CameraLike, pixel_ray
 from ..algebra.transform import Transform, narrow
 from ..array_types import Bytes, Scalars
 from ..drawing.shading import color_byte
@@ -102,7 +100,9 @@ def grain_pixels_kernel(
         grained[3 * i + c] = color_byte(float32(int(colors[3 * i + c])) / 255.0 * factor)
 
 
-def grain_pixels(camera: Any, T_world_camera: np.ndarray, depth: Scalars, colors: Bytes, *, seed: int = 1) -> Bytes:
+def grain_pixels(
+    camera: CameraLike, T_world_camera: np.ndarray, depth: Scalars, colors: Bytes, *, seed: int = 1
+) -> Bytes:
     """Give the surfaces that a picture shows a grain.
 
     Args:

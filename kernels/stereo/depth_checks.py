@@ -11,11 +11,9 @@ What several pictures get wrong alike, beside edges, looks like grains: few pixe
 kernel drops those; it reads 25 depths a pixel, some 150 operations.
 """
 
-from typing import Any
-
 import numpy as np
 
-from ..algebra.camera import Camera
+from ..algebra.camera import Camera, CameraLike
 from ..algebra.transform import Transform, transform_point
 from ..array_types import Scalars, Vectors
 from ..images.depth import unproject_pixel
@@ -46,9 +44,9 @@ class Pair:
     back: Transform
 
     def __init__(
-        self, reference: Any, source: Any, T_source_reference: np.ndarray, T_reference_source: np.ndarray
+        self, reference: CameraLike, source: CameraLike, T_source_reference: np.ndarray, T_reference_source: np.ndarray
     ) -> None:
-        self.reference, self.source = reference, source
+        self.reference, self.source = reference, source  # type: ignore[assignment]  # like Cameras
         self.there, self.back = Transform(T_source_reference), Transform(T_reference_source)
 
 
@@ -253,7 +251,7 @@ class DepthChecks:
         return kept
 
 
-def support_depth(depth: Scalars, normals: Vectors, camera: Any, max_relative: float, least: Any):
+def support_depth(depth: Scalars, normals: Vectors, camera: CameraLike, max_relative: float, least: int) -> Scalars:
     """The depth that at least so many of the 24 pixels around lie in one plane with, float32 [pixels].
 
     Args:

@@ -8,11 +8,9 @@ atomics, so sums come in the order of the pictures (Schönberger et al. 2016 wal
 One thread a pixel, one launch a pair of pictures: reads up to 80 B, adds to 44 B, some 200 operations.
 """
 
-from typing import Any
-
 import numpy as np
 
-from ..algebra.camera import Camera
+from ..algebra.camera import Camera, CameraLike
 from ..algebra.transform import Transform, narrow, transform_point, widen
 from ..array_types import Array2, Bytes, Device, Integers, Points, Scalars, Vectors
 from ..images.depth import unproject_pixel
@@ -200,7 +198,7 @@ def gather_pixels(
 
 
 def make_points(
-    own: DepthPixels, camera: Any, T_world_camera: np.ndarray, min_views: int, gathered: Gathered
+    own: DepthPixels, camera: CameraLike, T_world_camera: np.ndarray, min_views: int, gathered: Gathered
 ) -> tuple[list[Scalars | Integers | Points], Bytes]:
     """The points of one picture.
 

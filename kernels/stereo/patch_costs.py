@@ -8,8 +8,6 @@ with rational weights, since exponentials round differently on each device).
 A sample reads a brightness of the reference and four of the source, and takes some 70 operations.
 """
 
-from typing import Any
-
 import numpy as np
 
 from ..array_types import Array1, Scalars
@@ -96,8 +94,8 @@ class Sources:
         there: np.ndarray,
         map_there: np.ndarray,
         map_back: np.ndarray,
-        layout: Any,
-        map_layout: Any,
+        layout: np.ndarray,
+        map_layout: np.ndarray,
         pictures: Scalars,
         maps: Array1[vec4],
     ) -> None:
