@@ -8,7 +8,7 @@ written, 8 operations for each corner.
 import numpy as np
 
 from ..algebra.transform import widen
-from ..array_types import AnyArray, Array1
+from ..array_types import AnyArray, Array1, Mask
 from ..lang import array, float64, func, isfinite, kernel, launch, tid, uint8, vec2d, vec3, vec3d, vec3i
 from ..memory import empty
 
@@ -79,7 +79,7 @@ def mask_world_kernel(
 
 def mask_polygon(
     points: AnyArray, origin: np.ndarray, corners: Array1[vec2d], axes: tuple[int, int, int], low: float, high: float
-):
+) -> Mask:
     """Mark the points in a volume.
 
     Args:

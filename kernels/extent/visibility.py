@@ -16,12 +16,11 @@ cells to test, some 30 operations for each of up to 12 triangles.
 """
 
 import math
-from typing import Any
 
 import numpy as np
 
 from ..algebra.transform import widen
-from ..array_types import Bytes, Points, Positions, Scalars
+from ..array_types import Bytes, Indices, Points, Positions, Scalars
 from ..arrays.select import gather_rows, positions_of
 from ..lang import (
     NAN,
@@ -253,7 +252,7 @@ def mask_seen_kernel(
     mask[i] = uint8(1 - hidden)
 
 
-def visible_rows(points: Points, offset: np.ndarray, radius: Any):
+def visible_rows(points: Points, offset: np.ndarray, radius: float) -> tuple[Indices, Positions]:
     """The rows of points that may be seen, ascending, some hidden ones among them; those at the camera are not.
 
     Args:
@@ -278,7 +277,7 @@ def visible_rows(points: Points, offset: np.ndarray, radius: Any):
     return rows, mirrored
 
 
-def rule_out_hidden(rows: Any, views: Positions, faces: Bytes, ranges: Scalars):
+def rule_out_hidden(rows: Indices, views: Positions, faces: Bytes, ranges: Scalars) -> Indices:
     """The rows less those that the levels of cells find to be hidden."""
     device = rows.device
     marks = zeros(6 * BLOCKS * BLOCKS, int32, device)

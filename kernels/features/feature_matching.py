@@ -10,10 +10,10 @@ on the number of threads: ties go to the lower number, and the atomic is a minim
 """
 
 import math
-from typing import Any
 
 import numpy as np
 
+from ..array_types import Array2, Mask
 from ..arrays.packed_keys import key_index, key_number, pack_key
 from ..arrays.select import positions_of
 from ..lang import array, atomic_min, float32, float64, func, int32, int64, kernel, launch, sqrt, struct, tid, uint8
@@ -45,7 +45,7 @@ class FeatureMatch:
     slack: float
     rounding: float
 
-    def __init__(self, source: Any, target: Any, *, second: bool = True) -> None:
+    def __init__(self, source: Array2[float32], target: Array2[float32], *, second: bool = True) -> None:
         """Match the rows of two float32 device arrays [n, d] and [m, d]; `second` False leaves out the second nearest.
 
         Raises:
@@ -63,16 +63,16 @@ class FeatureMatch:
         search = [run, int(second), self.source, self.target, self]
         launch(find_nearest_rows_kernel, -(-self.source.count // run), search)
 
-    def _run(self):
+    def _run(self) -> int:
         return 1 if self.device.is_cuda else CPU_RUN
 
-    def matched(self):
+    def matched(self) -> Mask:
         """A mask, uint8 [n], of the source rows that have a nearest one."""
         kept = empty(self.row_counts[0], uint8, self.device)
         launch(keep_matched_kernel, kept.size, [self.nearest, kept])
         return kept
 
-    def mutual(self):
+    def mutual(self) -> Mask:
         """A mask, uint8 [n], of the source rows that are the nearest of their nearest."""
         claims = full(self.row_counts[1], NO_ROW_KEY, int64, self.device)
         launch(claim_rows_kernel, self.row_counts[0], [self.nearest, self.sqdists, claims])
@@ -81,7 +81,7 @@ class FeatureMatch:
         launch(keep_mutual_kernel, -(-self.target.count // run), search)
         return kept
 
-    def pairs(self, kept: Any):
+    def pairs(self, kept: Mask) -> Array2[int32]:
         """The marked source rows with their nearest, int32 [m, 2] on the device, by source row (one sync)."""
         rows = positions_of(kept)
         pairs = empty((rows.size, 2), int32, self.device)
@@ -170,8 +170,13 @@ def write_pairs_kernel(rows: array(dtype=int32), nearest: array(dtype=int32), pa
 
 
 def pair_features(
-    source: Any, target: Any, *, mutual: bool = False, mutual_consistency_ratio: float = 0.1, ratio: float | None = None
-):
+    source: Array2[float32],
+    target: Array2[float32],
+    *,
+    mutual: bool = False,
+    mutual_consistency_ratio: float = 0.1,
+    ratio: float | None = None,
+) -> Array2[int32]:
     """Pairs of rows, nearest to each other.
 
     Args:

@@ -14,8 +14,6 @@ found on the host. The pruning is exact: see `limit_of` in feature_search.py for
 Source: Leutenegger, Lopez and Edgington, "STR: a simple and efficient algorithm for R-tree packing", ICDE 1997.
 """
 
-from typing import Any
-
 import numpy as np
 
 from ..algebra.plain_min_max import larger, smaller
@@ -83,7 +81,7 @@ class FeatureRows:
         self.rows = positions_of(usable)  # sync
         self.count = self.rows.size
 
-    def sample(self):
+    def sample(self) -> np.ndarray:
         """Up to SAMPLE rows at even intervals, float64 on the host."""
         sample = empty((min(SAMPLE, self.count), self.columns), float32, self.device)
         launch(gather_sample_kernel, sample.shape[0], [self, sample])
@@ -120,7 +118,7 @@ class FeatureTree:
     third: int
     extent: array(dtype=float32)
 
-    def __init__(self, source: Any, basis: Array2[float64]) -> None:
+    def __init__(self, source: FeatureRows, basis: Array2[float64]) -> None:
         """Sort a FeatureRows along the axes of `find_axes`, the same for both sides of a search.
 
         Raises:
@@ -139,7 +137,7 @@ class FeatureTree:
         launch(pack_rows_kernel, self.count, [source, before, moves, order, self])
         self._bound(coordinates, order)
 
-    def _sort(self, coordinates: Array2[float32]):
+    def _sort(self, coordinates: Array2[float32]) -> tuple[Indices, Indices]:
         """The order before the last sort, and that sort."""
         before, order = empty(self.count, int32, self.device), empty(self.count, int32, self.device)
         keys = empty(self.count, int64, self.device)
@@ -320,7 +318,7 @@ def bound_children_kernel(below: int, first: int, boxes: array(dtype=float32)):
         boxes[at + (BOXED + k) * FAN] = high
 
 
-def find_axes(source: Any, target: Any):
+def find_axes(source: FeatureRows, target: FeatureRows) -> Array2[float64]:
     """The middle and the leading axes of samples of two FeatureRows, on their device.
 
     Returns:
@@ -335,7 +333,7 @@ def find_axes(source: Any, target: Any):
     return upload(basis, float64, source.device)
 
 
-def leading_axes(scatter: Any):
+def leading_axes(scatter: np.ndarray) -> np.ndarray:
     """LEADING orthonormal columns that hold most of a symmetric matrix; zeros where it has fewer.
 
     Nearly its eigenvectors, by a few steps of the power method each. Not by LAPACK, and sums not by BLAS: their threads
@@ -361,7 +359,7 @@ def leading_axes(scatter: Any):
     return found
 
 
-def slab_sizes(count: int):
+def slab_sizes(count: int) -> list[int]:
     """How many rows each slab of each round holds: all of them in the first."""
     fan = max(1.0, count / GROUP) ** (1 / ROUNDS)
     sizes = [GROUP]

@@ -7,6 +7,7 @@ whole group. Jobs that share a cloud share its points: an element takes 12 B bes
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from ..algebra.transform import widen
 from ..array_types import Array1
@@ -50,7 +51,9 @@ class Jobs:
     job_sources: array(dtype=int32)
     job_targets: array(dtype=int32)
 
-    def __init__(self, sources: ManyClouds, targets: "PointForest | None", source_of: Any, target_of: Any) -> None:
+    def __init__(
+        self, sources: ManyClouds, targets: "PointForest | None", source_of: ArrayLike, target_of: ArrayLike
+    ) -> None:
         device = sources.device
         self.sources, self.targets, self.device = sources, targets, device
         self.source_of, self.target_of = np.asarray(source_of, np.int64), np.asarray(target_of, np.int64)

@@ -17,6 +17,7 @@ from ..memory import download, empty, full, zeros
 from ..search.point_tree import LEAF
 from .correspondences import match_groups_kernel, match_points_kernel
 from .job_states import job_states
+from .jobs import Jobs
 from .matches import Matches, PointColumns
 from .rows import DopplerRule, row_sums, sum_information
 from .step import Progress, StepRules, measure_velocities_kernel, step_jobs_kernel
@@ -47,7 +48,7 @@ class RegistrationLoop:
 
     def __init__(
         self,
-        jobs: Any,
+        jobs: Jobs,
         poses: np.ndarray,
         max_distance: float,
         gaussians: VoxelGaussians | None = None,
@@ -58,6 +59,7 @@ class RegistrationLoop:
         self.alone = device.is_cuda if alone is None else alone
         self.jobs, self.gaussians = jobs, gaussians
         if gaussians is None:
+            assert jobs.targets is not None
             targets, self.target_covariances = jobs.targets.clouds.points, None
         else:
             targets, self.target_covariances = gaussians.unpack()
@@ -104,7 +106,7 @@ class RegistrationLoop:
         """Judge all live jobs by StepRules and move them on."""
         launch(step_jobs_kernel, self.jobs.count, [rules, self.matches, self.progress])
 
-    def run(self, iterate: Callable[..., Any], watch: Any = None) -> None:
+    def run(self, iterate: Callable[[], None], watch: Callable[[], None] | None = None) -> None:
         """Run `iterate` until no job is live; `watch` is called after each turn and costs a sync there."""
         running = self.progress.running
         if watch is None:

@@ -12,8 +12,6 @@ nothing, since rings that a scanner draws on far ground are lines that move with
 Source: Vizzo et al. 2023, "KISS-ICP", eqs. 9 to 12, Geman and McClure's weight; Chen and Medioni 1991 for planes.
 """
 
-from typing import Any
-
 import numpy as np
 
 from ..algebra.eigen import eigenvalues, smallest_eigenvector
@@ -143,7 +141,7 @@ class MapPairs:
     planes: array(dtype=plane)
     known: array(dtype=int32)
 
-    def __init__(self, points: Points, voxel_map: Any, plane_reach: Any) -> None:
+    def __init__(self, points: Points, voxel_map: VoxelMap, plane_reach: float) -> None:
         self.points, self.voxel_map, self.plane_reach = points, voxel_map, plane_reach
         self.known, self.planes = full(points.size, -1, int32, points.device), empty(points.size, plane, points.device)
 
@@ -164,7 +162,7 @@ class Alignment:
     states: array(dtype=int32)
     facts: array(dtype=float64)
 
-    def __init__(self, pose: Any, device: Device) -> None:
+    def __init__(self, pose: np.ndarray, device: Device) -> None:
         self.poses, self.running = upload(pose[None], mat44d, device), full(1, 1, int32, device)
         self.states, self.facts = zeros(2, int32, device), zeros(4, float64, device)
 
@@ -265,16 +263,16 @@ def step_pose_kernel(
 
 
 def align_to_map(
-    pairs: Any,
-    pose: Any,
+    pairs: MapPairs,
+    pose: np.ndarray,
     max_distance: float,
-    kernel_scale: Any,
+    kernel_scale: float,
     *,
-    least: Any,
+    least: int,
     tolerance: float,
     turns: int,
     to_planes: bool = False,
-):
+) -> tuple[np.ndarray, int, int, int, float, float]:
     """The pose of a scan in a map, from a pose nearby.
 
     Args:

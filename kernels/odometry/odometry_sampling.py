@@ -6,7 +6,6 @@ points of one the least number stays there. 16 B of table a point, twice; one at
 """
 
 import math
-from typing import Any
 
 import numpy as np
 
@@ -83,7 +82,7 @@ def mark_firsts_kernel(groups: UniqueKeys, marks: array(dtype=uint8)):
     marks[groups.order[groups.starts[i]]] = 1
 
 
-def shift_points(points: Points, origin: np.ndarray):
+def shift_points(points: Points, origin: np.ndarray) -> Points:
     """The points about zero instead of about an origin [3]; the array itself where that is zero."""
     if not any(origin):
         return points
@@ -92,7 +91,7 @@ def shift_points(points: Points, origin: np.ndarray):
     return out
 
 
-def first_in_voxels(points: Points, voxel_size: float, least: Any, most: Any):
+def first_in_voxels(points: Points, voxel_size: float, least: float, most: float) -> Points:
     """The first point of each voxel among those in range, in their own order.
 
     Args:
@@ -125,7 +124,7 @@ def first_in_voxels(points: Points, voxel_size: float, least: Any, most: Any):
     return gather_rows(points, positions_of(marks))  # sync
 
 
-def _mark_by_sorting(points: Points, least: Any, most: Any, cells: Any, marks: Mask) -> None:
+def _mark_by_sorting(points: Points, least: float, most: float, cells: LocalCells, marks: Mask) -> None:
     """The same where a voxel and a point's number have no room in one entry."""
     keys = empty(points.size, int64, points.device)
     launch(encode_in_range_kernel, points.size, [points, least, most, cells, keys])

@@ -88,7 +88,7 @@ class VoxelMap:
         return self.changes.value
 
     @property
-    def additions(self):
+    def additions(self) -> int:
         """How often points were added."""
         self._settle()
         return self.changes.count

@@ -11,7 +11,7 @@ beside the planes that most matches lie on. The same sums over the points beside
 Per point: one search for the nearest, 40 B read and 90 operations in a reduction; once more beside the planes.
 """
 
-from typing import Any
+import numpy as np
 
 from ..algebra.rigid_solve import move, turn
 from ..algebra.transform import narrow, widen
@@ -38,6 +38,7 @@ from ..lang import (
 )
 from ..memory import download, empty
 from ..search.nearest_point import NO_POINT, find_nearest
+from ..surface.hollow_side import Surface
 from .main_planes import find_main_planes, leave_out_planes
 
 middle_sums = vector(5, float64)  # count, x, y, z, squares
@@ -103,7 +104,14 @@ class Overlap:
     tight: float
 
     def __init__(
-        self, source: Any, target: Any, pose: Any, distance: float, near: Any, cosine: float, tight: float
+        self,
+        source: Surface,
+        target: Surface,
+        pose: np.ndarray,
+        distance: float,
+        near: float,
+        cosine: float,
+        tight: float,
     ) -> None:
         """Arguments as of `weigh_overlap`. One sync."""
         count, device = source.points.size, source.device
@@ -134,7 +142,7 @@ class Overlap:
         leave_out_planes(self.moved, self.turned, planes, slab, self.cosine, edge, self.nearest)
         self.find_middle()
 
-    def weigh(self):
+    def weigh(self) -> np.ndarray:
         """The sums of `sum_evidence`, float64 [45] on the host. One sync."""
         return download(reduce(sum_evidence, self.moved.size, [self]))[0].copy()  # sync
 
@@ -199,16 +207,16 @@ def sum_evidence(overlap: Overlap) -> evidence_sums:
 
 
 def weigh_overlap(
-    source: Any,
-    target: Any,
-    pose: Any,
+    source: Surface,
+    target: Surface,
+    pose: np.ndarray,
     distance: float,
-    near: Any,
+    near: float,
     cosine: float,
     tight: float,
     *,
     beside_planes: bool = False,
-):
+) -> np.ndarray:
     """The evidence that one surface gives for a pose onto another.
 
     Args:

@@ -11,7 +11,6 @@ Geman-McClure estimator (Zhou et al., "Fast global registration", ECCV 2016, eq.
 """
 
 from collections.abc import Sequence
-from typing import Any
 
 import numpy as np
 
@@ -87,7 +86,7 @@ class PairCoordinates:
         launch(split_pairs_kernel, self.count, [source, target, *middles, self])
         self.blocks = -(-self.count // BLOCK)
 
-    def select(self, rows: Indices):
+    def select(self, rows: Indices) -> "PairCoordinates":
         """The correspondences at some rows (int32 device array), which may repeat."""
         chosen = PairCoordinates.__new__(PairCoordinates)
         chosen.device, chosen.count, chosen.blocks = self.device, rows.size, -(-rows.size // BLOCK)
@@ -98,7 +97,12 @@ class PairCoordinates:
         return chosen
 
     def refine(
-        self, poses: Poses, distance: float, steps: int, with_scaling: bool, out: Any = None
+        self,
+        poses: Poses,
+        distance: float,
+        steps: int,
+        with_scaling: bool,
+        out: tuple[Poses, Array2[float64]] | None = None,
     ) -> tuple[Poses, Array2[float64]]:
         """Fit each pose to the correspondences closer than a distance [m] under it, several times.
 

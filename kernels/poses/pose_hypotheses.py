@@ -10,11 +10,10 @@ point and 128 B a surviving pose are written.
 import math
 from collections.abc import Sequence
 from functools import cached_property
-from typing import Any
 
 from ..algebra.rigid_solve import fit_pose, move, pair_sums, sums_of_pair, turn
 from ..algebra.transform import widen
-from ..array_types import Integers, Poses, Vectors
+from ..array_types import Indices, Integers, Poses, Vectors
 from ..arrays.random import random_below, random_bits
 from ..arrays.select import positions_of
 from ..lang import (
@@ -118,7 +117,7 @@ class Samples:
         return positions_of(self.kept)
 
     def fit(
-        self, checks: Checks, normals: Sequence[Vectors], with_scaling: bool, chosen: Any = None
+        self, checks: Checks, normals: Sequence[Vectors], with_scaling: bool, chosen: Indices | None = None
     ) -> tuple[Poses, Integers]:
         """The poses of samples, mat44d [k], and their scores, int32 [k]: 0, or REFUSED, where there is no pose.
 

@@ -241,7 +241,7 @@ class PoseSearch:
         confidence: float,
         with_scaling: bool,
         seed: int,
-    ):
+    ) -> FoundPose:
         """The best of `most` hypotheses at most; of equal counts the one with the smaller distances.
 
         Args:
@@ -333,6 +333,6 @@ class PoseSearch:
                     continue
             found.pose, found.count, found.squares, found.inliers = poses[row], top, squares, int(inliers[row])
 
-    def _squares(self, pose: Any, distance: float):
+    def _squares(self, pose: np.ndarray, distance: float) -> float:
         sums = self.fitness.match(upload(pose[None], mat44d, self.device), distance)
         return float(download(sums)[0][-1])  # sync: only where poses have as many matches as another

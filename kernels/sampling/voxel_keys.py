@@ -4,7 +4,7 @@ The axes take only the bits that the box needs, 62 together, so a grid may have 
 Cells are counted from the grid's low corner in float64, so negative coordinates need no care.
 """
 
-from typing import Any
+from collections.abc import Sequence
 
 import numpy as np
 
@@ -47,7 +47,14 @@ class VoxelGroups:
         count: Occupied voxels m.
     """
 
-    def __init__(self, points: Points, corner: np.ndarray, size: float, cells: Any, first: Any = (0, 0, 0)) -> None:
+    def __init__(
+        self,
+        points: Points,
+        corner: np.ndarray,
+        size: float,
+        cells: Sequence[float] | np.ndarray,
+        first: Sequence[int] | np.ndarray = (0, 0, 0),
+    ) -> None:
         """Group finite points.
 
         Args:

@@ -4,10 +4,12 @@ A thread a voxel, over the points of its run in their own order: no atomics, the
 Each reads the 12 B and writes 4 to 12 B of each point once or twice.
 """
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
+
+import numpy as np
 
 from ..algebra.transform import widen
-from ..array_types import AnyArray, Points
+from ..array_types import AnyArray, Indices, Points
 from ..lang import INFINITY, array, float64, floor, func, int32, int64, kernel, launch, tid, vec3, vec3d
 from ..memory import cast, empty, full
 from ..search.neighbor_keys import sort_keys
@@ -112,7 +114,7 @@ def commonest_rows_kernel(
     rows[i] = row
 
 
-def trace_voxels(points: Points, groups: "UniqueKeys", corner: Any, size: Any):
+def trace_voxels(points: Points, groups: "UniqueKeys", corner: np.ndarray, size: float) -> tuple[Indices, Indices]:
     """Which points fell where.
 
     Returns:
@@ -126,14 +128,14 @@ def trace_voxels(points: Points, groups: "UniqueKeys", corner: Any, size: Any):
     return octants, voxels
 
 
-def nearest_to_means(points: Points, groups: "UniqueKeys"):
+def nearest_to_means(points: Points, groups: "UniqueKeys") -> Indices:
     """The row of the point nearest to the mean of each voxel, int32 [m]."""
     rows = empty(groups.count, int32, points.device)
     launch(nearest_to_mean_kernel, groups.count, [points, groups.order, groups.starts, rows])
     return rows
 
 
-def commonest_rows(values: AnyArray, groups: "UniqueKeys"):
+def commonest_rows(values: AnyArray, groups: "UniqueKeys") -> Indices:
     """A row of each voxel that has its commonest value, int32 [m].
 
     Args:

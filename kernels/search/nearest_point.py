@@ -345,7 +345,7 @@ def unpack_rows_kernel(nearest: array(dtype=int64), rows: array(dtype=int32)):
     rows[i] = key_index(nearest[i])
 
 
-def find_nearest_rows(tree: PointTree, queries: Points):
+def find_nearest_rows(tree: PointTree, queries: Points) -> Indices:
     """The row of the nearest point of each query, int32 [m]; -1 where there is none."""
     rows = empty(queries.size, int32, queries.device)
     launch(unpack_rows_kernel, queries.size, [find_nearest(tree, queries), rows])

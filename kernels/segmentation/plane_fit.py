@@ -283,7 +283,7 @@ class PlaneSearch:
         launch(mask_inliers_kernel, self.rows.size, arguments)
         return mask
 
-    def refit(self, plane: np.ndarray, mask: Mask):
+    def refit(self, plane: np.ndarray, mask: Mask) -> np.ndarray:
         """The plane of least squared distances to the chosen points; the old one where they span none."""
         rows = gather_rows(self.rows, positions_of(mask))
         if rows.size < TRIANGLE:

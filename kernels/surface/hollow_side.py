@@ -11,7 +11,7 @@ written a point beside the search.
 
 from ..algebra.eigen import largest_entry, smallest_eigenvector, sorted_eigenvalues
 from ..algebra.moments import add_rounded_difference, covariance_of, moments
-from ..array_types import Points
+from ..array_types import Points, Vectors
 from ..arrays.select import gather_rows, positions_of
 from ..extent.masks import mask_finite
 from ..lang import NAN, array, float64, kernel, launch, tid, vec3, vec3d
@@ -50,7 +50,7 @@ def find_sides_kernel(tree: PointTree, narrow: float, wide: float, normals: arra
     normals[tree.order[i]] = n
 
 
-def find_sides(tree: PointTree, narrow: float, wide: float):
+def find_sides(tree: PointTree, narrow: float, wide: float) -> Vectors:
     """Unit normals of a tree's points on the hollow side of the surface.
 
     Args:
@@ -82,5 +82,5 @@ class Surface:
         self.points, self.normals = gather_rows(points, rows), gather_rows(normals, rows)
         self.tree, self.device = PointTree(self.points), points.device
 
-    def __len__(self):
+    def __len__(self) -> int:
         return self.points.size

@@ -5,7 +5,9 @@ about the mean of the neighbours, from differences to the query (exact in float3
 and summed in float64: coordinates of any size do no harm. 12 B read and 12 B written a point beside the search.
 """
 
-from typing import Any
+from collections.abc import Sequence
+
+import numpy as np
 
 from ..algebra.eigen import smallest_eigenvector
 from ..algebra.moments import add_rounded_difference, covariance_of, moments
@@ -125,7 +127,9 @@ def estimate_normals(tree: PointTree, points: Points, max_nn: int | None, radius
     return normals
 
 
-def orient_normals(points: Points, normals: Vectors, reference: Any, to_point: bool) -> Vectors:
+def orient_normals(
+    points: Points, normals: Vectors, reference: Sequence[float] | np.ndarray, to_point: bool
+) -> Vectors:
     """Normals turned to the direction `reference`, or to the side of the point `reference` where `to_point`."""
     oriented = empty(normals.size, vec3, normals.device)
     launch(orient_normals_kernel, normals.size, [points, normals, int(to_point), vec3(*reference), oriented])

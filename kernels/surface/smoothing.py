@@ -185,12 +185,12 @@ def scatter_points_kernel(points: array(dtype=vec3), order: array(dtype=int32), 
     scattered[order[i]] = points[i]
 
 
-def falloff_of(sigma: float):
+def falloff_of(sigma: float) -> float:
     """The factor [1 / m^2] of a squared distance in the exponent of a Gaussian with this deviation [m]."""
     return min(0.5 / max(sigma * sigma, 1.0 / LARGEST_FALLOFF), LARGEST_FALLOFF)
 
 
-def _smooth(tree: PointTree, max_nn: int | None, radius: float, rule: SmoothingPass):
+def _smooth(tree: PointTree, max_nn: int | None, radius: float, rule: SmoothingPass) -> SmoothingPass:
     """One pass; the rule, with its results."""
     points = tree.source
     if tree.count < points.size:
@@ -205,7 +205,9 @@ def _smooth(tree: PointTree, max_nn: int | None, radius: float, rule: SmoothingP
     return rule
 
 
-def project_to_planes(tree: PointTree, max_nn: int | None, radius: float, normals: Vectors | None = None):
+def project_to_planes(
+    tree: PointTree, max_nn: int | None, radius: float, normals: Vectors | None = None
+) -> tuple[Points, Vectors]:
     """Each point on the plane through its neighbours, which weigh exp(-d^2 / radius^2).
 
     Args:
@@ -225,7 +227,7 @@ def project_to_planes(tree: PointTree, max_nn: int | None, radius: float, normal
 
 def average_by_sides(
     tree: PointTree, normals: Vectors, max_nn: int | None, radius: float, sigma_s: float, sigma_r: float
-):
+) -> Points:
     """Each point at the mean of its neighbours, weighted by distance and by height over its tangent plane.
 
     Arguments as for `project_to_planes`; the deviations in metres. A point whose normal is zero or NaN stays.
@@ -234,7 +236,7 @@ def average_by_sides(
     return _smooth(tree, max_nn, radius, rule).moved
 
 
-def average_passes(tree: PointTree, factors: Sequence[float], neighbor_count: int):
+def average_passes(tree: PointTree, factors: Sequence[float], neighbor_count: int) -> Points:
     """One pass a factor: each point that far towards the mean of its nearest others, found anew in each pass."""
     points = tree.source
     for turn, factor in enumerate(factors):
