@@ -91,7 +91,7 @@ def vector(length: int, dtype: Any = float32) -> Any:
 class Builtin:
     """A function that both compilers know under this name, or Warp alone for CUDA; it means nothing in plain Python."""
 
-    def __init__(self, name: str, *, for_cuda: bool = False):
+    def __init__(self, name: str, *, for_cuda: bool = False) -> None:
         self.name, self.for_cuda = name, for_cuda
 
     def __call__(self, *_: Any) -> Any:
@@ -112,7 +112,7 @@ shuffle_xor, sync_lanes = (Builtin(n, for_cuda=True) for n in ("shuffle_xor", "s
 load_eight = Builtin("load_eight", for_cuda=True)
 
 
-def _is_builtin(value: Any) -> bool:
+def _is_builtin(value: object) -> bool:
     return isinstance(value, Builtin)
 
 
@@ -152,7 +152,7 @@ class _DeviceCode:
 
     role = ""
 
-    def __init__(self, function: Callable, *, for_cuda: bool = False):
+    def __init__(self, function: Callable, *, for_cuda: bool = False) -> None:
         self.name, self.__doc__, self.for_cuda = function.__name__, function.__doc__, for_cuda
         self.written, self.module = function, function.__module__
         self._variant: Self | None = None
@@ -218,7 +218,7 @@ class Func(_DeviceCode):
 
     role = "func"
 
-    def __init__(self, function: Callable, flat: Source | None = None, *, for_cuda: bool = False):
+    def __init__(self, function: Callable, flat: Source | None = None, *, for_cuda: bool = False) -> None:
         self._flat = flat
         self._special: dict[Any, Func] = {}
         super().__init__(function, for_cuda=for_cuda)
@@ -271,7 +271,7 @@ class Loop(_DeviceCode):
 class _Launched(_DeviceCode):
     """What is launched: Warp compiles a file's kernels together, so the first launch of one settles them all."""
 
-    def __init__(self, function: Callable, *, for_cuda: bool = False):
+    def __init__(self, function: Callable, *, for_cuda: bool = False) -> None:
         if not for_cuda:
             others = LAUNCHED.setdefault(function.__module__, {})
             if any(other.written.__globals__ is not function.__globals__ for other in others.values()):
@@ -325,7 +325,7 @@ class Kernel(_Launched):
 
     role = "kernel"
 
-    def __init__(self, function: Callable, *, most_registers: int = 0, for_cuda: bool = False):
+    def __init__(self, function: Callable, *, most_registers: int = 0, for_cuda: bool = False) -> None:
         self.most_registers = most_registers
         super().__init__(function, for_cuda=for_cuda)
 
@@ -352,7 +352,7 @@ class Reduction(_Launched):
 
     role = "reduction"
 
-    def __init__(self, function: Callable, *, segmented: bool = False, most_registers: int = 0):
+    def __init__(self, function: Callable, *, segmented: bool = False, most_registers: int = 0) -> None:
         self.segmented, self.most_registers = segmented, most_registers
         super().__init__(function)
 

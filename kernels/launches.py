@@ -22,6 +22,7 @@ from typing import TYPE_CHECKING, Any
 
 import warp as wp
 
+from .array_types import Device
 from .language import taichi_compiler, warp_compiler
 from .language.arguments import checked_arguments, device_of
 from .language.device_lock import RecordedLoop, lock, record, replay  # noqa: F401  handed on
@@ -88,7 +89,7 @@ def _serving_compiler(wanted: str) -> str:
     return "taichi"
 
 
-def _is_warps(device: Any, element_count: int, values: Sequence[Any]) -> bool:
+def _is_warps(device: Device, element_count: int, values: Sequence[Any]) -> bool:
     """Whether a launch is Warp's: on CUDA all are, on the CPU those that are small, where nobody forces a compiler."""
     if device.is_cuda:
         return True
@@ -105,7 +106,7 @@ class Turn:
     Even a prepared launch takes longer to read its arguments than a small kernel runs.
     """
 
-    def __init__(self):
+    def __init__(self) -> None:
         self.launches: list[Callable[[], None]] = []
         self.program: Any = None  # Taichi's, where launches are its
 
@@ -132,7 +133,7 @@ def _announced(kernel: Any, name: str, place: str) -> contextlib.AbstractContext
     return announced(name)
 
 
-def _run_warp(kernel: Any, thread_count: int, values: Sequence[Any], device: Any, **options: Any) -> None:
+def _run_warp(kernel: Any, thread_count: int, values: Sequence[Any], device: Device, **options: Any) -> None:
     if device.is_cuda:
         with _announced(kernel, kernel.key, device.alias) as is_first:
             if is_first:
@@ -273,7 +274,7 @@ def reduce_segments(
             _run_taichi_sum(reduction, [*values, *tables, partials, out, out.size, *chunks])
 
 
-def loop_while(condition: Any, body: Callable[[], None]) -> None:
+def loop_while(condition: Integers, body: Callable[[], None]) -> None:
     """Run a body of launches as long as `condition[0]` is not zero.
 
     On CUDA the loop is one graph with a conditional node, and nothing goes back to the host; so the body may only
@@ -301,7 +302,7 @@ class DeviceLoop:
         body: As of `loop_while`; its launches are the same in each run, over the same arrays and with the same numbers.
     """
 
-    def __init__(self, condition: Any, body: Callable[[], None]):
+    def __init__(self, condition: Integers, body: Callable[[], None]) -> None:
         self._condition, self._body = condition, body
         self._recorded: RecordedLoop | None = None
         self._turn: Turn | None = None

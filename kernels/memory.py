@@ -16,7 +16,7 @@ import numpy as np
 import warp as wp
 from numpy.typing import NDArray
 
-from .array_types import Array, Array1, Array2, Array3, DeviceArray, Element, Rank
+from .array_types import Array, Array1, Array2, Array3, Device, DeviceArray, Element, Rank
 from .language.casts import cast_into
 from .language.device_lock import own, turn_on
 
@@ -24,7 +24,7 @@ POOL_SHARE = 0.5  # of a GPU's memory: what its pool keeps of released memory
 _pools: set[str] = set()  # the GPUs whose pools keep some, by name
 
 
-def _keep_pool(device: Any) -> None:
+def _keep_pool(device: Device) -> None:
     """Have a GPU's pool keep released memory for the next array, once for each GPU.
 
     CUDA's own setting is to keep none: each wait for the device would hand all of it back to the system, and the next
@@ -37,7 +37,7 @@ def _keep_pool(device: Any) -> None:
         wp.set_mempool_release_threshold(device, POOL_SHARE)
 
 
-def _empty_pool(device: Any) -> None:
+def _empty_pool(device: Device) -> None:
     """Hand what a GPU's pool keeps back to the system (sync), where it counts as free."""
     if device.is_mempool_enabled:
         with turn_on(device):
@@ -50,8 +50,9 @@ def _empty_pool(device: Any) -> None:
 class _Allocation:
     """A turn on a device in which an array is made: Warp's error where there is no room becomes a MemoryError."""
 
-    def __init__(self, device: Any):
-        self.turn, self.device = turn_on(device), device
+    def __init__(self, device: Device | str) -> None:
+        self.turn = turn_on(device)
+        self.device: Any = device
 
     def __enter__(self) -> None:
         self.turn.__enter__()
@@ -68,7 +69,7 @@ class _Allocation:
             ) from error
 
 
-def free_bytes(device: Any) -> int | None:
+def free_bytes(device: Device) -> int | None:
     """Memory that is free on a device; None where the system does not say."""
     if device.is_cuda:
         return int(device.free_memory)
@@ -82,7 +83,7 @@ def free_bytes(device: Any) -> int | None:
     return max(0, min(sizes)) if sizes else None
 
 
-def check_room(device: Any, size: int, what: str) -> None:
+def check_room(device: Device, size: int, what: str) -> None:
     """Refuse work that would not fit, before any of it is allocated.
 
     Raises:
@@ -100,14 +101,14 @@ def check_room(device: Any, size: int, what: str) -> None:
 
 
 @overload
-def empty(shape: int | tuple[int], dtype: type[Element], device: Any) -> Array1[Element]: ...
+def empty(shape: int | tuple[int], dtype: type[Element], device: Device | str) -> Array1[Element]: ...
 @overload
-def empty(shape: tuple[int, int], dtype: type[Element], device: Any) -> Array2[Element]: ...
+def empty(shape: tuple[int, int], dtype: type[Element], device: Device | str) -> Array2[Element]: ...
 @overload
-def empty(shape: tuple[int, int, int], dtype: type[Element], device: Any) -> Array3[Element]: ...
+def empty(shape: tuple[int, int, int], dtype: type[Element], device: Device | str) -> Array3[Element]: ...
 @overload
-def empty(shape: tuple[int, ...], dtype: type[Element], device: Any) -> DeviceArray[Element, Any]: ...
-def empty(shape: int | tuple[int, ...], dtype: Any, device: Any) -> Any:
+def empty(shape: tuple[int, ...], dtype: type[Element], device: Device | str) -> DeviceArray[Element, Any]: ...
+def empty(shape: int | tuple[int, ...], dtype: Any, device: Device | str) -> Any:
     """An array with undefined contents.
 
     Raises:
@@ -118,28 +119,28 @@ def empty(shape: int | tuple[int, ...], dtype: Any, device: Any) -> Any:
 
 
 @overload
-def zeros(shape: int | tuple[int], dtype: type[Element], device: Any) -> Array1[Element]: ...
+def zeros(shape: int | tuple[int], dtype: type[Element], device: Device) -> Array1[Element]: ...
 @overload
-def zeros(shape: tuple[int, int], dtype: type[Element], device: Any) -> Array2[Element]: ...
+def zeros(shape: tuple[int, int], dtype: type[Element], device: Device) -> Array2[Element]: ...
 @overload
-def zeros(shape: tuple[int, int, int], dtype: type[Element], device: Any) -> Array3[Element]: ...
+def zeros(shape: tuple[int, int, int], dtype: type[Element], device: Device) -> Array3[Element]: ...
 @overload
-def zeros(shape: tuple[int, ...], dtype: type[Element], device: Any) -> DeviceArray[Element, Any]: ...
-def zeros(shape: int | tuple[int, ...], dtype: Any, device: Any) -> Any:
+def zeros(shape: tuple[int, ...], dtype: type[Element], device: Device) -> DeviceArray[Element, Any]: ...
+def zeros(shape: int | tuple[int, ...], dtype: Any, device: Device) -> Any:
     """An array of zeros."""
     with _Allocation(device):
         return own(wp.zeros(shape, dtype=dtype, device=device))
 
 
 @overload
-def full(shape: int | tuple[int], value: Any, dtype: type[Element], device: Any) -> Array1[Element]: ...
+def full(shape: int | tuple[int], value: Any, dtype: type[Element], device: Device) -> Array1[Element]: ...
 @overload
-def full(shape: tuple[int, int], value: Any, dtype: type[Element], device: Any) -> Array2[Element]: ...
+def full(shape: tuple[int, int], value: Any, dtype: type[Element], device: Device) -> Array2[Element]: ...
 @overload
-def full(shape: tuple[int, int, int], value: Any, dtype: type[Element], device: Any) -> Array3[Element]: ...
+def full(shape: tuple[int, int, int], value: Any, dtype: type[Element], device: Device) -> Array3[Element]: ...
 @overload
-def full(shape: tuple[int, ...], value: Any, dtype: type[Element], device: Any) -> DeviceArray[Element, Any]: ...
-def full(shape: int | tuple[int, ...], value: Any, dtype: Any, device: Any) -> Any:
+def full(shape: tuple[int, ...], value: Any, dtype: type[Element], device: Device) -> DeviceArray[Element, Any]: ...
+def full(shape: int | tuple[int, ...], value: Any, dtype: Any, device: Device) -> Any:
     """An array of one value."""
     with _Allocation(device):
         return own(wp.full(shape, value, dtype=dtype, device=device))
@@ -151,7 +152,9 @@ def fill(values: wp.array, value: Any) -> None:
         values.fill_(value)
 
 
-def upload(values: np.ndarray, dtype: type[Element], device: Any, *, copied: bool = True) -> DeviceArray[Element, Any]:
+def upload(
+    values: np.ndarray, dtype: type[Element], device: Device | str, *, copied: bool = True
+) -> DeviceArray[Element, Any]:
     """A NumPy array on a device, as an array of `dtype` (vectors take the last axis).
 
     A copy; on the CPU the same memory where `copied` is False.
@@ -176,7 +179,7 @@ def upload(values: np.ndarray, dtype: type[Element], device: Any, *, copied: boo
         return own(out)
 
 
-def upload_together(tables: Sequence[NDArray[Any]], dtype: type[Element], device: Any) -> list[Array1[Element]]:
+def upload_together(tables: Sequence[NDArray[Any]], dtype: type[Element], device: Device) -> list[Array1[Element]]:
     """Several small NumPy arrays with one axis on a device in one copy: parts of one array."""
     whole = upload(np.concatenate(tables), dtype, device)
     ends = np.cumsum([len(table) for table in tables]).tolist()
@@ -231,7 +234,7 @@ def cast(values: Any, dtype: Any) -> Any:
     return out
 
 
-def move(values: Array, device: Any) -> Array:
+def move(values: Array, device: Device) -> Array:
     """The array on another device; itself where it is there already."""
     if values.device == device:
         return values
@@ -260,7 +263,7 @@ def host_view(values: Any) -> NDArray[Any]:
 class Readback:
     """Small arrays on their way to the host: `send` does not wait, `read` does where they have not come yet."""
 
-    def __init__(self, values: wp.array):
+    def __init__(self, values: wp.array) -> None:
         self.values: Any = values
         self._kept: Any = None  # on the host, where copies arrive without the host's help
         self._event: Any = None

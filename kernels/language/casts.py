@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 import warp as wp
 
+from ..array_types import AnyArray
 from .device_lock import lock
 from .module_loading import load_module
 from .notices import announced
@@ -31,7 +32,7 @@ _CAST = """def {name}(values_, out_):
 """
 
 
-def cast_into(out: Any, values: Any) -> None:
+def cast_into(out: AnyArray, values: AnyArray) -> None:
     """Convert a contiguous array into another of as many scalars, on the same device."""
     source, target = _scalars(values), _scalars(out)
     if values.device.is_cpu:
@@ -47,7 +48,7 @@ def cast_into(out: Any, values: Any) -> None:
             wp.launch(kernel, part.stop - first, [source[part], target[part]], device=values.device)
 
 
-def _scalars(values: Any) -> Any:
+def _scalars(values: AnyArray) -> Any:
     """An array's memory as a row of its scalars."""
     scalar = getattr(values.dtype, "_wp_scalar_type_", values.dtype)
     count = values.size * int(np.prod(getattr(values.dtype, "_shape_", ()), dtype=np.int64))

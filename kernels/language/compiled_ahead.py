@@ -28,6 +28,7 @@ from typing import Any, NamedTuple
 
 import warp as wp
 
+from ..array_types import Device
 from .cache_folders import temporary_cache
 
 VARIABLE = "POINTLOOM_CUDA_KERNELS"  # names the archive; empty: none is used, an installed one neither
@@ -79,7 +80,7 @@ class Archive:
         OSError, ValueError, KeyError, zipfile.BadZipFile: It cannot be read.
     """
 
-    def __init__(self, path: Path):
+    def __init__(self, path: Path) -> None:
         self.path = path
         with zipfile.ZipFile(path) as file:
             manifest = json.loads(file.read(MANIFEST))
@@ -97,7 +98,7 @@ class Archive:
         words = ", ".join([*named, *(f"other {name}" for name in others if "sources" in name)])
         return f"made from {words}" if words else ""
 
-    def place(self, module: Any, device: Any, block_dim: int) -> Placed | None:
+    def place(self, module: Any, device: Device, block_dim: int) -> Placed | None:
         """Lay a module's code for a GPU into Warp's cache, under the names that Warp gives it, if it is not there.
 
         Raises:
@@ -132,7 +133,7 @@ def _architecture(binary: str) -> int:
     return int(re.sub(r"\D", "", binary))
 
 
-def choose(binaries: list[str], device: Any) -> str | None:
+def choose(binaries: list[str], device: Device) -> str | None:
     """The code for a GPU among "sm90.cubin", "sm90.ptx" and the like, or None.
 
     Machine code runs on its own architecture and on later ones of the same major number; PTX on all later ones, where

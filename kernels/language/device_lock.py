@@ -19,6 +19,8 @@ from typing import Any
 
 import warp as wp
 
+from ..array_types import Device
+
 lock = threading.RLock()
 _memory_of_host: AbstractContextManager[Any] = nullcontext()
 _recording_streams: dict[str, wp.Stream] = {}  # by the name of the device
@@ -46,7 +48,7 @@ def why_no_cuda_here() -> str:
     )
 
 
-def turn_on(device: Any) -> AbstractContextManager[Any]:
+def turn_on(device: Device | str) -> AbstractContextManager[Any]:
     """The lock where the device is a GPU; nothing to wait for where its memory is the host's.
 
     Raises:
@@ -72,7 +74,7 @@ def own(values: Any) -> wp.array:
     return values
 
 
-def release_in_turn(device: Any, release: Callable[[int, int], None], address: int, size: int) -> None:
+def release_in_turn(device: Device, release: Callable[[int, int], None], address: int, size: int) -> None:
     """Release memory at once, or where another thread is at the device, when the next array is made or dropped."""
     if _is_without_cuda:
         return  # it is the parent's
@@ -102,7 +104,7 @@ class Recording:
         body: Launches over arrays that exist already, and stay where they are while the graph is launched.
     """
 
-    def __init__(self, device: Any, body: Callable[[], None]):
+    def __init__(self, device: Any, body: Callable[[], None]) -> None:
         self._device, self._graphs = device, []
         if device.alias not in _recording_streams:
             _recording_streams[device.alias] = wp.Stream(device)
@@ -137,11 +139,11 @@ class RecordedLoop(Recording):
         body: As of Recording.
     """
 
-    def __init__(self, condition: wp.array, body: Callable[[], None]):
+    def __init__(self, condition: wp.array, body: Callable[[], None]) -> None:
         super().__init__(condition.device, lambda: wp.capture_while(condition, _stoppable(body)))
 
 
-def record(device: Any, body: Callable[[], None]) -> Recording:
+def record(device: Device, body: Callable[[], None]) -> Recording:
     """What a body asks of a GPU as one graph, for `replay`; nothing is run.
 
     Args:
@@ -161,7 +163,7 @@ def replay(recording: Recording) -> None:
 class _Stopped(Exception):  # noqa: N818
     """Stands for what is no Exception: Warp ends the recording of a body for those alone, and Ctrl-C is none."""
 
-    def __init__(self, reason: BaseException):
+    def __init__(self, reason: BaseException) -> None:
         self.reason = reason
 
 

@@ -51,7 +51,7 @@ class Scope(NamedTuple):
 class Inference:
     """One pass over a function's statements."""
 
-    def __init__(self, scope: Scope, parameters: dict[str, Inferred], declared: Inferred):
+    def __init__(self, scope: Scope, parameters: dict[str, Inferred], declared: Inferred) -> None:
         self.scope, self.fail = scope, scope.fail
         self.known: dict[str, Inferred] = dict(parameters)
         self.declared, self.returned = declared, None

@@ -66,7 +66,7 @@ class BareNumbers:
         widened: The types that were given.
     """
 
-    def __init__(self, infer: Callable[[ast.expr], Inferred]):
+    def __init__(self, infer: Callable[[ast.expr], Inferred]) -> None:
         self.infer = infer
         self.widened: set[str] = set()
 
@@ -108,7 +108,9 @@ class Beginnings:
         count: How many were written.
     """
 
-    def __init__(self, constant: Callable[[str], int | float | bool | None], type_named: Callable[[str], Type | None]):
+    def __init__(
+        self, constant: Callable[[str], int | float | bool | None], type_named: Callable[[str], Type | None]
+    ) -> None:
         self.constant, self.type_named = constant, type_named
         self.count = 0
 

@@ -91,7 +91,7 @@ class Writer(ast.NodeTransformer):
 
     def __init__(
         self, definition: ast.FunctionDef, written: dict[str, Any], scope: dict[str, Any], words: Words, fail: Fail
-    ):
+    ) -> None:
         self.written, self.scope, self.words, self.fail = written, scope, words, fail
         self.taken = stored_names(definition.body) | {a.arg for a in definition.args.args}
         self.names: dict[str, Any] = {}
@@ -274,7 +274,7 @@ def _path(node: ast.expr) -> tuple[str, ...]:
 class _Splice(ast.NodeTransformer):
     """Puts the body where the `yield` stands, and the caller's names where the walk's stand."""
 
-    def __init__(self, inner: dict[str, str], put: dict[str, ast.expr], given: dict[str, Given], node: ast.For):
+    def __init__(self, inner: dict[str, str], put: dict[str, ast.expr], given: dict[str, Given], node: ast.For) -> None:
         self.inner, self.put, self.given, self.node = inner, put, given, node
         self.spliced: list[ast.stmt] = []
 

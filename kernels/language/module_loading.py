@@ -18,6 +18,7 @@ from typing import Any
 
 import warp as wp
 
+from ..array_types import Device
 from . import compiled_ahead
 from .warp_compiler import REDUCTION_BLOCK
 
@@ -31,7 +32,7 @@ LONGEST_WAIT = 300.0  # [s] beyond it a process compiles for itself: who has the
 PAUSE = 0.01  # [s] between two looks
 
 
-def load_module(module: Any, device: Any) -> None:
+def load_module(module: Any, device: Device) -> None:
     """Make a module of Warp's ready for launches on a device; take the lock first.
 
     Args:
@@ -47,7 +48,7 @@ def load_module(module: Any, device: Any) -> None:
             module.load(device, block_dim)
 
 
-def _is_loaded_from_archive(module: Any, device: Any, block_dim: int) -> bool:
+def _is_loaded_from_archive(module: Any, device: Device, block_dim: int) -> bool:
     found = compiled_ahead.archive()
     if found is None:
         return False

@@ -31,7 +31,7 @@ class once(Generic[Value]):  # noqa: N801  a decorator, as `property` is
     could be taken in the other order.
     """
 
-    def __init__(self, method: Callable[[Any], Value]):
+    def __init__(self, method: Callable[[Any], Value]) -> None:
         self.method, self.__doc__ = method, method.__doc__
 
     def __set_name__(self, owner: type, name: str) -> None:

@@ -61,7 +61,7 @@ class WarpLaunch:
     Its machine code takes two addresses: the bounds of the launch, and one structure of all arguments.
     """
 
-    def __init__(self, kernel: Any, values: Sequence[Any]):
+    def __init__(self, kernel: Any, values: Sequence[Any]) -> None:
         self.kernel = kernel
         self.parameters = [Parameter.of(argument.type) for argument in kernel.adj.args]
         self._plan = [(p.is_array, p.is_vector) for p in self.parameters]
@@ -120,7 +120,7 @@ class WarpLaunch:
 class Recorder:
     """Stands for Taichi's program while it launches a kernel, and keeps what it launches."""
 
-    def __init__(self, program: Any):
+    def __init__(self, program: Any) -> None:
         self.program = program
         self.kernel: Any = None
         self.compiled: Any = None
@@ -137,7 +137,7 @@ class Recorder:
 class _Context:
     """Arguments as Taichi's machine code reads them, and what they were set from."""
 
-    def __init__(self, made: Any, count: int):
+    def __init__(self, made: Any, count: int) -> None:
         self.made, self.held = made, list[Any]([None] * count)
         self.put_array = made.set_arg_external_array_with_shape
 
@@ -148,7 +148,7 @@ class TaichiLaunch:
     An argument that is as in the launch before is not set again.
     """
 
-    def __init__(self, name: str, annotations: Sequence[Any], recorder: Recorder):
+    def __init__(self, name: str, annotations: Sequence[Any], recorder: Recorder) -> None:
         self._name, self._kernel, self._compiled = name, recorder.kernel, recorder.compiled
         self.program = weakref.ref(recorder.program)
         parameters = [Parameter.of(annotation) for annotation in annotations]

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from typing import Any
 
+from ..array_types import AnyArray, Integers
 from .arguments import MAX_THREADS
 from .warp_compiler import REDUCTION_BLOCK, SegmentReduction
 
@@ -18,9 +19,9 @@ def launch_segments(
     kernels: SegmentReduction,
     values: Sequence[Any],
     blocks: Any,
-    live: Any,
-    partials: Any,
-    out: Any,
+    live: Integers,
+    partials: AnyArray,
+    out: AnyArray,
 ) -> None:
     """Sum the vectors of a reduction over segments; take the lock first.
 

@@ -95,7 +95,7 @@ def flatten(
 class _Flattener(ast.NodeTransformer):
     """Writes the fields of structures as plain names, and notes which are used."""
 
-    def __init__(self, scope: dict[str, Any], structures: dict[str, Any], fail: Callable[..., Any]):
+    def __init__(self, scope: dict[str, Any], structures: dict[str, Any], fail: Callable[..., Any]) -> None:
         self.scope, self.structures, self.fail = scope, structures, fail
         self.used: dict[str, set[Path]] = {name: set() for name in structures}
 

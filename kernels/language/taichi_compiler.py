@@ -108,7 +108,7 @@ class Taichi:
     instance: Taichi | None = None
     forked = False  # whether the process is a fork of one where Taichi ran
 
-    def __init__(self):
+    def __init__(self) -> None:
         os.environ.setdefault("ENABLE_TAICHI_HEADER_PRINT", "False")
         os.environ.setdefault("TI_SKIP_VERSION_CHECK", "ON")  # no thread that asks the internet for newer versions
         os.environ.setdefault("TI_ENABLE_PYBUF", "0")  # no line about "graphical shells" under a captured stdout
@@ -279,7 +279,7 @@ class Taichi:
         to_taichi = self._rewriter(function, definition, is_builtin, in_kernel=False)
         definition.body = [to_taichi.visit(s) for s in without_docstring(definition)]
         arrays = {k: self.ti.template() for k, t in function.__annotations__.items() if isinstance(t, wp.array)}
-        return self.ti.func(self._compile(function, definition, arrays, is_builtin))
+        return self.ti.func(self._compile(function, definition, arrays, is_builtin, {}))
 
     def make_kernel(self, function: Callable, definition: ast.FunctionDef, is_builtin: Callable) -> Any:
         """A Taichi kernel: parallel chunks of threads, the per-thread body in a plain loop over each chunk.
@@ -297,7 +297,7 @@ class Taichi:
         definition.args.args += [ast.arg("thread_count_"), ast.arg("chunk_size_"), ast.arg("chunk_count_")]
         types = {k: self.argument(t) for k, t in function.__annotations__.items() if k != "return"}
         types |= dict.fromkeys(CHUNKS, self.ti.i32)
-        return self.ti.kernel(self._compile(function, definition, types, is_builtin))
+        return self.ti.kernel(self._compile(function, definition, types, is_builtin, {}))
 
     def make_reduction(
         self, function: Callable, definition: ast.FunctionDef, is_builtin: Callable, *, segmented: bool
@@ -311,7 +311,7 @@ class Taichi:
         to_taichi = self._rewriter(function, definition, is_builtin, in_kernel=False)
         element_definition.body = [to_taichi.visit(s) for s in body[1:]]
         arrays = {k: self.ti.template() for k, t in function.__annotations__.items() if isinstance(t, wp.array)}
-        element = self.ti.func(self._compile(function, element_definition, arrays, is_builtin))
+        element = self.ti.func(self._compile(function, element_definition, arrays, is_builtin, {}))
         arguments = [a.arg for a in definition.args.args]
         source = (SEGMENT_REDUCTION if segmented else REDUCTION).format(
             name=definition.name, arguments="".join(f"{a}, " for a in arguments)
@@ -324,13 +324,17 @@ class Taichi:
         annotations = {k: self.argument(t) for k, t in types.items()}
         return self.ti.kernel(self._compile(function, whole, annotations, is_builtin, extra))
 
-    def _rewriter(self, function: Callable, definition: ast.FunctionDef, is_builtin: Callable, *, in_kernel: bool):
+    def _rewriter(
+        self, function: Callable, definition: ast.FunctionDef, is_builtin: Callable, *, in_kernel: bool
+    ) -> ToTaichi:
         local = {a.arg for a in definition.args.args}
         local |= {n.id for n in ast.walk(definition) if isinstance(n, ast.Name) and isinstance(n.ctx, ast.Store)}
         names = {k: v for k, v in function.__globals__.items() if k not in local}
         return ToTaichi(names, is_builtin, in_kernel=in_kernel)
 
-    def _compile(self, function, definition, annotations, is_builtin, extra=None):
+    def _compile(
+        self, function: Callable, definition: ast.FunctionDef, annotations: dict, is_builtin: Callable, extra: dict
+    ) -> Callable:
         definition.decorator_list, definition.returns = [], None
         for argument in definition.args.args:
             argument.annotation = None
@@ -338,7 +342,7 @@ class Taichi:
         name = f"<taichi {function.__module__}.{definition.name}>"
         linecache.cache[name] = (len(source), None, source.splitlines(True), name)
         names = {n.id for n in ast.walk(definition) if isinstance(n, ast.Name)}
-        scope = self.scope(function.__globals__, names, is_builtin) | (extra or {})
+        scope = self.scope(function.__globals__, names, is_builtin) | extra
         exec(compile(source, name, "exec"), scope)
         twin = scope[definition.name]
         twin.__annotations__ = annotations

@@ -64,7 +64,7 @@ def require_threads(count: int) -> None:
 class KernelFolder:
     """The folder of compiled kernels, or none where they are not kept."""
 
-    def __init__(self, path: str | None):
+    def __init__(self, path: str | None) -> None:
         self.path = Path(path) if path else None
 
     @contextlib.contextmanager
@@ -117,7 +117,7 @@ def _forget_lost_kernels(folder: Path) -> None:
 class OwnProgram:
     """Taichi's program that this process started by itself, and not its user."""
 
-    def __init__(self, ti: Any, impl: Any):
+    def __init__(self, ti: Any, impl: Any) -> None:
         """Call it when Taichi has just started: has it read the list of kernels, which it does for the first kernel."""
         self._ti, self._impl = ti, impl
         self._program = weakref.ref(impl.get_runtime().prog)

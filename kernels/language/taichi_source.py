@@ -63,7 +63,7 @@ class ToTaichi(ast.NodeTransformer):
     the kernel. So the first number of such an expression is given its type.
     """
 
-    def __init__(self, names: dict[str, Any], is_builtin: Callable, *, in_kernel: bool):
+    def __init__(self, names: dict[str, Any], is_builtin: Callable, *, in_kernel: bool) -> None:
         self.names, self.is_builtin, self.in_kernel = names, is_builtin, in_kernel
 
     def visit_Call(self, node: ast.Call) -> ast.AST:

@@ -188,7 +188,7 @@ class _Reduction:
 
     def __init__(
         self, name: str, element_source: str, annotations: dict, scope: dict[str, Any], module: str, most_registers: int
-    ):
+    ) -> None:
         _set_options(module)
         self.name, self.module, self.vector = name, module, annotations["return"]
         self.most_registers = most_registers
@@ -215,7 +215,7 @@ class _Reduction:
 class WarpReduction(_Reduction):
     """The kernels of a reduction: the whole sum for one core; for CUDA tiles, and the fold of their partial sums."""
 
-    def __init__(self, *made_of: Any):
+    def __init__(self, *made_of: Any) -> None:
         super().__init__(*made_of)
         self.cpu_types = {**self.arguments, "count_": int, "block_": int, "out_": self.partials}
         self.sum = self.kernel("sum", _SUM, self.cpu_types)
@@ -229,7 +229,7 @@ class SegmentReduction(_Reduction):
 
     _folds: dict[tuple[str, Any], Any] = {}  # noqa: RUF012
 
-    def __init__(self, *made_of: Any):
+    def __init__(self, *made_of: Any) -> None:
         super().__init__(*made_of)
         table = wp.array(dtype=int)
         typed = {**self.arguments, "firsts_": table, "lasts_": table, "owners_": table, "live_": table}
