@@ -13,27 +13,29 @@ from .commands import answer, run
 
 @pytest.fixture
 def autzen(data):
-    """110,000 points in feet, compressed."""
+    """110,000 points in feet, compressed; every 22nd in tests/data."""
     return data / "lidar-pdal" / "laz" / "autzen_trim.laz"
 
 
 def test_info_tells_what_the_header_says(autzen, data):
+    header = laspy.read(autzen).header
+    count, low, high = header.point_count, header.mins, header.maxs
     small = data / "lidar-pdal" / "autzen" / "autzen-utm.las"
     first, second = answer("info", autzen, small)["files"]
-    assert (first["kind"], first["points"], first["point_format"]) == ("point cloud", 110_000, 3)
+    assert (first["kind"], first["points"], first["point_format"]) == ("point cloud", count, 3)
     assert first["version"] == "LAS 1.2, compressed"
     assert first["scale"] == [0.01, 0.01, 0.01]
     assert first["offset"] == [0, 0, 0]
     assert first["coordinate_system"] == "NAD_1983_HARN_Lambert_Conformal_Conic"
-    assert first["bounds"]["min"] == pytest.approx([636001.76, 848935.2, 406.26])
-    assert first["bounds"]["max"] == pytest.approx([637179.22, 849497.9, 520.51])
+    assert first["bounds"]["min"] == pytest.approx(low)
+    assert first["bounds"]["max"] == pytest.approx(high)
     assert first["attributes"]["gps_time"] == "float64"
     assert first["attributes"]["colors"] == "float32 x 3"
     assert second["version"] == "LAS 1.2"
     shown = run("info", autzen).stdout
-    assert "[636001.7600, 848935.2000, 406.2600] to" in shown
+    assert f"[{low[0]:.4f}, {low[1]:.4f}, {low[2]:.4f}] to" in shown
     assert "[0.01, 0.01, 0.01]" in shown
-    assert "110,000" in shown
+    assert f"{count:,}" in shown and count >= 5000
 
 
 def test_info_names_the_scans_of_an_e57_file(tmp_path, rng):
@@ -84,9 +86,9 @@ def test_convert_names_what_las_and_e57_cannot_hold(tmp_path, rng):
 
 
 def test_the_other_commands_read_and_write_las(autzen, tmp_path):
-    report = answer("downsample", autzen, tmp_path / "small.laz", "--voxel", "20", "--device", "cpu")
-    assert report["points_in"] == 110_000
-    assert report["points"] == len(laspy.read(tmp_path / "small.laz").x) < 10_000
+    report = answer("downsample", autzen, tmp_path / "small.laz", "--voxel", "40", "--device", "cpu")
+    assert report["points_in"] == len(laspy.read(autzen)) >= 5000
+    assert report["points"] == len(laspy.read(tmp_path / "small.laz").x) < report["points_in"] / 4
     (small,) = answer("info", tmp_path / "small.laz")["files"]
     assert small["coordinate_system"] == "NAD_1983_HARN_Lambert_Conformal_Conic"
     assert (
@@ -97,7 +99,7 @@ def test_the_other_commands_read_and_write_las(autzen, tmp_path):
 
 def test_damage_and_missing_packages_are_errors_of_one_line(autzen, tmp_path, monkeypatch):
     broken = tmp_path / "broken.laz"
-    broken.write_bytes(autzen.read_bytes()[:-100_000])
+    broken.write_bytes(autzen.read_bytes()[: autzen.stat().st_size * 5 // 6])
     for command in (["info", broken], ["convert", broken, tmp_path / "out.ply"]):
         result = run(*command)
         assert result.exit_code == 1

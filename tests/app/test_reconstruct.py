@@ -284,7 +284,7 @@ def test_an_interruption_leaves_nothing(walked, tmp_path):
 @pytest.mark.parametrize(
     ("folder", "words", "placed"),
     [
-        ("rgbd-cupoch-redwood5", [], 5),
+        ("rgbd-cupoch-redwood5", [], None),
         pytest.param("rgbd-nvblox-3dmatch/seq-01", [], 3, marks=pytest.mark.slow),  # its other two are far from these
         ("rgbd-slambook-ch7", ["--depth-scale", 5000], 2),
     ],
@@ -298,5 +298,5 @@ def test_a_few_real_frames_become_a_mesh(data, tmp_path, folder, words, placed):
     shown = run("reconstruct", data / folder, "-o", tmp_path / "mesh.ply", *words, "--json", "--device", "cpu")
     report = json.loads(shown.stdout)
     assert shown.exit_code == (3 if report["lost"] else 0)
-    assert report["tracked"] >= placed
+    assert report["tracked"] >= (placed or report["frames"])
     assert report["triangles"] > 3000

@@ -287,12 +287,11 @@ def test_the_red_kitchen_opens_with_its_own_camera():
     assert 0 < frame.depth.max() < 10_000
 
 
-@needs_data
-def test_redwood_frames_meet_in_the_world():
+def test_redwood_frames_meet_in_the_world(data):
     """The depth of the last frame, seen from the first, agrees to centimetres where both see."""
-    dataset = open_dataset(Path(str(DATA)) / "rgbd-cupoch-redwood5")
-    assert (dataset.layout, len(dataset)) == ("redwood", 5)
-    first, last = dataset.read(0), dataset.read(4)
+    dataset = open_dataset(data / "rgbd-cupoch-redwood5")
+    assert dataset.layout == "redwood" and len(dataset) >= 3
+    first, last = dataset.read(0), dataset.read(len(dataset) - 1)
     K = dataset.intrinsic.matrix
     v, u = np.nonzero(last.depth)
     z = last.depth[v, u] / dataset.depth_scale
