@@ -142,8 +142,9 @@ def smooth_mesh(
     count = check_count("iterations", iterations, minimum=0, maximum=MOST_PASSES, because=reason)
     filters = {name: getattr(mesh, f"filter_smooth_{name}") for name in METHODS[:3]} | {"sharpen": mesh.filter_sharpen}
     smooth = filters[method](count, *factors)
-    if smooth.vertex_colors is not None:
-        smooth.vertex_colors = smooth.vertex_colors.clip(0, 1)
+    colors = smooth.vertex_colors
+    if colors is not None:
+        smooth.vertex_colors = colors.clip(0, 1)
     moved = np.linalg.norm(smooth.vertices - mesh.vertices, axis=1)
     moved = moved[np.isfinite(moved)]
     return SmoothedMesh(

@@ -24,3 +24,10 @@ def pose_within(rng, size=2.0) -> np.ndarray:
     T[:3, :3] = Rotation.random(random_state=int(rng.integers(1 << 30))).as_matrix()
     T[:3, 3] = rng.uniform(-size, size, 3)
     return T
+
+
+def bunny_pose() -> np.ndarray:
+    """The scan from 45 degrees onto that from 0, by Stanford's bun.conf, whose quaternions are conjugates."""
+    T = as_pose([0, 0, 0], [-0.0520211, -0.000383981, -0.0109223])
+    T[:3, :3] = Rotation.from_quat([0.00548449, -0.294635, -0.0038555, 0.955586]).inv().as_matrix()
+    return T

@@ -9,7 +9,7 @@ from scipy.spatial.transform import Rotation
 import pointloom as loom
 from pointloom.registration.rigid import fit_pose, nearest_rotation
 
-from .poses import as_pose
+from .poses import as_pose, bunny_pose
 
 reg = loom.registration
 RULES = reg.ICPConvergenceCriteria(1e-6, 1e-6, 50)
@@ -45,13 +45,6 @@ def street(kitti_pair):
 @pytest.fixture(scope="module")
 def kitchen(kitchen_pair):
     return make_pair(kitchen_pair.source, kitchen_pair.target, kitchen_pair.T, 0.05, 30, 0.1)
-
-
-def bunny_pose():
-    """The scan from 45 degrees onto that from 0, by Stanford's bun.conf, whose quaternions are conjugates."""
-    T = as_pose([0, 0, 0], [-0.0520211, -0.000383981, -0.0109223])
-    T[:3, :3] = Rotation.from_quat([0.00548449, -0.294635, -0.0038555, 0.955586]).inv().as_matrix()
-    return T
 
 
 @pytest.fixture(scope="module")

@@ -13,7 +13,7 @@ from scipy.spatial.transform import Rotation
 
 import pointloom as loom
 
-from .poses import moved
+from .poses import bunny_pose, moved
 
 reg = loom.registration
 EXACT = reg.ICPConvergenceCriteria(relative_fitness=1e-7, relative_rmse=1e-7, max_iteration=100)
@@ -247,8 +247,7 @@ def bunny(data):
 
 def test_four_hundred_points_of_two_scans_are_enough(data, angle_between):
     source, target = (finite_points(data / "pcl-tests" / "test" / f"{name}.pcd") for name in ("bun0", "bun4"))
-    turn = Rotation.from_quat([-0.00548449, 0.294635, 0.0038555, 0.955586])  # of Stanford's bun.conf
-    T = np.linalg.inv(make_pose(turn, [-0.0520211, -0.000383981, -0.0109223]))
+    T = np.linalg.inv(bunny_pose())
     for seed in range(3):
         end, found = register(source, target, voxel_size=0.005, distance=0.01, start=random_pose(seed, 0.2))
         assert angle_between(end, T) < 0.6 and shift_between(end, T) < 0.001 and found.score > 0.9
