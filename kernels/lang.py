@@ -281,7 +281,7 @@ class _Launched(_DeviceCode):
 
     def settle(self) -> None:
         """Check it, and hand it to Warp."""
-        _ = self.warp
+        _ = self.cuda if self.twin is self else self.cpu
 
     @once
     def types(self) -> list[Any]:
@@ -299,19 +299,29 @@ class _Launched(_DeviceCode):
         return acceptor(self.types)
 
     @once
-    def warp(self) -> Any:
-        """What Warp compiles, one kernel or several.
+    def cpu(self) -> Any:
+        """What Warp compiles for the CPU: a kernel, or a sum's."""
+        self._make_all("cpu", list(LAUNCHED[self.module].values()))
+        return vars(self).get("cpu") or self.make("cpu")
 
-        They are made in the order of the file, whichever is asked for: the fold that reductions share is named after
-        the first of them, and Warp's cache looks modules up by what is in them.
+    @once
+    def cuda(self) -> Any:
+        """What Warp compiles for CUDA, of what is its own twin: a kernel, or a sum's."""
+        twins = [other.twin for other in LAUNCHED[self.module].values()]
+        self._make_all("cuda", [twin for twin in twins if twin.for_cuda == self.for_cuda])
+        return vars(self).get("cuda") or self.make("cuda")
+
+    @staticmethod
+    def _make_all(place: str, listed: Sequence[_Launched]) -> None:
+        """Make a file's in their order, whichever is asked for: Warp looks a module up by what is in it.
+
+        The fold that reductions share is named after the first of them, too.
         """
-        listed = LAUNCHED[self.module].values()
-        for each in [other.twin for other in listed] if self.for_cuda else listed:
-            if each.for_cuda == self.for_cuda and "warp" not in vars(each):
-                vars(each)["warp"] = each.make_warp()
-        return vars(self).get("warp") or self.make_warp()
+        for each in listed:
+            if place not in vars(each):
+                vars(each)[place] = each.make(place)
 
-    def make_warp(self) -> Any:
+    def make(self, place: str) -> Any:
         """Make it."""
         raise NotImplementedError
 
@@ -333,10 +343,10 @@ class Kernel(_Launched):
         """The same of another function, for CUDA alone."""
         return Kernel(function, most_registers=self.most_registers, for_cuda=True)
 
-    def make_warp(self) -> Any:
+    def make(self, place: str) -> Any:
         """Warp's kernel."""
-        place = "cuda" if self.for_cuda else "cpu" if self.twin is not self else ""
-        return warp_compiler.make_kernel(self.function, _is_builtin, place, self.most_registers)
+        home = place if place == "cpu" or self.for_cuda else ""
+        return warp_compiler.make_kernel(self.function, _is_builtin, home, self.most_registers)
 
     @once
     def taichi(self) -> Any:
@@ -366,9 +376,12 @@ class Reduction(_Launched):
         """The type of its sums."""
         return self.written.__annotations__["return"]
 
-    def make_warp(self) -> Any:
-        """Warp's kernels for whole sums and tiles, and the tiles' fold."""
-        make = warp_compiler.SegmentReduction if self.segmented else warp_compiler.WarpReduction
+    def make(self, place: str) -> Any:
+        """Warp's kernels, as attributes."""
+        if place == "cpu":
+            make = warp_compiler.CpuSegmentReduction if self.segmented else warp_compiler.CpuReduction
+        else:
+            make = warp_compiler.CudaSegmentReduction if self.segmented else warp_compiler.CudaReduction
         element, function = self._element_source(), self.function
         scope = warp_compiler.translate(function, _is_builtin)
         return make(self.name, element, function.__annotations__, scope, self.module, self.most_registers)

@@ -1,14 +1,7 @@
-"""Launches: where a kernel's arrays live, by the compiler that serves there.
+"""Launches: where a kernel's arrays live, all of them by Warp: CUDA's in its stream, the CPU's on all cores.
 
-CUDA launches are Warp's. On the CPU both compilers have the kernel, and the size of a launch decides:
-
-- a large one is Taichi's, on all cores; a process waits some tenths of a second for each kernel's first launch, while
-  Taichi reads its text again and compiles what it kept;
-- a small one is Warp's, on one core: it loads the kernel's machine code from its cache in some milliseconds, and a
-  launch costs less than handing work to other cores.
-
-The sizes of a launch alone decide, never a time or what was launched before: the two round sines and exponentials
-differently, and a program must give the same bits in each run.
+On the CPU Taichi has the kernels too, as a second compiler of the same source: `cpu_compiler("taichi")` and
+`POINTLOOM_CPU=taichi` choose it. The tests do, since what both give the same bits of is the source's.
 """
 
 from __future__ import annotations
@@ -16,7 +9,6 @@ from __future__ import annotations
 import contextlib
 import contextvars
 import os
-import warnings
 from collections.abc import Callable, Iterator, Sequence
 from typing import TYPE_CHECKING, Any
 
@@ -37,11 +29,8 @@ if TYPE_CHECKING:
     from .lang import Kernel, Reduction
 
 BLOCK = 1024  # elements of a CPU partial sum: many blocks per core at 100k elements, few partial sums to fold
-SMALL_THREADS = 2048  # or elements of a launch that one core runs sooner than several can be told to
-SMALL_ELEMENTS = 2**16  # of all its arrays, since a thread may walk over them
 
 _compiler: contextvars.ContextVar[str | None] = contextvars.ContextVar("pointloom_cpu_compiler", default=None)
-_fallback_reason: str | None = None
 
 
 @contextlib.contextmanager
@@ -55,49 +44,21 @@ def cpu_compiler(name: str) -> Iterator[None]:
 
 
 def current_cpu_compiler() -> str:
-    """The compiler that large CPU launches go through: "taichi", or "warp" where Taichi cannot serve.
-
-    `POINTLOOM_CPU=warp|taichi` forces one, for small launches too; without it, a Taichi that does not work is replaced
-    by Warp's serial CPU with one warning that says why and how to mend it.
+    """The compiler that CPU launches go through: "warp", or "taichi" where `POINTLOOM_CPU` or `cpu_compiler` says so.
 
     Raises:
-        RuntimeError: Taichi was asked for by name and cannot serve, or POINTLOOM_CPU names neither compiler.
+        RuntimeError: Taichi was asked for and cannot serve, or POINTLOOM_CPU names neither compiler.
     """
-    return _serving_compiler(_wanted_compiler())
-
-
-def _wanted_compiler() -> str:
-    return _compiler.get() or os.environ.get("POINTLOOM_CPU", "")
-
-
-def _serving_compiler(wanted: str) -> str:
-    global _fallback_reason
-    if wanted not in ("", "warp", "taichi"):
+    wanted = _compiler.get() or os.environ.get("POINTLOOM_CPU") or "warp"
+    if wanted not in ("warp", "taichi"):
         raise RuntimeError(f"POINTLOOM_CPU: expected warp or taichi, got {wanted!r}")
-    if wanted == "warp" or (not wanted and _fallback_reason is not None):
-        return "warp"
-    try:
+    if wanted == "taichi":
         taichi_compiler.start()
-    except taichi_compiler.TaichiUnavailableError as error:
-        if wanted == "taichi":
-            raise
-        _fallback_reason = str(error)
-        warnings.warn(
-            f"pointloom uses one CPU core: {error}. POINTLOOM_CPU=warp silences this", RuntimeWarning, stacklevel=3
-        )
-        return "warp"
-    return "taichi"
+    return wanted
 
 
-def _is_warps(device: Device, element_count: int, values: Sequence[Any]) -> bool:
-    """Whether a launch is Warp's: on CUDA all are, on the CPU those that are small, where nobody forces a compiler."""
-    if device.is_cuda:
-        return True
-    wanted = _wanted_compiler()
-    if not wanted and element_count <= SMALL_THREADS:
-        if sum(value.size for value in values if isinstance(value, wp.array)) <= SMALL_ELEMENTS:
-            return True
-    return _serving_compiler(wanted) == "warp"
+def _is_warps(device: Device) -> bool:
+    return device.is_cuda or current_cpu_compiler() == "warp"
 
 
 class Turn:
@@ -121,8 +82,8 @@ class Turn:
 
 _turn: Turn | None = None  # the one that is being kept; whoever holds the lock may look
 _launched: set[tuple[int, str]] = set()  # kernels that ran on a GPU, and on which
-_on_one_core: dict[Any, WarpLaunch] = {}  # by Warp's kernel
-_on_all_cores: dict[Any, TaichiLaunch] = {}  # by Taichi's kernel
+_by_warp: dict[Any, WarpLaunch] = {}  # on the CPU, by Warp's kernel
+_by_taichi: dict[Any, TaichiLaunch] = {}  # by Taichi's kernel
 
 
 def _announced(kernel: Any, name: str, place: str) -> contextlib.AbstractContextManager[bool]:
@@ -133,21 +94,20 @@ def _announced(kernel: Any, name: str, place: str) -> contextlib.AbstractContext
     return announced(name)
 
 
-def _run_warp(kernel: Any, thread_count: int, values: Sequence[Any], device: Device, **options: Any) -> None:
-    if device.is_cuda:
-        with _announced(kernel, kernel.key, device.alias) as is_first:
-            if is_first:
-                load_module(kernel.module, device)
-            wp.launch(kernel, thread_count, values, device=device, **options)
-        return
-    if thread_count == 0:
-        return
-    prepared = _on_one_core.get(kernel)
+def _run_on_cuda(kernel: Any, thread_count: int, values: Sequence[Any], device: Device, **options: Any) -> None:
+    with _announced(kernel, kernel.key, device.alias) as is_first:
+        if is_first:
+            load_module(kernel.module, device)
+        wp.launch(kernel, thread_count, values, device=device, **options)
+
+
+def _run_on_cpu(kernel: Any, values: Sequence[Any], thread_count: int, last_count: int = 0) -> None:
+    prepared = _by_warp.get(kernel)
     if prepared is None:
         with announced(kernel.key):
-            load_module(kernel.module, device)
-            prepared = _on_one_core[kernel] = WarpLaunch(kernel, values)
-    again = prepared.bound(thread_count, values)
+            load_module(kernel.module, wp.get_device("cpu"))
+            prepared = _by_warp[kernel] = WarpLaunch(kernel, values)
+    again = prepared.bound(values, thread_count, last_count)
     again()
     if _turn is not None:
         _turn.launches.append(again)
@@ -155,10 +115,10 @@ def _run_warp(kernel: Any, thread_count: int, values: Sequence[Any], device: Dev
 
 def _run_taichi(kernel: Any, name: str, annotations: Callable[[], Sequence[Any]], values: Sequence[Any]) -> None:
     taichi = taichi_compiler.start()
-    prepared = _on_all_cores.get(kernel)
+    prepared = _by_taichi.get(kernel)
     if prepared is None or prepared.program() is not taichi.program:
         with announced(name):
-            prepared = _on_all_cores[kernel] = taichi.prepare(kernel, name, annotations(), values)
+            prepared = _by_taichi[kernel] = taichi.prepare(kernel, name, annotations(), values)
         again = None if _turn is None else prepared.bound(values)
     elif _turn is None:
         prepared(values)
@@ -179,7 +139,7 @@ def _run_taichi_sum(reduction: Reduction, values: Sequence[Any]) -> None:
     _run_taichi(reduction.taichi, reduction.name, annotations, values)
 
 
-def launch(kernel: Kernel, thread_count: int, arguments: Sequence[Any], *, width: int = 1) -> None:
+def launch(kernel: Kernel, thread_count: int, arguments: Sequence[Any]) -> None:
     """Run `thread_count` threads of a kernel where its arrays live; returns before a CUDA launch has finished.
 
     Safe from several Python threads at once: launches, recordings and what kernels/memory.py does take turns.
@@ -190,8 +150,6 @@ def launch(kernel: Kernel, thread_count: int, arguments: Sequence[Any], *, width
         arguments: One per parameter: arrays as Warp arrays, contiguous, all on one device; vectors and matrices as
             Warp's or as anything that NumPy takes; whole numbers for integers; for a structure an object that has its
             fields as attributes.
-        width: Elements that a thread works on side by side. A launch over many is a large one, however few threads
-            it has.
 
     Raises:
         ValueError: Arrays on different devices or not contiguous, too many threads, an argument too many or too few,
@@ -203,14 +161,15 @@ def launch(kernel: Kernel, thread_count: int, arguments: Sequence[Any], *, width
     values, device = checked_arguments(kernel, thread_count, arguments)
     if thread_count == 0:
         return
-    with lock:  # neither Taichi nor Warp's loading of modules is thread-safe
-        if _is_warps(device, thread_count * width, values):
-            _run_warp(kernel.warp, thread_count, values, device)
-            return
-        chunks = taichi_compiler.start().chunks(thread_count)
-        _run_taichi(
-            kernel.taichi, kernel.name, lambda: [*kernel.types, *taichi_compiler.CHUNKS.values()], [*values, *chunks]
-        )
+    with lock:  # neither Taichi nor Warp's loading of modules is thread-safe, and a pool runs one launch at a time
+        if device.is_cuda:
+            _run_on_cuda(kernel.cuda, thread_count, values, device)
+        elif _is_warps(device):
+            _run_on_cpu(kernel.cpu, values, thread_count)
+        else:
+            chunks = taichi_compiler.start().chunks(thread_count)
+            annotations = taichi_compiler.CHUNKS.values()
+            _run_taichi(kernel.taichi, kernel.name, lambda: [*kernel.types, *annotations], [*values, *chunks])
 
 
 def reduce(reduction: Reduction, count: int, arguments: Sequence[Any]) -> Array1[Any]:
@@ -228,16 +187,15 @@ def reduce(reduction: Reduction, count: int, arguments: Sequence[Any]) -> Array1
     out = empty(1, reduction.vector, device)
     size = warp_compiler.REDUCTION_BLOCK if device.is_cuda else BLOCK
     blocks = -(-count // size)
+    partials = empty(blocks, reduction.vector, device)
     with lock:
         if device.is_cuda:
-            partials = empty(blocks, reduction.vector, device)
-            inputs = [*values, count, partials]
-            _run_warp(reduction.warp.tiles, blocks * size, inputs, device, block_dim=size)
-            _run_warp(reduction.warp.fold_tiles, size, [blocks, partials, out], device, block_dim=size)
-        elif _is_warps(device, count, values):
-            _run_warp(reduction.warp.sum, 1, [*values, count, BLOCK, out], device)
+            kernels, inputs = reduction.cuda, [*values, count, partials]
+            _run_on_cuda(kernels.tiles, blocks * size, inputs, device, block_dim=size)
+            _run_on_cuda(kernels.fold_tiles, size, [blocks, partials, out], device, block_dim=size)
+        elif _is_warps(device):
+            _run_on_cpu(reduction.cpu.sum, [*values, count, BLOCK, blocks, partials, out], blocks, 1)
         else:
-            partials = empty(blocks, reduction.vector, device)
             chunks = taichi_compiler.start().chunks(blocks)
             _run_taichi_sum(reduction, [*values, count, BLOCK, partials, out, *chunks])
     return out
@@ -264,10 +222,10 @@ def reduce_segments(
     values, device = checked_arguments(reduction, blocks.element_count, arguments)
     with lock:
         if device.is_cuda:
-            launch_segments(_run_warp, reduction.warp, values, blocks, live, partials, out)
-        elif _is_warps(device, blocks.element_count, values):
-            tables = [blocks.firsts, blocks.lasts, blocks.starts, live]
-            _run_warp(reduction.warp.sum, out.size, [*values, *tables, out], device)
+            launch_segments(_run_on_cuda, reduction.cuda, values, blocks, live, partials, out)
+        elif _is_warps(device):
+            tables = [blocks.firsts, blocks.lasts, blocks.owners, blocks.starts, live]
+            _run_on_cpu(reduction.cpu.sum, [*values, *tables, blocks.count, partials, out], blocks.count, out.size)
         else:
             chunks = taichi_compiler.start().chunks(blocks.count)
             tables = [blocks.firsts, blocks.lasts, blocks.owners, blocks.starts, live]

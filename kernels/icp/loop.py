@@ -80,7 +80,7 @@ class RegistrationLoop:
                 threads = -(-threads // WARP) * WARP  # whole warps
             launch(match_points_kernel, threads, [matches, jobs.targets])
         else:
-            launch(match_groups_kernel, jobs.group_count, [matches, jobs.targets], width=LEAF)
+            launch(match_groups_kernel, jobs.group_count, [matches, jobs.targets])
 
     def sum_rows(
         self,

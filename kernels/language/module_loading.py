@@ -20,7 +20,6 @@ import warp as wp
 
 from ..array_types import Device
 from . import compiled_ahead
-from .warp_compiler import REDUCTION_BLOCK
 
 try:
     import fcntl
@@ -39,7 +38,7 @@ def load_module(module: Any, device: Device) -> None:
         module: Warp's, all its kernels made.
         device: Warp's.
     """
-    block_dim = 1 if device.is_cpu else REDUCTION_BLOCK  # as launches have it
+    block_dim = 1 if device.is_cpu else module.options["block_dim"]  # as launches have it
     if (device.context, block_dim) in module.execs:
         return
     place = "cpu" if device.is_cpu else f"sm{device.arch}"

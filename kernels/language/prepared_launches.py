@@ -19,6 +19,7 @@ from typing import Any, NamedTuple
 
 import warp as wp
 
+from . import cpu_pool
 from .arguments import array_of, check_scalar_count, type_of
 from .signatures import FLOATS, Type
 
@@ -56,9 +57,9 @@ class Parameter(NamedTuple):
 
 
 class WarpLaunch:
-    """A kernel of Warp's on one core.
+    """A kernel of Warp's on the CPU.
 
-    Its machine code takes two addresses: the bounds of the launch, and one structure of all arguments.
+    Its machine code takes two addresses: the bounds of the launch or of a part of it, and one structure of all arguments.
     """
 
     def __init__(self, kernel: Any, values: Sequence[Any]) -> None:
@@ -68,6 +69,7 @@ class WarpLaunch:
         command: Any = wp.launch(kernel, 1, values, device="cpu", record_cmd=True)
         self._command = command  # holds the machine code
         self._forward, self._bounds = command.hooks.forward, type(command.bounds)
+        self._address = ctypes.cast(self._forward, ctypes.c_void_p).value or 0
         self._layout, expected = self._read_layout(command.params[1:])
         if self._layout is not None and self._packed(values) != expected:
             self._layout = None
@@ -101,17 +103,40 @@ class WarpLaunch:
         assert self._layout is not None
         return self._layout.pack(*flat)
 
-    def bound(self, thread_count: int, values: Sequence[Any]) -> Callable[[], None]:
-        """The launch, to be made as often as one likes; it holds its arrays."""
+    def bound(self, values: Sequence[Any], thread_count: int, last_count: int = 0) -> Callable[[], None]:
+        """The launch, to be made as often as one likes; it holds its arrays.
+
+        Args:
+            values: Its arguments.
+            thread_count: Its threads, in any order.
+            last_count: Threads behind them, that begin when those have ended.
+        """
         if self._layout is not None:
             try:
                 arguments = self._packed(values)
             except (struct.error, OverflowError):  # a number beyond float32, an extent beyond 2^31: Warp's to convert
                 pass
             else:
-                forward, bounds = self._forward, self._bounds((thread_count,))
-                return lambda held=values: forward(ctypes.byref(bounds), arguments)
-        return wp.launch(self.kernel, thread_count, values, device="cpu", record_cmd=True).launch  # type: ignore[union-attr]
+                return self._bound_packed((values, ctypes.create_string_buffer(arguments)), thread_count, last_count)
+        count = thread_count + last_count  # one after the other on this thread
+        return wp.launch(self.kernel, count, values, device="cpu", record_cmd=True).launch  # type: ignore[union-attr]
+
+    def _bound_packed(self, held: tuple[Any, Any], thread_count: int, last_count: int) -> Callable[[], None]:
+        forward, address, arguments = self._forward, self._address, ctypes.addressof(held[1])
+        whole, place = ctypes.byref(self._bounds((thread_count + last_count,))), ctypes.byref(held[1])
+        if thread_count <= 1 and last_count <= 1:
+            return lambda _=held: forward(whole, place)
+
+        def run(_: Any = held) -> None:
+            pool = cpu_pool.pool()
+            if pool is None:
+                forward(whole, place)
+                return
+            pool.share(address, arguments, thread_count, 0)
+            if last_count:
+                pool.share(address, arguments, last_count, thread_count)
+
+        return run
 
 
 # ------------------------------------------------------------------------------------------------ Taichi

@@ -11,12 +11,12 @@ from typing import Any
 
 from ..array_types import AnyArray, Integers
 from .arguments import MAX_THREADS
-from .warp_compiler import REDUCTION_BLOCK, SegmentReduction
+from .warp_compiler import REDUCTION_BLOCK, CudaSegmentReduction
 
 
 def launch_segments(
     run: Callable[..., None],
-    kernels: SegmentReduction,
+    kernels: CudaSegmentReduction,
     values: Sequence[Any],
     blocks: Any,
     live: Integers,

@@ -1,18 +1,19 @@
-"""The half of the shared language that Warp compiles: CUDA in production, one core where Taichi cannot run."""
+"""The half of the shared language that Warp compiles: for CUDA, and for all cores of the CPU."""
 
 from __future__ import annotations
 
 import linecache
 import os
 import sys
-import tempfile
 import types
 from collections.abc import Callable
 from typing import Any
 
 import warp as wp
 
+from . import cpu_pool
 from .cache_folders import cache_folder, is_writable, temporary_cache
+from .quiet import kept_from_stderr
 
 wp.config.log_level = wp.LOG_ERROR  # no banner on stdout: it belongs to the program
 
@@ -21,19 +22,11 @@ def _start_quietly() -> None:
     """Start Warp; a machine without an NVIDIA driver is no reason for a line on stderr."""
     if "WARP_CACHE_PATH" not in os.environ and not is_writable(cache_folder() / "warp"):
         wp.config.kernel_cache_dir = temporary_cache()
-    sys.stderr.flush()
-    with tempfile.TemporaryFile() as kept:
-        stderr = os.dup(2)
-        try:
-            os.dup2(kept.fileno(), 2)
-            wp.init()
-        finally:
-            os.dup2(stderr, 2)
-            os.close(stderr)
-        kept.seek(0)
-        for line in kept.read().decode(errors="replace").splitlines():
-            if "NVIDIA CUDA driver" not in line:
-                print(line, file=sys.stderr)
+    with kept_from_stderr() as lines:
+        wp.init()
+    for line in lines:
+        if "NVIDIA CUDA driver" not in line:
+            print(line, file=sys.stderr)
 
 
 _start_quietly()
@@ -157,7 +150,7 @@ def make_func(function: Callable, is_builtin: Callable[[Any], bool], *, for_cuda
 
 
 def make_kernel(function: Callable, is_builtin: Callable[[Any], bool], place: str, most_registers: int) -> Any:
-    """A Warp kernel without its adjoint, in the file's module for a place, or for all places."""
+    """A Warp kernel without its adjoint, in the file's module for the CPU or for what only CUDA runs, or in the other."""
     _set_options(function.__module__)
     home = _module_of(function.__module__, place) if place else None
     twin, most = rebind(function, is_builtin), most_registers or None
@@ -165,16 +158,14 @@ def make_kernel(function: Callable, is_builtin: Callable[[Any], bool], place: st
 
 
 def cuda_module(module: str) -> Any:
-    """Warp's module of those kernels of a file that only CUDA runs; what only the CPU runs has one too.
-
-    Warp compiles a module whole, and neither place is to wait for what only the other runs.
-    """
+    """Warp's module of those kernels of a file that only CUDA runs, of sums and variants."""
     return _module_of(module, "cuda")
 
 
 def _module_of(module: str, place: str) -> Any:
+    """Warp compiles a module whole, for one place and with its options."""
     found = wp.get_module(f"{module}.{place}")
-    found.options.update(_OPTIONS)
+    found.options.update(_OPTIONS | (cpu_pool.options() if place == "cpu" else {}))
     return found
 
 
@@ -212,19 +203,36 @@ class _Reduction:
         return wp.kernel(function, enable_backward=False, module=home, cuda_max_registers=most or None)
 
 
-class WarpReduction(_Reduction):
-    """The kernels of a reduction: the whole sum for one core; for CUDA tiles, and the fold of their partial sums."""
+class CpuReduction(_Reduction):
+    """The kernel of a sum on the CPU: threads for the blocks, and behind them one that adds up what those left."""
 
     def __init__(self, *made_of: Any) -> None:
         super().__init__(*made_of)
-        self.cpu_types = {**self.arguments, "count_": int, "block_": int, "out_": self.partials}
-        self.sum = self.kernel("sum", _SUM, self.cpu_types)
+        types = {"count_": int, "block_": int, "blocks_": int, "partials_": self.partials, "out_": self.partials}
+        self.sum = self.kernel("sum", _SUM, {**self.arguments, **types})
+
+
+class CpuSegmentReduction(_Reduction):
+    """The kernel of many sums on the CPU: threads for the blocks, and behind them one a sum."""
+
+    def __init__(self, *made_of: Any) -> None:
+        super().__init__(*made_of)
+        tables = dict.fromkeys(("firsts_", "lasts_", "owners_", "starts_", "live_"), wp.array(dtype=int))
+        types = {**tables, "blocks_": int, "partials_": self.partials, "out_": self.partials}
+        self.sum = self.kernel("sum", _SEGMENT_SUM, {**self.arguments, **types})
+
+
+class CudaReduction(_Reduction):
+    """The kernels of a sum on CUDA: tiles, and the fold of their partial sums."""
+
+    def __init__(self, *made_of: Any) -> None:
+        super().__init__(*made_of)
         self.tiles = self.kernel("tiles", _TILES, {**self.arguments, "count_": int, "partials_": self.partials})
         folded = {"count_": int, "partials_": self.partials, "out_": self.partials}
         self.fold_tiles = self.kernel("fold_tiles", _FOLD_TILES, folded)
 
 
-class SegmentReduction(_Reduction):
+class CudaSegmentReduction(_Reduction):
     """The same kernels for many sums; the folds of a vector are shared within a module."""
 
     _folds: dict[tuple[str, Any], Any] = {}  # noqa: RUF012
@@ -234,9 +242,6 @@ class SegmentReduction(_Reduction):
         table = wp.array(dtype=int)
         typed = {**self.arguments, "firsts_": table, "lasts_": table, "owners_": table, "live_": table}
         typed["partials_"] = self.partials
-        ends = {"firsts_": table, "lasts_": table, "starts_": table, "live_": table, "out_": self.partials}
-        self.cpu_types = {**self.arguments, **ends}
-        self.sum = self.kernel("sum", _SEGMENT_SUM, self.cpu_types)
         self.tiles = self.kernel("tiles", _SEGMENT_TILES, typed)
         key = (self.module, self.vector)
         if key not in self._folds:
@@ -245,16 +250,19 @@ class SegmentReduction(_Reduction):
         self.fold_tiles = self._folds[key]
 
 
-_SUM = """def {name}_sum({arguments}count_, block_, out_):
-    s_ = wp.tid()
-    sum_ = vector_()
-    for b_ in range((count_ + block_ - 1) // block_):
-        first_ = b_ * block_
+_SUM = """def {name}_sum({arguments}count_, block_, blocks_, partials_, out_):
+    b_ = wp.tid()
+    if b_ < blocks_:
         total_ = vector_()
+        first_ = b_ * block_
         for i_ in range(first_, first_ + wp.min(block_, count_ - first_)):
             total_ += element_({arguments}i_)
-        sum_ += total_
-    out_[s_] = sum_
+        partials_[b_] = total_
+    else:
+        sum_ = vector_()
+        for k_ in range(blocks_):
+            sum_ += partials_[k_]
+        out_[b_ - blocks_] = sum_
 """
 _TILES = """def {name}_tiles({arguments}count_, partials_):
     i_ = wp.tid()
@@ -274,16 +282,21 @@ _FOLD_TILES = """def {name}_fold_tiles(count_, partials_, out_):
     if i_ == 0:
         out_[0] = value_
 """
-_SEGMENT_SUM = """def {name}_sum({arguments}firsts_, lasts_, starts_, live_, out_):
-    s_ = wp.tid()
-    if live_[s_] != 0:
-        sum_ = vector_()
-        for b_ in range(starts_[s_], starts_[s_ + 1]):
+_SEGMENT_SUM = """def {name}_sum({arguments}firsts_, lasts_, owners_, starts_, live_, blocks_, partials_, out_):
+    b_ = wp.tid()
+    if b_ < blocks_:
+        if live_[owners_[b_]] != 0:
             total_ = vector_()
             for i_ in range(firsts_[b_], lasts_[b_]):
                 total_ += element_({arguments}i_)
-            sum_ += total_
-        out_[s_] = sum_
+            partials_[b_] = total_
+    else:
+        s_ = b_ - blocks_
+        if live_[s_] != 0:
+            sum_ = vector_()
+            for k_ in range(starts_[s_], starts_[s_ + 1]):
+                sum_ += partials_[k_]
+            out_[s_] = sum_
 """
 _SEGMENT_TILES = """def {name}_tiles({arguments}firsts_, lasts_, owners_, live_, partials_):
     i_ = wp.tid()

@@ -139,7 +139,7 @@ def encode_points(points: Points, curve: HilbertCurve) -> SortKeys:
     threads = -(-points.size // LANES)
     # on the CPU the eight stand side by side, on CUDA those of threads side by side do
     apart, step = (1, threads) if points.device.is_cuda else (LANES, 1)
-    launch(encode_points_kernel, threads, [points, curve, apart, step, codes], width=LANES)
+    launch(encode_points_kernel, threads, [points, curve, apart, step, codes])
     return codes
 
 
