@@ -19,9 +19,37 @@ template <typename T> inline void array_store(const array_t<T>& a, int i, int j,
 {
     *address(a, i, j, k) = value;
 }
-template <typename T> inline T atomic_add(const array_t<T>& a, int i, T value) { return atomic_add(a.data + i, value); }
-template <typename T> inline T atomic_min(const array_t<T>& a, int i, T value) { return atomic_min(a.data + i, value); }
-template <typename T> inline T atomic_max(const array_t<T>& a, int i, T value) { return atomic_max(a.data + i, value); }
+
+// Warp's own on the CPU are for one thread: a load, and a store.
+template <typename T> inline T shared_add(T* place, T value)
+{
+    T old, wanted;
+    __atomic_load(place, &old, __ATOMIC_RELAXED);
+    do wanted = old + value; while (!__atomic_compare_exchange(place, &old, &wanted, true, __ATOMIC_SEQ_CST, __ATOMIC_RELAXED));
+    return old;
+}
+inline int shared_add(int* place, int value) { return __atomic_fetch_add(place, value, __ATOMIC_SEQ_CST); }
+inline int64 shared_add(int64* place, int64 value) { return __atomic_fetch_add(place, value, __ATOMIC_SEQ_CST); }
+template <typename T> inline T shared_min(T* place, T value)
+{
+    T old;
+    __atomic_load(place, &old, __ATOMIC_RELAXED);
+    while (value < old && !__atomic_compare_exchange(place, &old, &value, true, __ATOMIC_SEQ_CST, __ATOMIC_RELAXED)) {}
+    return old;
+}
+template <typename T> inline T shared_max(T* place, T value)
+{
+    T old;
+    __atomic_load(place, &old, __ATOMIC_RELAXED);
+    while (old < value && !__atomic_compare_exchange(place, &old, &value, true, __ATOMIC_SEQ_CST, __ATOMIC_RELAXED)) {}
+    return old;
+}
+template <typename T> inline T atomic_add(const array_t<T>& a, int i, T value) { return shared_add(a.data + i, value); }
+template <typename T> inline T atomic_min(const array_t<T>& a, int i, T value) { return shared_min(a.data + i, value); }
+template <typename T> inline T atomic_max(const array_t<T>& a, int i, T value) { return shared_max(a.data + i, value); }
+template <typename T> inline T atomic_add(const array_t<T>& a, int i, int j, T value) { return shared_add(address(a, i, j), value); }
+template <typename T> inline T atomic_min(const array_t<T>& a, int i, int j, T value) { return shared_min(address(a, i, j), value); }
+template <typename T> inline T atomic_max(const array_t<T>& a, int i, int j, T value) { return shared_max(address(a, i, j), value); }
 
 template <unsigned N, typename T> inline T extract(vec_t<N, T>& v, int i) { return v.c[i]; }
 template <unsigned R, unsigned C, typename T> inline T extract(mat_t<R, C, T>& m, int i, int j) { return m.data[i][j]; }

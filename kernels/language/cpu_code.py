@@ -16,7 +16,7 @@ from typing import Any
 import warp as wp
 
 # LLVM's own limits: with those that Warp sets, a function of many turns is inlined where that makes it 4 times as slow.
-FLAGS = "-march=native"
+FLAGS = "-march=native -fno-slp-vectorize"
 PART = 1 << 31  # in the extent of a launch: its other bits are the first thread of this part
 
 
