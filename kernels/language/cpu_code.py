@@ -15,8 +15,12 @@ from typing import Any
 
 import warp as wp
 
-# LLVM's own limits: with those that Warp sets, a function of many turns is inlined where that makes it 4 times as slow.
-FLAGS = "-march=native -fno-slp-vectorize"
+# Warp's default flags, said here so that a program's own setting of them does not change our bits or our pace; and its
+# bound for LLVM's vectors of statements, beyond which LLVM 22 makes a module of `rgbd` that its own checks refuse.
+FLAGS = "-march=native -mllvm=-inline-threshold=9000 -mllvm=-slp-recursion-max-depth=4"
+# Turns of a loop over constants that Warp writes out. Loops over the eight lanes of a node or a leaf are LLVM's, which
+# makes vectors of them: written out they took a ray 1.5 times as long, and twice as long to compile.
+WRITTEN_OUT = 3
 PART = 1 << 31  # in the extent of a launch: its other bits are the first thread of this part
 
 
@@ -28,7 +32,11 @@ def options() -> dict[str, Any]:
         AttributeError: This Warp has no such option.
     """
     header = Path(__file__).with_name("cpu_access.h").read_text(encoding="utf-8")
-    return {"cpu_compiler_flags": FLAGS, "extra_build_options": wp.ModuleBuildOptions(extra_cpu_preamble=header)}
+    return {
+        "cpu_compiler_flags": FLAGS,
+        "max_unroll": WRITTEN_OUT,
+        "extra_build_options": wp.ModuleBuildOptions(extra_cpu_preamble=header),
+    }
 
 
 def part(kind: type, first: int, count: int) -> Any:

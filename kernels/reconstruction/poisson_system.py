@@ -18,7 +18,7 @@ Poisson surface reconstruction", ACM TOG 32(3), 2013; the corners' linear functi
 from typing import Any
 
 from ..array_types import Scalars
-from ..lang import array, atomic_max, callback, float32, func, int32, kernel, launch, pow, tid, vec3, vec3i, vector
+from ..lang import array, atomic_max, callback, float32, func, int32, kernel, launch, pow, tid, vec2, vec3, vec3i, vector
 from ..memory import download, empty, zeros
 from .octree_levels import SLOTS, OctreeLevel, neighbor_slot, slot_beside, slot_place
 from .sample_cells import SampleCells
@@ -110,10 +110,11 @@ def spread_flux_kernel(
                     fy = f[1] if dy == y - 1 else 1.0 - f[1]
                     fz = f[2] if dz == z - 1 else 1.0 - f[2]
                     v = flux[cell]
+                    wx = vec2(near_weight(fx, 1 - x), near_weight(fx, 2 - x))
+                    wy = vec2(near_weight(fy, 1 - y), near_weight(fy, 2 - y))
+                    wz = vec2(near_weight(fz, 1 - z), near_weight(fz, 2 - z))
                     for corner in range(SLOTS):
-                        weight = near_weight(fx, (corner & 1) - (x - 1))
-                        weight = weight * near_weight(fy, ((corner >> 1) & 1) - (y - 1))
-                        weight = weight * near_weight(fz, ((corner >> 2) & 1) - (z - 1))
+                        weight = wx[corner & 1] * wy[(corner >> 1) & 1] * wz[(corner >> 2) & 1]
                         xs[corner] = xs[corner] + weight * v[0]
                         ys[corner] = ys[corner] + weight * v[1]
                         zs[corner] = zs[corner] + weight * v[2]
@@ -200,18 +201,21 @@ def tested_across(
     total: eight, low: vec3, high: vec3, dx: int, dy: int, base: vec3i, width: int, mass: callback, slope: callback
 ) -> eight:
     """The sums of a block's corners with one column's parts: `low` for the lower four, `high` for the upper."""
+    mx = vec2(mass(dx, base[0], width), mass(dx - 1, base[0] + 1, width))
+    my = vec2(mass(dy, base[1], width), mass(dy - 1, base[1] + 1, width))
+    sx = vec2(slope(dx, base[0], width), slope(dx - 1, base[0] + 1, width))
+    sy = vec2(slope(dy, base[1], width), slope(dy - 1, base[1] + 1, width))
     sums = total
-    for corner in range(SLOTS):
-        a = corner & 1
-        b = (corner >> 1) & 1
+    for upper in range(2):
         v = low
-        if corner >= 4:
+        if upper == 1:
             v = high
-        mx = mass(dx - a, base[0] + a, width)
-        my = mass(dy - b, base[1] + b, width)
-        part = v[0] * slope(dx - a, base[0] + a, width) * my
-        part += v[1] * mx * slope(dy - b, base[1] + b, width) + v[2] * mx * my
-        sums[corner] = sums[corner] + part
+        for b in range(2):
+            for a in range(2):
+                part = v[0] * sx[a] * my[b]
+                part += v[1] * mx[a] * sy[b] + v[2] * mx[a] * my[b]
+                corner = 4 * upper + 2 * b + a
+                sums[corner] = sums[corner] + part
     return sums
 
 
