@@ -17,7 +17,7 @@ import warp as wp
 
 # Warp's default flags, said here so that a program's own setting of them does not change our bits or our pace; and its
 # bound for LLVM's vectors of statements, beyond which LLVM 22 makes a module of `rgbd` that its own checks refuse.
-FLAGS = "-march=native -mllvm=-inline-threshold=9000 -mllvm=-slp-recursion-max-depth=4"
+FLAGS = "-march=native -mllvm=-inline-threshold=9000 -mllvm=-slp-recursion-max-depth=4 -Wno-constant-conversion"
 # Turns of a loop over constants that Warp writes out. Loops over the eight lanes of a node or a leaf are LLVM's, which
 # makes vectors of them: written out they took a ray 1.5 times as long, and twice as long to compile.
 WRITTEN_OUT = 3

@@ -35,7 +35,7 @@ from .module_loading import load_module
 from .quiet import kept_from_stderr
 
 VARIABLE = "POINTLOOM_CPU_THREADS"
-MOST_THREADS = 1024
+MOST_THREADS = 1024  # each is started, and more than any machine's cores only wait
 CHUNKS_A_THREAD = 16  # so that one slow chunk, or a busy core, makes no launch last much longer
 SPINS = 1000  # looks for a chunk before a worker sleeps: 10 to 50 us, more than the host takes from launch to launch
 STACK = 8 << 20  # bytes of a worker's; macOS gives 512 kB, of which kernels with large vectors take a part
@@ -277,6 +277,13 @@ class Pool:
                 thread = threading.Thread(target=self._work, args=(worker,), daemon=True, name=f"pointloom-cpu-{worker + 1}")
                 thread.start()
                 self._threads.append(thread)
+        except RuntimeError as error:  # the system gives no more threads, so there are fewer
+            warnings.warn(
+                f"pointloom uses {len(self._threads) + 1} of {thread_count} threads: {error}; {VARIABLE} asks for fewer",
+                RuntimeWarning,
+                stacklevel=2,
+            )
+            words[FIELDS["workers"]] = len(self._threads)
         finally:
             threading.stack_size(stack)
 
@@ -311,8 +318,8 @@ def default_thread_count() -> int:
     """
     said = os.environ.get(VARIABLE, "")
     if said:
-        if not said.isdecimal() or not 1 <= int(said) <= MOST_THREADS:
-            raise ValueError(f"{VARIABLE}: expected a whole number from 1 to {MOST_THREADS}, got {said!r}")
+        if not (said.isascii() and said.isdigit() and 1 <= int(said[:9]) <= MOST_THREADS):
+            raise ValueError(f"{VARIABLE}: expected a whole number from 1 to {MOST_THREADS}, got {said[:40]!r}")
         return int(said)
     if sys.platform != "linux":
         return 1  # the waits of other systems are untried

@@ -22,12 +22,20 @@ import warp as wp
 
 from .arguments import taichi_arguments
 from .cache_folders import cache_folder, is_writable, temporary_cache
+from .cpu_pool import default_thread_count
 from .device_lock import lock
 from .prepared_launches import Recorder, TaichiLaunch
 from .taichi_lifetime import OwnProgram, TaichiUnavailableError, require_threads
-from .taichi_source import CHUNK_LOOP, REDUCTION, SEGMENT_REDUCTION, ToTaichi, copy_tree, in_parallel, without_docstring
-
-MOST_THREADS = 1024  # each is started, and more than any machine's cores only wait
+from .taichi_source import (
+    CHUNK_LOOP,
+    NEGATED,
+    REDUCTION,
+    SEGMENT_REDUCTION,
+    ToTaichi,
+    copy_tree,
+    in_parallel,
+    without_docstring,
+)
 
 
 def _after_fork() -> None:
@@ -212,18 +220,14 @@ class Taichi:
         """Start the runtime, unless one runs that serves."""
         ti = self.ti
         if self._impl.get_runtime().prog is None:
-            threads = os.environ.get("POINTLOOM_CPU_THREADS", "")
-            if threads and not (threads.isascii() and threads.isdigit() and 0 < int(threads[:9]) <= MOST_THREADS):
-                raise RuntimeError(
-                    f"POINTLOOM_CPU_THREADS: expected a whole number from 1 to {MOST_THREADS}, got {threads[:40]!r}"
-                )
-            options: dict[str, Any] = {"cpu_max_num_threads": int(threads)} if threads else {}
+            threads = default_thread_count()
+            options: dict[str, Any] = {"cpu_max_num_threads": threads}
             if "TI_NUM_COMPILE_THREADS" not in os.environ:
                 # With 0 each Python thread compiles for itself, and the second one to do so ends the process: LLVM 15
                 # reads the runtime's code with opaque pointers in one context and without in the other. Our kernels
                 # have one part each, so that more threads would only be started.
                 options["num_compile_threads"] = 1
-            require_threads(1 + (int(threads) if threads else self._impl.default_cfg().cpu_max_num_threads))
+            require_threads(1 + threads)
             if not is_writable(
                 cache_folder() / "taichi"
             ):  # Taichi would crash at exit, whether it keeps kernels or not
@@ -271,7 +275,7 @@ class Taichi:
                 scope[name] = self.type_of(value)
             else:
                 scope[name] = value
-        return scope | {"ti_": self.ti}
+        return scope | {"ti_": self.ti, NEGATED: self.builtins[NEGATED]}
 
     def make_func(self, function: Callable, definition: ast.FunctionDef, is_builtin: Callable) -> Any:
         """A Taichi device function; arrays come in as templates."""
@@ -379,6 +383,12 @@ def _builtins(ti: Any) -> dict[str, Any]:
         else:
             return (x - x) == 0
 
+    def negated_(x):
+        if ti.static(is_vector(x)):
+            return -x
+        else:
+            return 0 - x
+
     def is_vector(x):
         return isinstance(x, ti.Matrix) or x.is_tensor()
 
@@ -391,7 +401,7 @@ def _builtins(ti: Any) -> dict[str, Any]:
     def bit_count(x):
         return ti.math.popcnt(x)
 
-    own = (dot, cross, outer, transpose, length, normalize, isfinite, float_bits, bits_float, bit_count)
+    own = (negated_, dot, cross, outer, transpose, length, normalize, isfinite, float_bits, bits_float, bit_count)
     named = {f.__name__: ti.func(f) for f in own}
     same = "floor ceil sqrt sin cos tan acos asin atan2 exp log pow".split()
     return named | {name: getattr(ti, name) for name in same}

@@ -10,6 +10,7 @@ import ast
 from collections.abc import Callable
 from typing import Any
 
+NEGATED = "negated_"  # the name of what stands for a minus sign
 TURNS = 512  # turns of a parallel loop that Taichi gives to a core at once
 
 TURNS_LOOP = f"""
@@ -98,6 +99,13 @@ class ToTaichi(ast.NodeTransformer):
             node.left = _call("f32", node.left)
         if isinstance(node.op, ast.Mod):
             return _call("raw_mod", node.left, node.right)
+        return node
+
+    def visit_UnaryOp(self, node: ast.UnaryOp) -> ast.AST:
+        """`-x` as Warp has it: of a scalar 0 - x, so that of zero it is zero, and not minus zero."""
+        self.generic_visit(node)
+        if isinstance(node.op, ast.USub) and self._number(node) is None:
+            return ast.Call(ast.Name(NEGATED, ast.Load()), [node.operand], [])
         return node
 
     def visit_AugAssign(self, node: ast.AugAssign) -> ast.AST:

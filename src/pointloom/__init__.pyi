@@ -68,6 +68,8 @@ from .core.errors import DatasetError as DatasetError
 from .core.errors import DeviceError as DeviceError
 from .core.errors import FileError as FileError
 from .core.errors import PointloomError as PointloomError
+from .core.threads import get_num_threads as get_num_threads
+from .core.threads import set_num_threads as set_num_threads
 from .pcd.features import compute_eigen_features as compute_eigen_features
 from .pcd.features import compute_fpfh_feature as compute_fpfh_feature
 from .pcd.features import estimate_curvature as estimate_curvature
