@@ -58,13 +58,14 @@ import warp as wp
 from warp import float32, float64, int8, int16, int32, int64, uint8, uint16, uint32, uint64  # noqa: F401  # isort: skip
 from warp import mat33, mat33d, mat44, mat44d, vec2, vec2d, vec2i, vec3, vec3d, vec3i, vec4, vec4d, vec4i  # noqa: F401  # isort: skip
 
-from .language import rules, taichi_compiler, warp_compiler
+from .language import kept_kernels, rules, taichi_compiler, warp_compiler
 from .language.arguments import acceptor, array_of, taker_apart, type_of
 from .language.callbacks import Given, callback, with_functions
+from .language.kept_kernels import Kept
 from .language.loops import Words
 from .language.once import once
 from .language.source import Source, Vocabulary, compiled
-from .language.structs import JOINT, struct
+from .language.structs import JOINT, Place, struct, type_at
 from .launches import (  # noqa: F401  handed on
     BLOCK,
     DeviceLoop,
@@ -284,14 +285,32 @@ class _Launched(_DeviceCode):
         _ = self.cuda if self.twin is self else self.cpu
 
     @once
+    def kept(self) -> Kept | None:
+        """What an earlier process found out about its machine code for the CPU."""
+        return None if self.for_cuda or "source" in vars(self) else kept_kernels.find(self.module, self.name)
+
+    @once
+    def takes(self) -> dict[str, Any]:
+        """The types of its parameters, as they are written."""
+        if self.kept is None:
+            return self.source.written
+        return {name: t for name, t in self.written.__annotations__.items() if name != "return"}
+
+    @once
+    def places(self) -> list[Place]:
+        """Where its flat parameters come from."""
+        return self.source.places if self.kept is None else self.kept.places
+
+    @once
     def types(self) -> list[Any]:
         """The types of the flat parameters."""
-        return [t for name, t in self.function.__annotations__.items() if name != "return"]
+        written = list(self.takes.values())
+        return [type_at(written[place.parameter], place.path) for place in self.places]
 
     @once
     def take_apart(self) -> Callable[[str, Sequence[Any]], list[Any]] | None:
         """What takes the structures among its arguments apart."""
-        return taker_apart(self.source)
+        return taker_apart(self.places, list(self.takes))
 
     @once
     def accept(self) -> Callable[[Sequence[Any]], tuple[list[Any], Any] | None]:
@@ -324,6 +343,11 @@ class _Launched(_DeviceCode):
     def make(self, place: str) -> Any:
         """Make it."""
         raise NotImplementedError
+
+    @property
+    def on_host(self) -> Any:
+        """The one kernel that Warp runs on the CPU."""
+        return self.cpu
 
 
 class Kernel(_Launched):
@@ -375,6 +399,11 @@ class Reduction(_Launched):
     def vector(self) -> Any:
         """The type of its sums."""
         return self.written.__annotations__["return"]
+
+    @property
+    def on_host(self) -> Any:
+        """The one kernel that Warp runs on the CPU."""
+        return self.cpu.sum
 
     def make(self, place: str) -> Any:
         """Warp's kernels, as attributes."""

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any
 import warp as wp
 
 from .array_types import Device
-from .language import taichi_compiler, warp_compiler
+from .language import cpu_pool, kept_kernels, taichi_compiler, warp_compiler
 from .language.arguments import checked_arguments, device_of
 from .language.device_lock import RecordedLoop, lock, record, replay  # noqa: F401  handed on
 from .language.module_loading import load_module
@@ -82,7 +82,7 @@ class Turn:
 
 _turn: Turn | None = None  # the one that is being kept; whoever holds the lock may look
 _launched: set[tuple[int, str]] = set()  # kernels that ran on a GPU, and on which
-_by_warp: dict[Any, WarpLaunch] = {}  # on the CPU, by Warp's kernel
+_by_warp: dict[Any, WarpLaunch] = {}  # on the CPU, by the kernel or sum
 _by_taichi: dict[Any, TaichiLaunch] = {}  # by Taichi's kernel
 
 
@@ -101,16 +101,30 @@ def _run_on_cuda(kernel: Any, thread_count: int, values: Sequence[Any], device: 
         wp.launch(kernel, thread_count, values, device=device, **options)
 
 
-def _run_on_cpu(kernel: Any, values: Sequence[Any], thread_count: int, last_count: int = 0) -> None:
-    prepared = _by_warp.get(kernel)
+def _run_on_cpu(what: Kernel | Reduction, values: Sequence[Any], thread_count: int, last_count: int = 0) -> None:
+    prepared = _by_warp.get(what)
     if prepared is None:
-        with announced(kernel.key):
-            load_module(kernel.module, wp.get_device("cpu"))
-            prepared = _by_warp[kernel] = WarpLaunch(kernel, values)
+        with announced(what.name):
+            prepared = _by_warp[what] = _prepare(what, values)
     again = prepared.bound(values, thread_count, last_count)
     again()
     if _turn is not None:
         _turn.launches.append(again)
+
+
+def _prepare(what: Kernel | Reduction, values: Sequence[Any]) -> WarpLaunch:
+    """The machine code that an earlier process has left, or what Warp makes of the kernel; kept for later ones."""
+    kept = what.kept
+    if kept is not None and (address := kept_kernels.address_of(kept)):
+        return WarpLaunch.of_kept(kept, address, lambda: what.on_host)
+    kernel = what.on_host
+    load_module(kernel.module, wp.get_device("cpu"))
+    made = WarpLaunch(kernel, values)
+    machine_code = kept_kernels.machine_code_of(kernel)
+    if made.layout and machine_code and cpu_pool.is_usable():
+        kept = kept_kernels.Kept(what.places, made.plan, made.layout, made.symbol, machine_code)
+        kept_kernels.keep(what.module, what.name, kept)
+    return made
 
 
 def _run_taichi(kernel: Any, name: str, annotations: Callable[[], Sequence[Any]], values: Sequence[Any]) -> None:
@@ -165,7 +179,7 @@ def launch(kernel: Kernel, thread_count: int, arguments: Sequence[Any]) -> None:
         if device.is_cuda:
             _run_on_cuda(kernel.cuda, thread_count, values, device)
         elif _is_warps(device):
-            _run_on_cpu(kernel.cpu, values, thread_count)
+            _run_on_cpu(kernel, values, thread_count)
         else:
             chunks = taichi_compiler.start().chunks(thread_count)
             annotations = taichi_compiler.CHUNKS.values()
@@ -194,7 +208,7 @@ def reduce(reduction: Reduction, count: int, arguments: Sequence[Any]) -> Array1
             _run_on_cuda(kernels.tiles, blocks * size, inputs, device, block_dim=size)
             _run_on_cuda(kernels.fold_tiles, size, [blocks, partials, out], device, block_dim=size)
         elif _is_warps(device):
-            _run_on_cpu(reduction.cpu.sum, [*values, count, BLOCK, blocks, partials, out], blocks, 1)
+            _run_on_cpu(reduction, [*values, count, BLOCK, blocks, partials, out], blocks, 1)
         else:
             chunks = taichi_compiler.start().chunks(blocks)
             _run_taichi_sum(reduction, [*values, count, BLOCK, partials, out, *chunks])
@@ -225,7 +239,7 @@ def reduce_segments(
             launch_segments(_run_on_cuda, reduction.cuda, values, blocks, live, partials, out)
         elif _is_warps(device):
             tables = [blocks.firsts, blocks.lasts, blocks.owners, blocks.starts, live]
-            _run_on_cpu(reduction.cpu.sum, [*values, *tables, blocks.count, partials, out], blocks.count, out.size)
+            _run_on_cpu(reduction, [*values, *tables, blocks.count, partials, out], blocks.count, out.size)
         else:
             chunks = taichi_compiler.start().chunks(blocks.count)
             tables = [blocks.firsts, blocks.lasts, blocks.owners, blocks.starts, live]

@@ -12,11 +12,10 @@ import numpy as np
 import warp as wp
 
 from .signatures import FLOATS, RANGES, ArrayType, Type
-from .structs import fields_of
+from .structs import Place, fields_of
 
 if TYPE_CHECKING:
     from ..lang import Kernel, Reduction
-    from .source import Source
 
 MAX_SCALARS = 2**31 - 1  # of an array: Taichi counts them in 32 bits
 MAX_THREADS = 2**31 - 256  # both count threads in 32 bits, CUDA in whole blocks; hosts split larger jobs
@@ -62,8 +61,8 @@ def array_of(annotation: Any) -> ArrayType | None:
 def checked_arguments(what: Kernel | Reduction, thread_count: int, arguments: Sequence[Any]) -> tuple[list[Any], Any]:
     """The arguments as Warp takes them, and the device of the arrays."""
     name = what.name
-    if len(arguments) != len(what.source.written):
-        raise ValueError(f"{name}: takes {len(what.source.written)} arguments, got {len(arguments)}")
+    if len(arguments) != len(what.takes):
+        raise ValueError(f"{name}: takes {len(what.takes)} arguments, got {len(arguments)}")
     if what.take_apart is not None:
         arguments = what.take_apart(name, arguments)
     if not 0 <= thread_count <= MAX_THREADS:
@@ -158,12 +157,18 @@ def device_of(arguments: Sequence[Any]) -> Any:
     return wp.get_device("cpu")
 
 
-def taker_apart(source: Source) -> Callable[[str, Sequence[Any]], list[Any]] | None:
-    """What takes the structures among a kernel's arguments apart; None where it has none."""
-    if not any(place.path for place in source.places):
+def taker_apart(
+    places: Sequence[Place], names: Sequence[str]
+) -> Callable[[str, Sequence[Any]], list[Any]] | None:
+    """What takes the structures among a kernel's arguments apart; None where it has none.
+
+    Args:
+        places: Where its flat parameters come from.
+        names: Its parameters as they are written.
+    """
+    if not any(place.path for place in places):
         return None
-    getters = [(p.parameter, operator.attrgetter(".".join(p.path)) if p.path else None) for p in source.places]
-    names = list(source.written)
+    getters = [(p.parameter, operator.attrgetter(".".join(p.path)) if p.path else None) for p in places]
 
     def take_apart(name: str, arguments: Sequence[Any]) -> list[Any]:
         values = []

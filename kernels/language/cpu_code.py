@@ -25,17 +25,22 @@ PART = 1 << 31  # in the extent of a launch: its other bits are the first thread
 
 
 @cache
+def header() -> str:
+    """The text of cpu_access.h."""
+    return Path(__file__).with_name("cpu_access.h").read_text(encoding="utf-8")
+
+
+@cache
 def options() -> dict[str, Any]:
     """What modules of kernels for the CPU are compiled with, beside what all are.
 
     Raises:
         AttributeError: This Warp has no such option.
     """
-    header = Path(__file__).with_name("cpu_access.h").read_text(encoding="utf-8")
     return {
         "cpu_compiler_flags": FLAGS,
         "max_unroll": WRITTEN_OUT,
-        "extra_build_options": wp.ModuleBuildOptions(extra_cpu_preamble=header),
+        "extra_build_options": wp.ModuleBuildOptions(extra_cpu_preamble=header()),
     }
 
 

@@ -209,6 +209,11 @@ def _code() -> _Code | None:
         return None
 
 
+def is_usable() -> bool:
+    """Whether kernels are compiled with the header, and launches can be shared."""
+    return _code() is not None
+
+
 def options() -> dict[str, Any]:
     """What modules of kernels for the CPU are compiled with, beside what all are."""
     return cpu_code.options() if _code() else {}

@@ -21,6 +21,7 @@ import warp as wp
 
 from . import cpu_pool
 from .arguments import array_of, check_scalar_count, type_of
+from .kept_kernels import Kept
 from .signatures import FLOATS, Type
 
 FORMATS = {"float32": "f", "float64": "d", "int8": "b", "int16": "h", "int32": "i", "int64": "q"}
@@ -63,43 +64,45 @@ class WarpLaunch:
     """
 
     def __init__(self, kernel: Any, values: Sequence[Any]) -> None:
-        self.kernel = kernel
-        self.parameters = [Parameter.of(argument.type) for argument in kernel.adj.args]
-        self._plan = [(p.is_array, p.is_vector) for p in self.parameters]
+        parameters = [Parameter.of(argument.type) for argument in kernel.adj.args]
         command: Any = wp.launch(kernel, 1, values, device="cpu", record_cmd=True)
-        self._command = command  # holds the machine code
-        self._forward, self._bounds = command.hooks.forward, type(command.bounds)
-        self._address = ctypes.cast(self._forward, ctypes.c_void_p).value or 0
-        self._layout, expected = self._read_layout(command.params[1:])
+        self._kernel = lambda: kernel
+        plan = "".join("a" if p.is_array else "v" if p.is_vector else "s" for p in parameters)
+        self._begin(plan, command.hooks.forward, command)
+        self._layout, expected = _read_layout(parameters, command.params[1:])
         if self._layout is not None and self._packed(values) != expected:
             self._layout = None
 
-    def _read_layout(self, params: Sequence[Any]) -> tuple[struct.Struct | None, bytes]:
-        """The structure's format for `struct`, and these arguments in it as Warp has them; no format if it is new."""
-        fields = [(f"argument{k}", type(param)) for k, param in enumerate(params)]
-        kind = type("Arguments", (ctypes.Structure,), {"_fields_": fields})
-        filled: Any = kind()
-        layout = "="
-        for (name, _), parameter, param in zip(fields, self.parameters, params, strict=True):
-            setattr(filled, name, param)
-            layout += "x" * (getattr(kind, name).offset - struct.calcsize(layout))
-            if not parameter.is_array:
-                layout += f"{parameter.size}s" if parameter.is_vector else FORMATS[parameter.scalar]
-                continue
-            if [name for name, *_ in type(param)._fields_] != ["data", "grad", "shape", "strides", "ndim", "flags"]:
-                return None, b""
-            extents, rest = f"{parameter.axes}i", 4 * (len(param.shape) - parameter.axes)
-            layout += f"Q8x{extents}{rest}x{extents}{rest}xH2x"
-        layout += "x" * (ctypes.sizeof(kind) - struct.calcsize(layout))
-        return struct.Struct(layout), bytes(filled)
+    @classmethod
+    def of_kept(cls, kept: Kept, address: int, kernel: Callable[[], Any]) -> WarpLaunch:
+        """One that an earlier process prepared; `kernel` gives Warp's, where that has to be made after all."""
+        made = cls.__new__(cls)
+        made._kernel = kernel
+        made._begin(kept.plan, ctypes.CFUNCTYPE(None)(address), None)
+        made._layout = struct.Struct(kept.layout)
+        return made
+
+    def _begin(self, plan: str, forward: Any, held: Any) -> None:
+        self.plan, self._forward, self._held = plan, forward, held  # what is held is the machine code
+        self._address = ctypes.cast(forward, ctypes.c_void_p).value or 0
+
+    @property
+    def symbol(self) -> str:
+        """The machine code's name."""
+        return f"{self._kernel().get_mangled_name()}_cpu_forward"
+
+    @property
+    def layout(self) -> str:
+        """The format in which arguments are packed, of `struct`; empty where Warp's is another."""
+        return "" if self._layout is None else self._layout.format
 
     def _packed(self, values: Sequence[Any]) -> bytes:
         flat: list[Any] = []
-        for (is_array, is_vector), value in zip(self._plan, values, strict=True):
-            if is_array:
+        for letter, value in zip(self.plan, values, strict=True):
+            if letter == "a":
                 flat += (value.ptr or 0, *value.shape, *value.strides, value.ndim)
             else:
-                flat.append(bytes(value) if is_vector else value)
+                flat.append(bytes(value) if letter == "v" else value)
         assert self._layout is not None
         return self._layout.pack(*flat)
 
@@ -119,11 +122,11 @@ class WarpLaunch:
             else:
                 return self._bound_packed((values, ctypes.create_string_buffer(arguments)), thread_count, last_count)
         count = thread_count + last_count  # one after the other on this thread
-        return wp.launch(self.kernel, count, values, device="cpu", record_cmd=True).launch  # type: ignore[union-attr]
+        return wp.launch(self._kernel(), count, values, device="cpu", record_cmd=True).launch  # type: ignore[union-attr]
 
     def _bound_packed(self, held: tuple[Any, Any], thread_count: int, last_count: int) -> Callable[[], None]:
         forward, address, arguments = self._forward, self._address, ctypes.addressof(held[1])
-        whole, place = ctypes.byref(self._bounds((thread_count + last_count,))), ctypes.byref(held[1])
+        whole, place = ctypes.byref(whole_of(thread_count + last_count)), ctypes.byref(held[1])
         if thread_count <= 1 and last_count <= 1:
             return lambda _=held: forward(whole, place)
 
@@ -132,11 +135,37 @@ class WarpLaunch:
             if pool is None:
                 forward(whole, place)
                 return
-            pool.share(address, arguments, thread_count, 0)
+            if thread_count:
+                pool.share(address, arguments, thread_count, 0)
             if last_count:
                 pool.share(address, arguments, last_count, thread_count)
 
         return run
+
+
+def _read_layout(parameters: Sequence[Parameter], params: Sequence[Any]) -> tuple[struct.Struct | None, bytes]:
+    """The structure's format for `struct`, and these arguments in it as Warp has them; no format if it is new."""
+    fields = [(f"argument{k}", type(param)) for k, param in enumerate(params)]
+    kind = type("Arguments", (ctypes.Structure,), {"_fields_": fields})
+    filled: Any = kind()
+    layout = "="
+    for (name, _), parameter, param in zip(fields, parameters, params, strict=True):
+        setattr(filled, name, param)
+        layout += "x" * (getattr(kind, name).offset - struct.calcsize(layout))
+        if not parameter.is_array:
+            layout += f"{parameter.size}s" if parameter.is_vector else FORMATS[parameter.scalar]
+            continue
+        if [name for name, *_ in type(param)._fields_] != ["data", "grad", "shape", "strides", "ndim", "flags"]:
+            return None, b""
+        extents, rest = f"{parameter.axes}i", 4 * (len(param.shape) - parameter.axes)
+        layout += f"Q8x{extents}{rest}x{extents}{rest}xH2x"
+    layout += "x" * (ctypes.sizeof(kind) - struct.calcsize(layout))
+    return struct.Struct(layout), bytes(filled)
+
+
+def whole_of(thread_count: int) -> Any:
+    """The bounds of a whole launch, as Warp's machine code takes them."""
+    return wp._src.types.launch_bounds_t((thread_count,))
 
 
 # ------------------------------------------------------------------------------------------------ Taichi

@@ -1,0 +1,368 @@
+"""Launches on the CPU are shared by threads: every thread of a launch runs once, on whatever threads there are."""
+
+import os
+import signal
+import subprocess
+import sys
+import textwrap
+import threading
+import time
+
+import numpy as np
+import pytest
+import warp as wp
+
+import pointloom as loom
+from pointloom.kernels import lang, memory
+from pointloom.kernels.arrays.segment_blocks import SegmentBlocks
+from pointloom.kernels.language import cpu_code, cpu_pool
+
+SOURCE = """
+@kernel
+def count_kernel(seen: array(dtype=int), total: array(dtype=int)):
+    i = tid()
+    seen[i] = seen[i] + 1
+    atomic_add(total, 0, 1)  # whole numbers
+
+
+@kernel
+def extremes_kernel(values: array(dtype=float), wholes: array(dtype=int64), low: array(dtype=float),
+                    high: array(dtype=float), top: array(dtype=int64)):
+    i = tid()
+    atomic_min(low, 0, values[i])
+    atomic_max(high, 0, values[i])
+    atomic_max(top, i % 3, wholes[i])
+
+
+@kernel
+def meet_kernel(arrived: array(dtype=int), patience: int, met: array(dtype=int)):
+    i = tid()
+    here = atomic_add(arrived, 0, 1) + 1
+    turns = int(0)
+    while turns < patience and here < 2:
+        here = atomic_add(arrived, 0, 0)
+        turns = turns + 1
+    met[i] = 1 if turns < patience else 0
+
+
+@reduction
+def sums(values: array(dtype=float)) -> vec3d:
+    i = tid()
+    x = float64(values[i])
+    return vec3d(x, x * x, 1.0)
+
+
+@segment_reduction
+def segment_sums(values: array(dtype=float)) -> vec2d:
+    i = tid()
+    return vec2d(float64(values[i]), 1.0)
+"""
+COUNTS = (1, 2, 3, 31, 32, 33, 63, 1023, 1024, 1025, 4097, 100_003)
+
+
+@pytest.fixture(scope="module")
+def kernels(write_kernels):
+    return write_kernels("cpu_pool_kernels", SOURCE)
+
+
+@pytest.fixture(autouse=True)
+def default_threads(monkeypatch):
+    monkeypatch.delenv("POINTLOOM_CPU", raising=False)
+    yield
+    loom.set_num_threads(None)
+
+
+def device_array(values, dtype):
+    return wp.array(values, dtype=dtype, device="cpu")
+
+
+def run_program(program: str, *, timeout: float = 120, **environment: str) -> subprocess.CompletedProcess:
+    kept = {name: value for name, value in os.environ.items() if not name.startswith("POINTLOOM_CPU")}
+    command = [sys.executable, "-W", "ignore::ResourceWarning", "-c", textwrap.dedent(program)]
+    return subprocess.run(command, env=kept | environment, capture_output=True, text=True, timeout=timeout)
+
+
+# ------------------------------------------------------------------------------------------------ every thread once
+
+
+@pytest.mark.parametrize("threads", [1, 2, 3, 7, 64])
+def test_each_thread_of_a_launch_runs_once(kernels, threads):
+    loom.set_num_threads(threads)
+    for count in COUNTS:
+        seen, total = device_array(np.zeros(count, np.int32), int), device_array([0], int)
+        for _ in range(3):
+            lang.launch(kernels.count_kernel, count, [seen, total])
+        assert (seen.numpy() == 3).all() and total.numpy()[0] == 3 * count
+
+
+def test_launches_in_quick_succession_lose_no_thread(kernels):
+    """Workers that come late, between two launches, or to one that has ended find the one that is open, or none."""
+    loom.set_num_threads(5)
+    seen, total = device_array(np.zeros(500, np.int32), int), device_array([0], int)
+    for turn in range(3000):
+        lang.launch(kernels.count_kernel, 1 + turn % 500, [seen, total])
+        if turn % 1000 == 0:
+            time.sleep(0.01)  # they sleep
+    assert total.numpy()[0] == sum(1 + turn % 500 for turn in range(3000)) == seen.numpy().sum()
+
+
+@pytest.mark.parametrize("threads", [2, 7])
+def test_atomics_are_of_all_threads(kernels, rng, threads):
+    loom.set_num_threads(threads)
+    values, wholes = rng.normal(size=50_000).astype(np.float32), rng.integers(-(2**60), 2**60, 50_000)
+    low, high, top = device_array([np.inf], float), device_array([-np.inf], float), device_array([-(2**62)] * 3, wp.int64)
+    arrays = [device_array(values, float), device_array(wholes, wp.int64), low, high, top]
+    lang.launch(kernels.extremes_kernel, len(values), arrays)
+    assert (low.numpy()[0], high.numpy()[0]) == (values.min(), values.max())
+    assert top.numpy().tolist() == [wholes[k::3].max() for k in range(3)]
+
+
+def test_a_worker_takes_part_from_the_first_launch_on():
+    """In a process of its own, whose first launch needs two threads at once to come to an end in time."""
+    program = f"""
+        import pathlib, sys, tempfile
+        folder = tempfile.mkdtemp()
+        pathlib.Path(folder, "meeting.py").write_text("from pointloom.kernels.lang import *\\n" + {SOURCE!r})
+        sys.path.insert(0, folder)
+        import meeting, warp as wp
+        from pointloom.kernels import lang
+        for _ in range(5):
+            arrived, met = wp.zeros(1, dtype=int, device="cpu"), wp.zeros(2, dtype=int, device="cpu")
+            lang.launch(meeting.meet_kernel, 2, [arrived, 200_000_000, met])
+            assert met.numpy().tolist() == [1, 1], met.numpy()
+    """
+    done = run_program(program, POINTLOOM_CPU_THREADS="2")
+    assert (done.returncode, done.stderr) == (0, "")
+
+
+# ------------------------------------------------------------------------------------------------ the same bits
+
+
+@pytest.mark.parametrize("count", [0, 1, 1024, 1025, 50_000])
+def test_a_sum_has_the_same_bits_for_any_number_of_threads(kernels, rng, count):
+    values = device_array(rng.normal(size=count).astype(np.float32), float)
+    found = set()
+    for threads in (1, 2, 3, 8):
+        loom.set_num_threads(threads)
+        found.add(lang.reduce(kernels.sums, count, [values]).numpy().tobytes())
+    assert len(found) == 1
+    assert np.frombuffer(found.pop())[2] == count
+
+
+def test_sums_of_segments_have_the_same_bits_for_any_number_of_threads(kernels, rng):
+    counts = [0, 1, 5000, 3, 2047, 40_000]
+    values = device_array(rng.normal(size=sum(counts)).astype(np.float32), float)
+    blocks = SegmentBlocks(np.cumsum([0, *counts[:-1]]), counts, wp.get_device("cpu"))
+    live = device_array([1, 1, 1, 0, 1, 1], int)
+    found = set()
+    for threads in (1, 2, 5):
+        loom.set_num_threads(threads)
+        partials, out = (memory.zeros(n, lang.vec2d, "cpu") for n in (blocks.count, len(counts)))
+        lang.reduce_segments(kernels.segment_sums, blocks, live, [values], partials, out)
+        found.add(out.numpy().tobytes())
+    assert len(found) == 1
+    expected = [0.0 if k == 3 else float(n) for k, n in enumerate(counts)]
+    assert np.frombuffer(found.pop()).reshape(-1, 2)[:, 1].tolist() == expected
+
+
+# ------------------------------------------------------------------------------------------------ how many
+
+
+def test_the_number_of_threads_is_the_program_s_to_choose(monkeypatch):
+    monkeypatch.setenv("POINTLOOM_CPU_THREADS", "3")
+    assert loom.get_num_threads() == 3
+    loom.set_num_threads(2)
+    assert loom.get_num_threads() == 2
+    loom.set_num_threads(None)
+    assert loom.get_num_threads() == 3
+    monkeypatch.delenv("POINTLOOM_CPU_THREADS")
+    assert 1 <= loom.get_num_threads() <= len(os.sched_getaffinity(0))
+
+
+@pytest.mark.parametrize("count", [0, -1, 1025, 2.5, True])
+def test_a_senseless_number_of_threads_is_refused(count):
+    with pytest.raises((ValueError, TypeError), match="count: expected a whole number"):
+        loom.set_num_threads(count)
+
+
+def test_a_share_of_the_machine_s_time_counts_as_cores(monkeypatch):
+    monkeypatch.delenv("POINTLOOM_CPU_THREADS", raising=False)
+    monkeypatch.setattr(os, "sched_getaffinity", lambda _: set(range(64)))
+    monkeypatch.setattr(cpu_pool.Path, "read_text", lambda *_: "250000 100000\n")
+    assert cpu_pool.default_thread_count() == 3
+    monkeypatch.setattr(cpu_pool.Path, "read_text", lambda *_: "max 100000\n")
+    assert cpu_pool.default_thread_count() == 64
+    monkeypatch.setattr(sys, "platform", "win32")
+    assert cpu_pool.default_thread_count() == 1
+
+
+def test_where_the_system_refuses_threads_there_are_fewer(kernels, monkeypatch):
+    start, begun = threading.Thread.start, []
+
+    def start_one(thread):
+        if begun:
+            raise RuntimeError("can't start new thread")
+        begun.append(start(thread))
+
+    monkeypatch.setattr(threading.Thread, "start", start_one)
+    loom.set_num_threads(4)
+    seen, total = device_array(np.zeros(1000, np.int32), int), device_array([0], int)
+    with pytest.warns(RuntimeWarning, match=r"uses 2 of 4 threads: can't start new thread; POINTLOOM_CPU_THREADS"):
+        lang.launch(kernels.count_kernel, 1000, [seen, total])
+    assert total.numpy()[0] == 1000
+
+
+# ------------------------------------------------------------------------------------------------ who asks, and when
+
+
+def test_python_threads_take_turns(kernels):
+    loom.set_num_threads(3)
+    arrays = [(device_array(np.zeros(2000, np.int32), int), device_array([0], int)) for _ in range(4)]
+
+    def work(pair):
+        for _ in range(200):
+            lang.launch(kernels.count_kernel, 2000, pair)
+
+    workers = [threading.Thread(target=work, args=(pair,)) for pair in arrays]
+    for worker in workers:
+        worker.start()
+    for worker in workers:
+        worker.join()
+    assert [pair[1].numpy()[0] for pair in arrays] == [400_000] * 4
+
+
+def test_a_signal_handler_may_launch(kernels):
+    loom.set_num_threads(2)
+    inner, outer = ((device_array(np.zeros(3000, np.int32), int), device_array([0], int)) for _ in range(2))
+    calls = []
+
+    def handle(*_):
+        calls.append(lang.launch(kernels.count_kernel, 3000, inner))
+
+    before = signal.signal(signal.SIGALRM, handle)
+    try:
+        signal.setitimer(signal.ITIMER_REAL, 0.002, 0.002)
+        turns = 0
+        while len(calls) < 20:
+            lang.launch(kernels.count_kernel, 3000, outer)
+            turns += 1
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0)
+        signal.signal(signal.SIGALRM, before)
+    assert (outer[1].numpy()[0], inner[1].numpy()[0]) == (3000 * turns, 3000 * len(calls))
+
+
+THIN = """
+import numpy as np, pointloom as loom
+points = np.random.default_rng(0).random((50_000, 3))
+def thin():
+    return len(loom.PointCloud(points).voxel_down_sample(0.1))
+"""
+
+
+def test_a_fork_has_threads_of_its_own():
+    done = run_program(
+        THIN
+        + """
+import multiprocessing, threading
+def work(_):
+    return thin(), sum(thread.name.startswith("pointloom-cpu") for thread in threading.enumerate())
+expected = thin()
+with multiprocessing.get_context("fork").Pool(2) as pool:
+    assert pool.map(work, range(4)) == [(expected, 2)] * 4
+assert thin() == expected
+""",
+        POINTLOOM_CPU_THREADS="3",
+    )
+    assert (done.returncode, done.stderr) == (0, "")
+
+
+def test_a_fork_in_the_midst_of_another_thread_s_launches_works():
+    done = run_program(
+        THIN
+        + """
+import os, threading
+expected, go_on = thin(), True
+def work():
+    while go_on:
+        thin()
+worker = threading.Thread(target=work)
+worker.start()
+for _ in range(5):
+    child = os.fork()
+    if child == 0:
+        os._exit(0 if thin() == expected else 1)
+    assert os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]) == 0
+go_on = False
+worker.join()
+""",
+        POINTLOOM_CPU_THREADS="2",
+    )
+    assert (done.returncode, done.stderr) == (0, "")
+
+
+def test_a_handler_at_exit_can_still_work():
+    """Ours ends the threads, and runs before one that was registered earlier."""
+    done = run_program("import atexit\natexit.register(lambda: print(thin()))" + THIN + "thin()", POINTLOOM_CPU_THREADS="2")
+    assert (done.returncode, done.stderr) == (0, "") and int(done.stdout) > 100
+
+
+def test_ctrl_c_ends_a_program_in_the_midst_of_launches():
+    program = textwrap.dedent(THIN) + "print('begun', flush=True)\nwhile True:\n    thin()\n"
+    command = [sys.executable, "-c", program]
+    environment = os.environ | {"POINTLOOM_CPU_THREADS": "2"}
+    with subprocess.Popen(
+        command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=environment
+    ) as process:
+        assert process.stdout.readline() == "begun\n"
+        time.sleep(0.2)
+        process.send_signal(signal.SIGINT)
+        _, errors = process.communicate(timeout=60)
+    assert process.returncode == -signal.SIGINT and errors.rstrip().endswith("KeyboardInterrupt")
+
+
+# ------------------------------------------------------------------------------------------------ the header
+
+
+FALLBACK = f"""
+import pathlib, warnings
+from pointloom.kernels.language import cpu_code
+header = cpu_code.header()
+cpu_code.header = lambda: CHANGED
+with warnings.catch_warnings(record=True) as caught:
+    warnings.simplefilter("always", RuntimeWarning)
+{textwrap.indent(THIN, "    ")}
+    print(thin())
+assert loom.get_num_threads() == 1
+(warning,) = [str(w.message) for w in caught if w.category is RuntimeWarning]
+assert "pointloom uses one CPU core, and slower code: Warp" in warning and EXPECTED in warning, warning
+"""
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("change", "expected"),
+    [
+        ("header.replace('linear_tid', 'line_tid')", "begins elsewhere"),
+        ("header.replace('array_t<T>', 'matrix_t<T>')", "build failed"),
+    ],
+)
+def test_a_warp_that_does_not_take_the_header_serves_on_one_core_with_one_warning(change, expected):
+    program = FALLBACK.replace("CHANGED", change).replace("EXPECTED", repr(expected))
+    done = run_program(program, POINTLOOM_CPU_THREADS="4")
+    assert (done.returncode, done.stderr) == (0, "")
+    assert int(done.stdout) == len(loom.PointCloud(np.random.default_rng(0).random((50_000, 3))).voxel_down_sample(0.1))
+
+
+def test_another_header_is_another_module(kernels, monkeypatch):
+    """Else an update would run the machine code of before."""
+    module = kernels.count_kernel.cpu.module
+    before = module.get_module_identifier(block_dim=1)
+    changed = wp.ModuleBuildOptions(extra_cpu_preamble="// another\n")
+    assert module.options["extra_build_options"].extra_cpu_preamble == cpu_code.header()
+    monkeypatch.setitem(module.options, "extra_build_options", changed)
+    module.mark_modified()
+    assert module.get_module_identifier(block_dim=1) != before
+    monkeypatch.undo()
+    module.mark_modified()
+    assert module.get_module_identifier(block_dim=1) == before
