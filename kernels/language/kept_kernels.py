@@ -72,7 +72,8 @@ def keep(module: str, name: str, kept: Kept) -> None:
             _forget_oldest(path.parent.parent)
         with tempfile.NamedTemporaryFile("w", dir=path.parent, suffix=".new", delete=False) as file:
             json.dump(entries, file)
-        os.replace(file.name, path)
+        Path(file.name).replace(path)
+    _read.cache_clear()
 
 
 def address_of(kept: Kept) -> int:

@@ -1,0 +1,142 @@
+"""A process launches what an earlier one prepared without reading it, and goes the long way where anything is amiss."""
+
+import json
+import os
+import subprocess
+import sys
+import textwrap
+from pathlib import Path
+
+import pytest
+import warp as wp
+
+from pointloom.kernels import lang  # noqa: F401  starts Warp
+from pointloom.kernels.language import kept_kernels
+
+WORK = """
+import numpy as np
+import pointloom as loom
+from pointloom.kernels import lang
+points = np.random.default_rng(0).random((2000, 3))
+cloud = loom.PointCloud(points).estimate_normals(max_nn=10)
+read = sum("source" in vars(what) for kinds in lang.LAUNCHED.values() for what in kinds.values())
+known = sum("kept" in vars(what) for kinds in lang.LAUNCHED.values() for what in kinds.values())
+print(read, known, cloud.normals.tobytes().hex()[:64])
+"""
+
+
+@pytest.fixture
+def cache(tmp_path) -> Path:
+    """A cache of kernels of its own, with what is compiled for all tests."""
+    folder = tmp_path / "cache"
+    version = folder / wp.config.version
+    version.mkdir(parents=True)
+    for path in Path(wp.config.kernel_cache_dir).glob("wp_pointloom*"):
+        (version / path.name).symlink_to(path)
+    return folder
+
+
+def run(cache: Path, program: str = WORK) -> str:
+    kept = {name: value for name, value in os.environ.items() if not name.startswith("POINTLOOM_CPU")}
+    done = subprocess.run(
+        [sys.executable, "-c", textwrap.dedent(program)],
+        env=kept | {"WARP_CACHE_PATH": str(cache)}, capture_output=True, text=True, timeout=200,
+    )  # fmt: skip
+    assert (done.returncode, done.stderr) == (0, "")
+    return done.stdout
+
+
+def files_of(cache: Path) -> list[Path]:
+    return sorted(cache.glob(f"*/{kept_kernels.FOLDER}/*/*.json"))
+
+
+def test_the_second_process_reads_no_kernel_and_gives_the_same_bits(cache):
+    first, second = run(cache).split(), run(cache).split()
+    assert int(first[0]) >= int(first[1]) > 5 and (int(second[0]), second[1:]) == (0, first[1:])
+
+
+@pytest.mark.parametrize("harm", ["broken", "of other making", "machine code is gone", "other places"])
+def test_what_is_amiss_is_not_used(cache, harm):
+    before = run(cache).split()
+    for path in files_of(cache):
+        entries = json.loads(path.read_text())
+        if harm == "broken":
+            path.write_text(path.read_text()[:-9])
+        elif harm == "of other making":
+            path.write_text(json.dumps({name: [1, "a"] for name in entries}))
+        elif harm == "machine code is gone":
+            path.write_text(json.dumps({name: [*e[:-1], f"{e[-1]}.gone"] for name, e in entries.items()}))
+        else:
+            path.write_text(json.dumps([1, 2]))
+    after = run(cache).split()
+    assert after == before
+    assert run(cache).split()[0] == "0"  # and kept again
+
+
+def test_other_sources_keep_apart(monkeypatch, tmp_path):
+    kept = kept_kernels.Kept([], "a", "=Q", "symbol", "code.o")
+    module = f"{kept_kernels.PACKAGE}.room.file"
+    monkeypatch.setattr(kept_kernels.wp.config, "kernel_cache_dir", str(tmp_path))
+
+    def folder_of(digest: str) -> None:
+        monkeypatch.setattr(kept_kernels, "digest_of_sources", lambda: digest)
+        kept_kernels._folder.cache_clear()
+        kept_kernels._read.cache_clear()
+
+    try:
+        for number in range(kept_kernels.MOST_FOLDERS + 3):
+            folder_of(f"sources {number}")
+            assert kept_kernels.find(module, "k") is None
+            kept_kernels.keep(module, "k", kept)
+            assert kept_kernels.find(module, "k") == kept
+        assert len(list((tmp_path / kept_kernels.FOLDER).iterdir())) == kept_kernels.MOST_FOLDERS
+        kept_kernels.keep("elsewhere.kernels", "k", kept)
+        assert kept_kernels.find("elsewhere.kernels", "k") is None
+    finally:
+        monkeypatch.undo()
+        kept_kernels._folder.cache_clear()
+        kept_kernels._read.cache_clear()
+
+
+def test_a_folder_that_cannot_be_written_to_keeps_nothing(monkeypatch, tmp_path):
+    (tmp_path / kept_kernels.FOLDER).touch()
+    monkeypatch.setattr(kept_kernels.wp.config, "kernel_cache_dir", str(tmp_path))
+    kept_kernels._folder.cache_clear()
+    try:
+        kept_kernels.keep(f"{kept_kernels.PACKAGE}.room.file", "k", kept_kernels.Kept([], "a", "=Q", "s", "c.o"))
+        assert kept_kernels.find(f"{kept_kernels.PACKAGE}.room.file", "k") is None
+    finally:
+        monkeypatch.undo()
+        kept_kernels._folder.cache_clear()
+
+
+WRONG = """
+import numpy as np, warp as wp
+from pointloom.kernels import lang
+from pointloom.kernels.surface.normals import orient_normals_kernel as kernel
+points, normals = wp.zeros(3, dtype=wp.vec3, device="cpu"), wp.ones(3, dtype=wp.vec3, device="cpu")
+lang.launch(kernel, 3, [points, normals, 0, [0.0, 0.0, 1.0], wp.zeros(3, dtype=wp.vec3, device="cpu")])
+for wrong in ([points, normals, 0, [0.0, 1.0], points], [points, normals, 0], [points, normals, 2**40, [0.0, 0, 1], points]):
+    try:
+        lang.launch(kernel, 3, wrong)
+    except ValueError as error:
+        print(error)
+"""
+
+
+def test_errors_name_parameters_in_either_process(cache):
+    first, second = run(cache, WRONG), run(cache, WRONG)
+    assert first == second and "reference: expected shape [3], got [2]" in first and "takes 5 arguments, got 3" in first
+    assert "to_point: 1099511627776 does not fit into int32" in first
+
+
+def test_bits_survive_the_folder(cache):
+    """Numbers beyond float32 are Warp's to convert, which has the kernel made after all."""
+    program = """
+    import numpy as np, pointloom as loom
+    points = np.random.default_rng(0).random((500, 3)) * 1e30
+    print(loom.PointCloud(points).voxel_down_sample(3e29).points.tobytes().hex()[:80])
+    """
+    assert run(cache, program) == run(cache, program)
+
+
