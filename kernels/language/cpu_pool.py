@@ -311,6 +311,7 @@ class Pool:
 
 
 _pool: Pool | None = None
+_is_chosen = False  # whether the pool, or that there is none, is what the next launch takes too
 _wanted: int | None = None  # by set_thread_count
 _is_over = False  # the program is ending
 
@@ -367,17 +368,17 @@ def set_thread_count(count: int | None) -> None:
 
 def pool() -> Pool | None:
     """The pool, made when it is first asked for; None where launches are this thread's. Take the lock."""
-    global _pool
-    if _pool is None and not _is_over and (count := thread_count()) > 1:
-        code = _code()
-        assert code is not None
-        _pool = Pool(code, count)
+    global _pool, _is_chosen
+    if not _is_chosen:
+        code, count = _code(), thread_count()
+        _pool = Pool(code, count) if code is not None and count > 1 and not _is_over else None
+        _is_chosen = True
     return _pool
 
 
 def _end() -> None:
-    global _pool
-    ending, _pool = _pool, None
+    global _pool, _is_chosen
+    ending, _pool, _is_chosen = _pool, None, False
     if ending is not None:
         ending.end()
 
@@ -391,8 +392,8 @@ def _end_with_program() -> None:
 
 
 def _after_fork() -> None:
-    global _pool
-    _pool = None  # its threads did not come along
+    global _pool, _is_chosen
+    _pool, _is_chosen = None, False  # its threads did not come along
 
 
 if hasattr(os, "register_at_fork"):
