@@ -59,8 +59,8 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
 def is_of_taichi(item: pytest.Item) -> bool:
     """Whether a test asks for Taichi, by its mark or by a parameter."""
     parameters = getattr(item, "callspec", None)
-    given = parameters.params.values() if parameters else ()
-    return item.get_closest_marker("taichi") is not None or any(value in ("taichi", "cpu-taichi") for value in given)
+    words = [value for value in parameters.params.values() if isinstance(value, str)] if parameters else []
+    return item.get_closest_marker("taichi") is not None or "taichi" in words or "cpu-taichi" in words
 
 
 @pytest.hookimpl(optionalhook=True)
