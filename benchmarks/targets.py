@@ -106,8 +106,9 @@ TARGETS = (
     Target("odometry", "16 beams, 14k", 1.5, ("kiss-icp", "small_gicp")),
     Target("detail_tree_build", "1M", 2, ("scipy",)),
     Target("detail_tree_build", "10M", 2, ("scipy",)),
-    Target("launch_on_one_core", "1 thread", 2, ("warp",)),
-    Target("launch_on_all_cores", "1 thread", 5, ("taichi",)),
+    Target("launch_of_one_thread", "1 thread", 2, ("warp",)),
+    Target("launch_of_one_thread", "1 thread", 5, ("taichi",)),
+    Target("launch_shared", "4096 threads", 1, ("taichi",)),
 )
 
 

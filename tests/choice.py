@@ -3,12 +3,15 @@
 `make test` is `pytest -m "not slow" --compilers warp`, `make test-all` is pytest without these. A test that takes
 `device` and is marked `both_compilers` runs on both in either: the tests of the compilers themselves. That Taichi makes
 of each operation what Warp makes of it is the claim of tests/test_compilers.py, which runs in either too.
+
+Taichi is optional. Where it is not installed, what is marked `taichi` or has a parameter that says Taichi is left out;
+one that is installed and does not import is no reason to leave out anything.
 """
 
 from __future__ import annotations
 
-import os
-from collections.abc import Iterator, Sequence
+import importlib.util
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
@@ -16,7 +19,7 @@ import pytest
 
 OPTION = "--compilers"
 COMPILERS = {"cpu-taichi": "taichi", "cpu-warp": "warp"}
-VARIABLE = "POINTLOOM_CPU"
+HAS_TAICHI = importlib.util.find_spec("taichi") is not None
 TESTS = Path(__file__).parent
 
 # Groups of tests that take longest, the longest first, so that the last ones to be handed out are short. By CPU seconds
@@ -39,26 +42,25 @@ def places_of(config: pytest.Config, definition: pytest.Item) -> list[str]:
 
 
 def runs_on_both(config: pytest.Config, item: pytest.Item) -> bool:
-    """Whether a test's kernels are compiled as users have them, and by each compiler where it asks for one."""
+    """Whether a test that takes `device` has runs on either compiler."""
     return config.getoption(OPTION) == "both" or item.get_closest_marker("both_compilers") is not None
 
 
-@pytest.hookimpl(wrapper=True)
-def pytest_runtest_protocol(item: pytest.Item) -> Iterator[None]:
-    """Where Warp is alone it takes the kernels of tests without `device` too, and of processes that they start."""
-    if runs_on_both(item.config, item) or VARIABLE in os.environ:
-        return (yield)
-    os.environ[VARIABLE] = "warp"
-    try:
-        return (yield)
-    finally:
-        os.environ.pop(VARIABLE, None)
-
-
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
-    """The dearest rooms begin, in processes of pytest-xdist."""
+    """Taichi's tests are left out where it is not; the dearest rooms begin, in processes of pytest-xdist."""
+    left_out = [item for item in items if is_of_taichi(item)] if not HAS_TAICHI else []
+    if left_out:
+        config.hook.pytest_deselected(items=left_out)
+        items[:] = [item for item in items if not is_of_taichi(item)]
     if hasattr(config, "workerinput"):
         items.sort(key=lambda item: rank_of(group_of(item.path), DEAREST))
+
+
+def is_of_taichi(item: pytest.Item) -> bool:
+    """Whether a test asks for Taichi, by its mark or by a parameter."""
+    parameters = getattr(item, "callspec", None)
+    words = [value for value in parameters.params.values() if isinstance(value, str)] if parameters else []
+    return item.get_closest_marker("taichi") is not None or "taichi" in words or "cpu-taichi" in words
 
 
 @pytest.hookimpl(optionalhook=True)

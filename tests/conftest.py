@@ -2,7 +2,7 @@
 
 A test that takes `device` runs once for each compiler of CPU kernels (in `make test` on one: choice.py), and on the
 first GPU where there is one. Without a GPU its runs there are left out, and one line of the summary says so;
---emulated-cuda takes an emulated one.
+--emulated-cuda takes an emulated one. Taichi's are left out in the same way where it is not installed.
 """
 
 from __future__ import annotations
@@ -65,6 +65,8 @@ def pytest_testnodedown(node: Any) -> None:
 def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
     if asked_for_device and not has_cuda():
         terminalreporter.write_line("SKIPPED CUDA: no device here, its tests did not run")
+    if not choice.HAS_TAICHI:
+        terminalreporter.write_line("SKIPPED Taichi: not installed, its tests did not run")
 
 
 @pytest.fixture

@@ -21,11 +21,10 @@ from .mutants.run import QUICK
 ROOT = Path(__file__).resolve().parents[1]
 
 SUITE = """
-import os
 import pytest
 
 def test_a_claim():
-    print("claim on", os.environ.get("POINTLOOM_CPU"))
+    pass
 
 @pytest.mark.slow
 def test_a_slow_claim():
@@ -40,24 +39,34 @@ def test_of_a_device(device):
 
 @pytest.mark.both_compilers
 def test_of_the_compilers(device):
-    print("compilers on", os.environ.get("POINTLOOM_CPU"))
+    pass
+
+@pytest.mark.taichi
+def test_of_taichi():
+    pass
+
+@pytest.mark.parametrize("compiler", ["warp", "taichi"])
+def test_of_a_compiler(compiler):
+    pass
 """
 PLAIN = 'addopts = "-p no:dash -p no:hypothesispytest -p no:benchmark"\n'  # a start in half the time
 CONFTEST = """
 from tests import choice
 
+choice.HAS_TAICHI = {has_taichi}
 pytest_addoption = choice.pytest_addoption
-pytest_runtest_protocol = choice.pytest_runtest_protocol
+pytest_collection_modifyitems = choice.pytest_collection_modifyitems
 
 def pytest_generate_tests(metafunc):
     if "device" in metafunc.fixturenames:
         metafunc.parametrize("device", choice.places_of(metafunc.config, metafunc.definition))
 """
 QUICK_ONES = [
-    "test_a_claim", "test_a_claim_of_which_one_case_is_slow[1]", "test_of_a_device[cpu-warp]",
-    "test_of_the_compilers[cpu-taichi]", "test_of_the_compilers[cpu-warp]",
+    "test_a_claim", "test_a_claim_of_which_one_case_is_slow[1]", "test_of_a_compiler[warp]",
+    "test_of_a_device[cpu-warp]", "test_of_the_compilers[cpu-warp]",
 ]  # fmt: skip
-OTHERS = ["test_a_claim_of_which_one_case_is_slow[9]", "test_a_slow_claim", "test_of_a_device[cpu-taichi]"]
+OF_TAICHI = ["test_of_a_compiler[taichi]", "test_of_taichi", "test_of_the_compilers[cpu-taichi]"]
+OTHERS = ["test_a_claim_of_which_one_case_is_slow[9]", "test_a_slow_claim"]
 
 # Public names of which tests/test_compilers.py has no line, and why not.
 NOT_COMPARED = {
@@ -84,32 +93,33 @@ NOT_COMPARED = {
 }
 
 
-def run_suite(folder, *options):
-    """The tests that ran, in order of name, and what was printed."""
+def run_suite(folder, *options, has_taichi=True):
+    """The tests that ran, in order of name."""
     (folder / "test_suite.py").write_text(SUITE)
-    (folder / "conftest.py").write_text(CONFTEST)
+    (folder / "conftest.py").write_text(CONFTEST.format(has_taichi=has_taichi))
+    markers = ["slow", "both_compilers", "taichi"]
     (folder / "pyproject.toml").write_text(
-        f'[tool.pytest.ini_options]\npythonpath = ["{ROOT}"]\nmarkers = ["slow", "both_compilers"]\n' + PLAIN
+        f'[tool.pytest.ini_options]\npythonpath = ["{ROOT}"]\nmarkers = {markers}\n' + PLAIN
     )
-    command = [sys.executable, "-m", "pytest", "-n", "0", "-rP", "-vv", *options]
+    command = [sys.executable, "-m", "pytest", "-n", "0", "-vv", *options]
     done = subprocess.run(command, cwd=folder, capture_output=True, text=True, timeout=120)
     assert done.returncode == 0, done.stdout
-    return sorted(re.findall(r"::(\S+) PASSED", done.stdout)), done.stdout
+    return sorted(re.findall(r"::(\S+) PASSED", done.stdout))
 
 
-def test_make_test_leaves_out_what_is_slow_and_taichi_s_runs(tmp_path, monkeypatch):
-    monkeypatch.delenv(choice.VARIABLE, raising=False)
-    ran, printed = run_suite(tmp_path, *QUICK)
-    assert ran == QUICK_ONES
-    assert "claim on warp" in printed and "compilers on None" in printed
+def test_make_test_leaves_out_what_is_slow_and_taichi_s_runs(tmp_path):
+    assert run_suite(tmp_path, *QUICK) == sorted([*QUICK_ONES, *OF_TAICHI])
+
+
+def test_without_taichi_what_asks_for_it_is_left_out(tmp_path):
+    assert run_suite(tmp_path, *QUICK, has_taichi=False) == QUICK_ONES
 
 
 @pytest.mark.slow
-def test_all_tests_are_those_and_what_was_left_out(tmp_path, monkeypatch):
-    monkeypatch.delenv(choice.VARIABLE, raising=False)
-    ran, printed = run_suite(tmp_path)
-    assert ran == sorted([*QUICK_ONES, *OTHERS])
-    assert "claim on None" in printed
+def test_all_tests_are_those_and_what_was_left_out(tmp_path):
+    everything = [*QUICK_ONES, *OTHERS]
+    assert run_suite(tmp_path) == sorted([*everything, *OF_TAICHI, "test_of_a_device[cpu-taichi]"])
+    assert run_suite(tmp_path, has_taichi=False) == sorted(everything)
 
 
 def test_make_and_the_mutants_choose_alike_and_ci_runs_all():

@@ -2,7 +2,7 @@
 
 The operations are those of benchmarks/digests.py on small scenes. Warp's results are held against Open3D, NumPy and
 brute force by the tests that take `device`; so in `make test`, where those run on Warp alone, these are the tests of
-Taichi. Warp runs on one core and Taichi on all of them: what the number of threads might change is seen here as well.
+Taichi. The two hand out work to their threads in different chunks: what that might change is seen here as well.
 """
 
 from __future__ import annotations
@@ -12,6 +12,8 @@ import pytest
 from pointloom.kernels.lang import cpu_compiler
 
 from .small_scenes import ON_CLOUDS, ON_HOST, ONCE, SmallScenes, digest
+
+pytestmark = pytest.mark.taichi
 
 
 @pytest.fixture(scope="module")

@@ -35,7 +35,8 @@ _SETTINGS = {"help_option_names": ["-h", "--help"], "max_content_width": 110}
 
 _EPILOG = """\b
 Exit codes: 0 done, 1 error, 2 wrong call, 3 done with a poor result, 130 interrupted.
-POINTLOOM_CPU=taichi|warp chooses the compiler of CPU kernels; POINTLOOM_TRACEBACK=1 shows where an error arose.
+POINTLOOM_CPU_THREADS=N shares CPU kernels by N threads; POINTLOOM_CPU=taichi|warp chooses their compiler.
+POINTLOOM_TRACEBACK=1 shows where an error arose.
 """
 
 

@@ -1,10 +1,11 @@
-"""Whether pointloom is well on this machine: versions, cores, devices, and a trial of each compiler."""
+"""Whether pointloom is well on this machine: versions, cores, devices, threads, and a trial of each compiler."""
 
 from __future__ import annotations
 
 import importlib.metadata
 import os
 import platform
+import sys
 import warnings
 from dataclasses import dataclass
 from typing import Any
@@ -14,17 +15,19 @@ import numpy as np
 from ...core.cuda_driver import installed_driver, needed_driver, why_no_gpu
 from ...core.devices import resolve_device
 from ...core.reports import Fields, Report, all_of
+from ...core.threads import get_num_threads
 from ...core.timing import Clock
 from ...core.wording import format_bytes
 from ...kernels.arrays.bounds import bound_points
 from ...kernels.lang import cpu_compiler, current_cpu_compiler, vec3
-from ...kernels.language import compiled_ahead
+from ...kernels.language import compiled_ahead, cpu_pool
 from ...kernels.memory import upload
 
 _PACKAGES = ("numpy", "scipy", "warp-lang", "taichi", "click", "rich", "Pillow")
+_OPTIONAL = ("taichi",)
 _TRIAL_POINTS = 100_000
 
-NO_COMPILER = "none"
+NO_COMPILER, NOT_INSTALLED = "none", "not installed"
 
 
 @dataclass(frozen=True)
@@ -104,14 +107,13 @@ class Diagnosis(Report):
     """How the machine is.
 
     Attributes:
-        versions: Of pointloom and of what it stands on, by name.
+        versions: Of pointloom and of what it stands on, by name; "missing", or "not installed" where it is optional.
         machine: Where this runs.
         cuda: What there is of CUDA.
         cpu_compiler: Which one CPU kernels go through, or "none".
-        why: Why that one.
-        trials: Of each compiler on each device that it serves.
-        poor: Why CPU kernels fall back to one core or fail, or why no GPU serves though there is a driver for one, or
-            None.
+        why: By how many threads, and what decides that; or why that compiler, or none.
+        trials: Of each compiler that is installed on each device that it serves.
+        poor: Why CPU kernels run on one core or fail, or why no GPU serves though there is a driver for one, or None.
     """
 
     versions: dict[str, str]
@@ -150,12 +152,13 @@ def diagnose() -> Diagnosis:
     Notes:
         Every compiler runs a small kernel on every device that it serves, twice: the first run may compile it.
     """
-    trials = [_try("taichi", "cpu"), _try("warp", "cpu")]
-    gpus = _gpus()
-    trials += [_try("warp", gpu.name) for gpu in gpus]
-    chosen, why = _choose(trials[0])
+    versions, gpus = _versions(), _gpus()
+    with warnings.catch_warnings():
+        warnings.filterwarnings("ignore", "pointloom uses one CPU core")  # which `why` says
+        trials = _trials(versions, gpus)
+        chosen, why = _choose()
     return Diagnosis(
-        versions=_versions(),
+        versions=versions,
         machine=Machine(
             system=platform.platform(),
             python=platform.python_version(),
@@ -178,6 +181,11 @@ def diagnose() -> Diagnosis:
     )
 
 
+def _trials(versions: dict[str, str], gpus: list[Gpu]) -> list[Trial]:
+    trials = [_try("warp", "cpu"), *(_try("warp", gpu.name) for gpu in gpus)]
+    return trials if versions["taichi"] == NOT_INSTALLED else [*trials, _try("taichi", "cpu")]
+
+
 def _try(compiler: str, device: str) -> Trial:
     """Bound a cloud twice by one compiler on one device, and hold the answer against NumPy's."""
     points = np.random.default_rng(0).random((_TRIAL_POINTS, 3), np.float32)
@@ -195,29 +203,45 @@ def _try(compiler: str, device: str) -> Trial:
     return Trial(compiler, device, clock.seconds, fault)
 
 
-def _choose(taichi_trial: Trial) -> tuple[str, str]:
-    """The compiler that CPU kernels go through, and why."""
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore")  # the fallback's warning; its reason is shown here
-        try:
-            chosen = current_cpu_compiler()
-        except RuntimeError as error:
-            return NO_COMPILER, str(error)
-    if os.environ.get("POINTLOOM_CPU"):
-        return chosen, f"POINTLOOM_CPU={os.environ['POINTLOOM_CPU']} asks for it"
-    if chosen == "taichi":
-        threads = os.environ.get("POINTLOOM_CPU_THREADS", "")
-        large = f"{threads} threads (POINTLOOM_CPU_THREADS)" if threads else "all cores"
-        return chosen, f"large launches run on {large}, small ones by warp on one core"
-    return chosen, f"one core only, since {taichi_trial.error or 'Taichi cannot serve'}"
+def _choose() -> tuple[str, str]:
+    """The compiler that CPU kernels go through, and by how many threads or why."""
+    try:
+        chosen = current_cpu_compiler()
+        if chosen == "warp":
+            return chosen, _threads()
+        return chosen, f"POINTLOOM_CPU={chosen} asks for it"
+    except (RuntimeError, ValueError) as error:
+        return NO_COMPILER, str(error)
+
+
+def _threads() -> str:
+    """By how many threads Warp's kernels run on the CPU, and what decides that."""
+    count = get_num_threads()
+    if reason := _why_one_core():
+        return reason
+    said = f"{count} thread" if count == 1 else f"{count} threads"
+    if os.environ.get(cpu_pool.VARIABLE):
+        return f"{said} ({cpu_pool.VARIABLE})"
+    if sys.platform != "linux":
+        return f"{said}, since more are untried on this system; {cpu_pool.VARIABLE} tries more"
+    return said
+
+
+def _why_one_core() -> str | None:
+    """Why this Warp has one core and slower code, or None."""
+    if cpu_pool.options():
+        return None
+    version = importlib.metadata.version("warp-lang")
+    remedy = "install a version of it that `pip show -v pointloom` names"
+    return f"one core only, since Warp {version} does not take cpu_access.h; {remedy}"
 
 
 def _why_poor(chosen: str, why: str, trials: list[Trial]) -> str | None:
-    forced = bool(os.environ.get("POINTLOOM_CPU"))
-    failed = [trial for trial in trials if not trial.ok and not (forced and _is_unused(trial, chosen))]
     if chosen == NO_COMPILER:
         return f"CPU kernels do not run: {why}"
-    return all_of(*(f"{trial.compiler} on {trial.device}: {trial.error}" for trial in failed))
+    failed = [trial for trial in trials if not trial.ok and not _is_unused(trial, chosen)]
+    slow = _why_one_core() if chosen == "warp" else None
+    return all_of(slow, *(f"{trial.compiler} on {trial.device}: {trial.error}" for trial in failed))
 
 
 def _why_gpu_is_idle(gpus: list[Gpu]) -> str | None:
@@ -237,7 +261,7 @@ def _versions() -> dict[str, str]:
         try:
             versions[package] = importlib.metadata.version(package)
         except importlib.metadata.PackageNotFoundError:
-            versions[package] = "missing"
+            versions[package] = NOT_INSTALLED if package in _OPTIONAL else "missing"
     return versions
 
 

@@ -157,9 +157,7 @@ def device_of(arguments: Sequence[Any]) -> Any:
     return wp.get_device("cpu")
 
 
-def taker_apart(
-    places: Sequence[Place], names: Sequence[str]
-) -> Callable[[str, Sequence[Any]], list[Any]] | None:
+def taker_apart(places: Sequence[Place], names: Sequence[str]) -> Callable[[str, Sequence[Any]], list[Any]] | None:
     """What takes the structures among a kernel's arguments apart; None where it has none.
 
     Args:

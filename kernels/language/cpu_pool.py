@@ -31,6 +31,7 @@ import numpy as np
 import warp as wp
 
 from . import cpu_code
+from .device_lock import lock
 from .module_loading import load_module
 from .quiet import kept_from_stderr
 
@@ -167,7 +168,9 @@ class _Code:
     def __init__(self) -> None:
         module = wp.get_module("pointloom.cpu_pool")
         module.options.update({"enable_backward": False, "fuse_fp": False, **cpu_code.options()})
-        kernels = [wp.kernel(f, enable_backward=False, module=module) for f in (_share_kernel, _serve_kernel, _try_kernel)]
+        kernels = [
+            wp.kernel(f, enable_backward=False, module=module) for f in (_share_kernel, _serve_kernel, _try_kernel)
+        ]
         with kept_from_stderr():
             load_module(module, wp.get_device("cpu"))
         given = wp.array(np.arange(24, dtype=np.float32).reshape(8, 3), dtype=wp.vec3, device="cpu")
@@ -198,7 +201,8 @@ def arguments_of(command: Any) -> ctypes.Structure:
 @cache
 def _code() -> _Code | None:
     try:
-        return _Code()
+        with lock:
+            return _Code()
     except Exception as error:  # Warp's own has no other type
         warnings.warn(
             f"pointloom uses one CPU core, and slower code: Warp {wp.config.version} does not take cpu_access.h "
@@ -231,7 +235,9 @@ def _functions_of_system() -> tuple[list[Any], Any]:
         system = ctypes.WinDLL("kernel32")  # type: ignore[attr-defined]
         make = system.CreateSemaphoreW
         make.restype, make.argtypes = ctypes.c_void_p, [ctypes.c_void_p, ctypes.c_long, ctypes.c_long, ctypes.c_void_p]
-        return [system.WaitForSingleObject, system.ReleaseSemaphore, system.SwitchToThread], lambda: make(None, 0, 2**30, None)
+        return [system.WaitForSingleObject, system.ReleaseSemaphore, system.SwitchToThread], lambda: make(
+            None, 0, 2**30, None
+        )
     system = ctypes.CDLL(None)
     if sys.platform == "darwin":  # where unnamed semaphores of POSIX do not exist
         make = system.dispatch_semaphore_create
@@ -279,7 +285,9 @@ class Pool:
         try:
             for worker in range(workers):
                 words[WORKER + LINE * worker + 1] = make_semaphore()
-                thread = threading.Thread(target=self._work, args=(worker,), daemon=True, name=f"pointloom-cpu-{worker + 1}")
+                thread = threading.Thread(
+                    target=self._work, args=(worker,), daemon=True, name=f"pointloom-cpu-{worker + 1}"
+                )
                 thread.start()
                 self._threads.append(thread)
         except RuntimeError as error:  # the system gives no more threads, so there are fewer
@@ -288,7 +296,7 @@ class Pool:
                 RuntimeWarning,
                 stacklevel=2,
             )
-            words[FIELDS["workers"]] = len(self._threads)
+            words[FIELDS["workers"]], self.thread_count = len(self._threads), len(self._threads) + 1
         finally:
             threading.stack_size(stack)
 
@@ -350,6 +358,8 @@ def thread_count() -> int:
     """
     if _code() is None:
         return 1
+    if _pool is not None:
+        return _pool.thread_count
     return _wanted if _wanted is not None else default_thread_count()
 
 

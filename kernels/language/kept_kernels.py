@@ -116,7 +116,9 @@ def _read(module: str) -> dict[str, Any]:
 def _path(module: str) -> Path | None:
     """The file that keeps a module's kernels; None where none is kept."""
     folder = _folder()
-    return folder / f"{module.removeprefix(PACKAGE + '.')}.json" if folder and module.startswith(f"{PACKAGE}.") else None
+    return (
+        folder / f"{module.removeprefix(PACKAGE + '.')}.json" if folder and module.startswith(f"{PACKAGE}.") else None
+    )
 
 
 @cache

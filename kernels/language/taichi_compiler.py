@@ -130,7 +130,7 @@ class Taichi:
                 from taichi.lang.ast.ast_transformer_utils import ASTTransformerContext
         except ImportError as error:
             missing = "libX11" in str(error)
-            remedy = "apt-get install libx11-6" if missing else "reinstall it: pip install --force-reinstall taichi"
+            remedy = "apt-get install libx11-6" if missing else "pip install --force-reinstall taichi"
             raise TaichiUnavailableError(f"Taichi does not import ({error}); {remedy}") from error
         self.ti, self._impl, self._reader = ti, impl, ASTTransformerContext
         self.scalars = {

@@ -18,7 +18,22 @@ Poisson surface reconstruction", ACM TOG 32(3), 2013; the corners' linear functi
 from typing import Any
 
 from ..array_types import Scalars
-from ..lang import array, atomic_max, callback, float32, func, int32, kernel, launch, pow, tid, vec2, vec3, vec3i, vector
+from ..lang import (
+    array,
+    atomic_max,
+    callback,
+    float32,
+    func,
+    int32,
+    kernel,
+    launch,
+    pow,
+    tid,
+    vec2,
+    vec3,
+    vec3i,
+    vector,
+)
 from ..memory import download, empty, zeros
 from .octree_levels import SLOTS, OctreeLevel, neighbor_slot, slot_beside, slot_place
 from .sample_cells import SampleCells

@@ -1,11 +1,13 @@
 """The command line: what loads, exit codes, what goes to stdout and to stderr, and what stays on disk."""
 
+import importlib.metadata
 import json
 import signal
 import subprocess
 import sys
 import warnings
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -19,7 +21,6 @@ from pointloom.core import cuda_driver
 from pointloom.core.wording import format_bytes
 from pointloom.files.pictures.image_files import write_png
 from pointloom.files.points import ply
-from pointloom.kernels import launches
 from pointloom.kernels.language import taichi_compiler
 
 from .commands import answer, names_in, run
@@ -414,16 +415,70 @@ def test_fuse_out_of_reach_is_a_poor_result(frames, tmp_path):
 # ------------------------------------------------------------------------------------------------ doctor
 
 
-def test_doctor_tries_every_compiler(monkeypatch):
+def trials_on_the_cpu(report):
+    return [(t["compiler"], t["ok"]) for t in report["trials"] if t["device"] == "cpu"]
+
+
+def test_doctor_tries_warp_and_says_by_how_many_threads(monkeypatch):
     monkeypatch.delenv("POINTLOOM_CPU", raising=False)
+    monkeypatch.setenv("POINTLOOM_CPU_THREADS", "3")
     report = answer("doctor")
-    assert [(t["compiler"], t["device"], t["ok"]) for t in report["trials"]][:2] == [
-        ("taichi", "cpu", True),
-        ("warp", "cpu", True),
-    ]
-    assert report["cpu_compiler"] == "taichi"
+    assert trials_on_the_cpu(report)[0] == ("warp", True)
+    assert (report["cpu_compiler"], report["why"]) == ("warp", "3 threads (POINTLOOM_CPU_THREADS)")
     assert report["poor"] is None
     assert "healthy" in run("doctor").stdout
+    monkeypatch.delenv("POINTLOOM_CPU_THREADS")
+    count = loom.get_num_threads()
+    assert answer("doctor")["why"] == ("1 thread" if count == 1 else f"{count} threads")
+
+
+def test_doctor_says_that_threads_are_untried_elsewhere(monkeypatch):
+    monkeypatch.delenv("POINTLOOM_CPU", raising=False)
+    monkeypatch.delenv("POINTLOOM_CPU_THREADS", raising=False)
+    monkeypatch.setattr(doctor, "get_num_threads", lambda: 1)
+    monkeypatch.setattr(doctor, "sys", SimpleNamespace(platform="darwin"))
+    said = "1 thread, since more are untried on this system; POINTLOOM_CPU_THREADS tries more"
+    assert answer("doctor")["why"] == said
+
+
+def test_doctor_says_why_a_warp_has_one_core(monkeypatch):
+    monkeypatch.delenv("POINTLOOM_CPU", raising=False)
+    monkeypatch.setattr(doctor, "cpu_pool", SimpleNamespace(VARIABLE="POINTLOOM_CPU_THREADS", options=dict))
+    result = run("doctor")
+    assert result.exit_code == 3
+    assert "warp: one core only, since Warp" in result.stdout
+    assert "does not take cpu_access.h; install a version of it that `pip show -v pointloom` names" in result.stderr
+
+
+def test_doctor_says_that_a_number_of_threads_is_none(monkeypatch):
+    monkeypatch.delenv("POINTLOOM_CPU", raising=False)
+    monkeypatch.setenv("POINTLOOM_CPU_THREADS", "many")
+    result = run("doctor")
+    assert result.exit_code == 3
+    assert "CPU kernels do not run: POINTLOOM_CPU_THREADS: expected a whole number" in result.stderr
+
+
+def test_doctor_tries_taichi_only_where_it_is_installed(monkeypatch):
+    monkeypatch.delenv("POINTLOOM_CPU", raising=False)
+
+    def version(package):
+        if package == "taichi":
+            raise importlib.metadata.PackageNotFoundError(package)
+        return "1.0"
+
+    monkeypatch.setattr(doctor.importlib.metadata, "version", version)
+    report = answer("doctor")
+    assert report["versions"]["taichi"] == "not installed" and report["poor"] is None
+    assert trials_on_the_cpu(report) == [("warp", True)]
+
+
+@pytest.mark.taichi
+def test_doctor_tries_a_taichi_that_is_installed(monkeypatch):
+    monkeypatch.setenv("POINTLOOM_CPU", "taichi")
+    report = answer("doctor")
+    assert trials_on_the_cpu(report) == [("warp", True), ("taichi", True)]
+    assert (report["cpu_compiler"], report["why"]) == ("taichi", "POINTLOOM_CPU=taichi asks for it")
+    assert report["poor"] is None
 
 
 def test_doctor_says_that_a_driver_is_too_old(monkeypatch, tmp_path):
@@ -436,18 +491,18 @@ def test_doctor_says_that_a_driver_is_too_old(monkeypatch, tmp_path):
     assert "driver       470.57.02, needed for GPUs: " in result.stdout
 
 
-def test_doctor_shows_the_line_that_mends_taichi(monkeypatch):
+@pytest.mark.taichi
+def test_doctor_shows_the_line_that_mends_taichi_and_calls_it_poor_where_it_is_asked_for(monkeypatch):
     reason = "Taichi does not import (libX11.so.6: cannot open shared object file); apt-get install libx11-6"
     monkeypatch.delenv("POINTLOOM_CPU", raising=False)
     monkeypatch.setattr(taichi_compiler, "start", fault(taichi_compiler.TaichiUnavailableError(reason)))
-    monkeypatch.setattr(launches, "_fallback_reason", None)
+    result = run("doctor")
+    assert (result.exit_code, result.stderr) == (0, "")
+    assert "taichi on cpu: Taichi does not import" in result.stdout
+    monkeypatch.setenv("POINTLOOM_CPU", "taichi")
     result = run("doctor")
     assert result.exit_code == 3
-    assert "warp: one core only, since Taichi does not import" in result.stdout
     assert "apt-get install libx11-6" in result.stderr
-    monkeypatch.setenv("POINTLOOM_CPU", "warp")
-    assert run("doctor").exit_code == 0
-    monkeypatch.setenv("POINTLOOM_CPU", "taichi")
     assert json.loads(run("doctor", "--json").stdout)["cpu_compiler"] == "none"
 
 

@@ -27,7 +27,7 @@ def pytest_configure(config):
     config.addinivalue_line("markers", "slow_on_emulated_cuda(reason)")
 
 
-@pytest.fixture(params=["cpu-taichi", "cuda:0"])
+@pytest.fixture(params=["cpu-warp", "cuda:0"])
 def device(request):
     return request.param
 """

@@ -108,7 +108,7 @@ import far_constants
 import warp as wp
 
 wp.config.kernel_cache_dir = sys.argv[1]
-module = wp.get_module(far_constants.far_kernel.warp.module.name)
+module = wp.get_module(far_constants.far_kernel.cuda.module.name)
 built = cuda_cache._compile(module, Path(sys.argv[1]), [(90, True)])
 print(built.key, hashlib.sha256(built.code["sm90.ptx"].packed).hexdigest())
 """

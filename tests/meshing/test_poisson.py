@@ -143,11 +143,11 @@ print(len(mesh), hashlib.sha256(b"".join(part.tobytes() for part in parts)).hexd
 
 @pytest.mark.slow
 @pytest.mark.slow_on_emulated_cuda("its processes run on the CPU alone")
-def test_one_and_two_threads_give_the_same_bits():
-    pytest.importorskip("taichi")
+@pytest.mark.parametrize("compiler", ["warp", "taichi"])
+def test_one_and_two_threads_give_the_same_bits(compiler):
     digests = []
     for threads in ("1", "2"):
-        environment = os.environ | {"POINTLOOM_CPU": "taichi", "POINTLOOM_CPU_THREADS": threads}
+        environment = os.environ | {"POINTLOOM_CPU": compiler, "POINTLOOM_CPU_THREADS": threads}
         environment["PYTHONPATH"] = str(Path(__file__).parents[2] / "src")
         run = subprocess.run(
             [sys.executable, "-c", DIGEST], env=environment, capture_output=True, text=True, check=False

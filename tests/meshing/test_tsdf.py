@@ -66,11 +66,11 @@ def test_two_runs_give_the_same_bits(device):
 
 @pytest.mark.slow
 @pytest.mark.slow_on_emulated_cuda("its processes run on the CPU alone")
-def test_one_and_two_threads_give_the_same_bits():
-    pytest.importorskip("taichi")
+@pytest.mark.parametrize("compiler", ["warp", "taichi"])
+def test_one_and_two_threads_give_the_same_bits(compiler):
     tests, digests = Path(__file__).parent, set()
     for threads in ("1", "2"):
-        environment = os.environ | {"POINTLOOM_CPU": "taichi", "POINTLOOM_CPU_THREADS": threads}
+        environment = os.environ | {"POINTLOOM_CPU": compiler, "POINTLOOM_CPU_THREADS": threads}
         environment["PYTHONPATH"] = str(tests.parents[1] / "src")
         run = subprocess.run(
             [sys.executable, "-c", RUN.format(tests=str(tests))],

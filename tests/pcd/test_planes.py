@@ -164,6 +164,7 @@ def test_points_that_are_not_finite_are_neither_drawn_nor_counted(device, rng):
 # ------------------------------------------------------------------------------------------------ same bits
 
 
+@pytest.mark.taichi
 def test_two_runs_and_both_compilers_give_the_same_bits(rng):
     points, _, _ = cluttered(rng, 5003, share=0.2)
     results = []

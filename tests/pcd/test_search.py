@@ -343,10 +343,11 @@ print([hashlib.sha256(np.ascontiguousarray(r).tobytes()).hexdigest()[:16] for r 
 
 @pytest.mark.slow
 @pytest.mark.slow_on_emulated_cuda("its processes run on the CPU alone")
-def test_one_and_two_threads_give_the_same_bits():
+@pytest.mark.parametrize("compiler", ["warp", "taichi"])
+def test_one_and_two_threads_give_the_same_bits(compiler):
     digests = []
     for threads in ("1", "2"):
-        environment = os.environ | {"POINTLOOM_CPU": "taichi", "POINTLOOM_CPU_THREADS": threads}
+        environment = os.environ | {"POINTLOOM_CPU": compiler, "POINTLOOM_CPU_THREADS": threads}
         environment["PYTHONPATH"] = os.pathsep.join(p for p in sys.path if p)
         run = subprocess.run([sys.executable, "-c", DIGEST], capture_output=True, text=True, env=environment)
         assert run.returncode == 0, run.stderr

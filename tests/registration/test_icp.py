@@ -276,10 +276,11 @@ for method in methods:
 
 @pytest.mark.slow
 @pytest.mark.slow_on_emulated_cuda("its processes run on the CPU alone")
-def test_any_number_of_threads_gives_the_same_bits():
+@pytest.mark.parametrize("compiler", ["warp", "taichi"])
+def test_any_number_of_threads_gives_the_same_bits(compiler):
     runs = []
     for threads in ("1", "2"):
-        environment = os.environ | {"POINTLOOM_CPU": "taichi", "POINTLOOM_CPU_THREADS": threads}
+        environment = os.environ | {"POINTLOOM_CPU": compiler, "POINTLOOM_CPU_THREADS": threads}
         environment["PYTHONPATH"] = os.pathsep.join(p for p in sys.path if p)
         pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "text": True}
         runs.append(subprocess.Popen([sys.executable, "-c", DIGEST], env=environment, **pipes))

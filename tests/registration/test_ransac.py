@@ -336,10 +336,11 @@ for result in (ransac, fgr):
 
 @pytest.mark.slow
 @pytest.mark.slow_on_emulated_cuda("its processes run on the CPU alone")
-def test_bits_do_not_depend_on_the_number_of_threads():
+@pytest.mark.parametrize("compiler", ["warp", "taichi"])
+def test_bits_do_not_depend_on_the_number_of_threads(compiler):
     outputs = []
     for threads in ("1", "2"):
-        environment = os.environ | {"POINTLOOM_CPU": "taichi", "POINTLOOM_CPU_THREADS": threads}
+        environment = os.environ | {"POINTLOOM_CPU": compiler, "POINTLOOM_CPU_THREADS": threads}
         environment["PYTHONPATH"] = os.pathsep.join(p for p in sys.path if p)
         done = subprocess.run([sys.executable, "-c", SCRIPT], env=environment, capture_output=True, text=True)
         assert done.returncode == 0, done.stderr

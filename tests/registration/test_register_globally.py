@@ -261,7 +261,8 @@ def test_two_runs_give_the_same_bits(device, hilly_pair):
 
 @pytest.mark.slow
 @pytest.mark.slow_on_emulated_cuda("its processes run on the CPU alone")
-def test_bits_do_not_depend_on_the_number_of_threads():
+@pytest.mark.parametrize("compiler", ["warp", "taichi"])
+def test_bits_do_not_depend_on_the_number_of_threads(compiler):
     program = (
         "import numpy as np, pointloom as loom\n"
         "rng = np.random.default_rng(0)\n"
@@ -278,7 +279,7 @@ def test_bits_do_not_depend_on_the_number_of_threads():
     )
     runs = []
     for threads in ("1", "2"):  # side by side: most of it is starting up
-        environment = os.environ | {"POINTLOOM_CPU": "taichi", "POINTLOOM_CPU_THREADS": threads}
+        environment = os.environ | {"POINTLOOM_CPU": compiler, "POINTLOOM_CPU_THREADS": threads}
         pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "text": True}
         runs.append(subprocess.Popen([sys.executable, "-c", program], env=environment, **pipes))
     outputs = [run.communicate() for run in runs]

@@ -36,11 +36,12 @@ for name, content in [
 
 
 @pytest.mark.slow
-def test_the_number_of_threads_changes_no_bit_of_poses_and_surface():
+@pytest.mark.parametrize("compiler", ["warp", "taichi"])
+def test_the_number_of_threads_changes_no_bit_of_poses_and_surface(compiler):
     answers = []
     for threads in ("1", "2"):
         environment = os.environ | {
-            "POINTLOOM_CPU": "taichi", "POINTLOOM_CPU_THREADS": threads, "PYTHONPATH": str(ROOT / "src")
+            "POINTLOOM_CPU": compiler, "POINTLOOM_CPU_THREADS": threads, "PYTHONPATH": str(ROOT / "src")
         }  # fmt: skip
         done = subprocess.run(
             [sys.executable, "-c", PROGRAM], env=environment, stdout=subprocess.PIPE, text=True, check=True, timeout=300

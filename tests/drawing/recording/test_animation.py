@@ -137,6 +137,7 @@ def test_all_frames_lie_within_the_picture():
         assert (rim == 255).all()
 
 
+@pytest.mark.taichi
 def test_a_film_has_the_same_bits_with_both_compilers():
     from pointloom.kernels.lang import cpu_compiler
 

@@ -88,6 +88,7 @@ def test_words_are_those_of_plain_integers(device, seed):
     assert np.array_equal(words, reference_words(range(200), seed, 3))
 
 
+@pytest.mark.taichi
 def test_both_compilers_draw_the_same_words():
     drawn = []
     for compiler in ("warp", "taichi"):

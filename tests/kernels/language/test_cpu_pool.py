@@ -110,7 +110,11 @@ def test_launches_in_quick_succession_lose_no_thread(kernels):
 def test_atomics_are_of_all_threads(kernels, rng, threads):
     loom.set_num_threads(threads)
     values, wholes = rng.normal(size=50_000).astype(np.float32), rng.integers(-(2**60), 2**60, 50_000)
-    low, high, top = device_array([np.inf], float), device_array([-np.inf], float), device_array([-(2**62)] * 3, wp.int64)
+    low, high, top = (
+        device_array([np.inf], float),
+        device_array([-np.inf], float),
+        device_array([-(2**62)] * 3, wp.int64),
+    )
     arrays = [device_array(values, float), device_array(wholes, wp.int64), low, high, top]
     lang.launch(kernels.extremes_kernel, len(values), arrays)
     assert (low.numpy()[0], high.numpy()[0]) == (values.min(), values.max())
@@ -303,7 +307,9 @@ worker.join()
 
 def test_a_handler_at_exit_can_still_work():
     """Ours ends the threads, and runs before one that was registered earlier."""
-    done = run_program("import atexit\natexit.register(lambda: print(thin()))" + THIN + "thin()", POINTLOOM_CPU_THREADS="2")
+    done = run_program(
+        "import atexit\natexit.register(lambda: print(thin()))" + THIN + "thin()", POINTLOOM_CPU_THREADS="2"
+    )
     assert (done.returncode, done.stderr) == (0, "") and int(done.stdout) > 100
 
 

@@ -138,5 +138,3 @@ def test_bits_survive_the_folder(cache):
     print(loom.PointCloud(points).voxel_down_sample(3e29).points.tobytes().hex()[:80])
     """
     assert run(cache, program) == run(cache, program)
-
-

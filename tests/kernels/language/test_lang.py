@@ -190,6 +190,7 @@ def test_an_expression_gives_what_numpy_gives(expressions, device, k):
     np.testing.assert_allclose(found, expected, rtol=rounding, atol=rounding)
 
 
+@pytest.mark.taichi
 def test_both_cpu_compilers_give_the_same_bits(expressions):
     for k in [k for k, case in enumerate(CASES) if case.exact]:
         bits = []

@@ -1,5 +1,6 @@
-"""Launches and reductions: what is refused, what is safe, and that a sum has the same bits in every run."""
+"""Launches and reductions: who runs them, what is refused and what is safe; a sum has the same bits in every run."""
 
+import contextlib
 import os
 import subprocess
 import sys
@@ -10,6 +11,7 @@ import numpy as np
 import pytest
 import warp as wp
 
+import pointloom as loom
 from pointloom.core.devices import resolve_device
 from pointloom.kernels import lang, launches, memory
 from pointloom.kernels.language import device_lock
@@ -47,6 +49,13 @@ def sum_points(points: array(dtype=vec3)) -> vec4:
     i = tid()
     p = points[i]
     return vec4(p[0], p[1], p[2], 1.0)
+
+@kernel
+def step_kernel(left: array(dtype=int), big: array(dtype=float)):
+    i = tid()
+    if i == 0:
+        left[0] = left[0] - 1
+    big[i] = big[i] + 1.0
 """
 
 
@@ -170,34 +179,132 @@ def test_a_reduction_gives_the_same_bits_in_every_run(kernels, device, rng):
     assert len(runs) == 1
 
 
+@pytest.fixture
+def ran(monkeypatch):
+    """The compilers that CPU launches went through, in their order."""
+    monkeypatch.delenv("POINTLOOM_CPU", raising=False)
+    seen = []
+    for name in ("_run_on_cpu", "_run_taichi"):
+        run = getattr(launches, name)
+        said = "warp" if name == "_run_on_cpu" else "taichi"
+        monkeypatch.setattr(launches, name, lambda *a, run=run, said=said: seen.append(said) or run(*a))
+    return seen
+
+
+@pytest.mark.parametrize("asked", [None, "warp", "taichi"])
+def test_who_asks_for_a_compiler_has_it_for_all_sizes_and_warp_is_the_default(kernels, ran, asked):
+    with lang.cpu_compiler(asked) if asked else contextlib.nullcontext():
+        for count in (10, 100_000):
+            a, out = arrays("cpu", count)
+            lang.launch(kernels.double_kernel, count, [a, 3.0, 0, [0, 0, 0], out])
+            np.testing.assert_array_equal(out.numpy(), 3.0 * a.numpy())
+    assert ran == [asked or "warp"] * 2
+
+
+def test_a_loop_repeats_its_launches(kernels, ran, device):
+    where = resolve_device(device)
+    left, idle = (memory.full(1, count, lang.int32, where) for count in (5, 0))
+    small, large = (memory.zeros(count, lang.float32, where) for count in (10, 5000))
+    calls = []
+
+    def body():
+        calls.append(None)
+        lang.launch(kernels.step_kernel, 5000, [idle, large])
+        lang.launch(kernels.step_kernel, 0, [idle, large])
+        lang.launch(kernels.step_kernel, 10, [left, small])
+
+    lang.loop_while(left, body)
+    assert (small.numpy() == 5).all() and (large.numpy() == 5).all()
+    assert len(calls) == 1
+    assert ran == ([] if where.is_cuda else [lang.current_cpu_compiler()] * 2)
+
+
+@pytest.fixture
+def share():
+    """A function (threads): CPU launches are shared by so many."""
+    yield loom.set_num_threads
+    loom.set_num_threads(None)
+
+
+@pytest.mark.taichi
+@pytest.mark.parametrize("count", [1, 1024, 2048, 2049, 50_000])
+def test_a_sum_has_the_same_bits_by_both_compilers(kernels, rng, share, count):
+    points = wp.array(rng.normal(size=(count, 3)) * 1e3, dtype=wp.vec3, device="cpu")
+    found = set()
+    with lang.cpu_compiler("taichi"):
+        found.add(lang.reduce(kernels.sum_points, count, [points]).numpy().tobytes())
+    with lang.cpu_compiler("warp"):
+        for threads in (1, 3):
+            share(threads)
+            found.add(lang.reduce(kernels.sum_points, count, [points]).numpy().tobytes())
+    assert len(found) == 1
+
+
 PROGRAM = """
 import sys
 import numpy as np, warp as wp
 sys.path.insert(0, sys.argv[1])
 import launches
 from pointloom.kernels import lang
-from pointloom.kernels.language import taichi_compiler
+from pointloom.kernels.language import cpu_pool, taichi_compiler
 points = wp.array(np.random.default_rng(0).normal(size=(100_003, 3)) * 1e3, dtype=wp.vec3, device="cpu")
 total = lang.reduce(launches.sum_points, 100_003, [points])
-print(taichi_compiler.start().thread_count, total.numpy().tobytes().hex())
+by_taichi = lang.current_cpu_compiler() == "taichi"
+print(taichi_compiler.start().thread_count if by_taichi else cpu_pool.pool().thread_count)
+print(total.numpy().tobytes().hex())
 """
 
 
 @pytest.mark.slow
-def test_a_reduction_gives_the_same_bits_for_every_number_of_threads(kernels, rng):
-    folder = str(Path(kernels.__file__).parent)
-    found = []
-    for threads in ("1", "2"):
-        environment = {**os.environ, "POINTLOOM_CPU": "taichi", "POINTLOOM_CPU_THREADS": threads}
-        command = [sys.executable, "-c", PROGRAM, folder]
+@pytest.mark.parametrize("compiler", ["warp", "taichi"])
+def test_a_reduction_gives_the_same_bits_for_every_number_of_threads(kernels, rng, share, compiler):
+    points = wp.array(rng.normal(size=(100_003, 3)) * 1e3, dtype=wp.vec3, device="cpu")
+    found = set()
+    with lang.cpu_compiler("warp"):
+        for threads in (1, 2, 7):
+            share(threads)
+            found.add(lang.reduce(kernels.sum_points, 100_003, [points]).numpy().tobytes().hex())
+    for threads in ("2", "3"):
+        environment = {**os.environ, "POINTLOOM_CPU": compiler, "POINTLOOM_CPU_THREADS": threads}
+        command = [sys.executable, "-c", PROGRAM, str(Path(kernels.__file__).parent)]
         run = subprocess.run(command, env=environment, capture_output=True, text=True, check=True)
         count, bits = run.stdout.split()
         assert count == threads
-        found.append(bits)
-    points = wp.array(rng.normal(size=(100_003, 3)) * 1e3, dtype=wp.vec3, device="cpu")
-    with lang.cpu_compiler("warp"):
-        found.append(lang.reduce(kernels.sum_points, 100_003, [points]).numpy().tobytes().hex())
-    assert found[0] == found[1] == found[2]
+        found.add(bits)
+    assert len(found) == 1
+
+
+FIRST = """
+import sys
+import numpy as np, pointloom as loom
+cloud = loom.PointCloud(np.random.default_rng(0).random((400, 3)))
+cloud.voxel_down_sample(0.2).estimate_normals(max_nn=10).cluster_dbscan(0.3, 3)
+print([name for name in ("taichi", "scipy.spatial", "scipy.sparse", "PIL", "rich") if name in sys.modules])
+"""
+
+
+@pytest.mark.slow
+def test_a_first_operation_loads_neither_taichi_nor_scipy(monkeypatch):
+    monkeypatch.delenv("POINTLOOM_CPU", raising=False)
+    done = subprocess.run([sys.executable, "-c", FIRST], capture_output=True, text=True, timeout=300, check=False)
+    assert (done.returncode, done.stdout.strip()) == (0, "[]"), done.stderr
+
+
+@pytest.mark.slow
+def test_threads_that_launch_a_kernel_first_at_once_make_it_once(write_kernels, monkeypatch):
+    monkeypatch.delenv("POINTLOOM_CPU", raising=False)
+    kernel = write_kernels("first_at_once", SOURCE).double_kernel
+    made, make = [], kernel.make
+    kernel.make = lambda place: made.append(place) or make(place)
+    vars(kernel).pop("cpu", None)
+    given = [arrays("cpu", 8) for _ in range(8)]
+    rest = [2.0, 1, [0.0, 0.0, 0.0]]
+    threads = [threading.Thread(target=lang.launch, args=(kernel, 8, [a, *rest, out])) for a, out in given]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert made == ["cpu"]
 
 
 def test_nothing_reaches_a_compiler_while_another_thread_may_launch(kernels, device, monkeypatch):
@@ -218,7 +325,7 @@ def test_nothing_reaches_a_compiler_while_another_thread_may_launch(kernels, dev
 
         return run_watched
 
-    for name in ("_run_warp", "_run_taichi"):
+    for name in ("_run_on_cpu", "_run_on_cuda", "_run_taichi"):
         monkeypatch.setattr(launches, name, watched(getattr(launches, name)))
     a, out = arrays(device)
     lang.launch(kernels.double_kernel, 4, [a, 2.0, 1, [0, 0, 0], out])

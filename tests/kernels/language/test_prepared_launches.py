@@ -152,8 +152,8 @@ def test_a_sum_takes_its_arguments_anew(kernels, device):
     assert found == [[3000.0, 3000.0], [20.0, 10.0], [1500.0, 3000.0], [0.0, 0.0]]
 
 
-def prepared(compiler):
-    return {"warp": launches._on_one_core, "taichi": launches._on_all_cores}[compiler]
+def prepared(kernel, compiler):
+    return launches._by_warp[kernel.cpu] if compiler == "warp" else launches._by_taichi[kernel.taichi]
 
 
 def host_arrays():
@@ -162,23 +162,24 @@ def host_arrays():
 
 @pytest.mark.parametrize("compiler", ["warp", "taichi"])
 def test_a_kernel_is_prepared_once(kernels, compiler):
+    found = []
     with lang.cpu_compiler(compiler):
         for factor in (1.0, 2.0):
             lang.launch(kernels.scale_kernel, 8, [*host_arrays()[:1], factor, host_arrays()[1]])
-            first = prepared(compiler)[getattr(kernels.scale_kernel, compiler)]
-    assert prepared(compiler)[getattr(kernels.scale_kernel, compiler)] is first
+            found.append(prepared(kernels.scale_kernel, compiler))
+    assert found[0] is found[1]
 
 
 def test_arguments_lie_as_warp_lays_them(kernels):
     with lang.cpu_compiler("warp"):
         noted(kernels, "cpu")
-    launch = launches._on_one_core[kernels.note_arguments_kernel.warp]
+    launch = prepared(kernels.note_arguments_kernel, "warp")
     assert launch._layout is not None and launch._layout.size % 8 == 0
 
 
 def test_a_warp_that_lays_arguments_out_otherwise_launches_itself(kernels):
     a, out = host_arrays()
-    kernel = kernels.scale_kernel.warp
+    kernel = kernels.scale_kernel.cpu
     command: Any = wp.launch(kernel, 1, [a, 2.0, out], device="cpu", record_cmd=True)
     params = command.params
     launch = WarpLaunch(kernel, [a, 2.0, out])
@@ -189,16 +190,17 @@ def test_a_warp_that_lays_arguments_out_otherwise_launches_itself(kernels):
     assert launch._read_layout(params[1:])[0] is not None
     assert launch._read_layout([Ranked(), *params[2:]])[0] is None
     launch._layout = None
-    launch.bound(8, [a, 3.0, out])()
+    launch.bound([a, 3.0, out], 8)()
     assert out.numpy().tolist() == [3.0] * 8
 
 
 def taichi_launch(kernels):
     a, out = host_arrays()
     lang.launch(kernels.scale_kernel, 8, [a, 2.0, out])
-    return launches._on_all_cores[kernels.scale_kernel.taichi]
+    return prepared(kernels.scale_kernel, "taichi")
 
 
+@pytest.mark.taichi
 def test_a_launch_that_is_interrupted_leaves_nothing_half_set(kernels, monkeypatch):
     with lang.cpu_compiler("taichi"):
         launch = taichi_launch(kernels)
@@ -218,6 +220,7 @@ def test_a_launch_that_is_interrupted_leaves_nothing_half_set(kernels, monkeypat
     assert out.numpy().tolist() == [3.0] * 8
 
 
+@pytest.mark.taichi
 def test_a_launch_within_a_launch_of_the_same_kernel_changes_nothing_of_it(kernels, monkeypatch):
     """As a signal handler may, between the setting of arguments and the launch."""
     with lang.cpu_compiler("taichi"):

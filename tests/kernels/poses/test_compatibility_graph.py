@@ -49,12 +49,10 @@ def test_edges_join_what_keeps_its_distance(device, rng, count):
     assert (graph.degrees.numpy() == edges.sum(axis=1)).all()
 
 
+@pytest.mark.parametrize("compiler", ["warp", "taichi"])
 @settings(max_examples=30, deadline=None)
-@given(
-    st.lists(st.tuples(*[st.integers(0, 4)] * 6).map(lambda t: tuple(float(x) for x in t)), min_size=1, max_size=40),
-    st.sampled_from(["taichi", "warp"]),
-)
-def test_counts_are_those_of_brute_force_on_lattices_and_duplicates(rows, compiler):
+@given(rows=st.lists(st.tuples(*[st.integers(0, 4)] * 6).map(lambda t: tuple(map(float, t))), min_size=1, max_size=40))
+def test_counts_are_those_of_brute_force_on_lattices_and_duplicates(compiler, rows):
     points = np.array(rows, np.float32)
     with cpu_compiler(compiler):
         graph = CompatibilityGraph(make_pairs(points[:, :3], points[:, 3:]), 0.3, 0.3)
