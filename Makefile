@@ -1,6 +1,6 @@
 # pointloom: each target does the set-up that it needs, once, in .venv.
 #
-#   make PYTHON=python3.12 setup       choose the interpreter (3.11 to 3.13)
+#   make PYTHON=python3.12 setup       choose the interpreter (3.11 to 3.14)
 #   make test ARGS="tests/pcd -x"      arguments for pytest; test-all, the other tests and bench take ARGS too
 #   EMULATED_CUDA_ORDER=3 make test-cuda-emulated    threads interleaved: tests/emulated_cuda/README.md has all settings
 

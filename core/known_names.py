@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import functools
+import sys
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
@@ -33,7 +35,17 @@ class KnownNames:
 
 
 def _declares(kind: type, name: str) -> bool:
-    return any(name in vars(base) or name in vars(base).get("__annotations__", {}) for base in kind.__mro__)
+    return any(name in vars(base) or name in _annotated(base) for base in kind.__mro__)
+
+
+@functools.lru_cache(256)
+def _annotated(kind: type) -> frozenset[str]:
+    """The names that a class itself annotates, whatever their types."""
+    if sys.version_info >= (3, 14):
+        from annotationlib import Format, get_annotations
+
+        return frozenset(get_annotations(kind, format=Format.FORWARDREF))
+    return frozenset(vars(kind).get("__annotations__", ()))
 
 
 def _message(owner: Any, name: str, remedy: str) -> str:

@@ -1,24 +1,22 @@
 #!/usr/bin/env bash
 # Install the system libraries that are missing (Debian, Ubuntu).
 #
-#   scripts/install_system_libraries.sh runtime PYTHON   what pointloom itself loads, and venv for PYTHON
-#   scripts/install_system_libraries.sh test PYTHON      ... and what Open3D loads, the oracle of the tests, and ffmpeg
+#   scripts/install_system_libraries.sh runtime PYTHON   venv for PYTHON; pointloom itself loads nothing that may be missing
+#   scripts/install_system_libraries.sh test PYTHON      ... and what Taichi and Open3D load, and ffmpeg
 #   scripts/install_system_libraries.sh emulation PYTHON ... and gcc, with which the emulated CUDA device compiles
 #   scripts/install_system_libraries.sh browser PYTHON   ... and Chromium, in which the viewer is tested
 #
 # As root they are installed with apt-get. Otherwise the line to run is printed and the script goes on with status 0:
-# without libX11 pointloom runs its CPU kernels through Warp on one core, without the others Open3D does not import; tests
-# of videos skip without ffmpeg.
+# without libX11 Taichi does not import, without any of the others Open3D does not; tests of videos skip without ffmpeg.
 set -euo pipefail
 
-# Open3D 0.20 links against all of these; a bare Debian has only some.
-runtime_libraries="libX11.so.6=libx11-6"
-test_libraries="libGL.so.1=libgl1 libEGL.so.1=libegl1 libusb-1.0.so.0=libusb-1.0-0 libudev.so.1=libudev1
+# Open3D 0.20 links against all of these, Taichi against the first; a bare Debian has only some.
+test_libraries="libX11.so.6=libx11-6 libGL.so.1=libgl1 libEGL.so.1=libegl1 libusb-1.0.so.0=libusb-1.0-0 libudev.so.1=libudev1
     libidn2.so.0=libidn2-0"
 
 case "${1:-}" in
-    runtime) wanted=$runtime_libraries ;;
-    test | emulation | browser) wanted="$runtime_libraries $test_libraries" ;;
+    runtime) wanted="" ;;
+    test | emulation | browser) wanted=$test_libraries ;;
     *)
         echo "usage: $0 runtime|test|emulation|browser PYTHON" >&2
         exit 2

@@ -9,7 +9,7 @@ version='import sys; print("%d.%d" % sys.version_info[:2])'
 
 if .venv/bin/python -m pip --version >/dev/null 2>&1; then
     case "$(.venv/bin/python -c "$version")" in
-        3.11 | 3.12 | 3.13) exit 0 ;;
+        3.11 | 3.12 | 3.13 | 3.14) exit 0 ;;
     esac
 fi
 if ! "$python" -I -c 'import ensurepip, venv' 2>/dev/null; then

@@ -31,7 +31,7 @@ from packaging.utils import canonicalize_name, parse_wheel_filename
 
 ROOT = Path(__file__).resolve().parents[1]
 FOLDER = ROOT / "constraints"
-PYTHONS = ((3, 11), (3, 12), (3, 13))
+PYTHONS = ((3, 11), (3, 12), (3, 13), (3, 14))
 GLIBC_MINOR = 35  # glibc 2.35 is Ubuntu 22.04's; Debian 12 has 2.36
 
 # file -> the dependency groups that it adds to the file before it

@@ -9,6 +9,7 @@ is not used, and a launch takes any object with these attributes.
 from __future__ import annotations
 
 import ast
+import inspect
 from collections.abc import Callable
 from typing import Any, NamedTuple, TypeVar
 
@@ -23,7 +24,7 @@ def struct(kind: Class) -> Class:
     Raises:
         TypeError: It has no annotated attribute, or `from __future__ import annotations` hides their types.
     """
-    fields = dict(vars(kind).get("__annotations__", {}))
+    fields = inspect.get_annotations(kind)
     if not fields:
         raise TypeError(f"{kind.__name__}: a structure needs an annotated attribute for each field, `count: int`")
     for name in fields:

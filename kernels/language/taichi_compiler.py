@@ -121,16 +121,16 @@ class Taichi:
         os.environ.setdefault("TI_SKIP_VERSION_CHECK", "ON")  # no thread that asks the internet for newer versions
         os.environ.setdefault("TI_ENABLE_PYBUF", "0")  # no line about "graphical shells" under a captured stdout
         try:
-            with (
-                warnings.catch_warnings()
-            ):  # a deprecated call in Taichi 1.7.4, where the program makes warnings errors
+            # a deprecated call in Taichi 1.7.4, where the program makes warnings errors
+            with warnings.catch_warnings():
                 warnings.simplefilter("ignore", DeprecationWarning)
                 import taichi as ti
                 from taichi.lang import impl
                 from taichi.lang.ast.ast_transformer_utils import ASTTransformerContext
         except ImportError as error:
-            missing = "libX11" in str(error)
-            remedy = "apt-get install libx11-6" if missing else "pip install --force-reinstall taichi"
+            remedies = {"libX11": "apt-get install libx11-6", "'taichi'": 'pip install "pointloom[taichi]"'}
+            fitting = [remedy for sign, remedy in remedies.items() if sign in str(error)]
+            remedy = (*fitting, "reinstall it: pip install --force-reinstall taichi")[0]
             raise TaichiUnavailableError(f"Taichi does not import ({error}); {remedy}") from error
         self.ti, self._impl, self._reader = ti, impl, ASTTransformerContext
         self.scalars = {

@@ -10,7 +10,6 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy import ndimage
 
 Array = NDArray[Any]
 Window = tuple[slice, slice]
@@ -41,6 +40,8 @@ def fit_priors(plain: Array, sure: Array, planes: Array, pixels_per: float, seed
     Returns:
         Inverse depth, its two slopes, the weight: float32 [h, w, 4].
     """
+    from scipy import ndimage  # loads for longer than the planes of a picture without plain places take
+
     out = np.zeros(planes.shape, np.float32)
     found: Any = ndimage.label(plain > 0)
     places: Array = found[0]
@@ -123,6 +124,8 @@ def _fill(out: Array, inside: Array, fitted: list[tuple[Plane, Array]], plain: A
     """Give each pixel of a place the plane of the nearest pixel that lies on one."""
     which = np.zeros(inside.shape, int)
     if len(fitted) > 1:
+        from scipy import ndimage
+
         for k, (_, support) in enumerate(fitted):
             which[support] = k + 1
         nearest: Any = ndimage.distance_transform_edt(which == 0, return_distances=False, return_indices=True)

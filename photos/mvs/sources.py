@@ -69,10 +69,10 @@ def choose_sources(cameras: Any, sparse: Any, *, count: int = COUNT) -> tuple[tu
         raise ValueError(f"sparse: pictures up to {seen[:, 0].max()} see points, but there are {len(posed)} cameras")
     centers = np.array([camera.center for camera in posed]).reshape(-1, 3)
     tracks = _Tracks(seen, len(points.points))
-    out = []
+    step, out = _step(centers), []
     for i in range(len(posed)):
         chosen = _by_cover(i, points, tracks, centers, most)
-        out.append(chosen or _by_camera(i, posed, centers, most))
+        out.append(chosen or _by_camera(i, posed, centers, step, most))
     return tuple(out)
 
 
@@ -122,13 +122,15 @@ def _worth(a: NDArray[np.float64], b: NDArray[np.float64]) -> NDArray[np.float64
     return np.clip(angle / NARROW, 0, 1) * np.exp(-np.maximum(angle - WIDE, 0) / FALLOFF)
 
 
-def _by_camera(i: int, cameras: tuple[PosedCamera, ...], centers: NDArray[np.float64], most: int) -> tuple[int, ...]:
+def _by_camera(
+    i: int, cameras: tuple[PosedCamera, ...], centers: NDArray[np.float64], step: float, most: int
+) -> tuple[int, ...]:
     """Sources of a picture of which nothing is known but its camera."""
     if len(cameras) < 2:
         return ()
     axes = np.array([camera.T_camera_world[2, :3] for camera in cameras])
     alike = np.maximum(axes @ axes[i], 0.0) ** 4  # a quarter at 45 degrees
-    steps = np.linalg.norm(centers - centers[i], axis=1) / max(_step(centers), np.finfo(float).tiny)
+    steps = np.linalg.norm(centers - centers[i], axis=1) / max(step, np.finfo(float).tiny)
     worth = alike * np.minimum(steps, 1.0) * np.exp(-np.maximum(steps / WITHOUT_POINTS - 1.0, 0.0))
     worth[i] = 0.0
     order = np.argsort(-worth, kind="stable")[:most]
@@ -137,9 +139,17 @@ def _by_camera(i: int, cameras: tuple[PosedCamera, ...], centers: NDArray[np.flo
 
 def _step(centers: NDArray[np.float64]) -> float:
     """The median distance of a camera to the nearest one elsewhere."""
-    from scipy.spatial import KDTree
-
     distinct = np.unique(centers, axis=0)
     if len(distinct) < 2:
         return 0.0
-    return float(np.median(KDTree(distinct).query(distinct, k=2)[0][:, 1]))
+    longest = np.ptp(distinct, axis=0).argmax()
+    row = distinct[np.argsort(distinct[:, longest])]
+    nearest = np.full(len(row), np.inf)  # squared
+    for k in range(1, len(row)):
+        apart = row[k:] - row[:-k]
+        if (apart[:, longest] ** 2 >= np.maximum(nearest[k:], nearest[:-k])).all():
+            break  # those that stand farther apart in the row are no nearer
+        squares = (apart * apart).sum(axis=1)
+        nearest[k:] = np.minimum(nearest[k:], squares)
+        nearest[:-k] = np.minimum(nearest[:-k], squares)
+    return float(np.median(np.sqrt(nearest)))

@@ -89,18 +89,17 @@ def parallax(model: SfmModel, *, fixed: bool = False) -> float:
 
 def _far_pairs(model: SfmModel) -> list[tuple[int, int]]:
     """For some pictures, spread over all, another one that is far away and sees many of the same points."""
-    from scipy.sparse import csr_array
-
-    shape = (len(model), len(model.points))
-    pictures, points = model.observations.T
-    seen = csr_array((np.ones(len(points), np.int32), (pictures, points)), shape=shape)
-    seen.data[:] = 1  # a point may stand twice in a picture
-    shared = (seen @ seen.T).toarray()
+    count = max(len(model.points), 1)
+    at = np.sort(model.observations @ (count, 1))
+    pictures, points = np.divmod(at[np.diff(at, prepend=-1) > 0], count)  # a point may stand twice in a picture
     pairs = set()
     for picture in np.unique(np.linspace(0, len(model) - 1, _MOST_PAIRS).round().astype(int)) if len(model) else ():
+        seen = np.zeros(len(model.points), bool)
+        seen[points[pictures == picture]] = True
+        shared = np.bincount(pictures[seen[points]], minlength=len(model))
         distances = np.linalg.norm(model.centers - model.centers[picture], axis=1)
         # The farthest one of all shares a corner, in which all points may be equally far.
-        worth = np.where(shared[picture] < _FEW_SHARED, -1.0, distances * np.sqrt(shared[picture]))
+        worth = np.where(shared < _FEW_SHARED, -1.0, distances * np.sqrt(shared))
         worth[picture] = -1.0
         other = int(np.argmax(worth))
         if worth[other] >= 0:

@@ -10,8 +10,6 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.sparse import coo_matrix
-from scipy.sparse.csgraph import connected_components
 
 from ...core.checks import LARGEST_NUMBER, check_count, check_list, check_positive, check_progress, check_share
 from ...core.devices import check_same_device
@@ -28,6 +26,7 @@ from ...kernels.poses.fragment_steps import FragmentStep, StepSystem
 from ...kernels.search.nearest_point import find_nearest
 from ...pcd.cloud import PointCloud
 from ...pcd.point_arrays import check_cloud
+from ..pose_graphs.connected_parts import connected_parts
 from ..pose_graphs.pose_graph import GraphArrays, PoseGraph, PoseGraphNode, check_pose_graph
 from ..pose_graphs.reports import FragmentOverlap, RefinementReport
 from ..rigid import invert_pose, rotations_of
@@ -317,8 +316,7 @@ def _moved(T: Array, points: Array) -> Array:
 
 def _parts(ends: NDArray[np.int64], count: int) -> tuple[NDArray[np.int32], NDArray[np.bool_]]:
     """The connected part of each fragment, and whether it is the first there."""
-    links = coo_matrix((np.ones(len(ends)), (ends[:, 0], ends[:, 1])), shape=(count, count))
-    parts = connected_components(links, directed=False)[1]
+    parts = connected_parts(ends[:, 0], ends[:, 1], count)
     held = np.zeros(count, bool)
     held[np.unique(parts, return_index=True)[1]] = True
     return parts, held

@@ -15,11 +15,10 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
-import scipy.sparse as sp
 from numpy.typing import NDArray
-from scipy.sparse.csgraph import connected_components
 
 from ...core.quaternions import rotations_to_quaternions
+from .connected_parts import connected_parts
 from .pose_graph import GraphArrays
 from .pose_graph_system import EdgeMeasurements, Misfit, NodePoses, NormalEquations
 
@@ -76,9 +75,7 @@ def minimise(
 
 def parts_of(graph: GraphArrays) -> NDArray[np.int32]:
     """The connected part that each node belongs to, [n]."""
-    count = len(graph.poses)
-    links = sp.coo_matrix((np.ones(len(graph.source)), (graph.source, graph.target)), shape=(count, count))
-    return connected_components(links, directed=False)[1]
+    return connected_parts(graph.source, graph.target, len(graph.poses))
 
 
 def anchors_of(graph: GraphArrays, reference: int) -> NDArray[np.bool_]:

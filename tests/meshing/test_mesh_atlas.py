@@ -12,6 +12,8 @@ from hypothesis import strategies as st
 import pointloom as loom
 from pointloom import TriangleMesh
 
+pytestmark = pytest.mark.skipif(sys.version_info >= (3, 14), reason="xatlas has no wheels for Python 3.14")
+
 
 def covered(uvs: np.ndarray, size: int, slack: float = 0.0) -> np.ndarray:
     """How many triangles have each texel's centre well within them, or (with slack) no further than that outside."""

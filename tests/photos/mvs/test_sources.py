@@ -6,8 +6,10 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
+from scipy.spatial import KDTree
 
 import pointloom as loom
+from pointloom.photos.mvs.sources import _step
 
 LENS = loom.PinholeCameraIntrinsic(64, 48, 60.0, 60.0, 31.5, 23.5)
 
@@ -106,6 +108,21 @@ def test_without_points_cameras_that_look_the_same_way_from_a_step_aside_are_tak
     assert {2, 4} < set(chosen[3])
     assert all(6 not in each for each in chosen[:6])  # it looks the other way
     assert chosen[6] == ()
+
+
+@pytest.mark.parametrize("kind", ["scattered", "rounded", "a row", "a circle", "far away"])
+def test_a_step_is_the_median_distance_to_the_nearest_camera_elsewhere(kind, rng):
+    angle = np.linspace(0, 2 * np.pi, 400)
+    centers = {
+        "scattered": rng.normal(size=(300, 3)),
+        "rounded": rng.normal(size=(300, 3)).round(1),
+        "a row": rng.permutation(np.outer(np.linspace(0, 9, 200) ** 2, [0.1, 0.2, 0.3])),
+        "a circle": np.column_stack([np.cos(angle), np.sin(angle), 0 * angle]),
+        "far away": rng.normal(size=(300, 3)) + 1e6,
+    }[kind]
+    distinct = np.unique(centers, axis=0)
+    assert _step(centers) == np.median(KDTree(distinct).query(distinct, k=2)[0][:, 1])
+    assert _step(centers[:1]) == _step(np.repeat(centers[:1], 5, axis=0)) == 0
 
 
 def test_a_model_of_structure_from_motion_is_taken_for_its_points(rng):
