@@ -52,6 +52,7 @@ def prepare_pointloom(points: np.ndarray, device: str) -> Any:
 def numba_kernel() -> Callable[..., None]:
     import numba
 
+    numba.config.THREADING_LAYER = "omp"  # else it warns where a TBB is too old for it
     numba.set_num_threads(min(thread_count(), numba.config.NUMBA_NUM_THREADS))
 
     @numba.njit(parallel=True)
