@@ -203,18 +203,21 @@ def test_kernel_of_the_compilers_turns_and_shifts_points():
         compilers.check(ours, (expected + 1e-5).astype(np.float32), "numpy")
 
 
-def test_farthest_points_from_another_start_are_as_far_apart():
+def test_farthest_points_from_another_start_are_a_sequence_of_the_farthest():
     import bench_farthest_points as farthest
     import scenes
 
     points = scenes.bumpy_surface(4000)
-    order = np.roll(np.arange(len(points)), 1)  # ours begins at the first point
-    ours, other = (farthest.prepare_pointloom(p, "cpu").once().points for p in (points, points[order]))
-    farthest.check(ours, other, "fpsample")
-    with pytest.raises(AssertionError, match="open3d-legacy"):
-        farthest.check(ours, other, "open3d-legacy")
-    with pytest.raises(AssertionError, match="apart"):
-        farthest.check(ours, points[: len(ours)], "fpsample")
+    ours = farthest.prepare_pointloom(points, "cpu").once().points
+    sequence, distances = [7], np.full(len(points), np.inf)
+    while len(sequence) < farthest.SAMPLES:
+        distances = np.minimum(distances, np.linalg.norm(points - points[sequence[-1]], axis=1))
+        sequence.append(int(distances.argmax()))
+    farthest.check(ours, (points, points[sequence]), "fpsample")
+    with pytest.raises(AssertionError, match="not open3d-legacy's"):
+        farthest.check(ours, points[sequence], "open3d-legacy")
+    with pytest.raises(AssertionError, match="fpsample's point 1 is"):
+        farthest.check(ours, (points, points[: len(ours)]), "fpsample")
 
 
 @pytest.mark.parametrize("missing", ["ours", "theirs"])
