@@ -148,12 +148,21 @@ def measure_memory(
             command = [sys.executable, str(FOLDER / "memory.py"), name, size, label, device]
             done = subprocess.run(command, capture_output=True, text=True, cwd=FOLDER.parent, check=False)
             try:
-                timing.memory = json.loads(done.stdout.splitlines()[-1])["bytes"]
+                timing.memory = document_in(done.stdout)["bytes"]
             except (ValueError, KeyError, IndexError):
                 reason = (done.stderr.strip().splitlines() or ["no result"])[-1]
                 problems["failed"].append(without_folders(f"{name} {size} {label}: peak memory: {reason}"))
                 continue
             print(f"  {name:18} {size:16} {label:20} {timing.memory / 1e6:10.1f} MB", file=sys.stderr, flush=True)
+
+
+def document_in(text: str) -> dict[str, Any]:
+    """The JSON document among the lines of a process, where a library may say something at its end.
+
+    Raises:
+        IndexError: There is none.
+    """
+    return json.loads([line for line in text.splitlines() if line.startswith("{")][-1])
 
 
 def without_folders(line: str) -> str:

@@ -1,6 +1,6 @@
-"""The shared kernel language: one Python function per thread, compiled by Warp for CUDA and by Taichi for CPU cores.
+"""The shared kernel language: one Python function per thread, compiled by Warp for CUDA and for all cores of the CPU.
 
-(A small launch on the CPU goes through Warp too: launches.py.)
+(Taichi compiles the same source for the CPU as well, in the tests and by choice: launches.py.)
 
 Kernel files import from this module and from nothing else of Warp or Taichi.
 
@@ -16,7 +16,7 @@ Kernel files import from this module and from nothing else of Warp or Taichi.
 
 Structures, loops and callbacks are written out (language/structs.py, loops.py, callbacks.py) and the rest is checked
 (rules.py for its form, inference.py for its types) when a function is decorated; in the files of this package, when
-something first needs it. Both compilers agree on what follows:
+something first needs it, which a kernel that an earlier process has launched does not (kept_kernels.py). Both compilers agree on what follows:
 
 - `and`, `or` and `x if c else y` read no more than they need: `i > 0 and a[i - 1] > x` is safe. Calls of functions
   that take arrays, and atomics, are refused there.

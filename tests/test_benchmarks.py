@@ -151,6 +151,127 @@ def test_ours_agrees_with_itself_and_not_with_a_wrong_answer(name):
         operation.check(facts, wrong, "open3d-legacy")
 
 
+# ------------------------------------------------------------------------------------------------ peers
+
+
+PEERS = {
+    "embreex": ("ray_casting", "embreex"),
+    "fast-simplification": ("decimation", "fast_simplification"),
+    "pyfqmr": ("decimation", "pyfqmr"),
+    "meshoptimizer": ("decimation", "meshoptimizer"),
+    "fpsample": ("farthest_points", "fpsample"),
+    "genz-icp": ("odometry", "genz_icp"),
+    "rko-lio": ("odometry", "rko_lio"),
+    "numba": ("transform_kernel", "numba"),
+    "quadrants": ("transform_kernel", "quadrants"),
+}
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("peer", PEERS)
+def test_peer_that_is_here_agrees_with_ours_at_the_quick_size(peer):
+    import contest
+
+    name, module = PEERS[peer]
+    pytest.importorskip(module)
+    _, operation = contest.operations()[name]
+    (make,) = operation.quick.values()
+    scene = make()
+    facts = []
+    for label in (contest.OURS, peer):
+        contestant, place = operation.contestant(label, "cpu")
+        facts.append(contestant.facts(contestant.trial(scene, place).once()))
+    operation.check(*facts, peer)
+
+
+@pytest.mark.slow
+def test_peer_that_is_not_here_is_left_out_said_so_and_is_no_failure(tmp_path):
+    (tmp_path / "numba.py").write_text("raise ModuleNotFoundError(\"No module named 'numba'\")\n")
+    places = os.pathsep.join([str(tmp_path), *filter(None, [os.environ.get("PYTHONPATH")])])
+    done = run_script("--quick", "--only", "transform_kernel", PYTHONPATH=places)
+    assert done.returncode == 0, done.stderr
+    assert "left out transform_kernel: numba: No module named 'numba'" in done.stderr.splitlines()
+    assert "transform_kernel" in done.stdout and "numba" not in done.stdout
+
+
+def test_kernel_of_the_compilers_turns_and_shifts_points():
+    import bench_compilers as compilers
+
+    points = compilers.points_of(300)()
+    ours = compilers.prepare_pointloom(points, "cpu")()
+    expected = points.astype(np.float64) @ compilers.MATRIX.T + compilers.SHIFT
+    compilers.check(ours, expected.astype(np.float32), "numpy")
+    with pytest.raises(AssertionError):
+        compilers.check(ours, (expected + 1e-5).astype(np.float32), "numpy")
+
+
+def test_farthest_points_from_another_start_are_a_sequence_of_the_farthest():
+    import bench_farthest_points as farthest
+    import scenes
+
+    points = scenes.bumpy_surface(4000)
+    ours = farthest.prepare_pointloom(points, "cpu").once().points
+    sequence, distances = [7], np.full(len(points), np.inf)
+    while len(sequence) < farthest.SAMPLES:
+        distances = np.minimum(distances, np.linalg.norm(points - points[sequence[-1]], axis=1))
+        sequence.append(int(distances.argmax()))
+    farthest.check(ours, (points, points[sequence]), "fpsample")
+    with pytest.raises(AssertionError, match="not open3d-legacy's"):
+        farthest.check(ours, points[sequence], "open3d-legacy")
+    with pytest.raises(AssertionError, match="fpsample's point 1 is"):
+        farthest.check(ours, (points, points[: len(ours)]), "fpsample")
+
+
+@pytest.mark.parametrize("missing", ["ours", "theirs"])
+def test_surface_of_too_many_triangles_is_no_decimation(missing):
+    import bench_decimation as decimation
+
+    scene = decimation.wavy(16, 0.2)
+    thin = decimation.facts(decimation.prepare_pointloom(scene, "cpu")())
+    decimation.check(thin, thin, "pyfqmr")
+    whole = (scene, scene.arrays)
+    with pytest.raises(AssertionError, match="triangles for"):
+        decimation.check(*((whole, thin) if missing == "ours" else (thin, whole)), "pyfqmr")
+
+
+def test_inertial_sensor_of_the_drive_feels_its_path():
+    import bench_odometry as odometry
+    from street import TURN, pose_at
+
+    times, forces, rates = odometry.inertia(30)
+    assert times[0] == 0 and times[-1] >= 30 * TURN
+    path = odometry.SPEED * times
+    places, headings = pose_at(path, 0.0)
+    step = 1 / odometry.IMU_RATE
+    turned = headings[0] + np.concatenate([[0], np.cumsum((rates[1:, 2] + rates[:-1, 2]) / 2 * step)])
+    np.testing.assert_allclose(turned, headings, atol=1e-4)
+    c, s = np.cos(headings), np.sin(headings)
+    sideways = s * forces[:, 0] + c * forces[:, 1]  # y of the world
+    speeds = (places[1, 1] - places[0, 1]) / step + np.concatenate([[0], np.cumsum(sideways[:-1] * step)])
+    way = places[0, 1] + np.concatenate([[0], np.cumsum(speeds[:-1] * step)])
+    np.testing.assert_allclose(way, places[:, 1], atol=0.05)
+    np.testing.assert_allclose(forces[:, 2], odometry.GRAVITY, atol=1e-6)
+
+
+def test_trajectory_error_is_that_of_the_way_not_of_the_start():
+    import bench_odometry as odometry
+
+    truth = odometry.street_drive(3, 4, 60)().poses
+    start = np.array([[0, -1, 0, 3], [1, 0, 0, 4], [0, 0, 1, 5], [0, 0, 0, 1]], float)
+    assert odometry.trajectory_error(start @ truth, truth) < 1e-9
+    astray = truth.copy()
+    astray[1:, 2, 3] += 0.3
+    assert odometry.trajectory_error(astray, truth) == pytest.approx(0.3 * np.sqrt(2 / 3))
+
+
+def test_document_is_found_where_a_library_speaks_after_it():
+    import run
+
+    assert run.document_in('map begun\n{"bytes": 3}\nProfiling results\n') == {"bytes": 3}
+    with pytest.raises(IndexError):
+        run.document_in("Profiling results\n")
+
+
 # ------------------------------------------------------------------------------------------------ memory, launches
 
 

@@ -128,7 +128,7 @@ class Taichi:
                 from taichi.lang import impl
                 from taichi.lang.ast.ast_transformer_utils import ASTTransformerContext
         except ImportError as error:
-            remedies = {"libX11": "apt-get install libx11-6", "'taichi'": 'pip install "pointloom[taichi]"'}
+            remedies = {"libX11": "apt-get install libx11-6", "'taichi'": "pip install taichi"}
             fitting = [remedy for sign, remedy in remedies.items() if sign in str(error)]
             remedy = (*fitting, "reinstall it: pip install --force-reinstall taichi")[0]
             raise TaichiUnavailableError(f"Taichi does not import ({error}); {remedy}") from error
