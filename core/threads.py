@@ -13,7 +13,7 @@ def set_num_threads(count: int | None) -> None:
 
     Args:
         count: From 1 to 1024; None for the default: what `POINTLOOM_CPU_THREADS` says, else the cores that this process
-            may use by its affinity and its control group. On macOS and Windows, where more are untried, the default is 1.
+            may use by its affinity and its control group; on macOS and Windows, where more are untried, 1.
 
     Raises:
         ValueError: Another number.
@@ -35,7 +35,7 @@ def set_num_threads(count: int | None) -> None:
 
 
 def get_num_threads() -> int:
-    """The threads that what runs on the CPU is shared by, the caller's among them; 1 where Warp's code cannot be shared.
+    """The threads that what runs on the CPU is shared by, the caller's among them; 1 where Warp's code is not shared.
 
     Raises:
         ValueError: POINTLOOM_CPU_THREADS is no whole number from 1 to 1024.

@@ -16,7 +16,8 @@ Kernel files import from this module and from nothing else of Warp or Taichi.
 
 Structures, loops and callbacks are written out (language/structs.py, loops.py, callbacks.py) and the rest is checked
 (rules.py for its form, inference.py for its types) when a function is decorated; in the files of this package, when
-something first needs it, which a kernel that an earlier process has launched does not (kept_kernels.py). Both compilers agree on what follows:
+something first needs it, which a kernel that an earlier process has launched does not (kept_kernels.py). Both compilers
+agree on what follows:
 
 - `and`, `or` and `x if c else y` read no more than they need: `i > 0 and a[i - 1] > x` is safe. Calls of functions
   that take arrays, and atomics, are refused there.

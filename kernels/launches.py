@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any
 import warp as wp
 
 from .array_types import Device
-from .language import cpu_pool, kept_kernels, taichi_compiler, warp_compiler
+from .language import kept_kernels, pool_code, taichi_compiler, warp_compiler
 from .language.arguments import checked_arguments, device_of
 from .language.device_lock import RecordedLoop, lock, record, replay  # noqa: F401  handed on
 from .language.module_loading import load_module
@@ -121,7 +121,7 @@ def _prepare(what: Kernel | Reduction, values: Sequence[Any]) -> WarpLaunch:
     load_module(kernel.module, wp.get_device("cpu"))
     made = WarpLaunch(kernel, values)
     machine_code = kept_kernels.machine_code_of(kernel)
-    if made.layout and machine_code and cpu_pool.is_usable():
+    if made.layout and machine_code and pool_code.is_usable():
         kept = kept_kernels.Kept(what.places, made.plan, made.layout, made.symbol, machine_code)
         kept_kernels.keep(what.module, what.name, kept)
     return made

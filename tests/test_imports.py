@@ -65,7 +65,8 @@ WARP_FILES = {
     "kernels/language/casts.py",
     "kernels/language/compiled_ahead.py",
     "kernels/language/cpu_code.py",
-    "kernels/language/cpu_pool.py",
+    "kernels/language/kept_kernels.py",
+    "kernels/language/pool_code.py",
     "kernels/language/module_loading.py",
     "kernels/cuda_cache.py",
     "kernels/language/device_lock.py",
@@ -173,7 +174,7 @@ def defines_device_code(imports: list[Import], path: str) -> bool:
 # Files that may ask Warp itself to work on a device: those that take the lock around it, or are called with it held.
 DEVICE_FILES = {
     "kernels/language/casts.py",
-    "kernels/language/cpu_pool.py",
+    "kernels/language/pool_code.py",
     "kernels/language/device_lock.py",
     "kernels/language/prepared_launches.py",
     "kernels/language/arguments.py",

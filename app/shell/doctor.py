@@ -20,7 +20,7 @@ from ...core.timing import Clock
 from ...core.wording import format_bytes
 from ...kernels.arrays.bounds import bound_points
 from ...kernels.lang import cpu_compiler, current_cpu_compiler, vec3
-from ...kernels.language import compiled_ahead, cpu_pool
+from ...kernels.language import compiled_ahead, cpu_pool, pool_code
 from ...kernels.memory import upload
 
 _PACKAGES = ("numpy", "scipy", "warp-lang", "taichi", "click", "rich", "Pillow")
@@ -229,10 +229,10 @@ def _threads() -> str:
 
 def _why_one_core() -> str | None:
     """Why this Warp has one core and slower code, or None."""
-    if cpu_pool.options():
+    if pool_code.is_usable():
         return None
     version = importlib.metadata.version("warp-lang")
-    remedy = "install a version of it that `pip show -v pointloom` names"
+    remedy = f"what it was tried with: pip install warp-lang=={pool_code.TESTED}"
     return f"one core only, since Warp {version} does not take cpu_access.h; {remedy}"
 
 

@@ -14,7 +14,6 @@ from ..algebra.rigid_solve import TRIANGLE, vec6d
 from ..array_types import AnyArray, Array1, Integers
 from ..lang import WARP, Reduction, int32, launch, loop_while, reduce_segments
 from ..memory import download, empty, full, zeros
-from ..search.point_tree import LEAF
 from .correspondences import match_groups_kernel, match_points_kernel
 from .job_states import job_states
 from .jobs import Jobs

@@ -3,7 +3,7 @@
 // Our arrays are contiguous and no index is negative, where Warp's may have strides and count from the end: that costs a
 // multiplication, a comparison and an addition for each element, and loads of whole vectors. The overloads are more
 // special than Warp's, so they are found first. Where Warp renames its own they go unused, or nothing compiles:
-// cpu_code.py tries it, and does without this file where the kernel that it tries is not right.
+// pool_code.py tries it, and does without this file where the kernel that it tries is not right.
 
 namespace wp {
 

@@ -1,10 +1,10 @@
 """How Warp compiles kernels for the CPU: with what ours promise, which `cpu_access.h` says to its compiler.
 
 Warp's own code of `points[i]` reads a stride and asks whether `i` counts from the end. Ours needs neither, so overloads
-for its generated code go before it, by its public option for that; its text is a part of a module's hash. It also lets a
-launch begin at another thread than the first, so that cpu_pool.py can hand out parts of it.
+for its generated code go before it, by its public option for that, which makes their text a part of a module's hash.
+They also let a launch begin at another thread than the first, so that cpu_pool.py can hand out parts of it.
 
-The header leans on names inside Warp, so cpu_pool.py tries it before anything else is compiled with it.
+The header leans on names inside Warp, so pool_code.py tries it before anything else is compiled with it.
 """
 
 from __future__ import annotations

@@ -1,10 +1,10 @@
-"""What a process finds out about a kernel for the CPU, kept for the next one: that launches it without reading its text.
+"""What a process finds out about a kernel for the CPU, kept for the next, which launches it without reading its text.
 
 To read and check the kernels of a file, write out their loops and hand them to Warp, which finds by their hash what it
 compiled before, takes a process 20 to 100 ms a file: twice what registering two small clouds takes. All of it follows
-from the sources of kernels, from Warp and from the kind of processor. So here are kept, under a digest of those, where a
-kernel's machine code lies, what each of its parameters comes from, and how its arguments are packed: one small file for
-each file of kernels, beside Warp's own cache of kernels.
+from the sources of kernels, from Warp and from the kind of processor. So here are kept, under a digest of those, where
+a kernel's machine code lies, what each of its parameters comes from, and how its arguments are packed: one small file
+for each file of kernels, beside Warp's own cache of kernels.
 
 A kernel that is not found here, or whose machine code is gone, goes the long way. Kernels of other packages always do.
 """
@@ -87,7 +87,7 @@ def address_of(kept: Kept) -> int:
 
 
 def machine_code_of(kernel: Any) -> str:
-    """The file of a kernel's machine code in Warp's cache; empty where it is not found, or stands for several processors."""
+    """The file of a kernel's machine code in Warp's cache; empty where there is none, or more than one."""
     name = kernel.module.get_module_identifier(block_dim=1)
     found = [str(path) for path in (Path(wp.config.kernel_cache_dir or ".") / name).glob(f"{name}*.o")]
     return found[0] if len(found) == 1 else ""

@@ -60,7 +60,7 @@ class Parameter(NamedTuple):
 class WarpLaunch:
     """A kernel of Warp's on the CPU.
 
-    Its machine code takes two addresses: the bounds of the launch or of a part of it, and one structure of all arguments.
+    Its machine code takes two addresses: the bounds of the launch or of a part of it, and one structure of arguments.
     """
 
     def __init__(self, kernel: Any, values: Sequence[Any]) -> None:

@@ -9,7 +9,6 @@ from __future__ import annotations
 import ast
 import atexit
 import contextlib
-import ctypes
 import io
 import linecache
 import os
@@ -25,7 +24,7 @@ from .cache_folders import cache_folder, is_writable, temporary_cache
 from .cpu_pool import default_thread_count
 from .device_lock import lock
 from .prepared_launches import Recorder, TaichiLaunch
-from .taichi_lifetime import OwnProgram, TaichiUnavailableError, require_threads
+from .taichi_lifetime import OwnProgram, TaichiUnavailableError, require_threads, same_arithmetic
 from .taichi_source import (
     CHUNK_LOOP,
     NEGATED,
@@ -91,23 +90,6 @@ def start() -> Taichi:
             Taichi.instance = Taichi()
         Taichi.instance.ensure_running()
         return Taichi.instance
-
-
-@contextlib.contextmanager
-def _same_arithmetic() -> Iterator[None]:
-    """Give this thread its floating-point mode back: ti.init makes it flush subnormal numbers to zero, NumPy's too."""
-    try:
-        libc = ctypes.CDLL(None)
-        read, write = libc.fegetenv, libc.fesetenv
-    except (OSError, AttributeError, TypeError):  # a platform whose C library has no such function
-        yield
-        return
-    mode = ctypes.create_string_buffer(64)  # fenv_t: 32 bytes on x86-64, 8 on ARM
-    read(mode)
-    try:
-        yield
-    finally:
-        write(mode)
 
 
 class Taichi:
@@ -233,7 +215,7 @@ class Taichi:
             ):  # Taichi would crash at exit, whether it keeps kernels or not
                 options |= {"offline_cache": False, "offline_cache_file_path": temporary_cache()}
             # "[Taichi] Starting on ..." goes nowhere: stdout is the program's
-            with contextlib.redirect_stdout(io.StringIO()), _same_arithmetic():
+            with contextlib.redirect_stdout(io.StringIO()), same_arithmetic():
                 ti.init(
                     arch=ti.cpu, log_level=ti.ERROR, default_fp=ti.f32, default_ip=ti.i32, fast_math=False, **options
                 )  # fmt: skip
@@ -377,6 +359,24 @@ def _builtins(ti: Any) -> dict[str, Any]:
             unit = a / size
         return unit
 
+    def float_bits(x):
+        return ti.bit_cast(x, ti.i32)
+
+    def bits_float(i):
+        return ti.bit_cast(i, ti.f32)
+
+    def bit_count(x):
+        return ti.math.popcnt(x)
+
+    own = (*_by_kind(ti), dot, cross, outer, transpose, length, normalize, float_bits, bits_float, bit_count)
+    named = {f.__name__: ti.func(f) for f in own}
+    same = "floor ceil sqrt sin cos tan acos asin atan2 exp log pow".split()
+    return named | {name: getattr(ti, name) for name in same}
+
+
+def _by_kind(ti: Any) -> list[Callable]:
+    """Those that are one thing for numbers and another for vectors."""
+
     def isfinite(x):
         if ti.static(is_vector(x)):
             return (x - x).sum() == 0  # a component that is not finite leaves NaN
@@ -392,16 +392,4 @@ def _builtins(ti: Any) -> dict[str, Any]:
     def is_vector(x):
         return isinstance(x, ti.Matrix) or x.is_tensor()
 
-    def float_bits(x):
-        return ti.bit_cast(x, ti.i32)
-
-    def bits_float(i):
-        return ti.bit_cast(i, ti.f32)
-
-    def bit_count(x):
-        return ti.math.popcnt(x)
-
-    own = (negated_, dot, cross, outer, transpose, length, normalize, isfinite, float_bits, bits_float, bit_count)
-    named = {f.__name__: ti.func(f) for f in own}
-    same = "floor ceil sqrt sin cos tan acos asin atan2 exp log pow".split()
-    return named | {name: getattr(ti, name) for name in same}
+    return [isfinite, negated_]

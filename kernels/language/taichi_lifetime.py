@@ -145,3 +145,20 @@ class OwnProgram:
 
 def _nothing():
     pass
+
+
+@contextlib.contextmanager
+def same_arithmetic() -> Iterator[None]:
+    """Give this thread its floating-point mode back: ti.init makes it flush subnormal numbers to zero, NumPy's too."""
+    try:
+        libc = ctypes.CDLL(None)
+        read, write = libc.fegetenv, libc.fesetenv
+    except (OSError, AttributeError, TypeError):  # a platform whose C library has no such function
+        yield
+        return
+    mode = ctypes.create_string_buffer(64)  # fenv_t: 32 bytes on x86-64, 8 on ARM
+    read(mode)
+    try:
+        yield
+    finally:
+        write(mode)

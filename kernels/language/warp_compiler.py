@@ -11,7 +11,7 @@ from typing import Any
 
 import warp as wp
 
-from . import cpu_pool
+from . import pool_code
 from .cache_folders import cache_folder, is_writable, temporary_cache
 from .quiet import kept_from_stderr
 
@@ -150,7 +150,7 @@ def make_func(function: Callable, is_builtin: Callable[[Any], bool], *, for_cuda
 
 
 def make_kernel(function: Callable, is_builtin: Callable[[Any], bool], place: str, most_registers: int) -> Any:
-    """A Warp kernel without its adjoint, in the file's module for the CPU or for what only CUDA runs, or in the other."""
+    """A Warp kernel without its adjoint, in the file's module for a place, or for what CUDA runs as it is written."""
     _set_options(function.__module__)
     home = _module_of(function.__module__, place) if place else None
     twin, most = rebind(function, is_builtin), most_registers or None
@@ -165,7 +165,7 @@ def cuda_module(module: str) -> Any:
 def _module_of(module: str, place: str) -> Any:
     """Warp compiles a module whole, for one place and with its options."""
     found = wp.get_module(f"{module}.{place}")
-    found.options.update(_OPTIONS | (cpu_pool.options() if place == "cpu" else {}))
+    found.options.update(_OPTIONS | (pool_code.options() if place == "cpu" else {}))
     return found
 
 

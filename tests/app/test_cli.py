@@ -422,12 +422,14 @@ def trials_on_the_cpu(report):
 def test_doctor_tries_warp_and_says_by_how_many_threads(monkeypatch):
     monkeypatch.delenv("POINTLOOM_CPU", raising=False)
     monkeypatch.setenv("POINTLOOM_CPU_THREADS", "3")
+    loom.set_num_threads(None)
     report = answer("doctor")
     assert trials_on_the_cpu(report)[0] == ("warp", True)
     assert (report["cpu_compiler"], report["why"]) == ("warp", "3 threads (POINTLOOM_CPU_THREADS)")
     assert report["poor"] is None
     assert "healthy" in run("doctor").stdout
     monkeypatch.delenv("POINTLOOM_CPU_THREADS")
+    loom.set_num_threads(None)
     count = loom.get_num_threads()
     assert answer("doctor")["why"] == ("1 thread" if count == 1 else f"{count} threads")
 
@@ -443,16 +445,17 @@ def test_doctor_says_that_threads_are_untried_elsewhere(monkeypatch):
 
 def test_doctor_says_why_a_warp_has_one_core(monkeypatch):
     monkeypatch.delenv("POINTLOOM_CPU", raising=False)
-    monkeypatch.setattr(doctor, "cpu_pool", SimpleNamespace(VARIABLE="POINTLOOM_CPU_THREADS", options=dict))
+    monkeypatch.setattr(doctor, "pool_code", SimpleNamespace(TESTED="1.19.0", is_usable=lambda: False))
     result = run("doctor")
     assert result.exit_code == 3
     assert "warp: one core only, since Warp" in result.stdout
-    assert "does not take cpu_access.h; install a version of it that `pip show -v pointloom` names" in result.stderr
+    assert "does not take cpu_access.h; what it was tried with: pip install warp-lang==1.19.0" in result.stderr
 
 
 def test_doctor_says_that_a_number_of_threads_is_none(monkeypatch):
     monkeypatch.delenv("POINTLOOM_CPU", raising=False)
     monkeypatch.setenv("POINTLOOM_CPU_THREADS", "many")
+    loom.set_num_threads(None)
     result = run("doctor")
     assert result.exit_code == 3
     assert "CPU kernels do not run: POINTLOOM_CPU_THREADS: expected a whole number" in result.stderr

@@ -116,7 +116,8 @@ from pointloom.kernels import lang
 from pointloom.kernels.surface.normals import orient_normals_kernel as kernel
 points, normals = wp.zeros(3, dtype=wp.vec3, device="cpu"), wp.ones(3, dtype=wp.vec3, device="cpu")
 lang.launch(kernel, 3, [points, normals, 0, [0.0, 0.0, 1.0], wp.zeros(3, dtype=wp.vec3, device="cpu")])
-for wrong in ([points, normals, 0, [0.0, 1.0], points], [points, normals, 0], [points, normals, 2**40, [0.0, 0, 1], points]):
+up = [0.0, 0.0, 1.0]
+for wrong in ([points, normals, 0, up[:2], points], [points, normals, 0], [points, normals, 2**40, up, points]):
     try:
         lang.launch(kernel, 3, wrong)
     except ValueError as error:

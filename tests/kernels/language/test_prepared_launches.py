@@ -13,6 +13,7 @@ import warp as wp
 
 from pointloom.core.devices import resolve_device
 from pointloom.kernels import lang, launches, memory
+from pointloom.kernels.language import prepared_launches
 from pointloom.kernels.language.prepared_launches import TaichiLaunch, WarpLaunch
 
 pytestmark = pytest.mark.both_compilers
@@ -153,7 +154,7 @@ def test_a_sum_takes_its_arguments_anew(kernels, device):
 
 
 def prepared(kernel, compiler):
-    return launches._by_warp[kernel.cpu] if compiler == "warp" else launches._by_taichi[kernel.taichi]
+    return launches._by_warp[kernel] if compiler == "warp" else launches._by_taichi[kernel.taichi]
 
 
 def host_arrays():
@@ -187,8 +188,9 @@ def test_a_warp_that_lays_arguments_out_otherwise_launches_itself(kernels):
     class Ranked(ctypes.Structure):
         _fields_ = [("rank", ctypes.c_int32), *type(params[1])._fields_]
 
-    assert launch._read_layout(params[1:])[0] is not None
-    assert launch._read_layout([Ranked(), *params[2:]])[0] is None
+    parameters = [prepared_launches.Parameter.of(argument.type) for argument in kernel.adj.args]
+    assert prepared_launches._read_layout(parameters, params[1:])[0] is not None
+    assert prepared_launches._read_layout(parameters, [Ranked(), *params[2:]])[0] is None
     launch._layout = None
     launch.bound([a, 3.0, out], 8)()
     assert out.numpy().tolist() == [3.0] * 8

@@ -1,0 +1,205 @@
+"""The machine code that hands out the parts of a launch on the CPU, and the trial of the header that lets it.
+
+Both are kernels of Warp's, in one module: what `_share` and `_serve` do stands in C++, which Warp's compiler reads
+(cpu_pool.py says how they work together); `_try_kernel` uses what cpu_access.h changes. Where that does not compile or
+is wrong, as with a Warp that renamed what the header leans on, kernels are Warp's own, on one core.
+"""
+
+from __future__ import annotations
+
+import ctypes
+import warnings
+from functools import cache
+from typing import Any
+
+import numpy as np
+import warp as wp
+
+from . import cpu_code
+from .device_lock import lock
+from .module_loading import load_module
+from .quiet import kept_from_stderr
+
+TESTED = "1.19.0"  # the version of Warp that the header was last tried with
+
+# The pool's words of 64 bits, eight to a cache line. Lines: 0 how many workers are inside a launch, with CLOSED where
+# none is open; 1 the next chunk; 2 the launch; 3 the pool; from 4 on one a worker: whether it sleeps, its semaphore.
+LINE = 8
+STATE, NEXT, LAUNCH, POOL, WORKER = (LINE * k for k in range(5))
+CLOSED = 1 << 32
+FIELDS = {
+    **{name: LAUNCH + k for k, name in enumerate(("forward", "arguments", "chunks", "chunk", "total", "first"))},
+    **{name: POOL + k for k, name in enumerate(("over", "wait", "post", "give_way", "workers", "spins"))},
+}
+_NATIVE = "".join(f"#define {name}_ p[{place}]\n" for name, place in FIELDS.items()) + (
+    """
+    typedef unsigned long long word;
+    typedef signed (*waiter)(void*, word, void*);  // int is Warp's name for a cast here
+    typedef void (*yielder)();
+    word* p = (word*)pool;
+    auto pause = []() {
+#if defined(__x86_64__)
+        __builtin_ia32_pause();
+#elif defined(__aarch64__)
+        __builtin_arm_yield();
+#endif
+    };
+    auto is_open = [p]() {
+        return !(__atomic_load_n(&p[0], __ATOMIC_SEQ_CST) >> 32)
+            && __atomic_load_n(&p[8], __ATOMIC_RELAXED) < __atomic_load_n(&chunks_, __ATOMIC_RELAXED);
+    };
+    auto wake = [p](word w) {
+        word wanted = chunks_ - 1 < workers_ ? chunks_ - 1 : workers_;
+        word* its = p + 32 + 8 * w;
+        if (w < wanted && __atomic_exchange_n(&its[0], (word)0, __ATOMIC_SEQ_CST))
+            ((waiter)post_)((void*)its[1], 1, nullptr);
+    };
+    auto work = [p]() {
+        void (*forward)(void*, void*) = (void (*)(void*, void*))forward_;
+        void* arguments = (void*)arguments_;
+        const word chunks = chunks_, chunk = chunk_, total = total_, first = first_;
+        wp::launch_bounds_t<1> bounds = {{0}, 0, 1};
+        for (;;) {
+            const word c = __atomic_fetch_add(&p[8], (word)1, __ATOMIC_RELAXED);
+            if (c >= chunks) break;
+            const word begin = c * chunk;
+            bounds.shape[0] = (unsigned)(0x80000000u | (first + begin));
+            bounds.size = total - begin < chunk ? total - begin : chunk;
+            forward(&bounds, arguments);
+        }
+    };
+    """
+)
+_SHARE = """
+    forward_ = forward; arguments_ = arguments; total_ = total; chunk_ = chunk; first_ = first;
+    __atomic_store_n(&chunks_, (total + chunk - 1) / chunk, __ATOMIC_RELAXED);
+    __atomic_store_n(&p[8], (word)0, __ATOMIC_RELAXED);
+    __atomic_store_n(&p[0], (word)0, __ATOMIC_SEQ_CST);  // open, nobody inside
+    wake(0);
+    wake(1);
+    work();
+    __atomic_fetch_or(&p[0], 1ull << 32, __ATOMIC_SEQ_CST);
+    for (word turns = 0; __atomic_load_n(&p[0], __ATOMIC_ACQUIRE) & 0xffffffffull; ++turns)
+        if (turns < spins_) pause(); else ((yielder)give_way_)();  // a worker without a core may want this one
+"""
+_SERVE = """
+    word* own = p + 32 + 8 * worker;
+    for (;;) {
+        for (word turns = 0;;) {  // until it is inside a launch
+            if (__atomic_load_n(&over_, __ATOMIC_ACQUIRE)) return;
+            if (is_open()) {
+                word state = __atomic_load_n(&p[0], __ATOMIC_RELAXED);
+                if (!(state >> 32) && __atomic_compare_exchange_n(
+                    &p[0], &state, state + 1, false, __ATOMIC_ACQ_REL, __ATOMIC_RELAXED)) break;
+                continue;
+            }
+            if (turns++ < spins_) { pause(); continue; }
+            __atomic_store_n(&own[0], (word)1, __ATOMIC_SEQ_CST);
+            // A launch that opened before this saw no sleeper; who clears the mark is who ends the sleep.
+            if ((is_open() || __atomic_load_n(&over_, __ATOMIC_SEQ_CST))
+                && __atomic_exchange_n(&own[0], (word)0, __ATOMIC_SEQ_CST)) continue;
+            while (((waiter)wait_)((void*)own[1], ~0ull, nullptr)) {}  // a signal interrupts it
+            turns = 0;
+        }
+        wake(2 * worker + 2);
+        wake(2 * worker + 3);
+        work();
+        __atomic_fetch_sub(&p[0], (word)1, __ATOMIC_ACQ_REL);
+    }
+"""
+
+
+@wp.func_native(_NATIVE + _SHARE)
+def _share(
+    pool: wp.uint64, forward: wp.uint64, arguments: wp.uint64, total: wp.uint64, chunk: wp.uint64, first: wp.uint64
+): ...
+
+
+@wp.func_native(_NATIVE + _SERVE)
+def _serve(pool: wp.uint64, worker: wp.uint64): ...
+
+
+def _share_kernel(
+    pool: wp.uint64, forward: wp.uint64, arguments: wp.uint64, total: wp.uint64, chunk: wp.uint64, first: wp.uint64
+) -> None:
+    _share(pool, forward, arguments, total, chunk, first)
+
+
+def _serve_kernel(pool: wp.uint64, worker: wp.uint64) -> None:
+    _serve(pool, worker)
+
+
+def _try_kernel(given: wp.array(dtype=wp.vec3), turns: wp.int32, out: wp.array2d(dtype=wp.float32)):  # type: ignore[valid-type]
+    i = wp.tid()
+    total = wp.float32(0.0)
+    for k in range(turns):
+        if wp.isfinite(given[i]):
+            total += given[i][k]
+    out[i, 0] = total
+    wp.atomic_add(out, i, 1, 1.0)
+
+
+class PoolCode:
+    """The machine code of this file's kernels, tried.
+
+    Raises:
+        Exception: Warp's own, where it does not compile them; RuntimeError where what it compiled is wrong.
+    """
+
+    def __init__(self) -> None:
+        module = wp.get_module("pointloom.cpu_pool")
+        module.options.update({"enable_backward": False, "fuse_fp": False, **cpu_code.options()})
+        kernels = [
+            wp.kernel(f, enable_backward=False, module=module) for f in (_share_kernel, _serve_kernel, _try_kernel)
+        ]
+        with kept_from_stderr():
+            load_module(module, wp.get_device("cpu"))
+        given = wp.array(np.arange(24, dtype=np.float32).reshape(8, 3), dtype=wp.vec3, device="cpu")
+        out = wp.zeros(shape=(8, 2), dtype=wp.float32, device="cpu")
+        self._commands: Any = [  # hold the machine code
+            wp.launch(kernel, 1, values, device="cpu", record_cmd=True)
+            for kernel, values in zip(kernels, ([0] * 6, [0] * 2, [given, 3, out]), strict=True)
+        ]
+        self.share, self.serve, trial = (command.hooks.forward for command in self._commands)
+        self.bounds = type(self._commands[0].bounds)
+        trial(ctypes.byref(cpu_code.part(self.bounds, 2, 3)), ctypes.byref(arguments_of(self._commands[2])))
+        expected = np.zeros((8, 2), np.float32)
+        expected[2:5] = [(9 * i + 3, 1.0) for i in (2, 3, 4)]
+        if not np.array_equal(out.numpy(), expected):
+            raise RuntimeError("a part of a launch begins elsewhere, or arrays lie otherwise")
+
+
+def arguments_of(command: Any) -> ctypes.Structure:
+    """The structure of a recorded launch's arguments, as Warp's machine code takes it."""
+    params = command.params[1:]
+    kind = type("Arguments", (ctypes.Structure,), {"_fields_": [(f"a{k}", type(p)) for k, p in enumerate(params)]})
+    filled = kind()
+    for k, param in enumerate(params):
+        setattr(filled, f"a{k}", param)
+    return filled
+
+
+@cache
+def pool_code() -> PoolCode | None:
+    """The machine code; None, and one warning, where Warp's compiler does not take the header."""
+    try:
+        with lock:
+            return PoolCode()
+    except Exception as error:  # Warp's own has no other type
+        warnings.warn(
+            f"pointloom uses one CPU core, and slower code: Warp {wp.config.version} does not take cpu_access.h "
+            f"({str(error).strip().splitlines()[-1][:200]}); what it was tried with: pip install warp-lang=={TESTED}",
+            RuntimeWarning,
+            stacklevel=2,
+        )
+        return None
+
+
+def is_usable() -> bool:
+    """Whether kernels are compiled with the header, and launches can be shared."""
+    return pool_code() is not None
+
+
+def options() -> dict[str, Any]:
+    """What modules of kernels for the CPU are compiled with, beside what all are."""
+    return cpu_code.options() if pool_code() else {}
