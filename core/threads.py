@@ -39,6 +39,11 @@ def get_num_threads() -> int:
 
     Raises:
         ValueError: POINTLOOM_CPU_THREADS is no whole number from 1 to 1024.
+
+    Examples:
+        >>> import pointloom as loom
+        >>> loom.get_num_threads() >= 1
+        True
     """
     from ..kernels.language import cpu_pool, warp_compiler  # noqa: F401
     from ..kernels.language.device_lock import lock

@@ -129,7 +129,7 @@ def _serve_kernel(pool: wp.uint64, worker: wp.uint64) -> None:
     _serve(pool, worker)
 
 
-def _try_kernel(given: wp.array(dtype=wp.vec3), turns: wp.int32, out: wp.array2d(dtype=wp.float32)):  # type: ignore[valid-type]
+def _try_kernel(given: wp.array(dtype=wp.vec3), turns: int, out: wp.array2d(dtype=wp.float32)):  # type: ignore[valid-type]
     i = wp.tid()
     total = wp.float32(0.0)
     for k in range(turns):

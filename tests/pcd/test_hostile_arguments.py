@@ -325,6 +325,7 @@ LEFT_OUT |= {"DepthModel", "DepthEstimate", "estimate_depth", "evaluate_depth"} 
 LEFT_OUT |= {"DepthReport", "DepthSettings", "depth_of_pictures"}  # and these
 LEFT_OUT |= {"fuse", "FusionResult", "track", "TrackedPath", "check_focal", "FocalCheck"}  # tests/rgbd has them
 LEFT_OUT |= {"reconstruct", "ReconstructionResult"}  # and these
+LEFT_OUT |= {"set_num_threads"}  # tests/kernels/language/test_cpu_pool.py has it
 CLOUDS_ONLY = {"target", "source", "other", "cloud"}
 TAKES_ARRAYS = {
     "NearestNeighborSearch", "PointCloud.from_open3d", "TriangleMesh.is_intersecting", "LatestFrames", "record_frames",
