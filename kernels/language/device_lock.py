@@ -35,7 +35,8 @@ def _after_fork() -> None:
     _is_without_cuda = wp.is_cuda_available()
 
 
-os.register_at_fork(after_in_child=_after_fork)
+if hasattr(os, "register_at_fork"):  # not on Windows
+    os.register_at_fork(after_in_child=_after_fork)
 
 
 def why_no_cuda_here() -> str:

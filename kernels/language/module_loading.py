@@ -77,7 +77,7 @@ def turn_of(name: str) -> Iterator[None]:
     try:
         with contextlib.suppress(OSError):  # a folder of others, or one that cannot be written to
             path = Path(wp.config.kernel_cache_dir or ".") / LOCKS
-            descriptor = os.open(path, os.O_RDWR | os.O_CREAT | os.O_CLOEXEC, 0o666)
+            descriptor = os.open(path, os.O_RDWR | os.O_CREAT | getattr(os, "O_CLOEXEC", 0), 0o666)
             _wait_for_turn(descriptor, zlib.crc32(name.encode()))
         yield
     finally:

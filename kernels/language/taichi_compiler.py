@@ -43,7 +43,8 @@ def _after_fork() -> None:
         Taichi.instance.own.keep_for_ever()  # its destructor would wait for threads that did not come along
 
 
-os.register_at_fork(after_in_child=_after_fork)
+if hasattr(os, "register_at_fork"):  # not on Windows
+    os.register_at_fork(after_in_child=_after_fork)
 
 
 @atexit.register
