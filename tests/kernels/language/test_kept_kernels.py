@@ -55,7 +55,13 @@ def test_the_second_process_reads_no_kernel_and_gives_the_same_bits(cache):
     assert int(first[0]) >= int(first[1]) > 5 and (int(second[0]), second[1:]) == (0, first[1:])
 
 
-@pytest.mark.parametrize("harm", ["broken", "of other making", "machine code is gone", "other places"])
+@pytest.mark.parametrize(
+    "harm",
+    [
+        "machine code is gone",
+        *(pytest.param(harm, marks=pytest.mark.slow) for harm in ("broken", "of other making", "other places")),
+    ],
+)
 def test_what_is_amiss_is_not_used(cache, harm):
     before = run(cache).split()
     for path in files_of(cache):

@@ -84,6 +84,7 @@ def test_photos_alone_show_where_they_were_taken_and_what_they_show(made, views)
     assert surface.covered > 0.6
 
 
+@pytest.mark.slow
 def test_a_known_distance_gives_metres_and_makes_the_mesh_alone_again(made, photos, views):
     _, folder = made
     eyes = [views.read(k).T_world_camera[:3, 3] for k in (0, COUNT - 1)]
