@@ -57,10 +57,6 @@ def current_cpu_compiler() -> str:
     return wanted
 
 
-def _is_warps(device: Device) -> bool:
-    return device.is_cuda or current_cpu_compiler() == "warp"
-
-
 class Turn:
     """The CPU launches of a loop's first turn, kept with their arguments to be made again.
 
@@ -178,7 +174,7 @@ def launch(kernel: Kernel, thread_count: int, arguments: Sequence[Any]) -> None:
     with lock:  # neither Taichi nor Warp's loading of modules is thread-safe, and a pool runs one launch at a time
         if device.is_cuda:
             _run_on_cuda(kernel.cuda, thread_count, values, device)
-        elif _is_warps(device):
+        elif current_cpu_compiler() == "warp":
             _run_on_cpu(kernel, values, thread_count)
         else:
             chunks = taichi_compiler.start().chunks(thread_count)
@@ -207,7 +203,7 @@ def reduce(reduction: Reduction, count: int, arguments: Sequence[Any]) -> Array1
             kernels, inputs = reduction.cuda, [*values, count, partials]
             _run_on_cuda(kernels.tiles, blocks * size, inputs, device, block_dim=size)
             _run_on_cuda(kernels.fold_tiles, size, [blocks, partials, out], device, block_dim=size)
-        elif _is_warps(device):
+        elif current_cpu_compiler() == "warp":
             _run_on_cpu(reduction, [*values, count, BLOCK, blocks, partials, out], blocks, 1)
         else:
             chunks = taichi_compiler.start().chunks(blocks)
@@ -237,7 +233,7 @@ def reduce_segments(
     with lock:
         if device.is_cuda:
             launch_segments(_run_on_cuda, reduction.cuda, values, blocks, live, partials, out)
-        elif _is_warps(device):
+        elif current_cpu_compiler() == "warp":
             tables = [blocks.firsts, blocks.lasts, blocks.owners, blocks.starts, live]
             _run_on_cpu(reduction, [*values, *tables, blocks.count, partials, out], blocks.count, out.size)
         else:

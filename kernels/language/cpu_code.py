@@ -44,8 +44,13 @@ def options() -> dict[str, Any]:
     }
 
 
-def part(kind: type, first: int, count: int) -> Any:
-    """The bounds of the part of a launch from its thread `first` on; `kind` is Warp's structure for a whole one's."""
-    bounds = kind((count,))
+def whole(count: int) -> Any:
+    """The bounds of a whole launch, as Warp's machine code takes them."""
+    return wp._src.types.launch_bounds_t((count,))
+
+
+def part(first: int, count: int) -> Any:
+    """The bounds of the part of a launch from its thread `first` on."""
+    bounds = whole(count)
     bounds.shape[0] = PART | first
     return bounds

@@ -26,6 +26,7 @@ import warnings
 from pathlib import Path
 from typing import Any
 
+from . import cpu_code
 from .pool_code import CLOSED, FIELDS, LINE, STATE, WORKER, PoolCode, pool_code
 
 VARIABLE = "POINTLOOM_CPU_THREADS"
@@ -87,7 +88,7 @@ class Pool:
         for name, function in zip(("wait", "post", "give_way"), functions, strict=True):
             words[FIELDS[name]] = ctypes.cast(function, ctypes.c_void_p).value or 0
         self._post = functions[1]
-        self._one = code.bounds((1,))
+        self._one = cpu_code.whole(1)
         self._pack = struct.Struct("6Q").pack
         self._threads: list[threading.Thread] = []
         stack = threading.stack_size(STACK)
@@ -174,14 +175,8 @@ def thread_count() -> int:
 
 
 def set_thread_count(count: int | None) -> None:
-    """Share launches by so many threads from the next on, None for the default; take the lock.
-
-    Raises:
-        ValueError: It is not from 1 to MOST_THREADS.
-    """
+    """Share launches by so many threads from the next on, 1 to MOST_THREADS, or None for the default; take the lock."""
     global _wanted
-    if count is not None and not 1 <= count <= MOST_THREADS:
-        raise ValueError(f"count: expected a number from 1 to {MOST_THREADS}, got {count}")
     _wanted = count
     _end()
 

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import ctypes
 import warnings
+from collections.abc import Sequence
 from functools import cache
 from typing import Any
 
@@ -161,21 +162,19 @@ class PoolCode:
             for kernel, values in zip(kernels, ([0] * 6, [0] * 2, [given, 3, out]), strict=True)
         ]
         self.share, self.serve, trial = (command.hooks.forward for command in self._commands)
-        self.bounds = type(self._commands[0].bounds)
-        trial(ctypes.byref(cpu_code.part(self.bounds, 2, 3)), ctypes.byref(arguments_of(self._commands[2])))
+        trial(ctypes.byref(cpu_code.part(2, 3)), ctypes.byref(filled_with(self._commands[2].params[1:])))
         expected = np.zeros((8, 2), np.float32)
         expected[2:5] = [(9 * i + 3, 1.0) for i in (2, 3, 4)]
         if not np.array_equal(out.numpy(), expected):
             raise RuntimeError("a part of a launch begins elsewhere, or arrays lie otherwise")
 
 
-def arguments_of(command: Any) -> ctypes.Structure:
-    """The structure of a recorded launch's arguments, as Warp's machine code takes it."""
-    params = command.params[1:]
-    kind = type("Arguments", (ctypes.Structure,), {"_fields_": [(f"a{k}", type(p)) for k, p in enumerate(params)]})
-    filled = kind()
-    for k, param in enumerate(params):
-        setattr(filled, f"a{k}", param)
+def filled_with(params: Sequence[Any]) -> ctypes.Structure:
+    """The structure of a recorded launch's arguments, as Warp's machine code takes it: fields argument0, ..."""
+    fields = [(f"argument{k}", type(param)) for k, param in enumerate(params)]
+    filled = type("Arguments", (ctypes.Structure,), {"_fields_": fields})()
+    for (name, _), param in zip(fields, params, strict=True):
+        setattr(filled, name, param)
     return filled
 
 

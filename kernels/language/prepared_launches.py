@@ -19,9 +19,10 @@ from typing import Any, NamedTuple
 
 import warp as wp
 
-from . import cpu_pool
+from . import cpu_code, cpu_pool
 from .arguments import array_of, check_scalar_count, type_of
 from .kept_kernels import Kept
+from .pool_code import filled_with
 from .signatures import FLOATS, Type
 
 FORMATS = {"float32": "f", "float64": "d", "int8": "b", "int16": "h", "int32": "i", "int64": "q"}
@@ -126,7 +127,7 @@ class WarpLaunch:
 
     def _bound_packed(self, held: tuple[Any, Any], thread_count: int, last_count: int) -> Callable[[], None]:
         forward, address, arguments = self._forward, self._address, ctypes.addressof(held[1])
-        whole, place = ctypes.byref(whole_of(thread_count + last_count)), ctypes.byref(held[1])
+        whole, place = ctypes.byref(cpu_code.whole(thread_count + last_count)), ctypes.byref(held[1])
         if thread_count <= 1 and last_count <= 1:
             return lambda _=held: forward(whole, place)
 
@@ -145,13 +146,10 @@ class WarpLaunch:
 
 def _read_layout(parameters: Sequence[Parameter], params: Sequence[Any]) -> tuple[struct.Struct | None, bytes]:
     """The structure's format for `struct`, and these arguments in it as Warp has them; no format if it is new."""
-    fields = [(f"argument{k}", type(param)) for k, param in enumerate(params)]
-    kind = type("Arguments", (ctypes.Structure,), {"_fields_": fields})
-    filled: Any = kind()
-    layout = "="
-    for (name, _), parameter, param in zip(fields, parameters, params, strict=True):
-        setattr(filled, name, param)
-        layout += "x" * (getattr(kind, name).offset - struct.calcsize(layout))
+    filled = filled_with(params)
+    kind, layout = type(filled), "="
+    for k, (parameter, param) in enumerate(zip(parameters, params, strict=True)):
+        layout += "x" * (getattr(kind, f"argument{k}").offset - struct.calcsize(layout))
         if not parameter.is_array:
             layout += f"{parameter.size}s" if parameter.is_vector else FORMATS[parameter.scalar]
             continue
@@ -161,11 +159,6 @@ def _read_layout(parameters: Sequence[Parameter], params: Sequence[Any]) -> tupl
         layout += f"Q8x{extents}{rest}x{extents}{rest}xH2x"
     layout += "x" * (ctypes.sizeof(kind) - struct.calcsize(layout))
     return struct.Struct(layout), bytes(filled)
-
-
-def whole_of(thread_count: int) -> Any:
-    """The bounds of a whole launch, as Warp's machine code takes them."""
-    return wp._src.types.launch_bounds_t((thread_count,))
 
 
 # ------------------------------------------------------------------------------------------------ Taichi
