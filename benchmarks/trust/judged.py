@@ -1,0 +1,93 @@
+"""What a verdict said of a case, what the truth is, and how often the two differ, with an interval."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+
+Z = 1.959963984540054  # of a normal distribution: 95 % lie within
+
+
+@dataclass(frozen=True)
+class Judged:
+    """One case.
+
+    Attributes:
+        area: What was judged, a row of docs/trust.md: "focal length", "LiDAR odometry", "RGB-D tracking", ...
+        case: What it was shown, in a few words.
+        count: Answers in it: 1, or the frames or scans of a run.
+        wrong: How many of them are wrong by the truth.
+        wrong_believed: How many of the wrong ones the verdict let pass.
+        right_refused: How many of the right ones it refused.
+        said: The verdict in its own words, or what it says of the whole; empty where it says nothing.
+        error: The figure by which it is right or wrong, with its unit, such as "0.03 % of the centres".
+        peer: The same of the best peer on the same input, such as "KISS-ICP: 39.0 m"; empty where none was run.
+        held_out: Whether the case chose no constant of ours.
+    """
+
+    area: str
+    case: str
+    count: int
+    wrong: int
+    wrong_believed: int
+    right_refused: int
+    said: str = ""
+    error: str = ""
+    peer: str = ""
+    held_out: bool = True
+
+
+def interval(hits: int, count: int) -> tuple[float, float]:
+    """The share of which so many hits are likely, lowest and highest at 95 % (Wilson 1927); 0 to 1 of nothing."""
+    if count == 0:
+        return 0.0, 1.0
+    share, spread = hits / count, Z * Z / count
+    middle = (share + spread / 2) / (1 + spread)
+    half = Z / (1 + spread) * math.sqrt(share * (1 - share) / count + spread / (4 * count))
+    return max(middle - half, 0.0), min(middle + half, 1.0)
+
+
+def share_in_words(hits: int, count: int) -> str:
+    """Hits of a count with their interval: `3 of 120 (0.9 to 7.1 %)`.
+
+    Example:
+        >>> share_in_words(3, 120)
+        '3 of 120 (0.9 to 7.1 %)'
+    """
+    if not count:
+        return "-"
+    low, high = interval(hits, count)
+    return f"{hits:,} of {count:,} ({100 * low:.1f} to {100 * high:.1f} %)"
+
+
+def rates(cases: Iterable[Judged]) -> list[str]:
+    """Rows of Markdown: by area, of the wrong answers how many were believed, of the right ones how many refused."""
+    chosen = list(cases)
+    lines = ["| verdict | wrong answers believed | right answers refused |", "|---|---|---|"]
+    for area in dict.fromkeys(case.area for case in chosen):
+        lines.append(_rate(area, [case for case in chosen if case.area == area]))
+        held_out = [case for case in chosen if case.area == area and case.held_out]
+        if held_out and len(held_out) < len([case for case in chosen if case.area == area]):
+            lines.append(_rate(f"{area}, scenes that chose no constant", held_out))
+    return lines
+
+
+def _rate(name: str, cases: Sequence[Judged]) -> str:
+    wrong = sum(case.wrong for case in cases)
+    right = sum(case.count - case.wrong for case in cases)
+    believed = share_in_words(sum(case.wrong_believed for case in cases), wrong)
+    refused = share_in_words(sum(case.right_refused for case in cases), right)
+    return f"| {name} | {believed} | {refused} |"
+
+
+def table(cases: Iterable[Judged]) -> list[str]:
+    """Rows of Markdown: case by case."""
+    lines = [
+        "| verdict | case | answers | wrong | of these believed | right ones refused | error | peer | said |",
+        "|---|---|---|---|---|---|---|---|---|",
+    ]
+    for c in cases:
+        cells = (c.area, c.case, c.count, c.wrong, c.wrong_believed, c.right_refused, c.error, c.peer, c.said)
+        lines.append("| " + " | ".join(str(cell) for cell in cells) + " |")
+    return lines
