@@ -33,7 +33,7 @@ CHECK_NEEDS := { $(PIP) check --quiet || $(PIP) check; }
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
 .NOTPARALLEL:
-.PHONY: help setup setup-runtime test test-all test-cuda-emulated test-cuda-emulated-quick test-browser mutants lint format types check-cuda cuda-cache bench demo clean distclean
+.PHONY: help setup setup-runtime test test-all test-cuda-emulated test-cuda-emulated-quick test-browser mutants lint format types check-cuda cuda-cache trust bench demo clean distclean
 
 help: ## Print the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / {printf "  make %-24s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
@@ -82,6 +82,9 @@ check-cuda: $(RUNTIME) ## Compile every kernel for sm_75, sm_90 and sm_120 (need
 
 cuda-cache: $(RUNTIME) ## Compile all kernels for GPUs ahead, into a wheel in dist/ (no GPU; goes on where it stopped)
 	@$(BIN)/python -m pointloom.kernels.cuda_cache $(ARGS)
+
+trust: $(TEST) ## How often verdicts are wrong: answers believed, answers refused (half an hour, not in CI)
+	@$(BIN)/python benchmarks/trust/run.py $(ARGS)
 
 bench: $(BENCH) ## Run the benchmarks beside the best peers
 	@$(BIN)/python benchmarks/run.py $(ARGS)

@@ -1,0 +1,352 @@
+"""Verdicts on places and with faults that chose no constant of pointloom (places.py, sensors.py).
+
+`tracking`, `scanning`, `registering` and `picturing` yield a Judged a case. What nobody can know, such as how far a
+camera went along a bare corridor, counts as wrong where it is believed and off, and not at all where it is refused.
+"""
+
+from __future__ import annotations
+
+import itertools
+import math
+import tempfile
+from collections.abc import Callable, Iterator, Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import places
+import sensors
+from judged import Judged
+from places import Place
+from sensors import CameraFrame, DepthCamera, Scanner
+
+Array = np.ndarray[Any, np.dtype[np.float64]]
+
+OFF = 0.10  # [m] a camera pose that is off by more is wrong, where the first pose is the true one
+MANY = 0.05  # share of the frames that may be wrong, or lost, in a path that is right
+ASTRAY, STRAY_SHARE = 0.5, 0.02  # [m] and share of the way that the end of a scanner's path may be off
+NEAR_TURN, NEAR_VOXELS = 5.0, 3.0  # [degrees, voxels] a registration that is right
+VOXEL = 0.05  # [m] of registrations
+SEED = 40  # of the first place
+
+
+def placed(frames: Sequence[CameraFrame], intrinsic: Any) -> tuple[Any, Array, Array]:
+    """The tracked path, the numbers of its poses, and how far each is off [m]."""
+    import pointloom as loom
+
+    stream = loom.frames_from([(f.color, f.depth, f.timestamp) for f in frames], intrinsic)
+    path = loom.track(stream, voxel_size=0.02)
+    numbers = np.array(path.trajectory.ids, int).reshape(-1)
+    if not len(numbers):
+        return path, numbers, np.zeros(0)
+    start = frames[int(numbers[0])].pose @ np.linalg.inv(path.trajectory.poses[0])
+    off = [
+        np.linalg.norm((start @ T)[:3, 3] - frames[int(k)].pose[:3, 3])
+        for k, T in zip(numbers, path.trajectory.poses, strict=True)
+    ]
+    return path, numbers, np.array(off)
+
+
+def judge_path(case: str, frames: Sequence[CameraFrame], camera: DepthCamera, known: bool) -> Iterator[Judged]:
+    """The verdicts on frames, and that on their path; `known` tells whether anybody could know where they were."""
+    path, numbers, off = placed(frames, camera.intrinsic)
+    doubted = np.isin(numbers, path.uncertain)
+    wrong, seen = off > OFF, sum(bool(f.depth.any()) for f in frames)
+    blank = {k for k, f in enumerate(frames) if not f.depth.any()}
+    lost = len(set(path.lost) - blank) if known else 0
+    refused = int((doubted & ~wrong).sum()) if known else 0
+    count = int(wrong.sum()) + int((~wrong & (~doubted | known)).sum()) + lost
+    worst = (
+        f"{1000 * off.max():.0f} mm at worst, {100 * len(numbers) / max(seen, 1):.0f} % placed"
+        if len(off)
+        else "none placed"
+    )
+    believed = int((wrong & ~doubted).sum())
+    yield Judged("RGB-D frames", case, count, int(wrong.sum()), believed, refused + lost, "", worst)
+    is_wrong = believed > MANY * len(frames)
+    is_refused = path.poor is not None
+    is_right = known and not is_wrong and lost + refused <= MANY * seen
+    counted = int(is_wrong or is_right)
+    passed, needless = int(is_wrong and not is_refused), int(is_right and is_refused)
+    yield Judged("RGB-D path", case, counted, int(is_wrong), passed, needless, path.poor or "", worst)
+
+
+def tracking() -> Iterator[Judged]:
+    """A depth camera in hand."""
+    for kind, seed in itertools.product(places.KINDS, (SEED, SEED + 1)):
+        camera = DepthCamera(places.KINDS[kind](seed), seed)
+        frames = camera.film(_way(kind, 120, seed))
+        yield from judge_path(f"{kind} {seed}", frames, camera, True)
+        yield from judge_path(f"{kind} {seed}, every fourth frame", frames[::4], camera, True)
+        if kind in ("hall", "outdoors", "table", "staircase"):
+            yield from judge_path(
+                f"{kind} {seed}, depth frozen from frame 60", sensors.frozen(frames, 60), camera, False
+            )
+            yield from judge_path(f"{kind} {seed}, depth 0.7 s late", sensors.delayed(frames, 21), camera, False)
+            yield from judge_path(f"{kind} {seed}, depth 0.07 s late", sensors.delayed(frames, 2), camera, True)
+            held = sensors.with_gripper(frames, 0.3, seed)
+            yield from judge_path(f"{kind} {seed}, a thing fixed to the camera in 30 %", held, camera, True)
+    for seed in (SEED + 2, SEED + 3):
+        bare: dict[str, tuple[Place, str]] = {
+            "bare white corridor": (places.corridor(seed, contrast=0, niches=False), "corridor"),
+            "bare white tunnel": (places.tunnel(seed, contrast=0, rough=0), "tunnel"),
+            "white hall": (places.hall(seed, contrast=0), "hall"),
+        }
+        for case, (place, kind) in bare.items():
+            camera = DepthCamera(place, seed)
+            yield from judge_path(f"{case} {seed}", camera.film(_way(kind, 90, seed)), camera, False)
+        yield from _covered(seed)
+
+
+def _covered(seed: int) -> Iterator[Judged]:
+    """Covered for as long as the camera takes from one place to another that looks the same."""
+    period = 1.2
+    camera = DepthCamera(places.corridor(seed, niches=False, doors=period), seed)
+    frames = camera.film(sensors.walk(130, seed, speed=0.7))
+    gap = round(period / 0.7 * sensors.RATE)
+    yield from judge_path(
+        f"like doors {seed}, covered for a period", sensors.covered(frames, 50, 50 + gap), camera, False
+    )
+    yield from judge_path(f"like doors {seed}, not covered", frames, camera, True)
+    camera = DepthCamera(places.staircase(seed, contrast=0), seed)
+    frames = camera.film(sensors.climb(120, seed))
+    yield from judge_path(f"white staircase {seed}, covered for a step", sensors.covered(frames, 50, 74), camera, False)
+    camera = DepthCamera(places.hall(seed), seed)
+    frames = camera.film(sensors.walk(120, seed))
+    yield from judge_path(f"hall {seed}, covered for 0.3 s", sensors.covered(frames, 50, 60), camera, True)
+
+
+def _way(kind: str, count: int, seed: int) -> list[Array]:
+    return {"table": sensors.around, "staircase": sensors.climb}.get(kind, sensors.walk)(count, seed)
+
+
+def judge_scans(case: str, scans: Sequence[Any], truth: Sequence[Array], known: bool) -> Judged:
+    """The verdict on a scanner's path."""
+    import pointloom as loom
+
+    odometry = loom.registration.LidarOdometry(max_range=40, min_range=0.5)
+    for scan in scans:
+        odometry.register(loom.PointCloud(scan))
+    first = np.linalg.inv(truth[0])
+    true = np.array([(first @ T)[:3, 3] for T in truth])
+    ours = np.array([(np.linalg.inv(odometry.poses[0]) @ T)[:3, 3] for T in odometry.poses])
+    off = np.linalg.norm(ours - true, axis=1)
+    way = float(np.linalg.norm(np.diff(true, axis=0), axis=1).sum())
+    is_wrong = bool(off[-1] > max(ASTRAY, STRAY_SHARE * way))
+    poor = odometry.summary.poor
+    counted = int(is_wrong or known)
+    told = f"{off[-1]:.2f} m off after {way:.0f} m"
+    believed, refused = int(is_wrong and poor is None), int(known and not is_wrong and poor is not None)
+    return Judged("LiDAR path", case, counted, int(is_wrong), believed, refused, poor or "", told, _kiss(scans, true))
+
+
+def _kiss(scans: Sequence[Any], true: Array) -> str:
+    """How far KISS-ICP ends off."""
+    try:
+        from kiss_icp.config import KISSConfig
+        from kiss_icp.kiss_icp import KissICP
+    except ImportError:
+        return ""
+    config = KISSConfig()
+    config.data.max_range, config.data.min_range, config.data.deskew = 40.0, 0.5, False
+    config.mapping.voxel_size = 0.4
+    kiss = KissICP(config)
+    for scan in scans:
+        kiss.register_frame(np.asarray(scan, np.float64), np.zeros(len(scan)))
+    return f"KISS-ICP: {np.linalg.norm(kiss.last_pose[:3, 3] - true[-1]):.2f} m"
+
+
+def scanning() -> Iterator[Judged]:
+    """A turning scanner that drives."""
+    for seed in (SEED, SEED + 1):
+        sights: dict[str, tuple[Place, float, bool]] = {
+            "bare corridor": (places.corridor(seed, niches=False), 0.9, False),
+            "corridor with niches": (places.corridor(seed), 0.9, True),
+            "corridor, doors at 1.2 m": (places.corridor(seed, niches=False, doors=1.2), 1.2, False),
+            "smooth tunnel": (places.tunnel(seed, rough=0), 0.9, False),
+            "rough tunnel": (places.tunnel(seed), 0.9, True),
+            "hall with columns": (places.hall(seed), 0.8, True),
+            "forest": (places.forest(seed), 0.8, True),
+            "outdoors": (places.outdoors(seed), 0.8, True),
+            "flat field": (places.outdoors(seed, things=0, height=0.0), 0.8, False),
+        }
+        for name, (place, step, known) in sights.items():
+            truth = sensors.drive(32, step)
+            scanner = Scanner(place, seed=seed)
+            scans = [scanner.scan(T, k) for k, T in enumerate(truth)]
+            yield judge_scans(f"{name} {seed}", scans, truth, known)
+            if known and name in ("forest", "hall with columns", "corridor with niches"):
+                foreign = Scanner(places.outdoors(seed + 7), seed=seed).scan(truth[9], 99)
+                yield judge_scans(f"{name} {seed}, one foreign scan", [*scans[:16], foreign, *scans[17:]], truth, False)
+                slow = sensors.drive(32, 0.25)
+                yield judge_scans(
+                    f"{name} {seed}, slowly", [scanner.scan(T, k) for k, T in enumerate(slow)], slow, True
+                )
+        yield _lorries(seed)
+
+
+def _lorries(seed: int) -> Judged:
+    """Walls that drive along, ahead, beside and behind: what they hide would fix the motion."""
+    truth = sensors.drive(32, 0.9)
+    scanner = Scanner(places.outdoors(seed, things=60), seed=seed)
+    sides = (
+        ((6, -4, 0), (14, 4, 4.2)),
+        ((-14, -4, 0), (-6, 4, 4.2)),
+        ((-14, 3, 0), (14, 5.5, 4.2)),
+        ((-14, -5.5, 0), (14, -3, 4.2)),
+    )
+
+    def beside(T: Array) -> list[tuple[Array, Array]]:
+        shift = np.array([T[0, 3], 0.0, 0.0])
+        return [(np.array(low, float) + shift, np.array(high, float) + shift) for low, high in sides]
+
+    scans = [scanner.scan(T, k, beside(T)) for k, T in enumerate(truth)]
+    return judge_scans(f"lorries all round {seed}", scans, truth, False)
+
+
+def registering() -> Iterator[Judged]:
+    """Parts of places as a camera sees them, pair by pair: of one place, and of two that share nothing."""
+    import pointloom as loom
+    from pointloom.registration.rigid import pose_error
+
+    parts: list[tuple[str, Array, Array]] = []
+    for kind, seed in itertools.product(places.KINDS, range(SEED, SEED + 4)):
+        camera = DepthCamera(places.KINDS[kind](seed), seed)
+        for start in (0, 8):
+            poses = _sweep(kind, seed, start)
+            parts.append((f"{kind} {seed}", sensors.cloud_of(camera.film(poses), camera.intrinsic), poses[0]))
+    rng = np.random.default_rng(SEED)
+    pairs = [(a, b) for a, b in itertools.combinations(range(len(parts)), 2)]
+    same = [p for p in pairs if parts[p[0]][0] == parts[p[1]][0]]
+    apart = [p for p in pairs if parts[p[0]][0] != parts[p[1]][0]]
+    alike = [p for p in apart if parts[p[0]][0].split()[0] == parts[p[1]][0].split()[0]]
+    others = [apart[k] for k in rng.permutation(len(apart))[:200]]
+    for a, b in [*same, *alike, *others]:
+        (name, points, pose), (other, there, target) = parts[a], parts[b]
+        start = _anywhere(rng)
+        found = loom.registration.register_pair(
+            loom.PointCloud(points @ start[:3, :3].T + start[:3, 3]), loom.PointCloud(there), voxel_size=VOXEL
+        )
+        T = found.transformation @ start
+        truth = np.linalg.inv(target) @ pose
+        shift = np.linalg.norm((T - truth)[:3] @ np.append(points.mean(axis=0), 1))
+        right = name == other and np.degrees(pose_error(T, truth)[0]) < NEAR_TURN and shift < NEAR_VOXELS * VOXEL
+        believed = found.poor is None
+        area = "registration, clouds of one place" if name == other else "registration, clouds that share nothing"
+        yield Judged(
+            area,
+            f"{name} on {other}",
+            1,
+            int(not right),
+            int(believed and not right),
+            int(right and not believed),
+            found.poor or "",
+        )
+
+
+def _sweep(kind: str, seed: int, start: int) -> list[Array]:
+    """Twelve views from one way round a third of a turn; the second begins two thirds of that later."""
+    if kind == "table":
+        return sensors.around(36, seed)[start : start + 12]
+    x, height, rise = (1.5, 2.3, 0.0) if kind == "staircase" else (-6.0, 1.4, 0.0)
+    poses = []
+    for k in range(start, start + 12):
+        yaw, pitch = math.radians(-60 + 6 * k + 5 * seed), math.radians(-20 + 12 * math.sin(2.1 * k))
+        eye = np.array([x + 0.12 * k, 0.2 * math.sin(k), height + rise])
+        way = np.array([math.cos(yaw) * math.cos(pitch), math.sin(yaw) * math.cos(pitch), math.sin(pitch)])
+        poses.append(sensors.look(eye, way))
+    return poses
+
+
+def _anywhere(rng: np.random.Generator) -> Array:
+    q, _ = np.linalg.qr(rng.normal(size=(3, 3)))
+    T = np.eye(4)
+    T[:3, :3], T[:3, 3] = q * np.sign(np.linalg.det(q)), rng.uniform(-5, 5, 3)
+    return T
+
+
+Shot = tuple[str, list[tuple[Array, float]], float | None, bool]
+
+
+def picturing() -> Iterator[Judged]:
+    """Pictures alone: their model is wrong where a camera centre is off by 2 % of their extent, or f by 5 %."""
+    for case, kind, shots, given, known in _albums():
+        yield _judge_album(case, places.KINDS[kind](SEED + 5), shots, given, known)
+
+
+def _albums() -> Iterator[tuple[str, str, list[tuple[Array, float]], float | None, bool]]:
+    """Cases: pose and zoom of each picture, the focal length that is given as a factor, whether f can be known."""
+    table = sensors.around(16, 1, radius=1.1, turn=3.6)
+    hall = _orbit(16)
+    yield "table", "table", [(T, 1.0) for T in table], None, True
+    yield "hall", "hall", [(T, 1.0) for T in hall], None, True
+    yield "hall, intrinsic given rightly", "hall", [(T, 1.0) for T in hall], 1.0, True
+    yield "hall, intrinsic 13 % short", "hall", [(T, 1.0) for T in hall], 0.87, True
+    yield "table, intrinsic 20 % long", "table", [(T, 1.0) for T in table], 1.2, True
+    yield "hall, two lenses", "hall", [(T, 1.0 if k % 2 else 1.6) for k, T in enumerate(hall)], None, True
+    dolly = [sensors.look(np.array([-6 + 0.25 * k, 0, 1.4]), np.array([1, 0, -0.15])) for k in range(16)]
+    yield "corridor, straight dolly", "corridor", [(T, 1.0) for T in dolly], None, False
+    nadir = [
+        np.array([[1, 0, 0, -6 + 1.2 * (k % 5)], [0, -1, 0, -2 + 1.2 * (k // 5)], [0, 0, -1, 7], [0, 0, 0, 1.0]])
+        for k in range(20)
+    ]
+    yield "outdoors from above", "outdoors", [(T, 1.0) for T in nadir], None, False
+
+
+def _orbit(count: int) -> list[Array]:
+    poses = []
+    for k in range(count):
+        a = 2.2 * k / count
+        eye = np.array([2.2 * math.cos(a), 2.2 * math.sin(a) - 2, 1.5 + 0.2 * math.sin(4 * a)])
+        poses.append(sensors.look(eye, np.array([-3.0, 3.5, 0.6]) - eye))
+    return poses
+
+
+def _judge_album(case: str, place: Place, shots: list[tuple[Array, float]], given: float | None, known: bool) -> Judged:
+    from PIL import Image
+    from sfm_accuracy import camera_errors
+
+    import pointloom as loom
+
+    cameras = {zoom: DepthCamera(place, 1, scale=2, zoom=zoom) for _, zoom in shots}
+    with tempfile.TemporaryDirectory() as folder:
+        pictures = Path(folder, "pictures")
+        pictures.mkdir()
+        truth, focal = {}, {}
+        for k, (pose, zoom) in enumerate(shots):
+            name = f"{k:03d}.png"
+            Image.fromarray(cameras[zoom].picture(pose, k)).save(pictures / name)
+            truth[name], focal[name] = pose, cameras[zoom].focal
+        options: dict[str, Any] = {}
+        if given is not None:
+            camera = cameras[1.0]
+            f, K = given * camera.focal, camera.intrinsic
+            options["intrinsic"] = loom.PinholeCameraIntrinsic(K.width, K.height, f, f, K.cx, K.cy)
+        result = loom.sfm.reconstruct(pictures, Path(folder, "work"), max_features=2000, seed=0, **options)
+    if result.model is None:
+        return Judged("pictures", case, int(known), 0, 0, int(known), result.poor or "", "no model")
+    errors = camera_errors(result.model, truth)
+    ratio = [c.params[0] / focal[n] for n, c in zip(result.model.names, result.model.cameras, strict=True)]
+    off_focal = max(abs(r - 1) for r in ratio)
+    is_wrong = errors["share_of_extent"] > 0.02 or off_focal > 0.05
+    poor = result.poor
+    centres, count = 100 * errors["share_of_extent"], len(result.model.names)
+    told = f"centres {centres:.2f} %, f {100 * off_focal:.1f} % off, {count} placed"
+    return Judged(
+        "pictures",
+        case,
+        int(known or is_wrong),
+        int(is_wrong),
+        int(is_wrong and poor is None),
+        int(known and not is_wrong and poor is not None),
+        poor or "",
+        told,
+    )
+
+
+AREAS: dict[str, Callable[[], Iterator[Judged]]] = {
+    "tracking": tracking,
+    "scanning": scanning,
+    "registering": registering,
+    "picturing": picturing,
+}
