@@ -22,7 +22,17 @@ sys.path[:0] = [str(FOLDER), str(FOLDER.parent)]
 import held_out  # noqa: E402
 from judged import Judged, rates, table  # noqa: E402
 
-OWN = ("pictures", "depth", "lidar", "stream", "tracking", "maps", "registration", "surfaces", "fusing")  # files with `judge`
+OWN = (
+    "pictures",
+    "depth",
+    "lidar",
+    "stream",
+    "tracking",
+    "maps",
+    "registration",
+    "surfaces",
+    "fusing",
+)  # files with `judge`
 
 
 def areas() -> dict[str, Callable[[], Iterator[Judged]]]:

@@ -1,7 +1,8 @@
 """Verdicts on surfaces and meshes, held against the mesh that the points were drawn from.
 
-A surface is right where 95 % of it lie within 2 % of the shape's size of the truth, and as much of the truth within as
-much of it. Shapes are real meshes and made ones; their points get noise, gaps, normals that look to opposite sides.
+A surface is right where 95 % of it lie within 2 % of the shape's size of the truth, as much of the truth within as much
+of it, and its borders are no longer than eight times that size where the truth has none. Where points are missing, what
+they show is the truth. Shapes are real meshes and made ones; their points get noise, gaps, normals to opposite sides.
 """
 
 from __future__ import annotations
@@ -18,6 +19,7 @@ SHAPES = ("nefertiti", "cheburashka", "fandisk", "stanford-bunny")  # of the rea
 NOISES = (0.0, 0.003, 0.03)  # shares of the diagonal
 COUNT = 4000  # points of a cloud
 SAMPLES = 8000  # on each surface
+LONGEST = 8.0  # borders, of the diagonal
 
 
 def shapes() -> Iterator[tuple[str, Any]]:
@@ -34,8 +36,8 @@ def shapes() -> Iterator[tuple[str, Any]]:
         yield name, mesh.scale(1 / float(np.ptp(mesh.vertices, axis=0).max()), (0, 0, 0))
 
 
-def is_right(mesh: Any, truth: Any) -> tuple[bool, str]:
-    """Whether a surface is the true one, and the shares of it and of the truth that lie within reach."""
+def is_right(mesh: Any, truth: Any, whole: bool = True) -> tuple[bool, str]:
+    """Whether a surface is the true one, or a part of it, and the shares of it and of the truth within reach."""
     import pointloom as loom
 
     if not len(mesh) or mesh.get_surface_area() == 0:
@@ -47,7 +49,18 @@ def is_right(mesh: Any, truth: Any) -> tuple[bool, str]:
         scene.add_triangles(other)
         points = one.sample_points_uniformly(SAMPLES, seed=1).points
         shares.append(float((scene.compute_distance(points.astype(np.float32)) < far).mean()))
-    return min(shares) >= MOST, f"{shares[0]:.0%} true, {shares[1]:.0%} there"
+    borders = (_border_of(mesh) - _border_of(truth)) / float(np.linalg.norm(np.ptp(truth.vertices, axis=0)))
+    right = min(shares[: 1 + whole]) >= MOST and borders <= LONGEST
+    return right, f"{shares[0]:.0%} true, {shares[1]:.0%} there, borders {borders:.1f} times its size"
+
+
+def _border_of(mesh: Any) -> float:
+    """Length of the edges of one triangle [m]."""
+    triangles = mesh.triangles
+    edges = np.sort(triangles[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2), axis=1)
+    edges, counts = np.unique(edges, axis=0, return_counts=True)
+    ends = mesh.vertices[edges[counts == 1]]
+    return float(np.linalg.norm(ends[:, 0] - ends[:, 1], axis=1).sum())
 
 
 def judge() -> Iterator[Judged]:
@@ -69,7 +82,8 @@ def _through_points(name: str, truth: Any) -> Iterator[Judged]:
     for case, chosen in clouds.items():
         for method in ("poisson", "ball", "alpha"):
             found = loom.create_surface(loom.PointCloud(chosen), method)
-            yield _judged(f"surface, {method}", f"{name}, {case}", found.mesh, truth, found.poor)
+            whole = "missing" not in case
+            yield _judged(f"surface, {method}", f"{name}, {case}", found.mesh, truth, found.poor, whole)
     turned = normals * rng.choice((-1.0, 1.0), (len(normals), 1))
     for method in ("poisson", "ball"):
         found = loom.create_surface(loom.PointCloud(points, normals=turned), method)
@@ -104,6 +118,6 @@ def _changed(name: str, truth: Any) -> Iterator[Judged]:
         )
 
 
-def _judged(area: str, case: str, mesh: Any, truth: Any, poor: str | None) -> Judged:
-    right, told = is_right(mesh, truth)
+def _judged(area: str, case: str, mesh: Any, truth: Any, poor: str | None, whole: bool = True) -> Judged:
+    right, told = is_right(mesh, truth, whole)
     return Judged(area, case, 1, not right, not right and poor is None, right and poor is not None, poor or "", told)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import warnings
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -11,14 +12,18 @@ import numpy as np
 
 from ...core.checks import check_callback, check_count, check_name, check_positive, check_share
 from ...core.progress import ReportProgress, say_nothing
+from ...kernels.memory import download
+from ...kernels.rays.surface_hausdorff import distances_to
+from ...kernels.rays.triangle_tree import TriangleTree
 from ...kernels.reconstruction.sample_cells import MAX_DEPTH
 from ...pcd.cloud import PointCloud
 from ...pcd.point_arrays import check_cloud
 from ...pcd.search import NearestNeighborSearch
 from .mesh import TriangleMesh
+from .mesh_metrics import points_about
 from .mesh_summary import describe_surface
 from .poisson import MIN_DEPTH, NormalsWarning
-from .surface_result import MADE_UP, MadeUp, NormalsUsed, SurfaceResult
+from .surface_result import MADE_UP, MadeUp, NormalsUsed, PointsOff, SurfaceResult
 
 Cut = Callable[[float], TriangleMesh]
 
@@ -28,7 +33,9 @@ DENSITY_QUANTILE = 0.01  # of Open3D's tutorial: the surface that Poisson makes 
 NEIGHBORS = 30  # of a normal that is made, and in the graph that orients them
 
 SPACING_NEIGHBORS = 10
-FAR = 3.0  # times the median distance of a point to its 10th neighbour: Poisson closes smaller gaps well
+# Times the median distance of a point to its 10th neighbour. Poisson closes smaller gaps well; an alpha shape hides a
+# hollow behind one.
+FAR = {"poisson": 3.0, "alpha": 1.0}
 SURFACE_SAMPLES, POINT_SAMPLES = 10_000, 2_000
 QUANTILES = (0.02, 0.05, 0.1, 0.2, 0.4)  # of which the first that mends a surface made up is proposed
 
@@ -112,7 +119,8 @@ def create_surface(
         points=len(points),
         not_carried=(*cloud.attributes,),
         summary=describe_surface(made.mesh),
-        made_up=_find_made_up(points, made, settings.get("density_quantile", 0.0)),
+        made_up=_find_made_up(points, made, method, settings.get("density_quantile", 0.0)),
+        off=_find_off(points, made.mesh),
     )
 
 
@@ -172,20 +180,30 @@ def _make(points: PointCloud, method: str, settings: dict[str, Any]) -> _Made:
     return _Made(cut(settings["density_quantile"]), cut)
 
 
-def _find_made_up(points: PointCloud, made: _Made, quantile: float) -> MadeUp:
-    """How much of Poisson's surface lies far from all points, how far that is, and a quantile that leaves little."""
-    if made.cut is None or not made.mesh.get_surface_area() > 0:
+def _find_made_up(points: PointCloud, made: _Made, method: str, quantile: float) -> MadeUp:
+    """How much of a surface lies far from all points, how far that is, and a quantile that mends Poisson's."""
+    if method not in FAR or not made.mesh.get_surface_area() > 0:
         return MadeUp()
     search = NearestNeighborSearch(points)
     probes = points.points[:: max(1, len(points) // POINT_SAMPLES)]
     farthest = search.knn_search(probes, min(SPACING_NEIGHBORS + 1, len(points))).sqdists[:, -1]
-    far = FAR * float(np.sqrt(np.median(farthest)))
+    far = FAR[method] * float(np.sqrt(np.median(farthest)))
 
     def share_of(surface: TriangleMesh) -> float:
         samples = surface.sample_points_uniformly(SURFACE_SAMPLES).points
         return float(np.mean(search.knn_search(samples, 1).sqdists[:, 0] > far * far))
 
-    share, better = share_of(made.mesh), None
-    if share > MADE_UP:
-        better = next((q for q in QUANTILES if q > quantile and share_of(made.cut(q)) <= MADE_UP), None)
+    share, better, cut = share_of(made.mesh), None, made.cut
+    if share > MADE_UP and cut is not None:
+        better = next((q for q in QUANTILES if q > quantile and share_of(cut(q)) <= MADE_UP), None)
     return MadeUp(share, far, better)
+
+
+def _find_off(points: PointCloud, mesh: TriangleMesh) -> PointsOff:
+    """How far the points lie from a surface, by a sample of them."""
+    if not mesh.get_surface_area() > 0:
+        return PointsOff()
+    probes = PointCloud(points.points[:: max(1, len(points) // POINT_SAMPLES)], device=points.device)
+    tree = TriangleTree(mesh.device_arrays["vertices"], mesh.device_arrays["triangles"])
+    distances = distances_to(points_about(probes.device_arrays["points"], probes.origin, mesh.origin), tree)
+    return PointsOff(float(np.median(download(distances))), math.dist(points.get_min_bound(), points.get_max_bound()))

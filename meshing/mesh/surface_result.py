@@ -16,7 +16,8 @@ from .poisson import OPPOSED
 TORN = 0.1  # share of edges at a border: 30 x 30 squares have 4 %, a ball that rolls through the gaps makes 30 %
 CROWDED = {"poisson": 0.01, "ball": 0.01, "alpha": 0.1}  # share of edges of three triangles or more; some alpha has
 ISLANDS = 0.1  # share of the area outside the largest part
-MADE_UP = 0.05  # share of Poisson's surface far from all points
+MADE_UP = 0.05  # share of the surface far from all points
+OFF = 0.006  # of the points' size: half of them lie farther than this from the surface, which is not theirs then
 
 _LARGER = {
     "poisson": ("a smaller density_quantile or depth", "a smaller --density-quantile or --depth"),
@@ -69,6 +70,30 @@ class MadeUp:
         return {"made_up": self.share, "far": self.far, "better_quantile": self.better_quantile}
 
 
+@dataclass(frozen=True)
+class PointsOff:
+    """How far the points lie from the surface made of them.
+
+    Attributes:
+        median: Of their distances [m]; None where there is no surface.
+        size: The diagonal of their box [m].
+    """
+
+    median: float | None = None
+    size: float = 0.0
+
+    @property
+    def why_poor(self) -> str | None:
+        """Why the surface is not that of the points, or None."""
+        if self.median is None or self.median <= OFF * self.size:
+            return None
+        share = format_share(self.median / self.size)
+        return (
+            f"half of the points lie farther than {self.median:.3g} m from it ({share} of their size): they are noise, "
+            "or it leaves much of them out; clean or smooth them first, or choose other settings"
+        )
+
+
 @dataclass(frozen=True, eq=False)
 class SurfaceResult(Report):
     """A surface through the points of a cloud, and what there is to say of it; `print` tells it.
@@ -81,7 +106,8 @@ class SurfaceResult(Report):
         points_in: Points of the cloud; `points` of them are finite.
         not_carried: The cloud's attributes, which a mesh does not hold.
         summary: The surface in figures.
-        made_up: How much of Poisson's surface lies far from all points.
+        made_up: How much of the surface lies far from all points; of Poisson's and of alpha shapes.
+        off: How far the points lie from it.
         poor: Why the surface is not to be believed, with the remedy; None where it is.
 
     Example:
@@ -101,6 +127,7 @@ class SurfaceResult(Report):
     not_carried: tuple[str, ...]
     summary: SurfaceSummary
     made_up: MadeUp
+    off: PointsOff = PointsOff()
 
     @property
     def poor(self) -> str | None:
@@ -109,7 +136,7 @@ class SurfaceResult(Report):
 
     def why_poor(self, say: Audience = to_caller) -> str | None:
         """The same in the words of an audience; those of the shell say what became of the file."""
-        reasons = [self.normals.why_doubted(say), self._why_empty(say) or self._why_no_surface(say)]
+        reasons = [self.normals.why_doubted(say), self._why_empty(say) or self._why_no_surface(say), self.off.why_poor]
         return "; ".join(reason for reason in reasons if reason) or None
 
     def to_json(self) -> dict[str, Any]:
@@ -117,7 +144,7 @@ class SurfaceResult(Report):
         normals = {"normals": self.normals.origin, "disagreement": self.normals.disagreement}
         counts = {"points_in": self.points_in, "points": self.points, "not_carried": [*self.not_carried]}
         head = {"device": str(self.mesh.device), "method": self.method, **self.settings}
-        figures = self.summary.to_json() | self.made_up.to_json()
+        figures = self.summary.to_json() | self.made_up.to_json() | {"points_off": self.off.median}
         return plain(head | normals | counts | figures | {"poor": self.poor})
 
     def fields(self) -> Fields:
@@ -167,6 +194,8 @@ class SurfaceResult(Report):
         if made_up is not None and made_up > MADE_UP:
             quantile = say("density_quantile", "--density-quantile")
             remedy = f"{quantile} {better:g}" if better else f"a larger {quantile}"
+            if self.method == "alpha":
+                remedy = f"{say('a smaller alpha', 'a smaller --alpha')} or more points"
             reasons.append(
                 f"{format_share(made_up)} of the area lie farther than {far:.3g} m from all points, "
                 f"made up to close the surface; take {remedy}"

@@ -28,6 +28,7 @@ from ...meshing.volume.surface_weights import least_weight
 from ...meshing.volume.tsdf import TSDFVolume
 from ..slam.model import Model
 from ..slam.sizes import check_sizes
+from .pose_check import PoseCheck
 from .refine import PoseRefinement, PoseRefiner
 from .results import FusionResult
 
@@ -99,12 +100,15 @@ def fuse(
     edge, cut = check_sizes(voxel_size, truncation)
     sizes = {"voxel_size": edge, "truncation": cut, "device": where}
     fold = (_Refined if refine else _AsGiven)(frames, farthest, sizes)
-    poses, shares = _integrate_frames(frames, fold, farthest, ahead, say, clock)
+    check = PoseCheck(frames.intrinsic, frames.depth_scale, farthest)
+    poses, shares = _integrate_frames(frames, fold, check, ahead, say, clock)
     threshold = least_weight(len(poses)) if weight_threshold is None else weight_threshold
     say("extract", 0, 0)
     mesh = fold.volume.extract_triangle_mesh(weight_threshold=threshold)
     clock.stop("extract")
-    return FusionResult(mesh, fold.volume, poses, farthest, *shares, threshold, fold.refinement)
+    share_off = None if refine else check.share_off(fold.volume)
+    clock.stop("check")
+    return FusionResult(mesh, fold.volume, poses, farthest, *shares, threshold, fold.refinement, share_off)
 
 
 class _AsGiven:
@@ -147,7 +151,7 @@ class _Refined:
 def _integrate_frames(
     frames: FrameSource | RGBDSource,
     fold: Callable[[Any, Pose], Pose],
-    depth_max: float,
+    check: PoseCheck,
     read_ahead: int,
     say: ReportProgress,
     clock: Clock,
@@ -158,9 +162,10 @@ def _integrate_frames(
     with contextlib.closing(read_frames(frames, read_ahead)) as taken:
         for frame in taken:
             clock.stop("read")
-            shares.append(measured_shares(frame.depth, depth_max * depth_unit(frames, frame)))
+            shares.append(measured_shares(frame.depth, check.depth_max * depth_unit(frames, frame)))
             try:
                 poses.append(fold(frame, _pose_of(frame)))
+                check.add(frame.depth, poses[-1])
             except ValueError as error:
                 raise ValueError(f"frame {frame.name}: {error}") from error
             clock.stop("integrate")

@@ -14,6 +14,7 @@ from ...files.frames.frames import why_out_of_reach
 from ...meshing.mesh.mesh import TriangleMesh
 from ...meshing.mesh.mesh_summary import describe_mesh
 from ...meshing.volume.tsdf import BLOCK_VOXELS, TSDFVolume
+from .pose_check import CONTRADICTED
 from .refine import PoseRefinement
 
 
@@ -30,6 +31,8 @@ class FusionResult:
         used_share: Share of all pixels that have a depth up to `depth_max`.
         weight_threshold: A voxel counts where it was seen more often than this.
         refinement: What became of the poses given, where they were refined.
+        share_off: How much of what frames see lies off the surface, where poses were taken as given: some frames, the
+            median share of their pixels; None where nobody can tell.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -52,6 +55,7 @@ class FusionResult:
     used_share: float
     weight_threshold: float
     refinement: PoseRefinement | None = None
+    share_off: float | None = None
 
     def __str__(self) -> str:
         return in_columns(self.fields())
@@ -77,7 +81,19 @@ class FusionResult:
     def poor(self) -> str | None:
         """Why the result is poor, in the words of the command line; None where nothing speaks against it."""
         refinement = None if self.refinement is None else self.refinement.poor
-        return "; ".join(reason for reason in (self.surface_fault, refinement) if reason) or None
+        reasons = (self.surface_fault, refinement, self._why_contradicted)
+        return "; ".join(reason for reason in reasons if reason) or None
+
+    @property
+    def _why_contradicted(self) -> str | None:
+        """Whether the frames contradict each other."""
+        if self.share_off is None or self.share_off <= CONTRADICTED:
+            return None
+        return (
+            f"{format_share(self.share_off)} of what the frames see lies off the surface that they make together: the "
+            "poses are wrong, of other frames, or camera to world where world to camera is meant, or the depth is in "
+            "other units"
+        )
 
     def to_json(self) -> dict[str, Any]:
         """The figures, in JSON's types."""
@@ -91,6 +107,7 @@ class FusionResult:
             "weight_threshold": self.weight_threshold,
             "depth_share": self.depth_share,
             "used_share": self.used_share,
+            "share_off": self.share_off,
             "blocks": volume.block_count,
             "voxels": volume.block_count * BLOCK_VOXELS,
             "volume_bytes": volume.memory_bytes,

@@ -13,8 +13,9 @@ from pointloom import TriangleMesh
 from pointloom.app.shell.cli import cli
 from pointloom.core.audience import to_shell
 from pointloom.drawing.render.surface_picture import looks_inwards
+from pointloom.meshing.mesh.cloud_surface import _find_off
 from pointloom.meshing.mesh.mesh_summary import describe_surface
-from pointloom.meshing.mesh.surface_result import MadeUp, NormalsUsed, SurfaceResult
+from pointloom.meshing.mesh.surface_result import MadeUp, NormalsUsed, PointsOff, SurfaceResult
 
 from .commands import answer, names_in, poor_answer, refusal, run
 
@@ -178,7 +179,8 @@ def stand_in(monkeypatch, method, mesh):
 
 
 def test_radii_and_alpha_reach_the_library(ball, tmp_path, monkeypatch):
-    balls, alphas = stand_in(monkeypatch, "ball", closed()), stand_in(monkeypatch, "alpha", closed())
+    sphere = TriangleMesh.create_sphere()
+    balls, alphas = stand_in(monkeypatch, "ball", sphere), stand_in(monkeypatch, "alpha", sphere)
     report = answer("mesh", ball, tmp_path / "a.ply", "--method", "ball", "--radii", "0.1,0.2")
     assert report["radii"] == [0.1, 0.2]
     assert answer("mesh", ball, tmp_path / "b.ply", "--method", "ball")["radii"] is None
@@ -268,6 +270,26 @@ def test_an_alpha_shape_may_have_a_tenth_of_crowded_edges_and_hollows_are_told_a
     assert "10.1% of its edges have three triangles" in str(why_poor("alpha", crowded_edges=101))
     said = str(why_poor("alpha", largest_share=0.5))
     assert "50.0% of the area are islands or the walls of hollows, 2 of them" in said and "a larger --alpha" in said
+
+
+def test_a_surface_that_leaves_half_of_its_points_out_is_poor():
+    rng = np.random.default_rng(0)
+    near = rng.uniform(-1, 1, (800, 3)) * [1, 1, 0]
+    sheet = TriangleMesh([[-1, -1, 0], [1, -1, 0], [1, 1, 0], [-1, 1, 0]], [[0, 1, 2], [0, 2, 3]])
+    for far, is_poor in ((300, False), (900, True)):
+        points = np.vstack([near, rng.uniform(-1, 1, (far, 3)) * [1, 1, 0.1] + [0, 0, 0.5]])
+        off = _find_off(loom.PointCloud(points), sheet)
+        assert off.median is not None and (off.why_poor is not None) == is_poor
+    assert off.median == pytest.approx(0.4, abs=0.1) and "half of the points lie farther than 0.4" in str(off.why_poor)
+    assert PointsOff().why_poor is None  # no surface is told elsewhere
+
+
+def test_an_alpha_shape_that_spans_a_hollow_is_poor():
+    x, y = np.random.default_rng(1).uniform(-1, 1, (2, 4000))
+    bowl = loom.PointCloud(np.column_stack([x, y, x * x + y * y]))
+    spanned, followed = (loom.create_surface(bowl, "alpha", alpha=alpha) for alpha in (10.0, 0.1))
+    assert "made up to close the surface; take a smaller alpha" in str(spanned.poor)
+    assert "made up" not in str(followed.poor)
 
 
 def test_normals_are_doubted_beyond_a_tenth():

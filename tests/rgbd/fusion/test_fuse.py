@@ -11,6 +11,7 @@ from pointloom.app.scenes.room import room_sequence, surface_errors
 from pointloom.core.errors import FileError
 from pointloom.files.frames.frames import READ_AHEAD
 from pointloom.meshing.volume.surface_weights import WEIGHTS
+from pointloom.rgbd.fusion.pose_check import PoseCheck
 
 from .walls import Wall
 
@@ -45,6 +46,41 @@ def test_exact_frames_of_the_room_fuse_to_its_surface(device):
     errors = surface_errors(mesh.vertices, device=device)
     assert np.median(errors) < 0.05 * VOXEL
     assert np.mean(errors < VOXEL / 2) > 0.9
+
+
+class Posed:
+    """Frames with other poses than their own."""
+
+    def __init__(self, frames, poses):
+        self.intrinsic, self.depth_scale, self.frames, self.poses = frames.intrinsic, 1000.0, frames, poses
+
+    def __len__(self):
+        return len(self.poses)
+
+    def read(self, index):
+        return dataclasses.replace(self.frames.read(index), T_world_camera=self.poses[index])
+
+
+def test_poses_that_contradict_each_other_are_told_and_right_ones_are_not(walk):
+    right = np.array([walk.read(k).T_world_camera for k in range(12)])
+    shaken = right.copy()
+    shaken[:, :3, 3] += np.random.default_rng(0).normal(0, 0.15, (12, 3))
+    cases = {"right": right, "inverse": np.linalg.inv(right), "others": np.roll(right, 5, axis=0), "shaken": shaken}
+    for name, poses in cases.items():
+        found = loom.fuse(Posed(walk, poses), voxel_size=VOXEL)
+        assert (found.poor is None) == (name == "right"), name
+        assert name == "right" or "of what the frames see lies off the surface" in str(found.poor)
+        assert found.to_json()["share_off"] == found.share_off
+    assert loom.fuse(Wall(1), voxel_size=VOXEL).share_off is None  # one frame contradicts nobody
+
+
+def test_of_a_long_sequence_some_frames_spread_over_it_are_held_against_the_surface(walk):
+    check = PoseCheck(walk.intrinsic, 1000.0, 4.0)
+    for k in range(200):
+        check.add(np.full((120, 160), k, np.uint16), np.eye(4))
+    kept = [int(depth[0, 0]) for depth, _ in check._kept]
+    assert kept == list(range(0, 200, 16))
+    assert check._kept[0][0].shape == (60, 80)
 
 
 def test_reading_ahead_changes_no_bit(device, walk):
