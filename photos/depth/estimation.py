@@ -18,10 +18,11 @@ from ...core.progress import ReportProgress
 from ...kernels.images.flying_pixels import drop_flying
 from ...pcd.cloud import PointCloud
 from .alignment import MOST_DISTANCES, Alignment, align_inverse_depth, align_to_distances
-from .inputs import Map, Placement
+from .inputs import Map
 from .network import DepthModel
 from .photos import Photo, camera_of, take_photo
 from .presets import DEFAULT, PRESETS, Preset, find_preset
+from .readings import OwnCamera, Reading
 from .references import References, find_references, sample
 from .tiles import MOST_TILES, refine_by_tiles
 
@@ -47,7 +48,8 @@ class DepthEstimate:
         unit: "m", "the sparse model's", or "arbitrary".
         color: The picture, upright, uint8 [h, w, 3].
         intrinsic: The camera that points are made with.
-        intrinsic_source: Where it comes from: "given", "the sparse model", "EXIF" or "assumed 60 degrees".
+        intrinsic_source: Where it comes from: "given", "the sparse model", "EXIF", "the network" where that finds one,
+            or "assumed 60 degrees".
         input_size: Rows and columns of the network's input, where the picture went in as a whole.
         enlargement: Pixels of the picture a pixel of the network's map.
         references: How many references there were.
@@ -176,17 +178,23 @@ def estimate_depth(
     camera, source = _camera(photo, intrinsic, references)
     network = _network(model, preset, device)
     kind = PRESETS[network.preset]
-    inverse, placement = _inverse_depth(network, kind, photo.color, camera)
+    reading = network._read(photo.color, camera, is_known=_is_known(source))
+    if reading.camera is not None and not _is_known(source):
+        camera, source = _own_camera(reading.camera, photo), "the network"
+    inverse, placement = _inverse_depth(reading, network, camera), reading.placement
     tiled = None
     if count > 1:
+
+        def of_part(part: NDArray[np.uint8]) -> Map:
+            return _inverse_depth(network._read(part, camera, is_known=_is_known(source)), network, camera)
+
         inverse, used, tried = refine_by_tiles(
-            photo.color, inverse, count, lambda part: _inverse_depth(network, kind, part, camera)[0],
-            seed=seed, say=lambda done, total: say("tiles", done, total),
-        )  # fmt: skip
+            photo.color, inverse, count, of_part, seed=seed, say=lambda done, total: say("tiles", done, total)
+        )
         tiled = used, tried
     found = None if references is None else _align(inverse, references, kind, seed)
     scale, shift, farthest = _default_units(inverse, kind) if found is None else _units_of(found)
-    unit = _unit(kind, references, source)
+    unit = _unit(kind, references, source, reading.is_metric)
     return DepthEstimate(
         depth=_depth(inverse, scale, shift, farthest),
         is_metric=unit == "m",
@@ -205,11 +213,22 @@ def estimate_depth(
     )
 
 
-def _unit(kind: Preset, references: References | None, camera_source: str) -> str:
+def _unit(kind: Preset, references: References | None, camera_source: str, is_metric: bool | None) -> str:
     if references is not None:
         return references.unit
-    is_known = kind.output == "metric" and not camera_source.startswith("assumed")
-    return "m" if is_known else ARBITRARY
+    if is_metric is None:
+        is_metric = kind.focal is None or _is_known(camera_source)
+    return "m" if kind.output == "metric" and is_metric else ARBITRARY
+
+
+def _is_known(camera_source: str) -> bool:
+    return not camera_source.startswith("assumed")
+
+
+def _own_camera(found: OwnCamera, photo: Photo) -> PinholeCameraIntrinsic:
+    """The camera that the network found in the picture."""
+    height, width = photo.color.shape[:2]
+    return PinholeCameraIntrinsic(width, height, found.fx, found.fy, found.cx, found.cy)
 
 
 def _network(model: Any, preset: str | None, device: Any) -> DepthModel:
@@ -238,23 +257,22 @@ def _camera(photo: Photo, intrinsic: Any, references: References | None) -> tupl
     return check_intrinsic(intrinsic, width, height), "given"
 
 
-def _inverse_depth(
-    network: DepthModel, kind: Preset, color: NDArray[np.uint8], camera: PinholeCameraIntrinsic
-) -> tuple[Map, Placement]:
+def _inverse_depth(reading: Reading, network: DepthModel, camera: PinholeCameraIntrinsic) -> Map:
     """What the network gives, growing with inverse depth; NaN where it gives no depth. In 1 / m of metric networks."""
-    values, placement = network._run_placed(color)
+    kind, values = PRESETS[network.preset], reading.values
     if not kind.gives_scale:
-        return values, placement
-    if kind.focal is not None:
-        across, down = placement.scale
-        values = values * np.float32((camera.fx * across + camera.fy * down) / 2 / kind.focal)
+        return values
+    if kind.focal is not None and not reading.is_metric:
+        across, down = reading.placement.scale
+        focal = camera.fx * across if kind.reading == "canonical" else (camera.fx * across + camera.fy * down) / 2
+        values = values * np.float32(focal / kind.focal)
     with np.errstate(divide="ignore", over="ignore"):
         inverse = np.float32(1) / values
     inverse = np.where((values > 0) & np.isfinite(inverse), inverse, np.float32(np.nan)).astype(np.float32)
     if not np.isfinite(inverse).any():
         reason = "gave no depth above 0, for no pixel"
         raise FileError(network.path, reason, remedy="Check that the file is the model that the preset names")
-    return inverse, placement
+    return inverse
 
 
 def _align(inverse: Map, references: References, kind: Preset, seed: int) -> Alignment:
