@@ -106,7 +106,21 @@ def check_head(path: str, source: Source, signature: Signature, preset: Preset) 
         own = f"gives {_MEANINGS[preset.output]}" if is_contrary else "does not"
         reason = f"ends in {words.format(factor=head.factor)}; {preset.name} {own}"
         raise FileError(path, reason, remedy=f"Take the preset {' or '.join(presets)}")
+    if preset.reading == "canonical" and head.kind == INVERSE and not _is_canonical(signature, preset):
+        words, presets = _HEADS[INVERSE]
+        reason = f"ends in {words}, and neither its size nor its outputs are those of {preset.name}"
+        raise FileError(path, reason, remedy=f"Take the preset {' or '.join(presets)}")
     return head
+
+
+def _is_canonical(signature: Signature, preset: Preset) -> bool:
+    """Whether a map of inverse depth is Depth Pro's, and not a relative one: its encoder has one size."""
+    names = signature.outputs
+    return (
+        signature.fixed in preset.fixed
+        or names["depth"] == "canonical_inverse_depth"
+        or not {"focal", "view"}.isdisjoint(names)
+    )
 
 
 def _check_canvas(path: str, signature: Signature, preset: Preset) -> None:

@@ -1,0 +1,128 @@
+"""Networks of metric depth: what each gives is metres, and a file of another kind than the preset is refused."""
+
+import numpy as np
+import pytest
+
+import pointloom as loom
+from pointloom.photos.depth.presets import PRESETS
+
+from ...app.commands import answer, refusal, run
+from .published_networks import FILES, FOCAL, depth_of, picture_of, published
+from .tiny_networks import linear
+
+WHOLE = [name for name in FILES if name != "dav2 broken"]
+METRIC = [name for name in WHOLE if PRESETS[FILES[name][0]].output == "metric"]
+OWN_CAMERA = ["depth pro", "depth pro metres", "moge-2", "unidepth"]
+BY_FOCAL = [name for name in METRIC if FILES[name][0].startswith("metric3d")]
+
+
+def camera_of(picture, focal=FOCAL):
+    height, width = picture.shape[:2]
+    return loom.PinholeCameraIntrinsic(width, height, focal * width, focal * width, (width - 1) / 2, (height - 1) / 2)
+
+
+@pytest.fixture(scope="module")
+def files(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("published")
+    return {name: published(folder / f"{name.replace(' ', '_')}.onnx", name) for name in FILES}
+
+
+def canonical(name, picture):
+    """What is to be divided by to get metres: the focal length of the input over that of the family."""
+    if name not in BY_FOCAL:
+        return 1.0
+    model = PRESETS[FILES[name][0]]
+    rows, columns = FILES[name][2]
+    scale = min(rows / picture.shape[0], columns / picture.shape[1])
+    return FOCAL * picture.shape[1] * scale / model.focal
+
+
+@pytest.mark.parametrize("name", METRIC)
+def test_a_metric_network_gives_metres(name, files):
+    picture = picture_of()
+    found = loom.estimate_depth(picture, files[name], preset=FILES[name][0], intrinsic=camera_of(picture))
+    assert (found.unit, found.is_metric, found.intrinsic_source) == ("m", True, "given")
+    seen = found.depth > 0
+    assert seen.mean() > 0.95
+    ratio = found.depth[seen] / (depth_of(picture)[seen] * canonical(name, picture))
+    assert np.median(ratio) == pytest.approx(1, rel=0.005)
+    assert np.percentile(abs(ratio - 1), 90) < 0.03
+
+
+@pytest.mark.parametrize("name", OWN_CAMERA)
+@pytest.mark.parametrize("size", [(60, 80), (80, 60)])
+def test_the_focal_length_that_a_network_finds_stands_in_for_an_unknown_camera(name, size, files):
+    picture = picture_of(*size)
+    found = loom.estimate_depth(picture, files[name], preset=FILES[name][0])
+    assert (found.unit, found.intrinsic_source) == ("m", "the network")
+    if name == "unidepth" and size == (
+        80,
+        60,
+    ):  # its input is of another shape, so the net's own camera is of all of it
+        return
+    assert found.intrinsic.fx == pytest.approx(FOCAL * size[1], rel=0.01)
+    assert (found.intrinsic.cx, found.intrinsic.cy) == pytest.approx(((size[1] - 1) / 2, (size[0] - 1) / 2), abs=0.6)
+    seen = found.depth > 0
+    assert np.median(found.depth[seen] / depth_of(picture)[seen]) == pytest.approx(1, rel=0.01)
+
+
+@pytest.mark.parametrize("name", ["depth pro", "depth pro metres"])
+def test_a_known_focal_length_is_taken_in_place_of_depth_pro_s(name, files):
+    picture = picture_of()
+    found = loom.estimate_depth(picture, files[name], preset="depth-pro", intrinsic=camera_of(picture, 2 * FOCAL))
+    seen = found.depth > 0
+    assert np.median(found.depth[seen] / depth_of(picture)[seen]) == pytest.approx(2, rel=0.005)
+
+
+@pytest.mark.parametrize("name", WHOLE)
+def test_a_file_of_the_other_kind_is_refused_under_every_preset(name, files):
+    own = PRESETS[FILES[name][0]]
+    for preset in PRESETS.values():
+        if (preset.output == "inverse") == (own.output == "inverse"):
+            continue
+        if name == "depth pro" and preset.name == "dpt":
+            pass
+        with pytest.raises(loom.FileError):
+            loom.DepthModel(files[name], preset.name)
+
+
+@pytest.mark.parametrize(
+    ("name", "preset", "wanted"),
+    [
+        ("dav2 indoor", "depth-anything-v2", "sigmoid times 20.*Take the preset depth-anything-v2-metric"),
+        ("dav2 outdoor", "depth-anything-v2", "sigmoid times 80.*Take the preset depth-anything-v2-metric"),
+        ("dav2 indoor", "depth-anything-3-metric", "Take the preset depth-anything-v2-metric"),
+        ("dav2", "depth-anything-v2-metric", "ReLU, as networks of relative.*Take the preset depth-anything-v2"),
+        ("dav2", "depth-pro", "Take the preset depth-anything-v2"),
+        ("zoedepth", "dpt", "sum over bins.*Take the preset zoedepth"),
+        ("da3", "depth-anything-v2", "Take the preset depth-anything-3"),
+        ("depth pro", "dpt", "Take the preset depth-pro"),
+        ("moge-2", "depth-anything-v2", "Take the preset moge-2"),
+        ("unidepth", "depth-anything-v2", "Take the preset unidepth-v2"),
+        ("metric3d", "depth-anything-v2", "clamped.*Take the preset metric3d-v2"),
+        ("metric3d convnext", "metric3d-v2", "metric3d-convnext has this size"),
+    ],
+)
+def test_the_refusal_names_the_preset_to_take(name, preset, wanted, files):
+    with pytest.raises(loom.FileError, match=wanted):
+        loom.DepthModel(files[name], preset)
+
+
+@pytest.mark.parametrize("preset", ["depth-anything-v2", "depth-anything-v2-metric"])
+def test_a_metric_network_with_the_relative_one_s_last_function_is_refused_always(preset, files):
+    with pytest.raises(loom.FileError, match="ReLU times 20: a metric network that was exported with"):
+        loom.DepthModel(files["dav2 broken"], preset)
+
+
+@pytest.mark.parametrize("name", WHOLE)
+def test_a_published_file_leaves_nothing_open(name, files):
+    assert loom.DepthModel(files[name], FILES[name][0]).note is None
+
+
+def test_a_file_that_says_nothing_is_taken_and_that_is_said_once(tmp_path):
+    path = linear(tmp_path / "m.onnx", size=(28, 42))
+    for preset, meaning in (
+        ("depth-anything-v2", "more where something is nearer"),
+        ("depth-anything-v2-metric", "metres"),
+    ):
+        assert meaning in (loom.DepthModel(path, preset).note or "")
