@@ -2,11 +2,12 @@
 
 import numpy as np
 import pytest
+from PIL import Image
 
 import pointloom as loom
 from pointloom.photos.depth.presets import PRESETS
 
-from ...app.commands import answer, refusal, run
+from ...app.commands import answer, names_in, refusal, run
 from .published_networks import FILES, FOCAL, depth_of, picture_of, published
 from .tiny_networks import linear
 
@@ -55,12 +56,8 @@ def test_the_focal_length_that_a_network_finds_stands_in_for_an_unknown_camera(n
     picture = picture_of(*size)
     found = loom.estimate_depth(picture, files[name], preset=FILES[name][0])
     assert (found.unit, found.intrinsic_source) == ("m", "the network")
-    if name == "unidepth" and size == (
-        80,
-        60,
-    ):  # its input is of another shape, so the net's own camera is of all of it
-        return
-    assert found.intrinsic.fx == pytest.approx(FOCAL * size[1], rel=0.01)
+    wide = 616 / 462 * 80 if name == "unidepth" and size == (80, 60) else size[1]  # of the input with its borders
+    assert found.intrinsic.fx == pytest.approx(FOCAL * wide, rel=0.01)
     assert (found.intrinsic.cx, found.intrinsic.cy) == pytest.approx(((size[1] - 1) / 2, (size[0] - 1) / 2), abs=0.6)
     seen = found.depth > 0
     assert np.median(found.depth[seen] / depth_of(picture)[seen]) == pytest.approx(1, rel=0.01)
@@ -80,8 +77,6 @@ def test_a_file_of_the_other_kind_is_refused_under_every_preset(name, files):
     for preset in PRESETS.values():
         if (preset.output == "inverse") == (own.output == "inverse"):
             continue
-        if name == "depth pro" and preset.name == "dpt":
-            pass
         with pytest.raises(loom.FileError):
             loom.DepthModel(files[name], preset.name)
 
@@ -119,6 +114,20 @@ def test_a_published_file_leaves_nothing_open(name, files):
     assert loom.DepthModel(files[name], FILES[name][0]).note is None
 
 
+@pytest.mark.parametrize("name", METRIC)
+def test_metric_maps_are_aligned_by_a_scale_and_contrary_references_refused(name, files):
+    picture = picture_of()
+    truth = 3 * depth_of(picture)
+    truth[::2] = 0
+    options = {"preset": FILES[name][0], "intrinsic": camera_of(picture)}
+    found = loom.estimate_depth(picture, files[name], align=truth, **options)
+    assert found.shift == 0
+    assert found.scale * 3 / canonical(name, picture) == pytest.approx(1, rel=0.01)
+    assert found.inlier_share > 0.9
+    with pytest.raises(ValueError, match="1 of 3 distances agree"):
+        loom.estimate_depth(picture, files[name], align=[(5, 5, 1.0), (40, 30, 9.0), (50, 55, 30.0)], **options)
+
+
 def test_a_file_that_says_nothing_is_taken_and_that_is_said_once(tmp_path):
     path = linear(tmp_path / "m.onnx", size=(28, 42))
     for preset, meaning in (
@@ -126,3 +135,46 @@ def test_a_file_that_says_nothing_is_taken_and_that_is_said_once(tmp_path):
         ("depth-anything-v2-metric", "metres"),
     ):
         assert meaning in (loom.DepthModel(path, preset).note or "")
+
+
+# ------------------------------------------------------------------------------------------------ the command
+
+
+@pytest.fixture
+def photo(tmp_path):
+    path = tmp_path / "photo.png"
+    Image.fromarray(picture_of()).save(path)
+    return path
+
+
+def words(photo, model, *more):
+    return ["depth", photo, "--model", model, "-o", photo.parent / "out.ply", "--device", "cpu", *more]
+
+
+def test_the_command_refuses_a_metric_file_under_the_default_preset_and_writes_nothing(photo, files):
+    said = refusal(*words(photo, files["dav2 indoor"]))
+    assert "Take the preset depth-anything-v2-metric" in said
+    assert names_in(photo.parent) == ["photo.png"]
+
+
+def test_the_command_gives_metres_by_a_metric_file_under_its_preset(photo, files):
+    report = answer(*words(photo, files["dav2 indoor"], "--preset", "depth-anything-v2-metric"))
+    (each,) = report["pictures"]
+    assert (report["note"], report["poor"], each["unit"]) == (None, None, "m")
+    truth = depth_of(picture_of())
+    assert (each["nearest"], each["farthest"]) == pytest.approx((truth.min(), truth.max()), rel=0.02)
+
+
+def test_the_summary_says_that_a_camera_is_the_network_s(photo, files):
+    result = run(*words(photo, files["depth pro"], "--preset", "depth-pro"))
+    assert result.exit_code == 0
+    assert "from the network" in result.stdout
+    assert "shapes are stretched" not in result.stdout
+
+
+def test_what_a_file_does_not_say_is_said_once(photo, tmp_path):
+    path = linear(tmp_path / "m.onnx", size=(28, 42))
+    result = run(*words(photo, path))
+    assert result.exit_code == 0
+    assert result.stdout.count("the file does not say") == 1
+    assert "the file does not say" in answer(*words(photo, path, "--force"))["note"]
