@@ -25,7 +25,8 @@ DECADES = (-4.0, 4.0)  # of the nearest point's depth over the extent of the poi
 STEPS = 200  # of the search: 10 % each
 GOLDEN = 60  # steps that leave 1e-12 of the bracket
 OTHER_FOCAL = 1.25  # a focal length this much longer or shorter, with its own best shift, ...
-LEAST_RISE = 1.1  # ... must fit worse by this factor; a wall seen from the front fits any as well
+LEAST_RISE = 1.1  # ... must fit worse by this factor; a wall seen from the front fits any as well ...
+LEAST_MISS = 2e-3  # ... and by this share of half the diagonal: a pixel of a thousand, no network's points are better
 
 
 @dataclasses.dataclass(frozen=True)
@@ -69,10 +70,9 @@ def recover_pinhole(points: Numbers, valid: NDArray[np.bool_], focal: tuple[floa
         return Pinhole(focal, nearest - near, cost**0.5)
     nearest, cost = sample.search(None)
     found = sample.focal(nearest)
-    if found <= 0:
-        return None
     others = (found * OTHER_FOCAL, found / OTHER_FOCAL)
-    is_fixed = all(sample.search((other, other))[1] > LEAST_RISE**2 * cost for other in others)
+    least = LEAST_RISE**2 * cost + LEAST_MISS**2 * float((sample.u**2 + sample.v**2).max())
+    is_fixed = found > 0 and all(sample.search((other, other))[1] > least for other in others)
     return Pinhole((found, found) if is_fixed else None, nearest - near, cost**0.5)
 
 

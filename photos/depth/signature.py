@@ -144,12 +144,16 @@ def _by_outputs(path: str, signature: Signature) -> Head:
 
 def note_on(head: Head, preset: Preset) -> str | None:
     """What the graph leaves open, or None."""
-    if head.kind is not None or not preset.heads:
-        return None
-    return (
-        f"the file does not say that its map is {_MEANINGS[preset.output]}, {preset.name} does: look whether near is "
-        "near, or align, which refuses the contrary"
-    )
+    if head.kind is None and preset.heads:
+        return (
+            f"the file does not say that its map is {_MEANINGS[preset.output]}, {preset.name} does: look whether near "
+            "is near, or align, which refuses the contrary"
+        )
+    if preset.output == "metric" and preset.reading == "map":
+        twins = (each for each in PRESETS.values() if each.output != "metric" and head.kind in each.heads)
+        if (twin := next(twins, None)) is not None:
+            return f"the file does not say that its depth is in metres, {preset.name} does: {twin.name} ends as it does"
+    return None
 
 
 def _check_names(path: str, session: Any, preset: Preset) -> None:

@@ -78,10 +78,10 @@ def _sigmoid(farthest: float) -> Callable[[], tuple[list[onnx.NodeProto], dict[s
 
 
 def _clipped() -> tuple[list[onnx.NodeProto], dict[str, Any]]:
-    """A metric network that was exported with the relative one's last function: of a logit below 0 it leaves 0."""
-    nodes = [make("Div", ["z", "range"], ["p"]), *_logit("p", "l"), make("Relu", ["l"], ["s"])]
+    """A metric network that was exported with the relative one's last function: a logit below 0 gives 0."""
+    nodes = [make("Div", ["z", "far"], ["p"]), *_logit("p", "l"), make("Relu", ["l"], ["s"])]
     nodes += [make("Mul", ["s", "range"], ["m"]), make("Squeeze", ["m", "axis"], ["out"])]
-    return nodes, {"range": np.float32(20), "one": np.float32(1)}
+    return nodes, {"far": np.float32(10.5), "range": np.float32(20), "one": np.float32(1)}
 
 
 def _bins() -> tuple[list[onnx.NodeProto], dict[str, Any]]:

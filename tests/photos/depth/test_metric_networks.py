@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from onnx import helper
 from PIL import Image
 
 import pointloom as loom
@@ -9,7 +10,7 @@ from pointloom.photos.depth.presets import PRESETS
 
 from ...app.commands import answer, names_in, refusal, run
 from .published_networks import FILES, FOCAL, depth_of, picture_of, published
-from .tiny_networks import linear
+from .tiny_networks import FLOAT, linear, save
 
 WHOLE = [name for name in FILES if name != "dav2 broken"]
 METRIC = [name for name in WHOLE if PRESETS[FILES[name][0]].output == "metric"]
@@ -114,7 +115,7 @@ def test_a_published_file_leaves_nothing_open(name, files):
     assert loom.DepthModel(files[name], FILES[name][0]).note is None
 
 
-@pytest.mark.parametrize("name", METRIC)
+@pytest.mark.parametrize("name", ["dav2 indoor", "zoedepth", "moge-2", "unidepth", "metric3d"])
 def test_metric_maps_are_aligned_by_a_scale_and_contrary_references_refused(name, files):
     picture = picture_of()
     truth = 3 * depth_of(picture)
@@ -128,6 +129,12 @@ def test_metric_maps_are_aligned_by_a_scale_and_contrary_references_refused(name
         loom.estimate_depth(picture, files[name], align=[(5, 5, 1.0), (40, 30, 9.0), (50, 55, 30.0)], **options)
 
 
+def test_of_depth_anything_3_the_file_does_not_say_whether_it_is_the_metric_one(files):
+    assert "does not say that its depth is in metres" in (
+        loom.DepthModel(files["da3"], "depth-anything-3-metric").note or ""
+    )
+
+
 def test_a_file_that_says_nothing_is_taken_and_that_is_said_once(tmp_path):
     path = linear(tmp_path / "m.onnx", size=(28, 42))
     for preset, meaning in (
@@ -135,6 +142,70 @@ def test_a_file_that_says_nothing_is_taken_and_that_is_said_once(tmp_path):
         ("depth-anything-v2-metric", "metres"),
     ):
         assert meaning in (loom.DepthModel(path, preset).note or "")
+
+
+# ------------------------------------------------------------------------------------------------ what cannot be
+
+
+def test_moge_s_sky_is_no_depth(files):
+    picture = picture_of()
+    picture[:6] = 255
+    found = loom.estimate_depth(picture, files["moge-2"], preset="moge-2")
+    assert not found.depth[:5].any()
+    assert (found.depth[8:] > 0).all()
+
+
+def test_points_that_no_camera_puts_where_their_pixels_are_are_refused(tmp_path):
+    nodes = [
+        helper.make_node("ReduceMean", ["image"], ["z"], axes=[1], keepdims=1),
+        helper.make_node("Concat", ["z", "z", "z"], ["all"], axis=1),
+        helper.make_node("Transpose", ["all"], ["points"], perm=[0, 2, 3, 1]),
+        helper.make_node("ReduceMax", ["z"], ["most"], keepdims=0),
+        helper.make_node("Reshape", ["most", "one"], ["metric_scale"]),
+    ]
+    ends = [("image", FLOAT, [1, 3, "h", "w"])], [("points", FLOAT, None), ("metric_scale", FLOAT, None)]
+    path, picture = save(tmp_path / "m.onnx", nodes, *ends, one=np.array([1], np.int64)), picture_of()
+    for camera in (None, camera_of(picture)):
+        with pytest.raises(loom.FileError, match="points that do not lie where their pixels are"):
+            loom.estimate_depth(picture, path, preset="moge-2", intrinsic=camera)
+
+
+def test_a_wall_from_the_front_leaves_moge_without_metres_where_the_camera_is_unknown(files):
+    wall = np.full((60, 80, 3), 100, np.uint8)
+    wall[::7, ::5] = 101  # 4 cm of 4.5 m
+    found = loom.estimate_depth(wall, files["moge-2"], preset="moge-2")
+    assert (found.unit, found.intrinsic_source) == ("arbitrary", "assumed 60 degrees")
+    known = loom.estimate_depth(wall, files["moge-2"], preset="moge-2", intrinsic=camera_of(wall))
+    assert known.unit == "m"
+    assert np.median(known.depth / depth_of(wall)) == pytest.approx(1, rel=0.02)
+
+
+def test_metric3d_s_canvas_has_two_sizes_and_no_mixture(tmp_path):
+    for size in ((616, 616), (1064, 1064), (616, 1216)):
+        with pytest.raises(loom.FileError, match="metric3d-v2 has 616 x 1064 or 1064 x 616"):
+            loom.DepthModel(linear(tmp_path / "m.onnx", size=size), "metric3d-v2")
+
+
+def test_a_file_of_metric3d_s_size_that_says_nothing_is_not_taken_for_another(tmp_path):
+    path = linear(tmp_path / "m.onnx", size=(616, 1064))
+    with pytest.raises(loom.FileError, match="Take the preset metric3d-v2"):
+        loom.DepthModel(path, "depth-anything-v2")
+    assert "metres" in (loom.DepthModel(path, "metric3d-v2").note or "")
+
+
+@pytest.mark.parametrize(("said", "value"), [("field of view", 190.0), ("field of view", 0.0)])
+def test_a_view_that_no_lens_has_is_an_error(tmp_path, said, value):
+    nodes = [
+        helper.make_node("ReduceMean", ["x"], ["grey"], axes=[1], keepdims=1),
+        helper.make_node("Relu", ["grey"], ["predicted_depth"]),
+        helper.make_node("ReduceMax", ["grey"], ["most"], keepdims=0),
+        helper.make_node("Mul", ["most", "zero"], ["nothing"]),
+        helper.make_node("Add", ["nothing", "view"], ["field_of_view"]),
+    ]
+    ends = [("x", FLOAT, [1, 3, 1536, 1536])], [("predicted_depth", FLOAT, None), ("field_of_view", FLOAT, None)]
+    path = save(tmp_path / "m.onnx", nodes, *ends, zero=np.float32(0), view=np.float32(value))
+    with pytest.raises(loom.FileError, match=f"{said} of {value:g} degrees, which no lens has"):
+        loom.estimate_depth(picture_of(), path, preset="depth-pro")
 
 
 # ------------------------------------------------------------------------------------------------ the command
