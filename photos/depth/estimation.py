@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 import os
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -139,9 +140,10 @@ def estimate_depth(
         progress: Called with "tiles", how many are done, and how many there are.
 
     Returns:
-        Depth at the picture's size. In metres for metric networks whose focal length is known, and where it was
-        aligned to metres; in the sparse model's unit where it was aligned to one. Else in an arbitrary unit: the
-        nearest pixel is at 1; of networks that give inverse depth, whose shift is unknown too, the farthest at 10.
+        Depth at the picture's size. In metres for metric networks, of those that need a focal length where one is known
+        or the network finds it, and where it was aligned to metres; in the sparse model's unit where it was aligned to
+        one. Else in an arbitrary unit: the nearest pixel is at 1; of networks that give inverse depth, whose shift is
+        unknown too, the farthest at 10.
 
     Raises:
         FileError: A file that cannot be read, a model that is not what the preset says, or one that gives no map.
@@ -181,17 +183,12 @@ def estimate_depth(
     reading = network._read(photo.color, camera, is_known=_is_known(source))
     if reading.camera is not None and not _is_known(source):
         camera, source = _own_camera(reading.camera, photo), "the network"
-    inverse, placement = _inverse_depth(reading, network, camera), reading.placement
-    tiled = None
+    inverse, tiled = _inverse_depth(reading, network, camera), None
     if count > 1:
-
-        def of_part(part: NDArray[np.uint8]) -> Map:
-            return _inverse_depth(network._read(part, camera, is_known=_is_known(source)), network, camera)
-
-        inverse, used, tried = refine_by_tiles(
-            photo.color, inverse, count, of_part, seed=seed, say=lambda done, total: say("tiles", done, total)
-        )
-        tiled = used, tried
+        inverse, *tiled = refine_by_tiles(
+            photo.color, inverse, count, _of_parts(network, camera, source),
+            seed=seed, say=lambda done, total: say("tiles", done, total),
+        )  # fmt: skip
     found = None if references is None else _align(inverse, references, kind, seed)
     scale, shift, farthest = _default_units(inverse, kind) if found is None else _units_of(found)
     unit = _unit(kind, references, source, reading.is_metric)
@@ -206,10 +203,10 @@ def estimate_depth(
         color=photo.color,
         intrinsic=camera,
         intrinsic_source=source,
-        input_size=(placement.rows, placement.columns),
-        enlargement=max(1 / factor for factor in placement.scale),
+        input_size=(reading.placement.rows, reading.placement.columns),
+        enlargement=max(1 / factor for factor in reading.placement.scale),
         references=0 if found is None else found.references,
-        tiles=tiled,
+        tiles=None if tiled is None else (tiled[0], tiled[1]),
     )
 
 
@@ -273,6 +270,11 @@ def _inverse_depth(reading: Reading, network: DepthModel, camera: PinholeCameraI
         reason = "gave no depth above 0, for no pixel"
         raise FileError(network.path, reason, remedy="Check that the file is the model that the preset names")
     return inverse
+
+
+def _of_parts(network: DepthModel, camera: PinholeCameraIntrinsic, source: str) -> Callable[[NDArray[np.uint8]], Map]:
+    """What gives the inverse depth of a part of the picture."""
+    return lambda part: _inverse_depth(network._read(part, camera, is_known=_is_known(source)), network, camera)
 
 
 def _align(inverse: Map, references: References, kind: Preset, seed: int) -> Alignment:
