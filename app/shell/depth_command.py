@@ -14,7 +14,8 @@ from .options import FILE, SCALE, device_option, force_option, json_option, refu
 # The names of photos/depth/presets.py, which would load NumPy; a test holds the two together.
 PRESETS = (
     "depth-anything-v2", "midas-v2.1", "midas-v2.1-small", "midas-v2.1-onnx", "midas-v2.1-small-onnx", "dpt",
-    "metric3d-v2", "depth-anything-3", "depth-anything-3-metric",
+    "depth-anything-v2-metric", "zoedepth", "depth-pro", "moge-2", "unidepth-v2", "metric3d-v2", "metric3d-convnext",
+    "depth-anything-3", "depth-anything-3-metric",
 )  # fmt: skip
 
 

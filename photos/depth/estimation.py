@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 import os
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -18,10 +19,11 @@ from ...core.progress import ReportProgress
 from ...kernels.images.flying_pixels import drop_flying
 from ...pcd.cloud import PointCloud
 from .alignment import MOST_DISTANCES, Alignment, align_inverse_depth, align_to_distances
-from .inputs import Map, Placement
+from .inputs import Map
 from .network import DepthModel
 from .photos import Photo, camera_of, take_photo
 from .presets import DEFAULT, PRESETS, Preset, find_preset
+from .readings import OwnCamera, Reading
 from .references import References, find_references, sample
 from .tiles import MOST_TILES, refine_by_tiles
 
@@ -47,7 +49,8 @@ class DepthEstimate:
         unit: "m", "the sparse model's", or "arbitrary".
         color: The picture, upright, uint8 [h, w, 3].
         intrinsic: The camera that points are made with.
-        intrinsic_source: Where it comes from: "given", "the sparse model", "EXIF" or "assumed 60 degrees".
+        intrinsic_source: Where it comes from: "given", "the sparse model", "EXIF", "the network" where that finds one,
+            or "assumed 60 degrees".
         input_size: Rows and columns of the network's input, where the picture went in as a whole.
         enlargement: Pixels of the picture a pixel of the network's map.
         references: How many references there were.
@@ -137,9 +140,10 @@ def estimate_depth(
         progress: Called with "tiles", how many are done, and how many there are.
 
     Returns:
-        Depth at the picture's size. In metres for metric networks whose focal length is known, and where it was
-        aligned to metres; in the sparse model's unit where it was aligned to one. Else in an arbitrary unit: the
-        nearest pixel is at 1; of networks that give inverse depth, whose shift is unknown too, the farthest at 10.
+        Depth at the picture's size. In metres for metric networks, of those that need a focal length where one is known
+        or the network finds it, and where it was aligned to metres; in the sparse model's unit where it was aligned to
+        one. Else in an arbitrary unit: the nearest pixel is at 1; of networks that give inverse depth, whose shift is
+        unknown too, the farthest at 10.
 
     Raises:
         FileError: A file that cannot be read, a model that is not what the preset says, or one that gives no map.
@@ -176,17 +180,18 @@ def estimate_depth(
     camera, source = _camera(photo, intrinsic, references)
     network = _network(model, preset, device)
     kind = PRESETS[network.preset]
-    inverse, placement = _inverse_depth(network, kind, photo.color, camera)
-    tiled = None
+    reading = network._read(photo.color, camera, is_known=_is_known(source))
+    if reading.camera is not None and not _is_known(source):
+        camera, source = _own_camera(reading.camera, photo), "the network"
+    inverse, tiled = _inverse_depth(reading, network, camera), None
     if count > 1:
-        inverse, used, tried = refine_by_tiles(
-            photo.color, inverse, count, lambda part: _inverse_depth(network, kind, part, camera)[0],
+        inverse, *tiled = refine_by_tiles(
+            photo.color, inverse, count, _of_parts(network, camera, source),
             seed=seed, say=lambda done, total: say("tiles", done, total),
         )  # fmt: skip
-        tiled = used, tried
     found = None if references is None else _align(inverse, references, kind, seed)
     scale, shift, farthest = _default_units(inverse, kind) if found is None else _units_of(found)
-    unit = _unit(kind, references, source)
+    unit = _unit(kind, references, source, reading.is_metric)
     return DepthEstimate(
         depth=_depth(inverse, scale, shift, farthest),
         is_metric=unit == "m",
@@ -198,18 +203,29 @@ def estimate_depth(
         color=photo.color,
         intrinsic=camera,
         intrinsic_source=source,
-        input_size=(placement.rows, placement.columns),
-        enlargement=max(1 / factor for factor in placement.scale),
+        input_size=(reading.placement.rows, reading.placement.columns),
+        enlargement=max(1 / factor for factor in reading.placement.scale),
         references=0 if found is None else found.references,
-        tiles=tiled,
+        tiles=None if tiled is None else (tiled[0], tiled[1]),
     )
 
 
-def _unit(kind: Preset, references: References | None, camera_source: str) -> str:
+def _unit(kind: Preset, references: References | None, camera_source: str, is_metric: bool | None) -> str:
     if references is not None:
         return references.unit
-    is_known = kind.output == "metric" and not camera_source.startswith("assumed")
-    return "m" if is_known else ARBITRARY
+    if is_metric is None:
+        is_metric = kind.focal is None or _is_known(camera_source)
+    return "m" if kind.output == "metric" and is_metric else ARBITRARY
+
+
+def _is_known(camera_source: str) -> bool:
+    return not camera_source.startswith("assumed")
+
+
+def _own_camera(found: OwnCamera, photo: Photo) -> PinholeCameraIntrinsic:
+    """The camera that the network found in the picture."""
+    height, width = photo.color.shape[:2]
+    return PinholeCameraIntrinsic(width, height, found.fx, found.fy, found.cx, found.cy)
 
 
 def _network(model: Any, preset: str | None, device: Any) -> DepthModel:
@@ -238,23 +254,27 @@ def _camera(photo: Photo, intrinsic: Any, references: References | None) -> tupl
     return check_intrinsic(intrinsic, width, height), "given"
 
 
-def _inverse_depth(
-    network: DepthModel, kind: Preset, color: NDArray[np.uint8], camera: PinholeCameraIntrinsic
-) -> tuple[Map, Placement]:
+def _inverse_depth(reading: Reading, network: DepthModel, camera: PinholeCameraIntrinsic) -> Map:
     """What the network gives, growing with inverse depth; NaN where it gives no depth. In 1 / m of metric networks."""
-    values, placement = network._run_placed(color)
+    kind, values = PRESETS[network.preset], reading.values
     if not kind.gives_scale:
-        return values, placement
-    if kind.focal is not None:
-        across, down = placement.scale
-        values = values * np.float32((camera.fx * across + camera.fy * down) / 2 / kind.focal)
+        return values
+    if kind.focal is not None and not reading.is_metric:
+        across, down = reading.placement.scale
+        focal = camera.fx * across if kind.reading == "canonical" else (camera.fx * across + camera.fy * down) / 2
+        values = values * np.float32(focal / kind.focal)
     with np.errstate(divide="ignore", over="ignore"):
         inverse = np.float32(1) / values
     inverse = np.where((values > 0) & np.isfinite(inverse), inverse, np.float32(np.nan)).astype(np.float32)
     if not np.isfinite(inverse).any():
         reason = "gave no depth above 0, for no pixel"
         raise FileError(network.path, reason, remedy="Check that the file is the model that the preset names")
-    return inverse, placement
+    return inverse
+
+
+def _of_parts(network: DepthModel, camera: PinholeCameraIntrinsic, source: str) -> Callable[[NDArray[np.uint8]], Map]:
+    """What gives the inverse depth of a part of the picture."""
+    return lambda part: _inverse_depth(network._read(part, camera, is_known=_is_known(source)), network, camera)
 
 
 def _align(inverse: Map, references: References, kind: Preset, seed: int) -> Alignment:

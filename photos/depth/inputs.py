@@ -8,6 +8,7 @@ bicubic kernel; the maps differ by less than their noise). In float32 by Pillow,
 from __future__ import annotations
 
 import dataclasses
+import math
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,6 +17,7 @@ from PIL import Image
 from .presets import Preset, input_size
 
 Map = NDArray[np.float32]
+REFLECTED = 3  # times the root of half a side: ZoeDepth's border, without which its maps are wrong at the rim
 
 
 @dataclasses.dataclass(frozen=True)
@@ -27,6 +29,7 @@ class Placement:
         rows, columns: Of the input [px].
         top, left: First row and column of the picture in it.
         used: Rows and columns that the picture takes.
+        border: Rows and columns of its own reflection on each side of the picture [px of the picture].
     """
 
     height: int
@@ -36,19 +39,23 @@ class Placement:
     top: int
     left: int
     used: tuple[int, int]
+    border: tuple[int, int] = (0, 0)
 
     @property
     def scale(self) -> tuple[float, float]:
         """Pixels of the input a pixel of the picture, along x and y."""
-        return self.used[1] / self.width, self.used[0] / self.height
+        return self.used[1] / (self.width + 2 * self.border[1]), self.used[0] / (self.height + 2 * self.border[0])
 
 
 def place(preset: Preset, height: int, width: int, fixed: tuple[int | None, int | None]) -> Placement:
     """How a picture goes into a network whose input has these fixed rows and columns, None where it takes any."""
-    chosen = input_size(preset, height, width)
+    border = (0, 0)
+    if preset.reflects and not any(fixed):
+        border = int(math.sqrt(height / 2) * REFLECTED), int(math.sqrt(width / 2) * REFLECTED)
+    chosen = input_size(preset, height + 2 * border[0], width + 2 * border[1])
     rows, columns = (side or wanted for side, wanted in zip(fixed, chosen, strict=True))
     if not (preset.sizing == "pad" or (preset.fixed_pads and any(fixed))):
-        return Placement(height, width, rows, columns, 0, 0, (rows, columns))
+        return Placement(height, width, rows, columns, 0, 0, (rows, columns), border)
     scale = min(rows / height, columns / width)
     used = max(int(height * scale), 1), max(int(width * scale), 1)
     return Placement(height, width, rows, columns, (rows - used[0]) // 2, (columns - used[1]) // 2, used)
@@ -57,7 +64,9 @@ def place(preset: Preset, height: int, width: int, fixed: tuple[int | None, int 
 def prepare(preset: Preset, picture: NDArray[np.uint8], placement: Placement) -> Map:
     """The input of a network, float32 [3, rows, columns]; what the picture does not cover is the mean of ImageNet."""
     mean, std = (np.array(values, np.float32)[:, None, None] for values in (preset.mean, preset.std))
-    used = placement.used
+    used, (down, across) = placement.used, placement.border
+    if down or across:
+        picture = np.pad(picture, ((down, down), (across, across), (0, 0)), mode="reflect")
     small = np.stack(
         [resize(picture[..., channel].astype(np.float32), used, Image.Resampling.BICUBIC) for channel in range(3)]
     )
@@ -75,8 +84,10 @@ def prepare(preset: Preset, picture: NDArray[np.uint8], placement: Placement) ->
 
 def bring_back(values: Map, placement: Placement) -> Map:
     """A map of the input's size as one of the picture's: without what was added around it, resized linearly."""
-    top, left, used = placement.top, placement.left, placement.used
-    return resize(values[top : top + used[0], left : left + used[1]], (placement.height, placement.width))
+    top, left, used, (down, across) = placement.top, placement.left, placement.used, placement.border
+    size = placement.height + 2 * down, placement.width + 2 * across
+    whole = resize(values[top : top + used[0], left : left + used[1]], size)
+    return whole[down : size[0] - down, across : size[1] - across]
 
 
 def resize(values: Map, size: tuple[int, int], kind: Image.Resampling = Image.Resampling.BILINEAR) -> Map:

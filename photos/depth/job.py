@@ -120,7 +120,7 @@ def depth_of_pictures(
         say("pictures", len(jobs), len(jobs))
     licence, provider = PRESETS[network.preset].licence, network.provider
     run = network.path, network.preset, licence, provider, str(where), tuple(pictures), tuple(failures)
-    return DepthReport(os.fspath(source), folder is not None, *run, clock.seconds, peak_bytes())
+    return DepthReport(os.fspath(source), folder is not None, *run, clock.seconds, peak_bytes(), network.note)
 
 
 def _checked(settings: Any) -> DepthSettings:

@@ -9,19 +9,20 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ...cameras.camera import PinholeCameraIntrinsic
 from ...core.checks import check_count, shown
 from ...core.devices import resolve_device
 from ...core.errors import DeviceError, FileError
 from ...files.foreign import import_for
 from ...files.source import open_source
-from .inputs import Map, Placement, bring_back, place, prepare
-from .photos import take_photo
-from .presets import DEFAULT, Preset, find_preset
+from .inputs import Map, Placement, place, prepare
+from .photos import Photo, camera_of, take_photo
+from .presets import DEFAULT, find_preset
+from .readings import Reading, ReadingError, read_outputs
+from .signature import NOT_THE_MODEL, TYPES, check_head, check_signature, note_on
 
 CUDA, CPU = "CUDAExecutionProvider", "CPUExecutionProvider"
 MOST_THREADS = 1024
-TYPES = {"tensor(float)": np.float32, "tensor(float16)": np.float16}
-NOT_THE_MODEL = "Check that the file is the model that the preset names"
 SILENT = 4  # severity from which onnxruntime's own log goes to stderr: its errors come as exceptions as well
 
 # What onnxruntime's messages are about, and what to do.
@@ -68,16 +69,21 @@ class DepthModel:
             raise TypeError(f"path: expected the path of an .onnx file, got {shown(path)}")
         self.path = os.fspath(path)
         count = 0 if threads is None else check_count("threads", threads, maximum=MOST_THREADS, because="of one CPU")
-        open_source(self.path)
+        source = open_source(self.path)
         self._session = _open_session(self.path, device, count)
         self.provider: str = self._session.get_providers()[0]
-        self._input, self._views, self._fixed = _check_input(self.path, self._session, self._preset)
-        self._output = _check_output(self.path, self._session, self._preset)
+        self._signature = check_signature(self.path, self._session, self._preset)
+        self._head = check_head(self.path, source, self._signature, self._preset)
 
     @property
     def preset(self) -> str:
         """The name of its preset."""
         return self._preset.name
+
+    @property
+    def note(self) -> str | None:
+        """What the file does not say of itself and the preset had to be believed for, or None."""
+        return note_on(self._head, self._preset)
 
     def __repr__(self) -> str:
         return f"DepthModel({self.path!r}, {self.preset!r}, {self.provider})"
@@ -99,36 +105,34 @@ class DepthModel:
 
     def _placement(self, height: int, width: int) -> Placement:
         """Where a picture of this size lies in the input."""
-        return place(self._preset, height, width, self._fixed)
+        return place(self._preset, height, width, self._signature.fixed)
 
     def _run_placed(self, picture: NDArray[np.uint8]) -> tuple[Map, Placement]:
         """The same of an array [h, w, 3], and where it lay in the input."""
+        camera, _ = camera_of(Photo(picture))
+        reading = self._read(picture, camera, is_known=False)
+        return reading.values, reading.placement
+
+    def _read(self, picture: NDArray[np.uint8], camera: PinholeCameraIntrinsic, *, is_known: bool) -> Reading:
+        """What the network says of an array [h, w, 3] that this camera took, which may be assumed."""
         placement = self._placement(*picture.shape[:2])
         values = prepare(self._preset, picture, placement)
-        batch = values[(None,) * (2 if self._views else 1)].astype(TYPES[self._input.type])
+        signature = self._signature
+        batch = values[(None,) * (2 if signature.has_views else 1)].astype(TYPES[signature.type])
+        numbers = {name: np.array(number, np.int64).reshape(shape) for name, number, shape in signature.numbers}
+        roles, names = zip(*signature.outputs.items(), strict=True)
         try:
-            given = self._session.run([self._output], {self._input.name: batch})[0]
+            given = self._session.run(list(names), {signature.input: batch, **numbers})
         except Exception as error:  # onnxruntime's own classes, one a kind of failure
             reason = f"fails on an input of {list(batch.shape)}: {_first_line(error)}"
             raise FileError(self.path, reason, remedy=NOT_THE_MODEL) from error
-        return bring_back(self._check_values(given, placement), placement), placement
-
-    def _check_values(self, given: Any, placement: Placement) -> Map:
-        """The output as a map of the input's size, once it is one."""
-        size = (placement.rows, placement.columns)
-        found = list(np.shape(given))
-        if len(found) < 3 or tuple(found[-2:]) != size or any(extent != 1 for extent in found[:-2]):
-            reason = f"gave {found} for an input of {size[0]} x {size[1]}, expected [1, {size[0]}, {size[1]}]"
-            raise FileError(self.path, reason, where=f"output {self._output!r}", remedy=NOT_THE_MODEL)
-        values = np.asarray(given, np.float32).reshape(size)
-        if not np.isfinite(values).all():
-            share = 1 - np.isfinite(values).mean()
-            reason = f"{share:.1%} of what it gave is NaN or infinite"
-            raise FileError(self.path, reason, where=f"output {self._output!r}", remedy="Take a float32 export of it")
-        if values.size > 1 and values.max() == values.min():
-            reason = f"gave {values.flat[0]:g} for every pixel, so no depth was seen"
-            raise FileError(self.path, reason, where=f"output {self._output!r}", remedy=NOT_THE_MODEL)
-        return values
+        outputs = dict(zip(roles, given, strict=True))
+        focal = camera.fx, camera.fy
+        try:
+            return read_outputs(self._preset, self._head.kind, outputs, placement, focal, is_known=is_known)
+        except ReadingError as error:
+            where = f"output {signature.outputs['depth']!r}"
+            raise FileError(self.path, str(error), where=where, remedy=error.remedy or NOT_THE_MODEL) from error
 
 
 def _open_session(path: str, device: Any, threads: int) -> Any:
@@ -174,60 +178,6 @@ def _providers(ort: Any, device: Any) -> list[Any]:
     if where.is_cuda and has_cuda:
         return [(CUDA, {"device_id": str(where.ordinal)}), CPU]
     return [CPU]
-
-
-def _check_input(path: str, session: Any, preset: Preset) -> tuple[Any, bool, tuple[int | None, int | None]]:
-    """The one input, whether it has views, and its fixed rows and columns."""
-    inputs = session.get_inputs()
-    if len(inputs) != 1:
-        names = ", ".join(each.name for each in inputs) or "none"
-        reason = f"has the inputs {names}; {preset.name} has one, the picture"
-        raise FileError(path, reason, remedy="Export it without the others, or give another preset")
-    wanted = "[1, 3, h, w]" + (" or [1, 1, 3, h, w]" if preset.takes_views else "")
-    the_input = inputs[0]
-    shape, where = list(the_input.shape or []), f"input {the_input.name!r}"
-    views = len(shape) == 5 and preset.takes_views
-    heads = [1, 1, 3] if views else [1, 3]
-    is_picture = len(shape) == len(heads) + 2 and shape[-1] != 3  # else the colours come last
-    if not is_picture or any(isinstance(a, int) and a != b for a, b in zip(shape, heads, strict=False)):
-        reason = f"is {the_input.type} {shape}; {preset.name} takes {wanted}"
-        raise FileError(path, reason, where=where, remedy=NOT_THE_MODEL)
-    if the_input.type not in TYPES:
-        raise FileError(path, f"is {the_input.type}; {preset.name} takes floats", where=where, remedy=NOT_THE_MODEL)
-    rows, columns = (side if isinstance(side, int) and side > 0 else None for side in shape[-2:])
-    _check_fixed(path, where, preset, rows, columns)
-    return the_input, views, (rows, columns)
-
-
-def _check_fixed(path: str, where: str, preset: Preset, rows: int | None, columns: int | None) -> None:
-    if preset.fixed and any(
-        side is not None and all(side != size[axis] for size in preset.fixed)
-        for axis, side in enumerate((rows, columns))
-    ):
-        sizes = " or ".join(f"{height} x {width}" for height, width in preset.fixed)
-        reason = f"has {rows or 'any'} rows and {columns or 'any'} columns; {preset.name} has {sizes}"
-        raise FileError(path, reason, where=where, remedy=NOT_THE_MODEL)
-    for side in (rows, columns):
-        if side is not None and side % preset.multiple:
-            reason = f"has a side of {side}, which is no multiple of {preset.multiple} as {preset.name} needs"
-            remedy = f"Export it with sides of a multiple of {preset.multiple}; its map would lack rows or columns"
-            raise FileError(path, reason, where=where, remedy=remedy)
-
-
-def _check_output(path: str, session: Any, preset: Preset) -> str:
-    """The name of the output that holds depth."""
-    outputs = session.get_outputs()
-    names = [each.name for each in outputs]
-    name = next((name for name in preset.outputs if name in names), names[0] if len(names) == 1 else None)
-    if name is None:
-        reason = f"has the outputs {', '.join(names)}; {preset.name} has {' or '.join(preset.outputs)}"
-        raise FileError(path, reason, remedy=NOT_THE_MODEL)
-    output = outputs[names.index(name)]
-    shape = output.shape
-    if output.type not in TYPES or (shape and not 3 <= len(shape) <= 5):
-        reason = f"is {output.type} {shape}; {preset.name} gives a map, [1, h, w] or [1, 1, h, w] of floats"
-        raise FileError(path, reason, where=f"output {name!r}", remedy=NOT_THE_MODEL)
-    return name
 
 
 def _first_line(error: Exception) -> str:

@@ -186,6 +186,7 @@ class DepthReport:
         failures: Those that became nothing.
         seconds: Time of each stage [s].
         peak_bytes: The most memory that this process has held [B].
+        note: What the network's file does not say of itself, so that the preset had to be believed; or None.
 
     Example:
         >>> import pointloom as loom
@@ -205,6 +206,7 @@ class DepthReport:
     failures: tuple[DepthFailure, ...]
     seconds: dict[str, float]
     peak_bytes: int
+    note: str | None = None
 
     @property
     def files(self) -> tuple[str, ...]:
@@ -241,11 +243,13 @@ class DepthReport:
             "peak_bytes": self.peak_bytes,
             "files": list(self.files),
             "poor": self.poor,
+            "note": self.note,
         }
 
     def fields(self) -> Fields:
         """What was done as labels and values for the terminal."""
-        fields = [("network", f"{self.model}, preset {self.preset} ({self.licence})"), ("ran on", self.provider)]
+        network = f"{self.model}, preset {self.preset} ({self.licence})"
+        fields = [("network", network if self.note is None else f"{network}\n{self.note}"), ("ran on", self.provider)]
         if len(self.pictures) == 1 and not self.failures:
             fields += self.pictures[0].fields()
         else:

@@ -21,7 +21,13 @@ SIZES = {  # of an input for 640 x 480, 480 x 640, 1920 x 1080, 100 x 100: rows 
     "midas-v2.1-onnx": [(384, 384)] * 4,
     "midas-v2.1-small-onnx": [(256, 256)] * 4,
     "dpt": [(384, 512), (512, 384), (384, 672), (384, 384)],
+    "depth-anything-v2-metric": [(518, 686), (686, 518), (518, 924), (518, 518)],
+    "zoedepth": [(384, 512), (672, 512), (384, 672), (384, 384)],
+    "depth-pro": [(1536, 1536)] * 4,
+    "moge-2": [(727, 970), (970, 727), (630, 1120), (840, 840)],
+    "unidepth-v2": [(462, 616), (616, 462), (406, 714), (546, 546)],
     "metric3d-v2": [(616, 1064)] * 4,
+    "metric3d-convnext": [(544, 1216)] * 4,
     "depth-anything-3": [(378, 504), (504, 378), (280, 504), (504, 504)],
     "depth-anything-3-metric": [(378, 504), (504, 378), (280, 504), (504, 504)],
 }
@@ -67,9 +73,11 @@ def picture_of(size, seed=0):
 def test_the_normalisation_is_that_of_the_network_s_own_code(name):
     preset, imagenet = PRESETS[name], ((0.485, 0.456, 0.406), (0.229, 0.224, 0.225))
     own = {"dpt": ((0.5,) * 3, (0.5,) * 3), "metric3d-v2": ((0.0,) * 3, (1.0,) * 3)}
+    own |= {"zoedepth": own["dpt"], "depth-pro": own["dpt"], "metric3d-convnext": own["metric3d-v2"]}
+    own["moge-2"] = own["metric3d-v2"]
     own |= {f"midas-v2.1{size}-onnx": ((0.0,) * 3, (1.0,) * 3) for size in ("", "-small")}
     assert (preset.mean, preset.std) == own.get(name, imagenet)
-    assert preset.levels == (255 if name == "metric3d-v2" else 1)
+    assert preset.levels == (255 if name.startswith("metric3d") else 1)
 
 
 def test_no_number_goes_in_that_no_picture_has(tmp_path):
@@ -80,7 +88,10 @@ def test_no_number_goes_in_that_no_picture_has(tmp_path):
     assert (values.min(), values.max()) == (0, 1)
 
 
-@pytest.mark.parametrize("name", PRESETS)
+MAPS = [name for name, preset in PRESETS.items() if preset.reading == "map"]  # the others: test_metric_networks.py
+
+
+@pytest.mark.parametrize("name", MAPS)
 def test_numbers_go_in_as_the_preset_says(name, tmp_path):
     preset = PRESETS[name]
     size = (384, 512) if name == "dpt" else input_size(preset, 480, 640)
@@ -91,7 +102,7 @@ def test_numbers_go_in_as_the_preset_says(name, tmp_path):
     np.testing.assert_allclose(values, seen_by(preset, picture), rtol=1e-5, atol=2e-5 * preset.levels)
 
 
-@pytest.mark.parametrize("name", PRESETS)
+@pytest.mark.parametrize("name", [name for name in MAPS if not PRESETS[name].reflects])
 def test_a_model_of_any_size_gets_that_of_the_preset(name, tmp_path):
     preset = PRESETS[name]
     model = loom.DepthModel(linear(tmp_path / "m.onnx"), name)

@@ -1,0 +1,201 @@
+"""What the last operations of a depth network say of its map: nearer is more, or farther is more.
+
+Walked from the output back through what changes the map's shape, size, type or scale to the operation that decides:
+
+- `ReLU`: relative inverse depth. Depth Anything V2 (depth_anything_v2/dpt.py: the head's last layer, and again in
+  `forward`), MiDaS (`non_negative`), DPT; Depth Pro's canonical inverse depth (ml-depth-pro, `DepthPro.head`).
+- `Sigmoid` times 20 or 80: metric depth up to that many metres. Depth Anything V2 metric
+  (metric_depth/depth_anything_v2/dpt.py; transformers' `DepthAnythingDepthEstimationHead` for "metric").
+- `ReLU` times 20 or 80: a metric network that was exported with the relative one's last function. Its weights want
+  the sigmoid, so depth is 0 or far too large: fabio-sim/Depth-Anything-ONNX before its pull request 27 (October 2024),
+  transformers before its issue 32890 was closed (August 2024). No preset makes it right.
+- sum of `Softmax` times depths of bins: ZoeDepth (`ZoeDepthMultipleMetricDepthEstimationHeads`), Metric3D ConvNeXt.
+- `1 / x` of a ReLU: Depth Pro in metres. `Exp`: Depth Anything 3 (`DPT`, activation "exp"), UniDepth.
+- `a - ReLU(a - x)`: Metric3D ViT, which clamps depth to its range so (`RAFTDepthNormalDPT5.clamp`).
+
+Anything else says nothing. Repositories: DepthAnything/Depth-Anything-V2, huggingface/transformers, isl-org/MiDaS,
+isl-org/ZoeDepth, apple/ml-depth-pro, YvanYin/Metric3D, ByteDance-Seed/Depth-Anything-3, lpiccinelli-eth/UniDepth.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+
+from .graph import Graph, Node
+
+INVERSE, SIGMOID, BROKEN, BINS, RECIPROCAL, EXP, CLAMPED = (
+    "inverse", "sigmoid", "broken", "bins", "reciprocal", "exp", "clamped",
+)  # fmt: skip
+RANGES = (20.0, 80.0)  # [m] of Depth Anything V2's metric networks: indoors (Hypersim) and outdoors (Virtual KITTI)
+MOST_STEPS = 1000  # some ten are usual; functions that call themselves would never end
+
+# Operations that hand the values of their first input on, in another shape, size or type.
+_PASSING = {
+    "Identity", "Cast", "CastLike", "Reshape", "Squeeze", "Unsqueeze", "Flatten", "Transpose", "Resize", "Upsample",
+    "Slice", "Gather", "Split", "Expand", "Dropout", "Pad", "QuantizeLinear", "DequantizeLinear", "Clip",
+}  # fmt: skip
+
+
+@dataclasses.dataclass(frozen=True)
+class Head:
+    """What a network ends in.
+
+    Args:
+        kind: One of the above, or None where the graph says nothing.
+        factor: What the deciding operation's values are multiplied with.
+    """
+
+    kind: str | None = None
+    factor: float = 1.0
+
+
+UNKNOWN = Head()
+
+
+@dataclasses.dataclass(frozen=True)
+class _Place:
+    """A value, the graph it lies in, and through which calls of functions one came there."""
+
+    value: str
+    graph: Graph
+    calls: tuple[tuple[Graph, Node], ...] = ()
+
+    def producer(self) -> tuple[Node | None, _Place]:
+        """What gives it, into functions and out of them, and where that stands; None of a model's input."""
+        here = self
+        for _ in range(MOST_STEPS):
+            node = here.graph.producers.get(here.value)
+            if node is None:
+                if not here.calls or here.value not in here.graph.inputs:
+                    return None, here
+                outer, call = here.calls[-1]
+                position = here.graph.inputs.index(here.value)
+                if position >= len(call.inputs):
+                    return None, here
+                here = _Place(call.inputs[position], outer, here.calls[:-1])
+                continue
+            function = _functions(here).get((node.domain, node.operation))
+            if function is None:
+                return node, here
+            position = node.outputs.index(here.value)
+            if position >= len(function.outputs):
+                return None, here
+            here = _Place(function.outputs[position], function, (*here.calls, (here.graph, node)))
+        return None, here
+
+    def input(self, node: Node, position: int = 0) -> _Place:
+        """Where an input of a node that stands here comes from."""
+        value = node.inputs[position] if position < len(node.inputs) else ""
+        return dataclasses.replace(self, value=value)
+
+    def constant(self) -> float | None:
+        """The one number that it is, or None."""
+        here = self
+        for _ in range(MOST_STEPS):
+            if here.value in here.graph.constants:
+                return here.graph.constants[here.value]
+            node, here = here.producer()
+            if node is None or node.operation not in ("Cast", "CastLike", "Identity", "Unsqueeze", "Reshape"):
+                return here.graph.constants.get(here.value)
+            here = here.input(node)
+        return None
+
+
+def _functions(place: _Place) -> dict[tuple[str, str], Graph]:
+    """The model's functions, which the outermost graph holds."""
+    return (place.calls[0][0] if place.calls else place.graph).functions
+
+
+def find_head(graph: Graph, output: str) -> Head:
+    """What the network ends in, at this output."""
+    place, factor, is_inverted = _Place(output, graph), 1.0, False
+    for _ in range(MOST_STEPS):
+        node, place = place.producer()
+        if node is None:
+            return UNKNOWN
+        kind = _decides(node, place)
+        if kind is not None:
+            return _head(kind, factor, is_inverted)
+        if node.operation in _PASSING and not node.domain:
+            place = place.input(node)
+        elif node.operation == "Reciprocal":
+            place, factor, is_inverted = place.input(node), 1.0, not is_inverted
+        elif node.operation in ("Mul", "Div"):
+            first, second = (place.input(node, k).constant() for k in (0, 1))
+            if second:
+                factor = factor * second if node.operation == "Mul" else factor / second
+                place = place.input(node)
+            elif first and node.operation == "Mul":
+                factor, place = factor * first, place.input(node, 1)
+            elif first:
+                place, factor, is_inverted = place.input(node, 1), 1.0, not is_inverted
+            elif is_inverted and node.operation == "Mul":  # Depth Pro's focal length, of another output
+                place = place.input(node, _map_of(node, place))
+            else:
+                return UNKNOWN
+        else:
+            return UNKNOWN
+    return UNKNOWN
+
+
+def _head(kind: str, factor: float, is_inverted: bool) -> Head:
+    if is_inverted:
+        return Head(RECIPROCAL, factor) if kind == INVERSE else UNKNOWN
+    if factor <= 0 or (kind == SIGMOID and factor <= 1):
+        return UNKNOWN  # a sigmoid of its own says nothing: networks of disparity end so too
+    if kind == INVERSE and factor in RANGES:
+        return Head(BROKEN, factor)
+    return Head(kind, factor)
+
+
+def _decides(node: Node, place: _Place) -> str | None:
+    """What kind of map a node makes of what goes in, or None where it only hands it on."""
+    if node.operation == "Relu" or node.attributes.get("activation") == "Relu":
+        return INVERSE
+    if node.operation == "Clip" and place.input(node, 1).constant() == 0 and place.input(node, 2).constant() is None:
+        return INVERSE
+    if node.operation == "Max" and len(node.inputs) == 2 and 0.0 in (place.input(node, k).constant() for k in (0, 1)):
+        return INVERSE
+    if node.operation == "Sigmoid" or node.attributes.get("activation") == "Sigmoid":
+        return SIGMOID
+    if node.operation == "Exp":
+        return EXP
+    if node.operation == "ReduceSum" and _sums_bins(node, place):
+        return BINS
+    if node.operation == "Sub" and _clamps(node, place):
+        return CLAMPED
+    return None
+
+
+def _through(place: _Place) -> tuple[Node | None, _Place]:
+    """What gives a value, passed on as it may be."""
+    for _ in range(MOST_STEPS):
+        node, place = place.producer()
+        if node is None or node.operation not in _PASSING or node.domain:
+            return node, place
+        place = place.input(node)
+    return None, place
+
+
+def _sums_bins(node: Node, place: _Place) -> bool:
+    product, there = _through(place.input(node))
+    if product is None or product.operation != "Mul":
+        return False
+    factors = (_through(there.input(product, k))[0] for k in (0, 1))
+    return any(each is not None and each.operation == "Softmax" for each in factors)
+
+
+def _clamps(node: Node, place: _Place) -> bool:
+    """Whether it is a - ReLU(a - x)."""
+    limit = place.input(node).constant()
+    inner, there = _through(place.input(node, 1))
+    if limit is None or inner is None or inner.operation != "Relu":
+        return False
+    last, there = _through(there.input(inner))
+    return last is not None and last.operation == "Sub" and there.input(last).constant() == limit
+
+
+def _map_of(node: Node, place: _Place) -> int:
+    """Which input of a product comes from a ReLU: the map, and not a number of the picture."""
+    second, _ = _through(place.input(node, 1))
+    return 1 if second is not None and second.operation == "Relu" else 0
