@@ -20,8 +20,10 @@ FOLDER = Path(__file__).resolve().parent
 sys.path[:0] = [str(FOLDER), str(FOLDER.parent)]
 
 import held_out  # noqa: E402
+import real_pairs  # noqa: E402
 from judged import Judged, rates, table  # noqa: E402
 
+PAGE = FOLDER.parent.parent / "docs" / "trust.md"
 OWN = (
     "pictures",
     "depth",
@@ -50,7 +52,13 @@ def main() -> None:
     parser.add_argument("--only", action="append", choices=list(areas()), help="an area; may be given several times")
     parser.add_argument("--output", type=Path, help="what was said of each case, a line of JSON each")
     parser.add_argument("--cases", action="store_true", help="print each case, not the rates alone")
+    parser.add_argument("--write", action="store_true", help="write the tables into docs/trust.md")
+    parser.add_argument("--read", type=Path, action="append", help="take the cases of earlier runs' --output instead")
     arguments = parser.parse_args()
+    if arguments.read:
+        rows = [line for path in arguments.read for line in path.read_text().splitlines()]
+        tell([Judged(**json.loads(row)) for row in rows], cases=arguments.cases, write=arguments.write)
+        return
     found: list[Judged] = []
     lines = arguments.output.open("w") if arguments.output else None
     for name, judge in areas().items():
@@ -65,7 +73,17 @@ def main() -> None:
         print(file=sys.stderr)
     if lines is not None:
         lines.close()
-    print("\n".join([*rates(found), "", *(table(found) if arguments.cases else [])]))
+    tell(found, cases=arguments.cases, write=arguments.write)
+
+
+def tell(found: list[Judged], *, cases: bool, write: bool) -> None:
+    """Print the tables, and write them into the page."""
+    print("\n".join([*rates(found), "", *(table(found) if cases else [])]))
+    if write:
+        real_pairs.write_between(PAGE, "rates", "\n".join(rates(found)))
+        real_pairs.write_between(
+            PAGE, "cases", "\n".join(table(c for c in found if c.wrong_believed or c.right_refused))
+        )
 
 
 if __name__ == "__main__":
