@@ -294,12 +294,14 @@ class LidarOdometry:
         if is_second:
             further = start_guesses(predicted, threshold.initial)
             few = first_in_voxels(sparse, START_VOXELS * self.voxel_size, self.min_range, self.max_range)
-        match = match_scan(sparse, voxel_map, predicted, sigma, further, few)
+        match = match_scan(sparse, voxel_map, predicted, sigma, further, few, kept)
         reason = ("converged" if match.converged else "max_iteration") if match.is_found else "no overlap"
         rmse = float(np.sqrt(match.sqsum / max(match.inliers, 1)))
         return OdometryStep(
             index, match.pose if match.is_found else predicted, sigma, match.inliers, match.fitness, rmse, match.turns,
             match.converged, not match.is_found, reason, rmse / self.voxel_size,
+            () if match.open is None else match.open.translations(),
+            () if match.open is None else match.open.turns(),
         )  # fmt: skip
 
     def _straighten_again(self, raw: RawScan, step: OdometryStep, voxel_map: VoxelMap) -> tuple[OdometryStep, wp.array]:

@@ -16,6 +16,7 @@ from ...core.reports import Fields, Report
 from ...core.wording import format_share, plain
 
 Matrix = NDArray[np.float64]
+Direction = tuple[float, float, float]
 
 NO_POINTS = "no points in range"  # reason of a step
 
@@ -28,6 +29,11 @@ STRAYED_MISFIT = 0.7
 # A loop that stands still between two places is common and harmless; where more of the scans do not come to rest than
 # this, there is no place where they fit.
 MOST_UNSETTLED = 0.2
+
+# Of the scans or of the path that may rest on constant velocity; and so many scans on end, over which a car that brakes
+# gently (1 m/s^2, ten scans a second) leaves it by half a metre.
+MOST_UNDETERMINED, MOST_UNDETERMINED_ON_END = 0.1, 10
+ALONG_AXIS = 0.99  # of a unit vector, above which a direction is called by its axis
 
 
 @dataclass(frozen=True, eq=False)
@@ -46,6 +52,9 @@ class OdometryStep:
         is_predicted: Whether the pose is that of constant velocity alone: the scan did not tell.
         reason: "converged", "first scan", "max_iteration", "no points in range" or "no overlap".
         misfit: `inlier_rmse` in edges of the map's voxels: some 0.3 to 0.6 where the scan lies on the map.
+        undetermined: Unit vectors of the world along which the scan does not tell where the sensor is, as in a bare
+            corridor: there the pose is the predicted one.
+        undetermined_turns: Unit axes about which it does not tell how the sensor is turned, likewise.
     """
 
     index: int
@@ -59,6 +68,13 @@ class OdometryStep:
     is_predicted: bool
     reason: str
     misfit: float = 0.0
+    undetermined: tuple[Direction, ...] = ()
+    undetermined_turns: tuple[Direction, ...] = ()
+
+    @property
+    def is_undetermined(self) -> bool:
+        """Whether the scan leaves a motion open."""
+        return bool(self.undetermined or self.undetermined_turns)
 
     @property
     def has_strayed(self) -> bool:
@@ -84,6 +100,9 @@ class OdometrySummary(Report):
         mean_fitness: Of the scans that were matched; NaN where there are none.
         mean_iterations: Likewise.
         empty: Numbers of the scans that have no points in range.
+        undetermined: Numbers of the scans that leave a motion open, where the path is that of constant velocity.
+        open_motions: Which motion that is, such as "along x" or "along x, along y, about z"; empty where there is none.
+        undetermined_distance: Length of the path [m] that ends in these scans.
     """
 
     scan_count: int
@@ -94,6 +113,19 @@ class OdometrySummary(Report):
     mean_fitness: float
     mean_iterations: float
     empty: tuple[int, ...] = ()
+    undetermined: tuple[int, ...] = ()
+    open_motions: str = ""
+    undetermined_distance: float = 0.0
+
+    @property
+    def is_undetermined(self) -> bool:
+        """Whether too much of the path rests on constant velocity."""
+        numbers, last = self.undetermined, MOST_UNDETERMINED_ON_END - 1
+        return (
+            len(numbers) > MOST_UNDETERMINED * (self.scan_count - 1)
+            or self.undetermined_distance > MOST_UNDETERMINED * self.distance
+            or any(b - a == last for a, b in zip(numbers, numbers[last:], strict=False))
+        )
 
     @property
     def has_seen(self) -> bool:
@@ -121,6 +153,11 @@ class OdometrySummary(Report):
                 f"path is likely lost from scan {strayed[0]} on; give scans that lie closer together, or another "
                 "max_range"
             )
+        if self.is_undetermined:
+            reasons.append(
+                f"{len(self.undetermined)} of {count} scans do not determine the motion {self.open_motions} "
+                f"({_scans(self.undetermined)}), where constant velocity was assumed"
+            )
         if not strayed and len(self.unsettled) > MOST_UNSETTLED * (count - 1):
             reasons.append(
                 f"{len(self.unsettled)} of {count} scans did not come to rest on the map ({_scans(self.unsettled)})"
@@ -138,6 +175,9 @@ class OdometrySummary(Report):
                 "predicted": self.predicted,
                 "strayed": self.strayed,
                 "unsettled": self.unsettled,
+                "undetermined": self.undetermined,
+                "open_motions": self.open_motions,
+                "undetermined_path_m": self.undetermined_distance,
             }
         )
 
@@ -148,7 +188,11 @@ class OdometrySummary(Report):
             fit = f"fitness {format_share(self.mean_fitness)} and {self.mean_iterations:.1f} iterations on average"
             fields.append(("fit", fit))
         rows = ("predicted", self.predicted), ("beside map", self.strayed), ("not at rest", self.unsettled)
-        return fields + [(label, f"{len(numbers):,}: {_scans(numbers)}") for label, numbers in rows if numbers]
+        fields += [(label, f"{len(numbers):,}: {_scans(numbers)}") for label, numbers in rows if numbers]
+        if self.undetermined:
+            where = f"{self.open_motions}, {_scans(self.undetermined)}"
+            fields.append(("undetermined", f"{len(self.undetermined):,}: {where}"))
+        return fields
 
 
 def summarize_steps(steps: Sequence[OdometryStep]) -> OdometrySummary:
@@ -167,16 +211,42 @@ def summarize_steps(steps: Sequence[OdometryStep]) -> OdometrySummary:
             raise TypeError(f"steps: expected a list of OdometryStep, got one of {type(step).__name__}")
     matched = [step for step in steps if step.iterations]
     path = np.array([step.pose[:3, 3] for step in steps]).reshape(-1, 3)
+    lengths = np.linalg.norm(np.diff(path, axis=0, prepend=path[:1]), axis=1)
+    free = [step for step in steps if step.is_undetermined]
     return OdometrySummary(
         len(steps),
-        float(np.linalg.norm(np.diff(path, axis=0), axis=1).sum()),
+        float(lengths[1:].sum()),
         tuple(step.index for step in steps if step.is_predicted),
         tuple(step.index for step in steps if step.is_unsettled),
         tuple(step.index for step in steps if step.has_strayed),
         float(np.mean([step.fitness for step in matched])) if matched else math.nan,
         float(np.mean([step.iterations for step in matched])) if matched else math.nan,
         tuple(step.index for step in steps if step.reason == NO_POINTS),
+        tuple(step.index for step in free),
+        _open_motions(free),
+        float(lengths[[i for i, step in enumerate(steps) if step.is_undetermined]].sum()),
     )
+
+
+def _open_motions(steps: Sequence[OdometryStep]) -> str:
+    """What these scans leave open, in words: the directions that half of them share, or the one that most do."""
+    ways: list[tuple[float, str]] = []
+    for word, found in (
+        ("along", [row for step in steps for row in step.undetermined]),
+        ("about", [row for step in steps for row in step.undetermined_turns]),
+    ):
+        if found:
+            rows = np.array(found)
+            values, vectors = np.linalg.eigh(rows.T @ rows / len(steps))
+            ways += [(float(values[i]), f"{word} {_direction(vectors[:, i])}") for i in (2, 1, 0)]
+    return ", ".join(way for share, way in ways if share > 0.5) or max(ways, default=(0.0, ""))[1]
+
+
+def _direction(v: NDArray[np.float64]) -> str:
+    axis = int(np.abs(v).argmax())
+    if abs(v[axis]) > ALONG_AXIS:
+        return "xyz"[axis]
+    return "({:.2f}, {:.2f}, {:.2f})".format(*(v * np.sign(v[axis])))
 
 
 def _scans(numbers: Sequence[int]) -> str:

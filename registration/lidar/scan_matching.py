@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 from ...kernels.odometry.map_icp import CONVERGED, LOST, MapPairs, align_to_map
 from ...kernels.odometry.voxel_map import VoxelMap
 from ..rigid import make_pose, nearest_rotation, rotation_vector
+from .localisability import OpenDirections, open_directions
 
 Matrix = NDArray[np.float64]
 
@@ -45,6 +46,8 @@ class ScanMatch:
         fitness: Their share, 0..1.
         sqsum: Sum of their squared distances [m^2].
         cost: Mean of Geman-McClure's cost, 0..1.
+        told: What planes tell, [6, 6].
+        open: What the scan does not fix: there the pose is the guess'; None where it fixes all.
     """
 
     pose: Matrix
@@ -55,6 +58,8 @@ class ScanMatch:
     fitness: float
     sqsum: float
     cost: float
+    told: Matrix
+    open: OpenDirections | None = None
 
 
 def match_scan(
@@ -64,6 +69,7 @@ def match_scan(
     sigma: float,
     further: Sequence[Matrix] = (),
     few: wp.array | None = None,
+    dense: wp.array | None = None,
 ) -> ScanMatch:
     """The pose of a scan.
 
@@ -79,6 +85,7 @@ def match_scan(
         sigma: Standard deviation [m] of the guess' error.
         further: Other poses to begin with, where nothing is known of the motion.
         few: Fewer points of the scan, to choose among many poses with; None takes all.
+        dense: More points of the scan, to tell with what it fixes; None takes `points`.
     """
     size = voxel_map.voxel_size
     pairs = MapPairs(points, voxel_map, PLANE_VOXELS * size)
@@ -91,20 +98,34 @@ def match_scan(
     best = min((match for match in near if match.is_found), key=lambda match: match.cost, default=far)
     last = _align(pairs, best.pose, limit, fine, TOLERANCE, to_planes=True)
     turns = far.turns + last.turns + sum(match.turns for match in near)
-    return replace(last if last.is_found else far, turns=turns)
+    if not last.is_found:
+        return replace(far, turns=turns)
+    free = open_directions(points if dense is None else dense, voxel_map, last.pose, last.told, points.size)
+    if free is None or free.is_blind:
+        return replace(last, turns=turns, open=None if further else free)
+    start = free.taken_from(last.pose, guess)
+    held = _align(pairs, start, limit, fine, TOLERANCE, to_planes=True, held=free.weight())
+    return replace(held if held.is_found else replace(last, pose=start), turns=turns + held.turns, open=free)
 
 
 def _align(
-    pairs: MapPairs, guess: Matrix, max_distance: float, kernel_scale: float, tolerance: float, *, to_planes: bool
+    pairs: MapPairs,
+    guess: Matrix,
+    max_distance: float,
+    kernel_scale: float,
+    tolerance: float,
+    *,
+    to_planes: bool,
+    held: Matrix | None = None,
 ) -> ScanMatch:
     """Where a guess leads to."""
     count = pairs.points.size
-    T, state, turns, inliers, sqsum, cost = align_to_map(
+    T, state, turns, inliers, sqsum, cost, told = align_to_map(
         pairs, guess, max_distance, kernel_scale,
-        least=LOST_SHARE * count, tolerance=tolerance, turns=MAX_TURNS, to_planes=to_planes,
+        least=LOST_SHARE * count, tolerance=tolerance, turns=MAX_TURNS, to_planes=to_planes, held=held,
     )  # fmt: skip
     pose = guess if state == LOST else make_pose(nearest_rotation(T[:3, :3]), T[:3, 3])
-    return ScanMatch(pose, state != LOST, state == CONVERGED, turns, inliers, inliers / count, sqsum, cost)
+    return ScanMatch(pose, state != LOST, state == CONVERGED, turns, inliers, inliers / count, sqsum, cost, told)
 
 
 def start_guesses(pose: Matrix, threshold: float) -> list[Matrix]:

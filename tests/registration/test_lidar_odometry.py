@@ -181,7 +181,7 @@ def test_a_scan_lies_where_the_loop_written_out_puts_it(device, kitti_pair, tole
         T = S @ T
     options = {"least": 6, "tolerance": 1e-9, "turns": 500, "to_planes": reach > 0}
     answer = align_to_map(MapPairs(upload(source, vec3, where), voxel_map, reach), np.eye(4), 0.9, kappa, **options)
-    pose, state, _, inliers, sqsum, cost = answer
+    pose, state, _, inliers, sqsum, cost, _ = answer
     assert state == CONVERGED
     np.testing.assert_allclose(pose, T, atol=tolerances.odometry_pose)
     assert inliers == found.sum()
