@@ -46,6 +46,7 @@ class ScanMatch:
         fitness: Their share, 0..1.
         sqsum: Sum of their squared distances [m^2].
         cost: Mean of Geman-McClure's cost, 0..1.
+        astray: Share of the points that do not lie on the map, by the same cost: those that tell nothing count as on it.
         told: What planes tell, [6, 6].
         open: What the scan does not fix: there the pose is the guess'; None where it fixes all.
     """
@@ -58,6 +59,7 @@ class ScanMatch:
     fitness: float
     sqsum: float
     cost: float
+    astray: float
     told: Matrix
     open: OpenDirections | None = None
 
@@ -120,12 +122,12 @@ def _align(
 ) -> ScanMatch:
     """Where a guess leads to."""
     count = pairs.points.size
-    T, state, turns, inliers, sqsum, cost, told = align_to_map(
+    T, state, turns, inliers, sqsum, cost, astray, told = align_to_map(
         pairs, guess, max_distance, kernel_scale,
         least=LOST_SHARE * count, tolerance=tolerance, turns=MAX_TURNS, to_planes=to_planes, held=held,
     )  # fmt: skip
     pose = guess if state == LOST else make_pose(nearest_rotation(T[:3, :3]), T[:3, 3])
-    return ScanMatch(pose, state != LOST, state == CONVERGED, turns, inliers, inliers / count, sqsum, cost, told)
+    return ScanMatch(pose, state != LOST, state == CONVERGED, turns, inliers, inliers / count, sqsum, cost, astray, told)
 
 
 def start_guesses(pose: Matrix, threshold: float) -> list[Matrix]:
