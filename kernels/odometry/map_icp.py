@@ -330,8 +330,8 @@ def align_to_map(
         held: float64 [6, 6], what is added to the matrix in units of its trace over translations; None adds nothing.
 
     Returns:
-        (pose, state, turns taken, correspondences, sum of their squared distances [m^2], cost, share astray, what
-        planes tell): all behind the turns but the last as they were before the last motion. The cost is the mean of
+        (pose, state, turns taken, correspondences, sum of their squared distances [m^2], cost, disagreement,
+        what planes tell): all behind the turns but the last as they were before the last motion. The cost is the mean of
         Geman-McClure's, 0..1, over the points whose correspondences tell something and those that have none; the
         share astray is the sum of the same over all points. What planes tell is a matrix [6, 6] over turns [rad]
         about the sensor and its translation [m], zero without planes. One sync.
@@ -362,9 +362,9 @@ def align_to_map(
     facts = download(alignment.facts)
     sqsum, paired, cost, telling = (float(v) for v in facts[:4])
     alone = points.size - paired
-    astray = cost / telling if telling else 0.0
+    disagreement = cost / telling if telling > 0 else 0.0
     cost = (cost + alone) / (telling + alone) if telling + alone > 0 else 1.0
     matrix = np.zeros((UNKNOWNS, UNKNOWNS))
     matrix[np.triu_indices(UNKNOWNS)] = facts[FACTS - TRIANGLE :]
     matrix += np.triu(matrix, 1).T
-    return download(alignment.poses)[0].astype(np.float64), state, taken, int(paired), sqsum, cost, astray, matrix
+    return download(alignment.poses)[0].astype(np.float64), state, taken, int(paired), sqsum, cost, disagreement, matrix

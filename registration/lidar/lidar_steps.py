@@ -18,13 +18,13 @@ from ...core.wording import format_share, plain
 Matrix = NDArray[np.float64]
 Direction = tuple[float, float, float]
 
-NO_POINTS = "no points in range"  # reason of a step
+NO_POINTS, FIRST_SCAN = "no points in range", "first scan"  # reasons of a step
 
-# Of a scan's misfit, above which it lies beside the map. On drives whose truth is known (a made-up street at 5 to
-# 30 m/s, voxels of 0.5 to 4 m, all scans or every second to thirteenth) the worst step of paths that were right had
-# 0.41 to 0.69, of lost ones 0.71 to 0.96; of a real pair of scans 0.49 to 0.60, of real submaps 3 to 12 m apart 0.75 to
-# 1.05.
-STRAYED_MISFIT = 0.7
+# Of a scan's disagreement, above which it lies beside the map; the second where hardly any of it lies near the map at
+# all. On made-up drives whose truth is known (streets, halls, woods, corridors; 0 to 38 m/s, scanners that turn and one
+# that draws roses in the hand) scans that were right had 0.005 to 0.28, lost ones 0.29 to 0.71; scans of other places
+# 0.25 to 0.44, of which the former with a fitness of 0.2; submaps 3 to 12 m apart 0.49 to 0.59.
+STRAYED_DISAGREEMENT, LITTLE_DISAGREEMENT, LITTLE_FITNESS = 0.3, 0.2, 0.4
 
 # A loop that stands still between two places is common and harmless; where more of the scans do not come to rest than
 # this, there is no place where they fit.
@@ -52,9 +52,13 @@ class OdometryStep:
         is_predicted: Whether the pose is that of constant velocity alone: the scan did not tell.
         reason: "converged", "first scan", "max_iteration", "no points in range" or "no overlap".
         misfit: `inlier_rmse` in edges of the map's voxels: some 0.3 to 0.6 where the scan lies on the map.
+        disagreement: Mean cost (0..1) of the distances from the map's planes, of points that have one: up to 0.2 where
+            the scan lies on the map.
         undetermined: Unit vectors of the world along which the scan does not tell where the sensor is, as in a bare
             corridor: there the pose is the predicted one.
         undetermined_turns: Unit axes about which it does not tell how the sensor is turned, likewise.
+        has_prior: Whether the prediction was given to `register`.
+        has_joined: Whether the scan lay on the one before it, which lay beside the map, and both joined it.
     """
 
     index: int
@@ -68,8 +72,11 @@ class OdometryStep:
     is_predicted: bool
     reason: str
     misfit: float = 0.0
+    disagreement: float = 0.0
     undetermined: tuple[Direction, ...] = ()
     undetermined_turns: tuple[Direction, ...] = ()
+    has_prior: bool = False
+    has_joined: bool = False
 
     @property
     def is_undetermined(self) -> bool:
@@ -79,7 +86,13 @@ class OdometryStep:
     @property
     def has_strayed(self) -> bool:
         """Whether the scan lies beside the map, on other things than those it shows, however many points pair up."""
-        return not self.is_predicted and self.misfit > STRAYED_MISFIT
+        limit = STRAYED_DISAGREEMENT if self.fitness >= LITTLE_FITNESS else LITTLE_DISAGREEMENT
+        return not self.is_predicted and self.disagreement > limit
+
+    @property
+    def is_sound(self) -> bool:
+        """Whether the scan lies on the map, or is the first: only such scans join the map and tell the motion."""
+        return not self.is_predicted and not self.has_strayed
 
     @property
     def is_unsettled(self) -> bool:

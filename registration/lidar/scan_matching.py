@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from ...kernels.odometry.map_icp import CONVERGED, LOST, MapPairs, align_to_map
 from ...kernels.odometry.voxel_map import VoxelMap
-from ..rigid import make_pose, nearest_rotation, rotation_vector
+from ..rigid import make_pose, nearest_rotation, pose_of, rotation_vector
 from .localisability import OpenDirections, open_directions
 
 Matrix = NDArray[np.float64]
@@ -31,6 +31,8 @@ PLANE_VOXELS = 1.0  # edges of a voxel: reach of the points of a plane
 COARSE_KERNEL, FINE_KERNEL = 0.5, 0.1  # squared edges: Geman-McClure's scale of distances from planes
 START_RINGS = (0.375, 0.75, 1.5)  # times the initial threshold: distances of the guesses while no motion is known
 START_DIRECTIONS = 8
+# [deg] about x, y, z: within a voxel of each other at 7 voxels' distance; a scanner in the hand is turned so fast
+WIDE_TURNS = ((2, (8.0, 16.0, 24.0, 32.0, 40.0)), (1, (8.0, 16.0)), (0, (8.0, 16.0)))
 
 
 @dataclass(frozen=True, eq=False)
@@ -46,7 +48,7 @@ class ScanMatch:
         fitness: Their share, 0..1.
         sqsum: Sum of their squared distances [m^2].
         cost: Mean of Geman-McClure's cost, 0..1.
-        astray: Share of the points that do not lie on the map, by the same cost: those that tell nothing count as on it.
+        disagreement: Mean of the same cost over points that have a plane.
         told: What planes tell, [6, 6].
         open: What the scan does not fix: there the pose is the guess'; None where it fixes all.
     """
@@ -59,7 +61,7 @@ class ScanMatch:
     fitness: float
     sqsum: float
     cost: float
-    astray: float
+    disagreement: float
     told: Matrix
     open: OpenDirections | None = None
 
@@ -122,12 +124,12 @@ def _align(
 ) -> ScanMatch:
     """Where a guess leads to."""
     count = pairs.points.size
-    T, state, turns, inliers, sqsum, cost, astray, told = align_to_map(
+    T, state, turns, inliers, sqsum, cost, disagreement, told = align_to_map(
         pairs, guess, max_distance, kernel_scale,
         least=LOST_SHARE * count, tolerance=tolerance, turns=MAX_TURNS, to_planes=to_planes, held=held,
     )  # fmt: skip
     pose = guess if state == LOST else make_pose(nearest_rotation(T[:3, :3]), T[:3, 3])
-    return ScanMatch(pose, state != LOST, state == CONVERGED, turns, inliers, inliers / count, sqsum, cost, astray, told)
+    return ScanMatch(pose, state != LOST, state == CONVERGED, turns, inliers, inliers / count, sqsum, cost, disagreement, told)
 
 
 def start_guesses(pose: Matrix, threshold: float) -> list[Matrix]:
@@ -138,6 +140,20 @@ def start_guesses(pose: Matrix, threshold: float) -> list[Matrix]:
             angle = 2 * math.pi * k / START_DIRECTIONS
             step = np.array([math.cos(angle), math.sin(angle), 0.0]) * ring * threshold
             guesses.append(pose @ make_pose(np.eye(3), step))
+    return guesses
+
+
+def wide_guesses(predicted: Matrix, last: Matrix) -> list[Matrix]:
+    """Two poses, and both turned about the sensor's own axes: where a scan may lie that does not lie where it should."""
+    guesses = []
+    for pose in (predicted, last):
+        guesses.append(pose)
+        for axis, angles in WIDE_TURNS:
+            for angle in angles:
+                for sign in (-1.0, 1.0):
+                    twist = np.zeros(6)
+                    twist[axis] = sign * math.radians(angle)
+                    guesses.append(pose @ pose_of(twist))
     return guesses
 
 
