@@ -25,7 +25,7 @@ from .deskewing import point_times
 from .lidar_steps import FIRST_SCAN, NO_POINTS, OdometryStep, OdometrySummary, summarize_steps
 from .lidar_track import Aside, Known, Next
 from .raw_scan import RawScan
-from .scan_matching import AdaptiveThreshold, ScanMatch, match_scan, start_guesses, wide_guesses
+from .scan_matching import START_RINGS, AdaptiveThreshold, ScanMatch, match_scan, start_guesses, wide_guesses
 
 Matrix = NDArray[np.float64]
 
@@ -247,7 +247,8 @@ class LidarOdometry:
         sparse = first_in_voxels(kept, SCAN_VOXELS * self.voxel_size, self.min_range, self.max_range)
         few = first_in_voxels(sparse, START_VOXELS * self.voxel_size, self.min_range, self.max_range)
         further = start_guesses(predicted, threshold.initial) if is_start and not has_prior else []
-        match = match_scan(sparse, voxel_map, predicted, sigma, further, few if further else None, kept)
+        reach = 0.0 if has_prior or not self._known.is_young(index) else START_RINGS[-1] * threshold.initial
+        match = match_scan(sparse, voxel_map, predicted, sigma, further, few if further else None, kept, reach)
         step = self._step_of(match, predicted, sigma, has_prior)
         if step.disagreement > DOUBTED_DISAGREEMENT or step.is_predicted:
             again = match_scan(sparse, voxel_map, predicted, sigma, wide_guesses(predicted, self._last_pose()), few, kept)
@@ -265,7 +266,7 @@ class LidarOdometry:
             match.turns, match.converged, not match.is_found, reason, rmse / self.voxel_size, match.disagreement,
             () if match.open is None else match.open.translations(),
             () if match.open is None else match.open.turns(),
-            has_prior,
+            tuple(tuple(float(v) for v in rival[:3, 3] - match.pose[:3, 3]) for rival in match.rivals), has_prior,
         )  # fmt: skip
 
     def _place(self, step: OdometryStep, kept: wp.array, voxel_map: VoxelMap, predicted: Matrix, raw: RawScan) -> Next:

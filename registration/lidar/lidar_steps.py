@@ -57,6 +57,8 @@ class OdometryStep:
         undetermined: Unit vectors of the world along which the scan does not tell where the sensor is, as in a bare
             corridor: there the pose is the predicted one.
         undetermined_turns: Unit axes about which it does not tell how the sensor is turned, likewise.
+        rivals: Vectors [m] of the world from the pose to others where the scan lies as well, such as the next of many
+            like doors: looked for while the scanner's motion is not known.
         has_prior: Whether the prediction was given to `register`.
         has_joined: Whether the scan lay on the one before it, which lay beside the map, and both joined it.
     """
@@ -75,6 +77,7 @@ class OdometryStep:
     disagreement: float = 0.0
     undetermined: tuple[Direction, ...] = ()
     undetermined_turns: tuple[Direction, ...] = ()
+    rivals: tuple[Direction, ...] = ()
     has_prior: bool = False
     has_joined: bool = False
 

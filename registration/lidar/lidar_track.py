@@ -17,6 +17,8 @@ from .scan_matching import AdaptiveThreshold
 
 Matrix = NDArray[np.float64]
 
+YOUNG = 3  # scans after the first: later the map holds what was matched wrongly, and that is matched again
+
 
 @dataclass(frozen=True, eq=False)
 class Aside:
@@ -47,7 +49,9 @@ class Known:
         first: The first scan, until the second one came.
         pruned_at: Where the sensor was when the map was last cut.
         motion: From scan to scan, as the last ones that lay on the map have it.
-        has_motion: Whether any scan told one.
+        has_motion: Whether any scan lay on the map of those before it.
+        has_way: Whether any did and told all of its motion, and nothing else fitted.
+        began: Number of the first scan.
         sound: Number and pose of the last scan that lay on the map.
         aside: The last scan, where it did not.
     """
@@ -58,6 +62,8 @@ class Known:
     pruned_at: NDArray[np.float64] = field(default_factory=lambda: np.zeros(3))
     motion: Matrix = field(default_factory=lambda: np.eye(4))
     has_motion: bool = False
+    has_way: bool = False
+    began: int = 0
     sound: tuple[int, Matrix] | None = None
     aside: Aside | None = None
 
@@ -70,7 +76,16 @@ class Known:
             gap = step.index - self.sound[0]
             motion = pose_of(twist_of(invert_pose(self.sound[1]) @ step.pose) / gap)
         has_motion = self.has_motion or (self.sound is not None and step.iterations > 0)
-        return replace(self, motion=motion, has_motion=has_motion, sound=(step.index, step.pose), aside=None)
+        has_way = self.has_way or (has_motion and not step.is_undetermined and not step.rivals)
+        began = step.index if self.sound is None else self.began
+        return replace(
+            self, motion=motion, has_motion=has_motion, has_way=has_way, began=began, sound=(step.index, step.pose),
+            aside=None,
+        )  # fmt: skip
+
+    def is_young(self, index: int) -> bool:
+        """Whether nothing sure is known of the motion yet, and the run has just begun."""
+        return not self.has_way and index - self.began <= YOUNG
 
 
 @dataclass(frozen=True, eq=False)

@@ -24,12 +24,16 @@ Matrix = NDArray[np.float64]
 # Bare corridors and tunnels have 0.0001 to 0.03 along them, the latter right after the start, where planes rest on few
 # points; streets, halls and woods 0.02 to 0.3.
 SUSPECT_SHARE = 0.03
+SEARCHED_SHARE = 0.1  # the same, below which other places are looked for after the start: planes are rough by then
 STEP_VOXELS = 0.75  # edges of a voxel that a scan is moved by, along and against a suspect; turns at the mean lever
 JUDGING_POINTS = 1024  # of a scan, about: they show a rise of 0.01 in the mean cost
 # Mean rise of the costs (0..1) a step along, and in standard deviations. Where nothing tells, -0.012 to 0.011 and at
 # most 2.4 on three made corridors, a tunnel and a field; where little does (doors of 6 cm, one box in view), 0.03 and 5.
 LEAST_RISE, LEAST_DEVIATIONS = 0.02, 3.0
 LEAST_PLANES = 0.05  # of the points, below which nothing but lines and single points holds the pose
+MOST_PLACES = 64  # along a line
+MOST_RIVALS = 4  # of them that are looked at more closely
+LEAST_SEEN = 0.5  # of the most points with a plane at any of them: at the map's rim a scan lies well on little
 HELD_WEIGHT = 1.0e6  # of a motion that is held, in units of all pairs' weight
 
 
@@ -104,6 +108,41 @@ def open_directions(
     rises = compare_poses(points, JUDGING_POINTS, voxel_map, np.array([pose, *(moved(pose, s) for s in steps)]), size)
     is_open = ~rises_clearly(rises[1:]).reshape(-1, 2).all(axis=1)
     return OpenDirections(lever, suspects[:, is_open]) if is_open.any() else None
+
+
+def weak_ways(told: Matrix, count: int) -> Matrix:
+    """The directions [k, 3] of translations of which planes tell little, by the turns as they are found best."""
+    planes = float(np.trace(told[3:, 3:]))
+    if planes < LEAST_PLANES * count:
+        return np.empty((0, 3))
+    alone = told[3:, 3:] - told[3:, :3] @ np.linalg.pinv(told[:3, :3], hermitian=True) @ told[:3, 3:]
+    values, vectors = np.linalg.eigh(alone / planes)
+    return vectors.T[values < SEARCHED_SHARE]
+
+
+def places_along(
+    points: wp.array, voxel_map: VoxelMap, pose: Matrix, guess: Matrix, way: Matrix, reach: float
+) -> list[Matrix]:
+    """Poses along a line where a scan lies better than a little before and behind, the best few, without its own.
+
+    Args:
+        points: The scan, device array of vec3, finite.
+        voxel_map: The map.
+        pose: T_map_sensor.
+        guess: The line is as long as `reach` [m] to either side of it.
+        way: The line's direction, [3].
+        reach: Half its length [m].
+    """
+    step = max(STEP_VOXELS * voxel_map.voxel_size, 2 * reach / MOST_PLACES)
+    middle = float(way @ (guess[:3, 3] - pose[:3, 3]))
+    shifts = np.arange(math.floor((middle - reach) / step), math.ceil((middle + reach) / step) + 1) * step
+    poses = np.array([pose, *(moved(pose, np.concatenate([np.zeros(3), s * way])) for s in shifts)])
+    total, _, pairs, _ = compare_poses(points, JUDGING_POINTS, voxel_map, poses, voxel_map.voxel_size)[1:].T
+    costs = np.where(pairs >= LEAST_SEEN * pairs.max(), total / np.maximum(pairs, 1), np.inf)
+    beside = np.concatenate([[np.inf], costs, [np.inf]])
+    is_least = (costs <= beside[:-2]) & (costs <= beside[2:]) & np.isfinite(costs) & (np.abs(shifts) > step)
+    best = [i for i in np.argsort(costs, kind="stable") if is_least[i]]
+    return [poses[1 + i] for i in best[:MOST_RIVALS]]
 
 
 def rises_clearly(rises: Matrix) -> NDArray[np.bool_]:

@@ -14,9 +14,17 @@ import warp as wp
 from numpy.typing import NDArray
 
 from ...kernels.odometry.map_icp import CONVERGED, LOST, MapPairs, align_to_map
+from ...kernels.odometry.pose_probes import compare_poses
 from ...kernels.odometry.voxel_map import VoxelMap
 from ..rigid import make_pose, nearest_rotation, pose_of, rotation_vector
-from .localisability import OpenDirections, open_directions
+from .localisability import (
+    JUDGING_POINTS,
+    OpenDirections,
+    open_directions,
+    places_along,
+    rises_clearly,
+    weak_ways,
+)
 
 Matrix = NDArray[np.float64]
 
@@ -31,6 +39,7 @@ PLANE_VOXELS = 1.0  # edges of a voxel: reach of the points of a plane
 COARSE_KERNEL, FINE_KERNEL = 0.5, 0.1  # squared edges: Geman-McClure's scale of distances from planes
 START_RINGS = (0.375, 0.75, 1.5)  # times the initial threshold: distances of the guesses while no motion is known
 START_DIRECTIONS = 8
+RIVAL_VOXELS = 1.5  # edges of a voxel: what lies nearer than this is the same place
 # [deg] about x, y, z: within a voxel of each other at 7 voxels' distance; a scanner in the hand is turned so fast
 WIDE_TURNS = ((2, (8.0, 16.0, 24.0, 32.0, 40.0)), (1, (8.0, 16.0)), (0, (8.0, 16.0)))
 
@@ -50,6 +59,7 @@ class ScanMatch:
         cost: Mean of Geman-McClure's cost, 0..1.
         disagreement: Mean of the same cost over points that have a plane.
         told: What planes tell, [6, 6].
+        rivals: Other poses where the scan lies as well.
         open: What the scan does not fix: there the pose is the guess'; None where it fixes all.
     """
 
@@ -64,6 +74,7 @@ class ScanMatch:
     disagreement: float
     told: Matrix
     open: OpenDirections | None = None
+    rivals: tuple[Matrix, ...] = ()
 
 
 def match_scan(
@@ -74,6 +85,7 @@ def match_scan(
     further: Sequence[Matrix] = (),
     few: wp.array | None = None,
     dense: wp.array | None = None,
+    reach: float = 0.0,
 ) -> ScanMatch:
     """The pose of a scan.
 
@@ -90,6 +102,7 @@ def match_scan(
         further: Other poses to begin with, where nothing is known of the motion.
         few: Fewer points of the scan, to choose among many poses with; None takes all.
         dense: More points of the scan, to tell with what it fixes; None takes `points`.
+        reach: How far [m] from the guess other places are looked for along what the scan tells little of.
     """
     size = voxel_map.voxel_size
     pairs = MapPairs(points, voxel_map, PLANE_VOXELS * size)
@@ -104,12 +117,45 @@ def match_scan(
     turns = far.turns + last.turns + sum(match.turns for match in near)
     if not last.is_found:
         return replace(far, turns=turns)
-    free = open_directions(points if dense is None else dense, voxel_map, last.pose, last.told, points.size)
+    dense, rivals = points if dense is None else dense, ()
+    for way in weak_ways(last.told, points.size) if reach > 0 else ():
+        last, others = _search_along(pairs, dense, last, guess, way, reach)
+        turns, rivals = turns + last.turns, rivals + others
+    free = open_directions(dense, voxel_map, last.pose, last.told, points.size)
     if free is None or free.is_blind:
-        return replace(last, turns=turns, open=None if further else free)
+        return replace(last, turns=turns, open=None if further else free, rivals=rivals)
     start = free.taken_from(last.pose, guess)
     held = _align(pairs, start, limit, fine, TOLERANCE, to_planes=True, held=free.weight())
     return replace(held if held.is_found else replace(last, pose=start), turns=turns + held.turns, open=free)
+
+
+def _search_along(
+    pairs: MapPairs, dense: wp.array, found: ScanMatch, guess: Matrix, way: Matrix, reach: float
+) -> tuple[ScanMatch, tuple[Matrix, ...]]:
+    """Where a scan lies best along a direction of which it tells little, and other places where it lies as well.
+
+    Like doors in a corridor fit at every period: of places that fit alike, the one next to the guess is taken.
+    """
+    size, voxel_map = pairs.voxel_map.voxel_size, pairs.voxel_map
+    starts = places_along(dense, voxel_map, found.pose, guess, way, reach)
+    tried = [_align(pairs, T, JUDGED_VOXELS * size, FINE_KERNEL * size**2, ROUGH, to_planes=True) for T in starts]
+    places = [found, *(match for match in tried if match.is_found)]
+    rises = compare_poses(dense, JUDGING_POINTS, voxel_map, np.array([match.pose for match in places]), size)
+    best = places[int(np.argmin(rises[:, 0] / np.maximum(rises[:, 2], 1)))]
+    rises = compare_poses(
+        dense, JUDGING_POINTS, voxel_map, np.array([best.pose, *(match.pose for match in places)]), size
+    )
+    alike = [match for match, is_worse in zip(places, rises_clearly(rises[1:]), strict=True) if not is_worse]
+    chosen = min(alike, key=lambda match: _distance(match.pose, guess))
+    chosen = chosen if chosen is found else _align(
+        pairs, chosen.pose, JUDGED_VOXELS * size, FINE_KERNEL * size**2, TOLERANCE, to_planes=True
+    )
+    others = [match.pose for match in alike if _distance(match.pose, chosen.pose) > RIVAL_VOXELS * size]
+    return chosen, tuple(others)
+
+
+def _distance(A: Matrix, B: Matrix) -> float:
+    return float(np.linalg.norm(A[:3, 3] - B[:3, 3]))
 
 
 def _align(
