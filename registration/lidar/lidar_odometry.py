@@ -251,7 +251,9 @@ class LidarOdometry:
         match = match_scan(sparse, voxel_map, predicted, sigma, further, few if further else None, kept, reach)
         step = self._step_of(match, predicted, sigma, has_prior)
         if step.disagreement > DOUBTED_DISAGREEMENT or step.is_predicted:
-            again = match_scan(sparse, voxel_map, predicted, sigma, wide_guesses(predicted, self._last_pose()), few, kept)
+            again = match_scan(
+                sparse, voxel_map, predicted, sigma, wide_guesses(predicted, self._last_pose()), few, kept
+            )
             turned = self._step_of(again, predicted, sigma, has_prior)
             if turned.is_sound and (turned.disagreement < step.disagreement or not step.is_sound):
                 return turned

@@ -33,6 +33,10 @@ MOST_UNSETTLED = 0.2
 # Of the scans or of the path that may rest on constant velocity; and so many scans on end, over which a car that brakes
 # gently (1 m/s^2, ten scans a second) leaves it by half a metre.
 MOST_UNDETERMINED, MOST_UNDETERMINED_ON_END = 0.1, 10
+# A scanner stands where it moved less than this in three scans [m, rad]. Then it sees nothing new, and a fitness of 0.99
+# to 1.00; with lorries passing by on two lanes, 0.97 to 0.99; among lorries that drive with it at 1 m a scan, so that it
+# only seems to stand, 0.88 to 0.98. Half of such scans, and five at least, tell.
+REST, RESTING_FITNESS, MOST_CONTRADICTED, LEAST_RESTING = (0.1, 0.02), 0.97, 0.5, 5
 ALONG_AXIS = 0.99  # of a unit vector, above which a direction is called by its axis
 
 
@@ -119,6 +123,11 @@ class OdometrySummary(Report):
         undetermined: Numbers of the scans that leave a motion open, where the path is that of constant velocity.
         open_motions: Which motion that is, such as "along x" or "along x, along y, about z"; empty where there is none.
         undetermined_distance: Length of the path [m] that ends in these scans.
+        ambiguous: Numbers of the scans that lie as well elsewhere, while the motion was not known.
+        rival: The way [m] from the first of them to the nearest such place; empty where there is none.
+        contradicted: Numbers of the scans with which the scanner seems to stand while much of what it sees is new: what
+            moves with it may be taken for what stands.
+        resting: How many scans it seems to stand.
     """
 
     scan_count: int
@@ -132,6 +141,15 @@ class OdometrySummary(Report):
     undetermined: tuple[int, ...] = ()
     open_motions: str = ""
     undetermined_distance: float = 0.0
+    ambiguous: tuple[int, ...] = ()
+    rival: Direction | tuple[()] = ()
+    contradicted: tuple[int, ...] = ()
+    resting: int = 0
+
+    @property
+    def is_contradicted(self) -> bool:
+        """Whether the scanner seems to stand while the scans show that much moves by."""
+        return len(self.contradicted) >= LEAST_RESTING and len(self.contradicted) > MOST_CONTRADICTED * self.resting
 
     @property
     def is_undetermined(self) -> bool:
@@ -169,6 +187,19 @@ class OdometrySummary(Report):
                 f"path is likely lost from scan {strayed[0]} on; give scans that lie closer together, or another "
                 "max_range"
             )
+        if self.ambiguous:
+            length = math.hypot(*self.rival)
+            way = _direction(np.array(self.rival) / length)
+            reasons.append(
+                f"{len(self.ambiguous)} of the first scans lie as well {length:.2f} m away along {way} "
+                f"({_scans(self.ambiguous)}), so each motion may be off by that; begin at rest with a smaller "
+                "initial_threshold, or give priors"
+            )
+        if self.is_contradicted:
+            reasons.append(
+                f"the scanner seems to stand still while {len(self.contradicted)} scans show much that was not there "
+                f"before ({_scans(self.contradicted)}): what moves with it may be taken for what stands"
+            )
         if self.is_undetermined:
             reasons.append(
                 f"{len(self.undetermined)} of {count} scans do not determine the motion {self.open_motions} "
@@ -194,6 +225,9 @@ class OdometrySummary(Report):
                 "undetermined": self.undetermined,
                 "open_motions": self.open_motions,
                 "undetermined_path_m": self.undetermined_distance,
+                "ambiguous": self.ambiguous,
+                "rival_m": self.rival or None,
+                "contradicted": self.contradicted,
             }
         )
 
@@ -204,6 +238,8 @@ class OdometrySummary(Report):
             fit = f"fitness {format_share(self.mean_fitness)} and {self.mean_iterations:.1f} iterations on average"
             fields.append(("fit", fit))
         rows = ("predicted", self.predicted), ("beside map", self.strayed), ("not at rest", self.unsettled)
+        fields += [(label, f"{len(numbers):,}: {_scans(numbers)}") for label, numbers in rows if numbers]
+        rows = ("fit elsewhere", self.ambiguous), ("contradicted", self.contradicted if self.is_contradicted else ())
         fields += [(label, f"{len(numbers):,}: {_scans(numbers)}") for label, numbers in rows if numbers]
         if self.undetermined:
             where = f"{self.open_motions}, {_scans(self.undetermined)}"
@@ -228,7 +264,9 @@ def summarize_steps(steps: Sequence[OdometryStep]) -> OdometrySummary:
     matched = [step for step in steps if step.iterations]
     path = np.array([step.pose[:3, 3] for step in steps]).reshape(-1, 3)
     lengths = np.linalg.norm(np.diff(path, axis=0, prepend=path[:1]), axis=1)
-    free = [step for step in steps if step.is_undetermined]
+    free = [step for step in steps if step.is_undetermined and not step.has_prior]
+    split = [step for step in steps if step.rivals]
+    resting = _resting(steps)
     return OdometrySummary(
         len(steps),
         float(lengths[1:].sum()),
@@ -240,8 +278,23 @@ def summarize_steps(steps: Sequence[OdometryStep]) -> OdometrySummary:
         tuple(step.index for step in steps if step.reason == NO_POINTS),
         tuple(step.index for step in free),
         _open_motions(free),
-        float(lengths[[i for i, step in enumerate(steps) if step.is_undetermined]].sum()),
+        float(sum(lengths[i] for i, step in enumerate(steps) if step.is_undetermined and not step.has_prior)),
+        tuple(step.index for step in split),
+        min(split[0].rivals, key=lambda way: math.hypot(*way)) if split else (),
+        tuple(step.index for step in resting if step.fitness < RESTING_FITNESS),
+        len(resting),
     )
+
+
+def _resting(steps: Sequence[OdometryStep]) -> list[OdometryStep]:
+    """Matched scans at whose pose the scanner was three scans before too."""
+    found = []
+    for before, step in zip(steps, steps[3:], strict=False):
+        way = np.linalg.norm(step.pose[:3, 3] - before.pose[:3, 3])
+        turn = np.linalg.norm(step.pose[:3, :3] - before.pose[:3, :3]) / math.sqrt(2)
+        if step.is_sound and step.iterations and way < REST[0] and turn < REST[1]:
+            found.append(step)
+    return found
 
 
 def _open_motions(steps: Sequence[OdometryStep]) -> str:

@@ -33,6 +33,9 @@ LEAST_RISE, LEAST_DEVIATIONS = 0.02, 3.0
 LEAST_PLANES = 0.05  # of the points, below which nothing but lines and single points holds the pose
 MOST_PLACES = 64  # along a line
 MOST_RIVALS = 4  # of them that are looked at more closely
+# Of the worst between them, that a place may lie worse than the best and still be a rival: of equal doors that had been
+# driven past, the true one had 0.1 to 0.2, since rings that move along fit better where the scanner seems to stand.
+RIVAL_RISE = 0.25
 LEAST_SEEN = 0.5  # of the most points with a plane at any of them: at the map's rim a scan lies well on little
 HELD_WEIGHT = 1.0e6  # of a motion that is held, in units of all pairs' weight
 
@@ -122,8 +125,10 @@ def weak_ways(told: Matrix, count: int) -> Matrix:
 
 def places_along(
     points: wp.array, voxel_map: VoxelMap, pose: Matrix, guess: Matrix, way: Matrix, reach: float
-) -> list[Matrix]:
+) -> tuple[list[Matrix], float]:
     """Poses along a line where a scan lies better than a little before and behind, the best few, without its own.
+
+    With them comes how much worse it lies between them at worst, as the mean of the costs' differences.
 
     Args:
         points: The scan, device array of vec3, finite.
@@ -142,7 +147,7 @@ def places_along(
     beside = np.concatenate([[np.inf], costs, [np.inf]])
     is_least = (costs <= beside[:-2]) & (costs <= beside[2:]) & np.isfinite(costs) & (np.abs(shifts) > step)
     best = [i for i in np.argsort(costs, kind="stable") if is_least[i]]
-    return [poses[1 + i] for i in best[:MOST_RIVALS]]
+    return [poses[1 + i] for i in best[:MOST_RIVALS]], float(max(costs[np.isfinite(costs)], default=0.0))
 
 
 def rises_clearly(rises: Matrix) -> NDArray[np.bool_]:

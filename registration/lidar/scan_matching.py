@@ -19,6 +19,8 @@ from ...kernels.odometry.voxel_map import VoxelMap
 from ..rigid import make_pose, nearest_rotation, pose_of, rotation_vector
 from .localisability import (
     JUDGING_POINTS,
+    LEAST_SEEN,
+    RIVAL_RISE,
     OpenDirections,
     open_directions,
     places_along,
@@ -137,7 +139,7 @@ def _search_along(
     Like doors in a corridor fit at every period: of places that fit alike, the one next to the guess is taken.
     """
     size, voxel_map = pairs.voxel_map.voxel_size, pairs.voxel_map
-    starts = places_along(dense, voxel_map, found.pose, guess, way, reach)
+    starts, worst = places_along(dense, voxel_map, found.pose, guess, way, reach)
     tried = [_align(pairs, T, JUDGED_VOXELS * size, FINE_KERNEL * size**2, ROUGH, to_planes=True) for T in starts]
     places = [found, *(match for match in tried if match.is_found)]
     rises = compare_poses(dense, JUDGING_POINTS, voxel_map, np.array([match.pose for match in places]), size)
@@ -147,10 +149,18 @@ def _search_along(
     )
     alike = [match for match, is_worse in zip(places, rises_clearly(rises[1:]), strict=True) if not is_worse]
     chosen = min(alike, key=lambda match: _distance(match.pose, guess))
-    chosen = chosen if chosen is found else _align(
-        pairs, chosen.pose, JUDGED_VOXELS * size, FINE_KERNEL * size**2, TOLERANCE, to_planes=True
+    chosen = (
+        chosen
+        if chosen is found
+        else _align(pairs, chosen.pose, JUDGED_VOXELS * size, FINE_KERNEL * size**2, TOLERANCE, to_planes=True)
     )
-    others = [match.pose for match in alike if _distance(match.pose, chosen.pose) > RIVAL_VOXELS * size]
+    others = [
+        match.pose
+        for match, (total, _, seen, _) in zip(places, rises[1:], strict=True)
+        if total < RIVAL_RISE * worst * seen
+        and seen > LEAST_SEEN * rises[0, 2]
+        and _distance(match.pose, chosen.pose) > RIVAL_VOXELS * size
+    ]
     return chosen, tuple(others)
 
 
@@ -175,7 +185,9 @@ def _align(
         least=LOST_SHARE * count, tolerance=tolerance, turns=MAX_TURNS, to_planes=to_planes, held=held,
     )  # fmt: skip
     pose = guess if state == LOST else make_pose(nearest_rotation(T[:3, :3]), T[:3, 3])
-    return ScanMatch(pose, state != LOST, state == CONVERGED, turns, inliers, inliers / count, sqsum, cost, disagreement, told)
+    return ScanMatch(
+        pose, state != LOST, state == CONVERGED, turns, inliers, inliers / count, sqsum, cost, disagreement, told
+    )
 
 
 def start_guesses(pose: Matrix, threshold: float) -> list[Matrix]:
