@@ -1,7 +1,7 @@
 """Made-up drives of a scanner through places that fix its motion and places that do not, and the true poses.
 
-Places are triangle meshes that beams are cast into; what drives along is a mesh of its own. Each scan is a snapshot: its
-points are where they are at one moment, so that nothing but the places decides.
+Places are triangle meshes that beams are cast into; what drives along is a mesh of its own. Each scan is a snapshot:
+its points are where they are at one moment, so that nothing but the places decides.
 """
 
 from __future__ import annotations
@@ -193,7 +193,10 @@ def forest(*, seed: int = 0, trunks: int = 500) -> Place:
 # ------------------------------------------------------------------------------------------------ scanners
 
 
-def spinning(beams: int = 16, azimuths: int = 600, spread: float = 15.0) -> Callable[[int, np.random.Generator], np.ndarray]:
+Look = Callable[[int, np.random.Generator], np.ndarray]  # from the number of a scan to directions [n, 3]
+
+
+def spinning(beams: int = 16, azimuths: int = 600, spread: float = 15.0) -> Look:
     """Directions [n, 3] of a scanner that turns; no turn meets those of the one before."""
     rise = np.radians(np.linspace(-spread, spread, beams))
 
@@ -205,7 +208,7 @@ def spinning(beams: int = 16, azimuths: int = 600, spread: float = 15.0) -> Call
     return look
 
 
-def rosette(count: int = 6000, cone: float = 70.4) -> Callable[[int, np.random.Generator], np.ndarray]:
+def rosette(count: int = 6000, cone: float = 70.4) -> Look:
     """Directions [n, 3] of a scanner that looks along x into a round cone [deg] and draws a rose that never repeats."""
 
     def look(k: int, _: np.random.Generator) -> np.ndarray:
@@ -221,9 +224,8 @@ def rosette(count: int = 6000, cone: float = 70.4) -> Callable[[int, np.random.G
 
 
 def scan_run(
-    place: Place, poses: np.ndarray, look: Callable[[int, np.random.Generator], np.ndarray], *,
-    max_range: float = 30.0, noise: float = 0.01, seed: int = 0,
-) -> Run:  # fmt: skip
+    place: Place, poses: np.ndarray, look: Look, *, max_range: float = 30.0, noise: float = 0.01, seed: int = 0
+) -> Run:
     """The scans from these poses."""
     rng = np.random.default_rng(seed)
     scene, movers = place.scene()
@@ -242,8 +244,10 @@ def scan_run(
     return Run(scans, poses)
 
 
-def along_x(count: int, speed: float, *, start: float = 20.0, height: float = 1.2, standing: int = 0, sway: float = 0.1) -> np.ndarray:
-    """Poses along x, so many metres a scan after some scans of standing; swaying a little to the sides and in heading."""
+def along_x(
+    count: int, speed: float, *, start: float = 20.0, height: float = 1.2, standing: int = 0, sway: float = 0.1
+) -> np.ndarray:
+    """Poses along x, so many metres a scan after some scans of standing; swaying to the sides and in heading."""
     way = np.maximum(np.arange(count) - standing, 0) * speed
     poses = np.tile(np.eye(4), (count, 1, 1))
     turn = 0.3 * sway * np.sin(way / 7)
@@ -251,3 +255,33 @@ def along_x(count: int, speed: float, *, start: float = 20.0, height: float = 1.
     poses[:, 0, 1], poses[:, 1, 0] = -np.sin(turn), np.sin(turn)
     poses[:, :3, 3] = np.stack([start + way, sway * np.sin(way / 5), np.full(count, height)], axis=1)
     return poses
+
+
+def in_hand(count: int, fastest: float, *, seed: int = 0) -> np.ndarray:
+    """Poses of a scanner in the hand of somebody who walks and looks around, turning up to `fastest` degrees a scan."""
+    rng, k = np.random.default_rng(seed), np.arange(count)
+    first, second = rng.uniform(0, 6, 2)
+    begun = np.clip(k / 6, 0, 1)
+    rate = np.sin(2 * np.pi / 24 * k + first) + 0.5 * np.sin(2 * np.pi / 9.84 * k + second)
+    yaw = np.cumsum(rate * math.radians(fastest) / np.abs(rate).max() * begun)
+    pitch, roll = (math.radians(3) * np.sin(f * k + p) * begun for f, p in ((0.7, first), (0.5, second)))
+    poses = np.tile(np.eye(4), (count, 1, 1))
+    for i in range(count):
+        (cy, sy), (cp, sp), (cr, sr) = ((math.cos(a), math.sin(a)) for a in (yaw[i], pitch[i], roll[i]))
+        about_z, about_y = (
+            np.array([[cy, -sy, 0], [sy, cy, 0], [0, 0, 1]]),
+            np.array([[cp, 0, sp], [0, 1, 0], [-sp, 0, cp]]),
+        )
+        poses[i, :3, :3] = about_z @ about_y @ np.array([[1, 0, 0], [0, cr, -sr], [0, sr, cr]])
+    poses[:, :3, 3] = np.stack([20 + 0.2 * k * begun, 0.5 * np.sin(k / 9), 1.5 + 0.05 * np.sin(k / 3)], axis=1)
+    return poses
+
+
+def campus(*, seed: int = 0) -> Place:
+    """A street between two buildings, with trees."""
+    place, rng = street(seed=seed, length=80), np.random.default_rng(seed + 100)
+    for _ in range(25):
+        place.cylinder(rng.uniform(0, 80), rng.choice([-1, 1]) * rng.uniform(3, 6), rng.uniform(0.1, 0.3), 6)
+    place.box(70, -6, 0, 80, 6, 10)
+    place.box(-30, -6, 0, -20, 6, 8)
+    return place

@@ -331,9 +331,9 @@ def align_to_map(
 
     Returns:
         (pose, state, turns taken, correspondences, sum of their squared distances [m^2], cost, disagreement,
-        what planes tell): all behind the turns but the last as they were before the last motion. The cost is the mean of
-        Geman-McClure's, 0..1, over the points whose correspondences tell something and those that have none; the
-        share astray is the sum of the same over all points. What planes tell is a matrix [6, 6] over turns [rad]
+        what planes tell): all behind the turns but the last as they were before the last motion. The cost is the mean
+        of Geman-McClure's, 0..1, over the points whose correspondences tell something and those that have none; the
+        disagreement is that over the former alone. What planes tell is a matrix [6, 6] over turns [rad]
         about the sensor and its translation [m], zero without planes. One sync.
     """
     points, device = pairs.points, pairs.points.device

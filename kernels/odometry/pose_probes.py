@@ -1,4 +1,4 @@
-"""How much worse a scan lies on the planes of a map at other poses than at its own: what it fixes, and what it does not.
+"""How much worse a scan lies on the planes of a map at other poses than at its own: what it fixes.
 
 Distances from planes alone count, and only of points that have a plane at both poses: the rings that a turning
 scanner draws lie at other places in each scan, so distances from points would favour standing still.

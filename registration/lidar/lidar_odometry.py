@@ -73,7 +73,11 @@ class LidarOdometry:
         - A drive may begin at speed: the second scan is tried from 25 places within 1.5 initial thresholds, and its
           motion straightens the first one too.
         - Map points keep the spacing at which a voxel would be full.
-        - A scan that does not overlap the map is reported, keeps the predicted pose, and joins the map there.
+        - A scan that lies beside the map, or does not overlap it, is looked for farther off, turned by up to 40
+          degrees; is it not found, it is reported and keeps the predicted pose. It joins the map there if the next scan
+          lies on it and not on the map; else it is left out, and the path goes on as before it.
+        - What a scan does not determine, as the way along a bare corridor, is held at constant velocity and told.
+        - While the motion is not known, a place that fits as well along what planes tell little of is told too.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -272,7 +276,7 @@ class LidarOdometry:
         )  # fmt: skip
 
     def _place(self, step: OdometryStep, kept: wp.array, voxel_map: VoxelMap, predicted: Matrix, raw: RawScan) -> Next:
-        """What becomes of a scan: it joins the map where it lies on it, or with the scan before where it lies on that."""
+        """What becomes of a scan: it joins the map if it lies on it, or with the one before if it lies on that."""
         known, last_pose, parts = self._known, self._last_pose(), ((kept, step.pose),)
         aside = None
         if step.iterations and not step.is_sound:
@@ -292,7 +296,7 @@ class LidarOdometry:
         return Next(step, after, voxel_map.additions, parts)
 
     def _match_aside(self, aside: Aside, like: VoxelMap, kept: wp.array, predicted: Matrix) -> OdometryStep | None:
-        """The step of a scan that lies on the one before it, which lies beside the map; None where it does not either."""
+        """The step of a scan that lies on the one before it, which lies beside the map; None where it does not."""
         alone = aside.map_like(like, self.max_range)
         step = self._match(alone, kept, predicted, is_start=not self._known.has_motion)
         return replace(step, has_joined=True) if step.is_sound else None

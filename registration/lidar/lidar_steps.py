@@ -20,11 +20,12 @@ Direction = tuple[float, float, float]
 
 NO_POINTS, FIRST_SCAN = "no points in range", "first scan"  # reasons of a step
 
-# Of a scan's disagreement, above which it lies beside the map; the second where hardly any of it lies near the map at
-# all. On made-up drives whose truth is known (streets, halls, woods, corridors; 0 to 38 m/s, scanners that turn and one
-# that draws roses in the hand) scans that were right had 0.005 to 0.28, lost ones 0.29 to 0.71; scans of other places
-# 0.25 to 0.44, of which the former with a fitness of 0.2; submaps 3 to 12 m apart 0.49 to 0.59.
-STRAYED_DISAGREEMENT, LITTLE_DISAGREEMENT, LITTLE_FITNESS = 0.3, 0.2, 0.4
+# Of a scan's disagreement, above which it lies beside the map; the second where none of it lies near the map, with a
+# straight line to two thirds of it. On made-up drives whose truth is known (streets, halls, woods, corridors; 0 to 38
+# m/s, scanners that turn and one that draws roses in the hand) scans that were right had 0.005 to 0.28, lost ones 0.29 to
+# 0.71; scans of other places 0.25 to 0.44, of which the former with a fitness of 0.2; submaps 3 to 12 m apart 0.49 to
+# 0.59.
+STRAYED_DISAGREEMENT, ALONE_DISAGREEMENT = 0.3, 0.1
 
 # A loop that stands still between two places is common and harmless; where more of the scans do not come to rest than
 # this, there is no place where they fit.
@@ -33,9 +34,9 @@ MOST_UNSETTLED = 0.2
 # Of the scans or of the path that may rest on constant velocity; and so many scans on end, over which a car that brakes
 # gently (1 m/s^2, ten scans a second) leaves it by half a metre.
 MOST_UNDETERMINED, MOST_UNDETERMINED_ON_END = 0.1, 10
-# A scanner stands where it moved less than this in three scans [m, rad]. Then it sees nothing new, and a fitness of 0.99
-# to 1.00; with lorries passing by on two lanes, 0.97 to 0.99; among lorries that drive with it at 1 m a scan, so that it
-# only seems to stand, 0.88 to 0.98. Half of such scans, and five at least, tell.
+# A scanner stands where it moved less than this in three scans [m, rad]. Then it sees nothing new, and its fitness is
+# 0.99 to 1.00; with lorries passing by on two lanes, 0.97 to 0.99; among lorries that drive with it at 1 m a scan, so
+# that it only seems to stand, 0.88 to 0.98. Half of such scans, and five at least, tell.
 REST, RESTING_FITNESS, MOST_CONTRADICTED, LEAST_RESTING = (0.1, 0.02), 0.97, 0.5, 5
 ALONG_AXIS = 0.99  # of a unit vector, above which a direction is called by its axis
 
@@ -93,7 +94,7 @@ class OdometryStep:
     @property
     def has_strayed(self) -> bool:
         """Whether the scan lies beside the map, on other things than those it shows, however many points pair up."""
-        limit = STRAYED_DISAGREEMENT if self.fitness >= LITTLE_FITNESS else LITTLE_DISAGREEMENT
+        limit = min(STRAYED_DISAGREEMENT, ALONE_DISAGREEMENT + STRAYED_DISAGREEMENT * self.fitness)
         return not self.is_predicted and self.disagreement > limit
 
     @property
@@ -116,7 +117,8 @@ class OdometrySummary(Report):
         distance: Length of the path [m].
         predicted: Numbers of the scans whose pose was only predicted: the path may be torn there.
         unsettled: Numbers of the scans whose loop did not come to rest: a few are usual, many tell of a lost path.
-        strayed: Numbers of the scans that lie beside the map: the path is likely wrong from the first of them on.
+        strayed: Numbers of the scans that lie beside the map and were left out: where the last scan is one of them, the
+            path is likely wrong from the first of them on.
         mean_fitness: Of the scans that were matched; NaN where there are none.
         mean_iterations: Likewise.
         empty: Numbers of the scans that have no points in range.
@@ -182,11 +184,11 @@ class OdometrySummary(Report):
                 f"path may be torn at {_scans(torn)}"
             )
         if strayed := self.strayed:
-            reasons.append(
-                f"{len(strayed)} of {count} scans lie beside the map of those before them ({_scans(strayed)}), so the "
-                f"path is likely lost from scan {strayed[0]} on; give scans that lie closer together, or another "
-                "max_range"
-            )
+            lost = f"so the path is likely lost from scan {strayed[0]} on; give scans that lie closer together, or"
+            left_out = "which were left out: the path goes on behind them from where constant velocity led"
+            then = f"{lost} another max_range" if strayed[-1] == count - 1 else left_out
+            beside = f"{len(strayed)} of {count} scans lie beside the map of those before them ({_scans(strayed)})"
+            reasons.append(f"{beside}, {then}")
         if self.ambiguous:
             length = math.hypot(*self.rival)
             way = _direction(np.array(self.rival) / length)

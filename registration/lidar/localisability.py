@@ -20,15 +20,15 @@ from ..rigid import make_pose, nearest_rotation, pose_of, rotation_vector
 
 Matrix = NDArray[np.float64]
 
-# Of the squared components of the planes' normals (turns: of their levers, by the mean lever), one half to one is usual.
-# Bare corridors and tunnels have 0.0001 to 0.03 along them, the latter right after the start, where planes rest on few
-# points; streets, halls and woods 0.02 to 0.3.
+# Of the squared components of the planes' normals (turns: of their levers, by the mean lever). Bare corridors and
+# tunnels have 0.0001 to 0.03 along them, the latter right after the start, where planes rest on few points; streets,
+# halls and woods 0.02 to 0.3.
 SUSPECT_SHARE = 0.03
 SEARCHED_SHARE = 0.1  # the same, below which other places are looked for after the start: planes are rough by then
 STEP_VOXELS = 0.75  # edges of a voxel that a scan is moved by, along and against a suspect; turns at the mean lever
 JUDGING_POINTS = 1024  # of a scan, about: they show a rise of 0.01 in the mean cost
-# Mean rise of the costs (0..1) a step along, and in standard deviations. Where nothing tells, -0.012 to 0.011 and at
-# most 2.4 on three made corridors, a tunnel and a field; where little does (doors of 6 cm, one box in view), 0.03 and 5.
+# Mean rise of the costs (0..1) a step along, and in standard deviations. Where nothing tells, -0.012 to 0.011 and 2.4
+# at most on three made corridors, a tunnel and a field; where little does (doors of 6 cm, boxes far off), 0.03 and 5.
 LEAST_RISE, LEAST_DEVIATIONS = 0.02, 3.0
 LEAST_PLANES = 0.05  # of the points, below which nothing but lines and single points holds the pose
 MOST_PLACES = 64  # along a line
@@ -36,6 +36,7 @@ MOST_RIVALS = 4  # of them that are looked at more closely
 # Of the worst between them, that a place may lie worse than the best and still be a rival: of equal doors that had been
 # driven past, the true one had 0.1 to 0.2, since rings that move along fit better where the scanner seems to stand.
 RIVAL_RISE = 0.25
+RIVAL_SEEN = 0.75  # of the points with a plane at the best place that have one there: elsewhere floors are out of reach
 LEAST_SEEN = 0.5  # of the most points with a plane at any of them: at the map's rim a scan lies well on little
 HELD_WEIGHT = 1.0e6  # of a motion that is held, in units of all pairs' weight
 

@@ -19,8 +19,8 @@ from ...kernels.odometry.voxel_map import VoxelMap
 from ..rigid import make_pose, nearest_rotation, pose_of, rotation_vector
 from .localisability import (
     JUDGING_POINTS,
-    LEAST_SEEN,
     RIVAL_RISE,
+    RIVAL_SEEN,
     OpenDirections,
     open_directions,
     places_along,
@@ -158,7 +158,7 @@ def _search_along(
         match.pose
         for match, (total, _, seen, _) in zip(places, rises[1:], strict=True)
         if total < RIVAL_RISE * worst * seen
-        and seen > LEAST_SEEN * rises[0, 2]
+        and seen > RIVAL_SEEN * rises[0, 2]
         and _distance(match.pose, chosen.pose) > RIVAL_VOXELS * size
     ]
     return chosen, tuple(others)
@@ -202,7 +202,7 @@ def start_guesses(pose: Matrix, threshold: float) -> list[Matrix]:
 
 
 def wide_guesses(predicted: Matrix, last: Matrix) -> list[Matrix]:
-    """Two poses, and both turned about the sensor's own axes: where a scan may lie that does not lie where it should."""
+    """Two poses, and both turned about the sensor's own axes: where else to look for a scan."""
     guesses = []
     for pose in (predicted, last):
         guesses.append(pose)
