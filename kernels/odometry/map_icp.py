@@ -21,6 +21,7 @@ from ..algebra.transform import widen
 from ..array_types import Device, Points
 from ..lang import (
     array,
+    cross,
     float32,
     float64,
     func,
@@ -59,6 +60,7 @@ FEW = 5.0  # points around the nearest one, below which there is no plane
 FLAT = 0.1  # of the next larger eigenvalue: below it the spread is a plane's, or a line's
 SCATTERED = 0.1  # weight of a pair among scattered points, whose nearest one is seldom the same point
 HELD = 1.0e-3  # weight of what a pair does not tell: it keeps the system solvable
+FACTS = 25  # of the last sums: squared distances [m^2], pairs, cost, pairs that tell; then what planes alone tell
 
 
 @func
@@ -154,17 +156,24 @@ class Alignment:
         poses: mat44d [1], T_map_sensor.
         running: int32 [1], whether the loop goes on.
         states: int32 [2], why the loop stands where it does, and its turns so far.
-        facts: float64 [4], of the last sums: squared distances [m^2], pairs, cost, pairs that tell.
+        facts: float64 [25], of the last sums: squared distances [m^2], pairs, cost, pairs that tell; then the upper
+            triangle of what planes alone tell.
+        held: float64 [21], upper triangle of a matrix that is added to the system, in units of its trace over
+            translations: what a motion costs that the loop should leave as it is.
     """
 
     poses: array(dtype=mat44d)
     running: array(dtype=int32)
     states: array(dtype=int32)
     facts: array(dtype=float64)
+    held: array(dtype=float64)
 
-    def __init__(self, pose: np.ndarray, device: Device) -> None:
+    def __init__(self, pose: np.ndarray, device: Device, held: np.ndarray | None) -> None:
         self.poses, self.running = upload(pose[None], mat44d, device), full(1, 1, int32, device)
-        self.states, self.facts = zeros(2, int32, device), zeros(4, float64, device)
+        self.states, self.facts = zeros(2, int32, device), zeros(FACTS, float64, device)
+        self.held = zeros(TRIANGLE, float64, device)
+        if held is not None:
+            self.held = upload(held[np.triu_indices(UNKNOWNS)], float64, device)
 
 
 @kernel
@@ -234,8 +243,9 @@ def step_pose_kernel(
         state = int(LOST)
     else:
         h = triangle(0.0)
+        trace = total[place_of(3, 3)] + total[place_of(4, 4)] + total[place_of(5, 5)]
         for k in range(TRIANGLE):
-            h[k] = total[k]
+            h[k] = total[k] + alignment.held[k] * trace
         b = vec6d(0.0)
         for k in range(UNKNOWNS):
             b[k] = total[TRIANGLE + k]
@@ -262,6 +272,38 @@ def step_pose_kernel(
     alignment.running[0] = 1 if state == RUNNING else 0
 
 
+@kernel
+def sum_planes_kernel(pairs: MapPairs, run: int, alignment: Alignment, rows: array(dtype=float64, ndim=2)):
+    """What the planes of one run of points tell: of each the square of (turn about the sensor, translation) along it.
+
+    The planes are those of the last turns: nothing is searched, and all of them count alike.
+    """
+    i = tid()
+    pose = alignment.poses[0]
+    total = triangle(0.0)
+    for j in range(i * run, i * run + min(run, pairs.points.shape[0] - i * run)):
+        at = pairs.planes[j]
+        if pairs.known[j] >= 0 and at[3] > 0.0:
+            n = vec3d(float64(at[0]), float64(at[1]), float64(at[2]))
+            m = cross(turn(pose, widen(pairs.points[j])), n)
+            row = vec6d(m[0], m[1], m[2], n[0], n[1], n[2])
+            for a in range(UNKNOWNS):
+                for b in range(a, UNKNOWNS):
+                    total[place_of(a, b)] = total[place_of(a, b)] + row[a] * row[b]
+    for column in range(TRIANGLE):
+        rows[i, column] = total[column]
+
+
+@kernel
+def add_planes_kernel(rows: array(dtype=float64, ndim=2), alignment: Alignment):
+    """The sum of one column over all runs."""
+    i = tid()
+    total = float64(0.0)
+    for j in range(rows.shape[0]):
+        total += rows[j, i]
+    alignment.facts[FACTS - TRIANGLE + i] = total
+
+
 def align_to_map(
     pairs: MapPairs,
     pose: np.ndarray,
@@ -272,7 +314,8 @@ def align_to_map(
     tolerance: float,
     turns: int,
     to_planes: bool = False,
-) -> tuple[np.ndarray, int, int, int, float, float]:
+    held: np.ndarray | None = None,
+) -> tuple[np.ndarray, int, int, int, float, float, float, np.ndarray]:
     """The pose of a scan in a map, from a pose nearby.
 
     Args:
@@ -284,18 +327,21 @@ def align_to_map(
         tolerance: Length of the motion (rad, m) of a turn that ends the loop.
         turns: At most so many.
         to_planes: Whether distances from the map's planes count, not those from its points.
+        held: float64 [6, 6], what is added to the matrix in units of its trace over translations; None adds nothing.
 
     Returns:
-        (pose, state, turns taken, correspondences, sum of their squared distances [m^2], cost): the last three as
-        they were before the last motion. The cost is the mean of Geman-McClure's, 0..1, over the points whose
-        correspondences tell something and those that have none. One sync.
+        (pose, state, turns taken, correspondences, sum of their squared distances [m^2], cost, disagreement,
+        what planes tell): all behind the turns but the last as they were before the last motion. The cost is the mean
+        of Geman-McClure's, 0..1, over the points whose correspondences tell something and those that have none; the
+        disagreement is that over the former alone. What planes tell is a matrix [6, 6] over turns [rad]
+        about the sensor and its translation [m], zero without planes. One sync.
     """
     points, device = pairs.points, pairs.points.device
     run = CUDA_RUN if device.is_cuda else CPU_RUN
     threads = -(-points.size // run)
     rows = empty((threads, SUMS), float64, device)
     folded = empty((-(-threads // FOLD), SUMS), float64, device) if device.is_cuda else rows
-    alignment = Alignment(pose, device)
+    alignment = Alignment(pose, device, held)
     limit = np.float32(max_distance) ** 2
     search = [pairs, run, alignment, limit, kernel_scale, int(to_planes), rows]
     step = [folded, max(least, LEAST_PAIRS), tolerance, turns, alignment]
@@ -307,8 +353,18 @@ def align_to_map(
         launch(step_pose_kernel, 1, step)
 
     loop_while(alignment.running, body)
+    if to_planes:
+        runs = -(-points.size // CPU_RUN)
+        told = empty((runs, TRIANGLE), float64, device)
+        launch(sum_planes_kernel, runs, [pairs, CPU_RUN, alignment, told])
+        launch(add_planes_kernel, TRIANGLE, [told, alignment])
     state, taken = (int(v) for v in download(alignment.states))  # sync
-    sqsum, paired, cost, telling = (float(v) for v in download(alignment.facts))
+    facts = download(alignment.facts)
+    sqsum, paired, cost, telling = (float(v) for v in facts[:4])
     alone = points.size - paired
+    disagreement = cost / telling if telling > 0 else 0.0
     cost = (cost + alone) / (telling + alone) if telling + alone > 0 else 1.0
-    return download(alignment.poses)[0].astype(np.float64), state, taken, int(paired), sqsum, cost
+    matrix = np.zeros((UNKNOWNS, UNKNOWNS))
+    matrix[np.triu_indices(UNKNOWNS)] = facts[FACTS - TRIANGLE :]
+    matrix += np.triu(matrix, 1).T
+    return download(alignment.poses)[0].astype(np.float64), state, taken, int(paired), sqsum, cost, disagreement, matrix

@@ -6,26 +6,26 @@ Right Way", IEEE Robotics and Automation Letters 8(2), 2023. Equation numbers ar
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
 import warp as wp
 from numpy.typing import ArrayLike, NDArray
 
-from ...core.checks import check_count, check_positive
+from ...core.checks import check_count, check_positive, check_rigid
 from ...core.devices import check_same_device, resolve_device
 from ...core.watching import report
-from ...kernels.memory import clone
-from ...kernels.odometry.deskewing import bound_times, deskew_points
-from ...kernels.odometry.odometry_sampling import first_in_voxels, shift_points
+from ...kernels.odometry.odometry_sampling import first_in_voxels
 from ...kernels.odometry.voxel_map import VoxelMap
 from ...pcd.cloud import PointCloud
 from ...pcd.point_arrays import check_cloud
 from ..rigid import invert_pose
-from .deskewing import point_times, twist_of
-from .lidar_steps import NO_POINTS, OdometryStep, OdometrySummary, summarize_steps
-from .scan_matching import AdaptiveThreshold, match_scan, start_guesses
+from .deskewing import point_times
+from .lidar_steps import FIRST_SCAN, NO_POINTS, OdometryStep, OdometrySummary, summarize_steps
+from .lidar_track import Aside, Known, Next
+from .raw_scan import RawScan
+from .scan_matching import START_RINGS, AdaptiveThreshold, ScanMatch, match_scan, start_guesses, wide_guesses
 
 Matrix = NDArray[np.float64]
 
@@ -34,50 +34,8 @@ MAP_VOXELS = 0.5  # alpha of section III-B: the map takes one point a voxel of h
 SCAN_VOXELS = 1.5  # beta: registration takes one point a voxel of one and a half
 START_VOXELS = 3.0  # the same for the second scan, to choose with among many places
 START_TURNS = 2  # registrations of the second scan after its first one, each with a better motion to straighten by
+DOUBTED_DISAGREEMENT = 0.2  # above which a scan is looked for again, farther off
 PRUNE_SHARE = 0.1  # of max_range that the sensor goes between two prunings of the map
-
-
-@dataclass(frozen=True, eq=False)
-class RawScan:
-    """The points of a scan about an origin, and their times where it is to be straightened."""
-
-    points: wp.array
-    origin: NDArray[np.float64]
-    times: wp.array | None
-
-    def kept(self) -> RawScan:
-        """The scan in arrays of its own: a sensor's driver may write the next one over this."""
-        return RawScan(clone(self.points), self.origin, None if self.times is None else clone(self.times))
-
-    def straightened(self, motion: Matrix) -> wp.array:
-        """The points about the sensor at the end of the scan, which it reached by this motion (eqs. 2 to 4)."""
-        if self.times is not None and not np.array_equal(motion, np.eye(4)):
-            first, last = bound_times(self.points, self.times)
-            if first < last:
-                return deskew_points(self.points, self.times, self.origin, first, last, twist_of(motion))
-        return shift_points(self.points, self.origin)
-
-
-@dataclass(frozen=True, eq=False)
-class _Known:
-    """What is carried from scan to scan, beside the steps."""
-
-    threshold: AdaptiveThreshold
-    map: VoxelMap | None = None
-    first: RawScan | None = None  # the first scan, until the second one came
-    pruned_at: NDArray[np.float64] = field(default_factory=lambda: np.zeros(3))
-
-
-@dataclass(frozen=True, eq=False)
-class _Next:
-    """A scan on its way into the map: its step, what holds once it is there, and the number of its addition."""
-
-    step: OdometryStep
-    known: _Known
-    addition: int
-
-    def is_in_map(self) -> bool:
-        return self.known.map is not None and self.known.map.additions >= self.addition
 
 
 class LidarOdometry:
@@ -115,7 +73,11 @@ class LidarOdometry:
         - A drive may begin at speed: the second scan is tried from 25 places within 1.5 initial thresholds, and its
           motion straightens the first one too.
         - Map points keep the spacing at which a voxel would be full.
-        - A scan that does not overlap the map is reported, keeps the predicted pose, and joins the map there.
+        - A scan that lies beside the map, or does not overlap it, is looked for farther off, turned by up to 40
+          degrees; is it not found, it is reported and keeps the predicted pose. It joins the map there if the next scan
+          lies on it and not on the map; else it is left out, and the path goes on as before it.
+        - What a scan does not determine, as the way along a bare corridor, is held at constant velocity and told.
+        - While the motion is not known, a place that fits as well along what planes tell little of is told too.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -158,8 +120,8 @@ class LidarOdometry:
         least = check_positive("min_motion", min_motion)
         self.device = None if device is None else resolve_device(device)
         self._steps: list[OdometryStep] = []
-        self._known = _Known(AdaptiveThreshold(initial, least, self.max_range, initial * initial))
-        self._next: _Next | None = None
+        self._known = Known(AdaptiveThreshold(initial, least, self.max_range, initial * initial))
+        self._next: Next | None = None
 
     @property
     def steps(self) -> list[OdometryStep]:
@@ -199,7 +161,9 @@ class LidarOdometry:
         """The run so far in a few numbers."""
         return summarize_steps(self.steps)
 
-    def register(self, scan: PointCloud, timestamps: ArrayLike | None = None) -> Matrix:
+    def register(
+        self, scan: PointCloud, timestamps: ArrayLike | None = None, *, prior: ArrayLike | None = None
+    ) -> Matrix:
         """The pose of the next scan.
 
         Args:
@@ -207,54 +171,55 @@ class LidarOdometry:
                 span the interval between two.
             timestamps: Time of each point, shape [n], in any unit and from any start; None takes the scan's attribute
                 "time", "timestamp", "timestamps", "t", "time_offset", "offset_time" or "gps_time" where there is one.
+            prior: The sensor's motion since the last scan, T_last_sensor, shape [4, 4], as wheels or an IMU give it:
+                the scan is looked for there, and lies there along what it does not determine. None takes the motion
+                of the scans before.
 
         Returns:
             T_world_sensor at the end of the scan, float64 [4, 4]. `steps[-1]` says how it was found: a scan without
-            points in range or without overlap with the map gets the predicted pose and is marked.
+            points in range, without overlap with the map or beside it gets the predicted pose and is marked.
 
         Raises:
             TypeError: No cloud.
-            ValueError: Times of another length than the scan, or a path that leaves the 2^20 voxels from its start.
+            ValueError: Times of another length than the scan, a prior that is not rigid, or a path that leaves the
+                2^20 voxels from its start.
             DeviceError: The scan is not on the odometry's device.
         """
         check_cloud("scan", scan)
         check_same_device("scan", scan.device, self.device or scan.device)
+        motion = None if prior is None else check_rigid("prior", prior)
         self._settle()
         known = self._known
         times = point_times(scan, timestamps) if self.deskew or timestamps is not None else None
         raw = RawScan(scan.device_array("points"), scan.origin, times if self.deskew else None)
         voxel_map = self._empty_map(scan.device) if known.map is None else known.map
-        predicted = self._last_pose() @ self._last_motion()
-        kept = self._thin(raw, self._last_motion())
-        step = self._match(voxel_map, kept, predicted, is_second=known.first is not None)
-        if raw.times is not None and not step.is_predicted and step.iterations:
+        motion, has_prior = (known.motion, False) if motion is None else (motion, True)
+        predicted = self._last_pose() @ motion
+        kept = self._thin(raw, motion)
+        step = self._match(voxel_map, kept, predicted, has_prior=has_prior, is_start=not known.has_motion)
+        if raw.times is not None and step.is_sound and step.iterations:
             if known.first is not None:
                 step, kept, voxel_map = self._straighten_start(known.first, raw, step, voxel_map)
             elif known.threshold.error_of(invert_pose(predicted) @ step.pose) > known.threshold.min_motion:
                 step, kept = self._straighten_again(raw, step, voxel_map)
-        threshold, first = known.threshold, known.first
-        if step.iterations and not step.is_predicted:
-            threshold = threshold.updated(invert_pose(predicted) @ step.pose)
-        if step.reason != NO_POINTS:  # as long as nothing was seen, the next scan is the first
-            first = raw.kept() if step.reason == "first scan" else None
-        after = _Known(threshold, voxel_map, first, known.pruned_at)
-        self._next = _Next(step, after, voxel_map.additions + 1)
-        voxel_map.add(kept, step.pose, self.max_range)
+        self._next = self._place(step, kept, voxel_map, predicted, raw)
+        self._next.join(self.max_range)
         self._adopt(self._next)
-        report("scan", odometry=self, scan=scan, step=step)
-        return step.pose.copy()
+        report("scan", odometry=self, scan=scan, step=self._steps[-1])
+        return self._steps[-1].pose.copy()
 
     # ------------------------------------------------------------------------------------------ internals
 
     def _settle(self) -> None:
-        """Take over a scan that was interrupted where its points joined the map, else forget it."""
+        """Bring a scan that was interrupted to its end where the map has begun to change, else forget it."""
         if self._next is not None:
-            if self._next.is_in_map():
+            if self._next.has_begun():
+                self._next.join(self.max_range)
                 self._adopt(self._next)
             self._next = None
         self._prune()
 
-    def _adopt(self, step: _Next) -> None:
+    def _adopt(self, step: Next) -> None:
         """Take over a scan whose points are in the map."""
         if len(self._steps) == step.step.index:
             self._steps.append(step.step)
@@ -268,19 +233,13 @@ class LidarOdometry:
     def _last_pose(self) -> Matrix:
         return self._steps[-1].pose if self._steps else np.eye(4)
 
-    def _last_motion(self) -> Matrix:
-        """The motion from the last scan to this one as the last two poses predict it (eq. 1)."""
-        if len(self._steps) < 2:
-            return np.eye(4)
-        return invert_pose(self._steps[-2].pose) @ self._steps[-1].pose
-
     def _thin(self, raw: RawScan, motion: Matrix) -> wp.array:
         """The points that join the map, about the sensor at the end of the scan."""
         size = MAP_VOXELS * self.voxel_size
         return first_in_voxels(raw.straightened(motion), size, self.min_range, self.max_range)
 
     def _match(
-        self, voxel_map: VoxelMap, kept: wp.array, predicted: Matrix, *, is_second: bool = False
+        self, voxel_map: VoxelMap, kept: wp.array, predicted: Matrix, *, has_prior: bool = False, is_start: bool = False
     ) -> OdometryStep:
         """The pose of the thinned scan, and how it was found."""
         threshold = self._known.threshold
@@ -288,25 +247,65 @@ class LidarOdometry:
         if kept.size == 0:
             return OdometryStep(index, predicted, sigma, 0, 0.0, 0.0, 0, False, True, NO_POINTS)
         if voxel_map.count == 0:
-            return OdometryStep(index, predicted, sigma, 0, 0.0, 0.0, 0, True, False, "first scan")
+            return OdometryStep(index, predicted, sigma, 0, 0.0, 0.0, 0, True, False, FIRST_SCAN)
         sparse = first_in_voxels(kept, SCAN_VOXELS * self.voxel_size, self.min_range, self.max_range)
-        further, few = [], None
-        if is_second:
-            further = start_guesses(predicted, threshold.initial)
-            few = first_in_voxels(sparse, START_VOXELS * self.voxel_size, self.min_range, self.max_range)
-        match = match_scan(sparse, voxel_map, predicted, sigma, further, few)
+        few = first_in_voxels(sparse, START_VOXELS * self.voxel_size, self.min_range, self.max_range)
+        further = start_guesses(predicted, threshold.initial) if is_start and not has_prior else []
+        reach = 0.0 if has_prior or not self._known.is_young(index) else START_RINGS[-1] * threshold.initial
+        match = match_scan(sparse, voxel_map, predicted, sigma, further, few if further else None, kept, reach)
+        step = self._step_of(match, predicted, sigma, has_prior)
+        if step.disagreement > DOUBTED_DISAGREEMENT or step.is_predicted:
+            again = match_scan(
+                sparse, voxel_map, predicted, sigma, wide_guesses(predicted, self._last_pose()), few, kept
+            )
+            turned = self._step_of(again, predicted, sigma, has_prior)
+            if turned.is_sound and (turned.disagreement < step.disagreement or not step.is_sound):
+                return turned
+        return step
+
+    def _step_of(self, match: ScanMatch, predicted: Matrix, sigma: float, has_prior: bool) -> OdometryStep:
+        """The record of a scan that was matched."""
         reason = ("converged" if match.converged else "max_iteration") if match.is_found else "no overlap"
         rmse = float(np.sqrt(match.sqsum / max(match.inliers, 1)))
         return OdometryStep(
-            index, match.pose if match.is_found else predicted, sigma, match.inliers, match.fitness, rmse, match.turns,
-            match.converged, not match.is_found, reason, rmse / self.voxel_size,
+            len(self._steps), match.pose if match.is_found else predicted, sigma, match.inliers, match.fitness, rmse,
+            match.turns, match.converged, not match.is_found, reason, rmse / self.voxel_size, match.disagreement,
+            () if match.open is None else match.open.translations(),
+            () if match.open is None else match.open.turns(),
+            tuple(tuple(float(v) for v in rival[:3, 3] - match.pose[:3, 3]) for rival in match.rivals), has_prior,
         )  # fmt: skip
+
+    def _place(self, step: OdometryStep, kept: wp.array, voxel_map: VoxelMap, predicted: Matrix, raw: RawScan) -> Next:
+        """What becomes of a scan: it joins the map if it lies on it, or with the one before if it lies on that."""
+        known, last_pose, parts = self._known, self._last_pose(), ((kept, step.pose),)
+        aside = None
+        if step.iterations and not step.is_sound:
+            beside = None if known.aside is None else self._match_aside(known.aside, voxel_map, kept, predicted)
+            if beside is not None and known.aside is not None:
+                step, parts = beside, ((known.aside.points, known.aside.pose), (kept, beside.pose))
+            else:
+                step, parts, aside = replace(step, pose=predicted), (), Aside(kept, predicted)
+        if step.reason == NO_POINTS:
+            parts, aside = (), known.aside
+        threshold, first = known.threshold, known.first
+        if step.iterations and step.is_sound:
+            threshold = threshold.updated(invert_pose(predicted) @ step.pose)
+        if step.reason != NO_POINTS:  # as long as nothing was seen, the next scan is the first
+            first = raw.kept() if step.reason == FIRST_SCAN else None
+        after = replace(known.after(step, last_pose, aside), threshold=threshold, map=voxel_map, first=first)
+        return Next(step, after, voxel_map.additions, parts)
+
+    def _match_aside(self, aside: Aside, like: VoxelMap, kept: wp.array, predicted: Matrix) -> OdometryStep | None:
+        """The step of a scan that lies on the one before it, which lies beside the map; None where it does not."""
+        alone = aside.map_like(like, self.max_range)
+        step = self._match(alone, kept, predicted, is_start=not self._known.has_motion)
+        return replace(step, has_joined=True) if step.is_sound else None
 
     def _straighten_again(self, raw: RawScan, step: OdometryStep, voxel_map: VoxelMap) -> tuple[OdometryStep, wp.array]:
         """Register a scan once more whose motion was not the one predicted, straightened with the one found."""
         kept = self._thin(raw, invert_pose(self._last_pose()) @ step.pose)
         again = self._match(voxel_map, kept, step.pose)
-        return (again if not again.is_predicted else step), kept
+        return (again if again.is_sound else step), kept
 
     def _straighten_start(
         self, first: RawScan, second: RawScan, step: OdometryStep, voxel_map: VoxelMap
@@ -322,7 +321,7 @@ class LidarOdometry:
             straight = self._empty_map(voxel_map.device)
             straight.add(self._thin(first, motion), start, self.max_range)
             again = self._match(straight, self._thin(second, motion), step.pose)
-            if again.is_predicted:
+            if not again.is_sound:
                 break
             step, voxel_map = again, straight
             kept = self._thin(second, invert_pose(start) @ step.pose)

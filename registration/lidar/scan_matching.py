@@ -14,8 +14,19 @@ import warp as wp
 from numpy.typing import NDArray
 
 from ...kernels.odometry.map_icp import CONVERGED, LOST, MapPairs, align_to_map
+from ...kernels.odometry.pose_probes import compare_poses
 from ...kernels.odometry.voxel_map import VoxelMap
-from ..rigid import make_pose, nearest_rotation, rotation_vector
+from ..rigid import make_pose, nearest_rotation, pose_of, rotation_vector
+from .localisability import (
+    JUDGING_POINTS,
+    RIVAL_RISE,
+    RIVAL_SEEN,
+    OpenDirections,
+    open_directions,
+    places_along,
+    rises_clearly,
+    weak_ways,
+)
 
 Matrix = NDArray[np.float64]
 
@@ -30,6 +41,9 @@ PLANE_VOXELS = 1.0  # edges of a voxel: reach of the points of a plane
 COARSE_KERNEL, FINE_KERNEL = 0.5, 0.1  # squared edges: Geman-McClure's scale of distances from planes
 START_RINGS = (0.375, 0.75, 1.5)  # times the initial threshold: distances of the guesses while no motion is known
 START_DIRECTIONS = 8
+RIVAL_VOXELS = 1.5  # edges of a voxel: what lies nearer than this is the same place
+# [deg] about x, y, z: within a voxel of each other at 7 voxels' distance; a scanner in the hand is turned so fast
+WIDE_TURNS = ((2, (8.0, 16.0, 24.0, 32.0, 40.0)), (1, (8.0, 16.0)), (0, (8.0, 16.0)))
 
 
 @dataclass(frozen=True, eq=False)
@@ -45,6 +59,10 @@ class ScanMatch:
         fitness: Their share, 0..1.
         sqsum: Sum of their squared distances [m^2].
         cost: Mean of Geman-McClure's cost, 0..1.
+        disagreement: Mean of the same cost over points that have a plane.
+        told: What planes tell, [6, 6].
+        rivals: Other poses where the scan lies as well.
+        open: What the scan does not fix: there the pose is the guess'; None where it fixes all.
     """
 
     pose: Matrix
@@ -55,6 +73,10 @@ class ScanMatch:
     fitness: float
     sqsum: float
     cost: float
+    disagreement: float
+    told: Matrix
+    open: OpenDirections | None = None
+    rivals: tuple[Matrix, ...] = ()
 
 
 def match_scan(
@@ -64,6 +86,8 @@ def match_scan(
     sigma: float,
     further: Sequence[Matrix] = (),
     few: wp.array | None = None,
+    dense: wp.array | None = None,
+    reach: float = 0.0,
 ) -> ScanMatch:
     """The pose of a scan.
 
@@ -79,6 +103,8 @@ def match_scan(
         sigma: Standard deviation [m] of the guess' error.
         further: Other poses to begin with, where nothing is known of the motion.
         few: Fewer points of the scan, to choose among many poses with; None takes all.
+        dense: More points of the scan, to tell with what it fixes; None takes `points`.
+        reach: How far [m] from the guess other places are looked for along what the scan tells little of.
     """
     size = voxel_map.voxel_size
     pairs = MapPairs(points, voxel_map, PLANE_VOXELS * size)
@@ -91,20 +117,77 @@ def match_scan(
     best = min((match for match in near if match.is_found), key=lambda match: match.cost, default=far)
     last = _align(pairs, best.pose, limit, fine, TOLERANCE, to_planes=True)
     turns = far.turns + last.turns + sum(match.turns for match in near)
-    return replace(last if last.is_found else far, turns=turns)
+    if not last.is_found:
+        return replace(far, turns=turns)
+    dense, rivals = points if dense is None else dense, ()
+    for way in weak_ways(last.told, points.size) if reach > 0 else ():
+        last, others = _search_along(pairs, dense, last, guess, way, reach)
+        turns, rivals = turns + last.turns, rivals + others
+    free = open_directions(dense, voxel_map, last.pose, last.told, points.size)
+    if free is None or free.is_blind:
+        return replace(last, turns=turns, open=None if further else free, rivals=rivals)
+    start = free.taken_from(last.pose, guess)
+    held = _align(pairs, start, limit, fine, TOLERANCE, to_planes=True, held=free.weight())
+    return replace(held if held.is_found else replace(last, pose=start), turns=turns + held.turns, open=free)
+
+
+def _search_along(
+    pairs: MapPairs, dense: wp.array, found: ScanMatch, guess: Matrix, way: Matrix, reach: float
+) -> tuple[ScanMatch, tuple[Matrix, ...]]:
+    """Where a scan lies best along a direction of which it tells little, and other places where it lies as well.
+
+    Like doors in a corridor fit at every period: of places that fit alike, the one next to the guess is taken.
+    """
+    size, voxel_map = pairs.voxel_map.voxel_size, pairs.voxel_map
+    starts, worst = places_along(dense, voxel_map, found.pose, guess, way, reach)
+    tried = [_align(pairs, T, JUDGED_VOXELS * size, FINE_KERNEL * size**2, ROUGH, to_planes=True) for T in starts]
+    places = [found, *(match for match in tried if match.is_found)]
+    rises = compare_poses(dense, JUDGING_POINTS, voxel_map, np.array([match.pose for match in places]), size)
+    best = places[int(np.argmin(rises[:, 0] / np.maximum(rises[:, 2], 1)))]
+    rises = compare_poses(
+        dense, JUDGING_POINTS, voxel_map, np.array([best.pose, *(match.pose for match in places)]), size
+    )
+    alike = [match for match, is_worse in zip(places, rises_clearly(rises[1:]), strict=True) if not is_worse]
+    chosen = min(alike, key=lambda match: _distance(match.pose, guess))
+    chosen = (
+        chosen
+        if chosen is found
+        else _align(pairs, chosen.pose, JUDGED_VOXELS * size, FINE_KERNEL * size**2, TOLERANCE, to_planes=True)
+    )
+    others = [
+        match.pose
+        for match, (total, _, seen, _) in zip(places, rises[1:], strict=True)
+        if total < RIVAL_RISE * worst * seen
+        and seen > RIVAL_SEEN * rises[0, 2]
+        and _distance(match.pose, chosen.pose) > RIVAL_VOXELS * size
+    ]
+    return chosen, tuple(others)
+
+
+def _distance(A: Matrix, B: Matrix) -> float:
+    return float(np.linalg.norm(A[:3, 3] - B[:3, 3]))
 
 
 def _align(
-    pairs: MapPairs, guess: Matrix, max_distance: float, kernel_scale: float, tolerance: float, *, to_planes: bool
+    pairs: MapPairs,
+    guess: Matrix,
+    max_distance: float,
+    kernel_scale: float,
+    tolerance: float,
+    *,
+    to_planes: bool,
+    held: Matrix | None = None,
 ) -> ScanMatch:
     """Where a guess leads to."""
     count = pairs.points.size
-    T, state, turns, inliers, sqsum, cost = align_to_map(
+    T, state, turns, inliers, sqsum, cost, disagreement, told = align_to_map(
         pairs, guess, max_distance, kernel_scale,
-        least=LOST_SHARE * count, tolerance=tolerance, turns=MAX_TURNS, to_planes=to_planes,
+        least=LOST_SHARE * count, tolerance=tolerance, turns=MAX_TURNS, to_planes=to_planes, held=held,
     )  # fmt: skip
     pose = guess if state == LOST else make_pose(nearest_rotation(T[:3, :3]), T[:3, 3])
-    return ScanMatch(pose, state != LOST, state == CONVERGED, turns, inliers, inliers / count, sqsum, cost)
+    return ScanMatch(
+        pose, state != LOST, state == CONVERGED, turns, inliers, inliers / count, sqsum, cost, disagreement, told
+    )
 
 
 def start_guesses(pose: Matrix, threshold: float) -> list[Matrix]:
@@ -115,6 +198,20 @@ def start_guesses(pose: Matrix, threshold: float) -> list[Matrix]:
             angle = 2 * math.pi * k / START_DIRECTIONS
             step = np.array([math.cos(angle), math.sin(angle), 0.0]) * ring * threshold
             guesses.append(pose @ make_pose(np.eye(3), step))
+    return guesses
+
+
+def wide_guesses(predicted: Matrix, last: Matrix) -> list[Matrix]:
+    """Two poses, and both turned about the sensor's own axes: where else to look for a scan."""
+    guesses = []
+    for pose in (predicted, last):
+        guesses.append(pose)
+        for axis, angles in WIDE_TURNS:
+            for angle in angles:
+                for sign in (-1.0, 1.0):
+                    twist = np.zeros(6)
+                    twist[axis] = sign * math.radians(angle)
+                    guesses.append(pose @ pose_of(twist))
     return guesses
 
 

@@ -181,7 +181,7 @@ def test_a_scan_lies_where_the_loop_written_out_puts_it(device, kitti_pair, tole
         T = S @ T
     options = {"least": 6, "tolerance": 1e-9, "turns": 500, "to_planes": reach > 0}
     answer = align_to_map(MapPairs(upload(source, vec3, where), voxel_map, reach), np.eye(4), 0.9, kappa, **options)
-    pose, state, _, inliers, sqsum, cost = answer
+    pose, state, _, inliers, sqsum, cost, disagreement, told = answer
     assert state == CONVERGED
     np.testing.assert_allclose(pose, T, atol=tolerances.odometry_pose)
     assert inliers == found.sum()
@@ -190,6 +190,12 @@ def test_a_scan_lies_where_the_loop_written_out_puts_it(device, kitti_pair, tole
     alone = len(source) - len(r)
     costs = 1 - kappa / (kappa + squares)
     np.testing.assert_allclose(cost, (costs[telling].sum() + alone) / (telling.sum() + alone), rtol=1e-3)
+    np.testing.assert_allclose(disagreement, costs[telling].mean(), rtol=1e-3)
+    if reach:  # what planes tell is about the sensor's own place
+        normals = np.array([known[row][1] for row in rows[found].tolist() if np.ndim(known[row][1])])
+        at = (x - T[:3, 3])[[bool(np.ndim(known[row][1])) for row in rows[found].tolist()]]
+        J = np.hstack([np.cross(at, normals), normals])
+        np.testing.assert_allclose(told, J.T @ J, rtol=0.02, atol=0.01 * np.abs(J.T @ J).max())
 
 
 @pytest.mark.parametrize("in_table", [True, False])

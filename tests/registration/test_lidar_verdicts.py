@@ -1,0 +1,138 @@
+"""What LiDAR odometry says of scans that do not fix its motion, and of those that lie elsewhere."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import pointloom as loom
+from pointloom.registration import LidarOdometry
+from pointloom.registration.lidar.localisability import LEAST_RISE, OpenDirections, rises_clearly
+from pointloom.registration.lidar.scan_matching import wide_guesses
+
+
+def corridor_scan(rng, count=4000, piers=(), at=0.0, share=0.33):
+    """Points on the walls, floor and ceiling of a corridor along x (2 x 2.5 m), 12 m to either side of the sensor.
+
+    A share of them lies on piers that stand 50 cm out of the walls at these places x, across the corridor.
+    """
+    x = rng.uniform(-12, 12, count)
+    side = rng.integers(0, 4, count)
+    y = np.select([side == 0, side == 1], [-1.0, 1.0], rng.uniform(-1, 1, count))
+    z = np.select([side == 2, side == 3], [-1.2, 1.3], rng.uniform(-1.2, 1.3, count))
+    near = [pier - at for pier in piers if abs(pier - at) < 12]
+    if near:
+        on_pier = rng.random(count) < share
+        x = np.where(on_pier, rng.choice(near, count), x)
+        y = np.where(on_pier, rng.uniform(0.5, 1.0, count) * rng.choice([-1, 1], count), y)
+        z = np.where(on_pier, rng.uniform(-1.2, 1.3, count), z)
+    return np.column_stack([x, y, z]) + rng.normal(0, 0.005, (count, 3))
+
+
+def run(scans, device, **options):
+    odometry = LidarOdometry(**({"max_range": 30.0, "min_range": 0.3} | options))
+    for scan in scans:
+        odometry.register(loom.PointCloud(scan, device=device))
+    return odometry
+
+
+def test_a_bare_corridor_does_not_determine_the_way_along_it(device, rng):
+    odometry = run([corridor_scan(rng) for _ in range(5)], device)
+    for step in odometry.steps[1:]:
+        assert np.abs(step.undetermined[0]) @ [1, 0, 0] > 0.99 and len(step.undetermined) == 1
+    summary = odometry.summary
+    assert summary.undetermined == (1, 2, 3, 4) and summary.open_motions == "along x"
+    assert "4 of 5 scans do not determine the motion along x (scan 1-4)" in str(summary.poor)
+    assert summary.to_json()["undetermined"] == [1, 2, 3, 4]
+    assert dict(summary.fields())["undetermined"] == "4: along x, scan 1-4"
+
+
+def test_a_prior_is_taken_along_what_is_not_determined_and_is_no_fault(device, rng):
+    odometry, prior = LidarOdometry(max_range=30.0, min_range=0.3), np.eye(4)
+    prior[:2, 3] = 0.4, 0.05  # 5 cm of it are wrong, across
+    odometry.register(loom.PointCloud(corridor_scan(rng), device=device))
+    for _ in range(3):
+        odometry.register(loom.PointCloud(corridor_scan(rng), device=device), prior=prior)
+    np.testing.assert_allclose(odometry.poses[-1, :3, 3], [1.2, 0, 0], atol=0.03)
+    assert odometry.steps[-1].undetermined and odometry.summary.poor is None
+    with pytest.raises(ValueError, match="prior"):
+        odometry.register(loom.PointCloud(corridor_scan(rng), device=device), prior=2 * np.eye(4))
+
+
+def test_piers_far_apart_determine_the_way(device, rng):
+    piers = [-9.0, -2.5, 3.1, 8.0]
+    odometry = run([corridor_scan(rng, 4000, piers, 0.2 * k) for k in range(5)], device)
+    assert odometry.summary.poor is None
+    assert odometry.poses[-1, 0, 3] == pytest.approx(0.8, abs=0.05)
+
+
+def test_like_piers_that_a_scan_fits_at_each_period_are_told(device, rng):
+    piers = np.arange(-40, 40, 2.0)
+    odometry = run([corridor_scan(rng, 6000, piers, 2.0 * k, 0.06) for k in range(3)], device)
+    assert odometry.summary.ambiguous
+    assert np.linalg.norm(odometry.summary.rival) == pytest.approx(2.0, abs=0.1)
+    assert "scans lie as well 2.0" in str(odometry.summary.poor)
+
+
+def test_one_scan_of_another_place_costs_nothing(device, fast_drive, rng):
+    scans = [loom.PointCloud(p, time=t) for p, t in zip(fast_drive.scans[:8], fast_drive.times[:8], strict=True)]
+    clean, odometry = LidarOdometry(), LidarOdometry()
+    foreign = loom.PointCloud(scans[5].points[:, [1, 0, 2]] * [1.0, -1.0, 1.0] + [9.0, -4.0, 0.5])
+    for k, scan in enumerate(scans):
+        clean.register(scan)
+        odometry.register(foreign if k == 5 else scan)
+    assert odometry.summary.strayed == (5,) and "scan 5" in str(odometry.summary.poor)
+    np.testing.assert_allclose(odometry.poses, clean.poses, atol=0.05)
+
+
+def test_a_scanner_that_was_turned_quickly_is_found_again(device, fast_drive):
+    turned = np.eye(4)
+    turned[:2, :2] = [[np.cos(0.5), np.sin(0.5)], [-np.sin(0.5), np.cos(0.5)]]
+    odometry = LidarOdometry()
+    for points in fast_drive.scans[:3]:
+        odometry.register(loom.PointCloud(points))
+    predicted = odometry.poses[-1] @ np.linalg.inv(odometry.poses[-2]) @ odometry.poses[-1]
+    T = odometry.register(loom.PointCloud(fast_drive.scans[3]).transform(turned))
+    assert odometry.summary.strayed == ()
+    np.testing.assert_allclose(T, predicted @ np.linalg.inv(turned), atol=0.05)
+
+
+def test_standing_still_while_much_moves_by_is_told():
+    from pointloom.registration.lidar.lidar_steps import OdometryStep, summarize_steps
+
+    def steps(fitness, speed=0.0):
+        poses = np.tile(np.eye(4), (12, 1, 1))
+        poses[:, 0, 3] = speed * np.arange(12)
+        return [OdometryStep(k, poses[k], 1.0, 100, fitness, 0.1, 5, True, False, "converged") for k in range(12)]
+
+    assert "seems to stand still while 9 scans" in str(summarize_steps(steps(0.95)).poor)
+    assert summarize_steps(steps(0.98)).poor is None
+    assert summarize_steps(steps(0.95, 0.5)).poor is None
+
+
+def test_a_rise_counts_where_it_is_large_and_sure():
+    rows = np.array([[0.03, 0.0, 1.0, 0.0], [3.0, 0.9, 100.0, 0.0], [1.0, 0.05, 100.0, 0.0], [4.0, 4.0, 100.0, 0.0]])
+    assert LEAST_RISE == 0.02
+    assert rises_clearly(rows).tolist() == [False, True, False, False]
+
+
+def test_open_directions_take_a_poses_part_from_another(rng):
+    basis = np.zeros((6, 1))
+    basis[3] = 1.0
+    pose, held = np.eye(4), np.eye(4)
+    pose[:3, 3], held[:3, 3] = [1, 2, 3], [5, 7, 9]
+    free = OpenDirections(4.0, basis)
+    np.testing.assert_allclose(free.taken_from(pose, held)[:3, 3], [5, 2, 3])
+    assert free.translations() == ((1.0, 0.0, 0.0),) and free.turns() == ()
+    np.testing.assert_allclose(free.weight(), np.diag([0, 0, 0, 1e6, 0, 0]))
+    basis = np.zeros((6, 1))
+    basis[2] = 1.0
+    np.testing.assert_allclose(OpenDirections(4.0, basis).weight()[2, 2], 16e6)
+
+
+def test_wide_guesses_turn_about_the_sensors_own_place():
+    pose = np.eye(4)
+    pose[:3, 3] = 1, 2, 3
+    guesses = np.array(wide_guesses(pose, np.eye(4)))
+    assert len(guesses) == 2 * 19
+    np.testing.assert_allclose(guesses[:19, :3, 3], np.tile([1, 2, 3], (19, 1)))
