@@ -1,0 +1,85 @@
+"""What the pictures of a model say of its cameras: whether they bear out a focal length that was given or found."""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+from collections.abc import Mapping
+from typing import Any
+
+# By which the error has to rise where the focal length is held 15 % shorter and 18 % longer: below, what features and
+# lenses are off by decides, not the focal length.
+FLAT = 0.02
+GIVEN_OFF = 1.02  # times the focal length that was given: calibrations of one lens differ by less
+GIVEN_WORSE = 0.8  # of the error: with a lens that fits, a freed focal length takes a few per cent off
+EXIF_OFF = 0.05  # what EXIF's focal length may be off by: whole millimetres in terms of 35 mm film, round figures
+
+_REMEDY = "give the camera (intrinsic), or take pictures with the camera turned and tilted, from several sides"
+
+
+@dataclasses.dataclass(frozen=True)
+class CameraCheck:
+    """What adjustments with other focal lengths gave; NaN where one was not made.
+
+    Args:
+        found: The focal length that the pictures ask for, of the first camera [px].
+        rise: By which share the error rises at least where the focal length is held 15 % shorter, and 18 % longer.
+        given: The focal length that was given [px].
+        exif: The focal length that EXIF tells, of the first camera that has one, where the pictures fix none [px].
+        error: Root mean square error with the cameras as they were given, or are found [px].
+        freed_error: The same with the focal length freed of what was given, or held at EXIF's [px].
+        parted: Cameras of the model where one alone did not explain the pictures; else 0.
+    """
+
+    found: float = math.nan
+    rise: float = math.nan
+    given: float = math.nan
+    exif: float = math.nan
+    error: float = math.nan
+    freed_error: float = math.nan
+    parted: int = 0
+
+    @classmethod
+    def from_json(cls, told: Mapping[str, Any]) -> CameraCheck:
+        """What `to_json` gave, or COLMAP's process said, read again; what is missing was not tried."""
+        known = {field.name: told.get(field.name) for field in dataclasses.fields(cls)}
+        return cls(**{name: value for name, value in known.items() if value is not None})
+
+    def to_json(self) -> dict[str, Any]:
+        """The same in JSON's types; NaN becomes None."""
+        return {key: None if value != value else value for key, value in dataclasses.asdict(self).items()}
+
+    @property
+    def is_open(self) -> bool:
+        """Whether the pictures fix no focal length."""
+        return self.rise < FLAT
+
+    @property
+    def is_exif_kept(self) -> bool:
+        """Whether the model has EXIF's focal length, as the pictures fix none and bear that one out as well."""
+        return self.is_open and self.freed_error < (1 + FLAT) * self.error
+
+    def reasons(self) -> list[str]:
+        """Why the cameras are not to be believed, with the remedy."""
+        if abs(math.log(self.found / self.given)) > math.log(GIVEN_OFF) and self.freed_error < GIVEN_WORSE * self.error:
+            off = f"the error falls from {self.error:.2g} to {self.freed_error:.2g} px"
+            said = f"the pictures ask for a focal length of {self.found:.4g} px, {self.given:.4g} px were given ({off})"
+            return [f"{said}: check the camera that was given, or leave it out"]
+        if not self.is_open or self.is_exif_kept:
+            return []
+        if not math.isnan(self.exif):
+            off = f"EXIF says {self.exif:.4g} px, with which they fit worse"
+            return [f"the pictures do not fix the focal length, and {off} than with {self.found:.4g} px: {_REMEDY}"]
+        rises = f"held 15 % off {self.found:.4g} px, the error rises by {100 * max(self.rise, 0):.1f} %"
+        off = "lengths along and across the view may be off by as much, one against the other"
+        return [f"the pictures do not fix the focal length ({rises}), so that {off}: {_REMEDY}"]
+
+    def remarks(self) -> list[str]:
+        """What is to be known of cameras that are believed."""
+        said = []
+        if self.parted:
+            said.append(f"one camera does not explain the pictures, {self.parted} of other focal lengths do")
+        if self.is_exif_kept:
+            off = f"lengths along and across the view may differ by {100 * EXIF_OFF:.0f} %"
+            said.append(f"the pictures do not fix the focal length; it is EXIF's, {self.exif:.4g} px: {off}")
+        return said

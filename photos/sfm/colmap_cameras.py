@@ -1,0 +1,260 @@
+"""What COLMAP's process asks of a model that it has made: do the pictures bear its cameras out?
+
+Run by `colmap_worker.py` in that process, as it is: it imports nothing of ours.
+
+- Does a camera a picture explain them better? Then pictures were taken with several focal lengths.
+- Does a focal length that was given fall short of the one that the pictures ask for?
+- Do the pictures fix the focal length at all? It is held at some factors of what was found, and all else adjusted:
+  where the error hardly rises, any of these would do, as where a camera goes straight ahead (then focal length and
+  the points' distances from its way trade exactly), or looks at flat ground from straight above.
+
+All of it is tried on a part of the points that is the same from run to run, by Ceres on one thread.
+"""
+
+from __future__ import annotations
+
+import math
+import sqlite3
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+
+# The focal length is held at these factors of what was found. COLMAP's own scale for what is wrong: by 15 % too short a
+# flight over ground makes heights 15 % too small.
+HELD = (0.85, 1.18)
+
+# Of the error, by which it falls with a camera a picture before a model with several cameras is tried, which costs as
+# much as the first one. Of pictures by one camera it falls by 1 to 4 %.
+WORTH_TRYING = 0.2
+MUCH_BETTER = 2 / 3  # of the error before: what a second model with several cameras has to come to, to be kept
+SAME_LENS = 1.04  # focal lengths of two pictures within this factor are one camera's: each alone is a few per cent off
+
+# By which the error has to rise at both factors: below, what features and lenses are off by decides.
+FLAT = 0.02
+
+_FEWEST_POINTS = 30  # of a model of which anything can be asked
+_MOST_POINTS = 1500  # that are adjusted, unless there are many pictures
+_POINTS_A_PICTURE = 25
+_FEWEST_SEEN = 20  # points of a picture that has a camera of its own
+_STEPS = 60  # of an adjustment
+
+
+def rms_error(model: Any) -> float:
+    """Root mean square distance over all observations of a model [px]; NaN of one without any."""
+    total, count = 0.0, 0
+    for number in sorted(model.reg_image_ids()):
+        image = model.image(number)
+        seen = [point for point in image.points2D if point.has_point3D()]
+        if seen:
+            points = np.array([model.point3D(point.point3D_id).xyz for point in seen])
+            at = np.asarray(image.camera.img_from_cam(image.cam_from_world() * points), np.float64)
+            off = ((at - np.array([point.xy for point in seen])) ** 2).sum(axis=1)
+            total, count = total + float(off[np.isfinite(off)].sum()), count + int(np.isfinite(off).sum())
+    return math.sqrt(total / count) if count else math.nan
+
+
+def adjusted(pycolmap: Any, model: Any, *, focal: bool, lens: bool = True, steps: int = _STEPS) -> float:
+    """Adjust poses and points of a model, and its focal length and distortion where asked for; gives the error."""
+    options = pycolmap.BundleAdjustmentOptions()
+    options.refine_focal_length, options.refine_extra_params, options.print_summary = focal, lens, False
+    solver = options.ceres.solver_options
+    solver.num_threads, solver.max_num_iterations, solver.function_tolerance = 1, steps, 1e-8
+    config = pycolmap.BundleAdjustmentConfig()
+    for number in sorted(model.reg_image_ids()):
+        config.add_image(number)
+    config.fix_gauge(pycolmap.BundleAdjustmentGauge.TWO_CAMS_FROM_WORLD)
+    pycolmap.create_default_bundle_adjuster(options, config, model).solve()
+    return rms_error(model)
+
+
+def thinned(pycolmap: Any, model: Any) -> Any:
+    """A copy of a model with some of its points, evenly by their numbers."""
+    copy = pycolmap.Reconstruction(model)
+    numbers = sorted(copy.point3D_ids())
+    most = max(_MOST_POINTS, _POINTS_A_PICTURE * copy.num_reg_images())
+    kept = {numbers[k] for k in np.linspace(0, len(numbers) - 1, most).round().astype(int)} if numbers else set()
+    for number in numbers:
+        if number not in kept:
+            copy.delete_point3D(number)
+    return copy
+
+
+def used_cameras(model: Any) -> list[int]:
+    """The numbers of the cameras of placed pictures."""
+    return sorted({model.image(number).camera_id for number in model.reg_image_ids()})
+
+
+def focal_length(camera: Any) -> float:
+    """Of a camera [px]: the mean where it has two."""
+    return float(camera.mean_focal_length())
+
+
+def scale_focal_lengths(model: Any, factors: dict[int, float]) -> None:
+    """Make the focal lengths of cameras longer by factors."""
+    for number, factor in factors.items():
+        camera = model.camera(number)
+        params = np.array(camera.params)
+        params[list(camera.focal_length_idxs())] *= factor
+        camera.params = params
+
+
+def settle_cameras(
+    pycolmap: Any, job: dict[str, Any], models: list[Any], map_again: Callable[[], list[Any]]
+) -> tuple[list[Any], dict[str, Any]]:
+    """Ask the pictures of the largest model for its cameras.
+
+    Args:
+        pycolmap: The package.
+        job: As of `colmap_worker.py`: "fixed_camera", "database".
+        models: That were made, the largest first.
+        map_again: Makes models of the database as it is then.
+
+    Returns:
+        The models, the first of which may have been changed, and what was found, for `camera_check.CameraCheck`.
+    """
+    if models[0].num_points3D() < _FEWEST_POINTS or models[0].num_reg_images() < 2:
+        return models, {}
+    if job["fixed_camera"]:
+        return models, judge_given(pycolmap, models[0])
+    known = _known_focal_lengths(pycolmap, job["database"])
+    models, told = split_cameras(pycolmap, job, models, map_again)
+    told |= profile(pycolmap, models[0])
+    if told["rise"] < FLAT and any(number in known for number in used_cameras(models[0])):
+        first, held = hold_at_exif(pycolmap, models[0], known)
+        return [first, *models[1:]], told | held
+    return models, told
+
+
+def _known_focal_lengths(pycolmap: Any, database: str) -> dict[int, float]:
+    """The focal lengths of the cameras of a database that EXIF told [px]."""
+    with pycolmap.Database.open(database) as opened:
+        cameras = opened.read_all_cameras()
+    return {camera.camera_id: focal_length(camera) for camera in cameras if camera.has_prior_focal_length}
+
+
+# ------------------------------------------------------------------------------------------- a camera a picture
+
+
+def with_own_cameras(pycolmap: Any, model: Any) -> Any:
+    """The same model with a camera for each picture that sees enough of it; the others are left out."""
+    made = pycolmap.Reconstruction()
+    for number in sorted(model.reg_image_ids()):
+        image = model.image(number)
+        if image.num_points3D < _FEWEST_SEEN:
+            continue
+        camera = pycolmap.Camera(image.camera.todict())
+        camera.camera_id = number
+        made.add_camera_with_trivial_rig(camera)
+        places = np.array([point.xy for point in image.points2D]).reshape(-1, 2)
+        copy = pycolmap.Image(name=image.name, keypoints=places, camera_id=number, image_id=number)
+        made.add_image_with_trivial_frame(copy, image.cam_from_world())
+    for number in sorted(model.point3D_ids()):
+        point, track = model.point3D(number), pycolmap.Track()
+        for element in point.track.elements:
+            if made.exists_image(element.image_id):
+                track.add_element(element.image_id, element.point2D_idx)
+        if track.length() >= 2:
+            made.add_point3D(point.xyz, track, point.color)
+    return made
+
+
+def own_focal_lengths(pycolmap: Any, model: Any) -> tuple[float, float, dict[int, float]]:
+    """The error with the cameras as they are and with one a picture, adjusted alike, and the latter's focal lengths."""
+    few = thinned(pycolmap, model)
+    own = with_own_cameras(pycolmap, few)
+    shared = adjusted(pycolmap, few, focal=True)
+    alone = adjusted(pycolmap, own, focal=True, lens=False)
+    return shared, alone, {number: focal_length(own.camera(number)) for number in own.reg_image_ids()}
+
+
+def clusters(lengths: dict[int, float]) -> list[list[int]]:
+    """Pictures by focal length: parted where two that follow each other differ by more than one lens does."""
+    order = sorted(lengths, key=lambda number: (lengths[number], number))
+    found: list[list[int]] = []
+    for number in order:
+        if found and lengths[number] <= SAME_LENS * lengths[found[-1][-1]]:
+            found[-1].append(number)
+        else:
+            found.append([number])
+    return found
+
+
+def part_cameras(pycolmap: Any, database: str, groups: list[list[int]], lengths: dict[int, float]) -> None:
+    """Give groups of pictures cameras of their own, in COLMAP's database."""
+    numbers = []
+    with pycolmap.Database.open(database) as opened:
+        for group in groups:
+            camera = opened.read_camera(opened.read_image(group[0]).camera_id)
+            params = np.array(camera.params)
+            params[list(camera.focal_length_idxs())] = float(np.median([lengths[number] for number in group]))
+            camera.params, camera.has_prior_focal_length = params, False
+            numbers.append(opened.write_camera(camera))
+    connection = sqlite3.connect(database)
+    with connection:
+        for camera, group in zip(numbers, groups, strict=True):
+            made = connection.execute("INSERT INTO rigs (ref_sensor_id, ref_sensor_type) VALUES (?, 0)", (camera,))
+            for number in group:
+                (frame,) = connection.execute("SELECT frame_id FROM frame_data WHERE data_id = ?", (number,)).fetchone()
+                connection.execute("UPDATE images SET camera_id = ? WHERE image_id = ?", (camera, number))
+                connection.execute("UPDATE frames SET rig_id = ? WHERE frame_id = ?", (made.lastrowid, frame))
+                connection.execute("UPDATE frame_data SET sensor_id = ? WHERE data_id = ?", (camera, number))
+    connection.close()
+
+
+def split_cameras(
+    pycolmap: Any, job: dict[str, Any], models: list[Any], map_again: Callable[[], list[Any]]
+) -> tuple[list[Any], dict[str, Any]]:
+    """The models, or ones with several cameras where these explain the pictures better by a third."""
+    shared, alone, lengths = own_focal_lengths(pycolmap, models[0])
+    told: dict[str, Any] = {"shared_error": shared, "own_error": alone}
+    groups = clusters(lengths)
+    if not alone < (1 - WORTH_TRYING) * shared or len(groups) < 2:
+        return models, told
+    if len(groups) > len(lengths) // 2:  # a zoom that moves all the time
+        groups = [[number] for number in sorted(lengths)]
+    part_cameras(pycolmap, job["database"], groups, lengths)
+    others = map_again()
+    if not others or others[0].num_reg_images() < models[0].num_reg_images():
+        return models, told
+    before, after = rms_error(models[0]), rms_error(others[0])
+    kept = others if after <= MUCH_BETTER * before else models
+    return kept, told | {"parted": len(used_cameras(kept[0])) if kept is others else 0}
+
+
+# --------------------------------------------------------------------------------------------- focal lengths
+
+
+def judge_given(pycolmap: Any, model: Any) -> dict[str, Any]:
+    """The focal length that the pictures ask for instead of one that was given, and the error with either."""
+    few = thinned(pycolmap, model)
+    first = used_cameras(few)[0]
+    given = focal_length(few.camera(first))
+    error = adjusted(pycolmap, few, focal=False, lens=False)
+    freed = adjusted(pycolmap, few, focal=True)
+    return {"given": given, "error": error, "found": focal_length(few.camera(first)), "freed_error": freed}
+
+
+def profile(pycolmap: Any, model: Any) -> dict[str, Any]:
+    """How the error rises at least where the focal lengths are held at factors of what the pictures ask for."""
+    few = thinned(pycolmap, model)
+    error = adjusted(pycolmap, few, focal=True)
+    cameras, rises = used_cameras(few), []
+    for factor in HELD:
+        held = pycolmap.Reconstruction(few)
+        scale_focal_lengths(held, dict.fromkeys(cameras, factor))
+        rises.append(adjusted(pycolmap, held, focal=False) / error - 1 if error > 0 else 0.0)
+    return {"found": focal_length(few.camera(cameras[0])), "error": error, "rise": min(rises)}
+
+
+def hold_at_exif(pycolmap: Any, model: Any, known: dict[int, float]) -> tuple[Any, dict[str, Any]]:
+    """The model with the focal lengths that EXIF tells, where these fit as well; cameras without move along."""
+    cameras = used_cameras(model)
+    factors = {number: known[number] / focal_length(model.camera(number)) for number in cameras if number in known}
+    usual = float(np.median(list(factors.values())))
+    held, error = pycolmap.Reconstruction(model), rms_error(model)
+    scale_focal_lengths(held, {number: factors.get(number, usual) for number in cameras})
+    after = adjusted(pycolmap, held, focal=False)
+    held.update_point_3d_errors()
+    told = {"exif": known[min(factors)], "error": error, "freed_error": after}
+    return held if after < (1 + FLAT) * error else model, told
