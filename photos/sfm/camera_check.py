@@ -12,6 +12,7 @@ from typing import Any
 FLAT = 0.02
 GIVEN_OFF = 1.02  # times the focal length that was given: calibrations of one lens differ by less
 GIVEN_WORSE = 0.8  # of the error: with a lens that fits, a freed focal length takes a few per cent off
+ZOOMED = 2 / 3  # of the error: what it falls to with a camera a picture where these have several focal lengths
 EXIF_OFF = 0.05  # what EXIF's focal length may be off by: whole millimetres in terms of 35 mm film, round figures
 
 _REMEDY = "give the camera (intrinsic), or take pictures with the camera turned and tilted, from several sides"
@@ -28,6 +29,7 @@ class CameraCheck:
         exif: The focal length that EXIF tells, of the first camera that has one, where the pictures fix none [px].
         error: Root mean square error with the cameras as they were given, or are found [px].
         freed_error: The same with the focal length freed of what was given, or held at EXIF's [px].
+        own_error: The same with a focal length of its own for each picture, poses and points adjusted to it [px].
         parted: Cameras of the model where one alone did not explain the pictures; else 0.
     """
 
@@ -37,6 +39,7 @@ class CameraCheck:
     exif: float = math.nan
     error: float = math.nan
     freed_error: float = math.nan
+    own_error: float = math.nan
     parted: int = 0
 
     @classmethod
@@ -61,6 +64,10 @@ class CameraCheck:
 
     def reasons(self) -> list[str]:
         """Why the cameras are not to be believed, with the remedy."""
+        best = self.error if math.isnan(self.given) else min(self.error, self.freed_error)
+        if self.own_error < ZOOMED * best and not self.parted:
+            off = f"with one for each the error falls from {best:.2g} to {self.own_error:.2g} px"
+            return [f"the pictures were taken with several focal lengths ({off}): do not zoom, and keep to one lens"]
         if abs(math.log(self.found / self.given)) > math.log(GIVEN_OFF) and self.freed_error < GIVEN_WORSE * self.error:
             off = f"the error falls from {self.error:.2g} to {self.freed_error:.2g} px"
             said = f"the pictures ask for a focal length of {self.found:.4g} px, {self.given:.4g} px were given ({off})"

@@ -38,6 +38,7 @@ _MOST_POINTS = 1500  # that are adjusted, unless there are many pictures
 _POINTS_A_PICTURE = 25
 _FEWEST_SEEN = 20  # points of a picture that has a camera of its own
 _STEPS = 60  # of an adjustment
+_FEW_STEPS = 25  # of one that has to show that the error falls, and nothing finer
 
 
 def rms_error(model: Any) -> float:
@@ -71,6 +72,8 @@ def adjusted(pycolmap: Any, model: Any, *, focal: bool, lens: bool = True, steps
 def thinned(pycolmap: Any, model: Any) -> Any:
     """A copy of a model with some of its points, evenly by their numbers."""
     copy = pycolmap.Reconstruction(model)
+    for number in [number for number in copy.point3D_ids() if copy.point3D(number).track.length() < 2]:
+        copy.delete_point3D(number)
     numbers = sorted(copy.point3D_ids())
     most = max(_MOST_POINTS, _POINTS_A_PICTURE * copy.num_reg_images())
     kept = {numbers[k] for k in np.linspace(0, len(numbers) - 1, most).round().astype(int)} if numbers else set()
@@ -164,7 +167,7 @@ def own_focal_lengths(pycolmap: Any, model: Any) -> tuple[float, float, dict[int
     few = thinned(pycolmap, model)
     own = with_own_cameras(pycolmap, few)
     shared = adjusted(pycolmap, few, focal=True)
-    alone = adjusted(pycolmap, own, focal=True, lens=False)
+    alone = adjusted(pycolmap, own, focal=True, lens=False, steps=_FEW_STEPS)
     return shared, alone, {number: focal_length(own.camera(number)) for number in own.reg_image_ids()}
 
 
@@ -207,7 +210,7 @@ def split_cameras(
 ) -> tuple[list[Any], dict[str, Any]]:
     """The models, or ones with several cameras where these explain the pictures better by a third."""
     shared, alone, lengths = own_focal_lengths(pycolmap, models[0])
-    told: dict[str, Any] = {"shared_error": shared, "own_error": alone}
+    told: dict[str, Any] = {"own_error": alone}
     groups = clusters(lengths)
     if not alone < (1 - WORTH_TRYING) * shared or len(groups) < 2:
         return models, told
@@ -232,7 +235,8 @@ def judge_given(pycolmap: Any, model: Any) -> dict[str, Any]:
     given = focal_length(few.camera(first))
     error = adjusted(pycolmap, few, focal=False, lens=False)
     freed = adjusted(pycolmap, few, focal=True)
-    return {"given": given, "error": error, "found": focal_length(few.camera(first)), "freed_error": freed}
+    told = {"given": given, "error": error, "found": focal_length(few.camera(first)), "freed_error": freed}
+    return told | {"own_error": own_focal_lengths(pycolmap, few)[1]}
 
 
 def profile(pycolmap: Any, model: Any) -> dict[str, Any]:
