@@ -93,6 +93,16 @@ def sideways(count: int = 14, *, step: float = 0.12) -> np.ndarray:
     return np.array([look_along(np.array([1.2 + step * k, 0.8, 1.4]), (0.0, 1.0, -0.05)) for k in range(count)])
 
 
+def turning(count: int = 12, *, degrees: float = 100.0) -> np.ndarray:
+    """A camera that turns in one place."""
+    poses = []
+    for k, yaw in enumerate(np.radians(np.linspace(20, 20 + degrees, count))):
+        pitch = math.radians(-10 + 5 * math.sin(k))
+        way = (math.cos(yaw) * math.cos(pitch), math.sin(yaw) * math.cos(pitch), math.sin(pitch))
+        poses.append(look_along(np.array([2.5, 2.0, 1.5]), way))
+    return np.array(poses)
+
+
 # ------------------------------------------------------------------------------------------------------ flights
 
 

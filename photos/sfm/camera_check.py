@@ -7,12 +7,10 @@ import math
 from collections.abc import Mapping
 from typing import Any
 
-# By which the error has to rise where the focal length is held 15 % shorter and 18 % longer: below, what features and
-# lenses are off by decides, not the focal length.
-FLAT = 0.02
+from .colmap_cameras import FLAT, LEVEL, MUCH_BETTER, is_open
+
 GIVEN_OFF = 1.02  # times the focal length that was given: calibrations of one lens differ by less
 GIVEN_WORSE = 0.8  # of the error: with a lens that fits, a freed focal length takes a few per cent off
-ZOOMED = 2 / 3  # of the error: what it falls to with a camera a picture where these have several focal lengths
 EXIF_OFF = 0.05  # what EXIF's focal length may be off by: whole millimetres in terms of 35 mm film, round figures
 
 _REMEDY = "give the camera (intrinsic), or take pictures with the camera turned and tilted, from several sides"
@@ -25,6 +23,8 @@ class CameraCheck:
     Args:
         found: The focal length that the pictures ask for, of the first camera [px].
         rise: By which share the error rises at least where the focal length is held 15 % shorter, and 18 % longer.
+        spread: By which share it is off by what parts of the pictures say (standard error); asked where the error rises
+            little.
         given: The focal length that was given [px].
         exif: The focal length that EXIF tells, of the first camera that has one, where the pictures fix none [px].
         error: Root mean square error with the cameras as they were given, or are found [px].
@@ -35,6 +35,7 @@ class CameraCheck:
 
     found: float = math.nan
     rise: float = math.nan
+    spread: float = math.nan
     given: float = math.nan
     exif: float = math.nan
     error: float = math.nan
@@ -55,7 +56,7 @@ class CameraCheck:
     @property
     def is_open(self) -> bool:
         """Whether the pictures fix no focal length."""
-        return self.rise < FLAT
+        return is_open(self.rise, self.spread)
 
     @property
     def is_exif_kept(self) -> bool:
@@ -65,7 +66,7 @@ class CameraCheck:
     def reasons(self) -> list[str]:
         """Why the cameras are not to be believed, with the remedy."""
         best = self.error if math.isnan(self.given) else min(self.error, self.freed_error)
-        if self.own_error < ZOOMED * best and not self.parted:
+        if self.own_error < MUCH_BETTER * best and not self.parted:
             off = f"with one for each the error falls from {best:.2g} to {self.own_error:.2g} px"
             return [f"the pictures were taken with several focal lengths ({off}): do not zoom, and keep to one lens"]
         if abs(math.log(self.found / self.given)) > math.log(GIVEN_OFF) and self.freed_error < GIVEN_WORSE * self.error:
@@ -78,6 +79,8 @@ class CameraCheck:
             off = f"EXIF says {self.exif:.4g} px, with which they fit worse"
             return [f"the pictures do not fix the focal length, and {off} than with {self.found:.4g} px: {_REMEDY}"]
         rises = f"held 15 % off {self.found:.4g} px, the error rises by {100 * max(self.rise, 0):.1f} %"
+        if not self.rise < LEVEL:
+            rises += f", and parts of the pictures ask for others, by {100 * self.spread:.0f} %"
         off = "lengths along and across the view may be off by as much, one against the other"
         return [f"the pictures do not fix the focal length ({rises}), so that {off}: {_REMEDY}"]
 

@@ -30,13 +30,17 @@ WORTH_TRYING = 0.2
 MUCH_BETTER = 2 / 3  # of the error before: what a second model with several cameras has to come to, to be kept
 SAME_LENS = 1.04  # focal lengths of two pictures within this factor are one camera's: each alone is a few per cent off
 
-# By which the error has to rise at both factors: below, what features and lenses are off by decides.
-FLAT = 0.02
+# By which the error rises at the least: below the first no focal length is fixed, above the second one is. Between them
+# features, lenses and shutters may decide as much as the focal length does, and parts of the pictures are left out.
+LEVEL, STEEP = 0.002, 0.05
+MOST_SPREAD = 0.025  # of the focal length when parts are left out: twice that, 5 %, is what EXIF's may be off by
+FLAT = 0.02  # by which the error may rise with EXIF's focal length
 
 _FEWEST_POINTS = 30  # of a model of which anything can be asked
 _MOST_POINTS = 1500  # that are adjusted, unless there are many pictures
 _POINTS_A_PICTURE = 25
 _FEWEST_SEEN = 20  # points of a picture that has a camera of its own
+_BLOCKS, _CELLS = 6, 3  # into which pictures are parted by their order, and a picture by its sides
 _STEPS = 60  # of an adjustment
 _FEW_STEPS = 25  # of one that has to show that the error falls, and nothing finer
 
@@ -123,10 +127,15 @@ def settle_cameras(
     known = _known_focal_lengths(pycolmap, job["database"])
     models, told = split_cameras(pycolmap, job, models, map_again)
     told |= profile(pycolmap, models[0])
-    if told["rise"] < FLAT and any(number in known for number in used_cameras(models[0])):
+    if is_open(told["rise"], told.get("spread", 0.0)) and any(number in known for number in used_cameras(models[0])):
         first, held = hold_at_exif(pycolmap, models[0], known)
         return [first, *models[1:]], told | held
     return models, told
+
+
+def is_open(rise: float, spread: float) -> bool:
+    """Whether the pictures fix no focal length; NaN of what was not asked says nothing."""
+    return rise < LEVEL or spread > MOST_SPREAD
 
 
 def _known_focal_lengths(pycolmap: Any, database: str) -> dict[int, float]:
@@ -240,7 +249,10 @@ def judge_given(pycolmap: Any, model: Any) -> dict[str, Any]:
 
 
 def profile(pycolmap: Any, model: Any) -> dict[str, Any]:
-    """How the error rises at least where the focal lengths are held at factors of what the pictures ask for."""
+    """How the error rises at least where the focal lengths are held at factors of what the pictures ask for.
+
+    Where it rises a little, it is asked too how far the focal length moves when parts of the pictures are left out.
+    """
     few = thinned(pycolmap, model)
     error = adjusted(pycolmap, few, focal=True)
     cameras, rises = used_cameras(few), []
@@ -248,7 +260,46 @@ def profile(pycolmap: Any, model: Any) -> dict[str, Any]:
         held = pycolmap.Reconstruction(few)
         scale_focal_lengths(held, dict.fromkeys(cameras, factor))
         rises.append(adjusted(pycolmap, held, focal=False) / error - 1 if error > 0 else 0.0)
-    return {"found": focal_length(few.camera(cameras[0])), "error": error, "rise": min(rises)}
+    told = {"found": focal_length(few.camera(cameras[0])), "error": error, "rise": min(rises)}
+    return told | ({"spread": spread_of_parts(pycolmap, few)} if LEVEL <= told["rise"] < STEEP else {})
+
+
+def spread_of_parts(pycolmap: Any, model: Any) -> float:
+    """How far off the focal lengths may be, as a share: the delete-a-group jackknife's standard error.
+
+    Groups are parts of the picture, which show a lens that the model of the camera does not fit, and pictures that
+    follow each other, which show what is wrong with some of them; the larger of the two errors counts.
+    """
+    numbers = sorted(model.reg_image_ids())
+    blocks = {number: k * _BLOCKS // len(numbers) for k, number in enumerate(numbers)}
+    by_picture = [_focal_without(pycolmap, model, lambda n, _xy, _size, k=k: blocks[n] == k) for k in range(_BLOCKS)]
+    by_cell = [_focal_without(pycolmap, model, lambda _n, *at, k=k: _cell(*at) == k) for k in range(_CELLS**2)]
+    return max(_jackknife(by_picture), _jackknife(by_cell))
+
+
+def _cell(xy: Any, size: tuple[int, int]) -> int:
+    """In which of the cells of a picture a place is."""
+    column, row = (min(max(int(at * _CELLS / side), 0), _CELLS - 1) for at, side in zip(xy, size, strict=True))
+    return row * _CELLS + column
+
+
+def _jackknife(logs: list[float]) -> float:
+    found = np.array(logs)
+    return math.sqrt((len(found) - 1) / len(found) * float(((found - found.mean()) ** 2).sum()))
+
+
+def _focal_without(pycolmap: Any, model: Any, is_left_out: Callable[..., bool]) -> float:
+    """Mean logarithm of the focal lengths that some of the observations ask for."""
+    part = pycolmap.Reconstruction(model)
+    for number in sorted(part.reg_image_ids()):
+        image = part.image(number)
+        size = image.camera.width, image.camera.height
+        seen = [(k, point.xy) for k, point in enumerate(image.points2D) if point.has_point3D()]
+        for k in [k for k, xy in seen if is_left_out(number, xy, size)]:
+            if part.image(number).point2D(k).has_point3D():  # a point that only one picture sees goes with it
+                part.delete_observation(number, k)
+    adjusted(pycolmap, part, focal=True, steps=_FEW_STEPS)
+    return float(np.mean([math.log(focal_length(part.camera(number))) for number in used_cameras(part)]))
 
 
 def hold_at_exif(pycolmap: Any, model: Any, known: dict[int, float]) -> tuple[Any, dict[str, Any]]:

@@ -168,11 +168,11 @@ def _reasons(found: Verdict, longer_side: int) -> list[str]:
         reasons.append(f"the camera hardly moved ({off}), so that depth is unknown: {_MOVE}")
     elif found.angle < MIN_ANGLE:
         reasons.append(f"points are seen under {found.angle:.2g} degrees (median), so that depth is uncertain: {_MOVE}")
-    if found.error > (most := MAX_ERROR * max(1.0, longer_side / FINDING_SIZE)):
+    reasons += (asked := [] if found.focal is None else found.focal.reasons())
+    if not asked and found.error > (most := MAX_ERROR * max(1.0, longer_side / FINDING_SIZE)):
         off = f"points are {found.error:.2g} px off what the model shows (median), more than {most:.2g}"
         remedy = "do not zoom, hold still what is seen, and give camera_model where the lens bends much"
         reasons.append(f"{off}: no lens that was tried fits the pictures; {remedy}")
-    reasons += [] if found.focal is None else found.focal.reasons()
     if found.point_count < MIN_POINTS or found.points_a_picture < MIN_POINTS_A_PICTURE:
         each = f"{found.points_a_picture:.0f} a picture"
         remedy = "take sharp pictures of something with a pattern"
