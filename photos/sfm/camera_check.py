@@ -23,8 +23,8 @@ class CameraCheck:
     Args:
         found: The focal length that the pictures ask for, of the first camera [px].
         rise: By which share the error rises at least where the focal length is held 15 % shorter, and 18 % longer.
-        spread: By which share it is off by what parts of the pictures say (standard error); asked where the error rises
-            little.
+        spread: By which share it is off by what parts of the pictures and a lens with more distortion say (standard
+            error); asked where the error rises little.
         given: The focal length that was given [px].
         exif: The focal length that EXIF tells, of the first camera that has one, where the pictures fix none [px].
         error: Root mean square error with the cameras as they were given, or are found [px].
@@ -80,7 +80,8 @@ class CameraCheck:
             return [f"the pictures do not fix the focal length, and {off} than with {self.found:.4g} px: {_REMEDY}"]
         rises = f"held 15 % off {self.found:.4g} px, the error rises by {100 * max(self.rise, 0):.1f} %"
         if not self.rise < LEVEL:
-            rises += f", and parts of the pictures ask for others, by {100 * self.spread:.0f} %"
+            others = "parts of the pictures, or a lens with more distortion, ask for others"
+            rises += f", and {others}, by {100 * self.spread:.0f} %"
         off = "lengths along and across the view may be off by as much, one against the other"
         return [f"the pictures do not fix the focal length ({rises}), so that {off}: {_REMEDY}"]
 

@@ -265,16 +265,18 @@ def profile(pycolmap: Any, model: Any) -> dict[str, Any]:
 
 
 def spread_of_parts(pycolmap: Any, model: Any) -> float:
-    """How far off the focal lengths may be, as a share: the delete-a-group jackknife's standard error.
+    """How far off the focal lengths may be, as a share: the largest of three standard errors.
 
-    Groups are parts of the picture, which show a lens that the model of the camera does not fit, and pictures that
-    follow each other, which show what is wrong with some of them; the larger of the two errors counts.
+    Two are those of the delete-a-group jackknife. Groups are parts of the picture, which show a lens that the model of
+    the camera does not fit, and pictures that follow each other, which show what is wrong with some of them. The third
+    is half of what a second coefficient of distortion moves them by: of a lens that bends much that is the error.
     """
     numbers = sorted(model.reg_image_ids())
     blocks = {number: k * _BLOCKS // len(numbers) for k, number in enumerate(numbers)}
     by_picture = [_focal_without(pycolmap, model, lambda n, _xy, _size, k=k: blocks[n] == k) for k in range(_BLOCKS)]
     by_cell = [_focal_without(pycolmap, model, lambda _n, *at, k=k: _cell(*at) == k) for k in range(_CELLS**2)]
-    return max(_jackknife(by_picture), _jackknife(by_cell))
+    bent = abs(_focal_of_richer_lens(pycolmap, model) - _log_focal(model)) / 2
+    return max(_jackknife(by_picture), _jackknife(by_cell), bent)
 
 
 def _cell(xy: Any, size: tuple[int, int]) -> int:
@@ -288,6 +290,24 @@ def _jackknife(logs: list[float]) -> float:
     return math.sqrt((len(found) - 1) / len(found) * float(((found - found.mean()) ** 2).sum()))
 
 
+def _log_focal(model: Any) -> float:
+    """Mean logarithm of the focal lengths."""
+    return float(np.mean([math.log(focal_length(model.camera(number))) for number in used_cameras(model)]))
+
+
+def _focal_of_richer_lens(pycolmap: Any, model: Any) -> float:
+    """The same of lenses with two coefficients of distortion where they have one."""
+    richer = pycolmap.Reconstruction(model)
+    for number in used_cameras(richer):
+        camera = richer.camera(number)
+        if camera.model_name == "SIMPLE_RADIAL":
+            params = [*camera.params, 0.0]
+            camera.model = pycolmap.CameraModelId.RADIAL
+            camera.params = params
+    adjusted(pycolmap, richer, focal=True)
+    return _log_focal(richer)
+
+
 def _focal_without(pycolmap: Any, model: Any, is_left_out: Callable[..., bool]) -> float:
     """Mean logarithm of the focal lengths that some of the observations ask for."""
     part = pycolmap.Reconstruction(model)
@@ -299,7 +319,7 @@ def _focal_without(pycolmap: Any, model: Any, is_left_out: Callable[..., bool]) 
             if part.image(number).point2D(k).has_point3D():  # a point that only one picture sees goes with it
                 part.delete_observation(number, k)
     adjusted(pycolmap, part, focal=True, steps=_FEW_STEPS)
-    return float(np.mean([math.log(focal_length(part.camera(number))) for number in used_cameras(part)]))
+    return _log_focal(part)
 
 
 def hold_at_exif(pycolmap: Any, model: Any, known: dict[int, float]) -> tuple[Any, dict[str, Any]]:
