@@ -7,10 +7,9 @@ import math
 from collections.abc import Mapping
 from typing import Any
 
-from .colmap_cameras import FLAT, LEVEL, MUCH_BETTER, is_open
+from .colmap_cameras import FLAT, GIVEN_WORSE, LEVEL, MOST_SPREAD, MUCH_BETTER, is_open
 
 GIVEN_OFF = 1.02  # times the focal length that was given: calibrations of one lens differ by less
-GIVEN_WORSE = 0.8  # of the error: with a lens that fits, a freed focal length takes a few per cent off
 EXIF_OFF = 0.05  # what EXIF's focal length may be off by: whole millimetres in terms of 35 mm film, round figures
 
 _REMEDY = "give the camera (intrinsic), or take pictures with the camera turned and tilted, from several sides"
@@ -56,12 +55,20 @@ class CameraCheck:
     @property
     def is_open(self) -> bool:
         """Whether the pictures fix no focal length."""
-        return is_open(self.rise, self.spread)
+        return math.isnan(self.given) and is_open(self.rise, self.spread)
 
     @property
     def is_exif_kept(self) -> bool:
         """Whether the model has EXIF's focal length, as the pictures fix none and bear that one out as well."""
         return self.is_open and self.freed_error < (1 + FLAT) * self.error
+
+    @property
+    def is_given_wrong(self) -> bool:
+        """Whether the pictures ask for another focal length than was given: by the error, or as all of their parts do."""
+        off = abs(math.log(self.found / self.given))
+        if self.freed_error < GIVEN_WORSE * self.error:
+            return off > math.log(GIVEN_OFF)
+        return self.spread <= MOST_SPREAD and off > 2 * MOST_SPREAD and self.error > (1 + FLAT) * self.freed_error
 
     def reasons(self) -> list[str]:
         """Why the cameras are not to be believed, with the remedy."""
@@ -69,7 +76,7 @@ class CameraCheck:
         if self.own_error < MUCH_BETTER * best and not self.parted:
             off = f"with one for each the error falls from {best:.2g} to {self.own_error:.2g} px"
             return [f"the pictures were taken with several focal lengths ({off}): do not zoom, and keep to one lens"]
-        if abs(math.log(self.found / self.given)) > math.log(GIVEN_OFF) and self.freed_error < GIVEN_WORSE * self.error:
+        if self.is_given_wrong:
             off = f"the error falls from {self.error:.2g} to {self.freed_error:.2g} px"
             said = f"the pictures ask for a focal length of {self.found:.4g} px, {self.given:.4g} px were given ({off})"
             return [f"{said}: check the camera that was given, or leave it out"]

@@ -34,12 +34,17 @@ SAME_LENS = 1.04  # focal lengths of two pictures within this factor are one cam
 # features, lenses and shutters may decide as much as the focal length does, and parts of the pictures are left out.
 LEVEL, STEEP = 0.002, 0.05
 MOST_SPREAD = 0.025  # of the focal length when parts are left out: twice that, 5 %, is what EXIF's may be off by
+GIVEN_WORSE = 0.8  # of the error with a given focal length, to which it falls with the one that the pictures ask for
 FLAT = 0.02  # by which the error may rise with EXIF's focal length
+
+_SQUARE = 0.01  # by which two focal lengths of square pixels may differ, as calibrations have it
+_AS_GOOD = 1.1  # times the error: what cameras that are joined may come to
 
 _FEWEST_POINTS = 30  # of a model of which anything can be asked
 _MOST_POINTS = 1500  # that are adjusted, unless there are many pictures
 _POINTS_A_PICTURE = 25
 _FEWEST_SEEN = 20  # points of a picture that has a camera of its own
+_RICHER = {"SIMPLE_PINHOLE": ("RADIAL", 2), "PINHOLE": ("OPENCV", 4), "SIMPLE_RADIAL": ("RADIAL", 1)}
 _BLOCKS, _CELLS = 6, 3  # into which pictures are parted by their order, and a picture by its sides
 _STEPS = 60  # of an adjustment
 _FEW_STEPS = 25  # of one that has to show that the error falls, and nothing finer
@@ -217,21 +222,45 @@ def part_cameras(pycolmap: Any, database: str, groups: list[list[int]], lengths:
 def split_cameras(
     pycolmap: Any, job: dict[str, Any], models: list[Any], map_again: Callable[[], list[Any]]
 ) -> tuple[list[Any], dict[str, Any]]:
-    """The models, or ones with several cameras where these explain the pictures better by a third."""
+    """The models, or ones with several cameras where these explain the pictures better by a third.
+
+    The focal lengths that a model with one camera asks for are rough. What comes of them is finer, so that cameras
+    that turn out to be one are made one.
+    """
     shared, alone, lengths = own_focal_lengths(pycolmap, models[0])
     told: dict[str, Any] = {"own_error": alone}
     groups = clusters(lengths)
     if not alone < (1 - WORTH_TRYING) * shared or len(groups) < 2:
         return models, told
-    if len(groups) > len(lengths) // 2:  # a zoom that moves all the time
+    if len(groups) > len(lengths) // 2:  # a zoom that moves all the time, or a rough first model
         groups = [[number] for number in sorted(lengths)]
+    most = MUCH_BETTER * rms_error(models[0])
+    kept = _parted(pycolmap, job, models, groups, lengths, map_again, most)
+    if kept is models:
+        return models, told
+    first = kept[0]
+    lengths |= {number: focal_length(first.image(number).camera) for number in first.reg_image_ids()}
+    joined = clusters(lengths)
+    if len(joined) < len(groups):
+        kept = _parted(pycolmap, job, kept, joined, lengths, map_again, _AS_GOOD * rms_error(first))
+    return kept, told | {"parted": len(used_cameras(kept[0]))}
+
+
+def _parted(
+    pycolmap: Any,
+    job: dict[str, Any],
+    models: list[Any],
+    groups: list[list[int]],
+    lengths: dict[int, float],
+    map_again: Callable[[], list[Any]],
+    most_error: float,
+) -> list[Any]:
+    """Models with a camera for each group; those before where the new ones place fewer pictures or are more off."""
     part_cameras(pycolmap, job["database"], groups, lengths)
     others = map_again()
     if not others or others[0].num_reg_images() < models[0].num_reg_images():
-        return models, told
-    before, after = rms_error(models[0]), rms_error(others[0])
-    kept = others if after <= MUCH_BETTER * before else models
-    return kept, told | {"parted": len(used_cameras(kept[0])) if kept is others else 0}
+        return models
+    return others if rms_error(others[0]) <= most_error else models
 
 
 # --------------------------------------------------------------------------------------------- focal lengths
@@ -241,11 +270,27 @@ def judge_given(pycolmap: Any, model: Any) -> dict[str, Any]:
     """The focal length that the pictures ask for instead of one that was given, and the error with either."""
     few = thinned(pycolmap, model)
     first = used_cameras(few)[0]
+    _tie_focal_lengths(pycolmap, few)
     given = focal_length(few.camera(first))
     error = adjusted(pycolmap, few, focal=False, lens=False)
     freed = adjusted(pycolmap, few, focal=True)
-    told = {"given": given, "error": error, "found": focal_length(few.camera(first)), "freed_error": freed}
-    return told | {"own_error": own_focal_lengths(pycolmap, few)[1]}
+    found = focal_length(few.camera(first))
+    told = {"given": given, "error": error, "found": found, "freed_error": freed}
+    told |= {"own_error": own_focal_lengths(pycolmap, few)[1]}
+    # Where the error falls a little, parts of the pictures have to agree.
+    is_off = abs(math.log(found / given)) > 2 * MOST_SPREAD and error > (1 + FLAT) * freed
+    return told | ({"spread": spread_of_parts(pycolmap, few)} if is_off and freed > GIVEN_WORSE * error else {})
+
+
+def _tie_focal_lengths(pycolmap: Any, model: Any) -> None:
+    """Let pinholes with square pixels have one focal length: two freed ones may part where cameras stand in a row."""
+    for number in used_cameras(model):
+        camera = model.camera(number)
+        if camera.model_name == "PINHOLE":
+            fx, fy, *center = camera.params
+            if abs(fx / fy - 1) < _SQUARE:
+                camera.model = pycolmap.CameraModelId.SIMPLE_PINHOLE
+                camera.params = [(fx + fy) / 2, *center]
 
 
 def profile(pycolmap: Any, model: Any) -> dict[str, Any]:
@@ -296,13 +341,14 @@ def _log_focal(model: Any) -> float:
 
 
 def _focal_of_richer_lens(pycolmap: Any, model: Any) -> float:
-    """The same of lenses with two coefficients of distortion where they have one."""
+    """The same of lenses with two coefficients of distortion where they have one or none."""
     richer = pycolmap.Reconstruction(model)
     for number in used_cameras(richer):
         camera = richer.camera(number)
-        if camera.model_name == "SIMPLE_RADIAL":
-            params = [*camera.params, 0.0]
-            camera.model = pycolmap.CameraModelId.RADIAL
+        if camera.model_name in _RICHER:
+            name, more = _RICHER[camera.model_name]
+            params = [*camera.params, *[0.0] * more]
+            camera.model = getattr(pycolmap.CameraModelId, name)
             camera.params = params
     adjusted(pycolmap, richer, focal=True)
     return _log_focal(richer)

@@ -30,12 +30,14 @@ def told(**figures: float) -> str:
 def test_a_camera_that_was_given_is_doubted_with_both_numbers():
     said = told(given=600, found=526, error=0.85, freed_error=0.5)
     assert "ask for a focal length of 526 px, 600 px were given (the error falls from 0.85 to 0.5 px)" in said
+    assert "600 px were given" in told(given=600, found=526, error=0.5, freed_error=0.45, spread=0.02)
 
 
 @pytest.mark.parametrize(
     "figures",
     [
         {"given": 600, "found": 526, "error": 0.5, "freed_error": 0.45},  # as good: the pictures do not tell
+        {"given": 600, "found": 526, "error": 0.5, "freed_error": 0.45, "spread": 0.03},  # nor do parts of them
         {"given": 526, "found": 530, "error": 0.85, "freed_error": 0.5},  # it was something else
         {"given": 526, "found": 526, "error": 0.5, "freed_error": 0.5, "own_error": 0.45},
         {"found": 526, "rise": 0.01, "spread": 0.02, "error": 0.5, "own_error": 0.45},
