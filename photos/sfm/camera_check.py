@@ -60,11 +60,11 @@ class CameraCheck:
     @property
     def is_exif_kept(self) -> bool:
         """Whether the model has EXIF's focal length, as the pictures fix none and bear that one out as well."""
-        return self.is_open and self.freed_error < (1 + FLAT) * self.error
+        return self.is_open and not math.isnan(self.exif) and self.freed_error < (1 + FLAT) * self.error
 
     @property
     def is_given_wrong(self) -> bool:
-        """Whether the pictures ask for another focal length than was given: by the error, or as all of their parts do."""
+        """Whether the pictures ask for another focal length than was given: by the error, or in all of their parts."""
         off = abs(math.log(self.found / self.given))
         if self.freed_error < GIVEN_WORSE * self.error:
             return off > math.log(GIVEN_OFF)
