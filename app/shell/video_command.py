@@ -83,8 +83,9 @@ def video(source: Path, output: Path, as_json: bool, force: bool, **options: Any
     --max-size begins at undistorted, another --scale makes the mesh alone.
 
     The exit code is 3 where fewer than 60 % of the pictures could be placed, where they fall apart into several
-    models, where the camera turned without moving, and where less than 20 % of the depth is confirmed; the remedy is
-    told, and a mesh is written where there is one.
+    models, where the camera turned without moving, where the pictures ask for another focal length than --intrinsic
+    has or fix none and EXIF tells none, and where less than 20 % of the depth is confirmed; the remedy is told, and a
+    mesh is written where there is one.
 
     \b
     pointloom video walk.mp4 -o room.ply --picture room.png

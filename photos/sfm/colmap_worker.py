@@ -1,7 +1,8 @@
 """The process in which COLMAP works: one job in, lines of JSON out.
 
 `pycolmap` and other packages bring their own copies of the same libraries, and a process with several of them may hang
-or abort. So this program imports pycolmap first and nothing of ours; it is run, never imported:
+or abort. So this program imports pycolmap first and nothing of ours but colmap_cameras.py, which is as bare; it is run,
+never imported:
 
     python colmap_worker.py < job.json
 
@@ -15,8 +16,11 @@ from __future__ import annotations
 import ctypes
 import json
 import os
+import runpy
 import signal
 import sys
+import tempfile
+from pathlib import Path
 from typing import IO, Any
 
 # The focal length that mapping begins with where EXIF says nothing, over the longer side. Telephones and depth cameras
@@ -97,14 +101,30 @@ def match(pycolmap: Any, job: dict[str, Any], answers: IO[str]) -> dict[str, Any
 
 
 def map_pictures(pycolmap: Any, job: dict[str, Any], answers: IO[str]) -> dict[str, Any]:
-    """Place pictures and points, one picture after the other, and write the model with the most pictures."""
+    """Place pictures and points, one picture after the other, and write the model with the most pictures.
+
+    What its cameras are worth is asked before it is written: it may get several, or EXIF's focal length.
+    """
+    models = _mapped(pycolmap, job, answers)
+    done: dict[str, Any] = {"sizes": [model.num_reg_images() for model in models], "cameras": {}}
+    if models:
+        settle = runpy.run_path(os.fspath(Path(__file__).with_name("colmap_cameras.py")))["settle_cameras"]
+        again = lambda: _mapped(pycolmap, job, answers)  # noqa: E731
+        models, done["cameras"] = settle(pycolmap, job, models, again)
+        done["sizes"] = [model.num_reg_images() for model in models]
+        models[0].write(job["model"])
+    return done
+
+
+def _mapped(pycolmap: Any, job: dict[str, Any], answers: IO[str]) -> list[Any]:
+    """The models that COLMAP makes of a database, the one with the most pictures first."""
     options = pycolmap.IncrementalPipelineOptions()
     options.num_threads = options.mapper.num_threads = job["threads"]
     options.random_seed = options.mapper.random_seed = options.triangulation.random_seed = job["seed"]
     if job["fixed_camera"]:
         options.ba_refine_focal_length = options.ba_refine_extra_params = False
         options.mapper.abs_pose_refine_focal_length = options.mapper.abs_pose_refine_extra_params = False
-    registered = 0
+    scratch, registered = tempfile.mkdtemp(dir=job["scratch"]), 0
 
     def begin() -> None:
         nonlocal registered
@@ -119,16 +139,13 @@ def map_pictures(pycolmap: Any, job: dict[str, Any], answers: IO[str]) -> dict[s
     found = pycolmap.incremental_mapping(
         job["database"],
         job["pictures"],
-        job["scratch"],
+        scratch,
         options=options,
         initial_image_pair_callback=begin,
         next_image_callback=proceed,
     )
     # The number of a model settles which of two of one size it is.
-    models = sorted(found.items(), key=lambda item: (-item[1].num_reg_images(), item[0]))
-    if models:
-        models[0][1].write(job["model"])
-    return {"sizes": [model.num_reg_images() for _, model in models]}
+    return [model for _, model in sorted(found.items(), key=lambda item: (-item[1].num_reg_images(), item[0]))]
 
 
 def _own_output() -> IO[str]:

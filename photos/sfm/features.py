@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 import os
+from collections import Counter
 from pathlib import Path
 from typing import Any
 
@@ -17,7 +18,7 @@ from ...core.timing import Clock
 from ...files.pictures.image_files import read_picture_header
 from .colmap_jobs import MAX_SECONDS, count_rows, database_in_the_making, open_database, run_job
 from .limited_process import check_limits, free_memory
-from .picture_folder import UPRIGHT, check_place, is_grey_16, list_pictures, read_orientation, scaled_size
+from .picture_folder import UPRIGHT, check_place, is_grey_16, list_pictures, read_lens, read_orientation, scaled_size
 
 # Those of COLMAP's whose numbers can be found from pictures alone.
 CAMERA_MODELS = (
@@ -41,9 +42,10 @@ class FeatureReport:
         database: Where it lies.
         names: Of the pictures, in the order of their numbers.
         counts: Features of each.
-        sizes: How many pictures there are of each (width, height) [px]; each size is a camera of its own.
+        sizes: How many pictures there are of each (width, height) [px].
         seconds: Time it took [s].
         peak_bytes: The most memory that COLMAP was seen to hold [B].
+        camera_count: Cameras that the pictures are taken for: one for each size and lens that EXIF tells.
     """
 
     database: str
@@ -52,6 +54,7 @@ class FeatureReport:
     sizes: dict[tuple[int, int], int]
     seconds: float
     peak_bytes: int
+    camera_count: int = 1
 
     @property
     def poor_names(self) -> tuple[str, ...]:
@@ -63,7 +66,7 @@ class FeatureReport:
         sizes = [{"width": w, "height": h, "count": count} for (w, h), count in self.sizes.items()]
         lists = {"names": list(self.names), "counts": list(self.counts), "poor_names": list(self.poor_names)}
         fields = {"database": self.database, "seconds": self.seconds, "peak_bytes": self.peak_bytes}
-        return fields | lists | {"sizes": sizes}
+        return fields | lists | {"sizes": sizes, "camera_count": self.camera_count}
 
 
 def find_features(
@@ -84,8 +87,8 @@ def find_features(
     Args:
         pictures: A folder of upright 8-bit PNG or JPEG pictures, as `choose_frames` writes them.
         database: The file to write, COLMAP's; one that is there is replaced.
-        camera_model: COLMAP's name of how the lens draws; its numbers are found later. Pictures of one size are
-            taken for those of one camera.
+        camera_model: COLMAP's name of how the lens draws; its numbers are found later. Pictures of one size, of which
+            EXIF says the same make, model and focal length, are taken for those of one camera.
         intrinsic: A camera that is known: all pictures are its, and `camera_model` is not looked at. One of pictures
             of another size, of the same shape, is scaled. Give `fix_intrinsic=True` to `map_pictures` to keep it.
         max_size: The longer side is scaled down to this to find features [px].
@@ -123,10 +126,10 @@ def find_features(
     _check_intrinsic(intrinsic)
     limits = check_limits(max_seconds, max_memory)
     folder, target = check_place("pictures", pictures), check_writable(check_place("database", database))
-    groups = _groups(folder)
+    groups = _groups(folder, by_lens=intrinsic is None)
     job: dict[str, Any] = {"stage": "features", "pictures": os.fspath(folder.resolve()), "seed": int(seed)}
-    job |= {"groups": [_group(size, names, camera_model, intrinsic) for size, names in groups.items()]}
-    threads = threads_for(list(groups), max_size, limits["max_memory"] or free_memory())
+    job |= {"groups": [_group(size, names, camera_model, intrinsic) for (size, _), names in groups.items()]}
+    threads = threads_for([size for size, _ in groups], max_size, limits["max_memory"] or free_memory())
     job |= {"max_size": int(max_size), "max_features": int(max_features), "threads": threads}
     count = sum(len(names) for names in groups.values())
     with database_in_the_making(target) as part:
@@ -135,9 +138,11 @@ def find_features(
         _, peak = run_job(job | {"database": os.fspath(part)}, folder, poll=poll, **limits)
         names, counts = _features_of(part)
     say("features", count, count)
-    sizes = {size: len(group) for size, group in groups.items()}
+    sizes = Counter({size: 0 for size, _ in groups})
+    for (size, _), group in groups.items():
+        sizes[size] += len(group)
     clock.stop("features")
-    return FeatureReport(os.fspath(target), names, counts, sizes, clock.seconds["features"], peak)
+    return FeatureReport(os.fspath(target), names, counts, dict(sizes), clock.seconds["features"], peak, len(groups))
 
 
 def usable_cores() -> int:
@@ -159,8 +164,11 @@ def _check_intrinsic(intrinsic: Any) -> None:
         raise ValueError(f"intrinsic: COLMAP has no model {intrinsic.model}; undistort the pictures first")
 
 
-def _groups(folder: Path) -> dict[tuple[int, int], list[str]]:
-    """The names of the pictures of each size, the size of the first one first.
+Group = tuple[tuple[int, int], tuple[str, ...]]
+
+
+def _groups(folder: Path, *, by_lens: bool) -> dict[Group, list[str]]:
+    """The names of the pictures of each size, and of each lens that EXIF tells, those of the first picture first.
 
     Raises:
         FileError: Too few, or one that COLMAP would take for another than it is.
@@ -168,7 +176,7 @@ def _groups(folder: Path) -> dict[tuple[int, int], list[str]]:
     paths = sorted(list_pictures(folder), key=lambda path: path.name)
     if len(paths) < 2:
         raise DatasetError(folder, "holds one picture; structure from motion needs two", remedy="Give another folder")
-    groups: dict[tuple[int, int], list[str]] = {}
+    groups: dict[Group, list[str]] = {}
     for path in paths:
         header = read_picture_header(path)
         fault = "is 16-bit grey" if is_grey_16(header) else ""
@@ -176,7 +184,8 @@ def _groups(folder: Path) -> dict[tuple[int, int], list[str]]:
             fault = "lies on its side, as its EXIF data say"
         if fault:
             raise FileError(path, fault, remedy="sfm.choose_frames makes upright 8-bit pictures of a folder")
-        groups.setdefault((header.width, header.height), []).append(path.name)
+        lens = read_lens(path) if by_lens else ()
+        groups.setdefault(((header.width, header.height), lens), []).append(path.name)
     return groups
 
 

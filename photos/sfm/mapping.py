@@ -14,6 +14,7 @@ from ...core.progress import ReportProgress
 from ...core.timing import Clock
 from ...files.models.colmap import read_colmap_model
 from ...files.models.sfm_model import SfmModel
+from .camera_check import CameraCheck
 from .colmap_jobs import MAX_SECONDS, open_database, run_job, scratch_beside
 from .limited_process import check_limits
 from .picture_folder import check_place
@@ -110,7 +111,8 @@ def map_pictures(
     with new_folder(target):
         done, peak = _map(job, database, target, names, say, limits)
     model = read_colmap_model(target) if done["sizes"] else None
-    verdict = judge_model(model, len(names), model_sizes=done["sizes"] or None, fix_intrinsic=fix_intrinsic)
+    told = {"model_sizes": done["sizes"] or None, "focal": CameraCheck.from_json(done["cameras"])}
+    verdict = judge_model(model, len(names), fix_intrinsic=fix_intrinsic, **told)
     missing = tuple(sorted(set(names) - set(model.names if model else ())))
     clock.stop("model")
     return SfmResult(model, os.fspath(target), verdict, missing, clock.seconds, {"model": peak})

@@ -21,6 +21,7 @@ from .picture_folder import (
     UPRIGHT,
     list_pictures,
     ordered_names,
+    read_lens,
     read_orientation,
     read_picture,
     scaled_size,
@@ -74,7 +75,9 @@ def choose_pictures(source: Path, wanted: Wanted, say: ReportProgress) -> FrameC
         sizes=dict(sizes.most_common()),
         frame_count=len(paths),
         left_out=left_out,
-        remarks=tuple(_remarks(source, len(paths), len(chosen), left_out, sizes)),
+        remarks=tuple(
+            _remarks(source, len(paths), len(chosen), left_out, sizes) + _lenses([paths[n] for n in numbers])
+        ),
     )
 
 
@@ -134,3 +137,9 @@ def _remarks(
         said = [f"{number} of {width} x {height}" for (width, height), number in sizes.most_common()]
         remarks.append(f"pictures of {len(sizes)} sizes, each taken for a camera of its own: {some_of(said)}")
     return remarks
+
+
+def _lenses(paths: list[Path]) -> list[str]:
+    """What EXIF tells of the cameras of pictures, where it is not the same of all."""
+    count = len({read_lens(path) for path in paths})
+    return [f"EXIF tells of {count} cameras or focal lengths, each taken for a camera of its own"] if count > 1 else []

@@ -11,12 +11,15 @@ import numpy as np
 
 from ...core.checks import check_count, check_list
 from ...files.models.sfm_model import SfmModel
+from .camera_check import CameraCheck
 from .parallax import parallax, triangulation_angles
 
 MIN_REGISTERED = 0.6  # share of the pictures
 WHOLE = 0.95  # share of the pictures in the largest model, with which others do not matter: they overlap
 MIN_ANGLE = 2.0  # [degrees] at which the depth of a point is known to a few per cent
 MIN_PARALLAX = 0.002  # of the longer side of a picture: a few pixels, some times what features are off by
+MAX_ERROR = 1.0  # [px] of a picture as large as features are found in: with a lens that fits it is 0.1 to 0.6
+FINDING_SIZE = 1600  # [px] of the longer side of such a picture: larger ones are scaled down
 MIN_POINTS = 100
 MIN_POINTS_A_PICTURE = 20
 
@@ -37,6 +40,7 @@ class Verdict:
         parallax: How far off points would be seen by a camera that only turned [px]; NaN where nobody can tell.
         error: Median reprojection error [px]; NaN without points.
         reasons: Why the result is poor, with the remedy; empty where it is good.
+        focal: What the pictures say of the focal length; None where nobody asked.
     """
 
     picture_count: int
@@ -48,6 +52,12 @@ class Verdict:
     parallax: float
     error: float
     reasons: tuple[str, ...]
+    focal: CameraCheck | None = None
+
+    @property
+    def remarks(self) -> tuple[str, ...]:
+        """What is to be known of a result though it is good: cameras that differ, a focal length that is EXIF's."""
+        return () if self.focal is None else tuple(self.focal.remarks())
 
     @property
     def poor(self) -> str | None:
@@ -57,6 +67,7 @@ class Verdict:
     def to_json(self) -> dict[str, Any]:
         """The same in JSON's types; NaN becomes None."""
         fields = dataclasses.asdict(self) | {"model_sizes": list(self.model_sizes), "reasons": list(self.reasons)}
+        fields |= {"focal": None if self.focal is None else self.focal.to_json(), "remarks": list(self.remarks)}
         numbers = {key: value for key, value in fields.items() if isinstance(value, float)}
         return fields | {key: None if math.isnan(value) else value for key, value in numbers.items()}
 
@@ -67,14 +78,21 @@ class Verdict:
         Raises:
             KeyError: A figure is missing.
         """
-        found: dict[str, Any] = {field.name: told[field.name] for field in dataclasses.fields(cls)}
+        names = [field.name for field in dataclasses.fields(cls) if field.name != "focal"]
+        found: dict[str, Any] = {name: told[name] for name in names}
         found |= {name: math.nan if found[name] is None else found[name] for name in ("angle", "parallax", "error")}
         found |= {name: tuple(found[name]) for name in ("model_sizes", "reasons")}
-        return cls(**found)
+        focal = told.get("focal")  # older records have none
+        return cls(**found, focal=None if focal is None else CameraCheck.from_json(focal))
 
 
 def judge_model(
-    model: SfmModel | None, picture_count: int, *, model_sizes: Sequence[int] | None = None, fix_intrinsic: bool = False
+    model: SfmModel | None,
+    picture_count: int,
+    *,
+    model_sizes: Sequence[int] | None = None,
+    fix_intrinsic: bool = False,
+    focal: CameraCheck | None = None,
 ) -> Verdict:
     """Say what a model is worth: how many pictures it places, and how well they fix the depth of its points.
 
@@ -83,11 +101,13 @@ def judge_model(
         picture_count: Pictures that there were.
         model_sizes: Pictures of each model that was found, this one first; None for this one alone.
         fix_intrinsic: The cameras were known before; else whether the camera only turned is asked with any.
+        focal: What the pictures say of the focal length, as `map_pictures` has asked; None where nobody has.
 
     Returns:
         The figures, and the reasons why the result is poor: fewer than 60 % of the pictures are placed; others form
         models of their own, and this one has less than 95 %; points are seen under less than 2 degrees, or as a camera
-        would see them that only turns; too few points.
+        would see them that only turns; they are more than a pixel off (median; of larger pictures, of 1600 of a side);
+        the focal length is not what the pictures ask for, or they fix none; too few points.
 
     Raises:
         TypeError, ValueError: No model, or counts that do not fit it.
@@ -127,6 +147,7 @@ def judge_model(
         parallax(model, fixed=fix_intrinsic),
         float(np.median(errors)) if len(errors) else math.nan,
         (),
+        focal,
     )
     longer = max((max(camera.width, camera.height) for camera in model.cameras), default=1)
     return dataclasses.replace(verdict, reasons=tuple(_reasons(verdict, longer)))
@@ -147,6 +168,11 @@ def _reasons(found: Verdict, longer_side: int) -> list[str]:
         reasons.append(f"the camera hardly moved ({off}), so that depth is unknown: {_MOVE}")
     elif found.angle < MIN_ANGLE:
         reasons.append(f"points are seen under {found.angle:.2g} degrees (median), so that depth is uncertain: {_MOVE}")
+    reasons += (asked := [] if found.focal is None else found.focal.reasons())
+    if not asked and found.error > (most := MAX_ERROR * max(1.0, longer_side / FINDING_SIZE)):
+        off = f"points are {found.error:.2g} px off what the model shows (median), more than {most:.2g}"
+        remedy = "do not zoom, hold still what is seen, and give camera_model where the lens bends much"
+        reasons.append(f"{off}: no lens that was tried fits the pictures; {remedy}")
     if found.point_count < MIN_POINTS or found.points_a_picture < MIN_POINTS_A_PICTURE:
         each = f"{found.points_a_picture:.0f} a picture"
         remedy = "take sharp pictures of something with a pattern"

@@ -55,8 +55,9 @@ class VideoFigures:
     def of_stages(cls, made: Mapping[str, Made]) -> VideoFigures:
         """The figures in what the stages told, which is what their records hold."""
         frames, model = made["frames"].told, made["model"].told
-        taken = frames["frames"], frames["kept"], tuple(frames["remarks"])
-        placed = Verdict.from_json(model), tuple(model["cameras"]), model["turned"]
+        verdict = Verdict.from_json(model)
+        taken = frames["frames"], frames["kept"], (*frames["remarks"], *verdict.remarks)
+        placed = verdict, tuple(model["cameras"]), model["turned"]
         if "mesh" not in made:
             return cls(*taken, *placed)
         width, height = made["undistorted"].told["sizes"][0]

@@ -42,12 +42,12 @@ def camera_pose(along: float, *, turn_only: bool = False) -> np.ndarray:
     return T
 
 
-def picture(T_camera_world: np.ndarray) -> np.ndarray:
+def picture(T_camera_world: np.ndarray, focal: float = FOCAL) -> np.ndarray:
     """What a camera sees, shape [240, 320], uint8."""
     R, t = T_camera_world[:3, :3], T_camera_world[:3, 3]
     center = -R.T @ t
     v, u = np.mgrid[:HEIGHT, :WIDTH]
-    x, y = (u - (WIDTH - 1) / 2) / FOCAL, (v - (HEIGHT - 1) / 2) / FOCAL
+    x, y = (u - (WIDTH - 1) / 2) / focal, (v - (HEIGHT - 1) / 2) / focal
     rays = np.stack([x, y, np.ones_like(x)], axis=-1) @ R
     nearest, seen = np.full((HEIGHT, WIDTH), np.inf), np.zeros((HEIGHT, WIDTH))
     for plane, texture in zip(PLANES, TEXTURES, strict=True):

@@ -154,14 +154,16 @@ def test_threads_that_find_features_fit_into_memory(monkeypatch):
 
 def test_the_largest_model_is_kept_whichever_came_first(tmp_path):
     def model(count: int) -> SimpleNamespace:
-        return SimpleNamespace(num_reg_images=lambda: count, write=lambda place: Path(place).write_text(str(count)))
+        write = lambda place: Path(place).write_text(str(count))  # noqa: E731
+        return SimpleNamespace(num_reg_images=lambda: count, num_points3D=lambda: 0, write=write)
 
     options = SimpleNamespace(mapper=SimpleNamespace(), triangulation=SimpleNamespace())
     found = {0: model(3), 1: model(30), 2: model(30), 3: model(7)}
     pycolmap = SimpleNamespace(IncrementalPipelineOptions=lambda: options, incremental_mapping=lambda *_, **__: found)
-    job = {"threads": 1, "seed": 5, "fixed_camera": True, "database": "", "pictures": "", "scratch": ""}
+    job = {"threads": 1, "seed": 5, "fixed_camera": True, "database": "", "pictures": "", "scratch": tmp_path}
     job |= {"model": tmp_path / "model"}
-    assert colmap_worker.map_pictures(pycolmap, job, io.StringIO()) == {"sizes": [30, 30, 7, 3]}
+    done = colmap_worker.map_pictures(pycolmap, job, io.StringIO())
+    assert done == {"sizes": [30, 30, 7, 3], "cameras": {}}  # of no points nothing is asked
     assert (tmp_path / "model").read_text() == "30"
     assert (options.num_threads, options.random_seed, options.ba_refine_focal_length) == (1, 5, False)
 

@@ -1,0 +1,381 @@
+"""What COLMAP's process asks of a model that it has made: do the pictures bear its cameras out?
+
+Run by `colmap_worker.py` in that process, as it is: it imports nothing of ours.
+
+- Does a camera a picture explain them better? Then pictures were taken with several focal lengths.
+- Does a focal length that was given fall short of the one that the pictures ask for?
+- Do the pictures fix the focal length at all? It is held at some factors of what was found, and all else adjusted:
+  where the error hardly rises, any of these would do, as where a camera goes straight ahead (then focal length and
+  the points' distances from its way trade exactly), or looks at flat ground from straight above.
+
+All of it is tried on a part of the points that is the same from run to run, by Ceres on one thread.
+"""
+
+from __future__ import annotations
+
+import math
+import sqlite3
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+
+# The focal length is held at these factors of what was found. COLMAP's own scale for what is wrong: by 15 % too short a
+# flight over ground makes heights 15 % too small.
+HELD = (0.85, 1.18)
+
+# Of the error, by which it falls with a camera a picture before a model with several cameras is tried, which costs as
+# much as the first one. Of pictures by one camera it falls by 1 to 4 %.
+WORTH_TRYING = 0.2
+MUCH_BETTER = 2 / 3  # of the error before: what a second model with several cameras has to come to, to be kept
+SAME_LENS = 1.04  # focal lengths of two pictures within this factor are one camera's: each alone is a few per cent off
+
+# By which the error rises at the least: below the first no focal length is fixed, above the second one is. Between them
+# features, lenses and shutters may decide as much as the focal length does, and parts of the pictures are left out.
+LEVEL, STEEP = 0.002, 0.05
+MOST_SPREAD = 0.025  # of the focal length when parts are left out: twice that, 5 %, is what EXIF's may be off by
+GIVEN_WORSE = 0.8  # of the error with a given focal length, to which it falls with the one that the pictures ask for
+FLAT = 0.02  # by which the error may rise with EXIF's focal length
+
+_SQUARE = 0.01  # by which two focal lengths of square pixels may differ, as calibrations have it
+_AS_GOOD = 1.1  # times the error: what cameras that are joined may come to
+
+_FEWEST_POINTS = 30  # of a model of which anything can be asked
+_MOST_POINTS = 1500  # that are adjusted, unless there are many pictures
+_POINTS_A_PICTURE = 25
+_FEWEST_SEEN = 20  # points of a picture that has a camera of its own
+_RICHER = {"SIMPLE_PINHOLE": ("RADIAL", 2), "PINHOLE": ("OPENCV", 4), "SIMPLE_RADIAL": ("RADIAL", 1)}
+_BLOCKS, _CELLS = 6, 3  # into which pictures are parted by their order, and a picture by its sides
+_STEPS = 60  # of an adjustment
+_FEW_STEPS = 25  # of one that has to show that the error falls, and nothing finer
+
+
+def rms_error(model: Any) -> float:
+    """Root mean square distance over all observations of a model [px]; NaN of one without any."""
+    total, count = 0.0, 0
+    for number in sorted(model.reg_image_ids()):
+        image = model.image(number)
+        seen = [point for point in image.points2D if point.has_point3D()]
+        if seen:
+            points = np.array([model.point3D(point.point3D_id).xyz for point in seen])
+            at = np.asarray(image.camera.img_from_cam(image.cam_from_world() * points), np.float64)
+            off = ((at - np.array([point.xy for point in seen])) ** 2).sum(axis=1)
+            total, count = total + float(off[np.isfinite(off)].sum()), count + int(np.isfinite(off).sum())
+    return math.sqrt(total / count) if count else math.nan
+
+
+def adjusted(pycolmap: Any, model: Any, *, focal: bool, lens: bool = True, steps: int = _STEPS) -> float:
+    """Adjust poses and points of a model, and its focal length and distortion where asked for; gives the error."""
+    options = pycolmap.BundleAdjustmentOptions()
+    options.refine_focal_length, options.refine_extra_params, options.print_summary = focal, lens, False
+    solver = options.ceres.solver_options
+    solver.num_threads, solver.max_num_iterations, solver.function_tolerance = 1, steps, 1e-8
+    config = pycolmap.BundleAdjustmentConfig()
+    for number in sorted(model.reg_image_ids()):
+        config.add_image(number)
+    config.fix_gauge(pycolmap.BundleAdjustmentGauge.TWO_CAMS_FROM_WORLD)
+    pycolmap.create_default_bundle_adjuster(options, config, model).solve()
+    return rms_error(model)
+
+
+def thinned(pycolmap: Any, model: Any) -> Any:
+    """A copy of a model with some of its points, evenly by their numbers."""
+    copy = pycolmap.Reconstruction(model)
+    for number in [number for number in copy.point3D_ids() if copy.point3D(number).track.length() < 2]:
+        copy.delete_point3D(number)
+    numbers = sorted(copy.point3D_ids())
+    most = max(_MOST_POINTS, _POINTS_A_PICTURE * copy.num_reg_images())
+    kept = {numbers[k] for k in np.linspace(0, len(numbers) - 1, most).round().astype(int)} if numbers else set()
+    for number in numbers:
+        if number not in kept:
+            copy.delete_point3D(number)
+    return copy
+
+
+def used_cameras(model: Any) -> list[int]:
+    """The numbers of the cameras of placed pictures."""
+    return sorted({model.image(number).camera_id for number in model.reg_image_ids()})
+
+
+def focal_length(camera: Any) -> float:
+    """Of a camera [px]: the mean where it has two."""
+    return float(camera.mean_focal_length())
+
+
+def scale_focal_lengths(model: Any, factors: dict[int, float]) -> None:
+    """Make the focal lengths of cameras longer by factors."""
+    for number, factor in factors.items():
+        camera = model.camera(number)
+        params = np.array(camera.params)
+        params[list(camera.focal_length_idxs())] *= factor
+        camera.params = params
+
+
+def settle_cameras(
+    pycolmap: Any, job: dict[str, Any], models: list[Any], map_again: Callable[[], list[Any]]
+) -> tuple[list[Any], dict[str, Any]]:
+    """Ask the pictures of the largest model for its cameras.
+
+    Args:
+        pycolmap: The package.
+        job: As of `colmap_worker.py`: "fixed_camera", "database".
+        models: That were made, the largest first.
+        map_again: Makes models of the database as it is then.
+
+    Returns:
+        The models, the first of which may have been changed, and what was found, for `camera_check.CameraCheck`.
+    """
+    if models[0].num_points3D() < _FEWEST_POINTS or models[0].num_reg_images() < 2:
+        return models, {}
+    if job["fixed_camera"]:
+        return models, judge_given(pycolmap, models[0])
+    known = _known_focal_lengths(pycolmap, job["database"])
+    models, told = split_cameras(pycolmap, job, models, map_again)
+    told |= profile(pycolmap, models[0])
+    if is_open(told["rise"], told.get("spread", 0.0)) and any(number in known for number in used_cameras(models[0])):
+        first, held = hold_at_exif(pycolmap, models[0], known)
+        return [first, *models[1:]], told | held
+    return models, told
+
+
+def is_open(rise: float, spread: float) -> bool:
+    """Whether the pictures fix no focal length; NaN of what was not asked says nothing."""
+    return rise < LEVEL or spread > MOST_SPREAD
+
+
+def _known_focal_lengths(pycolmap: Any, database: str) -> dict[int, float]:
+    """The focal lengths of the cameras of a database that EXIF told [px]."""
+    with pycolmap.Database.open(database) as opened:
+        cameras = opened.read_all_cameras()
+    return {camera.camera_id: focal_length(camera) for camera in cameras if camera.has_prior_focal_length}
+
+
+# ------------------------------------------------------------------------------------------- a camera a picture
+
+
+def with_own_cameras(pycolmap: Any, model: Any) -> Any:
+    """The same model with a camera for each picture that sees enough of it; the others are left out."""
+    made = pycolmap.Reconstruction()
+    for number in sorted(model.reg_image_ids()):
+        image = model.image(number)
+        if image.num_points3D < _FEWEST_SEEN:
+            continue
+        camera = pycolmap.Camera(image.camera.todict())
+        camera.camera_id = number
+        made.add_camera_with_trivial_rig(camera)
+        places = np.array([point.xy for point in image.points2D]).reshape(-1, 2)
+        copy = pycolmap.Image(name=image.name, keypoints=places, camera_id=number, image_id=number)
+        made.add_image_with_trivial_frame(copy, image.cam_from_world())
+    for number in sorted(model.point3D_ids()):
+        point, track = model.point3D(number), pycolmap.Track()
+        for element in point.track.elements:
+            if made.exists_image(element.image_id):
+                track.add_element(element.image_id, element.point2D_idx)
+        if track.length() >= 2:
+            made.add_point3D(point.xyz, track, point.color)
+    return made
+
+
+def own_focal_lengths(pycolmap: Any, model: Any) -> tuple[float, float, dict[int, float]]:
+    """The error with the cameras as they are and with one a picture, adjusted alike, and the latter's focal lengths."""
+    few = thinned(pycolmap, model)
+    own = with_own_cameras(pycolmap, few)
+    shared = adjusted(pycolmap, few, focal=True)
+    alone = adjusted(pycolmap, own, focal=True, lens=False, steps=_FEW_STEPS)
+    return shared, alone, {number: focal_length(own.camera(number)) for number in own.reg_image_ids()}
+
+
+def clusters(lengths: dict[int, float]) -> list[list[int]]:
+    """Pictures by focal length: parted where two that follow each other differ by more than one lens does."""
+    order = sorted(lengths, key=lambda number: (lengths[number], number))
+    found: list[list[int]] = []
+    for number in order:
+        if found and lengths[number] <= SAME_LENS * lengths[found[-1][-1]]:
+            found[-1].append(number)
+        else:
+            found.append([number])
+    return found
+
+
+def part_cameras(pycolmap: Any, database: str, groups: list[list[int]], lengths: dict[int, float]) -> None:
+    """Give groups of pictures cameras of their own, in COLMAP's database."""
+    numbers = []
+    with pycolmap.Database.open(database) as opened:
+        for group in groups:
+            camera = opened.read_camera(opened.read_image(group[0]).camera_id)
+            params = np.array(camera.params)
+            params[list(camera.focal_length_idxs())] = float(np.median([lengths[number] for number in group]))
+            camera.params, camera.has_prior_focal_length = params, False
+            numbers.append(opened.write_camera(camera))
+    connection = sqlite3.connect(database)
+    with connection:
+        for camera, group in zip(numbers, groups, strict=True):
+            made = connection.execute("INSERT INTO rigs (ref_sensor_id, ref_sensor_type) VALUES (?, 0)", (camera,))
+            for number in group:
+                (frame,) = connection.execute("SELECT frame_id FROM frame_data WHERE data_id = ?", (number,)).fetchone()
+                connection.execute("UPDATE images SET camera_id = ? WHERE image_id = ?", (camera, number))
+                connection.execute("UPDATE frames SET rig_id = ? WHERE frame_id = ?", (made.lastrowid, frame))
+                connection.execute("UPDATE frame_data SET sensor_id = ? WHERE data_id = ?", (camera, number))
+    connection.close()
+
+
+def split_cameras(
+    pycolmap: Any, job: dict[str, Any], models: list[Any], map_again: Callable[[], list[Any]]
+) -> tuple[list[Any], dict[str, Any]]:
+    """The models, or ones with several cameras where these explain the pictures better by a third.
+
+    The focal lengths that a model with one camera asks for are rough. What comes of them is finer, so that cameras
+    that turn out to be one are made one.
+    """
+    shared, alone, lengths = own_focal_lengths(pycolmap, models[0])
+    told: dict[str, Any] = {"own_error": alone}
+    groups = clusters(lengths)
+    if not alone < (1 - WORTH_TRYING) * shared or len(groups) < 2:
+        return models, told
+    if len(groups) > len(lengths) // 2:  # a zoom that moves all the time, or a rough first model
+        groups = [[number] for number in sorted(lengths)]
+    most = MUCH_BETTER * rms_error(models[0])
+    kept = _parted(pycolmap, job, models, groups, lengths, map_again, most)
+    if kept is models:
+        return models, told
+    first = kept[0]
+    lengths |= {number: focal_length(first.image(number).camera) for number in first.reg_image_ids()}
+    joined = clusters(lengths)
+    if len(joined) < len(groups):
+        kept = _parted(pycolmap, job, kept, joined, lengths, map_again, _AS_GOOD * rms_error(first))
+    return kept, told | {"parted": len(used_cameras(kept[0]))}
+
+
+def _parted(
+    pycolmap: Any,
+    job: dict[str, Any],
+    models: list[Any],
+    groups: list[list[int]],
+    lengths: dict[int, float],
+    map_again: Callable[[], list[Any]],
+    most_error: float,
+) -> list[Any]:
+    """Models with a camera for each group; those before where the new ones place fewer pictures or are more off."""
+    part_cameras(pycolmap, job["database"], groups, lengths)
+    others = map_again()
+    if not others or others[0].num_reg_images() < models[0].num_reg_images():
+        return models
+    return others if rms_error(others[0]) <= most_error else models
+
+
+# --------------------------------------------------------------------------------------------- focal lengths
+
+
+def judge_given(pycolmap: Any, model: Any) -> dict[str, Any]:
+    """The focal length that the pictures ask for instead of one that was given, and the error with either."""
+    few = thinned(pycolmap, model)
+    first = used_cameras(few)[0]
+    _tie_focal_lengths(pycolmap, few)
+    given = focal_length(few.camera(first))
+    error = adjusted(pycolmap, few, focal=False, lens=False)
+    freed = adjusted(pycolmap, few, focal=True)
+    found = focal_length(few.camera(first))
+    told = {"given": given, "error": error, "found": found, "freed_error": freed}
+    told |= {"own_error": own_focal_lengths(pycolmap, few)[1]}
+    # Where the error falls a little, parts of the pictures have to agree.
+    is_off = abs(math.log(found / given)) > 2 * MOST_SPREAD and error > (1 + FLAT) * freed
+    return told | ({"spread": spread_of_parts(pycolmap, few)} if is_off and freed > GIVEN_WORSE * error else {})
+
+
+def _tie_focal_lengths(pycolmap: Any, model: Any) -> None:
+    """Let pinholes with square pixels have one focal length: two freed ones may part where cameras stand in a row."""
+    for number in used_cameras(model):
+        camera = model.camera(number)
+        if camera.model_name == "PINHOLE":
+            fx, fy, *center = camera.params
+            if abs(fx / fy - 1) < _SQUARE:
+                camera.model = pycolmap.CameraModelId.SIMPLE_PINHOLE
+                camera.params = [(fx + fy) / 2, *center]
+
+
+def profile(pycolmap: Any, model: Any) -> dict[str, Any]:
+    """How the error rises at least where the focal lengths are held at factors of what the pictures ask for.
+
+    Where it rises a little, it is asked too how far the focal length moves when parts of the pictures are left out.
+    """
+    few = thinned(pycolmap, model)
+    error = adjusted(pycolmap, few, focal=True)
+    cameras, rises = used_cameras(few), []
+    for factor in HELD:
+        held = pycolmap.Reconstruction(few)
+        scale_focal_lengths(held, dict.fromkeys(cameras, factor))
+        rises.append(adjusted(pycolmap, held, focal=False) / error - 1 if error > 0 else 0.0)
+    told = {"found": focal_length(few.camera(cameras[0])), "error": error, "rise": min(rises)}
+    return told | ({"spread": spread_of_parts(pycolmap, few)} if LEVEL <= told["rise"] < STEEP else {})
+
+
+def spread_of_parts(pycolmap: Any, model: Any) -> float:
+    """How far off the focal lengths may be, as a share: the largest of three standard errors.
+
+    Two are those of the delete-a-group jackknife. Groups are parts of the picture, which show a lens that the model of
+    the camera does not fit, and pictures that follow each other, which show what is wrong with some of them. The third
+    is half of what a second coefficient of distortion moves them by: of a lens that bends much that is the error.
+    """
+    numbers = sorted(model.reg_image_ids())
+    blocks = {number: k * _BLOCKS // len(numbers) for k, number in enumerate(numbers)}
+    by_picture = [_focal_without(pycolmap, model, lambda n, _xy, _size, k=k: blocks[n] == k) for k in range(_BLOCKS)]
+    by_cell = [_focal_without(pycolmap, model, lambda _n, *at, k=k: _cell(*at) == k) for k in range(_CELLS**2)]
+    bent = abs(_focal_of_richer_lens(pycolmap, model) - _log_focal(model)) / 2
+    return max(_jackknife(by_picture), _jackknife(by_cell), bent)
+
+
+def _cell(xy: Any, size: tuple[int, int]) -> int:
+    """In which of the cells of a picture a place is."""
+    column, row = (min(max(int(at * _CELLS / side), 0), _CELLS - 1) for at, side in zip(xy, size, strict=True))
+    return row * _CELLS + column
+
+
+def _jackknife(logs: list[float]) -> float:
+    found = np.array(logs)
+    return math.sqrt((len(found) - 1) / len(found) * float(((found - found.mean()) ** 2).sum()))
+
+
+def _log_focal(model: Any) -> float:
+    """Mean logarithm of the focal lengths."""
+    return float(np.mean([math.log(focal_length(model.camera(number))) for number in used_cameras(model)]))
+
+
+def _focal_of_richer_lens(pycolmap: Any, model: Any) -> float:
+    """The same of lenses with two coefficients of distortion where they have one or none."""
+    richer = pycolmap.Reconstruction(model)
+    for number in used_cameras(richer):
+        camera = richer.camera(number)
+        if camera.model_name in _RICHER:
+            name, more = _RICHER[camera.model_name]
+            params = [*camera.params, *[0.0] * more]
+            camera.model = getattr(pycolmap.CameraModelId, name)
+            camera.params = params
+    adjusted(pycolmap, richer, focal=True)
+    return _log_focal(richer)
+
+
+def _focal_without(pycolmap: Any, model: Any, is_left_out: Callable[..., bool]) -> float:
+    """Mean logarithm of the focal lengths that some of the observations ask for."""
+    part = pycolmap.Reconstruction(model)
+    for number in sorted(part.reg_image_ids()):
+        image = part.image(number)
+        size = image.camera.width, image.camera.height
+        seen = [(k, point.xy) for k, point in enumerate(image.points2D) if point.has_point3D()]
+        for k in [k for k, xy in seen if is_left_out(number, xy, size)]:
+            if part.image(number).point2D(k).has_point3D():  # a point that only one picture sees goes with it
+                part.delete_observation(number, k)
+    adjusted(pycolmap, part, focal=True, steps=_FEW_STEPS)
+    return _log_focal(part)
+
+
+def hold_at_exif(pycolmap: Any, model: Any, known: dict[int, float]) -> tuple[Any, dict[str, Any]]:
+    """The model with the focal lengths that EXIF tells, where these fit as well; cameras without move along."""
+    cameras = used_cameras(model)
+    factors = {number: known[number] / focal_length(model.camera(number)) for number in cameras if number in known}
+    usual = float(np.median(list(factors.values())))
+    held, error = pycolmap.Reconstruction(model), rms_error(model)
+    scale_focal_lengths(held, {number: factors.get(number, usual) for number in cameras})
+    after = adjusted(pycolmap, held, focal=False)
+    held.update_point_3d_errors()
+    told = {"exif": known[min(factors)], "error": error, "freed_error": after}
+    return held if after < (1 + FLAT) * error else model, told
