@@ -24,8 +24,9 @@ from .keyframes import Keyframes
 from .loops import LoopClosure
 from .model import Model
 from .results import TrackingResult
+from .stream_check import STALE, StreamCheck
 from .submaps import SubmapRecorder
-from .tracker import Attempt, Tracker
+from .tracker import LONGEST_STEP, Attempt, Tracker
 from .verdicts import LEAST_DEPTH, depth_share, is_determined
 
 Pose = NDArray[np.float64]
@@ -54,6 +55,7 @@ class DenseSLAM:
         model: The Model.
         keyframes: The Keyframes.
         results: A TrackingResult for each frame so far, in order.
+        stream: The StreamCheck: whether colour and depth are of one moment, `stream.doubt` says what is not.
 
     Raises:
         ValueError: Sizes that are not positive, a pose that is no rigid motion.
@@ -95,6 +97,7 @@ class DenseSLAM:
         )  # fmt: skip
         self.keyframes = Keyframes(self.model.device, check_seed(seed))
         self.results: list[TrackingResult] = []
+        self.stream = StreamCheck()
         self._tracker = Tracker(self.model, self.keyframes)
         self._latest: tuple[Any, SensorFrame] | None = None
         self._recorder: SubmapRecorder | None = None
@@ -252,9 +255,14 @@ class DenseSLAM:
     def _track(self, frame: SensorFrame) -> TrackingResult:
         known = {"index": len(self.results), "name": frame.name, "timestamp": frame.timestamp}
         motion = self._tracker.motion
+        doubt = self.stream.look(frame)
         if not self.model.frame_count:
             return self._begin(frame, known)
+        if doubt == STALE:
+            motion.missed += self.stream.stalled > LONGEST_STEP
+            return TrackingResult(None, "lost", doubt, **known)
         attempt, is_anew = self._tracker.locate(frame)
+        attempt = attempt.doubted(doubt)
         if attempt.verdict == "lost":
             motion.missed += 1
             return TrackingResult(None, "lost", attempt.reason, **_measures(attempt), **known)
