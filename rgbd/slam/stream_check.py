@@ -30,11 +30,12 @@ class StreamCheck:
     Attributes:
         stalled: Frames in a row, up to the last, whose depth picture is an older one's.
         lag: The StreamLag.
+        view: The StreamView of the last frame; None before the first.
     """
 
     def __init__(self) -> None:
         self.stalled, self.lag = 0, StreamLag()
-        self._last: StreamView | None = None
+        self.view: StreamView | None = None
         self._fresh: StreamView | None = None
 
     def look(self, frame: SensorFrame) -> str:
@@ -44,7 +45,7 @@ class StreamCheck:
             frame: The next one of the stream.
         """
         view = view_stream(frame.depth, frame.pixels, frame.intrinsic.width, frame.intrinsic.height)
-        last, self._last = self._last, view
+        last, self.view = self.view, view
         if last is None or frame.pixels is None:
             self._fresh, self.stalled = view, 0
             return ""

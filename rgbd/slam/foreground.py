@@ -1,0 +1,166 @@
+"""Whether what is near moves by itself: an arm or a mount fixed to the camera, somebody who walks before it.
+
+A frame is aligned with one of a moment ago twice: all of it, and what lies behind alone. In a still scene the two fit
+alike. Where the near part goes another way, all of it fits badly, whatever compromise is found, and what lies behind
+fits as before. From then on the near part is left out, of tracking and of the model, until both fit alike again while
+the camera moves. Near and far are told by the two classes of nearness that part best (Otsu 1979).
+"""
+
+from __future__ import annotations
+
+import dataclasses
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...kernels.memory import download
+from ...kernels.rgbd import verdict_rows as at
+from ...kernels.rgbd.near_pixels import hide_near
+from ...kernels.rgbd.stream_views import StreamView
+from ...registration.rigid import invert_pose, rotation_vector
+from ..odometry.alignment import BRIGHTNESS_SHARE, STEPS, Method, descend
+from ..odometry.frames import OdometryFrame
+from ..odometry.results import OdometryResult
+from ..odometry.verdicts import UNDETERMINED, judge
+from .frames import SensorFrame
+
+Pose = NDArray[np.float64]
+
+BACK = (4, 8)  # frames from a frame to the one it is held against, by turns: a quick motion is told by the near one
+EVERY = 4  # frames from one look to the next, after
+AT_ONCE = 12  # frames, in each of which it is looked: a model that has just begun has nobody to contradict a wrong one
+NEAREST, FARTHEST, BINS = 0.25, 2.5, 64  # of nearness [1/m] that layers are told in: 4 m to 0.4 m
+LEAST_LAYER = 0.05  # share of the picture that each layer has at least
+APART = 4.0  # times the squared misfit of the far part: seen in still scenes up to 2.2, from movers 7 to 300
+NOISE = 0.5  # variances of the noise, besides: below it nothing is to be told
+ALIKE = 2.5  # times: up to there both fit alike
+AGREED = 3  # looks in a row in which they do, until the near part is scene again
+SHIFTED, TURNED = 0.02, np.deg2rad(1.0)  # [m], [rad] of the camera between the two frames, for that to tell anything
+STEADY = 0.25  # share by which the limit between the layers may change from frame to frame
+FIRM_AGREEMENT = 0.9  # share of the far part that lies on the earlier frame, for its motion to be the camera's
+
+
+@dataclasses.dataclass(frozen=True, eq=False)
+class Layers:
+    """What two alignments of one frame with an earlier one said.
+
+    Attributes:
+        misfit: Of all of it, and of the far part: mean squares in variances of the noise.
+        far: The OdometryResult of the far part.
+        start: T_world_camera of the earlier frame; None where it was lost.
+    """
+
+    misfit: tuple[float, float]
+    far: OdometryResult
+    start: Pose | None
+
+    @property
+    def are_apart(self) -> bool:
+        """Whether the near part goes another way."""
+        return self.misfit[0] > APART * self.misfit[1] + NOISE and not self.is_lost
+
+    @property
+    def are_one(self) -> bool:
+        """Whether both go one way, and the camera moved enough for that to be told."""
+        T = self.far.transformation
+        moved = np.linalg.norm(T[:3, 3]) > SHIFTED or np.linalg.norm(rotation_vector(T[:3, :3])) > TURNED
+        return bool(moved) and self.far.success and self.misfit[0] < ALIKE * self.misfit[1] + NOISE
+
+    @property
+    def is_lost(self) -> bool:
+        """Whether the far part found no place in the earlier frame."""
+        unlike = self.far.fitness < FIRM_AGREEMENT * self.far.overlap
+        return unlike or (not self.far.success and self.far.reason != UNDETERMINED)
+
+    @property
+    def pose(self) -> Pose | None:
+        """T_world_camera by the far part; None where that does not fix it."""
+        return self.start @ self.far.transformation if self.start is not None and self.far.success else None
+
+
+class Foreground:
+    """Tells whether the near part of a camera's pictures moves by itself.
+
+    Attributes:
+        is_apart: Whether it does, as far as is known.
+        frames: How many frames it was left out of.
+    """
+
+    def __init__(self) -> None:
+        self.is_apart, self.frames = False, 0
+        self._earlier: list[tuple[int, OdometryFrame, Pose | None]] = []
+        self._count, self._agreed, self._limit = -1, 0, 0.0
+
+    def part(self, frame: SensorFrame, view: StreamView, expected: Pose | None) -> Layers | None:
+        """Look at the next frame, and leave its near part out where that is known to move by itself.
+
+        Args:
+            frame: The frame; its depth becomes that of the far part.
+            view: Of the frame.
+            expected: T_world_camera; None where nothing is known of it.
+
+        Returns:
+            The Layers where they have just been found apart, else None.
+        """
+        self._count += 1
+        was_apart, layers = self.is_apart, None
+        if self._count > AT_ONCE and self._count % EVERY and not was_apart:
+            return None
+        limit = self._limit_between(view)
+        if self._count <= AT_ONCE or self._count % EVERY == 0:
+            if self._earlier and limit > 0.0:
+                layers = self._compare(frame, limit, expected)
+                self._judge(layers)
+            self._earlier = [*self._earlier[-max(BACK) :], (self._count, frame.pyramid, None)]
+        if self.is_apart and limit > 0.0:
+            self._limit = limit
+            frame.leave_only(hide_near(frame.depth, limit))
+            self.frames += 1
+        return layers if self.is_apart and not was_apart else None
+
+    def place(self, pose: Pose | None) -> None:
+        """Where the frame was taken that was looked at last, T_world_camera; None where it was lost."""
+        if self._earlier and self._earlier[-1][0] == self._count:
+            self._earlier[-1] = (*self._earlier[-1][:2], pose)
+
+    def _judge(self, layers: Layers) -> None:
+        if layers.are_apart:
+            self.is_apart, self._agreed = True, 0
+        elif layers.are_one:
+            self._agreed += 1
+            self.is_apart = self.is_apart and self._agreed < AGREED
+
+    def _compare(self, frame: SensorFrame, limit: float, expected: Pose | None) -> Layers:
+        back = BACK[self._count // EVERY % len(BACK)] if self._count > AT_ONCE else BACK[self._count % len(BACK)]
+        _, earlier, pose = next(kept for kept in self._earlier if kept[0] >= self._count - back or kept is self._earlier[-1])
+        start = np.eye(4) if pose is None or expected is None else invert_pose(pose) @ expected
+        whole, _ = _fit(frame.pyramid, earlier, start)
+        behind, far = _fit(frame.pyramid_of(hide_near(frame.depth, limit)), earlier, start)
+        return Layers((whole, behind), far, pose)
+
+    def _limit_between(self, view: StreamView) -> float:
+        """The depth [m] between the near and the far layer, no great step from the last one; 0 without two layers."""
+        limit = depth_between(download(view.nearness))  # sync
+        if self.is_apart and not abs(limit - self._limit) <= STEADY * self._limit:
+            return self._limit
+        return limit
+
+
+def depth_between(nearness: NDArray[np.float32]) -> float:
+    """The depth [m] at which two classes of nearness part best (Otsu 1979); 0 where one is hardly there."""
+    counts, edges = np.histogram(nearness[nearness > 0.0], BINS, (NEAREST, FARTHEST))
+    total = counts.sum()
+    if not total:
+        return 0.0
+    shares, middles = counts / total, (edges[1:] + edges[:-1]) / 2
+    far, moments = np.cumsum(shares), np.cumsum(shares * middles)
+    spread = (moments[-1] * far - moments) ** 2 / np.maximum(far * (1 - far), 1e-9)
+    best = int(np.argmax(spread))
+    return float(1.0 / edges[best + 1]) if LEAST_LAYER <= far[best] <= 1.0 - LEAST_LAYER else 0.0
+
+
+def _fit(source: OdometryFrame, target: OdometryFrame, start: Pose) -> tuple[float, OdometryResult]:
+    """The misfit of a frame's surface where its alignment ended, in variances of the noise, and the alignment."""
+    found, level = descend(source, target, start, Method.Hybrid, STEPS, BRIGHTNESS_SHARE)
+    sums = found.verdict
+    return float(sums[at.EXCESS] / max(sums[at.PLANES], 1.0)), judge(found, source, level)
