@@ -21,23 +21,42 @@ from ...registration.rigid import invert_pose, rotation_vector
 from ..odometry.alignment import BRIGHTNESS_SHARE, STEPS, Method, descend
 from ..odometry.frames import OdometryFrame
 from ..odometry.results import OdometryResult
-from ..odometry.verdicts import UNDETERMINED, judge
+from ..odometry.verdicts import LEAST_EIGENVALUE, judge
 from .frames import SensorFrame
 
 Pose = NDArray[np.float64]
 
-BACK = (4, 8)  # frames from a frame to the one it is held against, by turns: a quick motion is told by the near one
+BACK = 4  # frames from a frame to the one that it is held against, and, by turns,
+BACK_FAR = 16  # so many: what is slow is told there, what is quick by the nearer one
+FIRST = 60  # frames in which that one is the very first, whose pose nothing has spoiled
 EVERY = 4  # frames from one look to the next, after
 AT_ONCE = 12  # frames, in each of which it is looked: a model that has just begun has nobody to contradict a wrong one
 NEAREST, FARTHEST, BINS = 0.25, 2.5, 64  # of nearness [1/m] that layers are told in: 4 m to 0.4 m
 LEAST_LAYER = 0.05  # share of the picture that each layer has at least
-APART = 4.0  # times the squared misfit of the far part: seen in still scenes up to 2.2, from movers 7 to 300
-NOISE = 0.5  # variances of the noise, besides: below it nothing is to be told
-ALIKE = 2.5  # times: up to there both fit alike
+APART = 3.0  # times the squared misfit of the far part: still scenes up to 1.6 | movers 2.5 at once, 7 to 300 soon
+NOISE = 0.3  # variances of the noise, besides: below it nothing is to be told
+ALIKE = 2.0  # times: up to there both fit alike
 AGREED = 3  # looks in a row in which they do, until the near part is scene again
 SHIFTED, TURNED = 0.02, np.deg2rad(1.0)  # [m], [rad] of the camera between the two frames, for that to tell anything
 STEADY = 0.25  # share by which the limit between the layers may change from frame to frame
-FIRM_AGREEMENT = 0.9  # share of the far part that lies on the earlier frame, for its motion to be the camera's
+PLAIN = 2.5  # variances of the noise: a far part that fits no better holds what moves too
+LEAST_OVERLAP = 0.6  # share of the far part that meets the earlier frame: where the views part, edges weigh more
+FIRM_AGREEMENT = 0.9  # and of that, but for what is hidden there, that lies on its surface: then its motion is right
+
+
+@dataclasses.dataclass(frozen=True, eq=False)
+class Fit:
+    """One alignment of a frame with an earlier one.
+
+    Attributes:
+        misfit: Mean square of the distances, in variances of the noise.
+        agreement: Share of what both see, but for what is hidden in the earlier one, that lies on its surface.
+        result: The OdometryResult.
+    """
+
+    misfit: float
+    agreement: float
+    result: OdometryResult
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
@@ -45,37 +64,39 @@ class Layers:
     """What two alignments of one frame with an earlier one said.
 
     Attributes:
-        misfit: Of all of it, and of the far part: mean squares in variances of the noise.
-        far: The OdometryResult of the far part.
+        whole, far: All of it, and what lies behind.
         start: T_world_camera of the earlier frame; None where it was lost.
     """
 
-    misfit: tuple[float, float]
-    far: OdometryResult
+    whole: Fit
+    far: Fit
     start: Pose | None
+
+    @property
+    def is_told(self) -> bool:
+        """Whether the far part lies on the earlier frame."""
+        result = self.far.result
+        return self.far.agreement > FIRM_AGREEMENT and result.overlap > LEAST_OVERLAP and not result.contradiction
 
     @property
     def are_apart(self) -> bool:
         """Whether the near part goes another way."""
-        return self.misfit[0] > APART * self.misfit[1] + NOISE and not self.is_lost
+        return self.is_told and self.whole.misfit > APART * self.far.misfit + NOISE
 
     @property
     def are_one(self) -> bool:
         """Whether both go one way, and the camera moved enough for that to be told."""
-        T = self.far.transformation
+        T = self.far.result.transformation
         moved = np.linalg.norm(T[:3, 3]) > SHIFTED or np.linalg.norm(rotation_vector(T[:3, :3])) > TURNED
-        return bool(moved) and self.far.success and self.misfit[0] < ALIKE * self.misfit[1] + NOISE
-
-    @property
-    def is_lost(self) -> bool:
-        """Whether the far part found no place in the earlier frame."""
-        unlike = self.far.fitness < FIRM_AGREEMENT * self.far.overlap
-        return unlike or (not self.far.success and self.far.reason != UNDETERMINED)
+        is_plain = self.far.misfit < PLAIN and self.whole.misfit < ALIKE * self.far.misfit + NOISE
+        return self.is_told and bool(moved) and is_plain
 
     @property
     def pose(self) -> Pose | None:
         """T_world_camera by the far part; None where that does not fix it."""
-        return self.start @ self.far.transformation if self.start is not None and self.far.success else None
+        result = self.far.result
+        is_fixed = self.is_told and result.smallest_eigenvalue > LEAST_EIGENVALUE
+        return self.start @ result.transformation if self.start is not None and is_fixed else None
 
 
 class Foreground:
@@ -106,12 +127,18 @@ class Foreground:
         was_apart, layers = self.is_apart, None
         if self._count > AT_ONCE and self._count % EVERY and not was_apart:
             return None
-        limit = self._limit_between(view)
+        limit = depth_between(download(view.nearness))  # sync
         if self._count <= AT_ONCE or self._count % EVERY == 0:
             if self._earlier and limit > 0.0:
                 layers = self._compare(frame, limit, expected)
+                if self.is_apart and abs(limit - self._limit) > STEADY * self._limit:  # which of them parts the layers?
+                    other = self._compare(frame, self._limit, expected)
+                    if other.far.misfit < layers.far.misfit:
+                        layers, limit = other, self._limit
                 self._judge(layers)
-            self._earlier = [*self._earlier[-max(BACK) :], (self._count, frame.pyramid, None)]
+            self._keep(frame.pyramid)
+        elif not abs(limit - self._limit) <= STEADY * self._limit:
+            limit = self._limit
         if self.is_apart and limit > 0.0:
             self._limit = limit
             frame.leave_only(hide_near(frame.depth, limit))
@@ -131,19 +158,18 @@ class Foreground:
             self.is_apart = self.is_apart and self._agreed < AGREED
 
     def _compare(self, frame: SensorFrame, limit: float, expected: Pose | None) -> Layers:
-        back = BACK[self._count // EVERY % len(BACK)] if self._count > AT_ONCE else BACK[self._count % len(BACK)]
-        _, earlier, pose = next(kept for kept in self._earlier if kept[0] >= self._count - back or kept is self._earlier[-1])
+        is_far = (self._count // (1 if self._count <= AT_ONCE else EVERY)) % 2 == 1
+        back = BACK if not is_far else BACK_FAR if self._count > FIRST else FIRST
+        _, earlier, pose = next(kept for kept in self._earlier if kept[0] >= self._count - back)
         start = np.eye(4) if pose is None or expected is None else invert_pose(pose) @ expected
-        whole, _ = _fit(frame.pyramid, earlier, start)
-        behind, far = _fit(frame.pyramid_of(hide_near(frame.depth, limit)), earlier, start)
-        return Layers((whole, behind), far, pose)
+        far = frame.pyramid_of(hide_near(frame.depth, limit))
+        return Layers(_fit(frame.pyramid, earlier, start), _fit(far, earlier, start), pose)
 
-    def _limit_between(self, view: StreamView) -> float:
-        """The depth [m] between the near and the far layer, no great step from the last one; 0 without two layers."""
-        limit = depth_between(download(view.nearness))  # sync
-        if self.is_apart and not abs(limit - self._limit) <= STEADY * self._limit:
-            return self._limit
-        return limit
+    def _keep(self, pyramid: OdometryFrame) -> None:
+        """Keep a frame to hold later ones against: the first one for a while, and those of the last frames."""
+        first = 0 if self._count < FIRST else self._count
+        recent = [kept for kept in self._earlier if kept[0] == first or kept[0] >= self._count - BACK_FAR]
+        self._earlier = [*recent, (self._count, pyramid, None)]
 
 
 def depth_between(nearness: NDArray[np.float32]) -> float:
@@ -159,8 +185,10 @@ def depth_between(nearness: NDArray[np.float32]) -> float:
     return float(1.0 / edges[best + 1]) if LEAST_LAYER <= far[best] <= 1.0 - LEAST_LAYER else 0.0
 
 
-def _fit(source: OdometryFrame, target: OdometryFrame, start: Pose) -> tuple[float, OdometryResult]:
-    """The misfit of a frame's surface where its alignment ended, in variances of the noise, and the alignment."""
+def _fit(source: OdometryFrame, target: OdometryFrame, start: Pose) -> Fit:
+    """An alignment of two frames."""
     found, level = descend(source, target, start, Method.Hybrid, STEPS, BRIGHTNESS_SHARE)
     sums = found.verdict
-    return float(sums[at.EXCESS] / max(sums[at.PLANES], 1.0)), judge(found, source, level)
+    shown = max(sums[at.SEEN] - sums[at.BEHIND], 1.0)
+    misfit, agreement = sums[at.EXCESS] / max(sums[at.PLANES], 1.0), sums[at.INLIERS] / shown
+    return Fit(float(misfit), float(agreement), judge(found, source, level))
