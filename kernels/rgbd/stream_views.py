@@ -19,7 +19,11 @@ CELLS = 80  # of a view along its width: a cell of VGA is 8 x 8 pixels, so that 
 FULL = 0.75  # share of a cell's pixels with depth, from which on it has a nearness
 stream_sums = vector(13, float64)
 BRIGHT, NEAR = 0, 5  # where the sums of each picture begin: of squared slopes u u, u v, v v, then u d, v d
-OTHER, MEASURED, SHADES = 10, 11, 12  # cells whose nearness differs in any bit; cells that have one; squared differences
+OTHER, MEASURED, SHADES = (
+    10,
+    11,
+    12,
+)  # cells whose nearness differs in any bit; cells that have one; squared differences
 
 
 @struct

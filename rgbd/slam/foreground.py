@@ -36,9 +36,10 @@ LEAST_LAYER = 0.05  # share of the picture that each layer has at least
 APART = 3.0  # times the squared misfit of the far part: still scenes up to 1.6 | movers 2.5 at once, 7 to 300 soon
 NOISE = 0.3  # variances of the noise, besides: below it nothing is to be told
 ALIKE = 2.0  # times: up to there both fit alike
-AGREED = 3  # looks in a row in which they do, until the near part is scene again
+AGREED = 8  # looks in a row in which they do, until the near part is scene again: a second
 SHIFTED, TURNED = 0.02, np.deg2rad(1.0)  # [m], [rad] of the camera between the two frames, for that to tell anything
 STEADY = 0.25  # share by which the limit between the layers may change from frame to frame
+FARTHER = 1.4  # times the last limit, that is tried where the far part holds what moves too
 PLAIN = 2.5  # variances of the noise: a far part that fits no better holds what moves too
 LEAST_OVERLAP = 0.6  # share of the far part that meets the earlier frame: where the views part, edges weigh more
 FIRM_AGREEMENT = 0.9  # and of that, but for what is hidden there, that lies on its surface: then its motion is right
@@ -130,11 +131,7 @@ class Foreground:
         limit = depth_between(download(view.nearness))  # sync
         if self._count <= AT_ONCE or self._count % EVERY == 0:
             if self._earlier and limit > 0.0:
-                layers = self._compare(frame, limit, expected)
-                if self.is_apart and abs(limit - self._limit) > STEADY * self._limit:  # which of them parts the layers?
-                    other = self._compare(frame, self._limit, expected)
-                    if other.far.misfit < layers.far.misfit:
-                        layers, limit = other, self._limit
+                layers, limit = self._best(frame, limit, expected)
                 self._judge(layers)
             self._keep(frame.pyramid)
         elif not abs(limit - self._limit) <= STEADY * self._limit:
@@ -156,6 +153,20 @@ class Foreground:
         elif layers.are_one:
             self._agreed += 1
             self.is_apart = self.is_apart and self._agreed < AGREED
+
+    def _best(self, frame: SensorFrame, limit: float, expected: Pose | None) -> tuple[Layers, float]:
+        """The Layers, and the limit that parts them best: the one between two classes, and once they are apart the
+        last one, or a farther one where the far part still does not fit."""
+        layers = self._compare(frame, limit, expected)
+        others = []
+        if self.is_apart:
+            others = [self._limit] if abs(limit - self._limit) > STEADY * self._limit else []
+            others += [FARTHER * self._limit] if layers.far.misfit > PLAIN else []
+        for other in others:
+            found = self._compare(frame, other, expected)
+            if found.is_told >= layers.is_told and found.far.misfit < layers.far.misfit:
+                layers, limit = found, other
+        return layers, limit
 
     def _compare(self, frame: SensorFrame, limit: float, expected: Pose | None) -> Layers:
         is_far = (self._count // (1 if self._count <= AT_ONCE else EVERY)) % 2 == 1
