@@ -27,7 +27,7 @@ from .model import Model
 from .results import TrackingResult
 from .stream_check import STALE, StreamCheck
 from .submaps import SubmapRecorder
-from .tracker import LONGEST_STEP, Attempt, Tracker, clean_pose
+from .tracker import Attempt, Tracker, clean_pose
 from .verdicts import LEAST_DEPTH, depth_share, is_determined
 
 Pose = NDArray[np.float64]
@@ -260,7 +260,7 @@ class DenseSLAM:
             self._begins_anew(frame)
             return self._begin(frame, known)
         if doubt == STALE:
-            motion.missed += self.stream.stalled > LONGEST_STEP
+            motion.missed += 1
             return TrackingResult(None, "lost", doubt, **known)
         if self._begins_anew(frame):
             return self._begin(frame, known)

@@ -40,6 +40,7 @@ AGREED = 8  # looks in a row in which they do, until the near part is scene agai
 SHIFTED, TURNED = 0.02, np.deg2rad(1.0)  # [m], [rad] of the camera between the two frames, for that to tell anything
 STEADY = 0.25  # share by which the limit between the layers may change from frame to frame
 FARTHER = 1.4  # times the last limit, that is tried where the far part holds what moves too
+LEAST_LEFT = 0.25  # share of the picture beyond it
 PLAIN = 2.5  # variances of the noise: a far part that fits no better holds what moves too
 LEAST_OVERLAP = 0.6  # share of the far part that meets the earlier frame: where the views part, edges weigh more
 FIRM_AGREEMENT = 0.9  # and of that, but for what is hidden there, that lies on its surface: then its motion is right
@@ -128,10 +129,11 @@ class Foreground:
         was_apart, layers = self.is_apart, None
         if self._count > AT_ONCE and self._count % EVERY and not was_apart:
             return None
-        limit = depth_between(download(view.nearness))  # sync
+        nearness = download(view.nearness)  # sync
+        limit = depth_between(nearness)
         if self._count <= AT_ONCE or self._count % EVERY == 0:
             if self._earlier and limit > 0.0:
-                layers, limit = self._best(frame, limit, expected)
+                layers, limit = self._best(frame, limit, nearness, expected)
                 self._judge(layers)
             self._keep(frame.pyramid)
         elif not abs(limit - self._limit) <= STEADY * self._limit:
@@ -154,14 +156,18 @@ class Foreground:
             self._agreed += 1
             self.is_apart = self.is_apart and self._agreed < AGREED
 
-    def _best(self, frame: SensorFrame, limit: float, expected: Pose | None) -> tuple[Layers, float]:
+    def _best(
+        self, frame: SensorFrame, limit: float, nearness: NDArray[np.float32], expected: Pose | None
+    ) -> tuple[Layers, float]:
         """The Layers, and the limit that parts them best: the one between two classes, and once they are apart the
         last one, or a farther one where the far part still does not fit."""
         layers = self._compare(frame, limit, expected)
         others = []
         if self.is_apart:
             others = [self._limit] if abs(limit - self._limit) > STEADY * self._limit else []
-            others += [FARTHER * self._limit] if layers.far.misfit > PLAIN else []
+            farther = FARTHER * self._limit
+            is_left = (nearness * farther < 1.0).mean() - (nearness <= 0.0).mean() > LEAST_LEFT
+            others += [farther] if layers.far.misfit > PLAIN and is_left else []
         for other in others:
             found = self._compare(frame, other, expected)
             if found.is_told >= layers.is_told and found.far.misfit < layers.far.misfit:

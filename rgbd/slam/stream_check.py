@@ -19,6 +19,8 @@ from .frames import SensorFrame
 from .stream_lag import StreamLag
 
 STALE = "its depth picture is the last one's"
+STALLED = 3  # frames: cameras repeat one now and then, as real recordings show, and a tenth of a second costs little
+STALLED_SECONDS = 0.12  # the same where the times are known
 LEAST_CELLS = 0.02  # share of the cells that are measured, below which a depth picture says nothing
 MOVED = 0.1  # [cells] the colours went since the depth came: a tenth of a degree; noise alone some 0.01
 CHANGED = 0.03  # or this, the root mean square of what differs in a cell's brightness: noise of a camera 0.01
@@ -28,7 +30,7 @@ class StreamCheck:
     """What the frames so far say of the camera's two streams.
 
     Attributes:
-        stalled: Frames in a row, up to the last, whose depth picture is an older one's.
+        stalled: Frames in a row, up to the last, whose depth picture is an older one's and whose colours moved since.
         lag: The StreamLag.
         view: The StreamView of the last frame; None before the first.
     """
@@ -36,7 +38,7 @@ class StreamCheck:
     def __init__(self) -> None:
         self.stalled, self.lag = 0, StreamLag()
         self.view: StreamView | None = None
-        self._fresh: StreamView | None = None
+        self._fresh: tuple[StreamView | None, float | None] = None, None
 
     def look(self, frame: SensorFrame) -> str:
         """What speaks against a frame; empty where nothing does. One wait for the device, two where depth is repeated.
@@ -47,20 +49,22 @@ class StreamCheck:
         view = view_stream(frame.depth, frame.pixels, frame.intrinsic.width, frame.intrinsic.height)
         last, self.view = self.view, view
         if last is None or frame.pixels is None:
-            self._fresh, self.stalled = view, 0
+            self._fresh, self.stalled = (view, frame.timestamp), 0
             return ""
         sums = motion_between(view, last)
         is_repeated = sums[at.OTHER] == 0 and sums[at.MEASURED] > LEAST_CELLS * view.columns * view.rows
         if not is_repeated:
-            self._fresh, self.stalled = view, 0
+            self._fresh, self.stalled = (view, frame.timestamp), 0
             self.lag.add(shift_of(sums, at.BRIGHT), shift_of(sums, at.NEAR), frame.timestamp)
             return self.doubt or ""
         self.lag.add(shift_of(sums, at.BRIGHT), np.full(2, math.nan), frame.timestamp)
-        assert self._fresh is not None
-        if not has_moved(motion_between(view, self._fresh), view):
-            return self.doubt or ""
-        self.stalled += 1
-        return STALE
+        fresh, since = self._fresh
+        assert fresh is not None
+        if has_moved(motion_between(view, fresh), view):
+            self.stalled += 1
+        age = frame.seconds_since(since)
+        is_old = self.stalled > STALLED if math.isnan(age) else age > STALLED_SECONDS
+        return STALE if self.stalled and is_old else self.doubt or ""
 
     @property
     def doubt(self) -> str | None:

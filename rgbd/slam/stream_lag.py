@@ -58,13 +58,12 @@ class StreamLag:
         bright, near = tremble(np.array(self._bright)), tremble(np.array(self._near))
         farthest = min(FARTHEST, len(bright) - FEWEST)
         lags = np.arange(-farthest, farthest + 1)
-        together = np.array([correlation_at(bright, near, int(lag)) for lag in lags])
-        best = int(np.argmax(together))
-        lag, beside = int(lags[best]), float(together[abs(lags) <= NO_LAG].max())
+        together = correlations(bright, near)[lags + len(bright) - 1]
         step = self._step()
-        is_short = abs(lag) <= NO_LAG if math.isnan(step) else abs(lag) < 2 or abs(lag) * step < SHORT
-        is_told = not is_short and together[best] > TOGETHER and together[best] > beside + BESIDE
-        if is_told:
+        is_short = abs(lags) <= NO_LAG if math.isnan(step) else (abs(lags) < 2) | (abs(lags) * step < SHORT)
+        best, beside = int(np.argmax(together)), float(together[is_short].max())
+        lag = int(lags[best])
+        if not is_short[best] and together[best] > max(TOGETHER, beside + BESIDE):
             self._told = [*self._told[1 - AGREED :], lag]
             if len(self._told) == AGREED and np.ptp(self._told) <= 1:
                 self.frames, self.seconds, self.correlation = lag, abs(lag) * step, float(together[best])
@@ -90,14 +89,25 @@ def tremble(shifts: Shifts) -> Shifts:
     return np.clip(rest / np.maximum(spread, 1e-9), -CLIPPED, CLIPPED)
 
 
-def correlation_at(bright: Shifts, near: Shifts, lag: int) -> float:
-    """The correlation of two trembles, both axes together, the colours' taken `lag` frames later; 0 of too few."""
-    count = len(bright)
-    a = bright[max(0, lag) : count + min(0, lag)]
-    b = near[max(0, -lag) : count + min(0, -lag)]
-    known = (np.isfinite(a) & np.isfinite(b)).all(axis=1)
-    if known.sum() < FEWEST:
-        return 0.0
-    a, b = a[known] - a[known].mean(axis=0), b[known] - b[known].mean(axis=0)
-    scale = math.sqrt(float((a * a).sum() * (b * b).sum()))
-    return float((a * b).sum()) / scale if scale > 0.0 else 0.0
+def correlations(bright: Shifts, near: Shifts) -> Shifts:
+    """The correlations of two trembles [n, 2], both axes together, at all lags from 1 - n to n - 1.
+
+    Returns:
+        Of the colours' taken so many frames later, float64 [2 n - 1]; 0 where too few frames have both.
+    """
+    known = (np.isfinite(bright).all(axis=1).astype(np.float64), np.isfinite(near).all(axis=1).astype(np.float64))
+    a, b = np.where(known[0][:, None] > 0, bright, 0.0), np.where(known[1][:, None] > 0, near, 0.0)
+
+    def at_lags(x: Shifts, y: Shifts) -> Shifts:
+        return np.correlate(x, y, "full")
+
+    count = at_lags(*known)
+    shared, first, second = (np.zeros(2 * len(a) - 1) for _ in range(3))
+    for axis in (0, 1):
+        x, y = a[:, axis], b[:, axis]
+        sums = at_lags(x, known[1]), at_lags(known[0], y)
+        shared += at_lags(x, y) - sums[0] * sums[1] / np.maximum(count, 1)
+        first += at_lags(x * x, known[1]) - sums[0] ** 2 / np.maximum(count, 1)
+        second += at_lags(known[0], y * y) - sums[1] ** 2 / np.maximum(count, 1)
+    scale = np.sqrt(np.maximum(first, 0.0) * np.maximum(second, 0.0))
+    return np.where((count > FEWEST - 0.5) & (scale > 1e-9), shared / np.maximum(scale, 1e-9), 0.0)
