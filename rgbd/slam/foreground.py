@@ -38,8 +38,8 @@ NOISE = 0.3  # variances of the noise, besides: below it nothing is to be told
 ALIKE = 2.0  # times: up to there both fit alike
 AGREED = 8  # looks in a row in which they do, until the near part is scene again: a second
 SHIFTED, TURNED = 0.02, np.deg2rad(1.0)  # [m], [rad] of the camera between the two frames, for that to tell anything
-STEADY = 0.25  # share by which the limit between the layers may change from frame to frame
-FARTHER = 1.4  # times the last limit, that is tried where the far part holds what moves too
+STRIDE = 1.3  # times the last limit, or less, that is tried: what moves comes and goes, and the rest is scene
+AS_GOOD, SLACK = 1.3, 0.1  # times the misfit, and variances, by which a nearer limit may fit worse
 LEAST_LEFT = 0.25  # share of the picture beyond it
 PLAIN = 2.5  # variances of the noise: a far part that fits no better holds what moves too
 LEAST_OVERLAP = 0.6  # share of the far part that meets the earlier frame: where the views part, edges weigh more
@@ -113,6 +113,7 @@ class Foreground:
         self.is_apart, self.frames = False, 0
         self._earlier: list[tuple[int, OdometryFrame, Pose | None]] = []
         self._count, self._agreed, self._limit = -1, 0, 0.0
+        self._layers: Layers | None = None
 
     def part(self, frame: SensorFrame, view: StreamView, expected: Pose | None) -> Layers | None:
         """Look at the next frame, and leave its near part out where that is known to move by itself.
@@ -129,18 +130,14 @@ class Foreground:
         was_apart, layers = self.is_apart, None
         if self._count > AT_ONCE and self._count % EVERY and not was_apart:
             return None
-        nearness = download(view.nearness)  # sync
-        limit = depth_between(nearness)
         if self._count <= AT_ONCE or self._count % EVERY == 0:
-            if self._earlier and limit > 0.0:
-                layers, limit = self._best(frame, limit, nearness, expected)
-                self._judge(layers)
+            nearness = download(view.nearness)  # sync
+            if self._earlier and (limit := depth_between(nearness)) > 0.0:
+                self._judge(*self._look(frame, limit, nearness, expected))
+                layers = self._layers
             self._keep(frame.pyramid)
-        elif not abs(limit - self._limit) <= STEADY * self._limit:
-            limit = self._limit
-        if self.is_apart and limit > 0.0:
-            self._limit = limit
-            frame.leave_only(hide_near(frame.depth, limit))
+        if self.is_apart:
+            frame.leave_only(hide_near(frame.depth, self._limit))
             self.frames += 1
         return layers if self.is_apart and not was_apart else None
 
@@ -149,38 +146,42 @@ class Foreground:
         if self._earlier and self._earlier[-1][0] == self._count:
             self._earlier[-1] = (*self._earlier[-1][:2], pose)
 
-    def _judge(self, layers: Layers) -> None:
+    def _judge(self, layers: Layers, limit: float) -> None:
+        self._layers = layers
         if layers.are_apart:
             self.is_apart, self._agreed = True, 0
         elif layers.are_one:
             self._agreed += 1
             self.is_apart = self.is_apart and self._agreed < AGREED
+        self._limit = limit
 
-    def _best(
+    def _look(
         self, frame: SensorFrame, limit: float, nearness: NDArray[np.float32], expected: Pose | None
     ) -> tuple[Layers, float]:
-        """The Layers, and the limit that parts them best: the one between two classes, and once they are apart the
-        last one, or a farther one where the far part still does not fit."""
-        layers = self._compare(frame, limit, expected)
-        others = []
-        if self.is_apart:
-            others = [self._limit] if abs(limit - self._limit) > STEADY * self._limit else []
-            farther = FARTHER * self._limit
-            is_left = (nearness * farther < 1.0).mean() - (nearness <= 0.0).mean() > LEAST_LEFT
-            others += [farther] if layers.far.misfit > PLAIN and is_left else []
-        for other in others:
-            found = self._compare(frame, other, expected)
-            if found.is_told >= layers.is_told and found.far.misfit < layers.far.misfit:
-                layers, limit = found, other
-        return layers, limit
-
-    def _compare(self, frame: SensorFrame, limit: float, expected: Pose | None) -> Layers:
+        """The Layers, and the limit that parts them: the one between two classes; once they are apart the last one,
+        a nearer one where that tells no worse, or whatever does where the far part no longer fits."""
         is_far = (self._count // (1 if self._count <= AT_ONCE else EVERY)) % 2 == 1
         back = BACK if not is_far else BACK_FAR if self._count > FIRST else FIRST
         _, earlier, pose = next(kept for kept in self._earlier if kept[0] >= self._count - back)
         start = np.eye(4) if pose is None or expected is None else invert_pose(pose) @ expected
-        far = frame.pyramid_of(hide_near(frame.depth, limit))
-        return Layers(_fit(frame.pyramid, earlier, start), _fit(far, earlier, start), pose)
+        whole = _fit(frame.pyramid, earlier, start)
+
+        def parted(at_depth: float) -> Layers:
+            return Layers(whole, _fit(frame.pyramid_of(hide_near(frame.depth, at_depth)), earlier, start), pose)
+
+        if not self.is_apart:
+            return parted(limit), limit
+        layers = parted(self._limit)
+        if layers.are_apart and layers.far.misfit < PLAIN:
+            nearer = parted(self._limit / STRIDE)
+            is_as_good = nearer.are_apart and nearer.far.misfit < AS_GOOD * layers.far.misfit + SLACK
+            return (nearer, self._limit / STRIDE) if is_as_good else (layers, self._limit)
+        found = [(layers, self._limit)]
+        if layers.far.misfit > PLAIN or not layers.is_told:
+            is_left = np.mean((nearness > 0.0) & (nearness * self._limit * STRIDE < 1.0)) > LEAST_LEFT
+            others = [limit, self._limit * STRIDE] if is_left else [limit]
+            found += [(parted(other), other) for other in others]
+        return min(found, key=lambda pair: (not pair[0].is_told, pair[0].far.misfit))
 
     def _keep(self, pyramid: OdometryFrame) -> None:
         """Keep a frame to hold later ones against: the first one for a while, and those of the last frames."""
