@@ -32,7 +32,7 @@ from .verdicts import LEAST_DEPTH, depth_share, is_determined
 
 Pose = NDArray[np.float64]
 
-FEWEST_FRAMES = 5  # of a model that a lost camera is found on: of one or two frames, any wall lies on another
+FEWEST_FRAMES = 5  # of a model that a camera is found on that was lost for longer: any wall lies on another
 YOUNG = 60  # frames of a model that begins again where it holds what moves: two seconds at 30 a second
 
 
@@ -265,7 +265,8 @@ class DenseSLAM:
         if self._begins_anew(frame):
             return self._begin(frame, known)
         attempt, is_anew = self._tracker.locate(frame)
-        if is_anew and self.model.frame_count < FEWEST_FRAMES and attempt.verdict == "tracked":
+        is_far = is_anew and motion.missed > FEWEST_FRAMES > self.model.frame_count
+        if is_far and attempt.verdict == "tracked":
             reason = f"only {self.model.frame_count} frames are in the model, too few to find a place on it"
             attempt = dataclasses.replace(attempt, verdict="lost", reason=reason)
         attempt = attempt.doubted(doubt)
