@@ -8,6 +8,7 @@ together at any time, so that what counts is the tremble of a hand, after a runn
 from __future__ import annotations
 
 import math
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -95,19 +96,21 @@ def correlations(bright: Shifts, near: Shifts) -> Shifts:
     Returns:
         Of the colours' taken so many frames later, float64 [2 n - 1]; 0 where too few frames have both.
     """
-    known = (np.isfinite(bright).all(axis=1).astype(np.float64), np.isfinite(near).all(axis=1).astype(np.float64))
-    a, b = np.where(known[0][:, None] > 0, bright, 0.0), np.where(known[1][:, None] > 0, near, 0.0)
+    told: Any = np.isfinite(bright).all(axis=1)
+    shown: Any = np.isfinite(near).all(axis=1)
+    first_known, second_known = told.astype(np.float64), shown.astype(np.float64)
+    a, b = np.where(told[:, None], bright, 0.0), np.where(shown[:, None], near, 0.0)
 
-    def at_lags(x: Shifts, y: Shifts) -> Shifts:
+    def at_lags(x: Any, y: Any) -> Shifts:
         return np.correlate(x, y, "full")
 
-    count = at_lags(*known)
+    count = at_lags(first_known, second_known)
     shared, first, second = (np.zeros(2 * len(a) - 1) for _ in range(3))
     for axis in (0, 1):
         x, y = a[:, axis], b[:, axis]
-        sums = at_lags(x, known[1]), at_lags(known[0], y)
+        sums = at_lags(x, second_known), at_lags(first_known, y)
         shared += at_lags(x, y) - sums[0] * sums[1] / np.maximum(count, 1)
-        first += at_lags(x * x, known[1]) - sums[0] ** 2 / np.maximum(count, 1)
-        second += at_lags(known[0], y * y) - sums[1] ** 2 / np.maximum(count, 1)
+        first += at_lags(x * x, second_known) - sums[0] ** 2 / np.maximum(count, 1)
+        second += at_lags(first_known, y * y) - sums[1] ** 2 / np.maximum(count, 1)
     scale = np.sqrt(np.maximum(first, 0.0) * np.maximum(second, 0.0))
     return np.where((count > FEWEST - 0.5) & (scale > 1e-9), shared / np.maximum(scale, 1e-9), 0.0)
