@@ -19,16 +19,21 @@ from ...meshing.mesh.mesh import TriangleMesh
 from ...meshing.volume.tsdf import RayCast, TSDFVolume
 from ...pcd.cloud import PointCloud
 from .corrections import close_and_correct, record_frame
+from .foreground import Foreground
 from .frames import SensorFrame
 from .keyframes import Keyframes
 from .loops import LoopClosure
 from .model import Model
 from .results import TrackingResult
+from .stream_check import STALE, StreamCheck
 from .submaps import SubmapRecorder
-from .tracker import Attempt, Tracker
+from .tracker import Attempt, Tracker, clean_pose
 from .verdicts import LEAST_DEPTH, depth_share, is_determined
 
 Pose = NDArray[np.float64]
+
+FEWEST_FRAMES = 5  # of a model that a camera is found on that was lost for longer: any wall lies on another
+YOUNG = 60  # frames of a model that begins again where it holds what moves: two seconds at 30 a second
 
 
 class DenseSLAM:
@@ -54,6 +59,8 @@ class DenseSLAM:
         model: The Model.
         keyframes: The Keyframes.
         results: A TrackingResult for each frame so far, in order.
+        stream: The StreamCheck: whether colour and depth are of one moment, `stream.doubt` says what is not.
+        foreground: The Foreground: whether what is near moves by itself, and is left out.
 
     Raises:
         ValueError: Sizes that are not positive, a pose that is no rigid motion.
@@ -95,15 +102,11 @@ class DenseSLAM:
         )  # fmt: skip
         self.keyframes = Keyframes(self.model.device, check_seed(seed))
         self.results: list[TrackingResult] = []
+        self.stream, self.foreground = StreamCheck(), Foreground()
         self._tracker = Tracker(self.model, self.keyframes)
         self._latest: tuple[Any, SensorFrame] | None = None
-        self._recorder: SubmapRecorder | None = None
-        if submap_frames is not None:
-            sizes: dict[str, Any] = {"voxel_size": self.volume.voxel_size, "truncation": self.volume.truncation}
-            count = check_count("submap_frames", submap_frames, minimum=2)
-            self._recorder = SubmapRecorder(
-                intrinsic, **sizes, depth_scale=1.0, depth_max=self.model.depth_max, frames=count, device=device
-            )
+        self._submap_frames = None if submap_frames is None else check_count("submap_frames", submap_frames, minimum=2)
+        self._recorder = self._make_recorder()
 
     def __repr__(self) -> str:
         counts = ", ".join(f"{n} {verdict}" for verdict, n in self.verdict_counts.items() if n)
@@ -252,9 +255,22 @@ class DenseSLAM:
     def _track(self, frame: SensorFrame) -> TrackingResult:
         known = {"index": len(self.results), "name": frame.name, "timestamp": frame.timestamp}
         motion = self._tracker.motion
+        doubt = self.stream.look(frame)
         if not self.model.frame_count:
+            self._begins_anew(frame)
+            return self._begin(frame, known)
+        if doubt == STALE:
+            motion.missed += 1
+            return TrackingResult(None, "lost", doubt, **known)
+        if self._begins_anew(frame):
             return self._begin(frame, known)
         attempt, is_anew = self._tracker.locate(frame)
+        is_far = is_anew and motion.missed > FEWEST_FRAMES > self.model.frame_count
+        if is_far and attempt.verdict == "tracked":
+            reason = f"only {self.model.frame_count} frames are in the model, too few to find a place on it"
+            attempt = dataclasses.replace(attempt, verdict="lost", reason=reason)
+        attempt = attempt.doubted(doubt)
+        self.foreground.place(attempt.pose if attempt.verdict == "tracked" else None)
         if attempt.verdict == "lost":
             motion.missed += 1
             return TrackingResult(None, "lost", attempt.reason, **_measures(attempt), **known)
@@ -266,12 +282,38 @@ class DenseSLAM:
         said = {**_measures(attempt), **known, "relocalized": is_anew}
         return TrackingResult(attempt.pose, attempt.verdict, attempt.reason, **said)
 
+    def _begins_anew(self, frame: SensorFrame) -> bool:
+        """Whether the near part of the pictures is found to move by itself while the model, which holds it, is young.
+
+        Then the model begins again, without it, where the rest of the frame puts the camera.
+        """
+        motion = self._tracker.motion
+        if not self.model.leave_out_moving or self.stream.view is None:
+            return False
+        expected = None if motion.pose is None or motion.missed else motion.expected(frame)
+        layers = self.foreground.part(frame, self.stream.view, expected)
+        if layers is None or layers.pose is None or self.model.frame_count > YOUNG:
+            return False
+        self.model.begin_anew(clean_pose(layers.pose))
+        self.keyframes = Keyframes(self.model.device, self.keyframes.seed)
+        self._tracker, self._recorder = Tracker(self.model, self.keyframes), self._make_recorder()
+        return True
+
+    def _make_recorder(self) -> SubmapRecorder | None:
+        if self._submap_frames is None:
+            return None
+        model = self.model
+        sizes: dict[str, Any] = {"voxel_size": model.volume.voxel_size, "truncation": model.volume.truncation}
+        sizes |= {"depth_scale": 1.0, "depth_max": model.depth_max, "frames": self._submap_frames}
+        return SubmapRecorder(model.intrinsic, **sizes, device=model.device)
+
     def _begin(self, frame: SensorFrame, known: dict[str, Any]) -> TrackingResult:
         """The first frame: where the world begins, once one has depth."""
         if depth_share(frame.pyramid) < LEAST_DEPTH:
             return TrackingResult(None, "lost", "the picture is blank, and there is no model yet", **known)
         pose = self.model.current_frame_pose
         self._tracker.motion.advance(pose, frame, is_tracked=True, is_continuous=False)
+        self.foreground.place(pose)
         return TrackingResult(pose, "tracked", fitness=1.0, overlap=1.0, **known)
 
 

@@ -69,6 +69,10 @@ class SensorFrame:
         """Take the depth of what is still, and its pyramid, for the frame's."""
         self.still, self._pyramid = depth, pyramid
 
+    def leave_only(self, depth: Any) -> None:
+        """Take a depth for the frame's from now on, float32 [pixels], 0 where it is left out."""
+        self.depth, self.still, self._pyramid = depth, None, None
+
     def pyramid_of(self, depth: Any) -> OdometryFrame:
         """The frame for odometry with another depth, float32 [pixels]."""
         return OdometryFrame.from_device_maps(depth, self.pixels, self.intrinsic, MOST_PIXELS)

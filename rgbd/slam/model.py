@@ -99,6 +99,12 @@ class Model:
         """Frames integrated."""
         return self.volume.frame_count
 
+    def begin_anew(self, pose: Pose) -> None:
+        """Forget what was fused; the next frame stands at a pose, T_world_camera."""
+        sizes: dict[str, Any] = {"voxel_size": self.volume.voxel_size, "truncation": self.volume.truncation}
+        self.volume, self.movers = TSDFVolume(**sizes, device=self.device), Movers()
+        self.current_frame_pose = pose
+
     def prepare(self, frame: Any) -> SensorFrame:
         """The frame on the model's device, for several calls with it; a prepared one as it is.
 

@@ -41,6 +41,9 @@ class TrackedPath:
         voxel_size: Edge of a voxel of the model that frames were held against [m].
         depth_max: Farther depth was left out [m].
         device: Where it was computed.
+        doubt: The first reason of an uncertain frame; empty where none is.
+        stream: What is wrong with the camera's pictures of colour and depth, one against the other; None where nothing
+            is known to be.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -65,6 +68,8 @@ class TrackedPath:
     voxel_size: float
     depth_max: float
     device: str
+    doubt: str = ""
+    stream: str | None = None
 
     def __str__(self) -> str:
         return in_columns([*self.fields(), ("model", f"voxels of {self.voxel_size * 1000:g} mm")])
@@ -78,14 +83,15 @@ class TrackedPath:
     def poor(self) -> str | None:
         """What is wrong with the path, in the words of the command line; None where nothing is."""
         count, reach = self.frame_count, why_out_of_reach(self.depth_share, self.used_share, self.depth_max)
-        reasons = [] if reach is None else [reach]
+        reasons = [reason for reason in (reach, self.stream) if reason is not None]
         if lost := self.lost:
             first = next(iter(lost.values()))
             reasons.append(
                 f"{len(lost)} of {count} frames were lost ({some_frames(list(lost))}) and are left out: {first}"
             )
         if len(self.uncertain) > MANY_UNCERTAIN * count:
-            reasons.append(f"{len(self.uncertain)} of {count} poses are uncertain ({some_frames(self.uncertain)})")
+            which = f"{len(self.uncertain)} of {count} poses are uncertain ({some_frames(self.uncertain)})"
+            reasons.append(f"{which}: {self.doubt}" if self.doubt and self.doubt != self.stream else which)
         if unreadable := self.unreadable:
             first = next(iter(unreadable.values()))
             reasons.append(f"{len(unreadable)} of {count} frames cannot be read and are left out: {first}")
@@ -106,6 +112,8 @@ class TrackedPath:
             "frames": self.frame_count,
             "tracked": len(self.trajectory),
             "uncertain": list(self.uncertain),
+            "doubt": self.doubt,
+            "stream": self.stream,
             "lost": [{"frame": number, "reason": reason} for number, reason in self.lost.items()],
             "unreadable": [{"frame": number, "reason": reason} for number, reason in self.unreadable.items()],
             "depth_share": self.depth_share,

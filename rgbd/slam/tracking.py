@@ -121,7 +121,8 @@ def track_with(
         raise first_error
     if not tally.count:
         raise ValueError("frames: expected at least one frame, got none")
-    return tally.path(voxel_size=voxel_size, depth_max=depth_max, device=str(device))
+    sizes: dict[str, Any] = {"voxel_size": voxel_size, "depth_max": depth_max, "device": str(device)}
+    return tally.path(stream=slam.stream.doubt, **sizes)
 
 
 def make_slam(
@@ -147,6 +148,7 @@ class _Tally:
         self.timestamps: list[float | None] = []
         self.true_poses: list[NDArray[np.float64] | None] = []
         self.uncertain: list[int] = []
+        self.doubt = ""
         self.lost: dict[int, str] = {}
         self.unreadable: dict[int, str] = {}
         self.residuals: list[float] = []
@@ -162,6 +164,7 @@ class _Tally:
             return
         if not step.is_tracked:
             self.uncertain.append(number)
+            self.doubt = self.doubt or step.reason
         self.placed.append(number)
         self.poses.append(step.pose)
         self.timestamps.append(getattr(frame, "timestamp", None))
@@ -170,12 +173,13 @@ class _Tally:
             self.residuals.append(step.inlier_rmse)
             self.fitness.append(step.fitness)
 
-    def path(self, **sizes: Any) -> TrackedPath:
-        """The result; `sizes` are those that the frames were tracked with."""
+    def path(self, *, stream: str | None, **sizes: Any) -> TrackedPath:
+        """The result; `sizes` are those that the frames were tracked with, `stream` is what the camera's are doubted
+        for."""
         depth_share, used_share = np.mean(self.shares, axis=0).tolist() if self.shares else (0.0, 0.0)
         return TrackedPath(
             trajectory=trajectory_of(self.poses, self.placed, self.timestamps), true_poses=tuple(self.true_poses),
             frame_count=self.count, uncertain=tuple(self.uncertain), lost=self.lost, unreadable=self.unreadable,
             residuals=tuple(self.residuals), fitness=tuple(self.fitness),
-            depth_share=depth_share, used_share=used_share, **sizes,
+            depth_share=depth_share, used_share=used_share, doubt=self.doubt, stream=stream, **sizes,
         )  # fmt: skip

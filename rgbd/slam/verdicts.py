@@ -51,6 +51,13 @@ class Attempt:
         rank = {"tracked": 2.0, "uncertain": 1.0, "lost": 0.0}[self.verdict]
         return rank + self.result.fitness
 
+    def doubted(self, reason: str) -> Attempt:
+        """The same where something speaks against it, whatever fits: no more than uncertain."""
+        if not reason:
+            return self
+        verdict: Verdict = "lost" if self.verdict == "lost" else "uncertain"
+        return dataclasses.replace(self, verdict=verdict, reason="; ".join(filter(None, (reason, self.reason))))
+
 
 def agreement_of(result: OdometryResult) -> float:
     """The share of what both see that lies on the model's surface."""

@@ -1,0 +1,108 @@
+"""What is near and moves by itself is left out: fixed to the camera, or before it; what stands still is scene."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from pointloom.rgbd.slam.foreground import Fit, Layers, depth_between
+
+from .slam_walks import HEIGHT, VOXEL, WIDTH, begun, changed, error_of, frame, frames, verdicts
+
+V, U = np.mgrid[:HEIGHT, :WIDTH]
+
+
+def with_object(original, left, width, depth=600, seed=0):
+    """A frame with something near in some of its columns, whose pattern goes along with it."""
+    rng = np.random.default_rng([seed, original.timestamp is not None, int(1000 * (original.timestamp or 0))])
+    mask = (left <= U) & (left + width > U)
+    z = depth + 40 * np.sin((U - left) / 6) + 20 * np.cos(V / 8) + rng.normal(0, 1.5, U.shape)
+    shade = 120 + 60 * np.sin((U - left) / 3) * np.cos(V / 4)
+    picture, color = original.depth.copy(), original.color.copy()
+    picture[mask] = np.rint(z[mask]).astype(picture.dtype)
+    color[mask] = shade[mask][:, None].astype(np.uint8)
+    return changed(original, depth=picture, color=color)
+
+
+def off(results, true):
+    return max(
+        error_of(result, shown)[0] for result, shown in zip(results, true, strict=True) if result.pose is not None
+    )
+
+
+def test_what_is_fixed_to_the_camera_in_a_third_of_the_picture_is_left_out(device):
+    taken, slam = frames(*range(14)), begun(device)
+    results = slam.run([with_object(f, 54, 26) for f in taken])
+    assert verdicts(results) == ["tracked"] * 14
+    assert off(results, taken) < VOXEL and slam.foreground.is_apart
+    assert np.asarray(slam.render(results[-1].pose).depth)[:, 54:].max() > 1.0, "behind it the room is seen"
+
+
+def test_it_is_needed_for_that():
+    taken, slam = frames(*range(14)), begun("cpu", leave_out_moving=False)
+    results = slam.run([with_object(f, 54, 26) for f in taken])
+    assert "lost" in verdicts(results) or off(results, taken) > 0.06
+
+
+def test_what_sways_before_the_camera_from_the_first_frame_on_is_left_out(device):
+    taken, slam = frames(*range(14)), begun(device)
+    results = slam.run([with_object(f, 20 + int(14 * np.sin(k / 3)), 30) for k, f in enumerate(taken)])
+    assert verdicts(results)[2:] == ["tracked"] * 12, "it takes a frame or two to be told"
+    assert off(results, taken) < VOXEL
+
+
+def test_in_a_still_scene_nothing_is_left_out(device):
+    taken, slam = frames(*range(24)), begun(device)
+    slam.run(taken)
+    assert slam.foreground.frames == 0 and slam.verdict_counts["tracked"] == 24
+
+
+def test_a_camera_that_stands_still_leaves_nothing_out():
+    slam = begun("cpu")
+    slam.run([with_object(changed(frame(0), timestamp=k / 30), 54, 26) for k in range(10)])
+    assert slam.foreground.frames == 0
+
+
+def test_what_no_longer_moves_is_scene_again():
+    taken, slam = frames(*range(60)), begun("cpu")
+    slam.run([with_object(f, 54, 26) if k < 4 else f for k, f in enumerate(taken)])
+    assert 0 < slam.foreground.frames < 56 and not slam.foreground.is_apart
+
+
+def test_a_model_of_few_frames_finds_no_camera_that_was_lost_for_long():
+    taken, slam = frames(0, 1, 2), begun("cpu")
+    dark = changed(taken[2], depth=np.zeros_like(taken[2].depth), timestamp=None)
+    results = slam.run([taken[0], taken[1], *[dark] * 6, taken[2]])
+    assert verdicts(results) == ["tracked", "tracked", *["lost"] * 7]
+    assert results[-1].reason == "only 2 frames are in the model, too few to find a place on it"
+
+
+def test_the_limit_lies_between_the_two_classes():
+    near, far = np.full(300, 1 / 0.8, np.float32), np.full(700, 1 / 2.5, np.float32)
+    assert 0.8 < depth_between(np.concatenate([near, far, np.zeros(500, np.float32)])) < 2.5
+    assert depth_between(np.concatenate([near[:30], far])) == 0.0, "too little is near"
+    assert depth_between(np.zeros(100, np.float32)) == 0.0
+
+
+def layers(whole, far, agreement=0.95, **changes):
+    from pointloom.rgbd.odometry.results import OdometryResult
+
+    T = np.eye(4)
+    T[0, 3] = 0.05
+    values = {"success": True, "transformation": T, "information": np.eye(6), "overlap": 0.8, "fitness": 0.75}
+    result = OdometryResult(**{**values, "smallest_eigenvalue": 0.1, **changes})
+    return Layers(Fit(whole, agreement, result), Fit(far, agreement, result), np.eye(4))
+
+
+def test_layers_are_apart_where_all_fits_worse_than_what_lies_behind():
+    assert layers(2.0, 0.2).are_apart and not layers(2.0, 0.2).are_one
+    assert not layers(0.5, 0.3).are_apart and layers(0.5, 0.3).are_one
+    assert not layers(2.0, 0.2, agreement=0.8).are_apart, "what lies behind is not found either"
+    assert not layers(2.0, 0.2, overlap=0.5).are_apart
+    assert not layers(2.0, 0.2, contradiction="the brightness does not agree").are_apart
+    assert not layers(4.0, 4.0).are_one, "both fit badly"
+    assert not layers(0.5, 0.3, transformation=np.eye(4)).are_one, "a camera that stands still tells nothing"
+
+
+def test_what_lies_behind_has_to_fix_the_pose():
+    assert np.allclose(layers(2.0, 0.2).pose[:3, 3], [0.05, 0, 0])
+    assert layers(2.0, 0.2, smallest_eigenvalue=0.01).pose is None

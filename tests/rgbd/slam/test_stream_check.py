@@ -1,0 +1,140 @@
+"""Colour and depth of one moment: what comes twice, and what comes late, is told; what is right is not."""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+
+import numpy as np
+import pytest
+
+import pointloom as loom
+from pointloom.rgbd.slam.stream_check import STALE
+from pointloom.rgbd.slam.stream_lag import StreamLag
+
+from .slam_walks import begun, blank, changed, frames, verdicts, walk
+
+
+def stalled(taken, first, last):
+    """Frames of which some have the depth picture of the one before the first of them."""
+    return [changed(f, depth=taken[first - 1].depth) if first <= k <= last else f for k, f in enumerate(taken)]
+
+
+def test_a_depth_picture_that_came_before_is_not_believed_under_colours_that_move(device):
+    taken, slam = frames(*range(10)), begun(device)
+    results = slam.run(stalled(taken, 2, 8))  # a thirtieth of a second each
+    assert verdicts(results) == ["tracked"] * 5 + ["lost"] * 4 + ["tracked"]
+    assert {r.reason for r in results[5:9]} == {STALE}
+    assert not any(r.fused for r in results[5:9])
+
+
+def test_without_times_it_is_three_frames_that_are_believed():
+    taken = [changed(f, timestamp=None) for f in frames(*range(8))]
+    results = begun("cpu").run(stalled(taken, 2, 7))
+    assert verdicts(results) == ["tracked"] * 5 + ["lost"] * 3
+
+
+def test_a_frame_that_is_repeated_now_and_then_is_believed():
+    taken = frames(*range(8))
+    results = begun("cpu").run(stalled(stalled(taken, 2, 2), 5, 6))
+    assert verdicts(results) == ["tracked"] * 8
+
+
+def test_frames_that_repeat_whole_are_a_camera_that_stands_still(device):
+    slam = begun(device)
+    first = frames(0)[0]
+    assert verdicts(slam.run([first] * 4)) == ["tracked"] * 4
+
+
+def test_colours_that_are_only_noisy_do_not_move(device):
+    slam, first = begun(device), frames(0)[0]
+    rng = np.random.default_rng(1)
+
+    def noisy(f):
+        return changed(f, color=np.clip(f.color + rng.normal(0, 3, f.color.shape), 0, 255).astype(np.uint8))
+
+    assert verdicts(slam.run([noisy(first) for _ in range(4)])) == ["tracked"] * 4
+
+
+def test_a_lens_that_stays_covered_is_blank_and_no_stall(device):
+    taken, slam = frames(*range(4)), begun(device)
+    moving = [taken[0], *(changed(f, depth=blank(f).depth) for f in taken[1:])]
+    assert [r.reason for r in slam.run(moving)[1:]] == ["the picture is blank"] * 3
+
+
+def trembling(count: int, late: int, seed: int = 0, period: float | None = None) -> StreamLag:
+    """A StreamLag of a hand-held camera whose colours come so many frames late; half of each shift is noise."""
+    rng, lag = np.random.default_rng(seed), StreamLag()
+    shake = rng.normal(size=(count + 200, 2)) + 3 * np.sin(np.arange(count + 200) / 40)[:, None]
+    noise = 0.5 * rng.normal(size=(2, count, 2))
+    for k in range(count):
+        time = None if period is None else period * k
+        lag.add(shake[100 + k - late] + noise[0, k], 0.3 * (shake[100 + k] + noise[1, k]), time)
+    return lag
+
+
+@pytest.mark.parametrize("late", [5, 15, 30, -5, -30])
+def test_colours_that_come_late_or_early_are_told_with_the_time(late):
+    lag = trembling(90, late, period=1 / 30)
+    assert lag.frames == late and math.isclose(lag.seconds, abs(late) / 30)
+    assert trembling(90, late).frames == late
+
+
+@pytest.mark.parametrize("late", [0, 1, 3, -3])
+def test_a_tenth_of_a_second_is_believed(late):
+    for seed in range(5):
+        assert trembling(200, late, seed).frames is None
+        assert trembling(200, late, seed, period=1 / 30).frames is None
+
+
+def test_few_slow_frames_apart_are_told_by_their_times():
+    assert trembling(90, 3, period=1 / 6).frames == 3, "half a second"
+    assert trembling(90, 2, period=1 / 30).frames is None
+
+
+def test_pictures_that_have_nothing_in_common_tell_nothing():
+    for seed in range(20):
+        rng, lag = np.random.default_rng(seed), StreamLag()
+        for _ in range(150):
+            lag.add(rng.normal(size=2), rng.normal(size=2), None)
+        assert lag.frames is None
+
+
+def test_frames_without_a_shift_are_left_out():
+    rng, lag = np.random.default_rng(3), StreamLag()
+    shake = rng.normal(size=(150, 2))
+    for k in range(20, 140):
+        lag.add(shake[k - 20], np.full(2, np.nan) if k % 3 == 0 else shake[k], None)
+    assert lag.frames == 20
+
+
+def test_what_is_doubted_is_uncertain_and_speaks_against_the_path(device):
+    taken, slam = frames(*range(4)), begun(device)
+    slam.run(taken[:3])
+    slam.stream.lag.frames, slam.stream.lag.seconds = 30, 1.0
+    result = slam.step(taken[3])
+    said = "colour and depth seem to be 1.0 s apart"
+    assert (result.verdict, result.reason, result.fused) == ("uncertain", said, False)
+    slam.stream.lag.seconds = math.nan
+    assert slam.stream.doubt == "colour and depth seem to be 30 frames apart"
+
+
+def test_a_path_whose_streams_are_apart_is_poor():
+    path = loom.track(loom.frames_from([(f.color, f.depth) for f in frames(0, 1)], walk().intrinsic), voxel_size=0.04)
+    assert path.stream is None and path.poor is None
+    said = "colour and depth seem to be 1.0 s apart"
+    apart = dataclasses.replace(path, stream=said, uncertain=(0, 1), doubt=said)
+    assert apart.poor == f"{said}; 2 of 2 poses are uncertain (frame 0-1)"
+    assert apart.to_json()["stream"] == said
+    assert "(frame 0-1): it may slide" in dataclasses.replace(path, uncertain=(0, 1), doubt="it may slide").poor
+
+
+@pytest.mark.slow
+def test_depth_of_half_a_second_later_is_told_from_the_pictures_alone():
+    taken = frames(*range(95))
+    late = [changed(f, depth=g.depth) for f, g in zip(taken, taken[15:], strict=False)]
+    slam = begun("cpu")
+    slam.run(late)
+    assert slam.stream.lag.frames == 15
+    assert slam.results[-1].reason.startswith("colour and depth seem to be 0.5 s apart")
+    assert "tracked" not in verdicts(slam.results[75:])
