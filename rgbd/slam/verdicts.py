@@ -10,6 +10,7 @@ pair has to prove itself: that is odometry's verdict (rgbd/odometry/verdicts.py)
 from __future__ import annotations
 
 import dataclasses
+import math
 
 import numpy as np
 from numpy.typing import NDArray
@@ -27,7 +28,12 @@ LEAST_AGREEMENT, FIRM_AGREEMENT = 0.45, 0.6  # share of that which lies on its s
 LEAST_EIGENVALUE = 0.005  # as of OdometryResult: rooms in tiny pictures 0.007 and more | flat walls up to 0.004
 MOST_SHIFT, MOST_TURN = 0.35, np.deg2rad(30.0)  # [m], from where the camera was expected: a jump
 SURE_OVERLAP, SURE_AGREEMENT = 0.5, 0.75  # from a keyframe: enough to be believed
+RIM_OVERLAP = 0.3  # where motion led: a camera that went on while it was covered sees the model's rim
 SHAPE_OVERLAP = 0.08  # where registration believes the place already, and two frames agree on it
+# A corridor of like doors, a texture of 3 to 9 % of white: 2.5 to 15 times the usual | right ones up to 1.9 times at the
+# rim of a model without texture, there by half a grey value in a hundred.
+MOST_SHADES, LEAST_SHADES = 2.0, 0.01  # times the brightness is off beside the usual, and by how much at least
+MOST_MISFIT, LEAST_MISFIT = 2.0, 0.05  # times what does not lie on the surface, and how much more at least
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
@@ -84,15 +90,33 @@ def judge_tracking(result: OdometryResult, moved: NDArray[np.float64]) -> tuple[
     return "tracked", ""
 
 
-def judge_recognition(result: OdometryResult, least_overlap: float) -> tuple[Verdict, str]:
-    """The verdict on a frame that was aligned from a place it may be at: it is found, or it stays lost."""
+def judge_recognition(result: OdometryResult, least_overlap: float, usual: float = math.nan) -> tuple[Verdict, str]:
+    """The verdict on a frame that was aligned from a place it may be at: it is found, or it stays lost; `usual` is how
+    far the brightness of the run's frames is off."""
     if not result.success and result.reason != UNDETERMINED:  # whose limit is for frames of full size
         return "lost", result.reason
     if not is_determined(result):
         return "lost", UNDETERMINED
     if agreement_of(result) < SURE_AGREEMENT or result.overlap < least_overlap:
         return "lost", f"{result.fitness:.0%} of its depth lie on the model"
+    if is_off_shade(result.intensity_rmse, usual):
+        return "lost", f"its brightness is {result.intensity_rmse / max(usual, 1e-4):.1f} times as far off as usual"
     return "tracked", ""
+
+
+def is_off_shade(shades: float, usual: float) -> bool:
+    """Whether a difference in brightness is more than another one explains; never where there is no colour."""
+    return shades > MOST_SHADES * usual and shades - usual > LEAST_SHADES
+
+
+def speaks_against(result: OdometryResult, other: OdometryResult) -> bool:
+    """Whether a pose explains a frame plainly worse than another one does, by what each meets, however much that is."""
+    if not result.success and result.overlap >= RIM_OVERLAP and result.reason != UNDETERMINED:
+        return True
+    misfit, other_misfit = 1.0 - agreement_of(result), 1.0 - agreement_of(other)
+    if misfit > MOST_MISFIT * other_misfit + LEAST_MISFIT:
+        return True
+    return is_off_shade(result.intensity_rmse, other.intensity_rmse)
 
 
 def lies_on_model(result: OdometryResult) -> bool:
