@@ -4,7 +4,7 @@ A frame of a corridor with like doors lies on the model at its place, and as wel
 are is asked of the distances themselves: a point on the surface counts 1, one a truncation away or where nothing was
 seen 0. Rotations are not tried, and what a point hides is not asked: that is for an alignment to tell.
 
-One thread a shift: a look-up in the hash table and 6 B a point; a shift that is hopeless by its first points ends early.
+One thread a shift: a look-up in the hash table and 6 B a point; what is hopeless by its first points ends early.
 Points come in an order in which the first ones are spread over the picture.
 """
 

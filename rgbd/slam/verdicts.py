@@ -30,8 +30,8 @@ MOST_SHIFT, MOST_TURN = 0.35, np.deg2rad(30.0)  # [m], from where the camera was
 SURE_OVERLAP, SURE_AGREEMENT = 0.5, 0.75  # from a keyframe: enough to be believed
 RIM_OVERLAP = 0.3  # where motion led: a camera that went on while it was covered sees the model's rim
 SHAPE_OVERLAP = 0.08  # where registration believes the place already, and two frames agree on it
-# A corridor of like doors, a texture of 3 to 9 % of white: 2.5 to 15 times the usual | right ones up to 1.9 times at the
-# rim of a model without texture, there by half a grey value in a hundred.
+# Doors that look alike but for 9 % of white: 15 times the usual | right poses up to 1.9 times, at the rim of a model
+# without texture, by a grey value.
 MOST_SHADES, LEAST_SHADES = 2.0, 0.01  # times the brightness is off beside the usual, and by how much at least
 MOST_MISFIT, LEAST_MISFIT = 2.0, 0.05  # times what does not lie on the surface, and how much more at least
 
