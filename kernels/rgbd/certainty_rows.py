@@ -8,7 +8,7 @@ One thread a source pixel: reads some 60 B, writes nothing; 22 sums leave throug
 """
 
 from ..lang import array, float64, func, reduction, tid, vec4, vector
-from .pyramid import FrameLevels
+from .pyramid import WINDOW_SURFACE, FrameLevels
 from .seen_pixels import (
     REACH_SHARE,
     brightness_row,
@@ -41,6 +41,24 @@ def squares_of(g: row, j: row, h: row, k: row, count: float) -> certainty_sums:
     )  # fmt: skip
 
 
+@func
+def is_inside(at: int, margin: int, level: int, frame: FrameLevels) -> int:
+    """1 where a surface goes on for so many pixels to all four sides."""
+    size = frame.layout[level]
+    e = at - size[2]
+    u = e % size[0]
+    v = e // size[0]
+    inside = 0
+    if u >= margin and v >= margin and u < size[0] - margin and v < size[1] - margin:
+        z = frame.depth[at]
+        away = max(abs(frame.depth[at - margin] - z), abs(frame.depth[at + margin] - z))
+        up = abs(frame.depth[at - margin * size[0]] - z)
+        away = max(away, max(up, abs(frame.depth[at + margin * size[0]] - z)))
+        if away <= WINDOW_SURFACE * z:
+            inside = 1
+    return inside
+
+
 @reduction
 def sum_certainty(
     source: FrameLevels,
@@ -49,9 +67,11 @@ def sum_certainty(
     other: int,
     surface_share: float,
     brightness_share: float,
+    margin: int,
     warps: array(dtype=vec4),
 ) -> certainty_sums:
-    """A source pixel's part; `level` and `other` are those of source and target."""
+    """A source pixel's part; `level` and `other` are those of source and target. Planes within a margin [px] of an edge
+    of their surface do not count: a rendered model is rounded there, and what it hides moves along with a camera."""
     e = tid()
     size = source.layout[level]
     i = size[2] + e
@@ -71,7 +91,8 @@ def sum_certainty(
         if there > 0.0 and abs(p[2] - there) < INLIER_REACH * (noise + REACH_SHARE * p[2]):
             count = 1.0
             plane = target.planes[at]
-            if plane[3] < 0.0:
+            inside = is_inside(at, margin, other, target)
+            if plane[3] < 0.0 and inside == 1:
                 j = surface_row(p, plane)
                 g = j * (surface_share / (noise * noise))
             if source.brightness[i] >= 0.0 and brightness_share > 0.0:

@@ -26,7 +26,7 @@ from .model import Model
 from .results import TrackingResult
 from .submaps import SubmapRecorder
 from .tracker import Attempt, Tracker
-from .verdicts import LEAST_DEPTH, depth_share, is_determined
+from .verdicts import LEAST_DEPTH, depth_share, is_determined, judge_drift
 
 Pose = NDArray[np.float64]
 
@@ -165,7 +165,7 @@ class DenseSLAM:
         if given is not frame:  # the same pictures in another place
             prepared = self.model.prepare(frame)
         result = self.results[-1]
-        if result.pose is None or not result.is_tracked:
+        if result.pose is None or not (result.is_tracked or result.has_drifted):
             return False
         depth, pixels = self.model.fuse(prepared, result.pose)
         if self._recorder is not None:
@@ -173,6 +173,7 @@ class DenseSLAM:
                 record_frame(self._recorder, prepared, depth, pixels, result)
         if self.keyframes.is_new_view(result.pose):
             self.keyframes.add(prepared.pyramid, result.pose, result.index)
+            self._tracker.drift.keep(prepared.pyramid)
         self.results[-1] = dataclasses.replace(result, fused=True)
         return True
 
@@ -263,8 +264,8 @@ class DenseSLAM:
         if is_tracked:
             motion.learn(attempt.result)
         motion.advance(attempt.pose, frame, is_tracked=is_tracked, is_continuous=tells_velocity)
-        said = {**_measures(attempt), **known, "relocalized": is_anew}
-        return TrackingResult(attempt.pose, attempt.verdict, attempt.reason, **said)
+        said = {**_measures(attempt), **known, "relocalized": is_anew, "covariance": attempt.covariance}
+        return judge_drift(TrackingResult(attempt.pose, attempt.verdict, attempt.reason, **said))
 
     def _begin(self, frame: SensorFrame, known: dict[str, Any]) -> TrackingResult:
         """The first frame: where the world begins, once one has depth."""

@@ -21,10 +21,12 @@ from ...registration.rigid import invert_pose, make_pose, nearest_rotation, pose
 from ..odometry.alignment import Method, align_frames, align_steps
 from ..odometry.frames import OdometryFrame
 from ..odometry.results import OdometryResult
+from .drift import Drift
 from .frames import SensorFrame
 from .keyframes import Keyframes
 from .model import Model
 from .places import PlaceSearch
+from .results import Verdict
 from .rivals import APART, find_rivals
 from .verdicts import (
     LEAST_DEPTH,
@@ -67,6 +69,7 @@ class Motion:
         frame: The last tracked frame's pyramid.
         missed: Frames lost since.
         shades: How far the brightness of tracked frames is from the model's, 0..1, a running mean.
+        gap: How far their surface is from the model's [m], likewise.
     """
 
     pose: Pose | None = None
@@ -76,6 +79,7 @@ class Motion:
     frame: OdometryFrame | None = None
     missed: int = 0
     shades: float = math.nan
+    gap: float = math.nan
 
     def expected(self, frame: SensorFrame) -> Pose:
         """Where constant velocity puts the next camera; where it stood, after frames were lost or time jumped."""
@@ -104,7 +108,9 @@ class Motion:
         return most if math.isnan(seconds) else min(most, AIM + HAND / 2 * seconds * seconds)
 
     def learn(self, result: OdometryResult) -> None:
-        """Take a tracked frame's difference in brightness for what is usual."""
+        """Take a tracked frame's differences for what is usual."""
+        before = result.inlier_rmse if math.isnan(self.gap) else self.gap
+        self.gap = (1 - RECENT) * before + RECENT * result.inlier_rmse
         if not math.isnan(result.intensity_rmse):
             before = result.intensity_rmse if math.isnan(self.shades) else self.shades
             self.shades = (1 - RECENT) * before + RECENT * result.intensity_rmse
@@ -130,12 +136,21 @@ class Tracker:
 
     def __init__(self, model: Model, keyframes: Keyframes):
         self.model, self.keyframes, self.motion = model, keyframes, Motion()
+        self.drift = Drift(keyframes)
         self.places, self._tries = PlaceSearch(model, keyframes.seed), 0
         self._proposal: tuple[OdometryFrame, Pose] | None = None
         self._rivals: list[Pose] = []
 
     def locate(self, frame: SensorFrame) -> tuple[Attempt, bool]:
         """The best attempt for a frame, and whether it was found anew, not from the frames before."""
+        attempt, is_anew = self._beaten(frame)
+        if attempt.verdict == "lost":
+            return attempt, is_anew
+        covariance = self.drift.of(frame.pyramid, attempt.pose, attempt.result.covariance)
+        return dataclasses.replace(attempt, covariance=covariance), is_anew
+
+    def _beaten(self, frame: SensorFrame) -> tuple[Attempt, bool]:
+        """As `locate`, where it beats its rivals, without the covariance."""
         attempt, is_anew = self._find(frame)
         if attempt.verdict == "lost":
             self._rivals = []
@@ -273,18 +288,22 @@ class Tracker:
         if found.success or agreement_of(found) > 0.5:
             again = align_frames(frame.pyramid, self.model.seen_from(at))
             moved = again.transformation
-            verdict, reason = judge_recognition(again, least_overlap, self.motion.shades)
+            verdict, reason = self._judge(again, least_overlap)
             if verdict == "tracked" and _apart(moved) > NEAR_AGAIN:
                 verdict, reason = "lost", "it has not settled"
             attempt = Attempt(clean_pose(at @ moved), again, verdict, reason)
             return self._settle(frame, attempt) if verdict == "tracked" else attempt
         return Attempt(at, found, "lost", found.reason)
 
+    def _judge(self, result: OdometryResult, least_overlap: float) -> tuple[Verdict, str]:
+        """The verdict on a recognition, beside what is usual in this run."""
+        return judge_recognition(result, least_overlap, self.motion.shades, self.motion.gap)
+
     def _settle(self, frame: SensorFrame, found: Attempt) -> Attempt:
         """A recognised frame on all of the model: at its rim, seen seldom, it may hold most of what the frame shows."""
         result = align_frames(frame.pyramid, self.model.seen_from(found.pose, weight_threshold=0.0))
         is_near = _apart(result.transformation) < NEAR_AGAIN and result.fitness > found.result.fitness
-        if not is_near or judge_recognition(result, SURE_OVERLAP, self.motion.shades)[0] != "tracked":
+        if not is_near or self._judge(result, SURE_OVERLAP)[0] != "tracked":
             return found
         return Attempt(clean_pose(found.pose @ result.transformation), result, "tracked")
 
