@@ -129,8 +129,8 @@ def align_levels(
     arguments = [source, target, verdict_level, verdict_level + rules.shift, state.warps, state.scales]
     verdict = reduce(sum_verdict, count, arguments)
     shares = [float(rules.surface_share > 0), float(rules.brightness_share > 0)]  # whatever counts determines
-    certainty = reduce(sum_certainty, count, [*arguments[:4], *shares, 0, state.warps])
-    firm = reduce(sum_certainty, count, [*arguments[:4], *shares, EDGE, state.warps])
+    certainty = reduce(sum_certainty, count, [*arguments[:4], *shares, 0, *arguments[4:]])
+    firm = reduce(sum_certainty, count, [*arguments[:4], *shares, EDGE, *arguments[4:]])
     launch(keep_sums_kernel, 1, [verdict, certainty, firm, *(kept.arrays[name] for name in KEPT)])
     found = kept.download("pose", "counts", "scales", "sums", *KEPT)  # sync
     return Alignment(

@@ -7,7 +7,7 @@ left out, and brightness counts no finer than a model of constant brightness hol
 One thread a source pixel: reads some 60 B, writes nothing; 22 sums leave through the reduction.
 """
 
-from ..lang import array, float64, func, reduction, tid, vec4, vector
+from ..lang import array, float32, float64, func, reduction, tid, vec4, vector
 from .pyramid import WINDOW_SURFACE, FrameLevels
 from .seen_pixels import (
     REACH_SHARE,
@@ -23,6 +23,7 @@ from .verdict_rows import INLIER_REACH
 
 certainty_sums = vector(22, float64)  # the upper triangle, then the pixels
 LEAST_SLOPE = 0.015  # of brightness [1 / px]: three grey values in 8 bits, which noise seldom makes of means of 16 px
+ALIKE = 0.1  # share of the brightness that counts by the noise found: its errors are alike from pixel to pixel
 SHADE_NOISE = 0.04  # deviation of brightness between frames of real cameras
 
 
@@ -49,7 +50,9 @@ def is_inside(at: int, margin: int, level: int, frame: FrameLevels) -> int:
     u = e % size[0]
     v = e // size[0]
     inside = 0
-    if u >= margin and v >= margin and u < size[0] - margin and v < size[1] - margin:
+    if margin == 0:
+        inside = 1
+    elif u >= margin and v >= margin and u < size[0] - margin and v < size[1] - margin:
         z = frame.depth[at]
         away = max(abs(frame.depth[at - margin] - z), abs(frame.depth[at + margin] - z))
         up = abs(frame.depth[at - margin * size[0]] - z)
@@ -69,9 +72,11 @@ def sum_certainty(
     brightness_share: float,
     margin: int,
     warps: array(dtype=vec4),
+    scales: array(dtype=float32),
 ) -> certainty_sums:
-    """A source pixel's part; `level` and `other` are those of source and target. Planes within a margin [px] of an edge
-    of their surface do not count: a rendered model is rounded there, and what it hides moves along with a camera."""
+    """A source pixel's part; `level` and `other` are those of source and target. What lies within a margin [px] of an
+    edge of its surface does not count: a rendered model is rounded there, and what it hides moves along with a camera. Where there is a margin, brightness counts by the noise
+    that was found, `scales`."""
     e = tid()
     size = source.layout[level]
     i = size[2] + e
@@ -95,9 +100,12 @@ def sum_certainty(
             if plane[3] < 0.0 and inside == 1:
                 j = surface_row(p, plane)
                 g = j * (surface_share / (noise * noise))
-            if source.brightness[i] >= 0.0 and brightness_share > 0.0:
+            if source.brightness[i] >= 0.0 and brightness_share > 0.0 and inside == 1:
                 look = seen_brightness(u, v, other, target)
                 if look[1] * look[1] + look[2] * look[2] > LEAST_SLOPE * LEAST_SLOPE:
                     k = brightness_row(p, look, other, target)
-                    h = k * (brightness_share / (SHADE_NOISE * SHADE_NOISE))
+                    weight = 1.0 / (SHADE_NOISE * SHADE_NOISE)
+                    if margin > 0:
+                        weight = scales[1] * ALIKE
+                    h = k * (brightness_share * weight)
     return squares_of(g, j, h, k, count)

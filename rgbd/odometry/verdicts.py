@@ -26,7 +26,6 @@ FEWEST = 12  # inliers
 IMITATED = 0.004  # of an eigenvalue: what noise and rounded edges make of walls without texture
 LEAST_KEPT = 1e-4  # of it, so that a covariance is finite: a meter and more
 LEAST_EXCESS = 0.1  # of the noise that was found: means of many pixels are never as exact as their number says
-ROUNDED = 0.02  # [m] that a silhouette is off by in a model: a voxel
 SHARED = 25.0  # pixels of a plane's window, whose errors are one
 SHADED = 0.3  # share of the inliers that must have brightness for it to count
 SHIFT = 0.01  # [m] what an eigenvalue is the price of: a pixel's mean square, in variances of the noise
@@ -55,7 +54,7 @@ def judge(found: Alignment, source: OdometryFrame, level: int) -> OdometryResult
         smallest_eigenvalue=smallest,
         iterations=found.steps,
         contradiction=_contradiction(v),
-        covariance=covariance_of(found.certainty, found.firm, v),
+        covariance=covariance_of(found.firm, v),
     )
 
 
@@ -102,13 +101,11 @@ def smallest_eigenvalue(sums: NDArray[np.float64], v: NDArray[np.float64]) -> fl
     return float(values[0] * SHIFT * SHIFT)
 
 
-def covariance_of(
-    certainty: NDArray[np.float64], firm: NDArray[np.float64], v: NDArray[np.float64]
-) -> NDArray[np.float64]:
+def covariance_of(firm: NDArray[np.float64], v: NDArray[np.float64]) -> NDArray[np.float64]:
     """Of the motion about the target's camera, rotation first; infinite where pixels are too few.
 
     The inverse of the normal equations without what lies at edges, less what noise imitates, times the noise that was
-    found and what neighbours have in common. What edges alone determine is off as a model rounds them.
+    found and what neighbours have in common.
     """
     n = v[at.INLIERS]
     if n < FEWEST or not v[at.PLANES]:
@@ -116,12 +113,10 @@ def covariance_of(
     b = _about_middle(v)
     values, vectors = np.linalg.eigh(b.T @ _symmetric(firm) @ b)
     unit = n / SHIFT**2
+    kept = np.maximum(values - IMITATED * unit, LEAST_KEPT * unit)
     noise = SHARED * max(v[at.EXCESS] / v[at.PLANES], LEAST_EXCESS)
-    variances = noise / np.maximum(values - IMITATED * unit, LEAST_KEPT * unit)
-    by_edges = np.einsum("ik,ij,jk->k", vectors, b.T @ _symmetric(certainty) @ b, vectors) > 2 * IMITATED * unit
-    variances = np.where(by_edges, np.minimum(variances, ROUNDED**2), variances)
     spread = b @ vectors
-    return (spread * variances) @ spread.T
+    return noise * (spread / kept) @ spread.T
 
 
 def _symmetric(sums: NDArray[np.float64]) -> NDArray[np.float64]:
