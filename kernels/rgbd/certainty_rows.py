@@ -7,10 +7,11 @@ left out, and brightness counts no finer than a model of constant brightness hol
 One thread a source pixel: reads some 60 B, writes nothing; 22 sums leave through the reduction.
 """
 
-from ..lang import array, float32, float64, func, reduction, tid, vec4, vector
-from .pyramid import WINDOW_SURFACE, FrameLevels
+from ..lang import array, dot, float32, float64, func, reduction, tid, vec3, vec4, vector
+from .pyramid import FrameLevels
 from .seen_pixels import (
     REACH_SHARE,
+    axis,
     brightness_row,
     depth_noise,
     moved_point,
@@ -23,6 +24,7 @@ from .verdict_rows import INLIER_REACH
 
 certainty_sums = vector(22, float64)  # the upper triangle, then the pixels
 LEAST_SLOPE = 0.015  # of brightness [1 / px]: three grey values in 8 bits, which noise seldom makes of means of 16 px
+EDGE_STEP = 0.03  # share of the depth that a surface may leave its plane by beside an edge's step
 ALIKE = 0.1  # share of the brightness that counts by the noise found: its errors are alike from pixel to pixel
 SHADE_NOISE = 0.04  # deviation of brightness between frames of real cameras
 
@@ -43,9 +45,18 @@ def squares_of(g: row, j: row, h: row, k: row, count: float) -> certainty_sums:
 
 
 @func
+def leaves_plane(at: int, u: int, v: int, plane: vec4, lens: vec4, frame: FrameLevels) -> float:
+    """How far the surface at a pixel lies from a plane [m]; as far as the camera where there is none."""
+    z = frame.depth[at]
+    p = vec3((float(u) - lens[2]) / lens[0], (float(v) - lens[3]) / lens[1], 1.0) * z
+    return abs(dot(axis(plane), p) - plane[3])
+
+
+@func
 def is_inside(at: int, margin: int, level: int, frame: FrameLevels) -> int:
-    """1 where a surface goes on for so many pixels to all four sides."""
+    """1 where a surface goes on in its plane, about, for so many pixels to all four sides."""
     size = frame.layout[level]
+    lens = frame.lenses[level]
     e = at - size[2]
     u = e % size[0]
     v = e // size[0]
@@ -53,12 +64,14 @@ def is_inside(at: int, margin: int, level: int, frame: FrameLevels) -> int:
     if margin == 0:
         inside = 1
     elif u >= margin and v >= margin and u < size[0] - margin and v < size[1] - margin:
-        z = frame.depth[at]
-        away = max(abs(frame.depth[at - margin] - z), abs(frame.depth[at + margin] - z))
-        up = abs(frame.depth[at - margin * size[0]] - z)
-        away = max(away, max(up, abs(frame.depth[at + margin * size[0]] - z)))
-        if away <= WINDOW_SURFACE * z:
-            inside = 1
+        plane = frame.planes[at]
+        if plane[3] < 0.0:
+            left = leaves_plane(at - margin, u - margin, v, plane, lens, frame)
+            right = leaves_plane(at + margin, u + margin, v, plane, lens, frame)
+            above = leaves_plane(at - margin * size[0], u, v - margin, plane, lens, frame)
+            below = leaves_plane(at + margin * size[0], u, v + margin, plane, lens, frame)
+            if max(max(left, right), max(above, below)) < EDGE_STEP * frame.depth[at]:
+                inside = 1
     return inside
 
 
