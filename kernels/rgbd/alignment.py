@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from .pyramid import FrameLevels
 
 KEPT = ("verdict", "certainty", "firm")
-EDGE = 3  # [px] from an edge of a surface: the window of a plane, and one more that a model rounds
+EDGE = 27.0  # a share of the columns, 3 px of 80, from an edge of a surface: the window of a plane and what is rounded
 
 
 @kernel
@@ -129,8 +129,9 @@ def align_levels(
     arguments = [source, target, verdict_level, verdict_level + rules.shift, state.warps, state.scales]
     verdict = reduce(sum_verdict, count, arguments)
     shares = [float(rules.surface_share > 0), float(rules.brightness_share > 0)]  # whatever counts determines
+    edge = max(1, round(float(source.sizes[verdict_level, 0]) / EDGE))
     certainty = reduce(sum_certainty, count, [*arguments[:4], *shares, 0, *arguments[4:]])
-    firm = reduce(sum_certainty, count, [*arguments[:4], *shares, EDGE, *arguments[4:]])
+    firm = reduce(sum_certainty, count, [*arguments[:4], *shares, edge, *arguments[4:]])
     launch(keep_sums_kernel, 1, [verdict, certainty, firm, *(kept.arrays[name] for name in KEPT)])
     found = kept.download("pose", "counts", "scales", "sums", *KEPT)  # sync
     return Alignment(

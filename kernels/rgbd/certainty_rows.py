@@ -87,9 +87,11 @@ def sum_certainty(
     warps: array(dtype=vec4),
     scales: array(dtype=float32),
 ) -> certainty_sums:
-    """A source pixel's part; `level` and `other` are those of source and target. What lies within a margin [px] of an
-    edge of its surface does not count: a rendered model is rounded there, and what it hides moves along with a camera. Where there is a margin, brightness counts by the noise
-    that was found, `scales`."""
+    """A source pixel's part; `level` and `other` are those of source and target.
+
+    What lies within a margin [px] of an edge of its surface does not count: a rendered model is rounded there, and what
+    hides something moves along with a camera. Where there is a margin, brightness counts by the noise found, `scales`.
+    """
     e = tid()
     size = source.layout[level]
     i = size[2] + e
