@@ -85,10 +85,7 @@ def test_a_frame_without_depth_has_no_rivals(device):
     assert find_rivals(slam.model, slam.model.prepare(hole).pyramid, np.eye(4)) == []
 
 
-@pytest.mark.parametrize(
-    ("usual", "verdict"),
-    [(0.01, "lost"), (0.03, "tracked"), (float("nan"), "tracked")],
-)
+@pytest.mark.parametrize(("usual", "verdict"), [(0.01, "lost"), (0.03, "tracked"), (float("nan"), "tracked")])
 def test_a_recognition_whose_brightness_is_far_off_the_usual_is_refused(usual, verdict):
     found, reason = judge_recognition(dataclasses.replace(GOOD, intensity_rmse=0.05), SURE_OVERLAP, usual)
     assert found == verdict and ("brightness" in reason) == (verdict == "lost")
