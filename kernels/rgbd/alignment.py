@@ -22,18 +22,24 @@ from .verdict_rows import sum_verdict, verdict_sums
 if TYPE_CHECKING:
     from .pyramid import FrameLevels
 
+KEPT = ("verdict", "certainty", "firm")
+EDGE = 27.0  # a share of the columns, 3 px of 80, from an edge of a surface: the window of a plane and what is rounded
+
 
 @kernel
 def keep_sums_kernel(
     verdict: array(dtype=verdict_sums),
     certainty: array(dtype=certainty_sums),
+    firm: array(dtype=certainty_sums),
     kept_verdict: array(dtype=verdict_sums),
     kept_certainty: array(dtype=certainty_sums),
+    kept_firm: array(dtype=certainty_sums),
 ):
-    """Put both beside the pose, so that all is read in one wait. One thread."""
+    """Put them beside the pose, so that all is read in one wait. One thread."""
     i = tid()
     kept_verdict[i] = verdict[i]
     kept_certainty[i] = certainty[i]
+    kept_firm[i] = firm[i]
 
 
 @dataclasses.dataclass
@@ -47,6 +53,7 @@ class Alignment:
         sums: The row_sums of the last step.
         verdict: The verdict_sums of the source in the target.
         certainty: The certainty_sums under the pose.
+        firm: The same without what lies at the edges of surfaces.
     """
 
     pose: np.ndarray
@@ -55,6 +62,7 @@ class Alignment:
     sums: np.ndarray
     verdict: np.ndarray
     certainty: np.ndarray
+    firm: np.ndarray
 
 
 def make_state(
@@ -78,6 +86,7 @@ def make_state(
             "warps": (np.zeros((3, 4)), vec4),
             "verdict": (np.zeros((1, len(verdict_sums(0.0)))), verdict_sums),
             "certainty": (np.zeros((1, len(certainty_sums(0.0)))), certainty_sums),
+            "firm": (np.zeros((1, len(certainty_sums(0.0)))), certainty_sums),
         },
         source.device,
     )
@@ -120,9 +129,11 @@ def align_levels(
     arguments = [source, target, verdict_level, verdict_level + rules.shift, state.warps, state.scales]
     verdict = reduce(sum_verdict, count, arguments)
     shares = [float(rules.surface_share > 0), float(rules.brightness_share > 0)]  # whatever counts determines
-    certainty = reduce(sum_certainty, count, [*arguments[:4], *shares, state.warps])
-    launch(keep_sums_kernel, 1, [verdict, certainty, kept.arrays["verdict"], kept.arrays["certainty"]])
-    found = kept.download("pose", "counts", "scales", "sums", "verdict", "certainty")  # sync
+    edge = max(1, round(float(source.sizes[verdict_level, 0]) / EDGE))
+    certainty = reduce(sum_certainty, count, [*arguments[:4], *shares, 0, *arguments[4:]])
+    firm = reduce(sum_certainty, count, [*arguments[:4], *shares, edge, *arguments[4:]])
+    launch(keep_sums_kernel, 1, [verdict, certainty, firm, *(kept.arrays[name] for name in KEPT)])
+    found = kept.download("pose", "counts", "scales", "sums", *KEPT)  # sync
     return Alignment(
         found["pose"][0].copy(),
         int(found["counts"][2]),
@@ -130,4 +141,5 @@ def align_levels(
         found["sums"][rules.first_level].copy(),
         found["verdict"][0].copy(),
         found["certainty"][0].copy(),
+        found["firm"][0].copy(),
     )

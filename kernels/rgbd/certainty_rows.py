@@ -7,10 +7,11 @@ left out, and brightness counts no finer than a model of constant brightness hol
 One thread a source pixel: reads some 60 B, writes nothing; 22 sums leave through the reduction.
 """
 
-from ..lang import array, float64, func, reduction, tid, vec4, vector
+from ..lang import array, dot, float32, float64, func, reduction, tid, vec3, vec4, vector
 from .pyramid import FrameLevels
 from .seen_pixels import (
     REACH_SHARE,
+    axis,
     brightness_row,
     depth_noise,
     moved_point,
@@ -23,6 +24,8 @@ from .verdict_rows import INLIER_REACH
 
 certainty_sums = vector(22, float64)  # the upper triangle, then the pixels
 LEAST_SLOPE = 0.015  # of brightness [1 / px]: three grey values in 8 bits, which noise seldom makes of means of 16 px
+EDGE_STEP = 0.03  # share of the depth that a surface may leave its plane by beside an edge's step
+ALIKE = 0.1  # share of the brightness that counts by the noise found: its errors are alike from pixel to pixel
 SHADE_NOISE = 0.04  # deviation of brightness between frames of real cameras
 
 
@@ -41,6 +44,37 @@ def squares_of(g: row, j: row, h: row, k: row, count: float) -> certainty_sums:
     )  # fmt: skip
 
 
+@func
+def leaves_plane(at: int, u: int, v: int, plane: vec4, lens: vec4, frame: FrameLevels) -> float:
+    """How far the surface at a pixel lies from a plane [m]; as far as the camera where there is none."""
+    z = frame.depth[at]
+    p = vec3((float(u) - lens[2]) / lens[0], (float(v) - lens[3]) / lens[1], 1.0) * z
+    return abs(dot(axis(plane), p) - plane[3])
+
+
+@func
+def is_inside(at: int, margin: int, level: int, frame: FrameLevels) -> int:
+    """1 where a surface goes on in its plane, about, for so many pixels to all four sides."""
+    size = frame.layout[level]
+    lens = frame.lenses[level]
+    e = at - size[2]
+    u = e % size[0]
+    v = e // size[0]
+    inside = 0
+    if margin == 0:
+        inside = 1
+    elif u >= margin and v >= margin and u < size[0] - margin and v < size[1] - margin:
+        plane = frame.planes[at]
+        if plane[3] < 0.0:
+            left = leaves_plane(at - margin, u - margin, v, plane, lens, frame)
+            right = leaves_plane(at + margin, u + margin, v, plane, lens, frame)
+            above = leaves_plane(at - margin * size[0], u, v - margin, plane, lens, frame)
+            below = leaves_plane(at + margin * size[0], u, v + margin, plane, lens, frame)
+            if max(max(left, right), max(above, below)) < EDGE_STEP * frame.depth[at]:
+                inside = 1
+    return inside
+
+
 @reduction
 def sum_certainty(
     source: FrameLevels,
@@ -49,9 +83,15 @@ def sum_certainty(
     other: int,
     surface_share: float,
     brightness_share: float,
+    margin: int,
     warps: array(dtype=vec4),
+    scales: array(dtype=float32),
 ) -> certainty_sums:
-    """A source pixel's part; `level` and `other` are those of source and target."""
+    """A source pixel's part; `level` and `other` are those of source and target.
+
+    What lies within a margin [px] of an edge of its surface does not count: a rendered model is rounded there, and what
+    hides something moves along with a camera. Where there is a margin, brightness counts by the noise found, `scales`.
+    """
     e = tid()
     size = source.layout[level]
     i = size[2] + e
@@ -71,12 +111,16 @@ def sum_certainty(
         if there > 0.0 and abs(p[2] - there) < INLIER_REACH * (noise + REACH_SHARE * p[2]):
             count = 1.0
             plane = target.planes[at]
-            if plane[3] < 0.0:
+            inside = is_inside(at, margin, other, target)
+            if plane[3] < 0.0 and inside == 1:
                 j = surface_row(p, plane)
                 g = j * (surface_share / (noise * noise))
-            if source.brightness[i] >= 0.0 and brightness_share > 0.0:
+            if source.brightness[i] >= 0.0 and brightness_share > 0.0 and inside == 1:
                 look = seen_brightness(u, v, other, target)
                 if look[1] * look[1] + look[2] * look[2] > LEAST_SLOPE * LEAST_SLOPE:
                     k = brightness_row(p, look, other, target)
-                    h = k * (brightness_share / (SHADE_NOISE * SHADE_NOISE))
+                    weight = 1.0 / (SHADE_NOISE * SHADE_NOISE)
+                    if margin > 0:
+                        weight = scales[1] * ALIKE
+                    h = k * (brightness_share * weight)
     return squares_of(g, j, h, k, count)

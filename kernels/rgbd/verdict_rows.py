@@ -18,8 +18,8 @@ POINTS = 17  # sums of the inliers' target points, then of their products above 
 PLANES, EXCESS = 26, 27  # pixels with a plane, and sum of their squares in variances of the noise, each bounded
 verdict_sums = vector(28, float64)
 verdict_row = vector(28, float32)
-MOST_EXCESS = 100.0
 INLIER_REACH = 4.0  # deviations of the noise
+MOST_EXCESS = 16.0  # of a pixel, that reach squared: few pixels of thin things, whose model is off, outweigh no table
 AGREEMENT = 0.8  # cosine between normals of one surface
 
 

@@ -31,6 +31,8 @@ class OdometryResult:
         contradiction: What the pixels that lie on the target's surface say against the motion by their normals, their
             distances or their brightness; empty where nothing. Somebody who stands in front of a scene hides pixels,
             but does not change what the others say.
+        covariance: Of the motion about the target's camera, rotation first [rad, m], float64 [6, 6]: how far it may be
+            off by noise. It holds where nothing speaks against the motion.
     """
 
     success: bool
@@ -45,6 +47,7 @@ class OdometryResult:
     smallest_eigenvalue: float = 0.0
     iterations: int = 0
     contradiction: str = ""
+    covariance: NDArray[np.float64] = dataclasses.field(default_factory=lambda: np.zeros((6, 6)))
 
     def __iter__(self) -> Iterator[Any]:
         return iter((self.success, self.transformation, self.information))

@@ -19,9 +19,14 @@ LEAST_OVERLAP = 0.25  # of the source's pixels meet depth in the target: less te
 LEAST_INLIERS = 0.6  # of these lie on its surface: 0.69 and more | half of them below 0.35
 MOST_IN_FRONT = 0.1  # of these lie where the target looked through: up to 0.04 | half of them above 0.28
 LEAST_AGREEMENT = 0.87  # of the normals agree: 0.93 and more | half of them below 0.3, one passed all else with 0.79
-MOST_EXCESS = 8.0  # times as much as noise explains, squared: up to 4.2 | nearly all above 20
+MOST_EXCESS = 5.5  # times as much as noise explains, squared, 16 at most a pixel: up to 4.8 | all but 2 % above
 LEAST_CORRELATION = 0.3  # of the brightness: 0.65 and more | nearly all below 0.57
 LEAST_EIGENVALUE = 0.015  # 0.07 and more | walls without texture 0.004 and less
+FEWEST = 12  # inliers
+IMITATED = 0.004  # of an eigenvalue: what noise and rounded edges make of walls without texture
+LEAST_KEPT = 1e-4  # of it, so that a covariance is finite: a meter and more
+LEAST_EXCESS = 0.1  # of the noise that was found: means of many pixels are never as exact as their number says
+SHARED = 25.0  # pixels of a plane's window, whose errors are one
 SHADED = 0.3  # share of the inliers that must have brightness for it to count
 SHIFT = 0.01  # [m] what an eigenvalue is the price of: a pixel's mean square, in variances of the noise
 
@@ -49,6 +54,7 @@ def judge(found: Alignment, source: OdometryFrame, level: int) -> OdometryResult
         smallest_eigenvalue=smallest,
         iterations=found.steps,
         contradiction=_contradiction(v),
+        covariance=covariance_of(found.firm, v),
     )
 
 
@@ -88,15 +94,42 @@ def correlation(v: NDArray[np.float64]) -> float:
 
 def smallest_eigenvalue(sums: NDArray[np.float64], v: NDArray[np.float64]) -> float:
     """Of the normal equations about the middle of the points, rotations in units of their spread, as a share."""
-    n = v[at.INLIERS]
-    if n < 12:
+    if v[at.INLIERS] < FEWEST:
         return 0.0
+    b = _about_middle(v)
+    values = np.linalg.eigvalsh(b.T @ _symmetric(sums) @ b) / v[at.INLIERS]
+    return float(values[0] * SHIFT * SHIFT)
+
+
+def covariance_of(firm: NDArray[np.float64], v: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Of the motion about the target's camera, rotation first; infinite where pixels are too few.
+
+    The inverse of the normal equations without what lies at edges, less what noise imitates, times the noise that was
+    found and what neighbours have in common.
+    """
+    n = v[at.INLIERS]
+    if n < FEWEST or not v[at.PLANES]:
+        return np.full((6, 6), np.inf)
+    b = _about_middle(v)
+    values, vectors = np.linalg.eigh(b.T @ _symmetric(firm) @ b)
+    unit = n / SHIFT**2
+    kept = np.maximum(values - IMITATED * unit, LEAST_KEPT * unit)
+    noise = SHARED * max(v[at.EXCESS] / v[at.PLANES], LEAST_EXCESS)
+    spread = b @ vectors
+    return noise * (spread / kept) @ spread.T
+
+
+def _symmetric(sums: NDArray[np.float64]) -> NDArray[np.float64]:
+    """The 6x6 matrix whose upper triangle the sums begin with."""
     h = np.zeros((6, 6))
     h[np.triu_indices(6)] = sums[:21]
-    h = h + np.triu(h, 1).T
+    return h + np.triu(h, 1).T
+
+
+def _about_middle(v: NDArray[np.float64]) -> NDArray[np.float64]:
+    """From a motion about the middle of the inliers, rotations in units of their spread, to one about the camera."""
+    n = v[at.INLIERS]
     c = v[at.POINTS : at.POINTS + 3] / n
     spread = np.sqrt(max((v[at.POINTS + 3] + v[at.POINTS + 6] + v[at.POINTS + 8]) / n - c @ c, 1e-12))
     cross = np.array([[0, -c[2], c[1]], [c[2], 0, -c[0]], [-c[1], c[0], 0]])
-    b = np.block([[np.eye(3) / spread, np.zeros((3, 3))], [cross / spread, np.eye(3)]])
-    values = np.linalg.eigvalsh(b.T @ h @ b) / n
-    return float(values[0] * SHIFT * SHIFT)
+    return np.block([[np.eye(3) / spread, np.zeros((3, 3))], [cross / spread, np.eye(3)]])

@@ -28,7 +28,7 @@ from .results import TrackingResult
 from .stream_check import STALE, StreamCheck
 from .submaps import SubmapRecorder
 from .tracker import Attempt, Tracker, clean_pose
-from .verdicts import LEAST_DEPTH, depth_share, is_determined
+from .verdicts import LEAST_DEPTH, depth_share, is_determined, judge_drift
 
 Pose = NDArray[np.float64]
 
@@ -168,7 +168,7 @@ class DenseSLAM:
         if given is not frame:  # the same pictures in another place
             prepared = self.model.prepare(frame)
         result = self.results[-1]
-        if result.pose is None or not result.is_tracked:
+        if result.pose is None or not (result.is_tracked or result.has_drifted):
             return False
         depth, pixels = self.model.fuse(prepared, result.pose)
         if self._recorder is not None:
@@ -176,6 +176,7 @@ class DenseSLAM:
                 record_frame(self._recorder, prepared, depth, pixels, result)
         if self.keyframes.is_new_view(result.pose):
             self.keyframes.add(prepared.pyramid, result.pose, result.index)
+            self._tracker.drift.keep(prepared.pyramid)
         self.results[-1] = dataclasses.replace(result, fused=True)
         return True
 
@@ -279,8 +280,8 @@ class DenseSLAM:
         if is_tracked:
             motion.learn(attempt.result)
         motion.advance(attempt.pose, frame, is_tracked=is_tracked, is_continuous=tells_velocity)
-        said = {**_measures(attempt), **known, "relocalized": is_anew}
-        return TrackingResult(attempt.pose, attempt.verdict, attempt.reason, **said)
+        said = {**_measures(attempt), **known, "relocalized": is_anew, "covariance": attempt.covariance}
+        return judge_drift(TrackingResult(attempt.pose, attempt.verdict, attempt.reason, **said))
 
     def _begins_anew(self, frame: SensorFrame) -> bool:
         """Whether the near part of the pictures is found to move by itself while the model, which holds it, is young.

@@ -17,7 +17,8 @@ class TrackingResult:
 
     Attributes:
         pose: T_world_camera, float64 [4, 4] [m]; None for a lost frame.
-        verdict: "tracked", "uncertain" (a pose that the model speaks for, not firmly: nothing is fused there), "lost".
+        verdict: "tracked", "uncertain" (a pose that the model speaks for, not firmly: nothing is fused there, but where
+            `has_drifted`), "lost".
         reason: Why it is not tracked; empty where it is.
         fitness: Share of the frame's pixels with depth that lie on the model's surface.
         overlap: Share of the frame's pixels with depth for which the model shows depth.
@@ -31,6 +32,10 @@ class TrackingResult:
         name: The frame's name, where it has one.
         timestamp: The frame's time [s], where it has one.
         fused: Whether the frame went into the model.
+        covariance: Of the pose about the camera, in the world's directions, rotation first [rad, m], float64 [6, 6]:
+            what was open on the way from the first frame adds up, until the camera sees what is surer. Zero for the
+            first frame and lost ones.
+        has_drifted: Whether that is the only doubt: the frame lies on the model, and is fused.
     """
 
     pose: NDArray[np.float64] | None
@@ -47,8 +52,15 @@ class TrackingResult:
     name: str = ""
     timestamp: float | None = None
     fused: bool = False
+    covariance: NDArray[np.float64] = dataclasses.field(default_factory=lambda: np.zeros((6, 6)))
+    has_drifted: bool = False
 
     @property
     def is_tracked(self) -> bool:
         """Whether the pose is to be believed."""
         return self.verdict == "tracked"
+
+    @property
+    def position_deviation(self) -> float:
+        """The standard deviation of the position along its most open direction [m]."""
+        return float(np.sqrt(max(np.linalg.eigvalsh(self.covariance[3:, 3:])[-1], 0.0)))

@@ -44,6 +44,9 @@ class TrackedPath:
         doubt: The first reason of an uncertain frame; empty where none is.
         stream: What is wrong with the camera's pictures of colour and depth, one against the other; None where nothing
             is known to be.
+        deviations: Standard deviation [m] of the position of each placed frame along its most open direction, by what
+            the frames on the way left open and by noise.
+        drifted: Frames whose position is open by too much for a pose to be believed; they are among the uncertain.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -70,6 +73,8 @@ class TrackedPath:
     device: str
     doubt: str = ""
     stream: str | None = None
+    deviations: tuple[float, ...] = ()
+    drifted: tuple[int, ...] = ()
 
     def __str__(self) -> str:
         return in_columns([*self.fields(), ("model", f"voxels of {self.voxel_size * 1000:g} mm")])
@@ -89,7 +94,12 @@ class TrackedPath:
             reasons.append(
                 f"{len(lost)} of {count} frames were lost ({some_frames(list(lost))}) and are left out: {first}"
             )
-        if len(self.uncertain) > MANY_UNCERTAIN * count:
+        if drifted := self.drifted:
+            reasons.append(
+                f"{len(drifted)} of {count} positions are open by up to {max(self.deviations):.2f} m, which adds up on "
+                f"the way ({some_frames(drifted)})"
+            )
+        if len(self.uncertain) - len(drifted) > MANY_UNCERTAIN * count:
             which = f"{len(self.uncertain)} of {count} poses are uncertain ({some_frames(self.uncertain)})"
             reasons.append(f"{which}: {self.doubt}" if self.doubt and self.doubt != self.stream else which)
         if unreadable := self.unreadable:
@@ -114,6 +124,8 @@ class TrackedPath:
             "uncertain": list(self.uncertain),
             "doubt": self.doubt,
             "stream": self.stream,
+            "drifted": list(self.drifted),
+            "position_deviation_m": max(self.deviations, default=None),
             "lost": [{"frame": number, "reason": reason} for number, reason in self.lost.items()],
             "unreadable": [{"frame": number, "reason": reason} for number, reason in self.unreadable.items()],
             "depth_share": self.depth_share,
@@ -135,6 +147,8 @@ class TrackedPath:
         for name, numbers in (("lost", self.lost), ("unreadable", self.unreadable), ("uncertain", self.uncertain)):
             if numbers:
                 fields.append((name, f"{len(numbers)}: {some_frames(list(numbers))}"))
+        if self.deviations:
+            fields.append(("sure to", f"{max(self.deviations) * 1000:.0f} mm at worst (standard deviation)"))
         if self.residuals:
             residual, fitness = float(np.median(self.residuals)), float(np.median(self.fitness))
             fit = f"{residual * 1000:.1f} mm off the model, {format_share(fitness)} of the depth on it"

@@ -21,12 +21,17 @@ from ...registration.rigid import invert_pose, make_pose, nearest_rotation, pose
 from ..odometry.alignment import Method, align_frames, align_steps
 from ..odometry.frames import OdometryFrame
 from ..odometry.results import OdometryResult
+from .drift import Drift
 from .frames import SensorFrame
 from .keyframes import Keyframes
 from .model import Model
 from .places import PlaceSearch
+from .results import Verdict
+from .rivals import APART, find_rivals
 from .verdicts import (
     LEAST_DEPTH,
+    MOST_SHIFT,
+    RIM_OVERLAP,
     SURE_OVERLAP,
     Attempt,
     agreement_of,
@@ -34,6 +39,7 @@ from .verdicts import (
     judge_recognition,
     judge_tracking,
     lies_on_model,
+    speaks_against,
 )
 
 Pose = NDArray[np.float64]
@@ -47,6 +53,7 @@ RECENT = 0.1  # weight of the latest frame in what is usual
 NEAR_AGAIN = 0.05  # [m], [rad] a second alignment from a recognised pose may move it
 PLACE_OFF = 0.15  # and from one that was found by shape, in voxels of some centimetres
 AGREED = 0.06  # [m], [rad] that two frames found by shape may differ by from the motion between them
+HAND, AIM = 10.0, 0.05  # [m/s^2] a hand moves a camera at most, [m] beside it: how far off its velocity may have led
 NOTHING = OdometryResult(False, np.eye(4), np.zeros((6, 6)))
 
 
@@ -62,6 +69,7 @@ class Motion:
         frame: The last tracked frame's pyramid.
         missed: Frames lost since.
         shades: How far the brightness of tracked frames is from the model's, 0..1, a running mean.
+        gap: How far their surface is from the model's [m], likewise.
     """
 
     pose: Pose | None = None
@@ -71,6 +79,7 @@ class Motion:
     frame: OdometryFrame | None = None
     missed: int = 0
     shades: float = math.nan
+    gap: float = math.nan
 
     def expected(self, frame: SensorFrame) -> Pose:
         """Where constant velocity puts the next camera; where it stood, after frames were lost or time jumped."""
@@ -93,8 +102,15 @@ class Motion:
         pose, twist = self.pose, np.concatenate([turn, shift])
         return [pose @ pose_of(share * (self.missed + 1) * twist) for share in (1.0, 0.5)]
 
+    def reach(self, frame: SensorFrame) -> float:
+        """How far the camera may be from where it stood, or its velocity led, by now [m]."""
+        most, seconds = MOST_SHIFT * (self.missed + 1), frame.seconds_since(self.time)
+        return most if math.isnan(seconds) else min(most, AIM + HAND / 2 * seconds * seconds)
+
     def learn(self, result: OdometryResult) -> None:
-        """Take a tracked frame's difference in brightness for what is usual."""
+        """Take a tracked frame's differences for what is usual."""
+        before = result.inlier_rmse if math.isnan(self.gap) else self.gap
+        self.gap = (1 - RECENT) * before + RECENT * result.inlier_rmse
         if not math.isnan(result.intensity_rmse):
             before = result.intensity_rmse if math.isnan(self.shades) else self.shades
             self.shades = (1 - RECENT) * before + RECENT * result.intensity_rmse
@@ -120,11 +136,33 @@ class Tracker:
 
     def __init__(self, model: Model, keyframes: Keyframes):
         self.model, self.keyframes, self.motion = model, keyframes, Motion()
+        self.drift = Drift(keyframes)
         self.places, self._tries = PlaceSearch(model, keyframes.seed), 0
         self._proposal: tuple[OdometryFrame, Pose] | None = None
+        self._rivals: list[Pose] = []
 
     def locate(self, frame: SensorFrame) -> tuple[Attempt, bool]:
         """The best attempt for a frame, and whether it was found anew, not from the frames before."""
+        attempt, is_anew = self._beaten(frame)
+        if attempt.verdict == "lost":
+            return attempt, is_anew
+        covariance = self.drift.of(frame.pyramid, attempt.pose, attempt.result.covariance)
+        return dataclasses.replace(attempt, covariance=covariance), is_anew
+
+    def _beaten(self, frame: SensorFrame) -> tuple[Attempt, bool]:
+        """As `locate`, where it beats its rivals, without the covariance."""
+        attempt, is_anew = self._find(frame)
+        if attempt.verdict == "lost":
+            self._rivals = []
+            return attempt, is_anew
+        if not is_anew and not self._rivals:
+            return attempt, False
+        starts = self._rival_starts(frame, attempt.pose) if is_anew else [T @ attempt.pose for T in self._rivals]
+        best = self._beat_rivals(frame, attempt, starts, is_anew)
+        return best, is_anew or best.pose is not attempt.pose
+
+    def _find(self, frame: SensorFrame) -> tuple[Attempt, bool]:
+        """The best attempt for a frame, whatever its rivals, and whether it was found anew."""
         still = self._follow_still(frame)
         if still is not None:
             self._tries = 0
@@ -159,15 +197,45 @@ class Tracker:
     def _recognitions(self, frame: SensorFrame) -> Iterator[Attempt]:
         """A lost frame tried where it may be, until it is found."""
         assert self.motion.pose is not None
-        places = [self.motion.pose, *self.motion.ahead()]
-        places += [self.keyframes.poses[index] for index, _ in self.keyframes.recognize(frame.pyramid, CANDIDATES)]
-        for place in places:
-            attempt = self._recognize(frame, place, SURE_OVERLAP)
+        places = [(self.motion.pose, SURE_OVERLAP), *((ahead, RIM_OVERLAP) for ahead in self.motion.ahead())]
+        alike = self.keyframes.recognize(frame.pyramid, CANDIDATES)
+        places += [(self.keyframes.poses[index], SURE_OVERLAP) for index, _ in alike]
+        for place, overlap in places:
+            attempt = self._recognize(frame, place, overlap)
             yield attempt
             if attempt.verdict == "tracked":
                 return
         if self._proposal is not None or self.places.is_due(self._tries):
             yield self._place(frame)
+
+    def _rival_starts(self, frame: SensorFrame, pose: Pose) -> list[Pose]:
+        """Where else a frame that was found anew may have been taken, if it could have come there."""
+        assert self.motion.pose is not None
+        led, reach = [self.motion.pose, *self.motion.ahead()], self.motion.reach(frame)
+        starts = [*led, *find_rivals(self.model, frame.pyramid, pose)]
+        if _way(pose, led) > reach:  # it was carried there while nothing was seen: it may be anywhere
+            return starts
+        return [start for start in starts if _way(start, led) <= reach]
+
+    def _beat_rivals(self, frame: SensorFrame, found: Attempt, starts: list[Pose], is_anew: bool) -> Attempt:
+        """A found frame tried at poses that look like its own: the one that explains it best, in doubt where another
+        explains it as well. What shows nothing of the model speaks neither for nor against a rival."""
+        tried = [found]
+        for start in starts:
+            rival = self._recognize(frame, start, RIM_OVERLAP)
+            is_seen = rival.result.overlap >= RIM_OVERLAP
+            if (is_seen or not is_anew) and all(_way(rival.pose, [other.pose]) > APART for other in tried):
+                tried.append(rival if is_seen else dataclasses.replace(rival, pose=start))
+        best = found
+        for rival in tried[1:]:
+            if rival.verdict == "tracked" and speaks_against(best.result, rival.result):
+                best = rival
+        alike = [rival for rival in tried if rival is not best and not speaks_against(rival.result, best.result)]
+        self._rivals = [rival.pose @ invert_pose(best.pose) for rival in alike]
+        if not alike:
+            return best
+        off = min(_way(rival.pose, [best.pose]) for rival in alike)
+        return dataclasses.replace(best, verdict="uncertain", reason=f"it fits as well {off:.2f} m away")
 
     def _place(self, frame: SensorFrame) -> Attempt:
         """A lost frame found by its shape; where it sees little of the model, the next one has to agree."""
@@ -220,18 +288,22 @@ class Tracker:
         if found.success or agreement_of(found) > 0.5:
             again = align_frames(frame.pyramid, self.model.seen_from(at))
             moved = again.transformation
-            verdict, reason = judge_recognition(again, least_overlap)
+            verdict, reason = self._judge(again, least_overlap)
             if verdict == "tracked" and _apart(moved) > NEAR_AGAIN:
                 verdict, reason = "lost", "it has not settled"
             attempt = Attempt(clean_pose(at @ moved), again, verdict, reason)
             return self._settle(frame, attempt) if verdict == "tracked" else attempt
         return Attempt(at, found, "lost", found.reason)
 
+    def _judge(self, result: OdometryResult, least_overlap: float) -> tuple[Verdict, str]:
+        """The verdict on a recognition, beside what is usual in this run."""
+        return judge_recognition(result, least_overlap, self.motion.shades, self.motion.gap)
+
     def _settle(self, frame: SensorFrame, found: Attempt) -> Attempt:
         """A recognised frame on all of the model: at its rim, seen seldom, it may hold most of what the frame shows."""
         result = align_frames(frame.pyramid, self.model.seen_from(found.pose, weight_threshold=0.0))
         is_near = _apart(result.transformation) < NEAR_AGAIN and result.fitness > found.result.fitness
-        if not is_near or judge_recognition(result, SURE_OVERLAP)[0] != "tracked":
+        if not is_near or self._judge(result, SURE_OVERLAP)[0] != "tracked":
             return found
         return Attempt(clean_pose(found.pose @ result.transformation), result, "tracked")
 
@@ -252,6 +324,11 @@ class Tracker:
 def clean_pose(T: Pose) -> Pose:
     """The pose with its rotation made orthonormal again; NaN stays."""
     return make_pose(nearest_rotation(T[:3, :3]), T[:3, 3]) if np.isfinite(T).all() else T
+
+
+def _way(pose: Pose, others: list[Pose]) -> float:
+    """How far a pose is from the nearest of others [m]."""
+    return min(float(np.linalg.norm(pose[:3, 3] - other[:3, 3])) for other in others)
 
 
 def _apart(T: Pose) -> float:

@@ -153,6 +153,8 @@ class _Tally:
         self.unreadable: dict[int, str] = {}
         self.residuals: list[float] = []
         self.fitness: list[float] = []
+        self.deviations: list[float] = []
+        self.drifted: list[int] = []
         self.shares: list[tuple[float, float]] = []
 
     def take(self, number: int, frame: Any, slam: Any, farthest: float) -> None:
@@ -165,6 +167,9 @@ class _Tally:
         if not step.is_tracked:
             self.uncertain.append(number)
             self.doubt = self.doubt or step.reason
+        if step.has_drifted:
+            self.drifted.append(number)
+        self.deviations.append(step.position_deviation)
         self.placed.append(number)
         self.poses.append(step.pose)
         self.timestamps.append(getattr(frame, "timestamp", None))
@@ -182,4 +187,5 @@ class _Tally:
             frame_count=self.count, uncertain=tuple(self.uncertain), lost=self.lost, unreadable=self.unreadable,
             residuals=tuple(self.residuals), fitness=tuple(self.fitness),
             depth_share=depth_share, used_share=used_share, doubt=self.doubt, stream=stream, **sizes,
+            deviations=tuple(self.deviations), drifted=tuple(self.drifted),
         )  # fmt: skip

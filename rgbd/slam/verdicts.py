@@ -10,6 +10,7 @@ pair has to prove itself: that is odometry's verdict (rgbd/odometry/verdicts.py)
 from __future__ import annotations
 
 import dataclasses
+import math
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,15 +20,22 @@ from ...registration.rigid import rotation_vector
 from ..odometry.frames import OdometryFrame
 from ..odometry.results import OdometryResult
 from ..odometry.verdicts import UNDETERMINED
-from .results import Verdict
+from .results import TrackingResult, Verdict
 
 LEAST_DEPTH = 0.02  # share of the pixels with depth below which a picture is blank
 LEAST_OVERLAP, FIRM_OVERLAP = 0.15, 0.25  # share of the frame's depth that meets the model's
 LEAST_AGREEMENT, FIRM_AGREEMENT = 0.45, 0.6  # share of that which lies on its surface
 LEAST_EIGENVALUE = 0.005  # as of OdometryResult: rooms in tiny pictures 0.007 and more | flat walls up to 0.004
 MOST_SHIFT, MOST_TURN = 0.35, np.deg2rad(30.0)  # [m], from where the camera was expected: a jump
+MOST_DEVIATION = 0.035  # [m] of a position: 0.04 and more in a white office once 10 cm off | textured rooms up to 0.011
 SURE_OVERLAP, SURE_AGREEMENT = 0.5, 0.75  # from a keyframe: enough to be believed
+RIM_OVERLAP = 0.3  # where motion led: a camera that went on while it was covered sees the model's rim
 SHAPE_OVERLAP = 0.08  # where registration believes the place already, and two frames agree on it
+# Doors that look alike but for 9 % of white: 15 times the usual | right poses up to 1.9 times, at the rim of a model
+# without texture, by a grey value.
+MOST_SHADES, LEAST_SHADES = 2.0, 0.01  # times the brightness is off beside the usual, and by how much at least
+MOST_GAP, LEAST_GAP = 2.5, 0.005  # times the surface is off beside the usual, and by how much at least [m]
+MOST_MISFIT, LEAST_MISFIT = 2.0, 0.05  # times what does not lie on the surface, and how much more at least
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
@@ -38,12 +46,14 @@ class Attempt:
         pose: T_world_camera.
         result: The OdometryResult.
         verdict, reason: Of the frame there.
+        covariance: Of the pose, with all that was open on the way to it; see `TrackingResult`.
     """
 
     pose: NDArray[np.float64]
     result: OdometryResult
     verdict: Verdict
     reason: str = ""
+    covariance: NDArray[np.float64] = dataclasses.field(default_factory=lambda: np.zeros((6, 6)))
 
     @property
     def score(self) -> float:
@@ -91,15 +101,46 @@ def judge_tracking(result: OdometryResult, moved: NDArray[np.float64]) -> tuple[
     return "tracked", ""
 
 
-def judge_recognition(result: OdometryResult, least_overlap: float) -> tuple[Verdict, str]:
-    """The verdict on a frame that was aligned from a place it may be at: it is found, or it stays lost."""
+def judge_recognition(
+    result: OdometryResult, least_overlap: float, usual: float = math.nan, usual_gap: float = math.nan
+) -> tuple[Verdict, str]:
+    """The verdict on a frame that was aligned from a place it may be at: it is found, or it stays lost; `usual` and
+    `usual_gap` [m] are how far the run's frames are off the model in brightness and in distance."""
     if not result.success and result.reason != UNDETERMINED:  # whose limit is for frames of full size
         return "lost", result.reason
     if not is_determined(result):
         return "lost", UNDETERMINED
     if agreement_of(result) < SURE_AGREEMENT or result.overlap < least_overlap:
         return "lost", f"{result.fitness:.0%} of its depth lie on the model"
+    if is_off_shade(result.intensity_rmse, usual):
+        return "lost", f"its brightness is {result.intensity_rmse / max(usual, 1e-4):.1f} times as far off as usual"
+    if result.inlier_rmse > MOST_GAP * usual_gap and result.inlier_rmse - usual_gap > LEAST_GAP:
+        return "lost", f"it lies {result.inlier_rmse / max(usual_gap, 1e-6):.1f} times as far off the model as usual"
     return "tracked", ""
+
+
+def is_off_shade(shades: float, usual: float) -> bool:
+    """Whether a difference in brightness is more than another one explains; never where there is no colour."""
+    return shades > MOST_SHADES * usual and shades - usual > LEAST_SHADES
+
+
+def speaks_against(result: OdometryResult, other: OdometryResult) -> bool:
+    """Whether a pose explains a frame plainly worse than another one does, by what each meets, however much that is."""
+    if not result.success and result.overlap >= RIM_OVERLAP and result.reason != UNDETERMINED:
+        return True
+    misfit, other_misfit = 1.0 - agreement_of(result), 1.0 - agreement_of(other)
+    if misfit > MOST_MISFIT * other_misfit + LEAST_MISFIT:
+        return True
+    return is_off_shade(result.intensity_rmse, other.intensity_rmse)
+
+
+def judge_drift(result: TrackingResult) -> TrackingResult:
+    """The result, uncertain where it would be tracked and its position is too open by what adds up on the way."""
+    off = result.position_deviation
+    if not result.is_tracked or off <= MOST_DEVIATION:
+        return result
+    reason = f"what was open on the way adds up to {off:.2f} m"
+    return dataclasses.replace(result, verdict="uncertain", reason=reason, has_drifted=True)
 
 
 def lies_on_model(result: OdometryResult) -> bool:

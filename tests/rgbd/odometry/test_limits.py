@@ -17,7 +17,7 @@ def fault_of(**sums):
     for name, value in (good | {"EXCESS": 800.0} | sums).items():
         verdict[getattr(at, name)] = value
     none = np.zeros(21)
-    found = Alignment(np.eye(4), 5, np.ones(4), none, verdict, none)
+    found = Alignment(np.eye(4), 5, np.ones(4), none, verdict, none, none)
     return _first_fault(found, *(verdict[k] for k in (at.PIXELS, at.SEEN, at.INLIERS)))
 
 

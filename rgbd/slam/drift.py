@@ -1,0 +1,135 @@
+"""How far a frame's pose may be off by all that was open on the way to it: a covariance that adds up.
+
+A frame stands on the surface that it sees, and so it is off as those frames were that the surface came from, and by
+its own noise beside it. Keyframes stand for the frames of the model. Each point of a frame is put down to the keyframes
+that saw it; by the normal equations of these points the frame's error is a mean of theirs, and its covariance follows
+from the joint one of all keyframes. Who sees what the first keyframes saw is as sure as they are, however long the way;
+before a wall what the surface leaves open comes from frame to frame and grows.
+
+Errors are twists about the world's origin, rotation first. Smith, Self and Cheeseman 1990, "Estimating uncertain
+spatial relationships in robotics".
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...kernels.memory import download
+from ..odometry.frames import OdometryFrame
+from .keyframes import Keyframes
+
+Pose = NDArray[np.float64]
+Matrix = NDArray[np.float64]
+
+STRIDE = 2  # pixels of the coarsest level from one point to the next
+NEAR, NEAR_SHARE = 0.05, 0.03  # [m] and of the depth: how far a keyframe's depth may be from a point that it saw
+OPEN = 1e-3  # of the normal equations' largest number: below it points count by their number alone
+
+
+class Drift:
+    """The covariance of keyframes, and that of frames by them.
+
+    Args:
+        keyframes: The Keyframes, whose poses may be corrected on the way.
+    """
+
+    def __init__(self, keyframes: Keyframes):
+        self.keyframes = keyframes
+        self._views: list[tuple[NDArray[np.float32], NDArray[np.float64]]] = []  # depth [h, w] and lens of each
+        self._joint = np.zeros((0, 0))
+        self._latest = np.zeros((6, 0)), np.zeros((6, 6))  # the latest frame's row and own covariance
+
+    def of(self, frame: OdometryFrame, pose: Pose, own: Matrix) -> Matrix:
+        """The covariance [rad, m] of a frame's pose about its camera, in the world's directions, float64 [6, 6].
+
+        Args:
+            frame: Its pyramid.
+            pose: T_world_camera.
+            own: That of its alignment with the model, about the camera.
+        """
+        count = len(self._views)
+        if not count:  # the first frame is the world
+            return np.zeros((6, 6))
+        parts = self._parts(frame, pose)
+        to_world = _adjoint(pose)
+        noise = to_world @ own @ to_world.T
+        whole = parts.sum(0)
+        scale = np.abs(whole).max()
+        if scale > 0:
+            shares = np.trace(parts, axis1=1, axis2=2)
+            even = OPEN * scale * np.eye(6)
+            parts += even * (shares / shares.sum())[:, None, None]
+            row = np.linalg.solve(whole + even, np.concatenate(list(parts), 1))
+        else:  # what no keyframe saw hangs on the latest
+            row = np.concatenate([np.zeros((6, 6 * (count - 1))), np.eye(6)], 1)
+        self._latest = row, noise
+        total = row @ self._joint @ row.T + noise
+        about = _about(pose[:3, 3])
+        return about @ total @ about.T
+
+    def keep(self, frame: OdometryFrame) -> None:
+        """The frame that was asked about last became a keyframe."""
+        row, noise = self._latest
+        cross = row @ self._joint
+        corner = cross @ row.T + noise
+        self._joint = np.block([[self._joint, cross.T], [cross, corner]])
+        depth, lens, _ = _coarsest(frame)
+        self._views.append((depth.astype(np.float32), lens))
+
+    def _parts(self, frame: OdometryFrame, pose: Pose) -> NDArray[np.float64]:
+        """The normal equations of a frame's points, by the keyframes that saw them, float64 [keyframes, 6, 6]."""
+        depth, lens, planes = _coarsest(frame)
+        v, u = np.mgrid[: depth.shape[0] : STRIDE, : depth.shape[1] : STRIDE]
+        z, plane = depth[v, u], planes[v, u]
+        chosen = (z > 0) & (plane[..., 3] < 0)
+        z, plane, u, v = z[chosen], plane[chosen], u[chosen], v[chosen]
+        at = np.stack([(u - lens[2]) / lens[0] * z, (v - lens[3]) / lens[1] * z, z], 1)
+        points = at @ pose[:3, :3].T + pose[:3, 3]
+        normals = plane[:, :3] @ pose[:3, :3].T
+        rows = np.concatenate([np.cross(points, normals), normals], 1) / (1.0 + z * z)[:, None]
+        seen = np.stack([self._sees(k, points) for k in range(len(self._views))]).astype(np.float64)
+        seen /= np.maximum(seen.sum(0), 1.0)
+        return np.einsum("kp,pi,pj->kij", seen, rows, rows, optimize=True)
+
+    def _sees(self, index: int, points: NDArray[np.float64]) -> NDArray[np.bool_]:
+        """Which points a keyframe saw."""
+        depth, lens = self._views[index]
+        pose = self.keyframes.poses[index]
+        local = (points - pose[:3, 3]) @ pose[:3, :3]
+        z = np.maximum(local[:, 2], 1e-6)
+        u = np.rint(lens[0] * local[:, 0] / z + lens[2])
+        v = np.rint(lens[1] * local[:, 1] / z + lens[3])
+        inside = (local[:, 2] > 0) & (u >= 0) & (v >= 0) & (u < depth.shape[1]) & (v < depth.shape[0])
+        there = depth[np.where(inside, v, 0).astype(int), np.where(inside, u, 0).astype(int)]
+        return inside & (there > 0) & (np.abs(there - z) < NEAR + NEAR_SHARE * z)
+
+
+def _coarsest(frame: OdometryFrame) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
+    """Depth [h, w], lens and planes [h, w, 4] of the coarsest level (sync)."""
+    levels = frame.levels
+    last = levels.count - 1
+    width, height = (int(side) for side in levels.sizes[last])
+    first, count = int(levels.firsts[last]), int(levels.counts[last])
+    depth = download(levels.depth[first : first + count]).astype(np.float64)
+    planes = download(levels.planes[first : first + count]).astype(np.float64)
+    return depth.reshape(height, width), levels.host_lenses[last], planes.reshape(height, width, 4)
+
+
+def _adjoint(pose: Pose) -> Matrix:
+    """From twists in the camera's frame to those about the world's origin."""
+    out = np.zeros((6, 6))
+    out[:3, :3] = out[3:, 3:] = pose[:3, :3]
+    out[3:, :3] = _cross(pose[:3, 3]) @ pose[:3, :3]
+    return out
+
+
+def _about(place: NDArray[np.float64]) -> Matrix:
+    """From twists about the origin to those about a place, in the same directions."""
+    out = np.eye(6)
+    out[3:, :3] = -_cross(place)
+    return out
+
+
+def _cross(v: NDArray[np.float64]) -> NDArray[np.float64]:
+    return np.array([[0.0, -v[2], v[1]], [v[2], 0.0, -v[0]], [-v[1], v[0], 0.0]])
