@@ -31,6 +31,7 @@ class TrackingResult:
         name: The frame's name, where it has one.
         timestamp: The frame's time [s], where it has one.
         fused: Whether the frame went into the model.
+        map: The map that the pose is of, by number: poses of two maps do not lie relative to each other.
     """
 
     pose: NDArray[np.float64] | None
@@ -47,6 +48,7 @@ class TrackingResult:
     name: str = ""
     timestamp: float | None = None
     fused: bool = False
+    map: int = 0
 
     @property
     def is_tracked(self) -> bool:
