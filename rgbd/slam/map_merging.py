@@ -64,11 +64,11 @@ def _pieces(known: SlamMap, results: list[TrackingResult]) -> list[Submap]:
 def _distinct(loops: list[Loop], places: list[Pose]) -> list[Pose]:
     """Where the loops put one map in the other, each place once: those that most loops agree on first."""
     poses = [clean_pose(places[p.target] @ p.T_target_source @ np.linalg.inv(places[p.source])) for p in loops]
-    near = np.array([[apart(np.linalg.inv(a) @ b) < AGREED for b in poses] for a in poses]).reshape(len(poses), -1)
-    order = sorted(range(len(poses)), key=lambda k: (-int(near[k].sum()), -loops[k].score, k))
+    near = [[apart(np.linalg.inv(a) @ b) < AGREED for b in poses] for a in poses]
+    order = sorted(range(len(poses)), key=lambda k: (-sum(near[k]), -loops[k].score, k))
     kept: list[int] = []
     for k in order:
-        if not any(near[k, other] for other in kept):
+        if not any(near[k][other] for other in kept):
             kept.append(k)
     return [poses[k] for k in kept]
 
