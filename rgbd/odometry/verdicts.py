@@ -52,7 +52,7 @@ def judge(found: Alignment, source: OdometryFrame, level: int, blur: float = 0.0
     )
 
 
-def _first_fault(found: Alignment, pixels: float, seen: float, inliers: float, blur: float) -> str:
+def _first_fault(found: Alignment, pixels: float, seen: float, inliers: float, blur: float = 0.0) -> str:
     v = found.verdict
     if not np.isfinite(found.pose).all():
         return "the steps left the numbers"
@@ -72,11 +72,22 @@ def _contradiction(v: NDArray[np.float64], blur: float) -> str:
     inliers = v[at.INLIERS]
     if v[at.NORMALS] and v[at.AGREEING] / v[at.NORMALS] < LEAST_AGREEMENT:
         return f"only {100 * v[at.AGREEING] / v[at.NORMALS]:.0f} % of the normals agree"
-    if v[at.PLANES] and v[at.EXCESS] / v[at.PLANES] > MOST_EXCESS and v[at.SQUARES] / v[at.PLANES] > blur * blur:
-        return f"the surfaces lie {np.sqrt(v[at.EXCESS] / v[at.PLANES]):.1f} times as far apart as noise explains"
+    if (excess := _excess(v, blur)) > MOST_EXCESS:
+        return f"the surfaces lie {np.sqrt(excess):.1f} times as far apart as noise explains"
     if v[at.SHADE_COUNT] > SHADED * inliers and correlation(v) < LEAST_CORRELATION:
         return f"the brightness does not agree (correlation {correlation(v):.2f})"
     return ""
+
+
+def _excess(v: NDArray[np.float64], blur: float) -> float:
+    """The mean square distance of the surfaces, in variances of the noise and of a blur [m] beside it."""
+    if not v[at.PLANES]:
+        return 0.0
+    excess = float(v[at.EXCESS] / v[at.PLANES])
+    if not blur or not v[at.SQUARES]:
+        return excess
+    noise = v[at.SQUARES] / v[at.EXCESS]  # [m^2] that the squares are so many times of
+    return excess / (1.0 + blur * blur / float(noise))
 
 
 def correlation(v: NDArray[np.float64]) -> float:

@@ -27,7 +27,7 @@ Pose = NDArray[np.float64]
 
 SEEN_OFTEN = 3  # frames beyond which a voxel is rendered, once there are so many; Open3D's figure
 DEPTH_MIN = 0.1  # [m] where rays begin
-BLUR = 12**-0.5  # voxels: deviation of what is rounded to them, as edges of the surface are
+BLUR = 0.1  # voxels: what distances between them are off by where the surface bends, beside a camera's noise
 COARSE = 0.03  # [m] voxels from which on slopes of the distances are better normals than planes fitted to rendered depth
 
 
