@@ -1,5 +1,8 @@
-"""Rooms of boxes that a depth camera walks through: other furniture, another renderer and other ways than of the room in
-`app/scenes`, by which nothing of tracking was chosen."""
+"""Rooms of boxes that a depth camera walks through: other furniture, another renderer and other ways than of the room
+in `app/scenes`, by which nothing of tracking was chosen.
+
+The camera stays away from the walls: before a near one it slides (docs/slam.md), which is another matter than maps.
+"""
 
 from __future__ import annotations
 
@@ -69,7 +72,7 @@ class BoxRoom:
             timestamp=number / 30, T_world_camera=T,
         )  # fmt: skip
 
-    def walk(self, angles: Any, seed: int = 0, radius: float = 0.5) -> list[Any]:
+    def walk(self, angles: Any, seed: int = 0, radius: float = 0.25) -> list[Any]:
         """Frames of a camera that goes about the middle of the room and looks outwards at angles [degrees]."""
         frames = []
         for number, angle in enumerate(np.radians(angles)):

@@ -83,10 +83,16 @@ class OdometryFrame:
         normals: wp.array | None = None,
         blur: float = 0.0,
     ) -> Self:
-        """A frame of device arrays: depth float32 [pixels] [m], 0 where there is none, and brightness float32 0..1,
-        below 0 where there is none, or 8-bit colours [pixels, 3]; its finest level has at most so many pixels, and where it is the picture itself
-        the planes of the normals, vec3 [pixels], if given. `blur` is how far its surface may be off beside a camera's
-        noise [m]."""
+        """A frame of device arrays.
+
+        Args:
+            depth: float32 [pixels] [m], 0 where there is none.
+            brightness: float32 0..1, below 0 where there is none, or 8-bit colours [pixels, 3], or None.
+            intrinsic: The camera.
+            most_pixels: Of the finest level.
+            normals: vec3 [pixels], for the planes of the finest level where that is the picture itself.
+            blur: How far the surface may be off beside a camera's noise [m].
+        """
         frame = cls.__new__(cls)
         frame._make(depth, brightness, intrinsic, most_pixels, normals)
         frame.blur = blur

@@ -28,7 +28,7 @@ Pose = NDArray[np.float64]
 SEEN_OFTEN = 3  # frames beyond which a voxel is rendered, once there are so many; Open3D's figure
 DEPTH_MIN = 0.1  # [m] where rays begin
 BLUR = 0.1  # voxels: what distances between them are off by where the surface bends, beside a camera's noise
-COARSE = 0.03  # [m] voxels from which on slopes of the distances are better normals than planes fitted to rendered depth
+COARSE = 0.03  # [m] voxels from which on slopes of the distances are better normals than planes of rendered depth
 
 
 class Model:
@@ -173,8 +173,8 @@ class Model:
     def seen_from(self, T_world_camera: Pose, *, weight_threshold: float | None = None) -> OdometryFrame:
         """The model as a frame for odometry, at the size that frames are compared at; it stays on the device.
 
-        Its planes are fitted to its depth, as a frame's are: gradients of the distances about a voxel are coarser. Where
-        voxels are larger than a window of pixels, the gradients are better.
+        Its planes are fitted to its depth, as a frame's are: gradients of the distances about a voxel are coarser.
+        Where voxels are larger than a window of pixels, the gradients are better.
         """
         threshold = self.threshold if weight_threshold is None else weight_threshold
         edge = self.volume.voxel_size

@@ -41,7 +41,7 @@ def test_each_sum_counts(sums, fault):
 
 
 def test_what_a_target_blurs_counts_as_noise_does():
-    """Surfaces 4 times as far apart as noise of 2 mm: of a target that is blurred by 4 mm, the root of 5 as much noise."""
+    """Surfaces 4 times as far apart as noise of 2 mm: of a target blurred by 4 mm, the root of 5 as much."""
     sums = {"EXCESS": 12_800.0, "SQUARES": 12_800.0 * 0.002**2}
     assert "4.0 times as far apart" in fault_of(**sums)
     assert fault_of(**sums, blur=0.004) == ""

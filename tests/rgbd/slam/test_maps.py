@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 import json
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
 import pointloom as loom
 from pointloom.registration.rigid import invert_pose
-from pointloom.rgbd.slam import maps
-from pointloom.rgbd.slam.joins import judge_join
+from pointloom.rgbd.slam import joins, maps
+from pointloom.rgbd.slam.joins import Proposal, judge_join
 
 from .slam_walks import begun, blank, frame, frames, walk
 
@@ -108,6 +109,46 @@ def test_a_join_has_to_be_borne_out_by_the_maps(device, shift, is_right):
     if is_right:
         poses = np.array(second.keyframes.poses)
         assert np.linalg.norm((join.T_target_source @ poses - poses)[:, :3, 3], axis=1).max() < 0.02
+
+
+@pytest.mark.parametrize(
+    ("given", "refused"),
+    [
+        ({}, ""),
+        ({"views": 1}, "1 views bear it out"),
+        ({"apart": 0.0}, "1 views bear it out"),  # the same view twice
+        ({"against": 1}, "1 views contradict it"),
+        ({"score": 0.4}, "their surfaces do not bear it out: score 0.40"),
+    ],
+)
+def test_each_sort_of_evidence_is_asked_for(monkeypatch, given, refused):
+    views, gap = given.get("views", 2), given.get("apart", 1.0)
+    poses = [np.eye(4) for _ in range(views)]
+    for k, pose in enumerate(poses):
+        pose[0, 3] = gap * k
+    answers = iter([(poses, [np.eye(4)] * views, given.get("against", 0)), ([], [], 0)])
+    monkeypatch.setattr(joins, "_views", lambda *_: next(answers))
+    monkeypatch.setattr(joins, "_rate", lambda *_: given.get("score", 0.9))
+    target, source = SimpleNamespace(number=0), SimpleNamespace(number=1)
+    assert judge_join(target, source, np.eye(4)).refused.startswith(refused)
+    assert bool(refused) is bool(given)
+
+
+def test_a_proposal_is_borne_out_by_frames_over_some_way_and_dropped_by_a_few_that_are_not():
+    off, shift = [0.0], np.eye(4)
+    tracker = SimpleNamespace(try_place=lambda _, pose: SimpleNamespace(verdict="tracked", pose=pose @ moved(off[0])))
+    proposal = Proposal(SimpleNamespace(tracker=tracker), None, shift, np.eye(4))
+    assert not any(proposal.ask(None, moved(0.001 * k)) for k in range(20))  # hardly moved
+    assert proposal.ask(None, moved(0.2))
+    off[0] = 0.1
+    fresh = Proposal(SimpleNamespace(tracker=tracker), None, shift, np.eye(4))
+    assert not any(fresh.ask(None, moved(0.1 * k)) for k in range(3)) and fresh.is_refuted
+
+
+def moved(x: float):
+    T = np.eye(4)
+    T[0, 3] = x
+    return T
 
 
 def test_a_map_that_is_lost_again_at_once_is_given_up(device):
