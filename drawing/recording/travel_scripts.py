@@ -73,7 +73,7 @@ class Fusion(Travel):
         if volume is not self._volume:
             self._begin(volume)
         self._count += 1
-        is_tracked = self._slam is not None and volume is self._slam.volume
+        is_tracked = self._slam is not None and volume is self._slam.model.volume
         if not is_tracked:
             self._move(intrinsic, T_world_camera)
         if self._count % self._every == 1:
@@ -87,7 +87,7 @@ class Fusion(Travel):
         """A frame was tracked, or lost."""
         if slam is not self._slam:
             self._slam = slam
-            self._begin(slam.volume)
+            self._begin(slam.model.volume)
         if result.pose is not None:
             self._move(slam.model.intrinsic, result.pose)
         values = {"fitness": result.fitness, "inlier rmse [m]": result.inlier_rmse} if result.iterations else {}
@@ -99,9 +99,9 @@ class Fusion(Travel):
             return
         if slam is not self._slam:
             self._slam = slam
-            self._begin(slam.volume)
+            self._begin(slam.model.volume)
         self.path = [result.pose[:3, 3].copy() for result in slam.results if result.pose is not None]
-        self._volume = slam.volume
+        self._volume = slam.model.volume
         self._draw_surface()
         self.draw_path()
         count = len(closure.loops)

@@ -13,9 +13,9 @@ Source: Newcombe et al. 2011, "KinectFusion", section 3.2 (pyramid); Holzer et a
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..array_types import Array2, Device, Scalars
+from ..array_types import Array2, Device, Points, Scalars
 from ..images.depth import BLUE, GREEN, RED, intensity_of
-from ..lang import array, float32, func, kernel, launch, sqrt, struct, tid, uint8, vec4, vec4i, vector
+from ..lang import array, float32, func, kernel, launch, sqrt, struct, tid, uint8, vec3, vec4, vec4i, vector
 from ..memory import empty, full, upload
 
 nine = vector(9, float32)
@@ -265,6 +265,28 @@ def fit_planes_kernel(radius: int, levels: FrameLevels, planes: array(dtype=vec4
     smoothed[i] = surface
 
 
+@kernel
+def take_normals_kernel(
+    normals: array(dtype=vec3), depth: array(dtype=float32), lens: vec4, width: int, planes: array(dtype=vec4)
+):
+    """The planes of given normals, in the first level of a pyramid; zero where depth or normal is missing."""
+    i = tid()
+    z = depth[i]
+    n = normals[i]
+    plane = vec4(0.0, 0.0, 0.0, 0.0)
+    square = n[0] * n[0] + n[1] * n[1] + n[2] * n[2]
+    if z > 0.0 and square > 0.25 and square < 4.0:
+        length = sqrt(square)
+        x = (float(i % width) - lens[2]) / lens[0] * z
+        y = (float(i // width) - lens[3]) / lens[1] * z
+        d = (n[0] * x + n[1] * y + n[2] * z) / length
+        side = float(1.0)
+        if d > 0.0:
+            side = -1.0
+        plane = vec4(side * n[0] / length, side * n[1] / length, side * n[2] / length, side * d)
+    planes[i] = plane
+
+
 def level_sizes(
     width: int, height: int, lens: tuple[float, float, float, float], most_pixels: int, least_side: int
 ) -> tuple[list[tuple[int, int]], list[np.ndarray], int]:
@@ -303,6 +325,7 @@ def make_levels(
     most_pixels: int,
     least_side: int,
     radius: int,
+    normals: Points | None = None,
 ) -> FrameLevels:
     """The FrameLevels of a picture.
 
@@ -312,6 +335,7 @@ def make_levels(
         width, height, lens: The picture and fx, fy, cx, cy [px].
         most_pixels, least_side: As of `level_sizes`.
         radius: Half the window of a plane [px].
+        normals: vec3 [pixels], for the planes of the first level where that is the picture itself; None fits them.
     """
     device = depth.device
     sizes, lenses, halvings = level_sizes(width, height, lens, most_pixels, least_side)
@@ -334,6 +358,9 @@ def make_levels(
     smoothed = empty(levels.total, float32, device)
     launch(fit_planes_kernel, levels.total, [radius, levels, levels.planes, smoothed])
     levels.depth = smoothed
+    if normals is not None and not halvings:
+        arguments = [normals, levels.depth, vec4(*map(float, lenses[0])), int(sizes[0][0]), levels.planes]
+        launch(take_normals_kernel, int(levels.counts[0]), arguments)
     return levels
 
 

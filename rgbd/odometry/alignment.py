@@ -79,7 +79,7 @@ def align_steps(
     """As `align_frames`, of what is known to be right, with at most so many steps a level, the coarsest first, and a
     share of brightness beside the surface."""
     found, verdict_level = descend(source, target, start, method, steps, share)
-    return judge(found, source, verdict_level)
+    return judge(found, source, verdict_level, target.blur)
 
 
 def descend(

@@ -35,6 +35,7 @@ class OdometryFrame:
         levels: The pyramid's device arrays, finest first.
         intrinsic: The camera of the frame as it was given.
         has_color: Whether there is brightness.
+        blur: How far its surface may be off beside a camera's noise [m]: 0 of a camera's frame.
 
     Raises:
         ValueError: Wrong shapes, sizes that differ, a camera of another size.
@@ -78,11 +79,23 @@ class OdometryFrame:
         brightness: wp.array | None,
         intrinsic: PinholeCameraIntrinsic,
         most_pixels: int = MOST_PIXELS,
+        *,
+        normals: wp.array | None = None,
+        blur: float = 0.0,
     ) -> Self:
-        """A frame of device arrays: depth float32 [pixels] [m], 0 where there is none, and brightness float32 0..1,
-        below 0 where there is none, or 8-bit colours [pixels, 3]; its finest level has at most so many pixels."""
+        """A frame of device arrays.
+
+        Args:
+            depth: float32 [pixels] [m], 0 where there is none.
+            brightness: float32 0..1, below 0 where there is none, or 8-bit colours [pixels, 3], or None.
+            intrinsic: The camera.
+            most_pixels: Of the finest level.
+            normals: vec3 [pixels], for the planes of the finest level where that is the picture itself.
+            blur: How far the surface may be off beside a camera's noise [m].
+        """
         frame = cls.__new__(cls)
-        frame._make(depth, brightness, intrinsic, most_pixels)
+        frame._make(depth, brightness, intrinsic, most_pixels, normals)
+        frame.blur = blur
         return frame
 
     @classmethod
@@ -93,7 +106,14 @@ class OdometryFrame:
         frame._make(depth, image.color_array, check_intrinsic(intrinsic, image.width, image.height))
         return frame
 
-    def _make(self, depth: Any, brightness: Any, intrinsic: PinholeCameraIntrinsic, most: int = MOST_PIXELS) -> None:
+    def _make(
+        self,
+        depth: Any,
+        brightness: Any,
+        intrinsic: PinholeCameraIntrinsic,
+        most: int = MOST_PIXELS,
+        normals: wp.array | None = None,
+    ) -> None:
         lens = (intrinsic.fx, intrinsic.fy, intrinsic.cx, intrinsic.cy)
         self.intrinsic, self.device, self.has_color = intrinsic, depth.device, brightness is not None
         self.levels: FrameLevels = make_levels(
@@ -105,7 +125,9 @@ class OdometryFrame:
             most_pixels=most,
             least_side=LEAST_SIDE,
             radius=PLANE_RADIUS,
+            normals=normals,
         )
+        self.blur = 0.0
 
     @property
     def width(self) -> int:

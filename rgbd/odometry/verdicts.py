@@ -31,11 +31,11 @@ SHADED = 0.3  # share of the inliers that must have brightness for it to count
 SHIFT = 0.01  # [m] what an eigenvalue is the price of: a pixel's mean square, in variances of the noise
 
 
-def judge(found: Alignment, source: OdometryFrame, level: int) -> OdometryResult:
-    """The result of an Alignment whose sums are those of a level of the source."""
+def judge(found: Alignment, source: OdometryFrame, level: int, blur: float = 0.0) -> OdometryResult:
+    """The result of an Alignment whose sums are those of a level of the source; `blur` is the target's [m]."""
     v = found.verdict
     pixels, seen, inliers = v[at.PIXELS], v[at.SEEN], v[at.INLIERS]
-    reason = _first_fault(found, pixels, seen, inliers)
+    reason = _first_fault(found, pixels, seen, inliers, blur)
     smallest = smallest_eigenvalue(found.certainty, v)
     if not reason and smallest < LEAST_EIGENVALUE:
         reason = UNDETERMINED
@@ -53,12 +53,12 @@ def judge(found: Alignment, source: OdometryFrame, level: int) -> OdometryResult
         intensity_rmse=float(np.sqrt(v[at.SHADE_SQUARES] / shades)) if shades else float("nan"),
         smallest_eigenvalue=smallest,
         iterations=found.steps,
-        contradiction=_contradiction(v),
+        contradiction=_contradiction(v, blur),
         covariance=covariance_of(found.firm, v),
     )
 
 
-def _first_fault(found: Alignment, pixels: float, seen: float, inliers: float) -> str:
+def _first_fault(found: Alignment, pixels: float, seen: float, inliers: float, blur: float = 0.0) -> str:
     v = found.verdict
     if not np.isfinite(found.pose).all():
         return "the steps left the numbers"
@@ -70,19 +70,30 @@ def _first_fault(found: Alignment, pixels: float, seen: float, inliers: float) -
         return f"only {100 * inliers / seen:.0f} % of the pixels that meet depth lie on its surface"
     if v[at.IN_FRONT] / seen > MOST_IN_FRONT:
         return f"{100 * v[at.IN_FRONT] / seen:.0f} % of the source's pixels lie where the target looked through"
-    return _contradiction(v)
+    return _contradiction(v, blur)
 
 
-def _contradiction(v: NDArray[np.float64]) -> str:
+def _contradiction(v: NDArray[np.float64], blur: float) -> str:
     """What the pixels that lie on the target's surface say against the pose, whatever hides the others."""
     inliers = v[at.INLIERS]
     if v[at.NORMALS] and v[at.AGREEING] / v[at.NORMALS] < LEAST_AGREEMENT:
         return f"only {100 * v[at.AGREEING] / v[at.NORMALS]:.0f} % of the normals agree"
-    if v[at.PLANES] and v[at.EXCESS] / v[at.PLANES] > MOST_EXCESS:
-        return f"the surfaces lie {np.sqrt(v[at.EXCESS] / v[at.PLANES]):.1f} times as far apart as noise explains"
+    if (excess := _excess(v, blur)) > MOST_EXCESS:
+        return f"the surfaces lie {np.sqrt(excess):.1f} times as far apart as noise explains"
     if v[at.SHADE_COUNT] > SHADED * inliers and correlation(v) < LEAST_CORRELATION:
         return f"the brightness does not agree (correlation {correlation(v):.2f})"
     return ""
+
+
+def _excess(v: NDArray[np.float64], blur: float) -> float:
+    """The mean square distance of the surfaces, in variances of the noise and of a blur [m] beside it."""
+    if not v[at.PLANES]:
+        return 0.0
+    excess = float(v[at.EXCESS] / v[at.PLANES])
+    if not blur or not v[at.SQUARES]:
+        return excess
+    noise = v[at.SQUARES] / v[at.EXCESS]  # [m^2] that the squares are so many times of
+    return excess / (1.0 + blur * blur / float(noise))
 
 
 def correlation(v: NDArray[np.float64]) -> float:

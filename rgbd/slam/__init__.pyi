@@ -1,6 +1,7 @@
 """The public names of pointloom.slam: the one list of them, for type checkers and for `public_names`."""
 
 from .dense_slam import DenseSLAM as DenseSLAM
+from .joins import MapJoin as MapJoin
 from .loops import LoopClosure as LoopClosure
 from .loops import close_loops as close_loops
 from .loops import corrected_trajectory as corrected_trajectory

@@ -12,13 +12,12 @@ from ...core.progress import ReportProgress
 from ...kernels.memory import download
 from ...registration.rigid import invert_pose
 from .frames import SensorFrame
-from .keyframes import Keyframes
 from .loops import LoopClosure, close_loops, corrected_trajectory, fuse_submaps
-from .model import Model
+from .maps import SlamMap
 from .movers import Movers
 from .results import TrackingResult
 from .submaps import SubmapRecorder
-from .tracker import Motion, clean_pose
+from .tracker import clean_pose
 
 Pose = NDArray[np.float64]
 
@@ -33,20 +32,15 @@ def record_frame(recorder: SubmapRecorder, frame: SensorFrame, depth: Any, pixel
     recorder.add(picture, result.pose, color, result.index)
 
 
-def close_and_correct(
-    recorder: SubmapRecorder,
-    model: Model,
-    keyframes: Keyframes,
-    motion: Motion,
-    results: list[TrackingResult],
-    seed: int,
-    progress: ReportProgress,
-) -> LoopClosure:
-    """Close loops among the submaps so far, and move everything that stands on their poses."""
-    submaps = recorder.finish()
+def close_and_correct(known: SlamMap, results: list[TrackingResult], progress: ReportProgress) -> LoopClosure:
+    """Close loops among the submaps of a map so far, and move everything that stands on their poses."""
+    recorder, model, keyframes, motion = known.recorder, known.model, known.keyframes, known.tracker.motion
+    assert recorder is not None
+    submaps, seed = recorder.finish(), keyframes.seed
     closure = close_loops(submaps, seed=seed, progress=progress)
     numbers, poses = corrected_trajectory(submaps, closure.T_world_submap)
-    before = {result.index: result.pose for result in results if result.pose is not None}
+    own = [result for result in results if result.map == known.number]
+    before = {result.index: result.pose for result in own if result.pose is not None}
     corrections = {n: pose @ invert_pose(before[n]) for n, pose in zip(numbers.tolist(), poses, strict=True)}
 
     def corrected(pose: Pose, number: int) -> Pose:
@@ -54,7 +48,7 @@ def close_and_correct(
         return clean_pose(corrections[int(numbers[place])] @ pose)
 
     for i, result in enumerate(results):
-        if result.pose is not None:
+        if result.pose is not None and result.map == known.number:
             results[i] = dataclasses.replace(result, pose=corrected(result.pose, result.index))
     keyframes.poses = [corrected(T, n) for T, n in zip(keyframes.poses, keyframes.numbers, strict=True)]
     if motion.pose is not None:

@@ -21,8 +21,11 @@ from ...pcd.cloud import PointCloud
 from .corrections import close_and_correct, record_frame
 from .foreground import Foreground
 from .frames import SensorFrame
+from .joins import MapJoin
 from .keyframes import Keyframes
 from .loops import LoopClosure
+from .map_merging import Joining
+from .maps import Maps, SlamMap, map_sizes
 from .model import Model
 from .results import TrackingResult
 from .stream_check import STALE, StreamCheck
@@ -55,10 +58,12 @@ class DenseSLAM:
         seed: Chooses the tests by which keyframes are recognised.
         device: "cpu", "cuda:0", "auto"; None for the CPU.
 
+    A camera that is lost for long begins a new map, with coordinates of its own. Maps are joined where the camera comes
+    from one into another, or by `join_maps`; until then their poses do not lie relative to each other, and
+    `trajectory`, `volume` and the surface are of the largest map alone.
+
     Attributes:
-        model: The Model.
-        keyframes: The Keyframes.
-        results: A TrackingResult for each frame so far, in order.
+        results: A TrackingResult for each frame so far, in order. `map` says which map a pose is of.
         stream: The StreamCheck: whether colour and depth are of one moment, `stream.doubt` says what is not.
         foreground: The Foreground: whether what is near moves by itself, and is left out.
 
@@ -96,26 +101,69 @@ class DenseSLAM:
         seed: int = 0,
         device: Any = None,
     ):
-        self.model = Model(
-            intrinsic, voxel_size=voxel_size, truncation=truncation, T_init=T_init, depth_scale=depth_scale,
-            depth_max=depth_max, leave_out_moving=leave_out_moving, device=device,
-        )  # fmt: skip
-        self.keyframes = Keyframes(self.model.device, check_seed(seed))
+        sizes: dict[str, Any] = {
+            "voxel_size": voxel_size, "truncation": truncation, "depth_max": depth_max, "device": device
+        }  # fmt: skip
+        self._model_options = {**sizes, "depth_scale": depth_scale, "leave_out_moving": leave_out_moving}
+        self._intrinsic, self._T_init, self._sizes = intrinsic, T_init, sizes
+        self._seed, self._submap_frames = check_seed(seed), submap_frames
+        if submap_frames is not None:
+            check_count("submap_frames", submap_frames, minimum=2)
         self.results: list[TrackingResult] = []
         self.stream, self.foreground = StreamCheck(), Foreground()
-        self._tracker = Tracker(self.model, self.keyframes)
         self._latest: tuple[Any, SensorFrame] | None = None
-        self._submap_frames = None if submap_frames is None else check_count("submap_frames", submap_frames, minimum=2)
-        self._recorder = self._make_recorder()
+        self._maps = Maps(self._new_map)
+        self._joining = Joining(self._maps, self.results, self._seed)
+
+    def _new_map(self, number: int) -> SlamMap:
+        """An empty map; all but the first begin at the identity, since nobody knows where they lie."""
+        T_init = None if number else self._T_init
+        model = Model(self._intrinsic, T_init=T_init, **self._model_options)
+        return SlamMap(number, model, Keyframes(model.device, self._seed), self._new_recorder(model))
+
+    def _new_recorder(self, model: Model) -> SubmapRecorder | None:
+        if self._submap_frames is None:
+            return None
+        sizes = {**self._sizes, "truncation": model.volume.truncation, "depth_max": model.depth_max}
+        return SubmapRecorder(self._intrinsic, **sizes, depth_scale=1.0, frames=self._submap_frames)
 
     def __repr__(self) -> str:
         counts = ", ".join(f"{n} {verdict}" for verdict, n in self.verdict_counts.items() if n)
         return f"DenseSLAM({counts or 'no frames'}, {len(self.keyframes)} keyframes, {self.volume!r})"
 
     @property
+    def model(self) -> Model:
+        """The Model of the map that the camera is in."""
+        return self._maps.here.model
+
+    @property
+    def keyframes(self) -> Keyframes:
+        """The Keyframes of the map that the camera is in."""
+        return self._maps.here.keyframes
+
+    @property
+    def _tracker(self) -> Tracker:
+        return self._maps.here.tracker
+
+    @property
+    def joins(self) -> list[MapJoin]:
+        """For each two maps that a pose was found for: what spoke for it, and why it was refused."""
+        return self._joining.judged
+
+    @property
+    def map_sizes(self) -> dict[int, int]:
+        """How many frames have a pose in each map, the largest first, by the map's number."""
+        return map_sizes(self.results)
+
+    @property
     def volume(self) -> TSDFVolume:
-        """The model's volume."""
-        return self.model.volume
+        """The volume of the largest map, which is what `trajectory` and the surface are of."""
+        return self._largest.model.volume
+
+    @property
+    def _largest(self) -> SlamMap:
+        sizes = self.map_sizes
+        return max(self._maps.kept, key=lambda known: (sizes.get(known.number, 0), -known.number))
 
     @property
     def verdict_counts(self) -> dict[str, int]:
@@ -125,12 +173,21 @@ class DenseSLAM:
 
     @property
     def trajectory(self) -> Trajectory:
-        """The poses of the frames that are not lost.
+        """The poses of the frames that are not lost, of the largest map.
 
-        Its ids are (number of the frame, the same, 1 where it is tracked and 0 where it is uncertain); it has
-        timestamps where all those frames have them.
+        Those of another map do not lie relative to them (`trajectory_of`). Its ids are (number of the frame, the same,
+        1 where it is tracked and 0 where it is uncertain); it has timestamps where all those frames have them.
         """
-        found = [result for result in self.results if result.pose is not None]
+        return self.trajectory_of(next(iter(self.map_sizes), 0))
+
+    def trajectory_of(self, number: int) -> Trajectory:
+        """`trajectory` of the map of a number, in its own coordinates; empty where there is none.
+
+        Raises:
+            TypeError, ValueError: No whole number from 0 on.
+        """
+        check_count("number", number, minimum=0)
+        found = [result for result in self.results if result.pose is not None and result.map == number]
         poses = np.array([result.pose for result in found]).reshape(-1, 4, 4)
         ids = np.array([(r.index, r.index, int(r.is_tracked)) for r in found], np.int64).reshape(-1, 3)
         times = [result.timestamp for result in found]
@@ -171,13 +228,18 @@ class DenseSLAM:
         if result.pose is None or not (result.is_tracked or result.has_drifted):
             return False
         depth, pixels = self.model.fuse(prepared, result.pose)
-        if self._recorder is not None:
+        here = self._maps.here
+        if here.recorder is not None:
             with unwatched():
-                record_frame(self._recorder, prepared, depth, pixels, result)
-        if self.keyframes.is_new_view(result.pose):
+                record_frame(here.recorder, prepared, depth, pixels, result)
+        is_new = self.keyframes.is_new_view(result.pose)
+        if is_new:
             self.keyframes.add(prepared.pyramid, result.pose, result.index)
             self._tracker.drift.keep(prepared.pyramid)
         self.results[-1] = dataclasses.replace(result, fused=True)
+        if self._maps.others and not self._maps.is_on_trial:
+            with unwatched():
+                self._joining.look(prepared, result.pose, is_new)
         return True
 
     def step(self, frame: Any) -> TrackingResult:
@@ -219,71 +281,105 @@ class DenseSLAM:
     def close_loops(self, *, progress: ReportProgress | None = None) -> LoopClosure:
         """Bring places that were seen twice together, and move poses, keyframes and the model accordingly.
 
-        The model is fused anew from its submaps. It may be called at the end of a run or within it.
+        Maps are joined first (`join_maps`). Each model is fused anew from its submaps. It may be called at the end of a
+        run or within it.
 
         Args:
             progress: Called with the stage, how many of its steps are done, and how many there are.
 
         Returns:
-            What was closed, and what was refused and why.
+            What was closed in the largest map, and what was refused and why.
 
         Raises:
             ValueError: No submaps were kept (`submap_frames`), or no frame was fused yet.
         """
-        if self._recorder is None:
+        if self._submap_frames is None:
             raise ValueError("submap_frames: no submaps were kept; make the DenseSLAM with submap_frames=100")
-        if not self.model.frame_count:
+        if not self.volume.frame_count:
             raise ValueError("submap_frames: no frame was fused yet, so that there is no submap")
-        tell, motion = check_progress(progress), self._tracker.motion
-        seed = self.keyframes.seed
+        tell = check_progress(progress)
+        self.join_maps()
+        largest = self._largest
         with unwatched():
-            closed = close_and_correct(self._recorder, self.model, self.keyframes, motion, self.results, seed, tell)
+            for other in self._maps.kept:
+                if other is not largest and other.model.frame_count:
+                    close_and_correct(other, self.results, tell)
+            closed = close_and_correct(largest, self.results, tell)
         report("loops", slam=self, closure=closed)
         return closed
 
+    def join_maps(self) -> list[MapJoin]:
+        """Find how maps lie to each other, where the camera was lost for long and began new ones, and join them.
+
+        Their submaps are registered with each other from no guess, or the whole of them where no submaps are kept. A
+        pose is taken where `registration` believes it and the maps show the same from the cameras of either. Maps that
+        are joined take the lower number: poses in `results` are then of one map.
+
+        Returns:
+            What was tried just now, each with the reason where it was refused; empty where there is one map. `joins`
+            has those of the whole run.
+        """
+        with unwatched():
+            return self._joining.search()
+
     def render(self, T_world_camera: ArrayLike) -> RayCast:
-        """What the camera would see of the model from a pose; see `Model.render`."""
+        """What the camera would see of the map that it is in from a pose in that map; see `Model.render`."""
         return self.model.render(check_rigid("T_world_camera", T_world_camera))
 
     def extract_triangle_mesh(self, weight_threshold: float = 3.0) -> TriangleMesh:
-        """The surface as a mesh; see `TSDFVolume.extract_triangle_mesh`."""
-        return self.model.extract_triangle_mesh(weight_threshold)
+        """The surface of the largest map as a mesh; see `TSDFVolume.extract_triangle_mesh`."""
+        return self._largest.model.extract_triangle_mesh(weight_threshold)
 
     def extract_point_cloud(self, weight_threshold: float = 3.0) -> PointCloud:
-        """The surface as points; see `TSDFVolume.extract_point_cloud`."""
-        return self.model.extract_point_cloud(weight_threshold)
+        """The surface of the largest map as points; see `TSDFVolume.extract_point_cloud`."""
+        return self._largest.model.extract_point_cloud(weight_threshold)
 
     def _track(self, frame: SensorFrame) -> TrackingResult:
         known = {"index": len(self.results), "name": frame.name, "timestamp": frame.timestamp}
-        motion = self._tracker.motion
-        doubt = self.stream.look(frame)
+        maps, doubt = self._maps, self.stream.look(frame)
+        if maps.is_failing() or (maps.is_on_trial and not self.model.frame_count):
+            maps.give_up(self.results)
         if not self.model.frame_count:
-            self._begins_anew(frame)
+            self._restarts(frame)
             return self._begin(frame, known)
         if doubt == STALE:
-            motion.missed += 1
-            return TrackingResult(None, "lost", doubt, **known)
-        if self._begins_anew(frame):
+            self._tracker.motion.missed += 1
+            return TrackingResult(None, "lost", doubt, map=maps.here.number, **known)
+        if self._restarts(frame):
             return self._begin(frame, known)
-        attempt, is_anew = self._tracker.locate(frame)
-        is_far = is_anew and motion.missed > FEWEST_FRAMES > self.model.frame_count
-        if is_far and attempt.verdict == "tracked":
-            reason = f"only {self.model.frame_count} frames are in the model, too few to find a place on it"
-            attempt = dataclasses.replace(attempt, verdict="lost", reason=reason)
+        attempt, is_anew = self._locate(frame)
         attempt = attempt.doubted(doubt)
-        self.foreground.place(attempt.pose if attempt.verdict == "tracked" else None)
         if attempt.verdict == "lost":
-            motion.missed += 1
-            return TrackingResult(None, "lost", attempt.reason, **_measures(attempt), **known)
-        is_tracked = attempt.verdict == "tracked"
+            maps.here.tracker.motion.missed += 1
+            if maps.is_on_trial:
+                maps.give_up(self.results)
+            found = maps.find_elsewhere(frame)
+            if found is None:
+                self.foreground.place(None)
+                lost = TrackingResult(None, "lost", attempt.reason, map=maps.here.number, **_measures(attempt), **known)
+                return self._begin_anew(frame, known, lost)
+            attempt, is_anew = found, True
+        maps.found()
+        motion, is_tracked = maps.here.tracker.motion, attempt.verdict == "tracked"
+        self.foreground.place(attempt.pose if is_tracked else None)
         tells_velocity = not is_anew and is_determined(attempt.result)
         if is_tracked:
             motion.learn(attempt.result)
         motion.advance(attempt.pose, frame, is_tracked=is_tracked, is_continuous=tells_velocity)
-        said = {**_measures(attempt), **known, "relocalized": is_anew, "covariance": attempt.covariance}
+        said = {**_measures(attempt), **known, "relocalized": is_anew, "map": maps.here.number}
+        said["covariance"] = attempt.covariance
         return judge_drift(TrackingResult(attempt.pose, attempt.verdict, attempt.reason, **said))
 
-    def _begins_anew(self, frame: SensorFrame) -> bool:
+    def _locate(self, frame: SensorFrame) -> tuple[Attempt, bool]:
+        """A frame in the map that the camera is in, and whether it was found anew."""
+        attempt, is_anew = self._tracker.locate(frame)
+        is_far = is_anew and self._tracker.motion.missed > FEWEST_FRAMES > self.model.frame_count
+        if is_far and attempt.verdict == "tracked":
+            reason = f"only {self.model.frame_count} frames are in the model, too few to find a place on it"
+            attempt = dataclasses.replace(attempt, verdict="lost", reason=reason)
+        return attempt, is_anew
+
+    def _restarts(self, frame: SensorFrame) -> bool:
         """Whether the near part of the pictures is found to move by itself while the model, which holds it, is young.
 
         Then the model begins again, without it, where the rest of the frame puts the camera.
@@ -295,27 +391,25 @@ class DenseSLAM:
         layers = self.foreground.part(frame, self.stream.view, expected)
         if layers is None or layers.pose is None or self.model.frame_count > YOUNG:
             return False
-        self.model.begin_anew(clean_pose(layers.pose))
-        self.keyframes = Keyframes(self.model.device, self.keyframes.seed)
-        self._tracker, self._recorder = Tracker(self.model, self.keyframes), self._make_recorder()
+        self._maps.here.begin_again(clean_pose(layers.pose), self._new_recorder(self.model))
         return True
 
-    def _make_recorder(self) -> SubmapRecorder | None:
-        if self._submap_frames is None:
-            return None
-        model = self.model
-        sizes: dict[str, Any] = {"voxel_size": model.volume.voxel_size, "truncation": model.volume.truncation}
-        sizes |= {"depth_scale": 1.0, "depth_max": model.depth_max, "frames": self._submap_frames}
-        return SubmapRecorder(model.intrinsic, **sizes, device=model.device)
-
     def _begin(self, frame: SensorFrame, known: dict[str, Any]) -> TrackingResult:
-        """The first frame: where the world begins, once one has depth."""
+        """The first frame of a map: where its world begins, once one has depth."""
+        here = self._maps.here
         if depth_share(frame.pyramid) < LEAST_DEPTH:
             return TrackingResult(None, "lost", "the picture is blank, and there is no model yet", **known)
-        pose = self.model.current_frame_pose
-        self._tracker.motion.advance(pose, frame, is_tracked=True, is_continuous=False)
+        pose = here.model.current_frame_pose
+        here.tracker.motion.advance(pose, frame, is_tracked=True, is_continuous=False)
         self.foreground.place(pose)
-        return TrackingResult(pose, "tracked", fitness=1.0, overlap=1.0, **known)
+        return TrackingResult(pose, "tracked", fitness=1.0, overlap=1.0, map=here.number, **known)
+
+    def _begin_anew(self, frame: SensorFrame, known: dict[str, Any], lost: TrackingResult) -> TrackingResult:
+        """A frame that no map knows: lost, or the first of a new map where the camera was lost for long."""
+        if depth_share(frame.pyramid) < LEAST_DEPTH or not self._maps.lost():
+            return lost
+        self._maps.begin()
+        return self._begin(frame, known)
 
 
 def _measures(attempt: Attempt) -> dict[str, Any]:

@@ -77,6 +77,25 @@ class Drift:
         depth, lens, _ = _coarsest(frame)
         self._views.append((depth.astype(np.float32), lens))
 
+    def take_over(self, other: Drift, T_here_other: Pose, deviation: float) -> None:
+        """Another map's keyframes, which follow one's own, lie so to them.
+
+        Args:
+            other: Its Drift.
+            T_here_other: How it lies, 4 x 4.
+            deviation: Standard deviation of that [m], and at 1 m from the other's origin of its turn.
+        """
+        count, more = len(self._views), len(other._views)
+        to_here = _adjoint(T_here_other)
+        blocks = np.kron(np.eye(more), to_here)
+        way = to_here @ to_here.T * deviation**2
+        joint = np.zeros((6 * (count + more),) * 2)
+        joint[: 6 * count, : 6 * count] = self._joint
+        joint[6 * count :, 6 * count :] = blocks @ other._joint @ blocks.T + np.kron(np.ones((more, more)), way)
+        self._joint, self._views = joint, [*self._views, *other._views]
+        row, noise = self._latest
+        self._latest = np.concatenate([row, np.zeros((6, 6 * more))], 1), noise
+
     def _parts(self, frame: OdometryFrame, pose: Pose) -> NDArray[np.float64]:
         """The normal equations of a frame's points, by the keyframes that saw them, float64 [keyframes, 6, 6]."""
         depth, lens, planes = _coarsest(frame)

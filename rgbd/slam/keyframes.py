@@ -54,6 +54,18 @@ class Keyframes:
         self.numbers.append(number)
         return index
 
+    def extend(self, others: Keyframes, T: Pose) -> None:
+        """Take the views of others, made by the same tests, whose poses T moves."""
+        count = len(self)
+        needed = (count + len(others)) * FERNS
+        if needed > self._codes.size:
+            larger: Any = zeros(max(needed, 2 * self._codes.size), uint8, self.device)
+            copy(larger, self._codes, count=count * FERNS)
+            self._codes = larger
+        copy(self._codes, others._codes, count=len(others) * FERNS, offset=count * FERNS)
+        self.poses += [T @ pose for pose in others.poses]
+        self.numbers += others.numbers
+
     def is_new_view(self, pose: Pose) -> bool:
         """Whether no keyframe looks from so near into so much the same direction."""
         return all(view_distance(pose, other) > 1.0 for other in reversed(self.poses))

@@ -123,7 +123,7 @@ def _close_loops(slam: Any, path: TrackedPath, progress: ReportProgress) -> tupl
     if not closure.loops:
         return volume, SlamAccount(path, **counts)
     loops = tuple((loop.target, loop.source) for loop in closure.loops)
-    before, poses = path.trajectory.poses, [result.pose for result in slam.results if result.pose is not None]
+    before, poses = path.trajectory.poses, slam.trajectory.poses
     shifts = [np.linalg.norm(new[:3, 3] - old[:3, 3]) for new, old in zip(poses, before, strict=True)]
     corrected = float(max(shifts))
     return slam.volume, SlamAccount(path.with_poses(poses), loops=loops, corrected=corrected, **counts)

@@ -27,6 +27,8 @@ Pose = NDArray[np.float64]
 
 SEEN_OFTEN = 3  # frames beyond which a voxel is rendered, once there are so many; Open3D's figure
 DEPTH_MIN = 0.1  # [m] where rays begin
+BLUR = 0.1  # voxels: what distances between them are off by where the surface bends, beside a camera's noise
+COARSE = 0.03  # [m] voxels from which on slopes of the distances are better normals than planes of rendered depth
 
 
 class Model:
@@ -178,13 +180,16 @@ class Model:
         """The model as a frame for odometry, at the size that frames are compared at; it stays on the device.
 
         Its planes are fitted to its depth, as a frame's are: gradients of the distances about a voxel are coarser.
+        Where voxels are larger than a window of pixels, the gradients are better.
         """
         threshold = self.threshold if weight_threshold is None else weight_threshold
-        limits: dict[str, Any] = {"depth_min": DEPTH_MIN, "depth_max": self.depth_max, "normals": False}
+        edge = self.volume.voxel_size
+        limits: dict[str, Any] = {"depth_min": DEPTH_MIN, "depth_max": self.depth_max, "normals": edge >= COARSE}
         maps: Any = self.volume.render_maps(self._view, T_world_camera, weight_threshold=threshold, **limits)
         if maps.intensity is not None:
             hide_unseen(maps.depth, maps.intensity)
-        return OdometryFrame.from_device_maps(maps.depth, maps.intensity, self._view, MOST_PIXELS)
+        surface = {"normals": maps.normals, "blur": BLUR * edge}
+        return OdometryFrame.from_device_maps(maps.depth, maps.intensity, self._view, MOST_PIXELS, **surface)
 
     def extract_triangle_mesh(self, weight_threshold: float = 3.0) -> TriangleMesh:
         """The surface as a mesh; see `TSDFVolume.extract_triangle_mesh`."""

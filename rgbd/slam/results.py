@@ -36,6 +36,7 @@ class TrackingResult:
             what was open on the way from the first frame adds up, until the camera sees what is surer. Zero for the
             first frame and lost ones.
         has_drifted: Whether that is the only doubt: the frame lies on the model, and is fused.
+        map: The map that the pose is of, by number: poses of two maps do not lie relative to each other.
     """
 
     pose: NDArray[np.float64] | None
@@ -54,6 +55,7 @@ class TrackingResult:
     fused: bool = False
     covariance: NDArray[np.float64] = dataclasses.field(default_factory=lambda: np.zeros((6, 6)))
     has_drifted: bool = False
+    map: int = 0
 
     @property
     def is_tracked(self) -> bool:

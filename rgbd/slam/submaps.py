@@ -252,6 +252,12 @@ class SubmapRecorder:
         self._open = []
         return list(self.submaps)
 
+    def take_over(self, submaps: Sequence[Submap]) -> None:
+        """Count the full submaps of another recorder, in the same coordinates, among its own."""
+        self.finish()
+        self.submaps += submaps
+        self._count = max([self._count, *(int(submap.frames[-1]) + 1 for submap in submaps)])
+
 
 def tracked_run(submaps: Sequence[Submap]) -> tuple[NDArray[np.int64], Matrix]:
     """The numbers of all frames of submaps, ascending, and where tracking put their cameras."""

@@ -15,6 +15,7 @@ from ...core.reports import Fields, in_columns
 from ...core.wording import format_share
 from ...files.frames.frames import why_out_of_reach
 from ...registration.trajectories.trajectory_error import TrajectoryError
+from .joins import MapJoin
 from .paths import error_against_truth, path_length
 
 MANY_UNCERTAIN = 0.2  # share of the frames with an uncertain pose, beyond which the path is not to be believed
@@ -27,8 +28,8 @@ class TrackedPath:
     `print(path)` tells it, `path.poor` says what speaks against it.
 
     Attributes:
-        trajectory: The poses of the frames that have one, T_world_camera; ids hold the frames' numbers, and it has
-            timestamps where all those frames have them.
+        trajectory: The poses of the frames that have one, T_world_camera, in the map that most of them are of; ids hold
+            the frames' numbers, and it has timestamps where all those frames have them.
         true_poses: The true pose of each of these, float64 [4, 4] [m], or None where nobody knows it.
         frame_count: How many frames there were.
         uncertain: Frames whose pose is told with a doubt.
@@ -47,6 +48,9 @@ class TrackedPath:
         deviations: Standard deviation [m] of the position of each placed frame along its most open direction, by what
             the frames on the way left open and by noise.
         drifted: Frames whose position is open by too much for a pose to be believed; they are among the uncertain.
+        other_maps: As `trajectory`, of each further map, the largest first, in coordinates of its own: the camera was
+            lost for long before it, and nothing tells how it lies to the others.
+        joins: A MapJoin for each two maps for which a pose was found: what spoke for it, and why it was refused.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -75,6 +79,8 @@ class TrackedPath:
     stream: str | None = None
     deviations: tuple[float, ...] = ()
     drifted: tuple[int, ...] = ()
+    other_maps: tuple[Trajectory, ...] = ()
+    joins: tuple[MapJoin, ...] = ()
 
     def __str__(self) -> str:
         return in_columns([*self.fields(), ("model", f"voxels of {self.voxel_size * 1000:g} mm")])
@@ -99,6 +105,8 @@ class TrackedPath:
                 f"{len(drifted)} of {count} positions are open by up to {max(self.deviations):.2f} m, which adds up on "
                 f"the way ({some_frames(drifted)})"
             )
+        if self.other_maps:
+            reasons.append(self._apart())
         if len(self.uncertain) - len(drifted) > MANY_UNCERTAIN * count:
             which = f"{len(self.uncertain)} of {count} poses are uncertain ({some_frames(self.uncertain)})"
             reasons.append(f"{which}: {self.doubt}" if self.doubt and self.doubt != self.stream else which)
@@ -106,6 +114,14 @@ class TrackedPath:
             first = next(iter(unreadable.values()))
             reasons.append(f"{len(unreadable)} of {count} frames cannot be read and are left out: {first}")
         return "; ".join(reasons) or None
+
+    def _apart(self) -> str:
+        """That not all poses lie relative to each other."""
+        own = [_numbers(path) for path in self.other_maps]
+        told = " and ".join(some_frames(numbers) for numbers in own)
+        kind = "a map of their own" if len(own) == 1 else "maps of their own"
+        count = f"{1 + len(own)} maps that do not lie relative to each other"
+        return f"{count}: {told} are in {kind}, and are left out of the path"
 
     def with_poses(self, poses: Sequence[NDArray[np.float64]]) -> TrackedPath:
         """The same with other poses of the frames that have one."""
@@ -132,6 +148,11 @@ class TrackedPath:
             "used_share": self.used_share,
             "residual_m": _median(self.residuals),
             "fitness": _median(self.fitness),
+            "other_maps": [
+                {"first": numbers[0], "last": numbers[-1], "tracked": len(numbers)}
+                for numbers in map(_numbers, self.other_maps)
+            ],
+            "joined_maps": sum(not join.refused for join in self.joins),
             "path_length_m": path_length(self.trajectory.poses),
         }
 
@@ -149,11 +170,19 @@ class TrackedPath:
                 fields.append((name, f"{len(numbers)}: {some_frames(list(numbers))}"))
         if self.deviations:
             fields.append(("sure to", f"{max(self.deviations) * 1000:.0f} mm at worst (standard deviation)"))
+        if self.other_maps:
+            told = "; ".join(some_frames(_numbers(path)) for path in self.other_maps)
+            fields.append(("other maps", f"{len(self.other_maps)}: {told}"))
         if self.residuals:
             residual, fitness = float(np.median(self.residuals)), float(np.median(self.fitness))
             fit = f"{residual * 1000:.1f} mm off the model, {format_share(fitness)} of the depth on it"
             fields.append(("fit", f"{fit} (medians)"))
         return fields
+
+
+def _numbers(path: Trajectory) -> list[int]:
+    """The numbers of a trajectory's frames."""
+    return [] if path.ids is None else path.ids[:, 0].tolist()
 
 
 def _median(values: Sequence[float]) -> float | None:

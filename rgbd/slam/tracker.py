@@ -180,6 +180,15 @@ class Tracker:
             self._tries = 0
         return best, True
 
+    @property
+    def awaits_confirmation(self) -> bool:
+        """Whether the last frame was found by its shape, so that the next one may confirm it."""
+        return self._proposal is not None
+
+    def try_place(self, frame: SensorFrame, pose: Pose) -> Attempt:
+        """A frame tried at a place that it is said to have been taken from; what it says of the camera is not kept."""
+        return self._recognize(frame, pose, SURE_OVERLAP)
+
     def _follow_still(self, frame: SensorFrame) -> Attempt | None:
         """A frame found from the one before by what did not move since, where that tracks it firmly."""
         if self.motion.missed or not self.model.movers:

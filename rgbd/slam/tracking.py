@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...cameras.pose_files import trajectory_of
+from ...cameras.trajectory import Trajectory
 from ...core.checks import check_callback, check_count, check_positive
 from ...core.devices import resolve_device
 from ...core.errors import FileError
@@ -26,6 +27,8 @@ from ...files.frames.frames import (
 )
 from ...files.frames.rgbd_sources import RGBDSource
 from .dense_slam import DenseSLAM
+from .maps import map_sizes
+from .results import TrackingResult
 from .sizes import check_sizes
 from .tracked_path import TrackedPath
 
@@ -59,7 +62,8 @@ def track(
 
     Returns:
         The poses, T_world_camera with the first frame that has depth as the world, and what became of each frame.
-        Frames that were lost, or cannot be read by their place, have no pose, and the reason is told.
+        Frames that were lost, or cannot be read by their place, have no pose, and the reason is told. Where the camera
+        was lost for long it begins a new map; one that could not be joined is told apart (`TrackedPath.other_maps`).
 
     Raises:
         TypeError: No frames of one camera.
@@ -103,7 +107,7 @@ def track_with(
         TypeError, ValueError, FileError: As `track`.
     """
     say, clock = check_callback("progress", progress) or say_nothing, check_clock(clock)
-    tally, count = _Tally(), count_of(frames)
+    tally, count = _Tally(slam), count_of(frames)
     first_error: FileError | None = None
     say("frames", 0, count)
     with contextlib.closing(read_frames_or_errors(frames, check_count("read_ahead", read_ahead, minimum=0))) as taken:
@@ -113,7 +117,7 @@ def track_with(
                 first_error = first_error or frame
                 tally.unreadable[number] = str(frame)
             else:
-                tally.take(number, frame, slam, depth_max * depth_unit(frames, frame))
+                tally.take(number, frame, depth_max * depth_unit(frames, frame))
                 clock.stop("track")
             tally.count += 1
             say("frames", tally.count, count)
@@ -121,8 +125,9 @@ def track_with(
         raise first_error
     if not tally.count:
         raise ValueError("frames: expected at least one frame, got none")
-    sizes: dict[str, Any] = {"voxel_size": voxel_size, "depth_max": depth_max, "device": str(device)}
-    return tally.path(stream=slam.stream.doubt, **sizes)
+    slam.join_maps()
+    clock.stop("track")
+    return tally.path(voxel_size=voxel_size, depth_max=depth_max, device=str(device))
 
 
 def make_slam(
@@ -139,53 +144,47 @@ def make_slam(
 
 
 class _Tally:
-    """What became of the frames so far; the attributes are those of a TrackedPath."""
+    """What became of the frames so far; the attributes are those of a TrackedPath, or by number of frame."""
 
-    def __init__(self):
-        self.count = 0
-        self.placed: list[int] = []
-        self.poses: list[NDArray[np.float64]] = []
-        self.timestamps: list[float | None] = []
-        self.true_poses: list[NDArray[np.float64] | None] = []
-        self.uncertain: list[int] = []
-        self.doubt = ""
-        self.lost: dict[int, str] = {}
+    def __init__(self, slam: DenseSLAM):
+        self.slam, self.count, self._first = slam, 0, len(slam.results)
+        self.stepped: list[int] = []
+        self.timestamps: dict[int, float | None] = {}
+        self.true_poses: dict[int, NDArray[np.float64] | None] = {}
         self.unreadable: dict[int, str] = {}
-        self.residuals: list[float] = []
-        self.fitness: list[float] = []
-        self.deviations: list[float] = []
-        self.drifted: list[int] = []
         self.shares: list[tuple[float, float]] = []
 
-    def take(self, number: int, frame: Any, slam: Any, farthest: float) -> None:
-        """One frame: its pose, and its part of the model."""
+    def take(self, number: int, frame: Any, farthest: float) -> None:
+        """One frame goes into the model."""
         self.shares.append(measured_shares(frame.depth, farthest))
-        step = slam.step(frame)
-        if step.pose is None:
-            self.lost[number] = step.reason
-            return
-        if not step.is_tracked:
-            self.uncertain.append(number)
-            self.doubt = self.doubt or step.reason
-        if step.has_drifted:
-            self.drifted.append(number)
-        self.deviations.append(step.position_deviation)
-        self.placed.append(number)
-        self.poses.append(step.pose)
-        self.timestamps.append(getattr(frame, "timestamp", None))
-        self.true_poses.append(getattr(frame, "T_world_camera", None))
-        if len(self.placed) > 1:  # the first is where the model begins
-            self.residuals.append(step.inlier_rmse)
-            self.fitness.append(step.fitness)
+        self.slam.step(frame)
+        self.stepped.append(number)
+        self.timestamps[number] = getattr(frame, "timestamp", None)
+        self.true_poses[number] = getattr(frame, "T_world_camera", None)
 
-    def path(self, *, stream: str | None, **sizes: Any) -> TrackedPath:
-        """The result; `sizes` are those that the frames were tracked with, `stream` is what the camera's are doubted
-        for."""
+    def path(self, **sizes: Any) -> TrackedPath:
+        """The result, by what is known of all frames by now; `sizes` are those that they were tracked with."""
+        results = dict(zip(self.stepped, self.slam.results[self._first :], strict=True))
+        placed = {number: result for number, result in results.items() if result.pose is not None}
+        largest, *others = map_sizes(list(placed.values())) or [0]
+        main = [number for number, result in placed.items() if result.map == largest]
+        aligned = [result for result in placed.values() if result.iterations]  # not where a map begins
         depth_share, used_share = np.mean(self.shares, axis=0).tolist() if self.shares else (0.0, 0.0)
         return TrackedPath(
-            trajectory=trajectory_of(self.poses, self.placed, self.timestamps), true_poses=tuple(self.true_poses),
-            frame_count=self.count, uncertain=tuple(self.uncertain), lost=self.lost, unreadable=self.unreadable,
-            residuals=tuple(self.residuals), fitness=tuple(self.fitness),
-            depth_share=depth_share, used_share=used_share, doubt=self.doubt, stream=stream, **sizes,
-            deviations=tuple(self.deviations), drifted=tuple(self.drifted),
+            trajectory=self._trajectory(main, results), true_poses=tuple(self.true_poses[n] for n in main),
+            frame_count=self.count, uncertain=tuple(n for n, result in placed.items() if not result.is_tracked),
+            lost={n: result.reason for n, result in results.items() if result.pose is None},
+            unreadable=self.unreadable, residuals=tuple(result.inlier_rmse for result in aligned),
+            fitness=tuple(result.fitness for result in aligned),
+            other_maps=tuple(
+                self._trajectory([n for n, result in placed.items() if result.map == other], results)
+                for other in others
+            ),
+            joins=tuple(self.slam.joins), doubt=next((r.reason for r in placed.values() if not r.is_tracked), ""),
+            stream=self.slam.stream.doubt, deviations=tuple(results[n].position_deviation for n in main),
+            drifted=tuple(n for n, result in placed.items() if result.has_drifted), depth_share=depth_share, used_share=used_share, **sizes,
         )  # fmt: skip
+
+    def _trajectory(self, numbers: list[int], results: dict[int, TrackingResult]) -> Trajectory:
+        poses = [pose for n in numbers if (pose := results[n].pose) is not None]
+        return trajectory_of(poses, numbers, [self.timestamps[n] for n in numbers])

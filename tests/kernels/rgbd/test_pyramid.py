@@ -5,16 +5,17 @@ from __future__ import annotations
 import numpy as np
 import warp as wp
 
-from pointloom.kernels.lang import float32, uint8
+from pointloom.kernels.lang import float32, uint8, vec3
 from pointloom.kernels.memory import download, upload
 from pointloom.kernels.rgbd.pyramid import level_sizes, make_levels
 
 
-def levels_of(depth, device, *, shade=None, most=10**6, lens=(50.0, 50.0, 15.5, 11.5)):
+def levels_of(depth, device, *, shade=None, normals=None, most=10**6, lens=(50.0, 50.0, 15.5, 11.5)):
     place = wp.get_device(device)
     height, width = depth.shape
     brightness = None if shade is None else upload(shade.reshape(-1), float32, place)
     numbers = {"most_pixels": most, "least_side": 4, "radius": 2}
+    numbers["normals"] = None if normals is None else upload(normals.reshape(-1, 3), vec3, place)
     return make_levels(upload(depth.reshape(-1), float32, place), brightness, width, height, lens, **numbers)
 
 
@@ -69,6 +70,17 @@ def test_a_plane_does_not_bridge_two_surfaces(device):
     planes = image(levels, levels.planes, 0)
     found = planes[planes[..., 3] != 0]
     assert np.abs(found[:, :3] - [0, 0, -1]).max() < 1e-4
+
+
+def test_given_normals_are_taken(device):
+    depth = np.full((24, 32), 2.0, np.float32)
+    normals = np.zeros((24, 32, 3), np.float32)
+    normals[..., 2] = 1.5  # away from the camera, not of unit length: both are mended
+    normals[3, 4] = np.nan
+    levels = levels_of(depth, device, normals=normals)
+    planes = image(levels, levels.planes, 0)
+    assert planes[3, 4].tolist() == [0, 0, 0, 0]
+    assert np.abs(planes[5:, 5:] - [0, 0, -1, -2]).max() < 1e-5
 
 
 def test_colours_are_weighed_as_brightness(device):

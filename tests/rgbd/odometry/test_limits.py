@@ -10,7 +10,7 @@ from pointloom.kernels.rgbd.alignment import Alignment
 from pointloom.rgbd.odometry.verdicts import _first_fault
 
 
-def fault_of(**sums):
+def fault_of(*, blur=0.0, **sums):
     """What is said of a pair of 1,000 pixels of which 900 meet depth and 800 lie on the surface, with other sums."""
     verdict = np.zeros(at.EXCESS + 1)
     good = {"PIXELS": 1000, "SEEN": 900, "INLIERS": 800, "IN_FRONT": 10, "NORMALS": 800, "AGREEING": 780, "PLANES": 800}
@@ -18,7 +18,7 @@ def fault_of(**sums):
         verdict[getattr(at, name)] = value
     none = np.zeros(21)
     found = Alignment(np.eye(4), 5, np.ones(4), none, verdict, none, none)
-    return _first_fault(found, *(verdict[k] for k in (at.PIXELS, at.SEEN, at.INLIERS)))
+    return _first_fault(found, *(verdict[k] for k in (at.PIXELS, at.SEEN, at.INLIERS)), blur)
 
 
 def test_a_pair_that_agrees_has_no_fault():
@@ -38,3 +38,11 @@ def test_a_pair_that_agrees_has_no_fault():
 )
 def test_each_sum_counts(sums, fault):
     assert fault_of(**sums) == fault
+
+
+def test_what_a_target_blurs_counts_as_noise_does():
+    """Surfaces 4 times as far apart as noise of 2 mm: of a target blurred by 4 mm, the root of 5 as much."""
+    sums = {"EXCESS": 12_800.0, "SQUARES": 12_800.0 * 0.002**2}
+    assert "4.0 times as far apart" in fault_of(**sums)
+    assert fault_of(**sums, blur=0.004) == ""
+    assert "3.6 times as far apart" in fault_of(**sums, blur=0.001)

@@ -19,6 +19,8 @@ tracker().close_loops(progress=None)
 tracker().extract_point_cloud(weight_threshold=0.0)
 tracker().extract_triangle_mesh(weight_threshold=0.0)
 tracker().integrate(frame=frame)
+tracker().join_maps()
+tracker().trajectory_of(number=0)
 tracker().render(T_world_camera=pose)
 tracker().run(source=[frame], progress=None)
 tracker().step(frame=frame)
@@ -41,7 +43,7 @@ slam.fuse_submaps(submaps=[submap], T_world_submap=[pose], voxel_size=0.1)
 HOMES = {"tracker()": "DenseSLAM", "model()": "Model", "recorder()": "SubmapRecorder", "submap": "Submap"}
 TABLE = read_table(CALLS.replace("slam.", "loom.slam."), HOMES)
 TABLE = {name.removeprefix("slam."): call for name, call in TABLE.items()}
-RESULTS = {"LoopClosure", "TrackingResult"}
+RESULTS = {"LoopClosure", "MapJoin", "TrackingResult"}
 INSIDE = {"Model.seen_from", "Model.fuse"}  # what tracking asks the model for
 CAMERA = loom.PinholeCameraIntrinsic(32, 24, 30.0, 30.0, 15.5, 11.5)
 FRAME = SimpleNamespace(depth=1.0 + 0.1 * np.sin(np.mgrid[:24, :32].sum(axis=0)), color=None)

@@ -1,0 +1,178 @@
+"""How two maps lie to each other, and whether that is to be believed: a wrong join is worse than none.
+
+A pose comes from a frame that is recognised in a map that the camera left and from those that follow it there, or from
+the registration of pieces of the two. Either way the maps themselves have to bear it out: as seen from the cameras of
+either, what both show lies on each other in at least two views, hardly any view contradicts it, and `registration`'s
+rating believes the pose of their surfaces.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...pcd.cloud import PointCloud
+from ...registration.globally.global_registration import FEWEST_POINTS
+from ...registration.globally.rating import rate_surfaces, surface_of
+from ...registration.rigid import invert_pose, make_pose, nearest_rotation, rotation_vector, to_local
+from ..odometry.alignment import align_frames
+from ..odometry.results import OdometryResult
+from .frames import SensorFrame
+from .keyframes import view_distance
+from .maps import SlamMap
+from .tracker import AGREED, NEAR_AGAIN, clean_pose
+from .verdicts import FIRM_OVERLAP, LEAST_OVERLAP, SURE_AGREEMENT, agreement_of, is_determined
+
+Pose = NDArray[np.float64]
+
+AGREEING = 5  # frames that have to be found where the first one puts them
+FAILING = 3  # and so many that are not end it
+WAY = 0.5  # as of view_distance: how far the camera went from the first of them to the last, some 12 cm or 9 degrees
+MOST_VIEWS = 24  # of each map
+LEAST_VIEWS = 2  # apart that have to bear a join out
+MOST_AGAINST = 0.25  # of those for it: views at the rim of a map, where it was seen seldom, are poor ones
+CONTRADICTING = 0.5  # agreement below which a view speaks against it
+OFF = 0.06  # [m], [rad] that a view may be moved by, else it shows that the pose is wrong: what maps drift by is less
+VOXELS, LEAST_VOXEL = 2.5, 0.05  # of registration, as of loops
+REACH = 1.5  # [voxels] of a match
+BELIEVED = 0.5  # score above which `registration` believes a pose
+
+
+@dataclasses.dataclass(frozen=True, eq=False)
+class MapJoin:
+    """Two maps, and what speaks for a pose of one in the other.
+
+    Attributes:
+        target, source: Their numbers; the target's coordinates stay.
+        T_target_source: How the source lies to the target, float64 [4, 4].
+        views: Views in which both show the same there.
+        against: Views in which they contradict each other.
+        score: How far `registration` believes it, 0..1.
+        refused: Why they were not joined; empty where they were.
+    """
+
+    target: int
+    source: int
+    T_target_source: Pose
+    views: int = 0
+    against: int = 0
+    score: float = 0.0
+    refused: str = ""
+
+
+class Proposal:
+    """Where the map that the camera is in may lie in another one, until frames that follow bear it out.
+
+    Args:
+        other: The other map.
+        here: The one that the camera is in.
+        T_other_here: Where this one would lie in it.
+        pose: Of the first frame, in this one.
+    """
+
+    def __init__(self, other: SlamMap, here: SlamMap, T_other_here: Pose, pose: Pose):
+        self.other, self.here, self.T_other_here = other, here, T_other_here
+        self._agreed, self._missed, self._first = 0, 0, pose
+
+    @property
+    def is_refuted(self) -> bool:
+        """Whether it is to be dropped."""
+        return self._missed >= FAILING
+
+    def ask(self, frame: SensorFrame, pose: Pose) -> bool:
+        """Try a frame, tracked here at a pose, in the other map; whether enough of them agree by now."""
+        expected = self.T_other_here @ pose
+        attempt = self.other.tracker.try_place(frame, expected)
+        if attempt.verdict != "tracked" or apart(invert_pose(expected) @ attempt.pose) > AGREED:
+            self._missed += 1
+            return False
+        self._agreed += 1
+        return self._agreed >= AGREEING and view_distance(self._first, pose) >= WAY
+
+
+def apart(T: Pose) -> float:
+    """How much a motion is: the larger of its shift [m] and its turn [rad]."""
+    return max(float(np.linalg.norm(T[:3, 3])), float(np.linalg.norm(rotation_vector(T[:3, :3]))))
+
+
+def judge_join(target: SlamMap, source: SlamMap, T_target_source: Pose) -> MapJoin:
+    """What the two maps say of a pose of one in the other; `refused` is empty where it is to be believed."""
+    T = T_target_source
+    first, moves, against = _views(target, source, T)
+    second, back, against_too = _views(source, target, invert_pose(T))
+    against += against_too
+    views = _count_apart(first) + _count_apart(second)
+
+    def said(refused: str) -> MapJoin:
+        return MapJoin(target.number, source.number, T_target_source, views, against, refused=refused)
+
+    if views < LEAST_VIEWS:
+        return said(f"{views} views bear it out, {LEAST_VIEWS} are asked for")
+    if against > MOST_AGAINST * (len(first) + len(second)):
+        return said(f"{against} views contradict it")
+    T = _mean([*moves, *(invert_pose(move) for move in back)])
+    score = _rate(target, source, T)
+    refused = "" if score > BELIEVED else f"their surfaces do not bear it out: score {score:.2f}"
+    return dataclasses.replace(said(refused), T_target_source=T, score=score)
+
+
+def _views(target: SlamMap, source: SlamMap, T: Pose) -> tuple[list[Pose], list[Pose], int]:
+    """From the source's cameras: poses of views for the join, where each puts the source, and how many are against."""
+    poses = source.keyframes.poses
+    agreeing: list[Pose] = []
+    moves: list[Pose] = []
+    against = 0
+    for pose in poses[:: max(1, -(-len(poses) // MOST_VIEWS))]:
+        seen, there = source.model.seen_from(pose), target.model.seen_from(T @ pose)
+        found = align_frames(seen, there)
+        if found.overlap < LEAST_OVERLAP:
+            continue
+        if _speaks_for(found):
+            agreeing.append(pose)
+            moves.append(clean_pose(T @ pose @ found.transformation @ invert_pose(pose)))
+        elif found.overlap >= FIRM_OVERLAP and _speaks_against(found):
+            against += 1
+    return agreeing, moves, against
+
+
+def _speaks_for(found: OdometryResult) -> bool:
+    is_firm = found.overlap >= FIRM_OVERLAP and agreement_of(found) >= SURE_AGREEMENT and not found.contradiction
+    return is_firm and is_determined(found) and apart(found.transformation) < NEAR_AGAIN
+
+
+def _speaks_against(found: OdometryResult) -> bool:
+    return agreement_of(found) < CONTRADICTING or apart(found.transformation) > OFF
+
+
+def _count_apart(poses: list[Pose]) -> int:
+    """How many of the views look from elsewhere than those before."""
+    kept: list[Pose] = []
+    for pose in poses:
+        if all(view_distance(pose, other) > 1.0 for other in kept):
+            kept.append(pose)
+    return len(kept)
+
+
+def _mean(poses: list[Pose]) -> Pose:
+    """Of poses that are nearly the same."""
+    mean = np.mean(poses, axis=0)
+    return make_pose(nearest_rotation(mean[:3, :3]), mean[:3, 3])
+
+
+def _rate(target: SlamMap, source: SlamMap, T: Pose) -> float:
+    """How far `registration` believes a pose of the two surfaces."""
+    size = max(VOXELS * target.model.volume.voxel_size, LEAST_VOXEL)
+    left, right = (_thinned(known, size) for known in (source, target))
+    if min(len(left), len(right)) < FEWEST_POINTS:
+        return 0.0
+    source_surface, target_surface = surface_of(left, size), surface_of(right, size)
+    if min(len(source_surface), len(target_surface)) < FEWEST_POINTS:
+        return 0.0
+    return rate_surfaces(source_surface, target_surface, to_local(T, left.origin, right.origin), REACH * size).score
+
+
+def _thinned(known: SlamMap, size: float) -> PointCloud:
+    cloud = known.model.extract_point_cloud(known.model.threshold)
+    return cloud.voxel_down_sample(size / 4) if len(cloud) else cloud

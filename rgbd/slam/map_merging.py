@@ -1,0 +1,184 @@
+"""Maps brought together: where registration puts one in another, and one map of two that are known to lie so."""
+
+from __future__ import annotations
+
+import dataclasses
+import itertools
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...meshing.volume.volume_fusion import fuse_volumes
+from ...registration.rigid import invert_pose
+from .frames import SensorFrame
+from .joins import LEAST_VOXEL, VOXELS, MapJoin, Proposal, apart, judge_join
+from .loop_pairs import Candidate, Loop, SubmapSurface, refine, verify_far
+from .maps import Maps, SlamMap, map_sizes
+from .movers import Movers
+from .results import TrackingResult
+from .submaps import Submap
+from .tracker import AGREED, clean_pose
+
+Pose = NDArray[np.float64]
+
+TRIED = 3  # poses that are looked at, the best believed first
+
+
+def find_join(target: SlamMap, source: SlamMap, results: list[TrackingResult], seed: int) -> MapJoin | None:
+    """How two maps lie to each other by registration of their submaps, or of all of each where there are none.
+
+    None where no pose is believed; else the pose that the maps bear out, or the best one with why they do not.
+    """
+    pieces = [_pieces(known, results) for known in (target, source)]
+    if not all(pieces):
+        return None
+    size = max(VOXELS * target.model.volume.voxel_size, LEAST_VOXEL)
+    surfaces = [SubmapSurface(piece, size) for part in pieces for piece in part]
+    count = len(pieces[0])
+    pairs = [
+        Candidate(s, t, np.eye(4), np.inf)
+        for t in range(count)
+        for s in range(count, len(surfaces))
+        if len(surfaces[t].box) and len(surfaces[s].box)
+    ]
+    loops = [loop for loop in verify_far(surfaces, pairs, seed) if not loop.refused]
+    places = [piece.T_world_submap for part in pieces for piece in part]
+    judged: list[MapJoin] = []
+    for T in _distinct(refine(surfaces, loops), places)[:TRIED]:
+        judged.append(judge_join(target, source, T))
+        if not judged[-1].refused:
+            return judged[-1]
+    return judged[0] if judged else None
+
+
+def _pieces(known: SlamMap, results: list[TrackingResult]) -> list[Submap]:
+    if known.recorder is not None:
+        return known.recorder.finish()
+    fused = [result for result in results if result.map == known.number and result.fused]
+    if not fused:
+        return []
+    frames, poses = [result.index for result in fused], [result.pose for result in fused]
+    return [Submap(known.model.volume, np.eye(4), np.array(frames), np.array(poses), follows=False)]
+
+
+def _distinct(loops: list[Loop], places: list[Pose]) -> list[Pose]:
+    """Where the loops put one map in the other, each place once: those that most loops agree on first."""
+    poses = [clean_pose(places[p.target] @ p.T_target_source @ np.linalg.inv(places[p.source])) for p in loops]
+    near = [[apart(np.linalg.inv(a) @ b) < AGREED for b in poses] for a in poses]
+    order = sorted(range(len(poses)), key=lambda k: (-sum(near[k]), -loops[k].score, k))
+    kept: list[int] = []
+    for k in order:
+        if not any(near[k][other] for other in kept):
+            kept.append(k)
+    return [poses[k] for k in kept]
+
+
+def merge_maps(target: SlamMap, source: SlamMap, T_target_source: Pose, results: list[TrackingResult]) -> None:
+    """All that the source holds becomes the target's, in its coordinates; the camera's motion is taken over too."""
+    T = T_target_source
+    turned = np.kron(np.eye(2), T[:3, :3])
+    for i, result in enumerate(results):
+        if result.map == source.number:
+            pose = None if result.pose is None else clean_pose(T @ result.pose)
+            covariance = turned @ result.covariance @ turned.T
+            results[i] = dataclasses.replace(result, pose=pose, covariance=covariance, map=target.number)
+    target.keyframes.extend(source.keyframes, T)
+    target.tracker.drift.take_over(source.tracker.drift, T, target.model.volume.voxel_size)
+    if target.recorder is not None and source.recorder is not None:
+        moved = [
+            dataclasses.replace(submap, T_world_submap=T @ submap.T_world_submap, follows=True)
+            for submap in source.recorder.finish()
+        ]
+        target.recorder.take_over(moved)
+    model = target.model
+    model.volume, model.movers = fuse_volumes([model.volume, source.model.volume], np.array([np.eye(4), T])), Movers()
+
+
+def hand_over(target: SlamMap, source: SlamMap, T_target_source: Pose) -> None:
+    """The camera, which is in the source, is in the target from now on."""
+    T, motion = T_target_source, source.tracker.motion
+    assert motion.pose is not None
+    motion.pose = clean_pose(T @ motion.pose)
+    target.tracker.motion = motion
+    target.model.current_frame_pose = clean_pose(T @ source.model.current_frame_pose)
+
+
+class Joining:
+    """Finds how the maps of a run lie to each other, and joins them.
+
+    Args:
+        maps: The Maps.
+        results: Those of the run, which are moved with their maps.
+        seed: As of `register_globally`.
+
+    Attributes:
+        judged: What came of each pose that was found.
+    """
+
+    def __init__(self, maps: Maps, results: list[TrackingResult], seed: int):
+        self._maps, self._results, self._seed = maps, results, seed
+        self.judged: list[MapJoin] = []
+        self._proposal: Proposal | None = None
+        self._tried: set[tuple[int, int, int, int]] = set()  # two maps and how many frames they had
+
+    def look(self, frame: SensorFrame, pose: Pose, is_new_view: bool) -> None:
+        """Whether a fused frame, or those before it, tell how another map lies to the one that the camera is in."""
+        proposal = self._proposal
+        if proposal is None or proposal.here is not self._maps.here or proposal.other not in self._maps.kept:
+            self._proposal = self._propose(frame, pose, is_new_view)
+            return
+        if proposal.ask(frame, pose):
+            self._proposal = None
+            low, high = sorted((proposal.other, proposal.here), key=_number)
+            T = proposal.T_other_here
+            join = judge_join(low, high, T if low is proposal.other else invert_pose(T))
+            self.judged.append(join)
+            if not join.refused:
+                self._join(join)
+        elif proposal.is_refuted:
+            self._proposal = None
+
+    def _propose(self, frame: SensorFrame, pose: Pose, is_new_view: bool) -> Proposal | None:
+        for other in self._maps.others:
+            if is_new_view or other.tracker.awaits_confirmation:
+                attempt, _ = other.tracker.locate(frame)
+                if attempt.verdict == "tracked":
+                    return Proposal(other, self._maps.here, clean_pose(attempt.pose @ invert_pose(pose)), pose)
+        return None
+
+    def search(self) -> list[MapJoin]:
+        """Register all maps with each other and join those that are believed; what was tried just now."""
+        first = len(self.judged)
+        while (join := self._next()) is not None:
+            self._join(join)
+        return self.judged[first:]
+
+    def _next(self) -> MapJoin | None:
+        """The next two maps that can be joined, the larger ones first."""
+        sizes = map_sizes(self._results)
+        kept = sorted(self._maps.kept, key=lambda known: (-sizes.get(known.number, 0), known.number))
+        for pair in itertools.combinations(kept, 2):
+            low, high = sorted(pair, key=_number)
+            state = (low.number, high.number, low.model.frame_count, high.model.frame_count)
+            if state in self._tried or not (low.model.frame_count and high.model.frame_count):
+                continue
+            self._tried.add(state)
+            join = find_join(low, high, self._results, self._seed)
+            if join is not None:
+                self.judged.append(join)
+                if not join.refused:
+                    return join
+        return None
+
+    def _join(self, join: MapJoin) -> None:
+        by_number = {known.number: known for known in self._maps.kept}
+        target, source = by_number[join.target], by_number[join.source]
+        merge_maps(target, source, join.T_target_source, self._results)
+        if source is self._maps.here:
+            hand_over(target, source, join.T_target_source)
+        self._maps.drop(source, instead=target)
+        self._proposal = None
+
+
+def _number(known: SlamMap) -> int:
+    return known.number

@@ -1,0 +1,209 @@
+"""A camera that is lost for long begins a new map, which is joined where the two are known to show the same place."""
+
+from __future__ import annotations
+
+import json
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+import pointloom as loom
+from pointloom.registration.rigid import invert_pose
+from pointloom.rgbd.slam import joins, maps
+from pointloom.rgbd.slam.joins import Proposal, judge_join
+
+from .slam_walks import begun, blank, frame, frames, walk
+
+ELSEWHERE = range(150, 166)  # the other side of the room
+NEAR = 0.03  # [m] voxels are 4 cm
+
+
+@pytest.fixture(autouse=True)
+def _soon(monkeypatch):
+    """Lost for four frames is long, and a map of four frames is one."""
+    monkeypatch.setattr(maps, "LOST_FOR_LONG", 4)
+    monkeypatch.setattr(maps, "TRIAL", 4)
+
+
+def away(device: str, **options):
+    """Ten frames, then sixteen of the other side of the room."""
+    slam = begun(device, **options)
+    slam.run(frames(*range(10), *ELSEWHERE))
+    return slam
+
+
+def error(pose, index: int) -> float:
+    return float(np.linalg.norm(pose[:3, 3] - frame(index).T_world_camera[:3, 3]))
+
+
+def test_a_camera_lost_for_long_begins_a_map_with_coordinates_of_its_own(device):
+    slam = away(device)
+    assert [result.map for result in slam.results] == [0] * 14 + [1] * 12
+    assert [result.verdict for result in slam.results] == ["tracked"] * 10 + ["lost"] * 4 + ["tracked"] * 12
+    assert slam.map_sizes == {1: 12, 0: 10}
+    assert slam.trajectory.ids[:, 0].tolist() == list(range(14, 26))  # the largest alone
+    assert slam.trajectory_of(0).ids[:, 0].tolist() == list(range(10))
+    np.testing.assert_array_equal(slam.trajectory.poses[0], np.eye(4))
+    steps = invert_pose(slam.trajectory.poses[0]) @ slam.trajectory.poses[-1]
+    true = invert_pose(frame(154).T_world_camera) @ frame(165).T_world_camera
+    assert np.linalg.norm(steps[:3, 3] - true[:3, 3]) < NEAR
+    assert slam.volume is slam.model.volume
+
+
+def test_maps_that_share_nothing_are_not_joined(device):
+    slam = away(device)
+    assert all(join.refused for join in slam.join_maps())
+    assert len(slam.map_sizes) == 2
+    assert slam.join_maps() == []  # nothing new to look at
+
+
+def test_a_map_is_joined_where_the_camera_comes_into_the_old_one(device):
+    """Lost at 60, it walks back to where it began."""
+    slam, seen = begun(device), [*range(0, 14, 2), *range(60, -1, -2)]
+    slam.run(frames(*seen))
+    (join,) = (join for join in slam.joins if not join.refused)
+    assert (join.target, join.source) == (0, 1) and join.views >= 2 and join.score > 0.5
+    assert list(slam.map_sizes) == [0]
+    placed = slam.trajectory.ids[:, 0].tolist()
+    assert len(placed) == len(seen) - 4
+    assert max(error(pose, seen[k]) for k, pose in zip(placed, slam.trajectory.poses, strict=True)) < NEAR
+    assert slam.model.frame_count == len(placed)
+
+
+def test_maps_are_joined_by_their_submaps_too(device):
+    slam = begun(device, submap_frames=8)
+    slam.run(frames(*range(0, 24, 2)))
+    other = begun(device, submap_frames=8, T_init=None)
+    other.run(frames(*range(30, 4, -2)))
+    slam._maps.kept.append(renumbered(other, slam))
+    (join,) = slam.join_maps()
+    assert not join.refused and len(slam.trajectory) == 25
+    off = [error(r.pose, k) for r, k in zip(slam.results, [*range(0, 24, 2), *range(30, 4, -2)], strict=True)]
+    assert max(off) < NEAR
+    assert len(slam.close_loops().T_world_submap) >= 4
+
+
+def renumbered(other, slam):
+    """The only map of another run as the second of a run."""
+    from dataclasses import replace
+
+    first, known = len(slam.results), other._maps.here
+    slam.results += [replace(result, index=first + result.index, map=1) for result in other.results]
+    known.number, known.keyframes.numbers = 1, [first + number for number in known.keyframes.numbers]
+    known.recorder.finish()
+    known.recorder.submaps = [replace(submap, frames=submap.frames + first) for submap in known.recorder.submaps]
+    return known
+
+
+@pytest.mark.parametrize(("shift", "is_right"), [((0, 0, 0), True), ((0.2, 0, 0), False), ((0, -0.3, 0.1), False)])
+def test_a_join_has_to_be_borne_out_by_the_maps(device, shift, is_right):
+    first, second = begun(device), begun(device)
+    first.run(frames(*range(0, 24, 4)))
+    second.model.current_frame_pose[:] = frame(8).T_world_camera
+    second.run(frames(*range(8, 32, 4)))
+    T = np.eye(4)
+    T[:3, 3] = shift
+    join = judge_join(first._maps.here, second._maps.here, T)
+    assert bool(join.refused) is not is_right, join
+    if is_right:
+        poses = np.array(second.keyframes.poses)
+        assert np.linalg.norm((join.T_target_source @ poses - poses)[:, :3, 3], axis=1).max() < 0.02
+
+
+@pytest.mark.parametrize(
+    ("given", "refused"),
+    [
+        ({}, ""),
+        ({"views": 1}, "1 views bear it out"),
+        ({"apart": 0.0}, "1 views bear it out"),  # the same view twice
+        ({"against": 1}, "1 views contradict it"),
+        ({"score": 0.4}, "their surfaces do not bear it out: score 0.40"),
+    ],
+)
+def test_each_sort_of_evidence_is_asked_for(monkeypatch, given, refused):
+    views, gap = given.get("views", 2), given.get("apart", 1.0)
+    poses = [np.eye(4) for _ in range(views)]
+    for k, pose in enumerate(poses):
+        pose[0, 3] = gap * k
+    answers = iter([(poses, [np.eye(4)] * views, given.get("against", 0)), ([], [], 0)])
+    monkeypatch.setattr(joins, "_views", lambda *_: next(answers))
+    monkeypatch.setattr(joins, "_rate", lambda *_: given.get("score", 0.9))
+    target, source = SimpleNamespace(number=0), SimpleNamespace(number=1)
+    assert judge_join(target, source, np.eye(4)).refused.startswith(refused)
+    assert bool(refused) is bool(given)
+
+
+def test_a_proposal_is_borne_out_by_frames_over_some_way_and_dropped_by_a_few_that_are_not():
+    off, shift = [0.0], np.eye(4)
+    tracker = SimpleNamespace(try_place=lambda _, pose: SimpleNamespace(verdict="tracked", pose=pose @ moved(off[0])))
+    proposal = Proposal(SimpleNamespace(tracker=tracker), None, shift, np.eye(4))
+    assert not any(proposal.ask(None, moved(0.001 * k)) for k in range(20))  # hardly moved
+    assert proposal.ask(None, moved(0.2))
+    off[0] = 0.1
+    fresh = Proposal(SimpleNamespace(tracker=tracker), None, shift, np.eye(4))
+    assert not any(fresh.ask(None, moved(0.1 * k)) for k in range(3)) and fresh.is_refuted
+
+
+def moved(x: float):
+    T = np.eye(4)
+    T[0, 3] = x
+    return T
+
+
+def test_a_map_that_is_lost_again_at_once_is_given_up(device):
+    slam = begun(device)
+    slam.run(frames(*range(6), *ELSEWHERE[:6], 100))  # two frames of a new map, and then elsewhere
+    assert slam.verdict_counts == {"tracked": 6, "uncertain": 0, "lost": 7}
+    assert "given up after 2 frames" in slam.results[10].reason
+    assert slam.map_sizes == {0: 6} and slam.model.frame_count == 6
+    assert slam.step(frame(5)).map == 0  # where it was, it is found
+
+
+def test_covered_frames_begin_no_map(device):
+    slam = begun(device)
+    slam.run([*frames(*range(4)), *[blank(frame(4))] * 12])
+    assert slam.map_sizes == {0: 4} and slam._maps.begun == 1
+
+
+def test_models_that_are_kept_are_few(device, monkeypatch):
+    monkeypatch.setattr(maps, "MOST_MAPS", 2)
+    slam = away(device)
+    slam.run(frames(*range(75, 85)))
+    assert slam._maps.begun == 3 and len(slam._maps.kept) == 2
+    assert set(slam.map_sizes) == {0, 1, 2}  # its frames still say which map they are of
+
+
+class Away:
+    """The frames of `away`, for `loom.track`."""
+
+    intrinsic, depth_scale = property(lambda _: walk().intrinsic), 1000.0
+
+    def __len__(self) -> int:
+        return 10 + len(ELSEWHERE)
+
+    def read(self, index: int):
+        return frame([*range(10), *ELSEWHERE][index])
+
+
+def test_a_path_says_what_lies_in_a_map_of_its_own():
+    path = loom.track(Away(), voxel_size=0.04)
+    assert path.trajectory.ids[:, 0].tolist() == list(range(14, 26))
+    assert len(path.true_poses) == 12 and path.error.absolute_translation.rmse < NEAR
+    (other,) = path.other_maps
+    assert other.ids[:, 0].tolist() == list(range(10))
+    assert sorted(path.lost) == [10, 11, 12, 13]
+    assert "2 maps that do not lie relative to each other: frame 0-9 are in a map of their own" in path.poor
+    report = json.loads(json.dumps(path.to_json()))
+    assert report["other_maps"] == [{"first": 0, "last": 9, "tracked": 10}] and report["tracked"] == 12
+    assert "other maps" in str(path)
+
+
+def test_a_model_is_of_one_map():
+    result = loom.reconstruct(Away(), voxel_size=0.04)
+    assert len(result.trajectory) == 12 and "2 maps" in result.poor
+    lowest, highest = result.mesh.vertices.min(axis=0), result.mesh.vertices.max(axis=0)
+    alone = loom.reconstruct(loom.frames_from([(f.color, f.depth) for f in frames(*range(154, 166))], walk().intrinsic),
+                             voxel_size=0.04)  # fmt: skip
+    np.testing.assert_allclose(lowest, alone.mesh.vertices.min(axis=0), atol=0.05)
+    np.testing.assert_allclose(highest, alone.mesh.vertices.max(axis=0), atol=0.05)
