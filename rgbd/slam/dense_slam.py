@@ -30,12 +30,11 @@ from .model import Model
 from .results import TrackingResult
 from .stream_check import STALE, StreamCheck
 from .submaps import SubmapRecorder
-from .tracker import Attempt, Tracker, clean_pose
+from .tracker import Tracker, clean_pose
 from .verdicts import LEAST_DEPTH, depth_share, is_determined, judge_drift
 
 Pose = NDArray[np.float64]
 
-FEWEST_FRAMES = 5  # of a model that a camera is found on that was lost for longer: any wall lies on another
 YOUNG = 60  # frames of a model that begins again where it holds what moves: two seconds at 30 a second
 
 
@@ -347,7 +346,7 @@ class DenseSLAM:
             return TrackingResult(None, "lost", doubt, map=maps.here.number, **known)
         if self._restarts(frame):
             return self._begin(frame, known)
-        attempt, is_anew = self._locate(frame)
+        attempt, is_anew = self._tracker.locate(frame)
         attempt = attempt.doubted(doubt)
         if attempt.verdict == "lost":
             maps.here.tracker.motion.missed += 1
@@ -356,7 +355,7 @@ class DenseSLAM:
             found = maps.find_elsewhere(frame)
             if found is None:
                 self.foreground.place(None)
-                lost = TrackingResult(None, "lost", attempt.reason, map=maps.here.number, **_measures(attempt), **known)
+                lost = TrackingResult(None, "lost", attempt.reason, map=maps.here.number, **attempt.measures, **known)
                 return self._begin_anew(frame, known, lost)
             attempt, is_anew = found, True
         maps.found()
@@ -366,18 +365,9 @@ class DenseSLAM:
         if is_tracked:
             motion.learn(attempt.result)
         motion.advance(attempt.pose, frame, is_tracked=is_tracked, is_continuous=tells_velocity)
-        said = {**_measures(attempt), **known, "relocalized": is_anew, "map": maps.here.number}
+        said = {**attempt.measures, **known, "relocalized": is_anew, "map": maps.here.number}
         said["covariance"] = attempt.covariance
         return judge_drift(TrackingResult(attempt.pose, attempt.verdict, attempt.reason, **said))
-
-    def _locate(self, frame: SensorFrame) -> tuple[Attempt, bool]:
-        """A frame in the map that the camera is in, and whether it was found anew."""
-        attempt, is_anew = self._tracker.locate(frame)
-        is_far = is_anew and self._tracker.motion.missed > FEWEST_FRAMES > self.model.frame_count
-        if is_far and attempt.verdict == "tracked":
-            reason = f"only {self.model.frame_count} frames are in the model, too few to find a place on it"
-            attempt = dataclasses.replace(attempt, verdict="lost", reason=reason)
-        return attempt, is_anew
 
     def _restarts(self, frame: SensorFrame) -> bool:
         """Whether the near part of the pictures is found to move by itself while the model, which holds it, is young.
@@ -410,9 +400,3 @@ class DenseSLAM:
             return lost
         self._maps.begin()
         return self._begin(frame, known)
-
-
-def _measures(attempt: Attempt) -> dict[str, Any]:
-    """The numbers of an attempt, as a TrackingResult names them."""
-    names = ("fitness", "overlap", "inlier_rmse", "intensity_rmse", "smallest_eigenvalue", "iterations")
-    return {name: getattr(attempt.result, name) for name in names}

@@ -44,6 +44,7 @@ from .verdicts import (
 
 Pose = NDArray[np.float64]
 
+FEWEST_FRAMES = 5  # of a model that a camera is found on that was lost for longer: any wall lies on another
 CANDIDATES = 5  # keyframes that are tried for a lost frame
 LONGEST_STEP = 3.0  # times the usual time between frames; after a longer one nothing is known of the motion
 SUSPECT = 1.15  # times the usual difference in brightness: more, and something that moves may pull the surface along
@@ -144,6 +145,9 @@ class Tracker:
     def locate(self, frame: SensorFrame) -> tuple[Attempt, bool]:
         """The best attempt for a frame, and whether it was found anew, not from the frames before."""
         attempt, is_anew = self._beaten(frame)
+        if is_anew and attempt.verdict == "tracked" and self.motion.missed > FEWEST_FRAMES > self.model.frame_count:
+            reason = f"only {self.model.frame_count} frames are in the model, too few to find a place on it"
+            attempt = dataclasses.replace(attempt, verdict="lost", reason=reason)
         if attempt.verdict == "lost":
             return attempt, is_anew
         covariance = self.drift.of(frame.pyramid, attempt.pose, attempt.result.covariance)

@@ -182,7 +182,8 @@ class _Tally:
             ),
             joins=tuple(self.slam.joins), doubt=next((r.reason for r in placed.values() if not r.is_tracked), ""),
             stream=self.slam.stream.doubt, deviations=tuple(results[n].position_deviation for n in main),
-            drifted=tuple(n for n, result in placed.items() if result.has_drifted), depth_share=depth_share, used_share=used_share, **sizes,
+            drifted=tuple(n for n, result in placed.items() if result.has_drifted),
+            depth_share=depth_share, used_share=used_share, **sizes,
         )  # fmt: skip
 
     def _trajectory(self, numbers: list[int], results: dict[int, TrackingResult]) -> Trajectory:

@@ -61,6 +61,12 @@ class Attempt:
         rank = {"tracked": 2.0, "uncertain": 1.0, "lost": 0.0}[self.verdict]
         return rank + self.result.fitness
 
+    @property
+    def measures(self) -> dict[str, float]:
+        """The numbers of the alignment, as a TrackingResult names them."""
+        names = ("fitness", "overlap", "inlier_rmse", "intensity_rmse", "smallest_eigenvalue", "iterations")
+        return {name: getattr(self.result, name) for name in names}
+
     def doubted(self, reason: str) -> Attempt:
         """The same where something speaks against it, whatever fits: no more than uncertain."""
         if not reason:
