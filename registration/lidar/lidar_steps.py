@@ -22,9 +22,9 @@ NO_POINTS, FIRST_SCAN = "no points in range", "first scan"  # reasons of a step
 
 # Of a scan's disagreement, above which it lies beside the map; the second where none of it lies near the map, with a
 # straight line to two thirds of it. On made-up drives whose truth is known (streets, halls, woods, corridors; 0 to 38
-# m/s, scanners that turn and one that draws roses in the hand) scans that were right had 0.005 to 0.28, lost ones 0.29 to
-# 0.71; scans of other places 0.25 to 0.44, of which the former with a fitness of 0.2; submaps 3 to 12 m apart 0.49 to
-# 0.59.
+# m/s, scanners that turn and one that draws roses in the hand) scans that were right had 0.005 to 0.28, lost ones 0.29
+# to 0.71; scans of other places 0.25 to 0.44, of which the former with a fitness of 0.2; submaps 3 to 12 m apart 0.49
+# to 0.59.
 STRAYED_DISAGREEMENT, ALONE_DISAGREEMENT = 0.3, 0.1
 
 # A loop that stands still between two places is common and harmless; where more of the scans do not come to rest than
