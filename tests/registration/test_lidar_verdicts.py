@@ -112,7 +112,7 @@ def test_standing_still_while_much_moves_by_is_told():
 
 
 def test_a_rise_counts_where_it_is_large_and_sure():
-    rows = np.array([[0.03, 0.0, 1.0, 0.0], [3.0, 0.9, 100.0, 0.0], [1.0, 0.05, 100.0, 0.0], [4.0, 4.0, 100.0, 0.0]])
+    rows = np.array([[0.03, 0.0, 1.0, 0.0], [3.1, 0.9, 100.0, 0.0], [15.0, 1.0, 1000.0, 0.0], [4.0, 4.0, 100.0, 0.0]])
     assert LEAST_RISE == 0.02
     assert rises_clearly(rows).tolist() == [False, True, False, False]
 
