@@ -272,7 +272,7 @@ class LidarOdometry:
             match.turns, match.converged, not match.is_found, reason, rmse / self.voxel_size, match.disagreement,
             () if match.open is None else match.open.translations(),
             () if match.open is None else match.open.turns(),
-            tuple(tuple(float(v) for v in rival[:3, 3] - match.pose[:3, 3]) for rival in match.rivals), has_prior,
+            match.ways_to_rivals(), has_prior,
         )  # fmt: skip
 
     def _place(self, step: OdometryStep, kept: wp.array, voxel_map: VoxelMap, predicted: Matrix, raw: RawScan) -> Next:

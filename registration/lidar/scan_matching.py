@@ -78,6 +78,11 @@ class ScanMatch:
     open: OpenDirections | None = None
     rivals: tuple[Matrix, ...] = ()
 
+    def ways_to_rivals(self) -> tuple[tuple[float, float, float], ...]:
+        """The vectors [m] from the pose to the others."""
+        ways = [rival[:3, 3] - self.pose[:3, 3] for rival in self.rivals]
+        return tuple((float(x), float(y), float(z)) for x, y, z in ways)
+
 
 def match_scan(
     points: wp.array,
