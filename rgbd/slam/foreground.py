@@ -42,6 +42,7 @@ STRIDE = 1.3  # times the last limit, or less, that is tried: what moves comes a
 AS_GOOD, SLACK = 1.15, 0.02  # times the misfit, and variances, by which a nearer limit may fit worse
 LEAST_LEFT = 0.25  # share of the picture beyond it
 PLAIN = 2.5  # variances of the noise: a far part that fits no better holds what moves too
+MOST_SHIFT, MOST_TURN = 0.3, np.deg2rad(20.0)  # [m], [rad] likewise: beyond it views differ by more than what moves
 LEAST_OVERLAP = 0.6  # share of the far part that meets the earlier frame: where the views part, edges weigh more
 FIRM_AGREEMENT = 0.9  # and of that, but for what is hidden there, that lies on its surface: then its motion is right
 
@@ -78,7 +79,15 @@ class Layers:
     def is_told(self) -> bool:
         """Whether the far part lies on the earlier frame."""
         result = self.far.result
-        return self.far.agreement > FIRM_AGREEMENT and result.overlap > LEAST_OVERLAP and not result.contradiction
+        shift, turn = self._moved
+        is_near = shift < MOST_SHIFT and turn < MOST_TURN and result.overlap > LEAST_OVERLAP
+        return self.far.agreement > FIRM_AGREEMENT and is_near and not result.contradiction
+
+    @property
+    def _moved(self) -> tuple[float, float]:
+        """How far the camera went by the far part [m], and how much it turned [rad]."""
+        T = self.far.result.transformation
+        return float(np.linalg.norm(T[:3, 3])), float(np.linalg.norm(rotation_vector(T[:3, :3])))
 
     @property
     def are_apart(self) -> bool:
@@ -88,10 +97,9 @@ class Layers:
     @property
     def are_one(self) -> bool:
         """Whether both go one way, and the camera moved enough for that to be told."""
-        T = self.far.result.transformation
-        moved = np.linalg.norm(T[:3, 3]) > SHIFTED or np.linalg.norm(rotation_vector(T[:3, :3])) > TURNED
+        shift, turn = self._moved
         is_plain = self.far.misfit < PLAIN and self.whole.misfit < ALIKE * self.far.misfit + NOISE
-        return self.is_told and bool(moved) and is_plain
+        return self.is_told and (shift > SHIFTED or turn > TURNED) and is_plain
 
     @property
     def pose(self) -> Pose | None:

@@ -98,6 +98,9 @@ def test_layers_are_apart_where_all_fits_worse_than_what_lies_behind():
     assert not layers(0.5, 0.3).are_apart and layers(0.5, 0.3).are_one
     assert not layers(2.0, 0.2, agreement=0.8).are_apart, "what lies behind is not found either"
     assert not layers(2.0, 0.2, overlap=0.5).are_apart
+    far = np.eye(4)
+    far[0, 3] = 0.4
+    assert not layers(2.0, 0.2, transformation=far).are_apart, "views so far apart differ by themselves"
     assert not layers(2.0, 0.2, contradiction="the brightness does not agree").are_apart
     assert not layers(4.0, 4.0).are_one, "both fit badly"
     assert not layers(0.5, 0.3, transformation=np.eye(4)).are_one, "a camera that stands still tells nothing"
