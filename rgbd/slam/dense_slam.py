@@ -265,7 +265,8 @@ class DenseSLAM:
             motion.learn(attempt.result)
         motion.advance(attempt.pose, frame, is_tracked=is_tracked, is_continuous=tells_velocity)
         said = {**_measures(attempt), **known, "relocalized": is_anew, "covariance": attempt.covariance}
-        return judge_drift(TrackingResult(attempt.pose, attempt.verdict, attempt.reason, **said))
+        found = TrackingResult(attempt.pose, attempt.verdict, attempt.reason, **said)
+        return judge_drift(found, self.volume.truncation)
 
     def _begin(self, frame: SensorFrame, known: dict[str, Any]) -> TrackingResult:
         """The first frame: where the world begins, once one has depth."""

@@ -28,13 +28,17 @@ def test_the_deviation_of_a_position_is_that_of_its_most_open_direction():
 
 @pytest.mark.parametrize(("share", "verdict"), [(0.9, "tracked"), (1.1, "uncertain")])
 def test_a_pose_that_is_too_open_is_uncertain_and_its_frame_fits_all_the_same(share, verdict):
-    judged = judge_drift(deviated(share * MOST_DEVIATION))
+    judged = judge_drift(deviated(share * MOST_DEVIATION), 0.04)
     assert (judged.verdict, judged.has_drifted) == (verdict, verdict == "uncertain")
     assert bool(judged.reason) == (verdict == "uncertain")
 
 
+def test_a_coarser_model_holds_less():
+    assert judge_drift(deviated(1.5 * MOST_DEVIATION), 0.16).verdict == "tracked"
+
+
 def test_a_lost_frame_stays_lost():
-    assert judge_drift(dataclasses.replace(deviated(1.0), verdict="lost")).verdict == "lost"
+    assert judge_drift(dataclasses.replace(deviated(1.0), verdict="lost"), 0.04).verdict == "lost"
 
 
 def test_the_way_adds_up_and_a_look_back_takes_it_off(device):
