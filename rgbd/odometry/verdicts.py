@@ -26,6 +26,7 @@ FEWEST = 12  # inliers
 IMITATED = 0.004  # of an eigenvalue: what noise and rounded edges make of walls without texture
 LEAST_KEPT = 1e-4  # of it, so that a covariance is finite: a meter and more
 LEAST_EXCESS = 0.1  # of the noise that was found: means of many pixels are never as exact as their number says
+MOST_OPEN = 0.06  # [m] that a frame is off where nothing holds it but where the steps began
 SHARED = 25.0  # pixels of a plane's window, whose errors are one
 SHADED = 0.3  # share of the inliers that must have brightness for it to count
 SHIFT = 0.01  # [m] what an eigenvalue is the price of: a pixel's mean square, in variances of the noise
@@ -127,7 +128,7 @@ def covariance_of(firm: NDArray[np.float64], v: NDArray[np.float64]) -> NDArray[
     kept = np.maximum(values - IMITATED * unit, LEAST_KEPT * unit)
     noise = SHARED * max(v[at.EXCESS] / v[at.PLANES], LEAST_EXCESS)
     spread = b @ vectors
-    return noise * (spread / kept) @ spread.T
+    return (spread * np.minimum(noise / kept, MOST_OPEN**2)) @ spread.T
 
 
 def _symmetric(sums: NDArray[np.float64]) -> NDArray[np.float64]:

@@ -352,12 +352,12 @@ class DenseSLAM:
             maps.here.tracker.motion.missed += 1
             if maps.is_on_trial:
                 maps.give_up(self.results)
-            found = maps.find_elsewhere(frame)
-            if found is None:
+            elsewhere = maps.find_elsewhere(frame)
+            if elsewhere is None:
                 self.foreground.place(None)
                 lost = TrackingResult(None, "lost", attempt.reason, map=maps.here.number, **attempt.measures, **known)
                 return self._begin_anew(frame, known, lost)
-            attempt, is_anew = found, True
+            attempt, is_anew = elsewhere, True
         maps.found()
         motion, is_tracked = maps.here.tracker.motion, attempt.verdict == "tracked"
         self.foreground.place(attempt.pose if is_tracked else None)
@@ -365,9 +365,9 @@ class DenseSLAM:
         if is_tracked:
             motion.learn(attempt.result)
         motion.advance(attempt.pose, frame, is_tracked=is_tracked, is_continuous=tells_velocity)
-        said = {**attempt.measures, **known, "relocalized": is_anew, "map": maps.here.number}
-        said["covariance"] = attempt.covariance
-        return judge_drift(TrackingResult(attempt.pose, attempt.verdict, attempt.reason, **said))
+        said = {**attempt.measures, **known, "relocalized": is_anew, "covariance": attempt.covariance}
+        found = TrackingResult(attempt.pose, attempt.verdict, attempt.reason, map=maps.here.number, **said)
+        return judge_drift(found, self.model.volume.truncation)
 
     def _restarts(self, frame: SensorFrame) -> bool:
         """Whether the near part of the pictures is found to move by itself while the model, which holds it, is young.

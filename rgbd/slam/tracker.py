@@ -330,7 +330,7 @@ class Tracker:
             if between > PULLED and by_shades.intensity_rmse < PLAINLY * result.intensity_rmse:
                 result = by_shades
         pose = clean_pose(at @ result.transformation)
-        verdict, reason = judge_tracking(result, invert_pose(expected) @ pose)
+        verdict, reason = judge_tracking(result, invert_pose(expected) @ pose, self.motion.gap)
         return Attempt(pose, result, verdict, reason)
 
 

@@ -28,6 +28,7 @@ LEAST_AGREEMENT, FIRM_AGREEMENT = 0.45, 0.6  # share of that which lies on its s
 LEAST_EIGENVALUE = 0.005  # as of OdometryResult: rooms in tiny pictures 0.007 and more | flat walls up to 0.004
 MOST_SHIFT, MOST_TURN = 0.35, np.deg2rad(30.0)  # [m], from where the camera was expected: a jump
 MOST_DEVIATION = 0.035  # [m] of a position: 0.04 and more in a white office once 10 cm off | textured rooms up to 0.011
+MOST_OF_TRUNCATION = 0.44  # where that is more: coarser models hold less
 SURE_OVERLAP, SURE_AGREEMENT = 0.5, 0.75  # from a keyframe: enough to be believed
 RIM_OVERLAP = 0.3  # where motion led: a camera that went on while it was covered sees the model's rim
 SHAPE_OVERLAP = 0.08  # where registration believes the place already, and two frames agree on it
@@ -35,6 +36,7 @@ SHAPE_OVERLAP = 0.08  # where registration believes the place already, and two f
 # without texture, by a grey value.
 MOST_SHADES, LEAST_SHADES = 2.0, 0.01  # times the brightness is off beside the usual, and by how much at least
 MOST_GAP, LEAST_GAP = 2.5, 0.005  # times the surface is off beside the usual, and by how much at least [m]
+FOLLOWED_GAP = 0.015  # [m] by how much a frame that is followed: the view may turn from near things to far ones
 MOST_MISFIT, LEAST_MISFIT = 2.0, 0.05  # times what does not lie on the surface, and how much more at least
 
 
@@ -85,8 +87,11 @@ def is_determined(result: OdometryResult) -> bool:
     return result.smallest_eigenvalue >= LEAST_EIGENVALUE
 
 
-def judge_tracking(result: OdometryResult, moved: NDArray[np.float64]) -> tuple[Verdict, str]:
-    """The verdict on a frame that was aligned from where it was expected; `moved` is how far off that was."""
+def judge_tracking(
+    result: OdometryResult, moved: NDArray[np.float64], usual_gap: float = math.nan
+) -> tuple[Verdict, str]:
+    """The verdict on a frame that was aligned from where it was expected; `moved` is how far off that was, `usual_gap`
+    how far the run's frames are off the model's surface [m]."""
     agreement = agreement_of(result)
     shift = float(np.linalg.norm(moved[:3, 3]))
     turn = float(np.linalg.norm(rotation_vector(moved[:3, :3])))
@@ -98,6 +103,8 @@ def judge_tracking(result: OdometryResult, moved: NDArray[np.float64]) -> tuple[
         return "lost", f"{agreement:.0%} of what meets the model lie on its surface"
     if result.contradiction:
         return "lost", result.contradiction
+    if result.inlier_rmse > MOST_GAP * usual_gap and result.inlier_rmse - usual_gap > FOLLOWED_GAP:
+        return "lost", f"it lies {result.inlier_rmse / max(usual_gap, 1e-6):.1f} times as far off the model as usual"
     if not is_determined(result):
         return "uncertain", "what it shows does not fix where it was taken"
     if result.overlap < FIRM_OVERLAP:
@@ -140,10 +147,11 @@ def speaks_against(result: OdometryResult, other: OdometryResult) -> bool:
     return is_off_shade(result.intensity_rmse, other.intensity_rmse)
 
 
-def judge_drift(result: TrackingResult) -> TrackingResult:
-    """The result, uncertain where it would be tracked and its position is too open by what adds up on the way."""
+def judge_drift(result: TrackingResult, truncation: float) -> TrackingResult:
+    """The result, uncertain where it would be tracked and its position is too open by what adds up on the way, beside
+    the truncation [m] of the model."""
     off = result.position_deviation
-    if not result.is_tracked or off <= MOST_DEVIATION:
+    if not result.is_tracked or off <= max(MOST_DEVIATION, MOST_OF_TRUNCATION * truncation):
         return result
     reason = f"what was open on the way adds up to {off:.2f} m"
     return dataclasses.replace(result, verdict="uncertain", reason=reason, has_drifted=True)
