@@ -28,6 +28,7 @@ Pose = NDArray[np.float64]
 SEEN_OFTEN = 3  # frames beyond which a voxel is rendered, once there are so many; Open3D's figure
 DEPTH_MIN = 0.1  # [m] where rays begin
 BLUR = 0.1  # voxels: what distances between them are off by where the surface bends, beside a camera's noise
+FEWEST_FRAMES = 10  # before, little is seen and its rim, which has no slopes, is much of it: planes are fitted
 COARSE = 0.03  # [m] voxels from which on slopes of the distances are better normals than planes of rendered depth
 
 
@@ -184,7 +185,8 @@ class Model:
         """
         threshold = self.threshold if weight_threshold is None else weight_threshold
         edge = self.volume.voxel_size
-        limits: dict[str, Any] = {"depth_min": DEPTH_MIN, "depth_max": self.depth_max, "normals": edge >= COARSE}
+        is_shaded = edge >= COARSE and self.frame_count >= FEWEST_FRAMES
+        limits: dict[str, Any] = {"depth_min": DEPTH_MIN, "depth_max": self.depth_max, "normals": is_shaded}
         maps: Any = self.volume.render_maps(self._view, T_world_camera, weight_threshold=threshold, **limits)
         if maps.intensity is not None:
             hide_unseen(maps.depth, maps.intensity)
