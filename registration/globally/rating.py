@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
@@ -10,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 from ...core.checks import check_positive, check_transformation
 from ...kernels.memory import download
 from ...kernels.poses.overlap_evidence import MATCHED_AT, weigh_overlap
+from ...kernels.poses.sight import Sight, find_sight
 from ...kernels.surface.hollow_side import Surface
 from ...pcd.cloud import PointCloud
 from ..given_pairs import check_clouds
@@ -36,6 +38,10 @@ STILL = 1e-5  # of the distance of a match: the change of the error below which 
 # overlap lower both alike, but where a corner lies in another, the rest is chance. Chosen by the half of the scenes of
 # benchmarks/beliefs.py that is for it: 33 wrong poses have up to 0.2, of 235 right ones two less than 0.259.
 LEAST_REST, STEEP = 0.25, 4.0
+MARGIN = 4.0  # [voxels] that two surfaces are apart at least where one stands before the other
+# Points of one cloud that stand where the other saw through, of the matches. LiDAR and cameras that move see around
+# things: of right poses up to 0.013 do, of half of the wrong ones that the rest speaks for more than 0.02.
+MOST_BLOCKED = 0.02
 SAMPLES = 64  # points that tell how far two poses lie apart
 ENOUGH = 30  # matches below which they may be chance
 
@@ -49,12 +55,15 @@ class Evidence(NamedTuple):
             what they say of the motion that they say least of.
         matches: How many they are, those off the surface counting less.
         rest: The share, beside the three planes that most matches lie on; one where it was not asked for.
+        blocked: Points of one cloud that stand in the way to what the other saw, wherever its sensor was, in parts of
+            the matches; zero where it was not asked for, or where no place shows the cloud.
     """
 
     share: float
     firmness: float
     matches: float
     rest: float = 1.0
+    blocked: float = 0.0
 
     @property
     def odds(self) -> float:
@@ -72,9 +81,19 @@ class Evidence(NamedTuple):
 
     @property
     def score(self) -> float:
-        """The rating of the pose, 0..1: what the whole and what the rest say of it, whichever is less."""
+        """The rating of the pose, 0..1: what the whole, the rest and the view say of it, whichever is least."""
+        return min(self.score_with_planes, self.score_beside_planes, self.score_of_view)
+
+    @property
+    def score_beside_planes(self) -> float:
+        """What the matches beside the three main planes say of the pose, 0..1."""
         rest = max(self.rest, 1e-9) / max(self.share, 1e-9)
-        return min(self.score_with_planes, 1 / (1 + (LEAST_REST / rest) ** STEEP))
+        return 1 / (1 + (LEAST_REST / rest) ** STEEP)
+
+    @property
+    def score_of_view(self) -> float:
+        """What is left to say where points stand in the way, 0..1."""
+        return 1 / (1 + (self.blocked / MOST_BLOCKED) ** STEEP)
 
 
 NO_EVIDENCE = Evidence(0.0, 0.0, 0.0)
@@ -129,7 +148,8 @@ def rate_registration(
     if np.abs(T[:3, :3] @ T[:3, :3].T - np.eye(3)).max() > 0.05 or np.linalg.det(T[:3, :3]) < 0:
         source, T = source.transform(T), np.eye(4)
     try:
-        left, right = surface_of(source, distance / VOXELS), surface_of(target, distance / VOXELS)
+        size = distance / VOXELS
+        left, right = surface_of(source, size), surface_of(target, size)
     except ValueError as error:
         raise ValueError(f"max_correspondence_distance: {distance} m is too small for these clouds: {error}") from error
     if not len(left) or not len(right):
@@ -140,7 +160,28 @@ def rate_registration(
     drift = np.diff(moved_samples(left, np.stack([pose, refined])), axis=0)
     if np.sqrt((drift**2).sum(axis=2).mean()) > distance:
         refined = pose
-    return rate_surfaces(left, right, refined, distance).score
+    return rate_surfaces(Witness(left, size), Witness(right, size), refined, distance).score
+
+
+class Witness:
+    """The surface of a cloud, and from where it can have been seen.
+
+    Args:
+        surface: As of `surface_of`.
+        voxel_size: Of the cloud [m].
+
+    Attributes:
+        surface: The same.
+        sight: How it looks from all places from which it can have been seen, found when first asked for; None where
+            there is none.
+    """
+
+    def __init__(self, surface: Surface, voxel_size: float):
+        self.surface, self._margin = surface, MARGIN * voxel_size
+
+    @cached_property
+    def sight(self) -> Sight | None:
+        return find_sight(self.surface.points, self._margin)
 
 
 def surface_of(cloud: PointCloud, voxel_size: float) -> Surface:
@@ -150,12 +191,35 @@ def surface_of(cloud: PointCloud, voxel_size: float) -> Surface:
     return Surface(thinned.device_array("points"), NARROW * voxel_size, WIDE * voxel_size)
 
 
-def rate_surfaces(source: Surface, target: Surface, pose: NDArray[np.float64], distance: float) -> Evidence:
-    """All the evidence for a pose, as of `compare_surfaces`; beside the planes only where the rest speaks for it."""
-    found = compare_surfaces(source, target, pose, distance)
+def rate_surfaces(source: Witness, target: Witness, pose: NDArray[np.float64], distance: float) -> Evidence:
+    """All the evidence for a pose, as of `compare_surfaces`; what is dearer only while what is found speaks for it."""
+    found = compare_surfaces(source.surface, target.surface, pose, distance)
+    return complete(found, source, target, pose, distance)
+
+
+def complete(
+    found: Evidence, source: Witness, target: Witness, pose: NDArray[np.float64], distance: float
+) -> Evidence:
+    """The evidence of `compare_surfaces`, with the rest and the view where what is found so far speaks for the pose."""
     if found.score <= 0.5:
         return found
-    return found._replace(rest=compare_surfaces(source, target, pose, distance, beside_planes=True).share)
+    rest = compare_surfaces(source.surface, target.surface, pose, distance, beside_planes=True).share
+    found = found._replace(rest=rest)
+    if found.score <= 0.5:
+        return found
+    return found._replace(blocked=count_blocked(source, target, pose) / found.matches)
+
+
+def count_blocked(source: Witness, target: Witness, pose: NDArray[np.float64]) -> float:
+    """How many points of one surface stand in the way to what was seen of the other: the greater count of both ways.
+
+    Each way the place counts from which the fewest do, since nobody says where the sensor was.
+    """
+    counts = [0]
+    for watched, other, T in ((target, source, pose), (source, target, invert_pose(pose))):
+        if watched.sight is not None:
+            counts.append(int(watched.sight.count_in_the_way(other.surface.points, T).min()))
+    return float(max(counts))
 
 
 def compare_surfaces(
