@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ...core.checks import check_positive, check_transformation
 from ...kernels.memory import download
-from ...kernels.poses.overlap_evidence import MATCHED_AT, weigh_overlap
+from ...kernels.poses.overlap_evidence import ALIGNED_AT, MATCHED_AT, weigh_overlap
 from ...kernels.poses.sight import Sight, find_sight
 from ...kernels.surface.hollow_side import Surface
 from ...pcd.cloud import PointCloud
@@ -38,6 +38,12 @@ STILL = 1e-5  # of the distance of a match: the change of the error below which 
 # overlap lower both alike, but where a corner lies in another, the rest is chance. Chosen by the half of the scenes of
 # benchmarks/beliefs.py that is for it: 33 wrong poses have up to 0.2, of 235 right ones two less than 0.259.
 LEAST_REST, STEEP = 0.25, 4.0
+# Where what matches there lies on more planes in the same directions, furniture may be as square as the walls, and a
+# front or a top at the right place is chance again: then the share itself has to be as large as this, however noisy.
+# Chosen by the rooms 0 to 15 of benchmarks/box_rooms.py: wrong poses have up to 0.168 but for one, right ones that the
+# quarter speaks for 0.184 and more.
+LEAST_ALIGNED = 0.18
+SOME_ALIGNED, ALL_ALIGNED = 0.5, 0.75  # parts of it from which on this counts, and counts in full: a kitchen has 0.3
 MARGIN = 4.0  # [voxels] that two surfaces are apart at least where one stands before the other
 # Points of one cloud that stand where the other saw through, of the matches. LiDAR and cameras that move see around
 # things: of right poses up to 0.013 do, of half of the wrong ones that the rest speaks for more than 0.02.
@@ -54,7 +60,9 @@ class Evidence(NamedTuple):
         firmness: Smallest eigenvalue of the matches' mean normal matrix, rotations in units of the overlap's radius:
             what they say of the motion that they say least of.
         matches: How many they are, those off the surface counting less.
-        rest: The share, beside the three planes that most matches lie on; one where it was not asked for.
+        rest: The share, beside the three planes that most matches lie on, the less where few match there; one where it
+            was not asked for.
+        aligned: How much of what matches there lies in the directions of these planes, or square to two of them, 0..1.
         blocked: Points of one cloud that stand in the way to what the other saw, wherever its sensor was, in parts of
             the matches; zero where it was not asked for, or where no place shows the cloud.
     """
@@ -63,6 +71,7 @@ class Evidence(NamedTuple):
     firmness: float
     matches: float
     rest: float = 1.0
+    aligned: float = 0.0
     blocked: float = 0.0
 
     @property
@@ -87,8 +96,10 @@ class Evidence(NamedTuple):
     @property
     def score_beside_planes(self) -> float:
         """What the matches beside the three main planes say of the pose, 0..1."""
-        rest = max(self.rest, 1e-9) / max(self.share, 1e-9)
-        return 1 / (1 + (LEAST_REST / rest) ** STEEP)
+        square = min(max((self.aligned - SOME_ALIGNED) / (ALL_ALIGNED - SOME_ALIGNED), 0.0), 1.0)
+        least = LEAST_REST * max(self.share, 1e-9)
+        least += square * max(LEAST_ALIGNED - least, 0.0)
+        return 1 / (1 + (least / max(self.rest, 1e-9)) ** STEEP)
 
     @property
     def score_of_view(self) -> float:
@@ -203,8 +214,8 @@ def complete(
     """The evidence of `compare_surfaces`, with the rest and the view where what is found so far speaks for the pose."""
     if found.score <= 0.5:
         return found
-    rest = compare_surfaces(source.surface, target.surface, pose, distance, beside_planes=True).share
-    found = found._replace(rest=rest)
+    beside = compare_surfaces(source.surface, target.surface, pose, distance, beside_planes=True)
+    found = found._replace(rest=beside.share * min(1.0, beside.matches / ENOUGH), aligned=beside.aligned)
     if found.score <= 0.5:
         return found
     return found._replace(blocked=count_blocked(source, target, pose) / found.matches)
@@ -236,9 +247,9 @@ def compare_surfaces(
         ridge = RIDGE * np.trace(near) / 6 * np.eye(6)
         share = float(np.trace(np.linalg.solve(near + ridge, matched))) / 6
         firmness = max(float(np.linalg.eigvalsh(matched / sums[MATCHED_AT])[0]), 0.0)
-        both.append((share, firmness, float(sums[MATCHED_AT])))
-    share, firmness, matches = np.min(both, axis=0).tolist()
-    return Evidence(share, firmness, matches)
+        both.append((share, firmness, float(sums[MATCHED_AT]), float(-sums[ALIGNED_AT] / sums[MATCHED_AT])))
+    share, firmness, matches, square = np.min(both, axis=0).tolist()
+    return Evidence(share, firmness, matches, aligned=-square)
 
 
 def refine_poses(
