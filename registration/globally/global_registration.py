@@ -78,8 +78,8 @@ def register_globally(
     Returns:
         The pose, with a `score`: above 0.5 where the clouds do lie on each other there. `converged` says whether they
         do, and `reason` why not: too little surface, no correspondences that agree, a best pose that is not
-        believed or under which nothing matches but three planes, or several poses that fit alike, among which a
-        symmetric scene leaves no choice. The pose is then the best that was found; the identity where there is none.
+        believed, under which nothing matches but planes as any rooms have them, or under which one cloud stands
+        where the other saw through, or several poses that fit alike, among which a symmetric scene leaves no choice. The pose is then the best that was found; the identity where there is none.
         Fitness and error are those of the thinned clouds within 1.5 voxels; `correspondence_set` holds indices into
         the clouds as given, found when it is first read.
 
@@ -147,10 +147,8 @@ def register_described(
         converged=score / equals > 0.5,
         reason="converged",
     )
-    if score <= 0.5 < evidence.score_with_planes:
-        chosen.reason = "the clouds lie on each other on three planes, as any corners do, and hardly beside them"
-    elif score <= 0.5:
-        chosen.reason = "the clouds hardly lie on each other under the best pose found"
+    if score <= 0.5:
+        chosen.reason = evidence.doubt
     elif equals > 1:
         chosen.reason = f"{equals} poses fit alike"
     report("registration", source=source, target=target, result=chosen)

@@ -97,14 +97,30 @@ class Evidence(NamedTuple):
     def score_beside_planes(self) -> float:
         """What the matches beside the three main planes say of the pose, 0..1."""
         square = min(max((self.aligned - SOME_ALIGNED) / (ALL_ALIGNED - SOME_ALIGNED), 0.0), 1.0)
-        least = LEAST_REST * max(self.share, 1e-9)
+        least = self._least_rest
         least += square * max(LEAST_ALIGNED - least, 0.0)
         return 1 / (1 + (least / max(self.rest, 1e-9)) ** STEEP)
+
+    @property
+    def _least_rest(self) -> float:
+        return LEAST_REST * max(self.share, 1e-9)
 
     @property
     def score_of_view(self) -> float:
         """What is left to say where points stand in the way, 0..1."""
         return 1 / (1 + (self.blocked / MOST_BLOCKED) ** STEEP)
+
+
+    @property
+    def doubt(self) -> str:
+        """What speaks against a pose that is not believed, in words."""
+        if self.score_with_planes <= 0.5:
+            return "the clouds hardly lie on each other under the best pose found"
+        if self.rest < self._least_rest:
+            return "the clouds lie on each other on three planes, as any corners do, and hardly beside them"
+        if self.score_beside_planes <= 0.5:
+            return "the clouds lie on each other on planes square to each other, as rooms do, and hardly beside them"
+        return "one cloud stands where the other saw through, wherever that was seen from"
 
 
 NO_EVIDENCE = Evidence(0.0, 0.0, 0.0)
@@ -119,7 +135,9 @@ def rate_registration(
     lie close along the normal, and the normals agree. Under a wrong one surfaces cross, or a floor lies on a floor
     while no wall meets a wall. The evidence is counted as what it fixes, not by points, both ways, and only where the
     clouds are near each other, so partial overlap does no harm. Three planes fix a pose, and a floor and two walls fit
-    those of any other room: so what matches beside the three planes that most matches lie on has to bear the pose out.
+    those of any other room: so what matches beside the three planes that most matches lie on has to bear the pose out,
+    and more of it has to where it is as square to them as furniture is. Nor may one cloud stand where the other saw
+    through: places are looked for from which each can have been seen whole, and each is asked from the best of them.
     A pose that is a little off is refined before it is judged, as far as the distance of a match.
 
     Args:
@@ -131,8 +149,9 @@ def rate_registration(
 
     Returns:
         0..1, above 0.5 where they do lie on each other. 0 where no surface shows. Low where the matches leave a motion
-        open (a plane on a plane), since the pose is then one of many, and where nothing but three planes matches (an
-        empty corner on an empty corner), since it is then as good as those of other rooms.
+        open (a plane on a plane), since the pose is then one of many, where nothing but planes as any rooms have them
+        matches (an empty corner on an empty corner), since it is then as good as those of other rooms, and where one
+        cloud stands in the way of what the other saw.
 
     Raises:
         ValueError: A distance that is not positive, or a transformation that is not invertible.

@@ -31,6 +31,23 @@ def hills(rng, count, noise=0.002):
     return np.column_stack([xy, z + rng.normal(0, noise, count)])
 
 
+def hall(rng, count=40000):
+    """A closed room of 4 x 3 x 2.4 m with round lumps on its floor and walls, as all of it is seen from its middle."""
+    size, lumps = np.array([4, 3, 2.4]), [((1, 1, 0), 0.4), ((3.2, 2, 0), 0.3), ((0, 2.2, 1), 0.35), ((2.5, 3, 1.5), 0.4)]
+    areas = np.array([12, 12, 9.6, 9.6, 7.2, 7.2])
+    face, points = rng.choice(6, count, p=areas / areas.sum()), rng.random((count, 3)) * size
+    axis = np.array([2, 2, 1, 1, 0, 0])[face]
+    points[np.arange(count), axis] = np.where(face % 2, size[axis], 0)
+    for middle, radius in lumps:
+        away = points - middle
+        far = np.linalg.norm(away, axis=1)
+        way = rng.normal(size=((far < radius).sum() * 2, 3))
+        way *= radius / np.linalg.norm(way, axis=1, keepdims=True)
+        ball = way + middle
+        points = np.r_[points[far >= radius], ball[((ball > 0) & (ball < size)).all(axis=1)]]
+    return points + rng.normal(0, 0.002, points.shape)
+
+
 def submaps(data):
     """Submaps 0 to 4 of a drive, and their poses."""
     folder = data / "reg-gtsam-points" / "kitti_07_dump"
@@ -104,6 +121,16 @@ def test_a_corner_of_a_room_that_lies_in_that_of_another_is_not_believed(device,
 def test_what_stands_in_a_room_tells_it_from_others(device, rng):
     source, target = (loom.PointCloud(corner(rng, ONE), device=device) for _ in range(2))
     assert rate(source, target, np.eye(4), 0.09) > 0.95
+
+
+def test_what_stands_where_the_other_cloud_saw_through_speaks_against_a_pose(device, rng):
+    room, other = hall(rng), hall(rng)
+    screen = np.column_stack([np.full(8000, 2.0), rng.uniform(0.6, 2.4, 8000), rng.uniform(0.5, 1.9, 8000)])
+    target = loom.PointCloud(other, device=device)
+    clean, blocked = (loom.PointCloud(points, device=device) for points in (room, np.r_[room, screen]))
+    assert rate(clean, target, np.eye(4), 0.12) > 0.9
+    assert rate(blocked, target, np.eye(4), 0.12) < 0.1
+    assert rate(target, blocked, np.eye(4), 0.12) < 0.1
 
 
 @pytest.mark.parametrize("count", [0, 1, 2, 3, 4])
@@ -277,6 +304,23 @@ def test_rating_is_no_better_than_what_lies_beside_the_planes():
     assert np.all(np.diff(scores) > 0) and scores[1] < 0.5 < scores[2] and scores[4] > 0.99
     assert Evidence(0.4, 0.03, 1000, rest=0.15).score > 0.5  # noise lowers the whole and the rest
     assert Evidence(0.1, 0.03, 1000, rest=0.9).score == Evidence(0.1, 0.03, 1000).score < 0.3
+
+
+def test_what_is_as_square_as_the_walls_has_to_be_more():
+    square, round_ = (Evidence(0.4, 0.03, 1000, rest=0.14, aligned=share) for share in (0.9, 0.3))
+    assert square.score < 0.5 < round_.score
+    assert "planes square to each other" in square.doubt
+    assert Evidence(0.4, 0.03, 1000, rest=0.25, aligned=0.9).score > 0.75
+    scores = [Evidence(0.4, 0.03, 1000, rest=0.14, aligned=share).score for share in (0.5, 0.6, 0.7, 0.75, 1.0)]
+    assert np.all(np.diff(scores) <= 0) and scores[0] == round_.score and scores[3] == scores[4]
+
+
+def test_the_more_stands_in_the_way_the_less_is_believed():
+    scores = [Evidence(0.8, 0.03, 1000, rest=0.8, blocked=share).score for share in (0.0, 0.01, 0.02, 0.04, 0.2)]
+    assert np.all(np.diff(scores) < 0) and scores[1] > 0.9 and scores[3] < 0.1
+    assert "saw through" in Evidence(0.8, 0.03, 1000, rest=0.8, blocked=0.1).doubt
+    assert "three planes" in Evidence(0.8, 0.03, 1000, rest=0.1).doubt
+    assert "hardly lie on each other" in Evidence(0.05, 0.03, 1000).doubt
 
 
 def test_rating_grows_with_share_and_firmness_and_wants_enough_matches():
