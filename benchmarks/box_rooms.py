@@ -19,8 +19,10 @@ STEEPEST = 0.12  # cosine to the normal below which a ray comes back as nothing
 VOXEL = 0.02  # [m] that the pictures of a part are thinned to together
 EYE = 1.5  # [m] of the camera above the floor
 FACES = np.array(
-    [[0, 2, 1], [1, 2, 3], [4, 5, 6], [5, 7, 6], [0, 1, 4], [1, 5, 4], [2, 6, 3], [3, 6, 7], [0, 4, 2], [2, 4, 6]]
-    + [[1, 3, 5], [3, 7, 5]]
+    [
+        *([0, 2, 1], [1, 2, 3], [4, 5, 6], [5, 7, 6], [0, 1, 4], [1, 5, 4]),
+        *([2, 6, 3], [3, 6, 7], [0, 4, 2], [2, 4, 6], [1, 3, 5], [3, 7, 5]),
+    ]
 )
 
 
@@ -41,7 +43,7 @@ def furnish(seed: int) -> tuple[list[tuple[Array, Array]], Array]:
         boxes.append((low, low + extent))
         if rng.random() < 0.4:  # something on it
             top = extent * rng.uniform(0.2, 0.7, 3) * [1, 1, 0.5]
-            at = low + [*(rng.uniform(0, 1, 2) * (extent - top)[:2]), extent[2]]
+            at = low + np.append(rng.uniform(0, 1, 2) * (extent - top)[:2], extent[2])
             boxes.append((at, at + top))
     return boxes, size
 

@@ -46,7 +46,8 @@ def test_a_low_overlap_is_found_by_itself(device, rng, angle_between):
     source = loom.PointCloud(back(points[points[:, 0] < 0.25], T), device=device)
     rules = [reg.ICPConvergenceCriteria(1e-6, 1e-6, 40)]
     found, whole = (
-        reg.multi_scale_icp(source, target, [0.03], rules, [0.4], None, PLANE, overlap=overlap) for overlap in (None, 1.0)
+        reg.multi_scale_icp(source, target, [0.03], rules, [0.4], None, PLANE, overlap=overlap)
+        for overlap in (None, 1.0)
     )
     assert angle_between(found.transformation, T) < 0.2 * angle_between(whole.transformation, T)
     again = reg.evaluate_registration(

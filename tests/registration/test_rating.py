@@ -7,8 +7,16 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 import pointloom as loom
-from pointloom.kernels.poses.overlap_evidence import AGREEING_AT, MATCHED_AT, NEAR_AT, weigh_overlap
+from pointloom.kernels.poses.overlap_evidence import (
+    AGREEING_AT,
+    ALIGNED_AT,
+    MATCHED_AT,
+    NEAR_AT,
+    directions_of,
+    weigh_overlap,
+)
 from pointloom.kernels.surface.hollow_side import Surface, find_sides
+from pointloom.registration.globally import rating
 from pointloom.registration.globally.rating import Evidence, surface_of
 from pointloom.registration.rigid import symmetric_matrices
 
@@ -33,7 +41,10 @@ def hills(rng, count, noise=0.002):
 
 def hall(rng, count=40000):
     """A closed room of 4 x 3 x 2.4 m with round lumps on its floor and walls, as all of it is seen from its middle."""
-    size, lumps = np.array([4, 3, 2.4]), [((1, 1, 0), 0.4), ((3.2, 2, 0), 0.3), ((0, 2.2, 1), 0.35), ((2.5, 3, 1.5), 0.4)]
+    size, lumps = (
+        np.array([4, 3, 2.4]),
+        [((1, 1, 0), 0.4), ((3.2, 2, 0), 0.3), ((0, 2.2, 1), 0.35), ((2.5, 3, 1.5), 0.4)],
+    )
     areas = np.array([12, 12, 9.6, 9.6, 7.2, 7.2])
     face, points = rng.choice(6, count, p=areas / areas.sum()), rng.random((count, 3)) * size
     axis = np.array([2, 2, 1, 1, 0, 0])[face]
@@ -313,6 +324,29 @@ def test_what_is_as_square_as_the_walls_has_to_be_more():
     assert Evidence(0.4, 0.03, 1000, rest=0.25, aligned=0.9).score > 0.75
     scores = [Evidence(0.4, 0.03, 1000, rest=0.14, aligned=share).score for share in (0.5, 0.6, 0.7, 0.75, 1.0)]
     assert np.all(np.diff(scores) <= 0) and scores[0] == round_.score and scores[3] == scores[4]
+
+
+def test_a_few_matches_beside_the_planes_may_be_chance(monkeypatch):
+    monkeypatch.setattr(rating, "count_blocked", lambda source, target, pose: 0.0)
+    found, rests, bare = Evidence(0.5, 0.03, 3000), [], rating.Witness(None, 0.1)
+    for count in (20, 50, 100, 200):
+        monkeypatch.setattr(rating, "compare_surfaces", lambda *_, m=count, **__: Evidence(0.2, 0.03, m))
+        rests.append(rating.complete(found, bare, bare, np.eye(4), 0.1).rest)
+    assert rests == pytest.approx([0.04, 0.1, 0.2, 0.2])
+    monkeypatch.setattr(rating, "compare_surfaces", lambda *_, **__: Evidence(0.2, 0.03, 20))
+    few = rating.complete(Evidence(0.5, 0.03, 400), bare, bare, np.eye(4), 0.1)  # a small cloud has no more
+    assert few.rest == pytest.approx(0.2)
+
+
+def test_what_matches_square_to_two_planes_counts_as_aligned(device, rng):
+    square = directions_of(np.array([[0, 0, 1.0], [1, 0, 0]]))
+    np.testing.assert_allclose(np.abs(square), [[0, 0, 1], [1, 0, 0], [0, 1, 0]], atol=1e-6)
+    assert len(directions_of(np.array([[0, 0, 1.0], [0.8, 0, 0.6]]))) == 2 and len(directions_of(np.empty((0, 3)))) == 0
+    source, target = (surface_of(loom.PointCloud(corner(rng, ONE, 12000), device=device), 0.06) for _ in range(2))
+    whole, beside = (
+        weigh_overlap(source, target, np.eye(4), 0.09, 0.36, 0.866, 0.018, beside_planes=b) for b in (False, True)
+    )
+    assert whole[ALIGNED_AT] == 0 and beside[ALIGNED_AT] > 0.6 * beside[MATCHED_AT]
 
 
 def test_the_more_stands_in_the_way_the_less_is_believed():
