@@ -6,8 +6,8 @@ points that match hold what they do fix: sums of a few numbers, so that floor on
 it has, and a wall that matches nothing counts as much.
 
 Three planes fix a pose, so the corner of any room lies on that of any other: what bears a pose out is what matches
-beside the planes that most matches lie on. The same sums over the points beside them say how much that is, and how much of it
-lies on more planes in the same directions: walls and furniture of all rooms stand square to each other.
+beside the planes that most matches lie on. The same sums over the points beside them say how much that is, and how much
+of it lies on more planes in the same directions: walls and furniture of all rooms stand square to each other.
 
 Per point: one search for the nearest, 40 B read and 90 operations in a reduction; once more beside the planes.
 """

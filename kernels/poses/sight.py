@@ -7,7 +7,8 @@ from each of them is not of the same scene, wherever the sensor was.
 
 From a place the cloud is a cube map of distances. A cell holds the least, so that a cloud with gaps hides too little,
 never too much, and a point is in the way only if it is nearer than all nine cells around it. The places fit one sensor
-that hardly moved; where none sees most of the cloud nothing is known.
+that hardly moved; where none sees most of the cloud nothing is known. Places are compared by some of the points, which
+hide less than all do.
 
 Some 40 operations a point and place: (PLACES^3 + KEPT) x SAMPLE to find places, KEPT a point and cloud to judge it.
 4 B a cell and place.
@@ -25,7 +26,6 @@ from ..lang import (
     atomic_add,
     atomic_min,
     float32,
-    float64,
     func,
     int32,
     kernel,
@@ -81,7 +81,7 @@ class Sight:
         return download(counts)  # sync
 
     def count_in_the_way(self, points: Points, pose: np.ndarray) -> np.ndarray:
-        """How many of some points stand before the surface under a pose, as seen from each place: int32 [k]. One sync."""
+        """How many of some points under a pose stand before the surface, seen from each place: int32 [k]. One sync."""
         counts = zeros(self.place_count, int32, self.device)
         runs = -(-points.size // RUN)
         arguments = [points, points.size, mat44d(*pose.ravel().tolist()), self, counts]

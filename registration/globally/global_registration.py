@@ -18,7 +18,16 @@ from ..icp.evaluation import evaluate_registration
 from ..result import RegistrationResult
 from ..rigid import to_world
 from .ransac import no_pose
-from .rating import Evidence, Witness, compare_surfaces, complete, moved_samples, rate_surfaces, refine_poses, surface_of
+from .rating import (
+    Evidence,
+    Witness,
+    compare_surfaces,
+    complete,
+    moved_samples,
+    rate_surfaces,
+    refine_poses,
+    surface_of,
+)
 from .robust_global import find_poses
 
 FEATURE_RADIUS = 5.5  # [voxels] of the neighbourhood that a feature describes
@@ -77,9 +86,10 @@ def register_globally(
 
     Returns:
         The pose, with a `score`: above 0.5 where the clouds do lie on each other there. `converged` says whether they
-        do, and `reason` why not: too little surface, no correspondences that agree, a best pose that is not
-        believed, under which nothing matches but planes as any rooms have them, or under which one cloud stands
-        where the other saw through, or several poses that fit alike, among which a symmetric scene leaves no choice. The pose is then the best that was found; the identity where there is none.
+        do, and `reason` why not: too little surface, no correspondences that agree, a best pose that is not believed,
+        under which nothing matches but planes as any rooms have them, or under which one cloud stands where the other
+        saw through, or several poses that fit alike, among which a symmetric scene leaves no choice. The pose is then
+        the best that was found; the identity where there is none.
         Fitness and error are those of the thinned clouds within 1.5 voxels; `correspondence_set` holds indices into
         the clouds as given, found when it is first read.
 

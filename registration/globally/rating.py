@@ -113,7 +113,6 @@ class Evidence(NamedTuple):
         """What is left to say where points stand in the way, 0..1."""
         return 1 / (1 + (self.blocked / MOST_BLOCKED) ** STEEP)
 
-
     @property
     def doubt(self) -> str:
         """What speaks against a pose that is not believed, in words."""
@@ -214,6 +213,7 @@ class Witness:
 
     @cached_property
     def sight(self) -> Sight | None:
+        """As of `find_sight`."""
         return find_sight(self.surface.points, self._margin)
 
 
@@ -230,9 +230,7 @@ def rate_surfaces(source: Witness, target: Witness, pose: NDArray[np.float64], d
     return complete(found, source, target, pose, distance)
 
 
-def complete(
-    found: Evidence, source: Witness, target: Witness, pose: NDArray[np.float64], distance: float
-) -> Evidence:
+def complete(found: Evidence, source: Witness, target: Witness, pose: NDArray[np.float64], distance: float) -> Evidence:
     """The evidence of `compare_surfaces`, with the rest and the view where what is found so far speaks for the pose."""
     if found.score <= 0.5:
         return found
