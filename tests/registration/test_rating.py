@@ -330,10 +330,12 @@ def test_a_few_matches_beside_the_planes_may_be_chance(monkeypatch):
     monkeypatch.setattr(rating, "count_blocked", lambda source, target, pose: 0.0)
     found, rests, bare = Evidence(0.5, 0.03, 3000), [], rating.Witness(None, 0.1)
     for count in (20, 50, 100, 200):
-        monkeypatch.setattr(rating, "compare_surfaces", lambda *_, m=count, **__: Evidence(0.2, 0.03, m))
+        monkeypatch.setattr(rating, "compare_surfaces", lambda *_, m=count, **__: Evidence(0.2, 0.03, m, aligned=0.6))
         rests.append(rating.complete(found, bare, bare, np.eye(4), 0.1).rest)
     assert rests == pytest.approx([0.04, 0.1, 0.2, 0.2])
-    monkeypatch.setattr(rating, "compare_surfaces", lambda *_, **__: Evidence(0.2, 0.03, 20))
+    monkeypatch.setattr(rating, "compare_surfaces", lambda *_, **__: Evidence(0.2, 0.03, 50, aligned=0.2))
+    assert rating.complete(found, bare, bare, np.eye(4), 0.1).rest == pytest.approx(0.2)  # as on hills
+    monkeypatch.setattr(rating, "compare_surfaces", lambda *_, **__: Evidence(0.2, 0.03, 30, aligned=0.6))
     few = rating.complete(Evidence(0.5, 0.03, 400), bare, bare, np.eye(4), 0.1)  # a small cloud has no more
     assert few.rest == pytest.approx(0.2)
 
