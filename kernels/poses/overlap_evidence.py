@@ -6,7 +6,8 @@ points that match hold what they do fix: sums of a few numbers, so that floor on
 it has, and a wall that matches nothing counts as much.
 
 Three planes fix a pose, so the corner of any room lies on that of any other: what bears a pose out is what matches
-beside the planes that most matches lie on. The same sums over the points beside them say how much that is.
+beside the planes that most matches lie on. The same sums over the points beside them say how much that is, and how much
+of it lies on more planes in the same directions: walls and furniture of all rooms stand square to each other.
 
 Per point: one search for the nearest, 40 B read and 90 operations in a reduction; once more beside the planes.
 """
@@ -36,20 +37,22 @@ from ..lang import (
     vec3d,
     vector,
 )
-from ..memory import download, empty
+from ..memory import download, empty, upload
 from ..search.nearest_point import NO_POINT, find_nearest
 from ..surface.hollow_side import Surface
 from .main_planes import find_main_planes, leave_out_planes
 
 middle_sums = vector(5, float64)  # count, x, y, z, squares
-evidence_sums = vector(45, float64)  # normal matrices of the near and of the matched, then three counts
+evidence_sums = vector(46, float64)  # normal matrices of the near and of the matched, then four counts
 motions = vector(6, float64)
-NEAR_AT, AGREEING_AT, MATCHED_AT = 42, 43, 44
+NEAR_AT, AGREEING_AT, MATCHED_AT, ALIGNED_AT = 42, 43, 44, 45
 
 PLANES = 3  # fix a pose
 # In distances of a match, which are 1.5 voxels: from a plane to the points that it is fitted to, half a voxel; to those
 # that lie on it, a voxel; to those whose normals it bends, the three voxels of a normal's neighbourhood.
 FITTED, ON_PLANE, BENT = 0.35, 0.75, 2.0
+SQUARE = 0.17  # 10 degrees: cosine between the normals of two planes that stand square to each other
+ALIGNED = 0.95  # 18 degrees: cosine between a normal and a plane's, as where planes are fitted
 
 
 @kernel
@@ -90,6 +93,8 @@ class Overlap:
         distance: Of agreeing points [m].
         cosine: Least of the angle between agreeing normals.
         tight: Distance [m] along the normal at which the weight of a match has fallen to zero, as a parabola.
+        frame: Normals of the planes that are left out, and those square to two of them; none before.
+        frame_size: How many they are.
     """
 
     moved: array(dtype=vec3)
@@ -102,6 +107,8 @@ class Overlap:
     distance: float
     cosine: float
     tight: float
+    frame: array(dtype=vec3)
+    frame_size: int
 
     def __init__(
         self,
@@ -117,6 +124,7 @@ class Overlap:
         count, device = source.points.size, source.device
         self.points, self.normals = target.points, target.normals
         self.distance, self.cosine, self.tight = distance, cosine, tight
+        self.frame, self.frame_size = empty(1, vec3, device), 0
         self.moved, self.turned = empty(count, vec3, device), empty(count, vec3, device)
         arguments = [source.points, source.normals, mat44d(*pose.ravel().tolist()), self.moved, self.turned]
         launch(move_surface_kernel, count, arguments)
@@ -141,10 +149,24 @@ class Overlap:
         planes = find_main_planes(self.moved, self.turned, positions_of(mask), PLANES, fitted, slab, self.cosine)
         leave_out_planes(self.moved, self.turned, planes, slab, self.cosine, edge, self.nearest)
         self.find_middle()
+        frame = directions_of(planes[1])
+        if len(frame):
+            self.frame, self.frame_size = upload(frame, vec3, self.moved.device), len(frame)
 
     def weigh(self) -> np.ndarray:
-        """The sums of `sum_evidence`, float64 [45] on the host. One sync."""
+        """The sums of `sum_evidence`, float64 [46] on the host. One sync."""
         return download(reduce(sum_evidence, self.moved.size, [self]))[0].copy()  # sync
+
+
+def directions_of(normals: np.ndarray) -> np.ndarray:
+    """Unit normals of planes, and those square to any two of them that stand square to each other: float32 [k, 3]."""
+    found = list(normals)
+    for i in range(len(normals)):
+        for j in range(i):
+            if abs(normals[i] @ normals[j]) < SQUARE:
+                third = np.cross(normals[i], normals[j])
+                found.append(third / np.linalg.norm(third))
+    return np.array(found, np.float32).reshape(-1, 3)
 
 
 @func
@@ -164,6 +186,16 @@ def match_weight(overlap: Overlap, i: int) -> float:
     row = key_index(overlap.nearest[i])
     height = dot(overlap.moved[i] - overlap.points[row], overlap.normals[row]) / overlap.tight
     return max(1.0 - height * height, 0.0)
+
+
+@func
+def is_aligned(overlap: Overlap, i: int) -> int:
+    """Whether a point looks the way of a plane that is left out, or square to two of them."""
+    aligned = 0
+    for k in range(overlap.frame_size):
+        if abs(dot(overlap.frame[k], overlap.turned[i])) > ALIGNED:
+            aligned = 1
+    return aligned
 
 
 @kernel
@@ -203,6 +235,7 @@ def sum_evidence(overlap: Overlap) -> evidence_sums:
         out[NEAR_AT] = 1.0
         out[AGREEING_AT] = agreeing
         out[MATCHED_AT] = matched
+        out[ALIGNED_AT] = matched * float64(is_aligned(overlap, i))
     return out
 
 
@@ -229,8 +262,9 @@ def weigh_overlap(
         beside_planes: Leave out the points on the three planes that most matches lie on, and on their edges.
 
     Returns:
-        float64 [45] on the host: the upper triangles of two normal matrices row by row, then the counts at NEAR_AT,
-        AGREEING_AT and MATCHED_AT. Two syncs, and some 13 more beside planes.
+        float64 [46] on the host: the upper triangles of two normal matrices row by row, then the counts at NEAR_AT,
+        AGREEING_AT and MATCHED_AT, and at ALIGNED_AT what counts of the matched ones in the directions of the planes
+        that are left out. Two syncs, and some 13 more beside planes.
     """
     overlap = Overlap(source, target, pose, distance, near, cosine, tight)
     if beside_planes:

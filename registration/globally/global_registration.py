@@ -18,7 +18,16 @@ from ..icp.evaluation import evaluate_registration
 from ..result import RegistrationResult
 from ..rigid import to_world
 from .ransac import no_pose
-from .rating import Evidence, compare_surfaces, moved_samples, rate_surfaces, refine_poses, surface_of
+from .rating import (
+    Evidence,
+    Witness,
+    compare_surfaces,
+    complete,
+    moved_samples,
+    rate_surfaces,
+    refine_poses,
+    surface_of,
+)
 from .robust_global import find_poses
 
 FEATURE_RADIUS = 5.5  # [voxels] of the neighbourhood that a feature describes
@@ -37,14 +46,19 @@ class Description(NamedTuple):
     Attributes:
         cloud: As it was given.
         voxel_size: Edge of a voxel [m].
-        surface: Its points where a surface shows, about the cloud's origin.
+        witness: Its points where a surface shows, about the cloud's origin, and from where they can have been seen.
         features: FPFH of those, float32 device array [n, 33].
     """
 
     cloud: PointCloud
     voxel_size: float
-    surface: Surface
+    witness: Witness
     features: Any
+
+    @property
+    def surface(self) -> Surface:
+        """Its points where a surface shows, about the cloud's origin."""
+        return self.witness.surface
 
     @property
     def thinned(self) -> PointCloud:
@@ -72,9 +86,10 @@ def register_globally(
 
     Returns:
         The pose, with a `score`: above 0.5 where the clouds do lie on each other there. `converged` says whether they
-        do, and `reason` why not: too little surface, no correspondences that agree, a best pose that is not
-        believed or under which nothing matches but three planes, or several poses that fit alike, among which a
-        symmetric scene leaves no choice. The pose is then the best that was found; the identity where there is none.
+        do, and `reason` why not: too little surface, no correspondences that agree, a best pose that is not believed,
+        under which nothing matches but planes as any rooms have them, or under which one cloud stands where the other
+        saw through, or several poses that fit alike, among which a symmetric scene leaves no choice. The pose is then
+        the best that was found; the identity where there is none.
         Fitness and error are those of the thinned clouds within 1.5 voxels; `correspondence_set` holds indices into
         the clouds as given, found when it is first read.
 
@@ -111,7 +126,7 @@ def describe(cloud: PointCloud, voxel_size: float) -> Description:
     """What `register_described` needs of a cloud; once for all the clouds that it is registered with."""
     surface = surface_of(cloud, voxel_size)
     features = compute_features(surface.tree, surface.normals, FEATURE_RADIUS * voxel_size, None)
-    return Description(cloud, voxel_size, surface, features)
+    return Description(cloud, voxel_size, Witness(surface, voxel_size), features)
 
 
 def register_described(
@@ -127,7 +142,7 @@ def register_described(
     if not len(found.poses):
         return _unknown(f"no three of {pairs.shape[0]} correspondences agree", source)
     rivals = found.poses[found.support >= RIVAL * found.support[0]][:CONTENDERS]
-    result, evidence, equals = _choose(left.surface, right.surface, rivals, NOISE * size, refine)
+    result, evidence, equals = _choose(left.witness, right.witness, rivals, NOISE * size, refine)
     score = evidence.score
     T = to_world(result.transformation, source.origin, target.origin)
     pair = source.copy(), target.copy()  # as they are now
@@ -142,10 +157,8 @@ def register_described(
         converged=score / equals > 0.5,
         reason="converged",
     )
-    if score <= 0.5 < evidence.score_with_planes:
-        chosen.reason = "the clouds lie on each other on three planes, as any corners do, and hardly beside them"
-    elif score <= 0.5:
-        chosen.reason = "the clouds hardly lie on each other under the best pose found"
+    if score <= 0.5:
+        chosen.reason = evidence.doubt
     elif equals > 1:
         chosen.reason = f"{equals} poses fit alike"
     report("registration", source=source, target=target, result=chosen)
@@ -153,28 +166,42 @@ def register_described(
 
 
 def _choose(
-    source: Surface, target: Surface, poses: NDArray[np.float64], distance: float, refine: bool
+    source: Witness, target: Witness, poses: NDArray[np.float64], distance: float, refine: bool
 ) -> tuple[RegistrationResult, Evidence, int]:
     """The pose with most evidence, refined; the evidence, and how many poses have about as much.
 
-    All take a few steps of ICP together before they are compared; only the best goes on.
+    All take a few steps of ICP together before they are compared; only the best goes on. That is the first that all the
+    evidence speaks for, in the order of what the whole says of them; where there is none, the first of all.
     """
-    first = refine_poses(source, target, poses, distance, FIRST_STEPS if refine else 0)
+    first = refine_poses(source.surface, target.surface, poses, distance, FIRST_STEPS if refine else 0)
     poses = np.array([result.transformation for result in first])
-    evidence = [compare_surfaces(source, target, pose, distance) for pose in poses]
-    order = np.argsort([-found.odds for found in evidence], kind="stable")
-    moved = moved_samples(source, poses[order])
-    equals = [0]
-    for k in range(1, len(order)):
-        apart = ((moved[equals] - moved[k]) ** 2).sum(axis=2).mean(axis=1).min() > (APART * distance) ** 2
-        if apart and 0 < ALIKE * evidence[order[0]].share <= evidence[order[k]].share:
-            equals.append(k)
-    best = order[0]
+    wholes = [compare_surfaces(source.surface, target.surface, pose, distance) for pose in poses]
+    order = _apart(source.surface, poses, np.argsort([-found.odds for found in wholes], kind="stable"), distance)
+    found = {k: complete(wholes[k], source, target, poses[k], distance) for k in order}
+    best = max((k for k in order if found[k].score > 0.5), key=lambda k: found[k].rest, default=order[0])
     result = first[best]
     if refine:
-        result = refine_poses(source, target, poses[best : best + 1], distance, STEPS)[0]
+        result = refine_poses(source.surface, target.surface, poses[best : best + 1], distance, STEPS)[0]
         result.iterations += first[best].iterations
-    return result, rate_surfaces(source, target, result.transformation, distance), len(equals)
+    evidence = rate_surfaces(source, target, result.transformation, distance)
+    equals = [k for k in order if k != best and _is_equal(found[k], found[best])]
+    return result, evidence, 1 + len(equals)
+
+
+def _apart(source: Surface, poses: NDArray[np.float64], order: NDArray[np.intp], distance: float) -> list[int]:
+    """Those of some poses, in order, that bring the source elsewhere than all before them."""
+    moved, kept = moved_samples(source, poses), [int(order[0])]
+    for k in order[1:].tolist():
+        if ((moved[kept] - moved[k]) ** 2).sum(axis=2).mean(axis=1).min() > (APART * distance) ** 2:
+            kept.append(k)
+    return kept
+
+
+def _is_equal(found: Evidence, best: Evidence) -> bool:
+    """Whether a pose has about as much evidence as the best, of the whole and beside the planes."""
+    if best.score <= 0.5:
+        return 0 < ALIKE * best.share <= found.share
+    return found.score > 0.5 and ALIKE * best.share <= found.share and ALIKE * best.rest <= found.rest
 
 
 def _unknown(reason: str, source: PointCloud) -> RegistrationResult:

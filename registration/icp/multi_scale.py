@@ -16,9 +16,13 @@ from ...pcd.cloud import PointCloud
 from ..given_pairs import check_clouds
 from ..result import RegistrationResult
 from .estimation import TransformationEstimation, TransformationEstimationPointToPoint
+from .evaluation import evaluate_registration
 from .icp import ICPConvergenceCriteria, Watcher, registration_icp
 
 NORMAL_RADIUS, NORMAL_NEIGHBORS = 3.0, 30  # [voxels], points at most, where normals are estimated
+NEAR = 2.0  # [voxels] within which points of two clouds that lie on each other meet
+LITTLE = 0.5  # of the source that meet, below which what lies beyond the other cloud's edge pulls it off
+KEPT = 0.9  # of those, that meet under the pose found with the overlap at least: else that holds on to a part of it
 _ROLES = ("source", "target")
 
 
@@ -32,6 +36,7 @@ def multi_scale_icp(
     estimation_method: TransformationEstimation | None = None,
     *,
     estimate_normals: bool = False,
+    overlap: float | None = None,
     callback_after_iteration: Watcher | None = None,
 ) -> RegistrationResult:
     """Register from coarse to fine: each scale on down-sampled clouds, from the pose of the one before.
@@ -45,10 +50,15 @@ def multi_scale_icp(
         estimate_normals: Give those clouds normals that `estimation_method` needs them of and that have none: at each
             scale, by up to 30 neighbours within 3 voxels (of the clouds as they are, however far). Their sign is not
             known, which the symmetric method minds; without this, clouds that lack normals are an error.
+        overlap: Share of the source's points whose nearest pairs are kept, as of `registration_icp`. None keeps all, as
+            Open3D does, and where less than half of the points then lie within two voxels of the target begins again
+            with the share that it finds: what lies beyond the other cloud's edge pulls the source off. The second pose
+            is taken where nine tenths as many points lie so near there.
         callback_after_iteration: As of `registration_icp`; its dict has `scale_index` too.
 
     Returns:
-        The result of the last scale, whose iterations are those of all scales together.
+        The result of the last scale, whose iterations are those of all scales together. Where the overlap was found,
+        fitness, error and correspondences are nevertheless those of all pairs within the distance.
 
     Raises:
         ValueError: Lists of different lengths, sizes that do not descend, or as `registration_icp`.
@@ -77,11 +87,41 @@ def multi_scale_icp(
         watch = None if callback_after_iteration is None else partial(_at_scale, callback_after_iteration, scale)
         told: dict[str, Any] = {"callback_after_iteration": watch}
         with standing_for(source=source, target=target, scale_index=scale, voxel_size=size):
-            result = registration_icp(left, right, distance, pose, method, rules, **told)
+            near = min(NEAR * size, distance) or distance
+            result = _register(left, right, distance, near, pose, method, rules, overlap, told)
         pose, steps = result.transformation, steps + result.iterations
         result.iterations = steps
     assert result is not None
     return result
+
+
+def _register(
+    source: PointCloud,
+    target: PointCloud,
+    distance: float,
+    near: float,
+    init: Any,
+    method: TransformationEstimation,
+    rules: ICPConvergenceCriteria,
+    overlap: float | None,
+    told: dict[str, Any],
+) -> RegistrationResult:
+    """One scale; with all pairs first, and with those of the overlap where that is None and they are few."""
+    share = 1.0 if overlap is None else overlap
+    result = registration_icp(source, target, distance, init, method, rules, overlap=share, **told)
+    if overlap is not None or result.fitness == 0:
+        return result
+    met = evaluate_registration(source, target, near, result.transformation).fitness
+    if met >= LITTLE:
+        return result
+    trimmed = registration_icp(source, target, distance, init, method, rules, overlap=None, **told)
+    if evaluate_registration(source, target, near, trimmed.transformation).fitness < KEPT * met:
+        return result
+    trimmed.iterations += result.iterations
+    whole = evaluate_registration(source, target, distance, trimmed.transformation)
+    trimmed.fitness, trimmed.inlier_rmse = whole.fitness, whole.inlier_rmse
+    trimmed._correspondences = whole._correspondences
+    return trimmed
 
 
 def _with_normals(cloud: PointCloud, voxel_size: float) -> PointCloud:

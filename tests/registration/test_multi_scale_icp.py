@@ -35,6 +35,25 @@ def test_one_scale_is_plain_icp(device, full_pair):
     one = reg.multi_scale_icp(source, target, [-1], [rules], [0.1], full_pair[2], PLANE)
     plain = reg.registration_icp(source, target, 0.1, full_pair[2], PLANE, rules)
     np.testing.assert_array_equal(one.transformation, plain.transformation)
+    kept = reg.multi_scale_icp(source, target, [-1], [rules], [0.1], full_pair[2], PLANE, overlap=1.0)
+    np.testing.assert_array_equal(kept.transformation, plain.transformation)
+
+
+def test_a_low_overlap_is_found_by_itself(device, rng, angle_between):
+    points, others = wavy(rng, 16_000), wavy(rng, 16_000)
+    T = as_pose([0.02, -0.01, 0.03], [0.02, 0.01, -0.02])
+    target = loom.PointCloud(others[others[:, 0] > -0.25], device=device).estimate_normals(max_nn=20)
+    source = loom.PointCloud(back(points[points[:, 0] < 0.25], T), device=device)
+    rules = [reg.ICPConvergenceCriteria(1e-6, 1e-6, 40)]
+    found, whole = (
+        reg.multi_scale_icp(source, target, [0.03], rules, [0.4], None, PLANE, overlap=overlap)
+        for overlap in (None, 1.0)
+    )
+    assert angle_between(found.transformation, T) < 0.2 * angle_between(whole.transformation, T)
+    again = reg.evaluate_registration(
+        source.voxel_down_sample(0.03), target.voxel_down_sample(0.03), 0.4, found.transformation
+    )
+    assert found.fitness == again.fitness and len(found.correspondence_set) == len(again.correspondence_set)
 
 
 @pytest.mark.parametrize(

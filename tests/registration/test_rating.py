@@ -7,8 +7,16 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 import pointloom as loom
-from pointloom.kernels.poses.overlap_evidence import AGREEING_AT, MATCHED_AT, NEAR_AT, weigh_overlap
+from pointloom.kernels.poses.overlap_evidence import (
+    AGREEING_AT,
+    ALIGNED_AT,
+    MATCHED_AT,
+    NEAR_AT,
+    directions_of,
+    weigh_overlap,
+)
 from pointloom.kernels.surface.hollow_side import Surface, find_sides
+from pointloom.registration.globally import rating
 from pointloom.registration.globally.rating import Evidence, surface_of
 from pointloom.registration.rigid import symmetric_matrices
 
@@ -29,6 +37,26 @@ def hills(rng, count, noise=0.002):
     xy = rng.uniform(-2, 2, (count, 2))
     z = 0.3 * np.sin(3 * xy[:, 0]) * np.cos(2 * xy[:, 1]) + 0.1 * np.sin(5 * xy[:, 1] + xy[:, 0])
     return np.column_stack([xy, z + rng.normal(0, noise, count)])
+
+
+def hall(rng, count=40000):
+    """A closed room of 4 x 3 x 2.4 m with round lumps on its floor and walls, as all of it is seen from its middle."""
+    size, lumps = (
+        np.array([4, 3, 2.4]),
+        [((1, 1, 0), 0.4), ((3.2, 2, 0), 0.3), ((0, 2.2, 1), 0.35), ((2.5, 3, 1.5), 0.4)],
+    )
+    areas = np.array([12, 12, 9.6, 9.6, 7.2, 7.2])
+    face, points = rng.choice(6, count, p=areas / areas.sum()), rng.random((count, 3)) * size
+    axis = np.array([2, 2, 1, 1, 0, 0])[face]
+    points[np.arange(count), axis] = np.where(face % 2, size[axis], 0)
+    for middle, radius in lumps:
+        away = points - middle
+        far = np.linalg.norm(away, axis=1)
+        way = rng.normal(size=((far < radius).sum() * 2, 3))
+        way *= radius / np.linalg.norm(way, axis=1, keepdims=True)
+        ball = way + middle
+        points = np.r_[points[far >= radius], ball[((ball > 0) & (ball < size)).all(axis=1)]]
+    return points + rng.normal(0, 0.002, points.shape)
 
 
 def submaps(data):
@@ -104,6 +132,16 @@ def test_a_corner_of_a_room_that_lies_in_that_of_another_is_not_believed(device,
 def test_what_stands_in_a_room_tells_it_from_others(device, rng):
     source, target = (loom.PointCloud(corner(rng, ONE), device=device) for _ in range(2))
     assert rate(source, target, np.eye(4), 0.09) > 0.95
+
+
+def test_what_stands_where_the_other_cloud_saw_through_speaks_against_a_pose(device, rng):
+    room, other = hall(rng), hall(rng)
+    screen = np.column_stack([np.full(8000, 2.0), rng.uniform(0.6, 2.4, 8000), rng.uniform(0.5, 1.9, 8000)])
+    target = loom.PointCloud(other, device=device)
+    clean, blocked = (loom.PointCloud(points, device=device) for points in (room, np.r_[room, screen]))
+    assert rate(clean, target, np.eye(4), 0.12) > 0.9
+    assert rate(blocked, target, np.eye(4), 0.12) < 0.1
+    assert rate(target, blocked, np.eye(4), 0.12) < 0.1
 
 
 @pytest.mark.parametrize("count", [0, 1, 2, 3, 4])
@@ -277,6 +315,48 @@ def test_rating_is_no_better_than_what_lies_beside_the_planes():
     assert np.all(np.diff(scores) > 0) and scores[1] < 0.5 < scores[2] and scores[4] > 0.99
     assert Evidence(0.4, 0.03, 1000, rest=0.15).score > 0.5  # noise lowers the whole and the rest
     assert Evidence(0.1, 0.03, 1000, rest=0.9).score == Evidence(0.1, 0.03, 1000).score < 0.3
+
+
+def test_what_is_as_square_as_the_walls_has_to_be_more():
+    square, round_ = (Evidence(0.4, 0.03, 1000, rest=0.14, aligned=share) for share in (0.9, 0.3))
+    assert square.score < 0.5 < round_.score
+    assert "planes square to each other" in square.doubt
+    assert Evidence(0.4, 0.03, 1000, rest=0.25, aligned=0.9).score > 0.75
+    scores = [Evidence(0.4, 0.03, 1000, rest=0.14, aligned=share).score for share in (0.5, 0.6, 0.7, 0.75, 1.0)]
+    assert np.all(np.diff(scores) <= 0) and scores[0] == round_.score and scores[3] == scores[4]
+
+
+def test_a_few_matches_beside_the_planes_may_be_chance(monkeypatch):
+    monkeypatch.setattr(rating, "count_blocked", lambda source, target, pose: 0.0)
+    found, rests, bare = Evidence(0.5, 0.03, 3000), [], rating.Witness(None, 0.1)
+    for count in (20, 50, 100, 200):
+        monkeypatch.setattr(rating, "compare_surfaces", lambda *_, m=count, **__: Evidence(0.2, 0.03, m, aligned=0.6))
+        rests.append(rating.complete(found, bare, bare, np.eye(4), 0.1).rest)
+    assert rests == pytest.approx([0.04, 0.1, 0.2, 0.2])
+    monkeypatch.setattr(rating, "compare_surfaces", lambda *_, **__: Evidence(0.2, 0.03, 50, aligned=0.2))
+    assert rating.complete(found, bare, bare, np.eye(4), 0.1).rest == pytest.approx(0.2)  # as on hills
+    monkeypatch.setattr(rating, "compare_surfaces", lambda *_, **__: Evidence(0.2, 0.03, 30, aligned=0.6))
+    few = rating.complete(Evidence(0.5, 0.03, 400), bare, bare, np.eye(4), 0.1)  # a small cloud has no more
+    assert few.rest == pytest.approx(0.2)
+
+
+def test_what_matches_square_to_two_planes_counts_as_aligned(device, rng):
+    square = directions_of(np.array([[0, 0, 1.0], [1, 0, 0]]))
+    np.testing.assert_allclose(np.abs(square), [[0, 0, 1], [1, 0, 0], [0, 1, 0]], atol=1e-6)
+    assert len(directions_of(np.array([[0, 0, 1.0], [0.8, 0, 0.6]]))) == 2 and len(directions_of(np.empty((0, 3)))) == 0
+    source, target = (surface_of(loom.PointCloud(corner(rng, ONE, 12000), device=device), 0.06) for _ in range(2))
+    whole, beside = (
+        weigh_overlap(source, target, np.eye(4), 0.09, 0.36, 0.866, 0.018, beside_planes=b) for b in (False, True)
+    )
+    assert whole[ALIGNED_AT] == 0 and beside[ALIGNED_AT] > 0.6 * beside[MATCHED_AT]
+
+
+def test_the_more_stands_in_the_way_the_less_is_believed():
+    scores = [Evidence(0.8, 0.03, 1000, rest=0.8, blocked=share).score for share in (0.0, 0.01, 0.02, 0.04, 0.2)]
+    assert np.all(np.diff(scores) < 0) and scores[1] > 0.9 and scores[3] < 0.1
+    assert "saw through" in Evidence(0.8, 0.03, 1000, rest=0.8, blocked=0.1).doubt
+    assert "three planes" in Evidence(0.8, 0.03, 1000, rest=0.1).doubt
+    assert "hardly lie on each other" in Evidence(0.05, 0.03, 1000).doubt
 
 
 def test_rating_grows_with_share_and_firmness_and_wants_enough_matches():

@@ -11,6 +11,8 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 import pointloom as loom
+from pointloom.registration.globally.global_registration import _is_equal
+from pointloom.registration.globally.rating import Evidence
 
 from .hilly_clouds import hills, misplacement, pose, random_pose
 from .poses import moved
@@ -236,6 +238,16 @@ def test_rooms_with_the_same_furniture_are_believed(device, rng):
     result = reg.register_globally(*clouds, voxel_size=0.06)
     angle, distance = misplacement(result.transformation, np.linalg.inv(start), moved(source, start))
     assert result.score > 0.9 and result.converged and angle < 0.5 and distance < 0.02
+
+
+def test_a_pose_that_is_not_believed_itself_is_no_rival():
+    best = Evidence(0.6, 0.03, 1000, rest=0.5)
+    assert _is_equal(Evidence(0.62, 0.03, 1000, rest=0.45), best)
+    assert not _is_equal(Evidence(0.62, 0.03, 1000, rest=0.45, blocked=0.1), best)
+    assert not _is_equal(Evidence(0.62, 0.03, 1000, rest=0.1), best)
+    assert not _is_equal(Evidence(0.62, 0.03, 1000, rest=0.3), best)
+    corner_alone = Evidence(0.6, 0.03, 1000, rest=0.0)
+    assert _is_equal(corner_alone, corner_alone) and not _is_equal(Evidence(0.4, 0.03, 1000), corner_alone)
 
 
 def test_a_box_has_more_than_one_pose(device, rng):

@@ -1,0 +1,67 @@
+"""What stands before a surface is in the way of who sees it, from each place from which it can have been seen."""
+
+import numpy as np
+import pytest
+
+import pointloom as loom
+from pointloom.kernels.poses import sight
+from pointloom.kernels.poses.sight import KEPT, Sight, find_sight
+
+EYE = np.zeros((1, 3))
+
+
+def plate(x, y=(-1.0, 1.0), z=(-1.0, 1.0), step=0.03):
+    """Points of a plate square to x."""
+    u, v = (np.arange(low, high + 1e-9, step) for low, high in (y, z))
+    return np.stack(np.meshgrid([x], u, v, indexing="ij"), -1).reshape(-1, 3)
+
+
+def points_of(rows, device):
+    return loom.PointCloud(rows, device=device).array("points")
+
+
+def shifted(rows, device):
+    """Points of a cloud on the device, and where its origin lies."""
+    cloud = loom.PointCloud(rows, device=device)
+    return cloud.array("points"), np.asarray(cloud.origin, float)
+
+
+@pytest.mark.parametrize(
+    ("x", "y", "share"),
+    [(1.0, (-0.4, 0.4), 1), (1.75, (-0.4, 0.4), 0), (3.0, (-0.4, 0.4), 0), (1.0, (2.0, 2.5), 0)],
+    ids=["before", "too near to it to tell", "behind", "beside"],
+)
+def test_what_stands_before_a_wall_is_in_the_way(device, x, y, share):
+    wall, there = shifted(plate(2.0), device)
+    screen, origin = shifted(plate(x, y, (-0.4, 0.4)), device)
+    pose = np.eye(4)
+    pose[:3, 3] = origin - there
+    counts = Sight(wall, EYE - there, 0.1).count_in_the_way(screen, pose)
+    assert counts.tolist() == [share * screen.size]
+
+
+def test_what_lies_behind_another_plate_is_hidden(device):
+    rows = np.r_[plate(1.0, (-0.5, 0.5), (-0.5, 0.5)), plate(2.0)]
+    points, origin = shifted(rows, device)
+    hidden = Sight(points, EYE - origin, 0.1).count_hidden(points)[0]
+    shadow = (rows[:, 0] == 2) & (np.abs(rows[:, 1:]) < 1).all(axis=1)
+    assert hidden == pytest.approx(shadow.sum(), rel=0.05)
+
+
+def test_places_are_kept_from_which_least_is_hidden(device):
+    points = points_of(np.r_[plate(1.0, (-0.5, 0.5), (-0.5, 0.5)), plate(2.0), plate(-2.0)], device)
+    found = find_sight(points, 0.1)
+    assert found is not None and 0 < found.place_count <= KEPT
+    x = np.asarray(found.places.numpy())[:, 0]
+    assert x.min() > 0.5  # farther back the small plate hides the wall behind it
+
+
+def test_a_cloud_that_no_place_shows_has_no_sight(device, rng, monkeypatch):
+    ways = rng.normal(size=(8000, 3))
+    ways /= np.linalg.norm(ways, axis=1, keepdims=True)
+    ways[:3000] *= 0.6  # a ball in a ball
+    points = points_of(ways, device)
+    assert find_sight(points, 0.1) is not None
+    monkeypatch.setattr(sight, "HIDDEN", 0.01)
+    assert find_sight(points, 0.1) is None
+    assert find_sight(points_of(np.empty((0, 3)), device), 0.1) is None
