@@ -140,7 +140,7 @@ class TrackedPath:
             if numbers:
                 fields.append((name, f"{len(numbers)}: {some_frames(list(numbers))}"))
         if self.deviations:
-            fields.append(("sure to", f"{max(self.deviations) * 1000:.0f} mm at worst (standard deviation)"))
+            fields.append(("deviation", f"{max(self.deviations) * 1000:.0f} mm of a position at worst"))
         if self.residuals:
             residual, fitness = float(np.median(self.residuals)), float(np.median(self.fitness))
             fit = f"{residual * 1000:.1f} mm off the model, {format_share(fitness)} of the depth on it"
