@@ -169,7 +169,7 @@ class TrackedPath:
             if numbers:
                 fields.append((name, f"{len(numbers)}: {some_frames(list(numbers))}"))
         if self.deviations:
-            fields.append(("sure to", f"{max(self.deviations) * 1000:.0f} mm at worst (standard deviation)"))
+            fields.append(("deviation", f"{max(self.deviations) * 1000:.0f} mm of a position at worst"))
         if self.other_maps:
             told = "; ".join(some_frames(_numbers(path)) for path in self.other_maps)
             fields.append(("other maps", f"{len(self.other_maps)}: {told}"))
