@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from ...pcd.cloud import PointCloud
 from ...registration.globally.global_registration import FEWEST_POINTS
-from ...registration.globally.rating import rate_surfaces, surface_of
+from ...registration.globally.rating import Witness, rate_surfaces, surface_of
 from ...registration.rigid import invert_pose, make_pose, nearest_rotation, rotation_vector, to_local
 from ..odometry.alignment import align_frames
 from ..odometry.results import OdometryResult
@@ -170,7 +170,8 @@ def _rate(target: SlamMap, source: SlamMap, T: Pose) -> float:
     source_surface, target_surface = surface_of(left, size), surface_of(right, size)
     if min(len(source_surface), len(target_surface)) < FEWEST_POINTS:
         return 0.0
-    return rate_surfaces(source_surface, target_surface, to_local(T, left.origin, right.origin), REACH * size).score
+    seen = Witness(source_surface, size), Witness(target_surface, size)
+    return rate_surfaces(*seen, to_local(T, left.origin, right.origin), REACH * size).score
 
 
 def _thinned(known: SlamMap, size: float) -> PointCloud:

@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 from ...kernels.surface.hollow_side import Surface
 from ...pcd.cloud import PointCloud
 from ...registration.globally.global_registration import FEWEST_POINTS, Description, describe, register_described
-from ...registration.globally.rating import rate_surfaces, surface_of
+from ...registration.globally.rating import Witness, rate_surfaces, surface_of
 from ...registration.icp.estimation import (
     TransformationEstimationForGeneralizedICP,
     TransformationEstimationPointToPlane,
@@ -52,13 +52,13 @@ class SubmapSurface:
         self.cloud, self.voxel_size = submap.cloud(voxel_size / 4), voxel_size
         self.box = np.zeros((0, 3))
         self.thinned: PointCloud | None = None
-        self.surface: Surface | None = None
+        self.witness: Witness | None = None
         if len(self.cloud) < FEWEST_POINTS:
             return
         surface = surface_of(self.cloud, voxel_size)
         if len(surface) < FEWEST_POINTS:
             return
-        self.surface = surface
+        self.witness = Witness(surface, voxel_size)
         self.thinned = self._as_cloud(surface)
         points = self.cloud.points
         ends = np.stack([points.min(axis=0), points.max(axis=0)])
@@ -215,8 +215,8 @@ def _register(
 def _judge(surfaces: Sequence[SubmapSurface], c: Candidate, T: Matrix, information: Matrix, fitness: float) -> Loop:
     """A registered candidate with what speaks against it."""
     source, target = surfaces[c.source], surfaces[c.target]
-    assert source.surface is not None and target.surface is not None
-    share = fitness * max(1.0, len(source.surface) / len(target.surface))  # of the smaller one
+    assert source.witness is not None and target.witness is not None
+    share = fitness * max(1.0, len(source.witness.surface) / len(target.witness.surface))  # of the smaller one
     shift, score, refused = shift_of(source.box, c.T_target_source, T), 0.0, ""
     if shift > c.limit:
         refused = f"it lies {shift:.2f} m from where tracking, which may be off by {c.limit:.2f} m, has it"
@@ -224,7 +224,7 @@ def _judge(surfaces: Sequence[SubmapSurface], c: Candidate, T: Matrix, informati
         refused = f"{share:.0%} of the smaller submap lie on the other, {OVERLAP:.0%} are asked for"
     else:
         local = to_local(T, source.cloud.origin, target.cloud.origin)
-        score = rate_surfaces(source.surface, target.surface, local, REACH * source.voxel_size).score
+        score = rate_surfaces(source.witness, target.witness, local, REACH * source.voxel_size).score
         asked = SURE + (SURER - SURE) * shift / c.limit if np.isfinite(c.limit) else SURE
         if score <= asked:
             refused = f"it is not believed: score {score:.2f}, {asked:.2f} asked for {shift:.2f} m off tracking"

@@ -91,7 +91,7 @@ def test_pictures_without_a_camera_are_sent_to_frames_from():
 def test_a_clock_counts_the_stages():
     clock = Clock()
     loom.fuse(Wall(3), voxel_size=0.05, clock=clock)
-    assert list(clock.seconds) == ["read", "integrate", "extract"]
+    assert list(clock.seconds) == ["read", "integrate", "extract", "check"]
 
 
 # ------------------------------------------------------------------------------------------------ beside the command

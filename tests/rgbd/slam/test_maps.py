@@ -100,7 +100,7 @@ def renumbered(other, slam):
 def test_a_join_has_to_be_borne_out_by_the_maps(device, shift, is_right):
     first, second = begun(device), begun(device)
     first.run(frames(*range(0, 24, 4)))
-    second.model.current_frame_pose[:] = frame(8).T_world_camera
+    second.model.current_frame_pose = frame(8).T_world_camera.copy()
     second.run(frames(*range(8, 32, 4)))
     T = np.eye(4)
     T[:3, 3] = shift
