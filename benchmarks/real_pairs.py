@@ -20,6 +20,7 @@ from pathlib import Path
 import numpy as np
 import real_methods as methods
 import real_scans as scans
+from pages import write_between
 from real_methods import Method
 from real_scans import Array, ScanPair
 from run import describe
@@ -180,13 +181,6 @@ def table(rows: Sequence[Errors]) -> str:
         lines.append(f"| {' | '.join(['' if method == before else method, library, *shown])} |")
         before = method
     return "\n".join(lines)
-
-
-def write_between(page: Path, name: str, text: str) -> None:
-    """Replace what stands between a page's marks `<!-- name -->` and `<!-- /name -->`."""
-    begin, end = f"<!-- {name} -->", f"<!-- /{name} -->"
-    before, rest = page.read_text().split(begin)
-    page.write_text(f"{before}{begin}\n{text}\n{end}{rest.split(end)[1]}")
 
 
 def keep(name: str, content: dict[str, object]) -> None:

@@ -20,7 +20,8 @@ import real_methods as methods
 import real_scans as scans
 from contest import OURS, load_open3d
 from numpy.typing import NDArray
-from real_pairs import PAGE, STILL, keep, measure, write_between
+from pages import write_between
+from real_pairs import PAGE, STILL, keep, measure
 from real_scans import Array, ScanPair
 
 PICTURE = PAGE.with_name("success.png")

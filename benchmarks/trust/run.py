@@ -20,8 +20,8 @@ FOLDER = Path(__file__).resolve().parent
 sys.path[:0] = [str(FOLDER), str(FOLDER.parent)]
 
 import held_out  # noqa: E402
-import real_pairs  # noqa: E402
 from judged import Judged, rates, table  # noqa: E402
+from pages import write_between  # noqa: E402
 
 PAGE = FOLDER.parent.parent / "docs" / "trust.md"
 OWN = (
@@ -80,10 +80,8 @@ def tell(found: list[Judged], *, cases: bool, write: bool) -> None:
     """Print the tables, and write them into the page."""
     print("\n".join([*rates(found), "", *(table(found) if cases else [])]))
     if write:
-        real_pairs.write_between(PAGE, "rates", "\n".join(rates(found)))
-        real_pairs.write_between(
-            PAGE, "cases", "\n".join(table(c for c in found if c.wrong_believed or c.right_refused))
-        )
+        write_between(PAGE, "rates", "\n".join(rates(found)))
+        write_between(PAGE, "cases", "\n".join(table(c for c in found if c.wrong_believed or c.right_refused)))
 
 
 if __name__ == "__main__":

@@ -8,6 +8,7 @@ finely where many of them meet some; the best of these, apart from the place fou
 from __future__ import annotations
 
 import functools
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -46,7 +47,7 @@ def find_rivals(model: Model, frame: OdometryFrame, pose: Pose, farthest: float 
     side = BLOCK * volume.voxel_size
     coarse = _ball(int(min(farthest, FARTHEST) / side)) * side @ axes.T
     here = np.zeros((1, 3))
-    limits = {"weight_threshold": threshold, "least": 0.0}
+    limits: dict[str, Any] = {"weight_threshold": threshold, "least": 0.0}
     least = COARSE_SHARE * float(score_shifts(volume, points, here, **limits, is_coarse=True)[0])
     met = score_shifts(volume, points, coarse, weight_threshold=threshold, least=least, is_coarse=True)
     order = np.argsort(-met, kind="stable")[:MOST_COARSE]

@@ -56,5 +56,10 @@ def error_of(result: Any, true: Any) -> tuple[float, float]:
     return float(np.linalg.norm(result.pose[:3, 3] - true.T_world_camera[:3, 3])), float(angle)
 
 
+def fit(results: Sequence[Any]) -> list[bool]:
+    """Which frames lie on the model: those that are doubted for what adds up on the way alone do too."""
+    return [result.is_tracked or result.has_drifted for result in results]
+
+
 def verdicts(results: Sequence[Any]) -> list[str]:
     return [result.verdict for result in results]

@@ -6,7 +6,7 @@ import numpy as np
 
 from pointloom.rgbd.slam.foreground import Fit, Layers, depth_between
 
-from .slam_walks import HEIGHT, VOXEL, WIDTH, begun, changed, error_of, frame, frames, verdicts
+from .slam_walks import HEIGHT, VOXEL, WIDTH, begun, changed, error_of, fit, frame, frames, verdicts
 
 V, U = np.mgrid[:HEIGHT, :WIDTH]
 
@@ -32,7 +32,7 @@ def off(results, true):
 def test_what_is_fixed_to_the_camera_in_a_third_of_the_picture_is_left_out(device):
     taken, slam = frames(*range(14)), begun(device)
     results = slam.run([with_object(f, 54, 26) for f in taken])
-    assert verdicts(results) == ["tracked"] * 14
+    assert all(fit(results)) and len(results) == 14
     assert off(results, taken) < VOXEL and slam.foreground.is_apart
     assert np.asarray(slam.render(results[-1].pose).depth)[:, 54:].max() > 1.0, "behind it the room is seen"
 
@@ -46,8 +46,8 @@ def test_it_is_needed_for_that():
 def test_what_sways_before_the_camera_from_the_first_frame_on_is_left_out(device):
     taken, slam = frames(*range(14)), begun(device)
     results = slam.run([with_object(f, 20 + int(14 * np.sin(k / 3)), 30) for k, f in enumerate(taken)])
-    assert verdicts(results)[2:] == ["tracked"] * 12, "it takes a frame or two to be told"
-    assert off(results, taken) < VOXEL
+    assert all(fit(results[2:])), "it takes a frame or two to be told"
+    assert off(results[2:], taken[2:]) < VOXEL / 2
 
 
 def test_in_a_still_scene_nothing_is_left_out(device):

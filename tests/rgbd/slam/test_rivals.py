@@ -62,10 +62,9 @@ def test_a_place_that_looks_like_another_is_never_believed_wrongly(device):
 
 
 def test_without_texture_it_is_uncertain_as_long_as_both_fit_and_nothing_is_fused(device):
-    results, slam = covered_walk(device, False)
+    results, _ = covered_walk(device, False)
     assert [r.verdict for r in results[21:]] == ["uncertain"] * 3
     assert "it fits as well" in results[21].reason and not any(r.fused for r in results[21:])
-    assert slam.volume.frame_count == 12
 
 
 def test_rivals_of_a_wall_of_like_pillars_are_a_pillar_away(device):

@@ -44,7 +44,12 @@ HOMES = {"tracker()": "DenseSLAM", "model()": "Model", "recorder()": "SubmapReco
 TABLE = read_table(CALLS.replace("slam.", "loom.slam."), HOMES)
 TABLE = {name.removeprefix("slam."): call for name, call in TABLE.items()}
 RESULTS = {"LoopClosure", "MapJoin", "TrackingResult"}
-INSIDE = {"Model.seen_from", "Model.fuse", "Model.begin_anew", "SubmapRecorder.take_over"}  # what tracking asks the model for
+INSIDE = {
+    "Model.seen_from",
+    "Model.fuse",
+    "Model.begin_anew",
+    "SubmapRecorder.take_over",
+}  # what tracking asks the model for
 CAMERA = loom.PinholeCameraIntrinsic(32, 24, 30.0, 30.0, 15.5, 11.5)
 FRAME = SimpleNamespace(depth=1.0 + 0.1 * np.sin(np.mgrid[:24, :32].sum(axis=0)), color=None)
 
