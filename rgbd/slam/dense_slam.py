@@ -338,13 +338,10 @@ class DenseSLAM:
         maps, doubt = self._maps, self.stream.look(frame)
         if maps.is_failing() or (maps.is_on_trial and not self.model.frame_count):
             maps.give_up(self.results)
-        if not self.model.frame_count:
-            self._restarts(frame)
-            return self._begin(frame, known)
-        if doubt == STALE:
+        if doubt == STALE and self.model.frame_count:
             self._tracker.motion.missed += 1
             return TrackingResult(None, "lost", doubt, map=maps.here.number, **known)
-        if self._restarts(frame):
+        if self._restarts(frame) or not self.model.frame_count:
             return self._begin(frame, known)
         attempt, is_anew = self._tracker.locate(frame)
         attempt = attempt.doubted(doubt)
