@@ -46,7 +46,7 @@ def test_a_folder_becomes_a_mesh_and_a_picture(device, folder, tmp_path):
     assert report["triangles"] > 1000
     assert report["files"] == [str(tmp_path / "mesh.ply"), str(tmp_path / "mesh.png")]
     assert sorted(entry.name for entry in tmp_path.iterdir()) == ["mesh.ply", "mesh.png"]
-    assert list(report["seconds"]) == ["open", "read", "integrate", "extract", "write"]
+    assert list(report["seconds"]) == ["open", "read", "integrate", "extract", "check", "write"]
     json.dumps(report, allow_nan=False)
 
 

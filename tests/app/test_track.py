@@ -1,6 +1,5 @@
 """track: the path of a camera, its errors, what is told of frames that were lost, and what the command refuses."""
 
-import dataclasses
 import json
 from pathlib import Path
 
@@ -11,21 +10,10 @@ from pointloom.app.jobs.track import track_folder
 from pointloom.cameras.trajectory import read_trajectory
 from pointloom.files.pictures.image_files import read_depth, write_png
 from pointloom.rgbd.slam import tracking
+from pointloom.rgbd.slam.results import TrackingResult
+from pointloom.rgbd.slam.stream_check import StreamCheck
 
 from .commands import answer, names_in, poor_answer, refusal, run
-
-
-@dataclasses.dataclass
-class Step:
-    verdict: str
-    pose: np.ndarray | None
-    reason: str = ""
-    inlier_rmse: float = 0.002
-    fitness: float = 0.9
-
-    @property
-    def is_tracked(self) -> bool:
-        return self.verdict == "tracked"
 
 
 class Guided:
@@ -33,18 +21,26 @@ class Guided:
 
     def __init__(self, fates: dict[int, str] | None = None):
         self.fates, self.seen, self.folded = fates or {}, 0, []
+        self.results, self.joins, self.stream = [], [], StreamCheck()
+
+    def join_maps(self):
+        return []
 
     def step(self, frame):
+        self.results.append(self.judge(frame))
+
+    def judge(self, frame):
         number = self.seen
         self.seen += 1
         fate = self.fates.get(number, "tracked")
         if not (np.asarray(frame.depth) > 0).any():
             fate = "lost"
         if fate == "lost":
-            return Step(fate, None, reason="no depth in reach")
+            return TrackingResult(None, fate, "no depth in reach")
         if fate == "tracked":
             self.folded.append(frame.name)
-        return Step(fate, np.linalg.inv(self.start(frame)) @ frame.T_world_camera)
+        pose = np.linalg.inv(self.start(frame)) @ frame.T_world_camera
+        return TrackingResult(pose, fate, inlier_rmse=0.002, fitness=0.9, iterations=int(number > 0))
 
     def start(self, frame):
         if not hasattr(self, "first"):
@@ -89,7 +85,7 @@ def test_track_writes_the_path_and_its_errors(guided, frames, tmp_path):
 
 def test_without_true_poses_there_are_no_errors(guided, frames, tmp_path, monkeypatch):
     without_poses(frames)
-    monkeypatch.setattr(Guided, "step", lambda self, frame: Step("tracked", np.eye(4)))
+    monkeypatch.setattr(Guided, "judge", lambda self, frame: TrackingResult(np.eye(4), "tracked"))
     assert answer("track", frames, "-o", tmp_path / "poses.txt")["errors"] is None
     assert "ATE" not in run("track", frames, "-o", tmp_path / "poses.tum").stdout
     assert read_trajectory(tmp_path / "poses.txt").timestamps.tolist() == [0, 1, 2, 3, 4, 5]
