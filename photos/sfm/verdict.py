@@ -124,6 +124,8 @@ def judge_model(
     """
     if model is not None and not isinstance(model, SfmModel):
         raise TypeError(f"model: expected an SfmModel or None, got {type(model).__name__}")
+    if focal is not None and not isinstance(focal, CameraCheck):
+        raise TypeError(f"focal: expected a Verdict's `focal` or None, got {type(focal).__name__}")
     registered = 0 if model is None else len(model)
     check_count("picture_count", picture_count, minimum=registered)
     given = [registered] if model_sizes is None else check_list("model_sizes", model_sizes, "counts")

@@ -26,8 +26,8 @@ def pair(tmp_path, rng) -> tuple[Path, Path]:
 @pytest.fixture
 def drive(tmp_path, rng) -> Path:
     """A folder of 3 scans of a room."""
-    room = rng.uniform(-8, 8, (2000, 3)) * [1, 1, 0.3]
-    room[np.arange(2000), np.arange(2000) % 3] = np.where(rng.random(2000) < 0.5, -1, 1) * 8.0
+    room = rng.uniform(-8, 8, (8000, 3)) * [1, 1, 0.3]
+    room[np.arange(8000), np.arange(8000) % 3] = np.where(rng.random(8000) < 0.5, -1, 1) * 8.0
     folder = tmp_path / "drive"
     folder.mkdir()
     for number, T in enumerate(path_of(3)):

@@ -24,7 +24,7 @@ loom.sfm.find_features(pictures=pictures, database=new(), {FOUND})
 loom.sfm.match(database=database, matches=new(), pairs="auto", overlap=10, {LIMITS})
 loom.sfm.map_pictures(pictures=pictures, matches=database, folder=new(), {LIMITS})
 loom.sfm.reconstruct(pictures=pictures, work=new(), pairs="auto", overlap=10, {FOUND})
-loom.sfm.judge_model(model=model, picture_count=3, model_sizes=[2, 1])
+loom.sfm.judge_model(model=model, picture_count=3, model_sizes=[2, 1], focal=None)
 """  # noqa: E501
 TABLE = {name.removeprefix("sfm."): call for name, call in read_table(CALLS, {}).items()}
 RESULTS = {"FrameChoice", "FeatureReport", "MatchReport", "SfmResult", "Verdict"}
@@ -38,7 +38,7 @@ def no_colmap(monkeypatch):
         assert limits["max_seconds"] > 0
         if job["stage"] == "features":
             Path(job["database"]).write_bytes(things()["database"].read_bytes())
-        return {"sizes": []}, 0
+        return {"sizes": [], "cameras": {}}, 0
 
     for module in (features, matches, mapping):
         monkeypatch.setattr(module, "run_job", run_job)
