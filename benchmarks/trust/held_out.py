@@ -62,13 +62,13 @@ def judge_path(case: str, frames: Sequence[CameraFrame], camera: DepthCamera, kn
         else "none placed"
     )
     believed = int((wrong & ~doubted).sum())
-    yield Judged("RGB-D frames", case, count, int(wrong.sum()), believed, refused + lost, "", worst)
+    yield Judged("RGB-D frames, held out", case, count, int(wrong.sum()), believed, refused + lost, "", worst)
     is_wrong = believed > MANY * len(frames)
     is_refused = path.poor is not None
     is_right = known and not is_wrong and lost + refused <= MANY * seen
     counted = int(is_wrong or is_right)
     passed, needless = int(is_wrong and not is_refused), int(is_right and is_refused)
-    yield Judged("RGB-D path", case, counted, int(is_wrong), passed, needless, path.poor or "", worst)
+    yield Judged("RGB-D path, held out", case, counted, int(is_wrong), passed, needless, path.poor or "", worst)
 
 
 def tracking() -> Iterator[Judged]:
@@ -137,7 +137,9 @@ def judge_scans(case: str, scans: Sequence[Any], truth: Sequence[Array], known: 
     counted = int(is_wrong or known)
     told = f"{off[-1]:.2f} m off after {way:.0f} m"
     believed, refused = int(is_wrong and poor is None), int(known and not is_wrong and poor is not None)
-    return Judged("LiDAR path", case, counted, int(is_wrong), believed, refused, poor or "", told, _kiss(scans, true))
+    return Judged(
+        "LiDAR path, held out", case, counted, int(is_wrong), believed, refused, poor or "", told, _kiss(scans, true)
+    )
 
 
 def _kiss(scans: Sequence[Any], true: Array) -> str:
@@ -232,7 +234,11 @@ def registering() -> Iterator[Judged]:
         shift = np.linalg.norm((T - truth)[:3] @ np.append(points.mean(axis=0), 1))
         right = name == other and np.degrees(pose_error(T, truth)[0]) < NEAR_TURN and shift < NEAR_VOXELS * VOXEL
         believed = found.poor is None
-        area = "registration, clouds of one place" if name == other else "registration, clouds that share nothing"
+        area = (
+            "registration, clouds of one place, held out"
+            if name == other
+            else "registration, clouds that share nothing, held out"
+        )
         yield Judged(
             area,
             f"{name} on {other}",
@@ -324,7 +330,7 @@ def _judge_album(case: str, place: Place, shots: list[tuple[Array, float]], give
             options["intrinsic"] = loom.PinholeCameraIntrinsic(K.width, K.height, f, f, K.cx, K.cy)
         result = loom.sfm.reconstruct(pictures, Path(folder, "work"), max_features=2000, seed=0, **options)
     if result.model is None:
-        return Judged("pictures", case, int(known), 0, 0, int(known), result.poor or "", "no model")
+        return Judged("pictures, held out", case, int(known), 0, 0, int(known), result.poor or "", "no model")
     errors = camera_errors(result.model, truth)
     ratio = [c.params[0] / focal[n] for n, c in zip(result.model.names, result.model.cameras, strict=True)]
     off_focal = max(abs(r - 1) for r in ratio)
@@ -333,7 +339,7 @@ def _judge_album(case: str, place: Place, shots: list[tuple[Array, float]], give
     centres, count = 100 * errors["share_of_extent"], len(result.model.names)
     told = f"centres {centres:.2f} %, f {100 * off_focal:.1f} % off, {count} placed"
     return Judged(
-        "pictures",
+        "pictures, held out",
         case,
         int(known or is_wrong),
         int(is_wrong),

@@ -81,6 +81,9 @@ def _rate(name: str, cases: Sequence[Judged]) -> str:
     return f"| {name} | {believed} | {refused} |"
 
 
+SAID = 120  # letters of a verdict's words in a table
+
+
 def table(cases: Iterable[Judged]) -> list[str]:
     """Rows of Markdown: case by case."""
     lines = [
@@ -88,6 +91,7 @@ def table(cases: Iterable[Judged]) -> list[str]:
         "|---|---|---|---|---|---|---|---|---|",
     ]
     for c in cases:
-        cells = (c.area, c.case, c.count, c.wrong, c.wrong_believed, c.right_refused, c.error, c.peer, c.said)
+        counts = (int(c.count), int(c.wrong), int(c.wrong_believed), int(c.right_refused))
+        cells = (c.area, c.case, *counts, c.error, c.peer, c.said[:SAID].replace("|", "/"))
         lines.append("| " + " | ".join(str(cell) for cell in cells) + " |")
     return lines
