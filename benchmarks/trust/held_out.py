@@ -20,6 +20,8 @@ from judged import Judged
 from places import Place
 from sensors import CameraFrame, DepthCamera, Scanner
 
+from pointloom.app.scenes.room_paths import look_along
+
 Array = np.ndarray[Any, np.dtype[np.float64]]
 
 OFF = 0.10  # [m] a camera pose that is off by more is wrong, where the first pose is the true one
@@ -260,7 +262,7 @@ def _sweep(kind: str, seed: int, start: int) -> list[Array]:
         yaw, pitch = math.radians(-60 + 6 * k + 5 * seed), math.radians(-20 + 12 * math.sin(2.1 * k))
         eye = np.array([x + 0.12 * k, 0.2 * math.sin(k), height + rise])
         way = np.array([math.cos(yaw) * math.cos(pitch), math.sin(yaw) * math.cos(pitch), math.sin(pitch)])
-        poses.append(sensors.look(eye, way))
+        poses.append(look_along(eye, way))
     return poses
 
 
@@ -290,7 +292,7 @@ def _albums() -> Iterator[tuple[str, str, list[tuple[Array, float]], float | Non
     yield "hall, intrinsic 13 % short", "hall", [(T, 1.0) for T in hall], 0.87, True
     yield "table, intrinsic 20 % long", "table", [(T, 1.0) for T in table], 1.2, True
     yield "hall, two lenses", "hall", [(T, 1.0 if k % 2 else 1.6) for k, T in enumerate(hall)], None, True
-    dolly = [sensors.look(np.array([-6 + 0.25 * k, 0, 1.4]), np.array([1, 0, -0.15])) for k in range(16)]
+    dolly = [look_along(np.array([-6 + 0.25 * k, 0, 1.4]), np.array([1, 0, -0.15])) for k in range(16)]
     yield "corridor, straight dolly", "corridor", [(T, 1.0) for T in dolly], None, False
     nadir = [
         np.array([[1, 0, 0, -6 + 1.2 * (k % 5)], [0, -1, 0, -2 + 1.2 * (k // 5)], [0, 0, -1, 7], [0, 0, 0, 1.0]])
@@ -304,7 +306,7 @@ def _orbit(count: int) -> list[Array]:
     for k in range(count):
         a = 2.2 * k / count
         eye = np.array([2.2 * math.cos(a), 2.2 * math.sin(a) - 2, 1.5 + 0.2 * math.sin(4 * a)])
-        poses.append(sensors.look(eye, np.array([-3.0, 3.5, 0.6]) - eye))
+        poses.append(look_along(eye, np.array([-3.0, 3.5, 0.6]) - eye))
     return poses
 
 

@@ -12,6 +12,8 @@ import numpy as np
 from numpy.typing import NDArray
 from places import Place
 
+from pointloom.app.scenes.room_paths import look_along
+
 Array = NDArray[np.float64]
 
 WIDTH, HEIGHT, FOCAL = 320, 240, 262.5  # [px]
@@ -85,16 +87,6 @@ def _rays(pose: Array, ways: Array) -> NDArray[np.float32]:
     return np.concatenate([np.broadcast_to(pose[:3, 3], ways.shape), ways], axis=-1).astype(np.float32)
 
 
-def look(eye: Array, way: Array) -> Array:
-    """Camera to world: x right, y down, z along the way."""
-    forward = np.asarray(way, float) / np.linalg.norm(way)
-    right = np.cross(forward, (0, 0, 1.0))
-    right /= np.linalg.norm(right)
-    T = np.eye(4)
-    T[:3, 0], T[:3, 1], T[:3, 2], T[:3, 3] = right, np.cross(forward, right), forward, eye
-    return T
-
-
 def in_hand(poses: Sequence[Array], seed: int) -> list[Array]:
     """Poses that shake as a hand does: some tenths of a degree, some millimetres."""
     rng = np.random.default_rng([seed, 8])
@@ -118,7 +110,7 @@ def walk(count: int, seed: int, *, start: float = -8.0, speed: float = 0.7, heig
         t = k / RATE
         yaw, pitch = 0.5 * math.sin(0.9 * t + seed), -0.35 + 0.15 * math.sin(1.3 * t)
         way = np.array([math.cos(yaw) * math.cos(pitch), math.sin(yaw) * math.cos(pitch), math.sin(pitch)])
-        poses.append(look(np.array([start + speed * t, 0.15 * math.sin(0.7 * t), height]), way))
+        poses.append(look_along(np.array([start + speed * t, 0.15 * math.sin(0.7 * t), height]), way))
     return in_hand(poses, seed)
 
 
@@ -130,7 +122,7 @@ def around(
     for k in range(count):
         a = turn * k / count + seed
         eye = np.array([radius * math.cos(a), radius * math.sin(a), height + 0.1 * math.sin(3 * a)])
-        poses.append(look(eye, np.array([0, 0, 0.78]) - eye))
+        poses.append(look_along(eye, np.array([0, 0, 0.78]) - eye))
     return in_hand(poses, seed)
 
 
@@ -140,7 +132,7 @@ def climb(count: int, seed: int, *, speed: float = 0.35) -> list[Array]:
     for k in range(count):
         x = speed * k / RATE
         yaw = 0.12 * math.sin(0.8 * k / RATE + seed)
-        poses.append(look(np.array([x, 0.0, 1.5 + 0.6 * x]), np.array([math.cos(yaw), math.sin(yaw), -0.25])))
+        poses.append(look_along(np.array([x, 0.0, 1.5 + 0.6 * x]), np.array([math.cos(yaw), math.sin(yaw), -0.25])))
     return in_hand(poses, seed)
 
 

@@ -42,9 +42,8 @@ class PoseCheck:
             if len(self._kept) == MOST_FRAMES:
                 self._kept = self._kept[::2]
                 self._every *= 2
-            if self._count % self._every == 0:
-                small = np.array(np.asarray(depth)[:: self._step, :: self._step])
-                self._kept.append((small, T_world_camera))
+            small = np.array(np.asarray(depth)[:: self._step, :: self._step])
+            self._kept.append((small, T_world_camera))
         self._count += 1
 
     def share_off(self, volume: TSDFVolume) -> float | None:

@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 
 from ...kernels.rgbd import verdict_rows as at
 from ...kernels.rgbd.alignment import Alignment
+from ...registration.rigid import symmetric_matrices
 from .frames import OdometryFrame
 from .results import OdometryResult, spread_information
 
@@ -109,7 +110,7 @@ def smallest_eigenvalue(sums: NDArray[np.float64], v: NDArray[np.float64]) -> fl
     if v[at.INLIERS] < FEWEST:
         return 0.0
     b = _about_middle(v)
-    values = np.linalg.eigvalsh(b.T @ _symmetric(sums) @ b) / v[at.INLIERS]
+    values = np.linalg.eigvalsh(b.T @ symmetric_matrices(sums[None, :21])[0] @ b) / v[at.INLIERS]
     return float(values[0] * SHIFT * SHIFT)
 
 
@@ -123,19 +124,12 @@ def covariance_of(firm: NDArray[np.float64], v: NDArray[np.float64]) -> NDArray[
     if n < FEWEST or not v[at.PLANES]:
         return np.full((6, 6), np.inf)
     b = _about_middle(v)
-    values, vectors = np.linalg.eigh(b.T @ _symmetric(firm) @ b)
+    values, vectors = np.linalg.eigh(b.T @ symmetric_matrices(firm[None, :21])[0] @ b)
     unit = n / SHIFT**2
     kept = np.maximum(values - IMITATED * unit, LEAST_KEPT * unit)
     noise = SHARED * max(v[at.EXCESS] / v[at.PLANES], LEAST_EXCESS)
     spread = b @ vectors
     return (spread * np.minimum(noise / kept, MOST_OPEN**2)) @ spread.T
-
-
-def _symmetric(sums: NDArray[np.float64]) -> NDArray[np.float64]:
-    """The 6x6 matrix whose upper triangle the sums begin with."""
-    h = np.zeros((6, 6))
-    h[np.triu_indices(6)] = sums[:21]
-    return h + np.triu(h, 1).T
 
 
 def _about_middle(v: NDArray[np.float64]) -> NDArray[np.float64]:

@@ -15,8 +15,9 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from ...kernels.memory import download
+from ...registration.rigid import adjoint_of, make_pose
 from ..odometry.frames import OdometryFrame
+from .frames import coarsest_level
 from .keyframes import Keyframes
 
 Pose = NDArray[np.float64]
@@ -52,7 +53,7 @@ class Drift:
         if not count:  # the first frame is the world
             return np.zeros((6, 6))
         parts = self._parts(frame, pose)
-        to_world = _adjoint(pose)
+        to_world = adjoint_of(pose)
         noise = to_world @ own @ to_world.T
         whole = parts.sum(0)
         scale = np.abs(whole).max()
@@ -74,7 +75,7 @@ class Drift:
         cross = row @ self._joint
         corner = cross @ row.T + noise
         self._joint = np.block([[self._joint, cross.T], [cross, corner]])
-        depth, lens, _ = _coarsest(frame)
+        depth, lens, _ = coarsest_level(frame)
         self._views.append((depth.astype(np.float32), lens))
 
     def take_over(self, other: Drift, T_here_other: Pose, deviation: float) -> None:
@@ -86,7 +87,7 @@ class Drift:
             deviation: Standard deviation of that [m], and at 1 m from the other's origin of its turn.
         """
         count, more = len(self._views), len(other._views)
-        to_here = _adjoint(T_here_other)
+        to_here = adjoint_of(T_here_other)
         blocks = np.kron(np.eye(more), to_here)
         way = to_here @ to_here.T * deviation**2
         joint = np.zeros((6 * (count + more),) * 2)
@@ -98,7 +99,7 @@ class Drift:
 
     def _parts(self, frame: OdometryFrame, pose: Pose) -> NDArray[np.float64]:
         """The normal equations of a frame's points, by the keyframes that saw them, float64 [keyframes, 6, 6]."""
-        depth, lens, planes = _coarsest(frame)
+        depth, lens, planes = coarsest_level(frame)
         v, u = np.mgrid[: depth.shape[0] : STRIDE, : depth.shape[1] : STRIDE]
         z, plane = depth[v, u], planes[v, u]
         chosen = (z > 0) & (plane[..., 3] < 0)
@@ -124,31 +125,6 @@ class Drift:
         return inside & (there > 0) & (np.abs(there - z) < NEAR + NEAR_SHARE * z)
 
 
-def _coarsest(frame: OdometryFrame) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
-    """Depth [h, w], lens and planes [h, w, 4] of the coarsest level (sync)."""
-    levels = frame.levels
-    last = levels.count - 1
-    width, height = (int(side) for side in levels.sizes[last])
-    first, count = int(levels.firsts[last]), int(levels.counts[last])
-    depth = download(levels.depth[first : first + count]).astype(np.float64)
-    planes = download(levels.planes[first : first + count]).astype(np.float64)
-    return depth.reshape(height, width), levels.host_lenses[last], planes.reshape(height, width, 4)
-
-
-def _adjoint(pose: Pose) -> Matrix:
-    """From twists in the camera's frame to those about the world's origin."""
-    out = np.zeros((6, 6))
-    out[:3, :3] = out[3:, 3:] = pose[:3, :3]
-    out[3:, :3] = _cross(pose[:3, 3]) @ pose[:3, :3]
-    return out
-
-
 def _about(place: NDArray[np.float64]) -> Matrix:
     """From twists about the origin to those about a place, in the same directions."""
-    out = np.eye(6)
-    out[3:, :3] = -_cross(place)
-    return out
-
-
-def _cross(v: NDArray[np.float64]) -> NDArray[np.float64]:
-    return np.array([[0.0, -v[2], v[1]], [v[2], 0.0, -v[0]], [-v[1], v[0], 0.0]])
+    return adjoint_of(make_pose(np.eye(3), -place))

@@ -13,9 +13,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ...kernels.memory import download
 from ...meshing.volume.shift_scores import score_shifts
 from ..odometry.frames import OdometryFrame
+from .frames import coarsest_level
 from .model import Model
 
 Pose = NDArray[np.float64]
@@ -63,12 +63,8 @@ def find_rivals(model: Model, frame: OdometryFrame, pose: Pose, farthest: float 
 
 def _points_of(frame: OdometryFrame, pose: Pose) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Points [m] of the coarsest level in the world, in an order that is spread over it, and their main directions."""
-    levels = frame.levels
-    last = levels.count - 1
-    width, count, first = int(levels.sizes[last][0]), int(levels.counts[last]), int(levels.firsts[last])
-    depth = download(levels.depth[first : first + count]).astype(np.float64)  # sync
-    planes = download(levels.planes[first : first + count]).astype(np.float64)  # sync
-    fx, fy, cx, cy = levels.host_lenses[last]
+    picture, (fx, fy, cx, cy), facets = coarsest_level(frame)
+    width, depth, planes = picture.shape[1], picture.ravel(), facets.reshape(-1, 4)
     at = np.flatnonzero((depth > 0) & (planes[:, 3] < 0))
     rays = np.stack([(at % width - cx) / fx, (at // width - cy) / fy, np.ones(len(at))], 1)
     normals = planes[at, :3]

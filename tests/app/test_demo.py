@@ -56,6 +56,7 @@ def test_the_demo_leaves_a_mesh_a_picture_and_a_report(device, tmp_path):
         "render",
         "integrate",
         "extract",
+        "check",
         "scan",
         "poisson",
         "measure",
