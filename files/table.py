@@ -65,6 +65,7 @@ class MeshTable:
         vertex_normals: As stored, float32 [m, 3], or None.
         vertex_colors: In 0..1, float32 [m, 3], or None.
         attributes: Every other per-vertex value by name, in its own type, shape [m] or [m, c].
+        triangle_attributes: The same for triangles, shape [t] or [t, c]; "colors" are in 0..1, float32 [t, 3] or [t, 4].
         triangle_uvs: Texture coordinates of corners, float32 [3 t, 2], (0, 0) the lower left corner; or None.
         triangle_material_ids: Which of the textures each triangle has, int32 [t]; None where all have the first.
         textures: Pictures, uint8 [height, width, 3 or 4], top row first.
@@ -75,6 +76,7 @@ class MeshTable:
     vertex_normals: NDArray[Any] | None = None
     vertex_colors: NDArray[Any] | None = None
     attributes: dict[str, NDArray[Any]] = field(default_factory=dict)
+    triangle_attributes: dict[str, NDArray[Any]] = field(default_factory=dict, kw_only=True)
     triangle_uvs: NDArray[Any] | None = None
     triangle_material_ids: NDArray[Any] | None = None
     textures: tuple[NDArray[np.uint8], ...] = ()
@@ -105,6 +107,7 @@ class MeshTable:
             _corner_rows(self.triangle_uvs, len(triangles)),
             _material_ids(self.triangle_material_ids, len(triangles), len(self.textures)),
             check_textures("textures", self.textures),
+            triangle_attributes=_checked_attributes(self.triangle_attributes, len(triangles)),
         )
 
     def without_texture(self) -> MeshTable:
