@@ -16,6 +16,9 @@ from .checks import LARGEST_NUMBER
 
 ORIGIN_LIMIT = 1.0e4  # [m] coordinates beyond this move the origin: below it float32 resolves 1 mm
 MEDIAN_SAMPLE = 4096  # points whose median becomes the origin
+FAR_FROM_ZERO = (
+    64.0  # times the spread of x or y: a town's degrees are thousands, rooms and streets in metres below ten
+)
 _MOST_DECIMALS = 12  # of an origin: more would be float64's own rounding
 FLOAT32_MAX = float(np.finfo(np.float32).max)
 
@@ -74,6 +77,32 @@ def choose_origin(points: NDArray[Any], steps: NDArray[np.float64] | None = None
             if max((high - origin).max(), (origin - low).max()) > FLOAT32_MAX:
                 raise ValueError(f"points: {low.tolist()}..{high.tolist()} reach beyond float32 about their middle")
     return origin if steps is None or not points.size else _refine(origin, _most(points), steps)
+
+
+def written_steps(points: NDArray[Any]) -> NDArray[np.float64] | None:
+    """The decimal steps in which float64 coordinates were written, for `choose_origin`, or None.
+
+    Formats such as text and PLY tell no steps, and hold degrees all the same. None where x and y are not far from zero
+    for their spread, about which float32 tells apart what a cloud in metres needs.
+
+    Args:
+        points: Shape [n, 3], finite or not.
+    """
+    if points.dtype != np.float64 or not len(points):
+        return None
+    sample = _most(points)
+    middle = np.median(sample, axis=0)
+    spread = np.median(np.abs(sample - middle), axis=0)
+    if not (np.abs(middle) > FAR_FROM_ZERO * spread)[:2].any():
+        return None
+    return np.array([10.0 ** -_decimals(column) for column in sample.T])
+
+
+def _decimals(values: NDArray[np.float64]) -> int:
+    for decimals in range(_MOST_DECIMALS):
+        if (np.round(values, decimals) == values).all():
+            return decimals
+    return _MOST_DECIMALS
 
 
 def middle_of(points: NDArray[Any]) -> NDArray[np.float64]:

@@ -286,11 +286,12 @@ class Trajectory(Facts):
 
 @dataclass(frozen=True)
 class DataSet(Facts):
-    """A folder of posed frames.
+    """A folder of RGB-D frames.
 
     Attributes:
         layout: How it names its files.
         frames: How many.
+        poses: How many of them have one.
         has_color: Whether the first has a picture beside its depth.
         left_out: How many frames cannot be used.
         camera: Of all frames.
@@ -298,13 +299,15 @@ class DataSet(Facts):
         camera_doubt: Why it may be that of other pictures, or None.
         depth_scale: Stored depth of one metre.
         first_frame_measured_share, first_frame_depth_m: As of `DepthMap`, in metres.
-        walk: Of the camera.
+        walk: Of the camera; None without poses.
     """
 
     KIND = "RGB-D data set"
+    SPARE = ("walk",)
 
     layout: str
     frames: int
+    poses: int
     has_color: bool
     left_out: int
     camera: Camera
@@ -313,7 +316,7 @@ class DataSet(Facts):
     depth_scale: float
     first_frame_measured_share: float
     first_frame_depth_m: dict[str, float]
-    walk: Walk
+    walk: Walk | None
 
 
 # ------------------------------------------------------------------------------------------------ models

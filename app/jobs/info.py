@@ -23,7 +23,7 @@ from ...core.json_files import read_json_object
 from ...core.reports import Fields, Report
 from ...core.wording import format_triple
 from ...files.ascii_rows import is_number
-from ...files.frames.datasets import is_dataset, open_dataset
+from ...files.frames.datasets import is_dataset, open_frames
 from ...files.meshes import tables
 from ...files.models.colmap import is_colmap_model
 from ...files.pictures.image_files import read_color, read_depth, read_picture_header
@@ -328,12 +328,14 @@ def _measure_walk(poses: NDArray[np.float64]) -> Walk:
 
 
 def _describe_dataset(folder: Path, layout: str) -> DataSet:
-    dataset = open_dataset(folder, layout=layout)
+    dataset = open_frames(folder, layout=layout)
     first = dataset.read(0)
     depth = _measure_depth(first.depth)
+    poses = [frame.T_world_camera for frame in dataset.frames if frame.T_world_camera is not None]
     return DataSet(
         layout=dataset.layout,
         frames=len(dataset),
+        poses=len(poses),
         has_color=first.color is not None,
         left_out=len(dataset.left_out),
         camera=_describe_camera(dataset.intrinsic),
@@ -342,5 +344,5 @@ def _describe_dataset(folder: Path, layout: str) -> DataSet:
         depth_scale=dataset.depth_scale,
         first_frame_measured_share=depth.measured_share,
         first_frame_depth_m={name: value / dataset.depth_scale for name, value in depth.depth.items()},
-        walk=_measure_walk(np.array([frame.T_world_camera for frame in dataset.frames], np.float64)),
+        walk=_measure_walk(np.array(poses, np.float64)) if poses else None,
     )

@@ -63,7 +63,8 @@ QUANTILE = Number("a share from 0 and below 1", lambda number: 0 <= number < 1)
     "--density-quantile",
     type=QUANTILE,
     metavar="Q",
-    help="poisson: drop this share of the vertices, where points are fewest; 0.01 if not given.",
+    help="poisson: drop this share of the vertices, where points are fewest; if not given 0.01 where any of "
+    "the surface is made up, else none.",
 )
 @click.option(
     "--radii", type=Lengths(), metavar="A,B,...", help="ball: radii [m]; by the points' spacing if not given."
@@ -78,7 +79,7 @@ def mesh(source: Path, output: Path, method: str, new_normals: bool, **options: 
     """Write to OUT (.ply, .obj, .stl, .off or .glb) a surface through the points of the cloud IN.
 
     \b
-    poisson  a smooth closed surface, cut off where there are hardly points; needs normals
+    poisson  a smooth closed surface, cut off where it is made up; needs normals
     ball     triangles between points that a ball rolls over, nothing added; needs normals
     alpha    the hull of the points as seen by balls of one radius; needs no normals
 

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ...core.checks import check_count
-from ...core.coordinates import FLOAT32_MAX, choose_origin, finite_box, quiet
+from ...core.coordinates import FLOAT32_MAX, choose_origin, finite_box, quiet, written_steps
 from ...core.devices import resolve_device
 from ...core.errors import FileError
 from ...kernels.memory import download
@@ -163,7 +163,7 @@ def origin_of(table: PointTable, path: str | os.PathLike[str], *, stacklevel: in
         ValueError: Points too far apart for float32.
     """
     warn_of_degrees(path, table.is_geographic, stacklevel=stacklevel)
-    return choose_origin(table.points, table.steps)
+    return choose_origin(table.points, written_steps(table.points) if table.steps is None else table.steps)
 
 
 def write_point_cloud(

@@ -30,6 +30,7 @@ Cut = Callable[[float], TriangleMesh]
 METHODS = ("poisson", "ball", "alpha")
 DEPTH = 8
 DENSITY_QUANTILE = 0.01  # of Open3D's tutorial: the surface that Poisson makes up where there are no points
+MADE_UP_AT_ALL = 0.001  # share of the area: ten samples of 10,000; a surface of which less is made up stays whole
 NEIGHBORS = 30  # of a normal that is made, and in the graph that orients them
 
 SPACING_NEIGHBORS = 10
@@ -40,7 +41,7 @@ SURFACE_SAMPLES, POINT_SAMPLES = 10_000, 2_000
 QUANTILES = (0.02, 0.05, 0.1, 0.2, 0.4)  # of which the first that mends a surface made up is proposed
 
 _OWNERS = {"depth": "poisson", "density_quantile": "poisson", "radii": "ball", "alpha": "alpha"}
-_DEFAULTS = {"depth": DEPTH, "density_quantile": DENSITY_QUANTILE, "radii": None, "alpha": "auto"}
+_DEFAULTS = {"depth": DEPTH, "density_quantile": None, "radii": None, "alpha": "auto"}
 
 
 @dataclass(frozen=True)
@@ -73,7 +74,7 @@ def create_surface(
         method: "poisson", "ball" (pivoting) or "alpha" (shape).
         depth: Poisson: of the octree, 2..20; None takes 8.
         density_quantile: Poisson: this share of the vertices goes, those with the fewest points about them, 0 and up
-            but below 1; None takes 0.01.
+            but below 1; None takes 0.01 where any of the surface lies far from all points, else nothing goes.
         radii: Ball pivoting: of the balls [m]; None takes them from the points' spacing.
         alpha: Alpha shape: the radius of its balls [m]; None or "auto" takes it from the points' spacing.
         new_normals: Make normals anew though the cloud has some.
@@ -110,17 +111,18 @@ def create_surface(
     say(method, 0, 0)
     made = _make(points, method, settings) if len(points) else _Made(TriangleMesh(device=cloud.device))
     say("check", 0, 0)
+    mesh, made_up = _without_made_up(points, made, method, settings)
     return SurfaceResult(
-        mesh=made.mesh.to(made.mesh.device, arrays=cloud.array_library),
+        mesh=mesh.to(mesh.device, arrays=cloud.array_library),
         method=method,
         settings=settings,
         normals=normals,
         points_in=len(cloud),
         points=len(points),
         not_carried=(*cloud.attributes,),
-        summary=describe_surface(made.mesh),
-        made_up=_find_made_up(points, made, method, settings.get("density_quantile", 0.0)),
-        off=_find_off(points, made.mesh),
+        summary=describe_surface(mesh),
+        made_up=made_up,
+        off=_find_off(points, mesh),
     )
 
 
@@ -143,7 +145,8 @@ def _settings_of(method: Any, given: dict[str, Any]) -> dict[str, Any]:
     if method == "poisson":
         because = "codes of cells end there"
         check_count("depth", settings["depth"], minimum=MIN_DEPTH, maximum=MAX_DEPTH, because=because)
-        if check_share("density_quantile", settings["density_quantile"]) == 1:
+        quantile = settings["density_quantile"]
+        if quantile is not None and check_share("density_quantile", quantile) == 1:
             raise ValueError("density_quantile: expected a share from 0 and below 1, got 1, which leaves nothing")
     if method == "alpha" and not (isinstance(settings["alpha"], str) and settings["alpha"] == "auto"):
         check_positive("alpha", settings["alpha"], allow_infinite=True)
@@ -177,13 +180,22 @@ def _make(points: PointCloud, method: str, settings: dict[str, Any]) -> _Made:
             return mesh
         return mesh.remove_vertices_by_mask(densities < np.quantile(densities, quantile)).remove_unreferenced_vertices()
 
-    return _Made(cut(settings["density_quantile"]), cut)
+    return _Made(mesh, cut)
 
 
-def _find_made_up(points: PointCloud, made: _Made, method: str, quantile: float) -> MadeUp:
-    """How much of a surface lies far from all points, how far that is, and a quantile that mends Poisson's."""
-    if method not in FAR or not made.mesh.get_surface_area() > 0:
-        return MadeUp()
+def _without_made_up(
+    points: PointCloud, made: _Made, method: str, settings: dict[str, Any]
+) -> tuple[TriangleMesh, MadeUp]:
+    """The mesh as its density is cut, and how much of it lies far from all points.
+
+    Where nobody gave a quantile, `settings` has the one that was taken.
+    """
+    quantile = settings.get("density_quantile")
+    mesh = made.mesh if quantile is None or made.cut is None else made.cut(quantile)
+    if method not in FAR or not mesh.get_surface_area() > 0:
+        if method == "poisson":
+            settings["density_quantile"] = quantile or 0.0
+        return mesh, MadeUp()
     search = NearestNeighborSearch(points)
     probes = points.points[:: max(1, len(points) // POINT_SAMPLES)]
     farthest = search.knn_search(probes, min(SPACING_NEIGHBORS + 1, len(points))).sqdists[:, -1]
@@ -193,10 +205,17 @@ def _find_made_up(points: PointCloud, made: _Made, method: str, quantile: float)
         samples = surface.sample_points_uniformly(SURFACE_SAMPLES).points
         return float(np.mean(search.knn_search(samples, 1).sqdists[:, 0] > far * far))
 
-    share, better, cut = share_of(made.mesh), None, made.cut
-    if share > MADE_UP and cut is not None:
-        better = next((q for q in QUANTILES if q > quantile and share_of(cut(q)) <= MADE_UP), None)
-    return MadeUp(share, far, better)
+    share = share_of(mesh)
+    if made.cut is None:
+        return mesh, MadeUp(share, far)
+    if quantile is None:
+        quantile = settings["density_quantile"] = DENSITY_QUANTILE if share > MADE_UP_AT_ALL else 0.0
+        if quantile:
+            mesh = made.cut(quantile)
+            share = share_of(mesh)
+    larger = [tried for tried in QUANTILES if tried > quantile and share > MADE_UP]
+    better = next((tried for tried in larger if share_of(made.cut(tried)) <= MADE_UP), None)
+    return mesh, MadeUp(share, far, better)
 
 
 def _find_off(points: PointCloud, mesh: TriangleMesh) -> PointsOff:

@@ -81,6 +81,11 @@ class Places:
         return self.root / self.config.folder_slac / self.config.template_optimized_posegraph_slac
 
     @property
+    def slac_cloud(self) -> Path:
+        """The points of the surface that was made with it, by Open3D's name."""
+        return self.slac_graph.with_name("output_slac_pointcloud.ply")
+
+    @property
     def scene_mesh(self) -> Path:
         """The model."""
         return self.root / self.config.template_global_mesh

@@ -175,7 +175,8 @@ def report_of(
     placed = [False] * len(found.fragments) if placement is None else placement.placed.tolist()
     lost = _lost_frames(found, placed, scene)
     edges = [] if placement is None else placement.pose_graph.edges
-    files = [] if scene is None else [p for p in (scene.mesh_path, scene.trajectory_path) if p is not None]
+    written = () if scene is None else (scene.mesh_path, scene.trajectory_path, scene.cloud_path)
+    files = [path for path in written if path is not None]
     figures = {} if scene is None else dict(scene.figures)
     error = figures.pop("trajectory_error", None)
     return SystemReport(

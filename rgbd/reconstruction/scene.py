@@ -16,6 +16,7 @@ from ...core.errors import FilePath
 from ...core.progress import ReportProgress
 from ...core.records import digest_of, read_record, write_record
 from ...files.frames.frames import FrameSource
+from ...files.points.point_cloud import write_point_cloud
 from ...meshing.mesh.mesh import TriangleMesh
 from ...meshing.mesh.mesh_files import write_triangle_mesh
 from ...meshing.mesh.mesh_summary import describe_mesh
@@ -43,6 +44,7 @@ class Scene:
     Attributes:
         mesh_path: The file of its mesh; None where the mesh is empty, and none was written.
         trajectory_path: The file of the camera's path.
+        cloud_path: The file of the surface's points; None but of SLAC, where `save_output_as` is "pointcloud".
         indices: Places in the source of the frames in it, int64 [n].
         T_world_camera: Where the camera was, float64 [n, 4, 4]; the world is the first placed fragment's frame.
         lost: Frames that were placed, and could not be read again.
@@ -56,6 +58,7 @@ class Scene:
     T_world_camera: Matrix
     lost: list[LostFrame]
     figures: dict[str, Any]
+    cloud_path: Path | None = None
 
 
 def integrate_scene(
@@ -73,7 +76,8 @@ def integrate_scene(
     Args:
         source: The frames that the fragments were made of.
         config, folder, device: As of `make_fragments`.
-        slac: Whether frames are bent straight, at the poses of `refine_with_slac`.
+        slac: Whether frames are bent straight, at the poses of `refine_with_slac`. The surface is then written as
+            points too, beside the grid, where `config.save_output_as` is "pointcloud".
         resume: Keep the result where it is there and made from this.
         progress: Called with ("integrate", done, all), and ("extract", 0, 0).
 
@@ -101,7 +105,9 @@ def integrate_scene(
         raise ValueError(f"source: has {frames.count} frames, and the fragments hold frame {indices[-1]}")
     colored = all(fragments[i].colored for i in placement.members)
     sizes = {"voxel_size": config.volume_voxel_size, "truncation": config.truncation}
-    made_from = digest_of([placement.made_from, sizes, config.surface_weight_threshold])
+    cloud_path = places.slac_cloud if slac and config.save_output_as == "pointcloud" else None
+    written_as = [] if cloud_path is None else [config.save_output_as]
+    made_from = digest_of([placement.made_from, sizes, config.surface_weight_threshold, *written_as])
     if resume and (done := _read_scene(places, made_from)) is not None:
         return done
     volume = make_volume(config.volume_voxel_size, config.truncation, colored, where)
@@ -121,13 +127,15 @@ def integrate_scene(
     mesh, threshold = extract_mesh(volume, config.surface_weight_threshold)
     figures = sizes | {"weight_threshold": threshold, "volume_bytes": volume.memory_bytes}
     figures |= describe_mesh(mesh).to_json() | {"trajectory_error": _error_of(poses, truths)}
-    files = [places.trajectory, *([places.scene_mesh] if len(mesh) else [])]
+    mesh_path, cloud_path = (places.scene_mesh, cloud_path) if len(mesh) else (None, None)
     ids = np.stack([indices, indices, np.full(len(indices), frames.count)], axis=1)
     write_trajectory(places.trajectory, Trajectory(poses, ids=ids))
-    if len(mesh):
-        write_triangle_mesh(places.scene_mesh, mesh)
-    scene = Scene(places.scene_mesh if len(mesh) else None, places.trajectory, indices, poses, lost, figures)
-    _write_scene(places, scene, made_from, files)
+    if mesh_path is not None:
+        write_triangle_mesh(mesh_path, mesh)
+    if cloud_path is not None:
+        write_point_cloud(cloud_path, volume.extract_point_cloud(threshold))
+    scene = Scene(mesh_path, places.trajectory, indices, poses, lost, figures, cloud_path)
+    _write_scene(places, scene, made_from)
     return scene
 
 
@@ -156,9 +164,11 @@ def _error_of(poses: Matrix, truths: list[Any]) -> dict[str, float] | None:
     return {"rmse": found.rmse, "median": found.median, "max": found.max}
 
 
-def _write_scene(places: Places, scene: Scene, made_from: str, files: list[Path]) -> None:
+def _write_scene(places: Places, scene: Scene, made_from: str) -> None:
+    files = [path for path in (scene.trajectory_path, scene.mesh_path, scene.cloud_path) if path is not None]
     result = {
         "has_mesh": scene.mesh_path is not None,
+        "has_cloud": scene.cloud_path is not None,
         "indices": scene.indices.tolist(),
         "poses": scene.T_world_camera.tolist(),
         "lost": [[frame.index, frame.name, frame.reason] for frame in scene.lost],
@@ -179,4 +189,5 @@ def _read_scene(places: Places, made_from: str) -> Scene | None:
         np.array(result["poses"]),
         [LostFrame(*entry) for entry in result["lost"]],
         result["figures"],
+        places.slac_cloud if result.get("has_cloud") else None,
     )

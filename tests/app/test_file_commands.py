@@ -1,6 +1,7 @@
 """info, convert, downsample and normals: what they tell and write, and what they refuse."""
 
 import json
+import shutil
 from pathlib import Path
 
 import numpy as np
@@ -48,6 +49,18 @@ def test_info_knows_every_kind(mesh, frames, tmp_path):
     shown = run("info", *paths)
     assert shown.exit_code == 0, shown.stderr
     assert all(str(path) in shown.stdout for path in paths)
+
+
+def test_info_tells_frames_without_poses_and_how_many_have_one(frames, tmp_path):
+    folder = tmp_path / "walk"
+    shutil.copytree(frames, folder)
+    (folder / "frame-000002.pose.txt").unlink()
+    assert (answer("info", folder)["files"][0]["frames"], answer("info", folder)["files"][0]["poses"]) == (6, 5)
+    for path in folder.glob("*.pose.txt"):
+        path.unlink()
+    report = answer("info", folder)["files"][0]
+    assert (report["poses"], "path_length_m" in report) == (0, False)
+    assert "poses" in run("info", folder).stdout
 
 
 def test_a_text_file_is_a_cloud_where_it_is_nothing_else(tmp_path):

@@ -52,7 +52,8 @@ def closed(inwards: bool = False) -> TriangleMesh:
 
 
 def test_the_surface_is_the_library_s_with_normals_made_and_the_sparsest_vertices_gone(ball, tmp_path, device):
-    report = answer("mesh", ball, tmp_path / "out.ply", "--depth", 5, "--device", device)
+    sparsest = ["--density-quantile", 0.01]
+    report = answer("mesh", ball, tmp_path / "out.ply", "--depth", 5, *sparsest, "--device", device)
     cloud = loom.read_point_cloud(ball, device=device).remove_non_finite_points()
     cloud = cloud.estimate_normals(max_nn=30).orient_normals_consistent_tangent_plane(30)
     mesh, densities = TriangleMesh.from_point_cloud_poisson(cloud, depth=5)
@@ -67,6 +68,18 @@ def test_the_surface_is_the_library_s_with_normals_made_and_the_sparsest_vertice
     assert report["normals"].startswith("made of the 30 nearest points of each and oriented: the input has none")
     assert report["disagreement"] == 0 and report["poor"] is None
     assert 0.97 < report["area"] / (4 * np.pi) < 1.01
+
+
+@pytest.mark.parametrize(("share", "quantile"), [(1.0, 0.0), (0.5, 0.01)])
+def test_what_is_not_made_up_is_not_cut(ball, tmp_path, share, quantile):
+    points = loom.read_point_cloud(ball).remove_non_finite_points()
+    heights = points.points[:, 2]
+    loom.write_point_cloud(
+        tmp_path / "cap.ply", points.select_by_index(np.flatnonzero(heights <= np.quantile(heights, share)))
+    )
+    report = json.loads(run("mesh", tmp_path / "cap.ply", tmp_path / "out.ply", "--depth", 5, "--json").stdout)
+    assert report["density_quantile"] == quantile
+    assert report["watertight"] is (quantile == 0)
 
 
 @pytest.mark.parametrize(
@@ -138,7 +151,7 @@ def test_a_picture_shows_the_surface(ball, tmp_path):
 def test_stl_leaves_normals_and_colours_out_and_says_so(ball, tmp_path):
     shown = run("mesh", ball, tmp_path / "out.stl", "--depth", 4)
     assert shown.exit_code == 0, shown.stderr
-    for words in ("poisson, depth 4, density quantile 0.01", "3,000, 1 not finite left out", "normals, colors (the"):
+    for words in ("poisson, depth 4, density quantile 0.0", "3,000, 1 not finite left out", "normals, colors (the"):
         assert words in shown.stdout
     assert "not carried  intensity of the points" in shown.stdout
     assert len(loom.read_triangle_mesh(tmp_path / "out.stl")) > 100

@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 import pointloom as loom
+from pointloom.files.points.formats import write_table
 from pointloom.files.points.las import open_las, read_las
 from pointloom.files.points.las_crs import crs_name, is_geographic
 from pointloom.files.points.las_writer import write_las
@@ -105,6 +106,23 @@ def test_degrees_become_metres_to_the_step_of_the_file(degrees):
     near = np.abs(raw[:, 0] - raw[0, 0]) < 200
     np.testing.assert_allclose((metres[:, 1] - metres[0, 1])[near], north[near] * step, rtol=2e-3, atol=0.3)
     assert 70 < np.ptp(metres[:, 0]) < 90
+
+
+@pytest.mark.parametrize("name", ["a.csv", "a.xyz", "a.ply", "a.pcd", "a.npz"])
+def test_degrees_of_formats_that_tell_no_steps_keep_those_they_were_written_in(name, tmp_path, rng):
+    points = np.round([9.1829, 48.7758, 245.0] + rng.random((500, 3)) * [1e-3, 1e-3, 30], 7)
+    if name == "a.csv":
+        np.savetxt(tmp_path / name, points, "%.7f", ",")
+    else:
+        write_table(tmp_path / name, PointTable(points), ascii=False, overwrite=False)
+    cloud = loom.read_point_cloud(tmp_path / name, **({"columns": ["x", "y", "z"]} if name == "a.csv" else {}))
+    np.testing.assert_allclose(cloud.points[:, :2], points[:, :2], rtol=0, atol=STEP / 100)
+    assert len(np.unique(cloud.points[:, 0])) == len(np.unique(points[:, 0]))
+
+
+def test_metres_near_zero_keep_their_origin_at_zero(tmp_path, rng):
+    write_table(tmp_path / "room.ply", PointTable(rng.random((500, 3)) * 4 - [1, 2, 0]), ascii=False, overwrite=False)
+    assert not loom.read_point_cloud(tmp_path / "room.ply").origin.any()
 
 
 def test_metres_keep_their_whole_origin(data):

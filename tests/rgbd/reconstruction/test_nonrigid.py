@@ -61,7 +61,22 @@ def test_the_stage_brings_fragments_together_and_says_how_far(whole):
     assert sorted(path.name for path in (folder / "slac").iterdir()) == [
         "control_grid.npz",
         "optimized_posegraph_slac.json",
+        "output_slac_pointcloud.ply",
     ]
+
+
+@pytest.mark.slow
+def test_the_surface_is_written_as_points_where_that_is_asked(whole, job):
+    points = loom.read_point_cloud(job / "slac" / "output_slac_pointcloud.ply")
+    mesh = loom.read_triangle_mesh(job / "scene" / "integrated.ply")
+    assert len(points) > 1000 and points.has_normals
+    assert np.median(points.compute_point_cloud_distance(loom.PointCloud(mesh.vertices))) < 1e-5
+    (job / "slac" / "output_slac_pointcloud.ply").unlink()
+    settings = dataclasses.replace(SETTINGS, save_output_as="mesh")
+    assert rec.integrate_scene(bent_walk(), settings, job, slac=True, resume=True).cloud_path is None
+    assert not (job / "slac" / "output_slac_pointcloud.ply").exists()
+    again = rec.run_system(bent_walk(), SETTINGS, job, slac=True, resume=True)
+    assert str(job / "slac" / "output_slac_pointcloud.ply") in again.files
 
 
 def test_frames_go_through_the_grid(whole):
