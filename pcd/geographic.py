@@ -1,4 +1,4 @@
-"""Longitude and latitude to metres: the Universal Transverse Mercator projection (UTM), in float64 on the host.
+"""Longitude and latitude to metres: the Universal Transverse Mercator projection (UTM), in float64.
 
 Every length that an operation takes, a radius or a voxel, means the same along x, y and z; degrees do not. The series
 is good to a micrometre within 3,900 km of the central meridian. Nothing is shifted from one datum to another: WGS 84,
@@ -14,10 +14,17 @@ import math
 from typing import TYPE_CHECKING
 
 import numpy as np
+import warp as wp
 from numpy.typing import NDArray
 
 from ..core.checks import check_count
-from ..core.coordinates import quiet
+from ..core.gpu_arrays import take_points
+from ..kernels.algebra.transverse_mercator import Mercator, project_degrees, split_degrees, turn_degrees
+from ..kernels.arrays.bounds import bound_points
+from ..kernels.arrays.origins import add_origin
+from ..kernels.arrays.run_medians import order_statistics
+from ..kernels.lang import int32
+from ..kernels.memory import upload
 from .point_arrays import check_cloud
 
 if TYPE_CHECKING:
@@ -26,6 +33,7 @@ if TYPE_CHECKING:
 _RADIUS, _FLATTENING = 6378137.0, 1 / 298.257223563  # [m] of WGS 84
 _SCALE, _EASTING, _SOUTHERN_NORTHING = 0.9996, 5.0e5, 1.0e7  # UTM's factor and false coordinates [m]
 _LATITUDES = (-80.0, 84.0)  # [degrees] which UTM covers
+_FARTHEST = 360.0  # [degrees] of longitude that anybody counts to
 _WIDEST = 30.0  # [degrees] from the central meridian: far beyond any zone's use, well within the series
 _NORTHERN, _SOUTHERN = 32600, 32700  # EPSG's codes of the zones, which count from 1 to 60
 
@@ -49,10 +57,13 @@ def utm_epsg(cloud: PointCloud) -> int:
         32610
     """
     check_cloud("cloud", cloud)
-    longitudes, latitudes = _degrees(cloud)
-    if not len(longitudes):
+    turned = turn_degrees(add_origin(cloud.device_array("points"), cloud.origin), 0.0)
+    _, _, count = _box_of(turned)
+    if not count:
         raise ValueError("cloud: no finite point tells its zone; give epsg")
-    longitude, latitude = np.median(longitudes), np.median(latitudes)
+    longitudes, latitudes, runs = split_degrees(turned)
+    starts = upload(np.unique([0, count, turned.size]), int32, cloud.device)
+    longitude, latitude = (float(order_statistics(v, runs, starts)[1][0]) for v in (longitudes, latitudes))
     zone = min(int((longitude + 180) // 6) + 1, 60)
     return (_NORTHERN if latitude >= 0 else _SOUTHERN) + zone
 
@@ -73,7 +84,7 @@ def project_to_utm(cloud: PointCloud, *, epsg: int | None = None) -> PointCloud:
             than 32601..32660 and 32701..32760, or normals, which had been fitted to degrees.
 
     Notes:
-        The same bits on every device. O(n) memory on the host.
+        The same bits on every device. 108 B a point while it works.
 
     Example:
         >>> import pointloom as loom
@@ -84,45 +95,32 @@ def project_to_utm(cloud: PointCloud, *, epsg: int | None = None) -> PointCloud:
     check_cloud("cloud", cloud)
     if cloud.has_normals:
         raise ValueError('cloud: its normals belong to degrees; project cloud.without("normals"), then estimate them')
-    _degrees(cloud)
     code = utm_epsg(cloud) if epsg is None else check_count("epsg", epsg)
     zone = code % 100
     if code - zone not in (_NORTHERN, _SOUTHERN) or not 1 <= zone <= 60:
         raise ValueError(f"epsg: expected 32601..32660 or 32701..32760, got {epsg}")
-    points = cloud.points.copy()
-    with quiet():
-        away = np.mod(points[:, 0] - (6 * zone - 183) + 180, 360) - 180
-    widest = np.abs(away[np.isfinite(away)]).max(initial=0)
+    degrees = add_origin(cloud.device_array("points"), cloud.origin)
+    low, high, count = _box_of(turn_degrees(degrees, 6.0 * zone - 183.0))
+    widest = max(-float(low[0]), float(high[0])) if count else 0.0
     if widest > _WIDEST:
         raise ValueError(
             f"cloud: a point lies {widest:.4g} degrees from the middle of zone {zone}, at most {_WIDEST:g}"
         )
-    easting, northing = transverse_mercator(away, points[:, 1], _RADIUS, _FLATTENING)
-    points[:, 0] = _EASTING + _SCALE * easting
-    points[:, 1] = _SCALE * northing + (_SOUTHERN_NORTHING if code > _SOUTHERN else 0)
-    projected = cloud.copy()
-    projected.points = points
+    start = (_EASTING, _SOUTHERN_NORTHING if code > _SOUTHERN else 0.0)
+    projection = mercator(6.0 * zone - 183.0, _RADIUS, _FLATTENING, scale=_SCALE, start=start)
+    points, origin = take_points("cloud", project_degrees(degrees, projection), None)
+    projected = cloud.with_arrays({**cloud.device_arrays, "points": points}, grid=cloud.grid)
+    projected._origin = origin
     return projected
 
 
-@quiet()
-def transverse_mercator(
-    longitudes: NDArray[np.float64], latitudes: NDArray[np.float64], radius: float, flattening: float
-) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Easting and northing [m] of degrees, longitudes from the central meridian, on which the scale is 1."""
+def mercator(
+    meridian: float, radius: float, flattening: float, *, scale: float = 1.0, start: tuple[float, float] = (0.0, 0.0)
+) -> Mercator:
+    """The transverse Mercator projection of an ellipsoid of this radius [m] about a meridian [degrees]."""
     n = flattening / (2 - flattening)
-    eccentricity = math.sqrt(flattening * (2 - flattening))
-    tangent, meridian = np.tan(np.radians(latitudes)), np.radians(longitudes)
-    sigma = np.sinh(eccentricity * np.arctanh(eccentricity * tangent / np.hypot(1, tangent)))
-    conformal = tangent * np.hypot(1, sigma) - sigma * np.hypot(1, tangent)
-    north = np.arctan2(conformal, np.cos(meridian))
-    east = np.arcsinh(np.sin(meridian) / np.hypot(conformal, np.cos(meridian)))
-    northing, easting = north.copy(), east.copy()
-    for k, alpha in enumerate(_series(n), start=1):
-        northing += alpha * np.sin(2 * k * north) * np.cosh(2 * k * east)
-        easting += alpha * np.cos(2 * k * north) * np.sinh(2 * k * east)
     rectifying = radius / (1 + n) * (1 + n**2 / 4 + n**4 / 64 + n**6 / 256)
-    return rectifying * easting, rectifying * northing
+    return Mercator(meridian, math.sqrt(flattening * (2 - flattening)), scale * rectifying, _series(n), start)
 
 
 def _series(n: float) -> tuple[float, ...]:
@@ -137,12 +135,10 @@ def _series(n: float) -> tuple[float, ...]:
     )
 
 
-def _degrees(cloud: PointCloud) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Longitudes and latitudes of the finite points, once they are such."""
-    points = cloud.points
-    rows = points[np.isfinite(points).all(axis=1)]
-    bad = (np.abs(rows[:, 0]) > 360) | (rows[:, 1] < _LATITUDES[0]) | (rows[:, 1] > _LATITUDES[1])
-    if bad.any():
-        found = rows[bad][0, :2].tolist()
+def _box_of(turned: wp.array) -> tuple[NDArray[np.float32], NDArray[np.float32], int]:
+    """The box and the number of the finite points of `turn_degrees`, once they are longitudes and latitudes."""
+    low, high, count = bound_points(turned)  # sync
+    if count and (low[1] < _LATITUDES[0] or high[1] > _LATITUDES[1] or high[2] > _FARTHEST):
+        found = f"longitudes to {high[2]:g} and latitudes {low[1]:g}..{high[1]:g}"
         raise ValueError(f"cloud: expected longitudes to 360 and latitudes -80..84 in x and y [degrees], got {found}")
-    return np.mod(rows[:, 0] + 180, 360) - 180, rows[:, 1]
+    return low, high, count

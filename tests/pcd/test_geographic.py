@@ -8,9 +8,19 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import pointloom as loom
-from pointloom.pcd.geographic import transverse_mercator
+from pointloom.kernels.algebra.transverse_mercator import project_degrees
+from pointloom.kernels.lang import vec3d
+from pointloom.kernels.memory import download, upload
+from pointloom.pcd.geographic import mercator
 
 WGS84 = 6378137.0, 1 / 298.257223563
+
+
+def transverse_mercator(longitudes, latitudes, radius, flattening, device="cpu"):
+    """Easting and northing [m], in float64."""
+    degrees = np.stack([longitudes, latitudes, np.zeros(len(longitudes))], axis=1)
+    found = download(project_degrees(upload(degrees, vec3d, device), mercator(0.0, radius, flattening)))
+    return found[:, 0], found[:, 1]
 
 
 def test_snyders_example_comes_out():
