@@ -22,6 +22,12 @@ def dlpack_cloud(d: Scenes) -> Any:
     return loom().PointCloud.from_dlpack(points, normals=points.copy(), origin=UTM, label=np.arange(500))
 
 
+def projected(d: Scenes) -> Any:
+    """Degrees as metres, and their zone."""
+    cloud = loom().PointCloud(scenes.bumpy_surface(500, 80) * [0.01, 0.01, 1.0] + [9.18, 48.77, 240.0])
+    return [loom().project_to_utm(cloud), loom().utm_epsg(cloud)]
+
+
 def moved_boxes(p: Place) -> list[Any]:
     """Boxes of points, moved, turned, grown and joined."""
     aligned, turned, points = loom().AxisAlignedBoundingBox, loom().OrientedBoundingBox, p.cloud.points[:200]
@@ -410,6 +416,7 @@ def odometry(d: Scenes, **options: Any) -> list[Any]:
 
 ONCE: dict[str, Callable[[Scenes], Any]] = {
     "from_dlpack": dlpack_cloud,
+    "project_to_utm": projected,
     "boxes moved": lambda d: moved_boxes(d.surface),
     "boxes moved, far": lambda d: moved_boxes(d.far),
     "polygon to and from JSON": lambda d: polygon_file(d.far),

@@ -103,13 +103,12 @@ def integrate_scene(
     indices, poses = poses_of(fragments, placement)
     if len(indices) and indices[-1] >= frames.count:
         raise ValueError(f"source: has {frames.count} frames, and the fragments hold frame {indices[-1]}")
-    colored = all(fragments[i].colored for i in placement.members)
     sizes = {"voxel_size": config.volume_voxel_size, "truncation": config.truncation}
-    cloud_path = places.slac_cloud if slac and config.save_output_as == "pointcloud" else None
-    written_as = [] if cloud_path is None else [config.save_output_as]
-    made_from = digest_of([placement.made_from, sizes, config.surface_weight_threshold, *written_as])
+    is_cloud_wanted = slac and config.save_output_as == "pointcloud"
+    made_from = digest_of([placement.made_from, sizes, config.surface_weight_threshold, is_cloud_wanted])
     if resume and (done := _read_scene(places, made_from)) is not None:
         return done
+    colored = all(fragments[i].colored for i in placement.members)
     volume = make_volume(config.volume_voxel_size, config.truncation, colored, where)
     truths: list[Any] = []
 
@@ -120,22 +119,20 @@ def integrate_scene(
     say("integrate", 0, len(indices))
     straight = None
     if bent is not None and len(bent.grid):
-        steps = np.concatenate([fragments[i].poses for i in placement.members])
-        straight = Straightener(bent.grid, steps)
+        straight = Straightener(bent.grid, np.concatenate([fragments[i].poses for i in placement.members]))
     lost = fuse_frames(frames, indices.tolist(), poses, volume, straight=straight, seen=see)
     say("extract", 0, 0)
     mesh, threshold = extract_mesh(volume, config.surface_weight_threshold)
     figures = sizes | {"weight_threshold": threshold, "volume_bytes": volume.memory_bytes}
     figures |= describe_mesh(mesh).to_json() | {"trajectory_error": _error_of(poses, truths)}
-    mesh_path, cloud_path = (places.scene_mesh, cloud_path) if len(mesh) else (None, None)
     ids = np.stack([indices, indices, np.full(len(indices), frames.count)], axis=1)
     write_trajectory(places.trajectory, Trajectory(poses, ids=ids))
-    if mesh_path is not None:
-        write_triangle_mesh(mesh_path, mesh)
+    mesh_path = places.scene_mesh if len(mesh) else None
+    cloud_path = places.slac_cloud if len(mesh) and is_cloud_wanted else None
     if cloud_path is not None:
         write_point_cloud(cloud_path, volume.extract_point_cloud(threshold))
     scene = Scene(mesh_path, places.trajectory, indices, poses, lost, figures, cloud_path)
-    _write_scene(places, scene, made_from)
+    _write_scene(places, scene, made_from, mesh)
     return scene
 
 
@@ -164,7 +161,10 @@ def _error_of(poses: Matrix, truths: list[Any]) -> dict[str, float] | None:
     return {"rmse": found.rmse, "median": found.median, "max": found.max}
 
 
-def _write_scene(places: Places, scene: Scene, made_from: str) -> None:
+def _write_scene(places: Places, scene: Scene, made_from: str, mesh: TriangleMesh) -> None:
+    """The mesh, and the record, which comes last."""
+    if scene.mesh_path is not None:
+        write_triangle_mesh(scene.mesh_path, mesh)
     files = [path for path in (scene.trajectory_path, scene.mesh_path, scene.cloud_path) if path is not None]
     result = {
         "has_mesh": scene.mesh_path is not None,
