@@ -7,7 +7,7 @@ import math
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ...core.checks import check_rows
+from ...core.checks import check_finite, check_rows, check_shape
 from ...core.devices import resolve_device
 from ...kernels.memory import check_room
 from ...pcd.point_arrays import read_only
@@ -66,6 +66,23 @@ class VoxelGrid:
         grid[tuple(self.coordinates.T)] = True
         return grid
 
+    def get_voxel(self, point: ArrayLike) -> NDArray[np.int64]:
+        """The voxel in which a point [m], shape [3], lies, int64 [3]; occupied or not, inside the grid or beyond it.
+
+        Raises:
+            ValueError: Not three finite numbers, or a voxel beyond 64 bits.
+            TypeError: No numbers.
+
+        Example:
+            >>> import pointloom as loom
+            >>> loom.TriangleMesh.create_box().voxelize(0.25).get_voxel([0.3, 0.3, 0.9]).tolist()
+            [1, 1, 4]
+        """
+        cell = self._cells_of(check_finite("point", check_shape("point", point, (3,))))
+        if np.abs(cell).max() >= 2.0**63:
+            raise ValueError(f"point: lies {np.abs(cell).max():.3g} voxels from the origin, beyond 64 bits")
+        return cell.astype(np.int64)
+
     def check_if_included(self, queries: ArrayLike) -> NDArray[np.bool_]:
         """Whether points [m], shape [n, 3], lie in occupied voxels.
 
@@ -73,12 +90,15 @@ class VoxelGrid:
             ValueError: Another shape.
             TypeError: No numbers.
         """
-        points = check_rows("queries", queries, 3, dtype=np.float64)
+        cells = self._cells_of(check_rows("queries", queries, 3, dtype=np.float64))
         with np.errstate(invalid="ignore"):
-            cells = np.floor((points - self.origin) / self.voxel_size)
             inside = ((cells >= 0) & (cells < self.counts)).all(axis=1)
-        included = np.zeros(len(points), bool)
+        included = np.zeros(len(cells), bool)
         occupied = np.ravel_multi_index(tuple(self.coordinates.T), self.counts)
         asked = np.ravel_multi_index(tuple(cells[inside].astype(np.int64).T), self.counts)
         included[inside] = np.isin(asked, occupied)
         return included
+
+    def _cells_of(self, points: NDArray[np.float64]) -> NDArray[np.float64]:
+        with np.errstate(invalid="ignore", over="ignore"):
+            return np.floor((points - self.origin) / self.voxel_size)

@@ -256,3 +256,13 @@ def test_a_grid_without_room_is_refused_before_it_is_made(monkeypatch):
         mesh.voxelize(0.01)
     with pytest.raises(MemoryError, match="a dense grid of 1,030,301 voxels would take"):
         grid.dense()
+
+
+def test_a_point_has_a_voxel_inside_the_grid_and_beyond_it():
+    grid = TriangleMesh.create_box().translate([5e5, 5e6, 0]).voxelize(0.25)
+    cells = np.stack([grid.get_voxel(center) for center in grid.centers])
+    np.testing.assert_array_equal(cells, grid.coordinates)
+    assert grid.get_voxel(grid.origin - 0.1).tolist() == [-1, -1, -1]
+    for bad, said in (([0, 0], "shape"), ([np.nan, 0, 0], "finite"), ([1e90, 0, 0], "beyond 64 bits")):
+        with pytest.raises(ValueError, match=said):
+            grid.get_voxel(bad)
