@@ -25,6 +25,7 @@ from .mesh_attributes import assign_all
 from .mesh_booleans import MeshBooleans
 from .mesh_components import MeshComponents
 from .mesh_curvature import MeshCurvatures
+from .mesh_cutting import MeshCutting
 from .mesh_deformation import MeshDeformation
 from .mesh_geodesics import MeshGeodesics
 from .mesh_intersections import MeshIntersections
@@ -35,7 +36,6 @@ from .mesh_sampling import MeshSampling
 from .mesh_simplification import MeshSimplification
 from .mesh_smoothing import MeshSmoothing
 from .mesh_subdivision import MeshSubdivision
-from .mesh_trim import MeshTrim
 from .mesh_voxels import MeshVoxels
 from .poisson import Poisson
 
@@ -57,7 +57,7 @@ class TriangleMesh(
     MeshAlbedo,
     MeshSimplification,
     MeshSampling,
-    MeshTrim,
+    MeshCutting,
     Poisson,
     BallPivoting,
     AlphaShapes,
