@@ -171,9 +171,7 @@ def flip_corners(values: Array1[vec2]) -> Array1[vec2]:
 
 def count_referenced(triangles: Triangles, vertex_count: int) -> int:
     """How many vertices triangles use; one sync."""
-    used = zeros(vertex_count, int32, triangles.device)
-    launch(mark_referenced_kernel, triangles.size, [triangles, used])
-    return sum_counts(used)
+    return sum_counts(mark_referenced(triangles, vertex_count))
 
 
 def count_unlike(triangles: Triangles, others: Cells) -> int:
@@ -183,22 +181,18 @@ def count_unlike(triangles: Triangles, others: Cells) -> int:
     return sum_counts(unlike)
 
 
+def mark_referenced(triangles: Triangles, vertex_count: int) -> Integers:
+    """int32 [m]: 1 for the vertices that triangles use."""
+    used = zeros(vertex_count, int32, triangles.device)
+    launch(mark_referenced_kernel, triangles.size, [triangles, used])
+    return used
+
+
 def drop_unreferenced(
     triangles: Triangles, vertex_count: int, per_vertex: Iterable[Vectors]
 ) -> tuple[Triangles, list[Any]]:
-    """Renumber triangles by the vertices that they use.
-
-    Args:
-        triangles: vec3i [t].
-        vertex_count: Vertices there are.
-        per_vertex: vec3 [m] arrays, to be cut in the same way.
-
-    Returns:
-        (triangles, arrays): the order of the vertices is kept.
-    """
-    used = zeros(vertex_count, int32, triangles.device)
-    launch(mark_referenced_kernel, triangles.size, [triangles, used])
-    return keep_vertices(triangles, used, per_vertex)
+    """As `keep_vertices`, with the vertices that triangles use."""
+    return keep_vertices(triangles, mark_referenced(triangles, vertex_count), per_vertex)
 
 
 def keep_vertices(triangles: Triangles, used: Integers, per_vertex: Iterable[Vectors]) -> tuple[Triangles, list[Any]]:

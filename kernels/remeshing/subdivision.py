@@ -12,8 +12,9 @@ from collections.abc import Sequence
 from ..array_types import Array1, Integers, Positions, Triangles
 from ..arrays.prefix_sum import exclusive_scan
 from ..lang import array, float64, int32, kernel, launch, struct, tid, vec2, vec3d, vec3i
-from ..memory import copy, empty, zeros
+from ..memory import copy, empty, full, zeros
 from ..meshes.mesh_edges import MeshEdges, count_sharers, opposite_vertex
+from ..meshes.mixed_rows import MixedRows, with_vertices_on_edges
 from ..meshes.vertex_neighbors import VertexNeighbors
 
 
@@ -187,6 +188,13 @@ def repeat_four_times(values: Integers) -> Integers:
     repeated = empty(4 * values.size, int32, values.device)
     launch(repeat_four_times_kernel, repeated.size, [values, repeated])
     return repeated
+
+
+def mixed_ends(split: EdgeSplit) -> MixedRows:
+    """What the vertices are made of when those on edges stand in their middle."""
+    edges = split.edges
+    halves = full(edges.count, 0.5, float64, edges.lows.device)
+    return with_vertices_on_edges(split.vertex_count[0], split.numbers, edges.lows, edges.highs, halves)
 
 
 def halve(triangles: Triangles, split: EdgeSplit, values: Sequence[Positions]) -> list[Positions]:

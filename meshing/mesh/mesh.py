@@ -5,6 +5,7 @@ What a mesh can do lies in one file a subject; TriangleMesh brings them together
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Any
 
 from ...core.array_libraries import NUMPY, library_of
@@ -14,14 +15,17 @@ from ...core.devices import resolve_device
 from ...core.gpu_arrays import take_corners, take_points
 from ...files.table import MeshTable
 from ...kernels.lang import vec3, vec3i
-from ...kernels.memory import move, upload
+from ...kernels.memory import upload
 from .alpha_shape import AlphaShapes
 from .ball_pivoting import BallPivoting
 from .mesh_albedo import MeshAlbedo
+from .mesh_arrays import ATTRIBUTES
 from .mesh_atlas import MeshAtlas
+from .mesh_attributes import assign_all
 from .mesh_booleans import MeshBooleans
 from .mesh_components import MeshComponents
 from .mesh_curvature import MeshCurvatures
+from .mesh_cutting import MeshCutting
 from .mesh_deformation import MeshDeformation
 from .mesh_geodesics import MeshGeodesics
 from .mesh_intersections import MeshIntersections
@@ -32,7 +36,6 @@ from .mesh_sampling import MeshSampling
 from .mesh_simplification import MeshSimplification
 from .mesh_smoothing import MeshSmoothing
 from .mesh_subdivision import MeshSubdivision
-from .mesh_trim import MeshTrim
 from .mesh_voxels import MeshVoxels
 from .poisson import Poisson
 
@@ -54,7 +57,7 @@ class TriangleMesh(
     MeshAlbedo,
     MeshSimplification,
     MeshSampling,
-    MeshTrim,
+    MeshCutting,
     Poisson,
     BallPivoting,
     AlphaShapes,
@@ -62,9 +65,12 @@ class TriangleMesh(
     """A triangle mesh: vertices, the triangles between them, and optionally a normal and a colour at each vertex, and
     texture coordinates at each triangle's corners with the pictures that they point into.
 
-    Everything is float32 (int32 for triangles) on one device. Vertices are stored relative to a float64 `origin`,
-    so that they stay exact far from zero. Operations return a new mesh that shares the arrays which they leave as they
-    are. `len(mesh)` is the number of triangles.
+    Further values of any type of number belong to vertices or triangles by name: `vertex_attributes`,
+    `triangle_attributes`.
+
+    Everything else is float32 (int32 for triangles), and all is on one device. Vertices are stored relative to a
+    float64 `origin`, so that they stay exact far from zero. Operations return a new mesh that shares the arrays which
+    they leave as they are. `len(mesh)` is the number of triangles.
 
     Arrays come back as they came (docs/arrays.md): operations return arrays of the library that the vertices came in.
 
@@ -76,6 +82,8 @@ class TriangleMesh(
         triangle_uvs: Texture coordinates of corners, shape [3 t, 2].
         triangle_material_ids: Which of the textures each triangle has, shape [t].
         textures: Pictures, uint8 [height, width, 3 or 4].
+        vertex_attributes: Further values at vertices by name, of any type of number, shape [m] or [m, c].
+        triangle_attributes: Further values of triangles, shape [t] or [t, c].
         device: "cpu", "cuda:N" or "auto"; None for the GPU that the vertices lie on, else the CPU.
         origin: The point [3] that positions are stored relative to; None takes zero, or the middle of the box where a
             coordinate passes 1e4 m.
@@ -103,6 +111,8 @@ class TriangleMesh(
         triangle_uvs: Any = None,
         triangle_material_ids: Any = None,
         textures: Any = (),
+        vertex_attributes: Mapping[str, Any] | None = None,
+        triangle_attributes: Mapping[str, Any] | None = None,
         device: Any = None,
         origin: Any = None,
     ):
@@ -127,12 +137,14 @@ class TriangleMesh(
         for name, values in (("vertex_normals", vertex_normals), ("vertex_colors", vertex_colors)):
             if values is not None:
                 self._assign(name, values)
-        self._textures = ()
+        self._textures, self._attributes = (), {name: {} for name in ATTRIBUTES}
+        assign_all(self.vertex_attributes, vertex_attributes)
+        assign_all(self.triangle_attributes, triangle_attributes)
         if triangle_uvs is not None:
             self.triangle_uvs = triangle_uvs
         if triangle_material_ids is not None:
             self.triangle_material_ids = triangle_material_ids
         self.textures = textures
         if device is not None and resolve_device(device) != self._device:  # arrays that lay on a GPU
-            self._device = resolve_device(device)
-            self._arrays = {name: move(values, self._device) for name, values in self._arrays.items()}
+            moved = self.to(resolve_device(device))
+            self._device, self._arrays, self._attributes = moved._device, moved._arrays, moved._attributes

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import warnings
+from collections.abc import Callable
 from typing import Any, Self
 
 import numpy as np
@@ -19,11 +21,13 @@ from ...kernels.lang import int32, vec2, vec3, vec3i
 from ...kernels.memory import clone, download, move, upload
 from ...kernels.meshes.mesh_edits import gather_corners, gather_triangles
 from ...pcd.point_arrays import read_only
+from .mesh_attributes import MeshAttributes, each, rows_of
 
 PER_VERTEX = {"vertices": vec3, "vertex_normals": vec3, "vertex_colors": vec3}
 PER_TRIANGLE = {"triangles": vec3i, "triangle_uvs": vec2, "triangle_material_ids": int32}
 TEXTURE = ("triangle_uvs", "triangle_material_ids")
 CORNERS = ("triangle_uvs",)  # three rows a triangle
+ATTRIBUTES = {"vertex_attributes": "vertices", "triangle_attributes": "triangles"}  # and what has one row of each
 
 
 class MeshArrays(KnownNames):
@@ -32,6 +36,7 @@ class MeshArrays(KnownNames):
     _device: Any
     _origin: NDArray[np.float64]
     _arrays: dict[str, wp.array]
+    _attributes: dict[str, dict[str, wp.array]]  # by the names in ATTRIBUTES
     _textures: tuple[NDArray[np.uint8], ...]
     _library: str = NUMPY  # whose arrays operations return, see core/array_libraries.py
 
@@ -46,6 +51,8 @@ class MeshArrays(KnownNames):
         triangle_uvs: wp.array | None = None,
         triangle_material_ids: wp.array | None = None,
         textures: tuple[NDArray[np.uint8], ...] = (),
+        vertex_attributes: dict[str, wp.array] | None = None,
+        triangle_attributes: dict[str, wp.array] | None = None,
         origin: Any = None,
         library: str = NUMPY,
     ) -> Self:
@@ -59,6 +66,8 @@ class MeshArrays(KnownNames):
             triangle_uvs: vec2 [3 t], three corners a triangle.
             triangle_material_ids: int32 [t].
             textures: uint8 pictures on the host.
+            vertex_attributes: By name, scalars [m] or [m, c].
+            triangle_attributes: By name, scalars [t] or [t, c].
             origin: float64 [3]; None for zero.
             library: Whose arrays its operations return.
         """
@@ -77,19 +86,31 @@ class MeshArrays(KnownNames):
             kind, count = _kind_and_count(name, counts)
             if values.dtype != kind or values.shape != (count,):
                 raise ValueError(f"{name}: expected {kind.__name__} [{count}], got {values}")
+        attributes = {
+            "vertex_attributes": dict(vertex_attributes or {}),
+            "triangle_attributes": dict(triangle_attributes or {}),
+        }
+        for kind, of in ATTRIBUTES.items():
+            _check_attributes(attributes[kind], counts[of], vertices.device)
         mesh = cls.__new__(cls)
         mesh._device, mesh._arrays, mesh._textures = vertices.device, arrays, tuple(textures)
+        mesh._attributes = attributes
         mesh._origin = np.zeros(3) if origin is None else np.array(origin, np.float64)
         mesh._library = library
         return mesh
 
-    def with_arrays(self, *, origin: NDArray[np.float64] | None = None, **arrays: wp.array | None) -> Self:
+    def with_arrays(self, *, origin: NDArray[np.float64] | None = None, **arrays: Any) -> Self:
         """The same mesh with some device arrays replaced, or dropped where None.
 
-        Other triangles than before bring what belongs to them along: `triangles_at` gives it.
+        Other triangles than before bring what belongs to them along: `triangles_at` gives it; other vertices their
+        `vertex_attributes`, as `attributes_at` gives them. Attributes that the change does not bring along, and whose
+        rows are no longer as many, are left behind with a warning.
         """
-        merged = self._arrays | arrays
+        merged = self._arrays | self._attributes | arrays
         kept: dict[str, Any] = {name: values for name, values in merged.items() if values is not None}
+        for kind, of in ATTRIBUTES.items():
+            if self._attributes[kind] and kind not in arrays and kept[of].size != self._arrays[of].size:
+                warnings.warn(f"{kind} {', '.join(kept.pop(kind))}: left behind, the {of} are others", stacklevel=3)
         place = self._origin if origin is None else origin
         textures = self._textures if "triangle_uvs" in kept else ()
         return self.from_device_arrays(**kept, textures=textures, origin=place, library=self._library)
@@ -120,7 +141,16 @@ class MeshArrays(KnownNames):
             taken["triangle_uvs"] = gather_corners(self._arrays["triangle_uvs"], rows)
         if "triangle_material_ids" in self._arrays:
             taken["triangle_material_ids"] = gather_rows(self._arrays["triangle_material_ids"], rows)
-        return taken
+        return taken | self._attributes_at("triangle_attributes", rows)
+
+    def vertices_at(self, rows: wp.array) -> dict[str, Any]:
+        """What belongs to vertices, by name, at some of them: int32 device array, each in 0..m-1, repeats allowed."""
+        taken = {name: gather_rows(values, rows) for name, values in self._per_vertex().items()}
+        return taken | self._attributes_at("vertex_attributes", rows)
+
+    def _attributes_at(self, kind: str, rows: wp.array) -> dict[str, Any]:
+        """The attributes of vertices or of triangles at some of them, as `with_arrays` takes them."""
+        return {kind: rows_of(self._attributes[kind], rows)}
 
     def _assign(self, name: str, values: Any) -> None:
         count = self._arrays["vertices"].size
@@ -160,6 +190,7 @@ class MeshArrays(KnownNames):
 
     def __repr__(self) -> str:
         extras = "".join(f", {name}" for name in self._arrays if name not in ("vertices", "triangles"))
+        extras += "".join(f", {kind}[{', '.join(held)}]" for kind, held in self._attributes.items() if held)
         sizes = f"{self._arrays['vertices'].size} vertices, {len(self)} triangles"
         return f"{type(self).__name__}({sizes}{extras}, {self._device})"
 
@@ -241,6 +272,24 @@ class MeshArrays(KnownNames):
     def textures(self, values: Any) -> None:
         self._textures = check_textures("textures", values)
 
+    @property
+    def vertex_attributes(self) -> MeshAttributes:
+        """Further values at vertices, a mapping of NumPy arrays of shape [m] or [m, c]: to set an item sets the mesh's.
+
+        They follow what is selected, joined, cut and subdivided: floating ones are interpolated at new vertices, of
+        others a new vertex takes those of the nearest old one.
+        """
+        vertices = self._arrays["vertices"].size
+        return MeshAttributes(
+            self._attributes["vertex_attributes"], vertices, self._device, "vertex", tuple(PER_VERTEX)
+        )
+
+    @property
+    def triangle_attributes(self) -> MeshAttributes:
+        """The same for triangles, shape [t] or [t, c]; parts of a triangle have its values."""
+        fields = tuple(PER_TRIANGLE)
+        return MeshAttributes(self._attributes["triangle_attributes"], len(self), self._device, "triangle", fields)
+
     def _read(self, name: str, width: int = 3) -> NDArray[np.float32] | None:
         return read_only(download(self._arrays[name]).reshape(-1, width).copy()) if name in self._arrays else None
 
@@ -274,8 +323,7 @@ class MeshArrays(KnownNames):
         library = self._library if arrays is None else check_library("arrays", arrays)
         if target == self._device and library == self._library:
             return self
-        moved: dict[str, Any] = {name: move(values, target) for name, values in self._arrays.items()}
-        mesh = self.with_arrays(**moved)
+        mesh = self._with_each(lambda values: move(values, target))
         mesh._library = library
         return mesh
 
@@ -287,13 +335,23 @@ class MeshArrays(KnownNames):
         return self.copy()
 
     def __deepcopy__(self, memo: dict[int, Any]) -> Self:
-        arrays: dict[str, Any] = {name: clone(array) for name, array in self._arrays.items()}
-        return self.with_arrays(**arrays)
+        return self._with_each(clone)
+
+    def _bare(self) -> Self:
+        """The mesh without further attributes."""
+        return self.with_arrays(**dict.fromkeys(ATTRIBUTES))
+
+    def _with_each(self, change: Callable[[wp.array], Any]) -> Self:
+        """The mesh with every array changed alike."""
+        return self.with_arrays(
+            **each(self._arrays, change), **{kind: each(held, change) for kind, held in self._attributes.items()}
+        )
 
     def __getstate__(self) -> dict[str, Any]:
         """The mesh as NumPy arrays and the name of its device, for pickle."""
         state = {"arrays": pickled(self._arrays), "origin": self._origin, "device": str(self._device)}
-        return state | {"textures": self._textures, "library": self._library}
+        attributes = {kind: pickled(held) for kind, held in self._attributes.items()}
+        return state | {"textures": self._textures, "library": self._library, "attributes": attributes}
 
     def __setstate__(self, state: dict[str, Any]) -> None:
         """The mesh on the device that it was on; on the first GPU where there is another number of them.
@@ -304,6 +362,7 @@ class MeshArrays(KnownNames):
         self._device, self._origin = device_like("mesh", state["device"]), state["origin"]
         self._arrays, self._textures = unpickled(state["arrays"], self._device), state["textures"]
         self._library = state["library"]
+        self._attributes = {kind: unpickled(state["attributes"][kind], self._device) for kind in ATTRIBUTES}
 
 
 def _kind_and_count(name: str, counts: dict[str, int]) -> tuple[Any, int]:
@@ -311,6 +370,13 @@ def _kind_and_count(name: str, counts: dict[str, int]) -> tuple[Any, int]:
     if name in PER_VERTEX:
         return PER_VERTEX[name], counts["vertices"]
     return PER_TRIANGLE[name], counts["triangles"] * (3 if name in CORNERS else 1)
+
+
+def _check_attributes(attributes: dict[str, wp.array], count: int, device: Any) -> None:
+    for name, values in attributes.items():
+        check_same_device(name, device, values.device)
+        if values.ndim not in (1, 2) or values.shape[0] != count:
+            raise ValueError(f"{name}: expected scalars [{count}] or [{count}, c], got {values}")
 
 
 def _as_triples(triangles: wp.array) -> wp.array:

@@ -8,10 +8,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...core.dropped_results import returns_new
+from .flat_polygons import LIBRARY, load_manifold
 from .mesh_arrays import MeshArrays
 from .mesh_measures import MeshMeasures
-
-LIBRARY = "manifold3d"
 
 
 class MeshBooleans(MeshMeasures):
@@ -100,7 +99,7 @@ class MeshBooleans(MeshMeasures):
     def _combine(self, other: Self, name: str, operation: Any) -> Self:
         if not isinstance(other, MeshArrays):
             raise TypeError(f"mesh: expected a TriangleMesh, got {type(other).__name__}")
-        library = _load(name)
+        library = load_manifold(name)
         with_colors = "vertex_colors" in self._arrays and "vertex_colors" in other.device_arrays
         solids = [
             _solid(library, mesh, self._origin, with_colors, f"{name}: {what}")
@@ -119,14 +118,6 @@ class MeshBooleans(MeshMeasures):
         )
         both_have_normals = "vertex_normals" in self._arrays and "vertex_normals" in other.device_arrays
         return mesh.compute_vertex_normals() if both_have_normals else mesh
-
-
-def _load(name: str) -> Any:
-    try:
-        import manifold3d
-    except ImportError as error:
-        raise ImportError(f'{name} needs the package {LIBRARY}: pip install "pointloom[mesh]"') from error
-    return manifold3d
 
 
 def _solid(library: Any, mesh: Any, origin: NDArray[np.float64], with_colors: bool, what: str) -> Any:

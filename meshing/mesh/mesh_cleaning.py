@@ -10,7 +10,7 @@ import warp as wp
 from ...core.checks import check_positive
 from ...core.dropped_results import returns_new
 from ...kernels.arrays.bounds import bound_points
-from ...kernels.arrays.select import gather_rows, invert_mask, positions_of
+from ...kernels.arrays.select import invert_mask, positions_of
 from ...kernels.arrays.sort import positions
 from ...kernels.extent.masks import mask_finite
 from ...kernels.meshes import clean_triangles, crowded_edges, merge_vertices
@@ -64,7 +64,7 @@ class MeshCleaning(MeshEdits):
 
     @returns_new
     def remove_duplicated_vertices(self) -> Self:
-        """Make one of the vertices at the same position: the first there, with its normal and colour.
+        """Make one of the vertices at the same position: the first there, with all that belongs to it.
 
         Triangles keep their places and name the first vertex; some may then name it twice, see
         `remove_degenerate_triangles`. Positions are equal where all three float32 coordinates are, zero and minus zero
@@ -80,18 +80,17 @@ class MeshCleaning(MeshEdits):
         owners = merge_vertices.find_equal_vertices(self._arrays["vertices"])
         places, _ = merge_vertices.number_owners(owners)  # sync
         kept = positions_of(merge_vertices.mask_owners(owners))  # sync
-        rows: dict[str, Any] = {name: gather_rows(values, kept) for name, values in self._per_vertex().items()}
-        return self.with_arrays(
-            triangles=merge_vertices.rename_corners(self._arrays["triangles"], owners, places), **rows
-        )
+        triangles = merge_vertices.rename_corners(self._arrays["triangles"], owners, places)
+        return self.with_arrays(triangles=triangles, **self.vertices_at(kept))
 
     @returns_new
     def merge_close_vertices(self, eps: float) -> Self:
         """Make one of the vertices that are closer than a distance, in the order of their numbers.
 
         A vertex stays unless an earlier one that stays is closer than `eps`; else it joins the first of those. Each
-        group becomes one vertex at its mean position, with its mean colour and the direction of its mean normal, at the
-        place of its first member. Open3D makes the same groups; it does not bring the normals back to unit length.
+        group becomes one vertex at its mean position, with its mean colour, the direction of its mean normal and the
+        further attributes of its first member, at the place of that one. Open3D makes the same groups; it does not
+        bring the normals back to unit length.
 
         Args:
             eps: [m]; vertices exactly so far apart are not close.
@@ -166,7 +165,11 @@ class MeshCleaning(MeshEdits):
         unit = [name == "vertex_normals" for name in rows]
         means = merge_vertices.average_members(rows.values(), unit, owners, places, count)
         triangles = merge_vertices.rename_corners(self._arrays["triangles"], owners, places)
-        return self.with_arrays(triangles=triangles, **dict(zip(rows, means, strict=True)))
+        arrays: dict[str, Any] = dict(zip(rows, means, strict=True))
+        if self._attributes["vertex_attributes"]:
+            kept = positions_of(merge_vertices.mask_owners(owners))  # sync
+            arrays |= self._attributes_at("vertex_attributes", kept)
+        return self.with_arrays(triangles=triangles, **arrays)
 
     @property
     def _vertex_count(self) -> int:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Self
+from typing import Any, Self
 
 import numpy as np
 import warp as wp
@@ -24,10 +24,8 @@ class MeshEdits(MeshMotion):
     @returns_new
     def remove_unreferenced_vertices(self) -> Self:
         """Drop the vertices that no triangle uses; the others keep their order."""
-        rows = self._per_vertex()
-        vertex_count = self._arrays["vertices"].size
-        triangles, kept = mesh_edits.drop_unreferenced(self._arrays["triangles"], vertex_count, rows.values())
-        return self.with_arrays(triangles=triangles, **dict(zip(rows, kept, strict=True)))
+        triangles = self._arrays["triangles"]
+        return self._with_used(triangles, mesh_edits.mark_referenced(triangles, self._arrays["vertices"].size))
 
     @returns_new
     def remove_vertices_by_mask(self, mask: ArrayLike) -> Self:
@@ -48,11 +46,9 @@ class MeshEdits(MeshMotion):
             >>> mesh.remove_vertices_by_mask(mesh.vertices[:, 0] + mesh.vertices[:, 1] < 0.5).triangles.tolist()
             [[1, 0, 2]]
         """
-        rows, used = self._per_vertex(), cast(self._left_by(mask, self._arrays["vertices"].size, "vertices"), int32)
+        used = cast(self._left_by(mask, self._arrays["vertices"].size, "vertices"), int32)
         whole = self.triangles_at(mesh_edits.whole_triangles(self._arrays["triangles"], used))
-        triangles, kept = mesh_edits.keep_vertices(whole["triangles"], used, rows.values())
-        whole |= {"triangles": triangles} | dict(zip(rows, kept, strict=True))
-        return self.with_arrays(**whole)
+        return self._with_used(whole.pop("triangles"), used, **whole)
 
     @returns_new
     def remove_triangles_by_mask(self, mask: ArrayLike) -> Self:
@@ -72,6 +68,15 @@ class MeshEdits(MeshMotion):
         """
         kept = positions_of(self._left_by(mask, len(self), "triangles"))  # sync
         return self.with_arrays(**self.triangles_at(kept))
+
+    def _with_used(self, triangles: wp.array, used: wp.array, **per_triangle: Any) -> Self:
+        """The vertices that are marked, int32 [m] of 1 or 0, and triangles that have no other."""
+        rows = self._per_vertex()
+        triangles, kept = mesh_edits.keep_vertices(triangles, used, rows.values())
+        arrays: dict[str, Any] = dict(zip(rows, kept, strict=True))
+        if self._attributes["vertex_attributes"]:
+            arrays |= self._attributes_at("vertex_attributes", positions_of(cast(used, uint8)))  # sync
+        return self.with_arrays(triangles=triangles, **arrays, **per_triangle)
 
     def _left_by(self, mask: ArrayLike, count: int, of: str) -> wp.array:
         """What a mask of removals leaves, uint8 on the mesh's device."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import warnings
 from pathlib import Path
 from typing import Any
 
@@ -12,6 +13,8 @@ from ...core.errors import FileError
 from ...files.meshes.mesh_formats import MESH_READERS, write_mesh
 from ...files.table import MeshTable
 from .mesh import TriangleMesh
+
+ATTRIBUTES_HELD = {".ply": ("attributes", "triangle_attributes")}  # by format, as MeshTable names them
 
 
 def read_triangle_mesh(path: str | os.PathLike[str], *, device: Any = None) -> TriangleMesh:
@@ -25,8 +28,9 @@ def read_triangle_mesh(path: str | os.PathLike[str], *, device: Any = None) -> T
     Returns:
         The mesh with the vertex normals and colours of the file, its texture coordinates, and one texture a material:
         its picture, or a pixel of its colour. Pictures of .ply and .obj lie beside them. (0, 0) is the lower left
-        corner of a picture in every format. Other values at vertices are left behind, and so are normals of an .obj
-        that are not one a vertex, with a warning. Where a picture is missing, textures are left behind with a warning.
+        corner of a picture in every format. Other values at vertices and of triangles are `vertex_attributes` and
+        `triangle_attributes`. Normals of an .obj that are not one a vertex are left behind, with a warning. Where a
+        picture is missing, textures are left behind with a warning.
 
     Raises:
         FileError: Missing, damaged, without faces, or of a format that is not read; says the byte, line or row.
@@ -51,6 +55,8 @@ def read_triangle_mesh(path: str | os.PathLike[str], *, device: Any = None) -> T
         triangle_uvs=table.triangle_uvs,
         triangle_material_ids=table.triangle_material_ids,
         textures=table.textures,
+        vertex_attributes=table.attributes,
+        triangle_attributes=table.triangle_attributes,
         device=device,
     )
 
@@ -77,6 +83,7 @@ def write_triangle_mesh(
         mesh: The mesh. STL holds neither shared vertices nor normals nor colours at them, and refuses the last; STL and
             OFF refuse textures. GLB writes a vertex once for each texture coordinate that its corners have, and
             triangles in the order of their materials. Material numbers without textures do not come back from any.
+            Further attributes of vertices and triangles are held by .ply; other formats leave them out, with a warning.
         ascii: Text, for .ply.
         overwrite: Whether existing files may be replaced.
         write_vertex_normals: Whether vertex normals are written where the mesh has them.
@@ -108,6 +115,7 @@ def write_triangle_mesh(
         table.vertex_colors = None
     if not write_triangle_uvs:
         table.triangle_uvs, table.triangle_material_ids, table.textures = None, None, ()
+    _leave_out(table, ATTRIBUTES_HELD.get(suffix, ()), suffix)
     write_mesh(path, table, ascii=ascii, overwrite=overwrite)
 
 
@@ -121,4 +129,17 @@ def mesh_table(mesh: TriangleMesh) -> MeshTable:
         triangle_uvs=mesh.triangle_uvs,
         triangle_material_ids=mesh.triangle_material_ids,
         textures=mesh.textures,
+        attributes=dict(mesh.vertex_attributes),
+        triangle_attributes=dict(mesh.triangle_attributes),
     )
+
+
+def _leave_out(table: MeshTable, held: tuple[str, ...], suffix: str) -> None:
+    """Empty the attributes of a table that a format does not hold, with a warning."""
+    for kind in ("attributes", "triangle_attributes"):
+        names = list(getattr(table, kind))
+        if names and kind not in held:
+            of = "triangle" if kind == "triangle_attributes" else "vertex"
+            what = f"{of} attributes {', '.join(names)}"
+            warnings.warn(f"{what}: left out, as {suffix} files cannot hold them; .ply can", stacklevel=3)
+            setattr(table, kind, {})

@@ -8,6 +8,7 @@ from typing import Any, Self
 from ...core.checks import check_positive
 from ...core.dropped_results import returns_new
 from ...kernels.arrays.select import positions_of
+from ...kernels.arrays.sort import positions
 from ...kernels.meshes import clean_triangles
 from ...kernels.meshes.holes import Filling, spread_corners, spread_ids
 from ...kernels.meshes.mesh_edits import count_unlike
@@ -170,6 +171,8 @@ class MeshRepair(MeshTopology, MeshSelection):
             arrays["triangle_uvs"] = spread_corners(self._arrays["triangle_uvs"], found.corners)
         if "triangle_material_ids" in self._arrays:
             arrays["triangle_material_ids"] = spread_ids(self._arrays["triangle_material_ids"], found.corners)
+        sources = spread_ids(positions(len(self), self._device), found.corners)
+        arrays |= self._attributes_at("triangle_attributes", sources)
         return self.with_arrays(**arrays), found.filled, found.left
 
     def _findings(self) -> dict[str, Any]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, Self
+from typing import Self
 
 import warp as wp
 from numpy.typing import ArrayLike
@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 from ...core.checks import check_indices, is_on_gpu
 from ...core.dropped_results import returns_new
 from ...core.gpu_arrays import take_indices
-from ...kernels.arrays.select import gather_rows, positions_of
+from ...kernels.arrays.select import positions_of
 from ...kernels.arrays.subsets import other_rows
 from ...kernels.lang import int32
 from ...kernels.memory import upload
@@ -141,6 +141,5 @@ class MeshSelection(MeshCleaning):
         """The vertices at some rows, each once, and the triangles between them."""
         used, places = mesh_edits.mark_places(rows, self._vertex_count)
         whole = self.triangles_at(mesh_edits.whole_triangles(self._arrays["triangles"], used))  # sync
-        taken: dict[str, Any] = {name: gather_rows(values, rows) for name, values in self._per_vertex().items()}
-        whole |= {"triangles": mesh_edits.renumber_triangles(whole["triangles"], places)} | taken
+        whole |= {"triangles": mesh_edits.renumber_triangles(whole["triangles"], places)} | self.vertices_at(rows)
         return self.with_arrays(**whole)

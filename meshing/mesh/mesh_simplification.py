@@ -13,6 +13,7 @@ from ...kernels.remeshing.decimation import Decimation
 from ...kernels.remeshing.vertex_clustering import cluster_vertices
 from .mesh_arrays import TEXTURE
 from .mesh_edits import MeshEdits
+from .surface_values import with_attributes_of
 
 CONTRACTIONS = ("average", "quadric")
 
@@ -37,7 +38,8 @@ class MeshSimplification(MeshEdits):
             The mesh, with voxels in the order of their first vertices, and triangles in the order in which they first
             appear, lowest vertex first, each once; two of opposite winding are two, as in Open3D. Normals (unit
             length) and colours are means. Textures and material numbers are left behind: a voxel may hold corners from
-            all over a texture. Vertices that are not finite go with their triangles.
+            all over a texture. Further attributes are those of the nearest place of the mesh as it was. Vertices that
+            are not finite go with their triangles.
 
         Raises:
             ValueError: Not a positive size, so small that the grid has more than 2^62 voxels, or no such contraction.
@@ -60,7 +62,8 @@ class MeshSimplification(MeshEdits):
         unit = [name == "vertex_normals" for name in rows][1:]
         triangles, arrays = cluster_vertices(self._arrays["triangles"], [*rows.values()], unit, size, way == "quadric")
         without: dict[str, Any] = dict.fromkeys(TEXTURE)
-        return self.with_arrays(triangles=triangles, **without | dict(zip(rows, arrays, strict=True)))
+        left: dict[str, Any] = without | dict(zip(rows, arrays, strict=True))
+        return with_attributes_of(self._bare().with_arrays(triangles=triangles, **left), self)
 
     @returns_new
     def simplify_quadric_decimation(
@@ -79,7 +82,8 @@ class MeshSimplification(MeshEdits):
             two; as it is where it has no more. What is left keeps its order; vertices without triangles go. The surface
             keeps its pieces, holes and handles, no edge gets a third triangle, and a watertight mesh stays so. Normals
             (unit length), colours and texture coordinates are those of the place where a vertex comes to lie; borders,
-            seams of textures and borders of materials move along themselves alone. Triangles that repeat another or
+            seams of textures and borders of materials move along themselves alone. Further attributes are those of the
+            nearest place of the mesh as it was. Triangles that repeat another or
             have a vertex twice go first.
 
         Raises:
@@ -125,13 +129,13 @@ class MeshSimplification(MeshEdits):
         job.run()
         triangles, arrays, *texture = job.result()
         kept: dict[str, Any] = dict(zip((*TEXTURE, *rows), (*texture, *arrays), strict=True))
-        left = self.with_arrays(triangles=triangles, **kept)
+        left = self._bare().with_arrays(triangles=triangles, **kept)
         if len(left) > target and np.isinf(error):
             warnings.warn(
                 f"{len(left)} triangles are left and not {target}: no edge can go without tearing the mesh",
                 stacklevel=3,
             )
-        return left.remove_unreferenced_vertices()
+        return with_attributes_of(left.remove_unreferenced_vertices(), self)
 
 
 def _check_contraction(contraction: Any) -> str:

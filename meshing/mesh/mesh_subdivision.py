@@ -5,11 +5,16 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any, Self
 
+import numpy as np
+
 from ...core.checks import check_count
 from ...core.dropped_results import returns_new
+from ...kernels.lang import int32
+from ...kernels.memory import upload
 from ...kernels.remeshing import subdivision
 from ...kernels.remeshing.vertex_values import narrow_directions, narrow_rows, widen_rows
 from .mesh_arrays import MeshArrays
+from .mesh_attributes import each
 
 MOST_CORNERS = 2**31 - 1  # half-edges are counted in 32 bits
 
@@ -28,7 +33,8 @@ class MeshSubdivision(MeshArrays):
             The finer mesh, its vertices and triangles in Open3D's order: new vertices behind the old ones as the
             triangles name them. Colours of new vertices are the means of their ends; so are normals, at unit length
             ((0, 0, 1) where the two point against each other), and texture coordinates, corner by corner. Material
-            numbers and textures stay.
+            numbers and textures stay, and so do attributes of triangles; those of vertices are means of their ends
+            too, or where they are no floating numbers those of the end with the lower number.
 
         Raises:
             ValueError: A negative count, or more than 715,827,882 triangles.
@@ -55,9 +61,10 @@ class MeshSubdivision(MeshArrays):
 
         Returns:
             The finer mesh in the order of `subdivide_midpoint`. Normals (at unit length) and colours follow the masks
-            of the positions, texture coordinates are means along the edges of each triangle. Edges of one triangle are
-            smoothed as curves of their own; at edges of three or more all vertices across count alike, as in Open3D.
-            Vertices without triangles stay, where Open3D makes them NaN, and a vertex is no neighbour of itself.
+            of the positions; texture coordinates are means along the edges of each triangle, and so are further
+            attributes, as there. Edges of one triangle are smoothed as curves of their own; at edges of three or more
+            all vertices across count alike, as in Open3D. Vertices without triangles stay, where Open3D makes them NaN,
+            and a vertex is no neighbour of itself.
 
         Raises:
             ValueError: A negative count, or more than 715,827,882 triangles.
@@ -85,7 +92,7 @@ class MeshSubdivision(MeshArrays):
                 f"number_of_iterations: {count} rounds make {len(self)} * 4^{count} triangles, more than the "
                 f"{MOST_CORNERS // 3:,} that 32 bits can count; take fewer"
             )
-        arrays: dict[str, Any] = {name: values for name, values in self._arrays.items()}
+        arrays: dict[str, Any] = self._arrays | {kind: dict(held) for kind, held in self._attributes.items()}
         names = list(self._per_vertex())
         wide = [widen_rows(arrays[name]) for name in names]
         for _ in range(count):
@@ -93,10 +100,15 @@ class MeshSubdivision(MeshArrays):
             split = subdivision.EdgeSplit(triangles, wide[0].size)
             wide = rule(triangles, split, wide)
             arrays["triangles"] = subdivision.split_triangles(triangles, split)
+            if arrays["vertex_attributes"]:
+                arrays["vertex_attributes"] = each(arrays["vertex_attributes"], subdivision.mixed_ends(split).of)
             if "triangle_uvs" in arrays:
                 arrays["triangle_uvs"] = subdivision.split_corners(arrays["triangle_uvs"])
             if "triangle_material_ids" in arrays:
                 arrays["triangle_material_ids"] = subdivision.repeat_four_times(arrays["triangle_material_ids"])
+        if arrays["triangle_attributes"]:
+            quarters = upload(np.repeat(np.arange(len(self), dtype=np.int32), 4**count), int32, self._device)
+            arrays |= self._attributes_at("triangle_attributes", quarters)
         for name, rows in zip(names, wide, strict=True):
             if name == "vertex_normals":
                 arrays[name] = narrow_directions(rows, self._arrays[name], first_new)

@@ -9,8 +9,12 @@ from numpy.typing import ArrayLike
 
 from ...core.checks import check_finite, check_number, check_numeric, check_share
 from ...core.dropped_results import returns_new
-from ...kernels.meshes.trim import trim
-from .mesh_arrays import TEXTURE
+from ...kernels.arrays.select import gather_rows, positions_of
+from ...kernels.lang import float64
+from ...kernels.memory import upload
+from ...kernels.meshes.level_cut import LevelCut
+from ...kernels.meshes.trim import mask_trimmed
+from .mesh_attributes import each
 from .mesh_edits import MeshEdits
 
 
@@ -33,8 +37,8 @@ class MeshTrim(MeshEdits):
 
         Returns:
             What is left, and the vertices that it uses: in their order, then those on the cut, with normals of unit
-            length and colours between those of their edges. Pieces are wound as their triangles are. Textures are
-            left behind.
+            length, colours, texture coordinates and further attributes between those of their edges. Pieces are wound
+            as their triangles are.
 
         Raises:
             ValueError: Another shape, numbers that are not finite, or a ratio that is no share.
@@ -57,9 +61,22 @@ class MeshTrim(MeshEdits):
             raise ValueError(f"vertex_values: expected shape [{count}], one number a vertex, got {list(values.shape)}")
         values = check_finite("vertex_values", values.astype(np.float64))
         where, ratio = check_number("level", level), check_share("island_ratio", island_ratio)
+        cut = LevelCut(self._arrays["triangles"], upload(values, float64, self._device), where)
+        whole = self._cut_up(cut)
+        vertices = whole.device_arrays["vertices"]
+        mask = mask_trimmed(vertices, cut, self._arrays["triangles"], ratio)
+        return whole.with_arrays(**whole.triangles_at(positions_of(mask))).remove_unreferenced_vertices()  # sync
+
+    def _cut_up(self, cut: LevelCut) -> Self:
+        """All pieces of a cut as a mesh, with all that belongs to vertices and triangles."""
         rows = self._per_vertex()
-        unit = [name == "vertex_normals" for name in rows]
-        triangles, arrays = trim(self._arrays["triangles"], [*rows.values()], unit, values, where, ratio)
-        without: dict[str, Any] = dict.fromkeys(TEXTURE)
-        cut = self.with_arrays(triangles=triangles, **without | dict(zip(rows, arrays, strict=True)))
-        return cut.remove_unreferenced_vertices()
+        arrays: dict[str, Any] = {name: cut.rows_of(rows[name], name == "vertex_normals") for name in rows}
+        held = self._attributes["vertex_attributes"]
+        if held:
+            arrays["vertex_attributes"] = each(held, cut.mixed().of)
+        arrays |= self._attributes_at("triangle_attributes", cut.sources)
+        if "triangle_uvs" in self._arrays:
+            arrays["triangle_uvs"] = cut.corners_of(self._arrays["triangle_uvs"])
+        if "triangle_material_ids" in self._arrays:
+            arrays["triangle_material_ids"] = gather_rows(self._arrays["triangle_material_ids"], cut.sources)
+        return self.with_arrays(triangles=cut.pieces, **arrays)

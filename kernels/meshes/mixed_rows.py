@@ -1,0 +1,150 @@
+"""Values of vertices that stand between others: each is mixed from the rows of up to three old vertices.
+
+Floating values are mixed in float64, the three rows in their order and those of weight zero left out: a vertex that
+stays keeps its bits, and no NaN comes from a row that does not count. Whole numbers are not mixed: a vertex takes that
+of the row that counts most, of equal ones the first. 36 B a vertex; each value is read and written once.
+"""
+
+from typing import Any
+
+from ..array_types import AnyArray, Array1, Array2, Doubles, Indices, Triangles
+from ..arrays.select import gather_rows
+from ..lang import array, float64, int32, kernel, launch, struct, tid, vec3d, vec3i
+from ..memory import cast, empty
+
+FLOATING = ("float16", "float32", "float64")  # types that are mixed
+
+
+@struct
+class MixedRows:
+    """What vertices are made of: the first `kept` of themselves, the others of old ones.
+
+    Attributes:
+        count: Vertices n.
+        rows: vec3i [n], the old vertices.
+        weights: vec3d [n], what each counts; together 1.
+    """
+
+    rows: array(dtype=vec3i)
+    weights: array(dtype=vec3d)
+
+    def __init__(self, rows: Triangles, weights: Array1[vec3d]) -> None:
+        self.rows, self.weights, self.count = rows, weights, rows.size
+
+    def nearest(self) -> Indices:
+        """The old vertex that counts most for each, int32 [n]."""
+        nearest = empty(self.count, int32, self.rows.device)
+        launch(choose_heaviest_kernel, self.count, [self, nearest])
+        return nearest
+
+    def of(self, values: AnyArray) -> Any:
+        """Values of scalars [m] or [m, c] at the old vertices, for these: [n] or [n, c] of the same type."""
+        if values.dtype.__name__ not in FLOATING:
+            return gather_rows(values, self.nearest())
+        width = 1 if values.ndim == 1 else values.shape[1]
+        shape = (self.count, *values.shape[1:])
+        if not self.count * width:
+            return empty(shape, values.dtype, values.device)
+        wide, mixed = cast(values, float64).reshape((-1, width)), empty((self.count, width), float64, values.device)
+        launch(mix_rows_kernel, self.count, [wide, self, mixed])
+        return cast(mixed.reshape(shape), values.dtype)
+
+
+@kernel
+def mix_rows_kernel(values: array(dtype=float64, ndim=2), made: MixedRows, mixed: array(dtype=float64, ndim=2)):
+    """The weighted sum of up to three rows."""
+    i = tid()
+    rows = made.rows[i]
+    weights = made.weights[i]
+    for c in range(values.shape[1]):
+        total = float64(0.0)
+        if weights[0] != 0.0:
+            total += weights[0] * values[rows[0], c]
+        if weights[1] != 0.0:
+            total += weights[1] * values[rows[1], c]
+        if weights[2] != 0.0:
+            total += weights[2] * values[rows[2], c]
+        mixed[i, c] = total
+
+
+@kernel
+def choose_heaviest_kernel(made: MixedRows, nearest: array(dtype=int32)):
+    """The row of the greatest weight, of equal ones the first."""
+    i = tid()
+    rows = made.rows[i]
+    weights = made.weights[i]
+    row = rows[0]
+    most = weights[0]
+    if weights[1] > most:
+        row = rows[1]
+        most = weights[1]
+    if weights[2] > most:
+        row = rows[2]
+    nearest[i] = row
+
+
+@kernel
+def keep_rows_kernel(rows: array(dtype=vec3i), weights: array(dtype=vec3d)):
+    """Vertices that stay what they are."""
+    i = tid()
+    rows[i] = vec3i(i, i, i)
+    weights[i] = vec3d(1.0, 0.0, 0.0)
+
+
+@kernel
+def mix_ends_kernel(
+    numbers: array(dtype=int32),
+    lows: array(dtype=int32),
+    highs: array(dtype=int32),
+    shares: array(dtype=float64),
+    rows: array(dtype=vec3i),
+    weights: array(dtype=vec3d),
+):
+    """Vertices between two others."""
+    i = tid()
+    rows[numbers[i]] = vec3i(lows[i], highs[i], lows[i])
+    weights[numbers[i]] = vec3d(1.0 - shares[i], shares[i], 0.0)
+
+
+@kernel
+def mix_corners_kernel(
+    triangles: array(dtype=vec3i),
+    chosen: array(dtype=int32),
+    uvs: array(dtype=float64, ndim=2),
+    rows: array(dtype=vec3i),
+    weights: array(dtype=vec3d),
+):
+    """Vertices in triangles, by the weights of their second and third corners."""
+    i = tid()
+    rows[i] = triangles[chosen[i]]
+    weights[i] = vec3d(1.0 - uvs[i, 0] - uvs[i, 1], uvs[i, 0], uvs[i, 1])
+
+
+def with_vertices_on_edges(count: int, numbers: Indices, lows: Indices, highs: Indices, shares: Doubles) -> MixedRows:
+    """`count` vertices as they are, and one behind them for each edge.
+
+    Args:
+        count: Old vertices.
+        numbers: int32 [e], the numbers of the new ones, from `count` on.
+        lows, highs: int32 [e], the ends of the edges.
+        shares: float64 [e], where each new vertex lies between the two.
+    """
+    total, device = count + lows.size, lows.device
+    rows, weights = empty(total, vec3i, device), empty(total, vec3d, device)
+    launch(keep_rows_kernel, count, [rows, weights])
+    launch(mix_ends_kernel, lows.size, [numbers, lows, highs, shares, rows, weights])
+    return MixedRows(rows, weights)
+
+
+def in_triangles(triangles: Triangles, chosen: Indices, uvs: Array2[float64]) -> MixedRows:
+    """Vertices at points of triangles.
+
+    Args:
+        triangles: vec3i [t].
+        chosen: int32 [n], the triangle of each, none below zero.
+        uvs: float64 [n, 2], the weights of its second and third corner.
+    """
+    device = triangles.device
+    rows, weights = empty(chosen.size, vec3i, device), empty(chosen.size, vec3d, device)
+    launch(mix_corners_kernel, chosen.size, [triangles, chosen, uvs, rows, weights])
+    return MixedRows(rows, weights)

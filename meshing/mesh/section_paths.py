@@ -1,0 +1,150 @@
+"""Outlines of sections: which half-edges in a plane are lines of it, and these lines as loops and paths.
+
+In NumPy: a section has some roots of the triangles' number of lines.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+import numpy as np
+from numpy.typing import NDArray
+
+Ends = NDArray[np.int64]
+ABOVE, BELOW = 1, -1
+
+
+def lines_in_plane(half_edges: NDArray[np.int32], first_new: int) -> Ends:
+    """The lines along which a mesh passes a plane, [n, 2]: each once, in the order of their vertices' numbers.
+
+    Args:
+        half_edges: Tail, head, side of the piece and number of the half-edges that lie in the plane.
+        first_new: Vertices from here on came in by the cut.
+
+    Returns:
+        Lines through triangles; and edges of the mesh where it goes on below or in the plane, or ends. Where it only
+        touches the plane from above, as a ridge, there is no line. They run as the half-edges above do.
+    """
+    rows = np.asarray(half_edges, np.int64)
+    low, high = rows[:, :2].min(axis=1), rows[:, :2].max(axis=1)
+    key = low * (int(high.max(initial=0)) + 1) + high
+    _, first, group = np.unique(key, return_index=True, return_inverse=True)
+    count, group = len(first), group.reshape(-1)
+    above = np.bincount(group[rows[:, 2] == ABOVE], minlength=count)
+    others = np.bincount(group[rows[:, 2] != ABOVE], minlength=count)
+    is_line = (above > 0) & ((others > 0) | (above % 2 == 1) | (high[first] >= first_new))
+    way = np.where(rows[:, 2] == ABOVE, np.where(rows[:, 0] == low, 1, -1), 0)
+    is_back = np.bincount(group, way, minlength=count) < 0
+    ends = np.where(is_back[:, None], np.c_[high[first], low[first]], np.c_[low[first], high[first]])
+    return ends[is_line]
+
+
+def outline(half_edges: NDArray[np.int32]) -> Ends:
+    """The half-edges that only an odd number of pieces share, [n, 2], as they run."""
+    rows = np.asarray(half_edges, np.int64)
+    low, high = rows[:, :2].min(axis=1), rows[:, :2].max(axis=1)
+    key = low * (int(high.max(initial=0)) + 1) + high
+    _, first, group, counts = np.unique(key, return_index=True, return_inverse=True, return_counts=True)
+    way = np.bincount(group.reshape(-1), np.where(rows[:, 0] == low, 1, -1), minlength=len(first))
+    ends = np.where((way < 0)[:, None], np.c_[high[first], low[first]], np.c_[low[first], high[first]])
+    return ends[counts % 2 == 1]
+
+
+def join_lines(ends: Ends, places: dict[int, NDArray[np.float64]]) -> tuple[list[list[int]], list[list[int]]]:
+    """(loops, paths): lines joined at their ends, each used once; a loop does not repeat its first vertex.
+
+    Where lines run head to tail throughout, loops do so; else any way round. Where several lines leave a vertex, the
+    one that turns furthest to the left goes on, so that loops touch and do not cross.
+
+    Args:
+        ends: Lines, [n, 2].
+        places: Where vertices lie in the plane, float64 [2].
+    """
+    balance: dict[int, int] = {}
+    for a, b in ends.tolist():
+        balance[a], balance[b] = balance.get(a, 0) + 1, balance.get(b, 0) - 1
+    if any(balance.values()):
+        return _walk(ends, places, directed=_is_path_like(balance))
+    return _walk(ends, places, directed=True)
+
+
+def run_alike(loops: list[list[int]], ends: Ends) -> bool:
+    """Whether loops go along all their lines as these run."""
+    lines = set(map(tuple, ends.tolist()))
+    return all((a, b) in lines for loop in loops for a, b in zip(loop, [*loop[1:], loop[0]], strict=True))
+
+
+def _is_path_like(balance: dict[int, int]) -> bool:
+    """Whether what is not balanced may be ends of paths that run one way: none is off by two."""
+    return all(abs(value) <= 1 for value in balance.values())
+
+
+def _walk(
+    ends: Ends, places: dict[int, NDArray[np.float64]], *, directed: bool
+) -> tuple[list[list[int]], list[list[int]]]:
+    leaving: dict[int, list[tuple[int, int]]] = {}  # of each vertex: (line, other end)
+    degree: dict[int, int] = {}
+    for line, (a, b) in enumerate(ends.tolist()):
+        leaving.setdefault(a, []).append((line, b))
+        if not directed:
+            leaving.setdefault(b, []).append((line, a))
+        for v in (a, b):
+            degree[v] = degree.get(v, 0) + (1 if not directed or v == a else -1)
+    ragged = [v for v, d in degree.items() if (d > 0 if directed else d % 2 == 1)]
+    used = np.zeros(len(ends), bool)
+    loops, paths = [], []
+    for start in [*ragged, *leaving]:
+        while (path := _follow(start, leaving, used, places)) is not None:
+            if path[0] == path[-1]:
+                loops.extend(_simple(path[:-1]))
+            else:
+                paths.append(path)
+            if start in ragged and path[0] != path[-1]:
+                break
+    return loops, paths
+
+
+def _follow(start: int, leaving: dict[int, list[tuple[int, int]]], used: NDArray[np.bool_], places) -> list[int] | None:
+    """The vertices of a walk from a vertex until it is there again or stuck; None where nothing leaves it."""
+    path, at = [start], start
+    while True:
+        open_lines = [(line, to) for line, to in leaving.get(at, ()) if not used[line]]
+        if not open_lines:
+            return path if len(path) > 1 else None
+        line, to = open_lines[0] if len(open_lines) == 1 else _leftmost(path, open_lines, places)
+        used[line] = True
+        path.append(to)
+        at = to
+        if at == start:
+            return path
+
+
+def _leftmost(path: list[int], lines: Iterable[tuple[int, int]], places) -> tuple[int, int]:
+    """The line that turns furthest to the left from the last one."""
+    here = places[path[-1]]
+    back = places[path[-2]] - here if len(path) > 1 else np.array([-1.0, 0.0])
+
+    def turn(line: tuple[int, int]) -> float:
+        way = places[line[1]] - here
+        angle = np.arctan2(back[0] * way[1] - back[1] * way[0], back @ way)
+        return float(-angle % (2 * np.pi)) or 2 * np.pi  # clockwise from where we came
+
+    return min(lines, key=turn)
+
+
+def _simple(loop: list[int]) -> list[list[int]]:
+    """A loop parted where it comes by a vertex again."""
+    seen: dict[int, int] = {}
+    walk: list[int] = []
+    parts: list[list[int]] = []
+    for v in loop:
+        if v in seen:
+            start = seen[v]
+            parts.append(walk[start:])
+            for gone in walk[start + 1 :]:
+                del seen[gone]
+            walk = walk[: start + 1]
+        else:
+            seen[v] = len(walk)
+            walk.append(v)
+    return [*parts, walk]

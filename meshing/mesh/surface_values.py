@@ -1,0 +1,31 @@
+"""Values that one mesh takes from the surface of another: what a change of all triangles left behind."""
+
+from __future__ import annotations
+
+from typing import Any, TypeVar
+
+from ...kernels.rays.surface_places import SurfacePlaces, middles_of
+from ...kernels.rays.triangle_tree import TriangleTree
+from .mesh_attributes import each, rows_of
+
+Mesh = TypeVar("Mesh", bound=Any)
+
+
+def with_attributes_of(mesh: Mesh, source: Any) -> Mesh:
+    """A mesh with the further attributes of another one about the same origin.
+
+    Those of a vertex are the source's at the nearest point of its surface, floating ones between the three corners
+    there and others those of the nearest corner; those of a triangle are of the source's nearest to its centre.
+    """
+    held = {kind: getattr(source, kind).arrays for kind in ("vertex_attributes", "triangle_attributes")}
+    if not any(held.values()) or not len(source) or not mesh.device_arrays["vertices"].size:
+        return mesh
+    tree = TriangleTree(source.device_arrays["vertices"], source.device_arrays["triangles"])
+    arrays: dict[str, Any] = {}
+    vertices, triangles = mesh.device_arrays["vertices"], mesh.device_arrays["triangles"]
+    if held["vertex_attributes"]:
+        arrays["vertex_attributes"] = each(held["vertex_attributes"], SurfacePlaces(vertices, tree).mixed.of)
+    if held["triangle_attributes"]:
+        nearest = SurfacePlaces(middles_of(vertices, triangles), tree).triangles
+        arrays["triangle_attributes"] = rows_of(held["triangle_attributes"], nearest)
+    return mesh.with_arrays(**arrays)

@@ -1,0 +1,167 @@
+"""Attributes of vertices and of triangles follow whatever a mesh goes through, in their own types."""
+
+from __future__ import annotations
+
+import copy
+import pickle
+
+import numpy as np
+import pytest
+
+from pointloom import AxisAlignedBoundingBox, TriangleMesh, read_triangle_mesh, write_triangle_mesh
+
+
+def labelled(device=None, mesh: TriangleMesh | None = None) -> TriangleMesh:
+    """A mesh whose attributes say where a vertex and which triangle each was."""
+    mesh = TriangleMesh.create_sphere(1.0, 6, device=device) if mesh is None else mesh
+    mesh.vertex_attributes["place"] = mesh.vertices
+    mesh.vertex_attributes["number"] = np.arange(len(mesh.vertices), dtype=np.uint16)
+    mesh.triangle_attributes["row"] = np.arange(len(mesh))
+    mesh.triangle_attributes["middle"] = mesh.vertices[mesh.triangles].mean(axis=1).astype(np.float32)
+    mesh.triangle_attributes["even"] = np.arange(len(mesh)) % 2 == 0
+    return mesh
+
+
+def held(mesh: TriangleMesh) -> dict[str, tuple[str, list[int]]]:
+    both = dict(mesh.vertex_attributes) | dict(mesh.triangle_attributes)
+    return {name: (str(values.dtype), list(values.shape[1:])) for name, values in both.items()}
+
+
+KINDS = {"place": ("float64", [3]), "number": ("uint16", []), "row": ("int64", []), "middle": ("float32", [3])} | {
+    "even": ("bool", [])
+}
+
+
+def test_values_keep_their_types_and_shapes(device):
+    mesh = labelled(device)
+    assert held(mesh) == KINDS
+    assert repr(mesh).endswith(
+        f"vertex_attributes[place, number], triangle_attributes[row, middle, even], {mesh.device})"
+    )
+    np.testing.assert_array_equal(mesh.vertex_attributes["place"], mesh.vertices)
+    assert mesh.vertex_attributes.array("number").device == mesh.device
+    with pytest.raises(ValueError, match="read-only"):
+        mesh.vertex_attributes["place"][0] = 0
+
+
+def test_copies_hold_their_own_attributes(device):
+    mesh = labelled(device)
+    other = mesh.copy()
+    del other.vertex_attributes["place"]
+    other.triangle_attributes["row"] = np.zeros(len(mesh))
+    assert held(mesh) == KINDS and list(other.vertex_attributes) == ["number"]
+    for same in (pickle.loads(pickle.dumps(mesh)), copy.deepcopy(mesh), mesh.to(device)):
+        assert held(same) == KINDS
+        np.testing.assert_array_equal(same.triangle_attributes["row"], mesh.triangle_attributes["row"])
+
+
+def test_the_constructor_takes_them():
+    mesh = TriangleMesh(
+        np.eye(3), [[0, 1, 2]], vertex_attributes={"a": [1, 2, 3]}, triangle_attributes={"b": np.array([[0.5, 1]])}
+    )
+    assert mesh.vertex_attributes["a"].tolist() == [1, 2, 3] and mesh.triangle_attributes["b"].tolist() == [[0.5, 1]]
+
+
+@pytest.mark.parametrize(
+    ("name", "values", "kind", "message"),
+    [
+        ("a", [1, 2], ValueError, r"a: expected shape \[8\] or \[8, c\], one row a vertex, got \[2\]"),
+        ("a", np.zeros((8, 2, 2)), ValueError, "a: expected shape"),
+        ("a", ["x"] * 8, TypeError, "a: expected"),
+        ("vertex_colors", np.zeros((8, 3)), KeyError, "assign mesh.vertex_colors"),
+        ("a", np.zeros(8, np.longdouble), TypeError, "64 bits at most"),
+    ],
+)
+def test_what_is_no_attribute_is_refused(name, values, kind, message):
+    with pytest.raises(kind, match=message):
+        TriangleMesh.create_box().vertex_attributes[name] = values
+
+
+CHANGES = {
+    "select": lambda m: m.select_by_index(np.arange(len(m.vertices))[::-2]),
+    "crop": lambda m: m.crop(AxisAlignedBoundingBox([-2, -2, -2], [2, 2, 0.5])),
+    "remove vertices": lambda m: m.remove_vertices_by_mask(m.vertices[:, 2] > 0.5),
+    "remove triangles": lambda m: m.remove_triangles_by_index([0, 5, 7]).remove_unreferenced_vertices(),
+    "weld": lambda m: m.remove_duplicated_vertices().merge_close_vertices(1e-3),
+    "clean": lambda m: m.remove_degenerate_triangles(zero_area=True).remove_duplicated_triangles(),
+    "parts": lambda m: m.remove_small_components(min_triangles=2),
+    "fill": lambda m: m.remove_triangles_by_index([40]).repair()[0],
+}
+
+
+@pytest.mark.parametrize("name", CHANGES)
+def test_what_stays_keeps_its_attributes(device, name):
+    changed = CHANGES[name](labelled(device))
+    assert held(changed) == KINDS
+    np.testing.assert_array_equal(changed.vertex_attributes["place"], changed.vertices)
+    middles = changed.vertices[changed.triangles].mean(axis=1)
+    np.testing.assert_allclose(changed.triangle_attributes["middle"], middles, atol=1e-6)
+
+
+@pytest.mark.parametrize("name", ["midpoint", "trim"])
+def test_new_vertices_have_the_values_between(device, name):
+    mesh = labelled(device)
+    if name == "midpoint":
+        changed = mesh.subdivide_midpoint(2)
+    else:
+        changed = mesh.trim(mesh.vertices @ [0.3, 0.2, 0.9], 0.1)
+    assert held(changed) == KINDS and len(changed.vertices) > 6
+    np.testing.assert_allclose(changed.vertex_attributes["place"], changed.vertices, atol=1e-6)
+    near = mesh.vertices[changed.vertex_attributes["number"].astype(int)]
+    assert np.linalg.norm(near - changed.vertices, axis=1).max() < 0.6  # a whole number is one of its neighbours'
+    corners = mesh.vertices[mesh.triangles[changed.triangle_attributes["row"]]]
+    normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    off = np.einsum("tc,tkc->tk", normals, changed.vertices[changed.triangles] - corners[:, :1])
+    assert abs(off).max() < 1e-6  # a part of a triangle lies in it
+
+
+def test_a_row_that_does_not_count_gives_no_nan():
+    mesh = TriangleMesh([[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0]], [[0, 1, 2], [2, 1, 3]])
+    mesh.vertex_attributes["a"] = [1.0, 2.0, 3.0, np.nan]
+    values = mesh.subdivide_midpoint().vertex_attributes["a"]
+    assert np.isnan(values).sum() == 3 and values[:3].tolist() == [1, 2, 3]
+
+
+@pytest.mark.parametrize("name", ["decimation", "clustering"])
+def test_fewer_triangles_take_the_values_of_their_place(name):
+    mesh = labelled(mesh=TriangleMesh.create_sphere(1.0, 20))
+    if name == "decimation":
+        changed = mesh.simplify_quadric_decimation(300)
+    else:
+        changed = mesh.simplify_vertex_clustering(0.2)
+    assert held(changed) == KINDS
+    np.testing.assert_allclose(changed.vertex_attributes["place"], changed.vertices, atol=0.02)
+    middles = changed.vertices[changed.triangles].mean(axis=1)
+    assert np.linalg.norm(changed.triangle_attributes["middle"] - middles, axis=1).max() < 0.15
+
+
+def test_a_change_that_brings_none_along_says_so():
+    mesh, box = labelled(), TriangleMesh.create_box()
+    with pytest.warns(UserWarning, match=r"vertex_attributes place, number: left behind, the vertices are others"):
+        bare = mesh.with_arrays(
+            vertices=box.array("vertices"), triangles=box.array("triangles"), triangle_attributes=None
+        )
+    assert not bare.vertex_attributes and not bare.triangle_attributes
+
+
+@pytest.mark.parametrize("as_text", [False, True])
+def test_ply_keeps_attributes_of_vertices(tmp_path, as_text):
+    mesh = TriangleMesh.create_box()
+    mesh.vertex_attributes["quality"] = np.linspace(0, 1, 8)
+    mesh.vertex_attributes["label"] = np.arange(8, dtype=np.int32)
+    write_triangle_mesh(tmp_path / "m.ply", mesh, ascii=as_text)
+    back = read_triangle_mesh(tmp_path / "m.ply")
+    for name, values in mesh.vertex_attributes.items():
+        np.testing.assert_array_equal(back.vertex_attributes[name], values)
+        assert back.vertex_attributes[name].dtype == values.dtype
+
+
+@pytest.mark.parametrize("suffix", [".obj", ".stl"])
+def test_formats_that_hold_no_attributes_say_so(tmp_path, suffix):
+    path = tmp_path / f"m{suffix}"
+    with (
+        pytest.warns(UserWarning, match="place, number: left out"),
+        pytest.warns(UserWarning, match="row, middle, even"),
+    ):
+        write_triangle_mesh(path, labelled())
+    assert not read_triangle_mesh(path).vertex_attributes

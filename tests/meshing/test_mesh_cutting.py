@@ -1,0 +1,218 @@
+"""Planes cut meshes: what is closed stays closed, both halves fit, and sections are the lines where they meet."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from pointloom import LineSet, TriangleMesh
+
+FAR = np.array([5.0e5, 5.4e6, 100.0])
+SHAPES = {
+    "box": TriangleMesh.create_box(),
+    "ball": TriangleMesh.create_sphere(1.0, 8),
+    "torus": TriangleMesh.create_torus(1.0, 0.4, 12, 8),
+    "cone": TriangleMesh.create_cone(),
+}
+
+
+def hollow(cavity_turned: bool = True) -> TriangleMesh:
+    outer, inner = TriangleMesh.create_sphere(1.0, 10), TriangleMesh.create_sphere(0.5, 10)
+    inside = inner.triangles[:, ::-1] if cavity_turned else inner.triangles
+    return TriangleMesh(np.r_[outer.vertices, inner.vertices], np.r_[outer.triangles, inside + len(outer.vertices)])
+
+
+def textured_box(device=None) -> TriangleMesh:
+    box = TriangleMesh.create_box(create_uv_map=True, device=device).compute_vertex_normals()
+    box.vertex_colors = box.vertices
+    box.triangle_material_ids = np.arange(12) // 2
+    box.textures = [np.zeros((4, 4, 3), np.uint8)] * 6
+    box.vertex_attributes["place"] = box.vertices
+    box.triangle_attributes["row"] = np.arange(12)
+    return box
+
+
+# ------------------------------------------------------------------------------------------------ conformance
+
+
+def in_open3d(mesh: TriangleMesh):
+    o3d = pytest.importorskip("open3d", exc_type=ImportError)
+    core, geometry = o3d.core, o3d.t.geometry
+    return geometry.TriangleMesh(core.Tensor(mesh.vertices.copy()), core.Tensor(mesh.triangles.astype(np.int64)))
+
+
+@pytest.mark.parametrize("name", SHAPES)
+def test_clips_are_those_of_open3d(device, name):
+    mesh, point, normal = SHAPES[name].to(device), np.array([0.1, 0.2, 0.3]), np.array([0.3, -0.5, 0.7])
+    clipped = mesh.clip_plane(point, normal)
+    peer = in_open3d(mesh).clip_plane(point, normal).to_legacy()
+    assert clipped.get_surface_area() == pytest.approx(peer.get_surface_area(), rel=1e-5)
+    np.testing.assert_allclose(
+        clipped.get_axis_aligned_bounding_box(), [peer.get_min_bound(), peer.get_max_bound()], atol=1e-6
+    )
+
+
+def test_slices_are_those_of_open3d():
+    box = TriangleMesh.create_box()
+    slices = box.slice_plane([0, 0.5, 0], [1, 1, 1])
+    peer = in_open3d(box).slice_plane([0, 0.5, 0], [1, 1, 1])
+    assert slices.lines.shape == tuple(peer.line.indices.shape)
+    assert lengths(slices).sum() == pytest.approx(lengths_of(peer).sum(), rel=1e-6)
+    several = SHAPES["ball"].slice_plane([0, 0, 0], [0, 0, 1], [-0.4, 0.05, 0.5])
+    peer = in_open3d(SHAPES["ball"]).slice_plane([0, 0, 0], [0, 0, 1], [-0.4, 0.05, 0.5])
+    assert lengths(several).sum() == pytest.approx(lengths_of(peer).sum(), rel=1e-5)
+
+
+def lengths(lines: LineSet):
+    ends = lines.points[lines.lines]
+    return np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1)
+
+
+def lengths_of(peer):
+    ends = peer.point.positions.numpy()[peer.line.indices.numpy()]
+    return np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1)
+
+
+# ------------------------------------------------------------------------------------------------ closed in, closed out
+
+
+@settings(max_examples=25, deadline=None)
+@given(
+    name=st.sampled_from(sorted(SHAPES)),
+    point=st.tuples(*[st.sampled_from([-0.5, 0.0, 0.1, 0.25, 0.5, 1.0])] * 3),
+    normal=st.tuples(*[st.integers(-2, 2)] * 3).filter(any),
+    is_far=st.booleans(),
+)
+def test_two_capped_halves_are_closed_and_fill_the_whole(name, point, normal, is_far):
+    mesh, place = SHAPES[name], np.array(point)
+    if is_far:
+        mesh, place = mesh.translate(FAR), place + FAR
+    halves = [mesh.clip_plane(place, way, cap=True) for way in (normal, np.negative(normal))]
+    assert all(half.is_watertight() for half in halves if len(half))
+    volumes = [half.get_volume() for half in halves if len(half)]
+    assert sum(volumes) == pytest.approx(mesh.get_volume(), rel=1e-5)
+    for half, way in zip(halves, (1, -1), strict=True):
+        heights = (half.vertices - place) @ np.array(normal) * way
+        assert (heights > -3e-6).all()
+
+
+@pytest.mark.parametrize("normal", [[0, 0, 1], [0, 0, -1]])
+def test_a_face_in_the_plane_belongs_to_what_stands_on_it(device, normal):
+    box = textured_box(device)
+    below, above = ([0, 0, 0], [0, 0, 1]) if normal[2] > 0 else ([0, 0, 1], [0, 0, 0])
+    whole, nothing = box.clip_plane(below, normal, cap=True), box.clip_plane(above, normal, cap=True)
+    assert len(nothing) == 0 and len(box.clip_plane(above, normal)) == 2  # without a lid what lies in the plane stays
+    np.testing.assert_array_equal(whole.triangle_attributes["row"], np.arange(12))  # and is no new lid
+
+
+def test_cavities_stay_cavities():
+    plane = ([0.0, 0.0, 0.1], [0.0, 0.2, 1.0])
+    halves = [hollow().clip_plane(plane[0], np.multiply(plane[1], way), cap=True) for way in (1, -1)]
+    assert all(half.is_watertight() for half in halves)
+    assert sum(half.get_volume() for half in halves) == pytest.approx(hollow().get_volume(), rel=1e-6)
+    assert [len(loop) > 8 for loop in hollow().section_loops(*plane)] == [True, True]
+
+
+def test_triangles_that_turn_any_way_get_a_lid_by_parity():
+    mesh = hollow(cavity_turned=False)
+    corners = mesh.triangles.copy()
+    corners[::3] = corners[::3, ::-1]
+    rough = TriangleMesh(mesh.vertices, corners).clip_plane([0, 0, 0.1], [0, 0, 1], cap=True)
+    topology = rough.edge_topology()
+    assert not topology.has_boundary and not topology.has_crowded_edge
+    whole = hollow().clip_plane([0, 0, 0.1], [0, 0, 1], cap=True)
+    assert rough.get_surface_area() == pytest.approx(whole.get_surface_area(), rel=1e-6)  # a ring, and no disc
+
+
+def test_an_open_mesh_is_cut_and_gets_no_lid():
+    ball = TriangleMesh.create_sphere(1.0, 8)
+    bowl = ball.remove_triangles_by_mask(ball.vertices[ball.triangles].mean(axis=1)[:, 0] > 0.3)
+    with pytest.warns(UserWarning, match="cap: 1 outlines are not closed"):
+        half = bowl.clip_plane([0, 0, 0.1], [0, 0, 1], cap=True)
+    assert len(half) == len(bowl.clip_plane([0, 0, 0.1], [0, 0, 1]))
+    [path] = bowl.section_loops([0, 0, 0.1], [0, 0, 1])
+    assert not (path[0] == path[-1]).all()
+
+
+def test_two_outlines_that_touch_at_a_vertex_are_two_loops():
+    corners = [[0, 0], [1, 1], [0, 1], [-1, -1], [0, -1]]
+    columns = np.array([[x, y, z] for z in (-1, 1) for x, y in corners], float)
+    walls = [(a, b, b + 5, a + 5) for a, b in ((0, 1), (1, 2), (2, 0), (0, 3), (3, 4), (4, 0))]
+    mesh = TriangleMesh(columns, [t for a, b, c, d in walls for t in ((a, b, c), (a, c, d))])
+    loops = mesh.section_loops([0, 0, 0], [0, 0, 1])
+    assert len(loops) == 2 and all((loop[0] == loop[-1]).all() for loop in loops)
+    areas = [np.cross(loop[:-1], loop[1:]).sum(axis=0)[2] / 2 for loop in loops]
+    np.testing.assert_allclose(areas, [0.5, 0.5], atol=1e-6)
+
+
+# ------------------------------------------------------------------------------------------------ what belongs to it
+
+
+def test_a_cut_takes_everything_along(device):
+    box = textured_box(device)
+    half = box.clip_plane([0.25, 0, 0], [1, 0, 0], cap=True)
+    np.testing.assert_allclose(half.vertex_attributes["place"], half.vertices, atol=1e-6)
+    np.testing.assert_allclose(half.vertex_colors, half.vertices, atol=1e-6)
+    np.testing.assert_allclose(np.linalg.norm(half.vertex_normals, axis=1), 1, atol=1e-6)
+    np.testing.assert_array_equal(half.triangle_material_ids, half.triangle_attributes["row"] // 2)
+    walls = np.abs((half.vertices[half.triangles] - 0.25)[:, :, 0]).max(axis=1) > 1e-6
+    # On a wall the texture is the linear function of the place that it was.
+    for row in np.unique(half.triangle_attributes["row"][walls]):
+        own = walls & (half.triangle_attributes["row"] == row)
+        system = np.c_[box.vertices[box.triangles[row]], np.ones(3)]
+        found, *_ = np.linalg.lstsq(system, box.triangle_uvs[3 * row : 3 * row + 3], rcond=None)
+        places = np.concatenate([np.c_[half.vertices[t], np.ones(3)] for t in half.triangles[own]])
+        uvs = half.triangle_uvs.reshape(-1, 3, 2)[own].reshape(-1, 2)
+        np.testing.assert_allclose(places @ found, uvs, atol=1e-6)
+
+
+def test_a_section_far_away_is_as_exact_as_at_home():
+    ball = SHAPES["ball"]
+    [near], [far] = (
+        ball.section_loops([0, 0, 0.3], [0, 0, 1]),
+        ball.translate(FAR).section_loops(FAR + np.array([0, 0, 0.3]), [0, 0, 1]),
+    )
+    np.testing.assert_allclose(far - FAR, near, atol=2e-7)
+
+
+def test_a_two_sided_wall_has_its_section():
+    box = TriangleMesh.create_box()
+    two_sided = TriangleMesh(box.vertices, np.r_[box.triangles, box.triangles[:, ::-1]])
+    assert lengths(two_sided.slice_plane([0, 0, 0.5], [0, 0, 1])).sum() == pytest.approx(4)
+    assert lengths(two_sided.slice_plane([0, 0, 0], [0, 0, 1])).sum() == pytest.approx(4)
+
+
+# ------------------------------------------------------------------------------------------------ edge cases
+
+
+def test_nothing_and_next_to_nothing_is_cut(device):
+    for corners in ([], [[0, 1, 2]], [[0, 0, 1]], [[0, 1, 2], [0, 1, 2], [1, 0, 2]]):
+        mesh = TriangleMesh([[0, 0, 0], [1, 0, 0], [0, 0, 1], [np.nan] * 3], corners, device=device)
+        for cap in (False, True) if not corners else (False,):
+            assert len(mesh.clip_plane([0.25, 0, 0], [1, 0, 0], cap=cap)) <= 2 * len(corners)
+        assert len(mesh.slice_plane([0.25, 0, 0], [1, 0, 0])) == (len(corners) > 0 and 2 in corners[0])
+    lost = TriangleMesh([[0, 0, 0], [1, 0, 0], [0, 0, np.nan]], [[0, 1, 2]], device=device)
+    assert len(lost.clip_plane([0, 0, 0], [0, 0, 1])) == 0
+
+
+@pytest.mark.parametrize(
+    ("point", "normal", "message"),
+    [
+        ([0, 0], [0, 0, 1], "point: expected shape"),
+        ([0, 0, 0], [0, 0, 0], "normal: expected a direction"),
+        ([0, 0, np.inf], [0, 0, 1], "point: expected finite"),
+    ],
+)
+def test_what_is_no_plane_is_refused(point, normal, message):
+    with pytest.raises(ValueError, match=message):
+        TriangleMesh.create_box().clip_plane(point, normal)
+    with pytest.raises(ValueError, match=message):
+        TriangleMesh.create_box().slice_plane(point, normal)
+
+
+def test_slice_plane_with_a_lid_is_the_clipped_mesh():
+    box = TriangleMesh.create_box()
+    sliced, clipped = (getattr(box, name)([0.5, 0, 0], [1, 0, 0], cap=True) for name in ("slice_plane", "clip_plane"))
+    np.testing.assert_array_equal(sliced.triangles, clipped.triangles)
