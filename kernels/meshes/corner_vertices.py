@@ -1,0 +1,222 @@
+"""Vertices made anew from corners: each set of corners is one vertex, whose row is that of its lowest earlier vertex.
+
+The first set at a vertex keeps its place in the order; those beyond come behind all, by their lowest corners. So a mesh
+whose vertices are what they were keeps their numbers. About 20 B a corner.
+"""
+
+from ..array_types import Indices, Integers, Triangles
+from ..arrays.prefix_sum import exclusive_scan
+from ..arrays.sort import positions
+from ..arrays.union_find import flatten_sets_kernel
+from ..lang import array, atomic_min, int32, kernel, launch, tid, vec3i
+from ..memory import empty, full, zeros
+from .clean_triangles import names_twice
+from .mesh_edges import find_edges, key_bits, run_places, unite_corners_kernel
+from .mesh_edits import mark_places
+from .mesh_topology import CornersByVertex, corner_vertex
+
+NONE = 2**31 - 1  # above all vertices and corners
+
+
+@kernel
+def find_lowest_vertices_kernel(triangles: array(dtype=vec3i), sets: array(dtype=int32), lowest: array(dtype=int32)):
+    """The lowest vertex of each set, at its lowest corner; a minimum is the same in any order."""
+    i = tid()
+    atomic_min(lowest, sets[i], corner_vertex(triangles, i))
+
+
+@kernel
+def find_first_sets_kernel(sets: array(dtype=int32), lowest: array(dtype=int32), firsts: array(dtype=int32)):
+    """The lowest set at each vertex; a minimum is the same in any order."""
+    i = tid()
+    if sets[i] == i:
+        atomic_min(firsts, lowest[i], i)
+
+
+@kernel
+def mark_first_sets_kernel(firsts: array(dtype=int32), used: array(dtype=int32)):
+    """1 for vertices that a set has as its lowest."""
+    i = tid()
+    used[i] = 1 if firsts[i] != NONE else 0
+
+
+@kernel
+def mark_further_sets_kernel(
+    sets: array(dtype=int32), lowest: array(dtype=int32), firsts: array(dtype=int32), further: array(dtype=int32)
+):
+    """1 at the lowest corner of sets at a vertex that another set has already."""
+    i = tid()
+    mark = 0
+    if sets[i] == i:
+        if firsts[lowest[i]] != i:
+            mark = 1
+    further[i] = mark
+
+
+@kernel
+def write_rows_kernel(
+    sets: array(dtype=int32),
+    lowest: array(dtype=int32),
+    firsts: array(dtype=int32),
+    places: array(dtype=int32),
+    kept: int,
+    further: array(dtype=int32),
+    numbers: array(dtype=int32),
+    rows: array(dtype=int32),
+):
+    """The number of each set, at its lowest corner, and the earlier vertex that it takes its row from."""
+    i = tid()
+    if sets[i] == i:
+        v = lowest[i]
+        number = places[v]
+        if firsts[v] != i:
+            number = kept + further[i]
+        numbers[i] = number
+        rows[number] = v
+
+
+@kernel
+def name_corners_kernel(sets: array(dtype=int32), numbers: array(dtype=int32), named: array(dtype=vec3i)):
+    """Triangles of the vertices that their corners' sets have become."""
+    i = tid()
+    named[i] = vec3i(numbers[sets[3 * i]], numbers[sets[3 * i + 1]], numbers[sets[3 * i + 2]])
+
+
+class CornerVertices:
+    """The vertices that sets of corners make.
+
+    Args:
+        triangles: vec3i [t].
+        vertex_count: Vertices there are.
+        sets: int32 [3 t], the lowest corner of each one's set.
+
+    Attributes:
+        triangles: vec3i [t], by the new vertices.
+        rows: int32, the earlier vertex that each new one takes its row from.
+        kept: How many of them are the first set of theirs; the others stand behind.
+    """
+
+    def __init__(self, triangles: Triangles, vertex_count: int, sets: Indices) -> None:
+        device, corners = triangles.device, sets.size
+        lowest, firsts = full(corners, NONE, int32, device), full(vertex_count, NONE, int32, device)
+        launch(find_lowest_vertices_kernel, corners, [triangles, sets, lowest])
+        launch(find_first_sets_kernel, corners, [sets, lowest, firsts])
+        used, further = empty(vertex_count, int32, device), empty(corners, int32, device)
+        launch(mark_first_sets_kernel, vertex_count, [firsts, used])
+        launch(mark_further_sets_kernel, corners, [sets, lowest, firsts, further])
+        places, self.kept = exclusive_scan(used)  # sync
+        behind, count = exclusive_scan(further)  # sync
+        numbers, self.rows = zeros(corners, int32, device), empty(self.kept + count, int32, device)
+        launch(write_rows_kernel, corners, [sets, lowest, firsts, places, self.kept, behind, numbers, self.rows])
+        self.triangles = empty(triangles.size, vec3i, device)
+        launch(name_corners_kernel, triangles.size, [sets, numbers, self.triangles])
+
+
+@kernel
+def keep_sets_kernel(
+    sets: array(dtype=int32), rows: array(dtype=int32), places: array(dtype=int32), kept: array(dtype=int32)
+):
+    """The sets of the corners of kept triangles, by their new numbers; one thread a corner."""
+    i = tid()
+    corner = sets[3 * rows[i // 3] + i % 3]
+    kept[i] = 3 * places[corner // 3] + corner % 3
+
+
+def keep_sets(sets: Indices, rows: Indices) -> Integers:
+    """The sets of the corners of the triangles at ascending rows, none of which shares one with another triangle."""
+    kept = empty(3 * rows.size, int32, sets.device)
+    _, places = mark_places(rows, sets.size // 3)
+    launch(keep_sets_kernel, kept.size, [sets, rows, places, kept])
+    return kept
+
+
+@kernel
+def drop_folded_corners_kernel(triangles: array(dtype=vec3i), around: CornersByVertex, fans: array(dtype=int32)):
+    """Corners of triangles that name a vertex twice go with the first fan there; one thread a vertex."""
+    i = tid()
+    first = NONE
+    for j in range(around.starts[i], around.starts[i + 1]):
+        corner = around.corners[j]
+        if names_twice(triangles[corner // 3]) == 0:
+            first = min(first, fans[corner])
+    if first != NONE:
+        for j in range(around.starts[i], around.starts[i + 1]):
+            corner = around.corners[j]
+            if names_twice(triangles[corner // 3]) == 1:
+                fans[corner] = first
+
+
+@kernel
+def take_fans_kernel(
+    triangles: array(dtype=vec3i),
+    fans: array(dtype=int32),
+    firsts: array(dtype=int32),
+    numbers: array(dtype=int32),
+    vertex_count: int,
+    split: array(dtype=vec3i),
+):
+    """Triangles by the vertex of each corner's fan."""
+    i = tid()
+    t = triangles[i]
+    for k in range(3):
+        fan = fans[3 * i + k]
+        if firsts[t[k]] != fan:
+            t[k] = vertex_count + numbers[fan]
+    split[i] = t
+
+
+@kernel
+def find_first_fans_kernel(triangles: array(dtype=vec3i), fans: array(dtype=int32), firsts: array(dtype=int32)):
+    """The fan with the lowest corner at each vertex; a minimum is the same in any order."""
+    i = tid()
+    atomic_min(firsts, corner_vertex(triangles, i), fans[i])
+
+
+@kernel
+def mark_further_fans_kernel(
+    triangles: array(dtype=vec3i), fans: array(dtype=int32), firsts: array(dtype=int32), further: array(dtype=int32)
+):
+    """1 at the lowest corner of the other fans."""
+    i = tid()
+    v = corner_vertex(triangles, i)
+    further[i] = 1 if fans[i] == i and firsts[v] != i else 0
+
+
+@kernel
+def list_fan_rows_kernel(
+    triangles: array(dtype=vec3i),
+    further: array(dtype=int32),
+    numbers: array(dtype=int32),
+    vertex_count: int,
+    rows: array(dtype=int32),
+):
+    """Each vertex by itself, then that of each further fan; one thread a vertex or corner."""
+    i = tid()
+    if i < vertex_count:
+        rows[i] = i
+    else:
+        corner = i - vertex_count
+        if further[corner] == 1:
+            rows[vertex_count + numbers[corner]] = corner_vertex(triangles, corner)
+
+
+def split_fans(triangles: Triangles, vertex_count: int) -> tuple[Triangles, Indices]:
+    """A vertex for each fan of triangles that hang together by edges at it.
+
+    Returns:
+        (triangles, rows): vec3i [t], and the earlier vertex of each, int32: all that there are, then the new ones.
+    """
+    device, corners = triangles.device, 3 * triangles.size
+    edges, fans = find_edges(triangles, vertex_count), positions(corners, device)  # sync
+    places = run_places(edges, corners)
+    launch(unite_corners_kernel, corners, [triangles, edges, key_bits(vertex_count), places, fans])
+    launch(flatten_sets_kernel, corners, [fans])
+    launch(drop_folded_corners_kernel, vertex_count, [triangles, CornersByVertex(triangles, vertex_count), fans])
+    firsts, further = full(vertex_count, NONE, int32, device), empty(corners, int32, device)
+    launch(find_first_fans_kernel, corners, [triangles, fans, firsts])
+    launch(mark_further_fans_kernel, corners, [triangles, fans, firsts, further])
+    numbers, count = exclusive_scan(further)  # sync
+    rows, split = empty(vertex_count + count, int32, device), empty(triangles.size, vec3i, device)
+    launch(list_fan_rows_kernel, vertex_count + corners, [triangles, further, numbers, vertex_count, rows])
+    launch(take_fans_kernel, triangles.size, [triangles, fans, firsts, numbers, vertex_count, split])
+    return split, rows

@@ -1,0 +1,116 @@
+"""Which closed parts of a mesh lie within which, and so which way each should look."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...kernels.array_types import Points, Triangles
+from ...kernels.arrays.sort import positions
+from ...kernels.lang import float64, int32, vec3
+from ...kernels.memory import download, upload, zeros
+from ...kernels.meshes.mesh_edits import gather_triangles
+from ...kernels.rays.triangle_tree import TriangleTree
+from ...kernels.rays.winding_numbers import Dipoles, add_winding_numbers
+
+SAMPLES = 3  # points of a part, of which most have to lie within another
+INWARDS = 1.0e-4  # of the size of a triangle: how far behind it its point lies, so that parts may touch
+
+
+@dataclass(frozen=True)
+class Parts:
+    """The parts of a mesh, p of them.
+
+    Attributes:
+        labels: Which one each triangle belongs to, int [t].
+        closed: Whether it has no border and can be wound alike, bool [p].
+        sides: Its signed volume, float64 [p]: above 0 where it looks outwards.
+    """
+
+    labels: NDArray[np.int64]
+    closed: NDArray[np.bool_]
+    sides: NDArray[np.float64]
+
+
+def find_enclosing(vertices: Points, triangles: Triangles, parts: Parts) -> dict[int, list[int]]:
+    """The closed parts that each closed part lies within, ascending; parts that lie within none are left out.
+
+    A part lies within another where its box does and two of three points close behind its largest triangles have a
+    winding number about the other of more than a half.
+    """
+    inner = np.flatnonzero(parts.closed & (parts.sides != 0))
+    if len(inner) < 2:
+        return {}
+    points, corners = download(vertices).reshape(-1, 3), download(triangles).reshape(-1, 3)  # sync
+    order = np.argsort(parts.labels, kind="stable")
+    starts = np.searchsorted(parts.labels[order], np.arange(len(parts.closed) + 1))
+    low, high = (pick.reduceat(pick.reduce(points[corners], axis=1)[order], starts[:-1]) for pick in
+                 (np.minimum, np.maximum))  # fmt: skip
+    by_x = inner[np.argsort(low[inner, 0], kind="stable")]
+    enclosing: dict[int, list[int]] = {}
+    for outer in inner.tolist():
+        begin, end = np.searchsorted(low[by_x, 0], [low[outer, 0], high[outer, 0]], side="left")
+        near = by_x[begin : max(begin, end)]
+        near = near[(near != outer) & (low[near] >= low[outer]).all(axis=1) & (high[near] <= high[outer]).all(axis=1)]
+        if not len(near):
+            continue
+        rows = [order[starts[part] : starts[part + 1]] for part in near.tolist()]
+        queries = np.concatenate([
+            _points_behind(points, corners[own], parts.sides[part]) for part, own in zip(near, rows, strict=True)
+        ])  # fmt: skip
+        own = upload(order[starts[outer] : starts[outer + 1]].astype(np.int32), int32, triangles.device)
+        numbers = _winding_numbers(vertices, gather_triangles(triangles, own), queries)
+        within = (np.abs(numbers) > 0.5).reshape(-1, SAMPLES).sum(axis=1) * 2 > SAMPLES
+        for part in near[within].tolist():
+            enclosing.setdefault(part, []).append(outer)
+    return enclosing
+
+
+def choose_sides(parts: Parts, enclosing: dict[int, list[int]], kept: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    """Which parts are to be turned over, bool [p].
+
+    Parts within none look outwards. One within others that was wound alike as it was given keeps its side towards the
+    one around it, so what was a hollow stays one, and solid in solid stays that; unless behind it there would be less
+    than nothing. One that was not looks inwards or outwards by how many lie around it.
+
+    Args:
+        parts: The parts.
+        enclosing: Of `find_enclosing`.
+        kept: bool [p], whether it was wound alike as it was given.
+    """
+    turned, signs = np.zeros(len(parts.closed), np.bool_), np.sign(parts.sides)
+    depths = {part: len(enclosing.get(part, ())) for part in np.flatnonzero(parts.closed).tolist()}
+    for part in sorted(depths, key=lambda p: (depths[p], p)):
+        around = enclosing.get(part, [])
+        if not around:
+            turn = signs[part] < 0
+        elif not kept[part]:
+            turn = signs[part] * (-1) ** depths[part] < 0
+        else:
+            next_one = max(around, key=lambda p: (depths.get(p, 0), -p))
+            turn = bool(turned[next_one] and kept[next_one])
+            behind = sum(signs[p] * (-1 if turned[p] else 1) for p in around) + signs[part] * (-1 if turn else 1)
+            turn = not turn if behind < 0 else turn
+        turned[part] = turn
+    return turned
+
+
+def _points_behind(points: NDArray[np.float32], corners: NDArray[np.int32], side: float) -> NDArray[np.float64]:
+    """Points close behind the largest triangles of a part that looks outwards, else before them; [SAMPLES, 3]."""
+    a, b, c = points[corners].astype(np.float64).transpose(1, 0, 2)
+    cross = np.cross(b - a, c - a)
+    sizes = np.linalg.norm(cross, axis=1)
+    rows = np.resize(np.argsort(-sizes, kind="stable")[:SAMPLES], SAMPLES)
+    normals = cross[rows] / np.maximum(sizes[rows], np.finfo(float).tiny)[:, None]
+    way = np.sqrt(sizes[rows])[:, None] * (INWARDS if side > 0 else -INWARDS)
+    return (a[rows] + b[rows] + c[rows]) / 3 - normals * way
+
+
+def _winding_numbers(vertices: Points, triangles: Triangles, queries: NDArray[np.float64]) -> NDArray[np.float64]:
+    device = vertices.device
+    dipoles, numbers = Dipoles(TriangleTree(vertices, triangles)), zeros(len(queries), float64, device)
+    places = upload(queries.astype(np.float32), vec3, device)
+    add_winding_numbers(dipoles, places, positions(len(queries), device), numbers)
+    return download(numbers).copy()  # sync

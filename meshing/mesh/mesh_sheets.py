@@ -1,0 +1,138 @@
+"""Any triangles made sheets: no edge of more than two, no vertex of more than one fan, nothing twice."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, Generic, TypeVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...kernels.array_types import Indices, Mask, Triangles
+from ...kernels.arrays.select import gather_rows, positions_of
+from ...kernels.arrays.sort import positions
+from ...kernels.arrays.subsets import other_rows
+from ...kernels.lang import int32, uint8
+from ...kernels.memory import download, upload
+from ...kernels.meshes import clean_triangles, merge_vertices
+from ...kernels.meshes.copies import find_copies
+from ...kernels.meshes.corner_vertices import CornerVertices, keep_sets
+from ...kernels.meshes.mesh_edits import count_referenced, gather_triangles
+from ...kernels.meshes.sheets import Sheets, mask_loose
+from .covered_parts import Copies, find_covered, find_doubled
+from .mesh_cleaning import MeshCleaning
+
+MeshType = TypeVar("MeshType", bound=MeshCleaning)
+
+
+@dataclass(frozen=True)
+class Stitched(Generic[MeshType]):
+    """A mesh of sheets, and what became of the triangles and vertices of the one that it was made of.
+
+    Attributes:
+        mesh: The mesh.
+        degenerate: Triangles that named a vertex, or a position, twice.
+        copies: Triangles that were copies of others, of either side.
+        copied_area: The area of these [m^2].
+        crowding: Triangles that found no place where more than two met.
+        merged: Vertices that became one with another.
+        split: Vertices added where sheets came apart.
+        unused: Vertices that no triangle uses.
+    """
+
+    mesh: MeshType
+    degenerate: int
+    copies: int
+    copied_area: float
+    crowding: int
+    merged: int
+    split: int
+    unused: int
+
+
+def cut_and_stitch(mesh: MeshType) -> Stitched[MeshType]:
+    """Make sheets of finite triangles: cut at edges of more than two, stitched in pairs; see kernels/meshes/sheets.py.
+
+    Closed parts that are wound alike stay as they are. Of all others what names a position twice goes, and what
+    repeats an earlier triangle. Then parts go that are copies of others, and single triangles without a partner at an
+    edge of more than two.
+    """
+    clean = mesh.remove_degenerate_triangles()
+    vertices, triangles = clean.device_arrays["vertices"], clean.device_arrays["triangles"]
+    owners = merge_vertices.find_equal_vertices(vertices)
+    placed = merge_vertices.rename_corners(triangles, owners, positions(vertices.size, vertices.device))
+    loose = mask_loose(triangles, vertices.size)
+    folded, repeated = _find_worthless(clean, placed, loose)
+    copied_area = _area_of(clean, repeated)
+    kept = other_rows(_joined(folded, repeated), triangles.size)
+    clean = clean.with_arrays(**clean.triangles_at(kept))
+    placed, loose = gather_triangles(placed, kept), gather_rows(loose, kept)
+
+    sheets = Sheets(vertices, clean.device_arrays["triangles"], placed, loose)
+    covered, crowding = _find_parts_to_drop(clean, sheets, placed, loose)
+    copied_area += _area_of(clean, covered)
+    kept = other_rows(_joined(covered, crowding), placed.size)
+    sets = keep_sets(sheets.corner_sets(), kept)
+    clean = clean.with_arrays(**clean.triangles_at(kept))
+    used = count_referenced(clean.device_arrays["triangles"], vertices.size)
+    found = CornerVertices(clean.device_arrays["triangles"], vertices.size, sets)
+    rows: dict[str, Any] = {name: gather_rows(values, found.rows) for name, values in clean._per_vertex().items()}
+    sewn = clean.with_arrays(triangles=found.triangles, **rows)
+    whole = sewn.remove_non_manifold_edges()  # where one fan has an edge twice
+    return Stitched(
+        mesh=whole,
+        degenerate=len(mesh) - triangles.size + folded.size,
+        copies=repeated.size + covered.size,
+        copied_area=copied_area,
+        crowding=crowding.size + len(sewn) - len(whole),
+        merged=used - found.kept,
+        split=found.rows.size - found.kept,
+        unused=vertices.size - used,
+    )
+
+
+def _find_worthless(mesh: MeshCleaning, placed: Triangles, loose: Mask) -> tuple[Indices, Indices]:
+    """(rows that name a position twice, rows that repeat an earlier triangle) among the loose ones."""
+    rows = positions_of(loose)  # sync
+    own = gather_triangles(placed, rows)
+    vertices = mesh.device_arrays["vertices"]
+    folded = positions_of(clean_triangles.mask_degenerate(vertices, own, zero_area=False))  # sync
+    rest = other_rows(folded, rows.size)
+    again = positions_of(clean_triangles.mask_repeats(gather_triangles(own, rest), vertices.size))  # sync
+    return gather_rows(rows, folded), gather_rows(rows, gather_rows(rest, again))
+
+
+def _find_parts_to_drop(mesh: MeshCleaning, sheets: Sheets, placed: Triangles, loose: Mask) -> tuple[Indices, Indices]:
+    """(rows of parts that are copies of others, rows of single triangles that found no partner)."""
+    count, device = placed.size, placed.device
+    classes, class_count = find_copies(placed, mesh.device_arrays["vertices"].size)  # sync
+    covered = np.zeros(count, np.bool_)
+    if class_count < count:
+        names = download(sheets.parts())  # sync
+        copies = Copies(download(classes), download(placed).reshape(-1, 3))  # sync
+        doubled = find_doubled(copies, names, download(loose) != 0)  # sync
+        if doubled.any():
+            sheets.part_copies(upload(doubled, uint8, device))
+            names = download(sheets.parts())  # sync
+        covered = find_covered(mesh, copies, names, download(sheets.twins))  # sync
+    crowding = download(sheets.crowding) != 0  # sync
+    if crowding.any():
+        names = download(sheets.parts())  # sync
+        crowding &= np.bincount(names, minlength=count)[names] == 1
+    return _rows_of(covered, device), _rows_of(crowding & ~covered, device)
+
+
+def _rows_of(mask: NDArray[np.bool_], device: Any) -> Indices:
+    return upload(np.flatnonzero(mask).astype(np.int32), int32, device)
+
+
+def _joined(first: Indices, second: Indices) -> Indices:
+    """Two lists of rows as one."""
+    if not first.size or not second.size:
+        return first if first.size else second
+    return upload(np.concatenate([download(first), download(second)]), int32, first.device)  # sync
+
+
+def _area_of(mesh: MeshCleaning, rows: Indices) -> float:
+    """The area [m^2] of some triangles."""
+    return mesh.with_arrays(**mesh.triangles_at(rows)).get_surface_area() if rows.size else 0.0
