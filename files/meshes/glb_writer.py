@@ -5,7 +5,8 @@ Positions are float32 about the node's translation, so that coordinates far from
 coordinates at vertices: a vertex whose corners have several is written several times. Triangles come in the order of
 their materials. An attribute NAME is written as _NAME, in its own type where glTF has it (float32, and whole numbers of
 up to 16 bits), else as float32 where that holds each value exactly; "alpha" beside colours is that of COLOR_0. Not
-held: other attributes and those of triangles (refused), material numbers of a mesh that has no textures, NaN.
+held: other attributes and those of triangles (left out with a warning), material numbers of a mesh that has no
+textures, NaN.
 
 Source: Khronos, "glTF 2.0 Specification".
 """
@@ -15,7 +16,8 @@ from __future__ import annotations
 import json
 import os
 import struct
-from dataclasses import dataclass
+import warnings
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 from urllib.parse import quote
@@ -47,9 +49,12 @@ def write_glb(path: str | os.PathLike[str], mesh: MeshTable, *, overwrite: bool 
         overwrite: Whether an existing file may be replaced.
 
     Raises:
-        FileError: The place cannot be written, the mesh has attributes that glTF cannot hold or no triangles, a value
-            is not finite in float32, or the file would pass 4 GiB.
+        FileError: The place cannot be written, the mesh has no triangles, a value is not finite in float32, or the
+            file would pass 4 GiB.
         ValueError: An array of the mesh has the wrong shape, or a triangle names a missing vertex or texture.
+
+    Warns:
+        UserWarning: The mesh has attributes that glTF cannot hold; they are left out.
     """
     path = check_writable(path, overwrite=overwrite)
     scene = _scene_of(path, mesh)
@@ -86,9 +91,12 @@ def write_gltf(path: str | os.PathLike[str], mesh: MeshTable, *, overwrite: bool
         file.write(text)
 
 
-def unstorable_in_gltf(mesh: MeshTable) -> list[str]:
-    """The names of attributes at vertices that glTF cannot hold."""
-    return [name for name, values in mesh.attributes.items() if _column_of(values) is None]
+def held_by_gltf(mesh: MeshTable) -> tuple[MeshTable, list[str]]:
+    """The part of a mesh that glTF holds, and the names of the rest: attributes that it has no type for, or that are
+    of triangles."""
+    held = {name: values for name, values in mesh.attributes.items() if _column_of(np.asarray(values)) is not None}
+    left_out = [name for name in mesh.attributes if name not in held] + [*mesh.triangle_attributes]
+    return replace(mesh, attributes=held, triangle_attributes={}), left_out
 
 
 @dataclass
@@ -102,10 +110,10 @@ class _Scene:
 
 def _scene_of(path: Path, mesh: MeshTable) -> _Scene:
     mesh = mesh.checked()
-    unstorable = unstorable_in_gltf(mesh) + [f"{name} of triangles" for name in mesh.triangle_attributes]
-    if unstorable:
-        reason = f"glTF cannot hold the attributes {', '.join(unstorable)}"
-        raise FileError(path, reason, remedy="Write .ply, convert them to float32, or drop them first")
+    mesh, left_out = held_by_gltf(mesh)
+    if left_out:
+        message = f"{path}: {', '.join(left_out)} left out, since glTF cannot hold that; .ply holds everything"
+        warnings.warn(message, UserWarning, stacklevel=4)
     if not len(mesh.triangles):
         raise FileError(path, "GLB cannot hold a mesh without triangles", remedy="Write .ply")
     with quiet():

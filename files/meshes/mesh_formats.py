@@ -16,7 +16,7 @@ from ..points.ply import read_ply_mesh, write_ply_mesh
 from ..source import netted
 from ..table import MeshTable
 from .glb import read_glb
-from .glb_writer import write_glb, write_gltf
+from .glb_writer import held_by_gltf, write_glb, write_gltf
 from .obj import read_obj, write_obj
 from .off import read_off, write_off
 from .stl import read_stl, write_stl
@@ -27,6 +27,11 @@ _READERS: dict[str, Callable[..., MeshTable]] = {
 
 #: The readers by extension; whatever a file's content makes them raise is a FileError.
 MESH_READERS = {extension: netted(reader) for extension, reader in _READERS.items()}
+
+#: The part of a mesh that each format holds, and the names of the rest.
+UNHELD: dict[str, Callable[[MeshTable], tuple[MeshTable, list[str]]]] = {
+    ".glb": held_by_gltf, ".gltf": held_by_gltf,
+}  # fmt: skip
 
 _WRITERS: dict[str, Callable[..., None]] = {
     ".obj": write_obj, ".stl": write_stl, ".off": write_off, ".glb": write_glb, ".gltf": write_gltf,
