@@ -231,22 +231,29 @@ def check_list(name: str, values: Any, of: str) -> list[Any]:
 
 
 def check_textures(name: str, values: Any) -> tuple[NDArray[np.uint8], ...]:
-    """Pictures for textures, read-only copies.
+    """Pictures for textures, read-only: the arrays themselves where nothing can change them, else copies.
+
+    A picture that stands there several times is copied once and shared.
 
     Raises:
         TypeError: Not a list of arrays.
         ValueError: A picture that is not uint8 of shape [height, width, 3 or 4], or has no pixels.
     """
-    pictures = []
-    for number, value in enumerate(check_list(name, values, "pictures")):
+    given = check_list(name, values, "pictures")
+    taken: dict[int, NDArray[np.uint8]] = {}
+    for number, value in enumerate(given):
+        if id(value) in taken:
+            continue
         picture = check_numeric(f"{name}[{number}]", value)
         if picture.dtype != np.uint8 or picture.ndim != 3 or picture.shape[2] not in (3, 4) or not picture.size:
             raise ValueError(
                 f"{name}[{number}]: expected uint8 [height, width, 3 or 4], got {picture.dtype} {list(picture.shape)}"
             )
-        pictures.append(picture.copy())
-        pictures[-1].flags.writeable = False
-    return tuple(pictures)
+        if type(picture) is not np.ndarray or picture.flags.writeable or not picture.flags.owndata:
+            picture = np.array(picture)
+            picture.flags.writeable = False
+        taken[id(value)] = picture
+    return tuple(taken[id(value)] for value in given)
 
 
 def check_name(name: str, value: Any) -> str:

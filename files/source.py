@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+import contextlib
+import functools
 import mmap
 import os
 import stat
+from collections.abc import Callable, Iterator
 from pathlib import Path
-from typing import Any
+from typing import Any, ParamSpec, TypeVar
 
-from ..core.errors import FileError
+from ..core.errors import FileError, PointloomError
 
 # A header without an end would otherwise be searched through gigabytes of payload; real ones stay below 100 KiB.
 MAX_HEADER_BYTES = 1 << 20
@@ -17,6 +20,39 @@ MAX_HEADER_BYTES = 1 << 20
 _MAX_DIGITS = 19
 
 Source = bytes | mmap.mmap
+
+_Given = ParamSpec("_Given")
+_Table = TypeVar("_Table")
+
+
+@contextlib.contextmanager
+def content_errors(path: Any) -> Iterator[None]:
+    """Turn what the content of a file makes our own code and NumPy raise into a FileError that names the file.
+
+    The readers say themselves what is wrong and where; this is the net below them. A bug shows as it is: an IndexError
+    or a TypeError passes.
+    """
+    try:
+        yield
+    except PointloomError:
+        raise
+    except MemoryError as error:
+        remedy = "Part it into smaller files, or read it on a machine with more"
+        raise FileError(path, "needs more memory than there is", remedy=remedy) from error
+    except (ValueError, ArithmeticError, RecursionError) as error:
+        reason = str(error).split("\n")[0] or type(error).__name__
+        raise FileError(path, f"cannot be read: {reason}"[:300]) from error
+
+
+def netted(reader: Callable[_Given, _Table]) -> Callable[_Given, _Table]:
+    """A reader whose first argument is the path, above `content_errors`."""
+
+    @functools.wraps(reader)
+    def read(*args: _Given.args, **kwargs: _Given.kwargs) -> _Table:
+        with content_errors(args[0]):
+            return reader(*args, **kwargs)
+
+    return read
 
 
 def open_source(path: str | os.PathLike[str]) -> Source:

@@ -1,8 +1,12 @@
-"""A mesh as GLB (glTF 2.0): one node, one mesh, a primitive for each of its textures, pictures as PNG inside.
+"""A mesh as glTF 2.0: one node, one mesh, a primitive for each of its textures.
 
+A GLB holds all in one file, pictures as PNG inside; beside m.gltf, which is text, lie m.bin and m_0.png, m_1.png, ...
 Positions are float32 about the node's translation, so that coordinates far from zero stay exact. glTF has texture
 coordinates at vertices: a vertex whose corners have several is written several times. Triangles come in the order of
-their materials. Not held: attributes (refused), material numbers of a mesh that has no textures, NaN.
+their materials. An attribute NAME is written as _NAME, in its own type where glTF has it (float32, and whole numbers of
+up to 16 bits), else as float32 where that holds each value exactly; "alpha" beside colours is that of COLOR_0. Not
+held: other attributes and those of triangles (left out with a warning), material numbers of a mesh that has no
+textures, NaN.
 
 Source: Khronos, "glTF 2.0 Specification".
 """
@@ -12,7 +16,11 @@ from __future__ import annotations
 import json
 import os
 import struct
+import warnings
+from dataclasses import dataclass, replace
+from pathlib import Path
 from typing import Any
+from urllib.parse import quote
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,11 +29,15 @@ from ...core.atomic import atomic_write, check_writable
 from ...core.coordinates import quiet, split_origin
 from ...core.errors import FileError
 from ..pictures.image_files import encode_png
+from ..pictures.texture_files import derived_name, picture_names, write_with
 from ..table import MeshTable
 from .glb_container import BINARY_CHUNK, JSON_CHUNK, MAGIC
+from .gltf_arrays import COMPONENTS
+from .gltf_primitives import ALPHA
 
-_FLOAT, _UINT = 5126, 5125
 _VERTEX_TARGET, _INDEX_TARGET = 34962, 34963
+_CODES = {np.dtype(code): number for number, code in COMPONENTS.items()}
+_MOST_WIDTH = 4
 
 
 def write_glb(path: str | os.PathLike[str], mesh: MeshTable, *, overwrite: bool = True) -> None:
@@ -37,33 +49,114 @@ def write_glb(path: str | os.PathLike[str], mesh: MeshTable, *, overwrite: bool 
         overwrite: Whether an existing file may be replaced.
 
     Raises:
-        FileError: The place cannot be written, the mesh has attributes or no triangles, a value is not finite in
-            float32, or the file would pass 4 GiB.
+        FileError: The place cannot be written, the mesh has no triangles, a value is not finite in float32, or the
+            file would pass 4 GiB.
         ValueError: An array of the mesh has the wrong shape, or a triangle names a missing vertex or texture.
+
+    Warns:
+        UserWarning: The mesh has attributes that glTF cannot hold; they are left out.
     """
     path = check_writable(path, overwrite=overwrite)
+    scene = _scene_of(path, mesh)
+    images = [{"bufferView": scene.body.add_bytes(encode_png(each)), "mimeType": "image/png"} for each in scene.images]
+    text = _text(scene, images, {})
+    text += b" " * (-len(text) % 4)
+    body = bytes(scene.body.data)
+    length = 12 + 8 + len(text) + 8 + len(body)
+    if length >= 2**32:
+        raise FileError(path, f"GLB ends at 4 GiB, and the mesh takes {length} bytes", remedy="Write .ply")
+    with atomic_write(path, overwrite=overwrite) as file:
+        file.write(MAGIC + struct.pack("<II", 2, length) + struct.pack("<II", len(text), JSON_CHUNK) + text)
+        file.write(struct.pack("<II", len(body), BINARY_CHUNK))
+        file.write(body)
+
+
+def write_gltf(path: str | os.PathLike[str], mesh: MeshTable, *, overwrite: bool = True) -> None:
+    """Write a triangle mesh as glTF: text, with its numbers as m.bin and its pictures as m_0.png, ... beside m.gltf.
+
+    Args:
+        path: The file; it appears whole or not at all, and so do those beside it, before it does.
+        mesh: The mesh.
+        overwrite: Whether existing files may be replaced.
+
+    Raises:
+        FileError: As `write_glb`.
+        ValueError: As `write_glb`.
+    """
+    path = check_writable(path, overwrite=overwrite)
+    scene, name = _scene_of(path, mesh), derived_name(path, ".bin")
+    beside: dict[str, Any] = dict(zip(picture_names(path, len(scene.images)), scene.images, strict=True))
+    text = _text(scene, [{"uri": quote(picture)} for picture in beside], {"uri": quote(name)})
+    with write_with(path, {name: bytes(scene.body.data), **beside}, overwrite=overwrite) as file:
+        file.write(text)
+
+
+def held_by_gltf(mesh: MeshTable) -> tuple[MeshTable, list[str]]:
+    """The part of a mesh that glTF holds, and the names of the rest: attributes that it has no type for, or that are
+    of triangles."""
+    held = {name: values for name, values in mesh.attributes.items() if _column_of(np.asarray(values)) is not None}
+    left_out = [name for name in mesh.attributes if name not in held] + [*mesh.triangle_attributes]
+    return replace(mesh, attributes=held, triangle_attributes={}), left_out
+
+
+@dataclass
+class _Scene:
+    """What is to be written: the JSON but for buffers and images, the arrays, and each picture once."""
+
+    content: dict[str, Any]
+    body: _Body
+    images: list[NDArray[np.uint8]]
+
+
+def _scene_of(path: Path, mesh: MeshTable) -> _Scene:
     mesh = mesh.checked()
-    if mesh.attributes:
-        reason = f"GLB cannot hold the attributes {', '.join(mesh.attributes)}"
-        raise FileError(path, reason, remedy="Write .ply, or drop them first")
+    mesh, left_out = held_by_gltf(mesh)
+    if left_out:
+        message = f"{path}: {', '.join(left_out)} left out, since glTF cannot hold that; .ply holds everything"
+        warnings.warn(message, UserWarning, stacklevel=4)
     if not len(mesh.triangles):
         raise FileError(path, "GLB cannot hold a mesh without triangles", remedy="Write .ply")
     with quiet():
         positions, origin = split_origin(mesh.vertices)
     rows, corners, uvs = _split_seams(mesh)
-    arrays = {"POSITION": positions, "NORMAL": mesh.vertex_normals, "COLOR_0": mesh.vertex_colors}
-    columns = {name: values[rows] for name, values in arrays.items() if values is not None}
+    columns = {name: values[rows] for name, values in _columns(mesh, positions).items()}
     if uvs is not None:
         columns["TEXCOORD_0"] = np.stack([uvs[:, 0], 1 - uvs[:, 1]], axis=1)  # glTF's v runs down
     for name, values in columns.items():
-        if not np.isfinite(values).all():
+        if values.dtype.kind == "f" and not np.isfinite(values).all():
             row = int(rows[np.flatnonzero(~np.isfinite(values).all(axis=1))[0]])
             raise FileError(path, f"{name}: GLB cannot hold NaN or infinite values", where=f"vertex {row}")
-    data = _assemble(columns, corners, mesh, origin)
-    if len(data) >= 2**32:
-        raise FileError(path, f"GLB ends at 4 GiB, and the mesh takes {len(data)} bytes", remedy="Write .ply")
-    with atomic_write(path, overwrite=overwrite) as file:
-        file.write(data)
+    return _assemble(columns, corners, mesh, origin)
+
+
+def _columns(mesh: MeshTable, positions: NDArray[Any]) -> dict[str, NDArray[Any]]:
+    """The values at vertices by their names in the file, shape [m, c]."""
+    colors, attributes = mesh.vertex_colors, dict(mesh.attributes)
+    if colors is not None and ALPHA in attributes:
+        alpha = attributes[ALPHA]
+        if alpha.ndim == 1 and alpha.dtype.kind == "f" and ((alpha >= 0) & (alpha <= 1)).all():
+            colors = np.column_stack([colors, attributes.pop(ALPHA)]).astype(np.float32)
+    found = {"POSITION": positions, "NORMAL": mesh.vertex_normals, "COLOR_0": colors}
+    found |= {f"_{name}": _column_of(values) for name, values in attributes.items()}
+    return {name: values for name, values in found.items() if values is not None}
+
+
+def _column_of(values: NDArray[Any]) -> NDArray[Any] | None:
+    """Values of an attribute in a type that glTF has at vertices, shape [m, 1 to 4]; None where it has none."""
+    column = values.reshape(len(values), -1) if values.ndim == 1 or values.shape[1] else None
+    if column is None or column.shape[1] > _MOST_WIDTH:
+        return None
+    if column.dtype == np.bool_:
+        return column.astype(np.uint8)
+    if column.dtype.kind in "iu" and column.dtype.itemsize <= 2:
+        return column
+    if column.dtype.kind not in "iuf":
+        return None
+    with quiet():
+        single = column.astype(np.float32)
+        same = single.astype(column.dtype) == column
+    largest = 2**24 if column.dtype.kind in "iu" else np.inf
+    return single if (same | np.isnan(single)).all() and (np.abs(single) <= largest).all() else None
 
 
 def _split_seams(mesh: MeshTable) -> tuple[NDArray[np.int64], NDArray[np.int64], NDArray[np.float32] | None]:
@@ -87,8 +180,8 @@ def _split_seams(mesh: MeshTable) -> tuple[NDArray[np.int64], NDArray[np.int64],
 
 def _assemble(
     columns: dict[str, NDArray[Any]], corners: NDArray[np.int64], mesh: MeshTable, origin: NDArray[np.float64]
-) -> bytes:
-    """The bytes of the file."""
+) -> _Scene:
+    """The scene of these values at vertices and these corners."""
     body = _Body()
     attributes = {name: body.add_array(values, _VERTEX_TARGET, name == "POSITION") for name, values in columns.items()}
     ids = mesh.triangle_material_ids if mesh.textures else None
@@ -109,27 +202,28 @@ def _assemble(
         "nodes": [node],
         "meshes": [{"primitives": primitives}],
     }
-    if mesh.textures:
-        images = [
-            {"bufferView": body.add_bytes(encode_png(picture)), "mimeType": "image/png"} for picture in mesh.textures
-        ]
+    images = list({id(picture): picture for picture in mesh.textures}.values())
+    if images:
+        places = {id(picture): number for number, picture in enumerate(images)}
         content |= {
-            "images": images,
             "textures": [{"source": number} for number in range(len(images))],
-            "materials": [_material(number, picture) for number, picture in enumerate(mesh.textures)],
+            "materials": [_material(places[id(picture)], picture) for picture in mesh.textures],
         }
-    content |= {"accessors": body.accessors, "bufferViews": body.views, "buffers": [{"byteLength": len(body.data)}]}
-    text = json.dumps(content, separators=(",", ":")).encode("ascii")
-    text += b" " * (-len(text) % 4)
-    length = 12 + 8 + len(text) + 8 + len(body.data)
-    head = MAGIC + struct.pack("<II", 2, min(length, 2**32 - 1))
-    chunk = struct.pack("<II", min(len(body.data), 2**32 - 1), BINARY_CHUNK)
-    return b"".join([head, struct.pack("<II", len(text), JSON_CHUNK), text, chunk, bytes(body.data)])
+    return _Scene(content, body, images)
 
 
-def _material(number: int, picture: NDArray[np.uint8]) -> dict[str, Any]:
-    look = {"baseColorTexture": {"index": number}, "metallicFactor": 0.0, "roughnessFactor": 1.0}
-    material: dict[str, Any] = {"name": f"material_{number}", "pbrMetallicRoughness": look, "doubleSided": True}
+def _text(scene: _Scene, images: list[dict[str, Any]], buffer: dict[str, Any]) -> bytes:
+    """The JSON of a scene, whose images and whose buffer lie where these say."""
+    body = scene.body
+    content = scene.content | ({"images": images} if images else {})
+    content |= {"accessors": body.accessors, "bufferViews": body.views}
+    content["buffers"] = [buffer | {"byteLength": len(body.data)}]
+    return json.dumps(content, separators=(",", ":")).encode("ascii")
+
+
+def _material(texture: int, picture: NDArray[np.uint8]) -> dict[str, Any]:
+    look = {"baseColorTexture": {"index": texture}, "metallicFactor": 0.0, "roughnessFactor": 1.0}
+    material: dict[str, Any] = {"pbrMetallicRoughness": look, "doubleSided": True}
     return material | ({"alphaMode": "BLEND"} if picture.shape[2] == 4 else {})
 
 
@@ -148,15 +242,18 @@ class _Body:
         return len(self.views) - 1
 
     def add_array(self, values: NDArray[Any], target: int, with_bounds: bool) -> int:
-        """Append rows of float32 or uint32; their accessor."""
-        is_float = values.dtype.kind == "f"
-        little = np.ascontiguousarray(values, "<f4" if is_float else "<u4")
-        view = self.add_bytes(little.tobytes())
-        self.views[view]["target"] = target
+        """Append rows of numbers, at vertices each from a multiple of four bytes on; their accessor."""
+        code = np.dtype(values.dtype.newbyteorder("<"))
+        little = np.ascontiguousarray(values, code)
+        size = code.itemsize * little.shape[1]
+        step = size + -size % 4 if target == _VERTEX_TARGET else size
+        padded = little.view(np.uint8).reshape(len(little), size)
+        view = self.add_bytes(np.pad(padded, ((0, 0), (0, step - size))).tobytes())
+        self.views[view] |= {"target": target} | ({"byteStride": step} if step != size else {})
         kind = "SCALAR" if values.shape[1] == 1 else f"VEC{values.shape[1]}"
         accessor: dict[str, Any] = {
             "bufferView": view,
-            "componentType": _FLOAT if is_float else _UINT,
+            "componentType": _CODES[code],
             "count": len(values),
             "type": kind,
         }

@@ -4,33 +4,99 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
+import numpy as np
+from numpy.typing import NDArray
+
+from ...core.checks import shown
 from ..points.ply import read_ply_mesh, write_ply_mesh
+from ..source import netted
 from ..table import MeshTable
 from .glb import read_glb
-from .glb_writer import write_glb
+from .glb_writer import held_by_gltf, write_glb, write_gltf
 from .obj import read_obj, write_obj
 from .off import read_off, write_off
 from .stl import read_stl, write_stl
 
-MESH_READERS: dict[str, Callable[..., MeshTable]] = {
-    ".ply": read_ply_mesh, ".obj": read_obj, ".stl": read_stl, ".off": read_off, ".glb": read_glb,
+_READERS: dict[str, Callable[..., MeshTable]] = {
+    ".ply": read_ply_mesh, ".obj": read_obj, ".stl": read_stl, ".off": read_off, ".glb": read_glb, ".gltf": read_glb,
+}  # fmt: skip
+
+#: The readers by extension; whatever a file's content makes them raise is a FileError.
+MESH_READERS = {extension: netted(reader) for extension, reader in _READERS.items()}
+
+#: The part of a mesh that each format holds, and the names of the rest.
+UNHELD: dict[str, Callable[[MeshTable], tuple[MeshTable, list[str]]]] = {
+    ".glb": held_by_gltf, ".gltf": held_by_gltf,
 }  # fmt: skip
 
 _WRITERS: dict[str, Callable[..., None]] = {
-    ".obj": write_obj, ".stl": write_stl, ".off": write_off, ".glb": write_glb,
+    ".obj": write_obj, ".stl": write_stl, ".off": write_off, ".glb": write_glb, ".gltf": write_gltf,
 }  # fmt: skip
 
+#: The formats that name other files, and those whose standard says which axis is up.
+NAMING, UPRIGHT = (".ply", ".obj", ".glb", ".gltf"), (".glb", ".gltf")
+UPS = ("y", "z")
 
-def write_mesh(path: str | os.PathLike[str], mesh: MeshTable, *, ascii: bool, overwrite: bool) -> None:
-    """Write a mesh in the format of the path's extension, which is one of MESH_READERS; `ascii` is for .ply.
+
+def read_mesh(path: str | os.PathLike[str], *, up: str = "y", outside_files: bool = False) -> MeshTable:
+    """Read a mesh in the format of the path's extension, which is one of MESH_READERS.
+
+    Args:
+        path: The file.
+        up: Which axis is to be up in the mesh of a .glb or .gltf, whose own is y.
+        outside_files: Whether names in the file that lead out of its folder are followed.
+
+    Raises:
+        FileError: The file cannot be read.
+        ValueError: Another axis, or z of a format that does not say which axis is up.
+    """
+    suffix = Path(path).suffix.lower()
+    check_up(path, up)
+    mesh = MESH_READERS[suffix](path, **({"outside_files": True} if outside_files and suffix in NAMING else {}))
+    return turned_up(mesh) if up == "z" else mesh
+
+
+def write_mesh(path: str | os.PathLike[str], mesh: MeshTable, *, ascii: bool, overwrite: bool, up: str = "y") -> None:
+    """Write a mesh in the format of the path's extension, which is one of MESH_READERS.
+
+    `ascii` is for .ply; `up` is the axis that is up in the mesh, for .glb and .gltf, where it becomes y.
 
     Raises:
         FileError: The file cannot be made, or the format cannot hold what the mesh has.
+        ValueError: Another axis, or z for a format that does not say which axis is up.
     """
     suffix = Path(path).suffix.lower()
+    check_up(path, up)
+    mesh = turned_up(mesh, back=True) if up == "z" else mesh
     if suffix == ".ply":
         write_ply_mesh(path, mesh, ascii=ascii, overwrite=overwrite)
     else:
         _WRITERS[suffix](path, mesh, overwrite=overwrite)
+
+
+def check_up(path: str | os.PathLike[str], up: Any) -> None:
+    """Hold that an axis can be asked to be up in a file.
+
+    Raises:
+        ValueError: Another axis, or z of a format that does not say which axis is up.
+    """
+    if up not in UPS:
+        raise ValueError(f"up: expected one of {', '.join(UPS)}, got {shown(up)}")
+    suffix = Path(path).suffix.lower()
+    if up == "z" and suffix not in UPRIGHT:
+        raise ValueError(f"up: only {' and '.join(UPRIGHT)} say which axis is up, got {suffix or shown(path)}")
+
+
+def turned_up(mesh: MeshTable, *, back: bool = False) -> MeshTable:
+    """A mesh with y up as one with z up, turned about x by a quarter; or `back`. No digit of a coordinate changes."""
+    normals = None if mesh.vertex_normals is None else _turned(mesh.vertex_normals, back)
+    return replace(mesh, vertices=_turned(mesh.vertices, back), vertex_normals=normals)
+
+
+def _turned(vectors: NDArray[Any], back: bool) -> NDArray[Any]:
+    x, y, z = np.asarray(vectors).T
+    return np.stack([x, z, 0 - y] if back else [x, 0 - z, y], axis=1)

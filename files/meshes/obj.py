@@ -7,10 +7,10 @@ that has no textures.
 Read are faces of any number of corners, each a fan of triangles, with corners as v, v/vt, v//vn and v/vt/vn, counted
 from the first or (negative) from the last. OBJ has a normal at each corner of a face, a mesh one at each vertex: they
 are taken where all corners at a vertex agree, else left behind with a warning (Open3D takes the first). A corner
-without texture coordinates gets (0, 0) where others have them. Materials are numbered as the .mtl has them, those that
-it lacks (a warning) and faces without a material behind them, white. Where the .mtl or a picture is missing, textures
-and material numbers are left behind with a warning. Left behind too are groups, points and lines; free-form surfaces
-and rational vertices are refused.
+without texture coordinates gets (0, 0) where others have them. Materials that faces have are numbered in the order of
+the .mtl, those that it lacks (a warning) and faces without a material behind them, white. Where the .mtl or a picture
+is missing, or its name leads out of the folder, textures and material numbers are left behind with a warning. Left
+behind too are groups, points and lines; free-form surfaces and rational vertices are refused.
 
 Source: Wavefront's "Object Files (.obj)", with the vertex colours that MeshLab and Blender added.
 """
@@ -41,11 +41,16 @@ _PASSED_OVER = frozenset(b"vp g o s mg usemap maplib p l lod bevel c_interp d_in
 _KINDS = {b"v": "vertices", b"vt": "texture coordinates", b"vn": "normals"}
 
 
-def read_obj(path: str | os.PathLike[str]) -> MeshTable:
+def read_obj(path: str | os.PathLike[str], *, outside_files: bool = False) -> MeshTable:
     """Read a triangle mesh from OBJ.
 
+    Args:
+        path: The file.
+        outside_files: Whether names of an .mtl or a picture that lead out of the file's folder are followed.
+
     Returns:
-        The mesh with float64 vertices; normals and colours where all vertices have them, and one texture a material.
+        The mesh with float64 vertices; normals and colours where all vertices have them, and one texture for each
+        material that a face has.
 
     Raises:
         FileError: Missing, no face, a statement that is not known, a line with another number of values, a colour
@@ -77,7 +82,8 @@ def read_obj(path: str | os.PathLike[str]) -> MeshTable:
     if (corner_uvs >= 0).any():
         mesh.triangle_uvs = _uvs_of(path, statements.rows(b"vt"), corner_uvs[triangles.reshape(-1)])
     if any(used >= 0 for used in statements.materials):
-        _add_textures(path, mesh, statements, np.repeat(statements.materials, lengths - 2))
+        used = np.repeat(statements.materials, lengths - 2)
+        _add_textures(path, mesh, statements, used, outside_files=outside_files)
     return mesh.checked()
 
 
@@ -216,7 +222,7 @@ def _read_statements(path: Path) -> _Statements:
 
 def _libraries_of(path: Path, text: str) -> list[str]:
     """The files that a mtllib names: one whose name may have blanks, or several."""
-    return [text] if find_beside(path, text) else text.split()
+    return [text] if find_beside(path, text, outside_files=True) else text.split()
 
 
 def _uvs_of(path: Path, rows: AsciiRows, corners: NDArray[np.int64]) -> NDArray[np.float32]:
@@ -236,9 +242,11 @@ def _uvs_of(path: Path, rows: AsciiRows, corners: NDArray[np.int64]) -> NDArray[
     return np.concatenate([single, np.zeros((1, 2), np.float32)])[corners]
 
 
-def _add_textures(path: Path, mesh: MeshTable, statements: _Statements, used: NDArray[np.int64]) -> None:
+def _add_textures(
+    path: Path, mesh: MeshTable, statements: _Statements, used: NDArray[np.int64], *, outside_files: bool
+) -> None:
     """Give a mesh the pictures of its materials; `used` is the material of each triangle, by first use."""
-    materials = materials_of(path, statements.libraries)
+    materials = materials_of(path, statements.libraries, outside_files=outside_files)
     if not materials:
         return
     known = {material.name: number for number, material in enumerate(materials)}
@@ -251,8 +259,7 @@ def _add_textures(path: Path, mesh: MeshTable, statements: _Statements, used: ND
     numbers = np.array([*(known[name] for name in statements.material_names), len(materials)])
     if (used < 0).any():
         materials.append(Material(""))
-    ids = numbers[used]
-    mesh.textures = pictures_of(path, materials)
+    mesh.textures, ids = pictures_of(path, materials, numbers[used], outside_files=outside_files)
     if mesh.textures and ids.any():
         mesh.triangle_material_ids = ids
     if mesh.textures and mesh.triangle_uvs is None:

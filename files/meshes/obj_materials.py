@@ -18,7 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...core.errors import FileError
-from ..pictures.texture_files import find_beside, picture_names, read_textures, warn_left_behind
+from ..pictures.texture_files import find_beside, picture_names, read_textures, warn_left_behind, why_missing
 from ..source import open_source
 
 # How many words follow each option of a map, at most; those of _MOVING shift or scale it.
@@ -109,7 +109,7 @@ def _is_number(word: str) -> bool:
     return True
 
 
-def materials_of(path: Path, libraries: Sequence[str]) -> list[Material] | None:
+def materials_of(path: Path, libraries: Sequence[str], *, outside_files: bool = False) -> list[Material] | None:
     """The materials of the MTL files that an OBJ names; None, with a warning, where a file is missing.
 
     Raises:
@@ -117,35 +117,49 @@ def materials_of(path: Path, libraries: Sequence[str]) -> list[Material] | None:
     """
     found: list[Material] = []
     for library in libraries:
-        place = find_beside(path, library)
+        place = find_beside(path, library, outside_files=outside_files)
         if place is None:
-            warn_left_behind(path, f"the file {library!r} of its materials does not lie beside it")
+            reason = why_missing(library, outside_files=outside_files)
+            warn_left_behind(path, f"the file {library!r} of its materials {reason}")
             return None
         known = {material.name for material in found}
         found += [material for material in read_mtl(place) if material.name not in known]
     return found
 
 
-def pictures_of(path: Path, materials: list[Material]) -> tuple[NDArray[np.uint8], ...]:
-    """One picture a material; none at all where no material has a picture or a colour, or a picture is missing.
+def pictures_of(
+    path: Path, materials: list[Material], ids: NDArray[np.int64], *, outside_files: bool = False
+) -> tuple[tuple[NDArray[np.uint8], ...], NDArray[np.int64]]:
+    """One picture for each material that triangles have, in their order, and which of them each triangle has.
+
+    There are none at all where no such material has a picture or a colour, or a picture is missing. Materials with one
+    picture share it.
+
+    Args:
+        path: The OBJ file.
+        materials: Its materials.
+        ids: The material of each triangle.
+        outside_files: Whether names that lead out of the folder are followed.
 
     Raises:
-        FileError: A picture is damaged.
+        FileError: A picture is damaged, or they are too large together.
     """
+    used, numbers = np.unique(ids, return_inverse=True)
+    materials = [materials[number] for number in used]
     if all(material.picture is None and material.color is None for material in materials):
-        return ()
+        return (), numbers
     named = [material.picture for material in materials if material.picture is not None]
-    pictures = iter(read_textures(path, named))
+    pictures = iter(read_textures(path, named, outside_files=outside_files))
     found = []
     for material in materials:
         if material.picture is None:
             color = np.array(material.color or WHITE)
             found.append(np.rint(color * 255).astype(np.uint8).reshape(1, 1, 3))
         elif (picture := next(pictures, None)) is None:
-            return ()
+            return (), numbers
         else:
             found.append(picture)
-    return tuple(found)
+    return tuple(found), numbers
 
 
 def material_name(number: int) -> str:
@@ -156,13 +170,17 @@ def material_name(number: int) -> str:
 def mtl_of(
     path: str | os.PathLike[str], textures: Sequence[NDArray[np.uint8]]
 ) -> tuple[bytes, dict[str, NDArray[np.uint8]]]:
-    """The text of the MTL file for these pictures, and the pictures that it names; one of a pixel is a colour."""
-    lines, named = [], {}
+    """The text of the MTL file for these pictures, and the pictures that it names; one of a pixel is a colour.
+
+    A picture that stands at several places is named once.
+    """
+    lines, named, first = [], {}, {}
     for number, (name, picture) in enumerate(zip(picture_names(path, len(textures)), textures, strict=True)):
         lines.append(f"newmtl {material_name(number)}")
         if picture.shape == (1, 1, 3):
             lines.append("Kd {:.9g} {:.9g} {:.9g}".format(*(picture[0, 0] / 255)))
         else:
+            name = first.setdefault(id(picture), name)
             lines += ["Kd 1 1 1", f"map_Kd {name}"]
             named[name] = picture
     return "\n".join([*lines, ""]).encode("ascii"), named

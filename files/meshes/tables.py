@@ -14,7 +14,7 @@ from ..points.las_writer import unstorable_in_las
 from ..points.ply_header import read_header
 from ..source import open_source
 from ..table import MeshTable, PointTable
-from .mesh_formats import MESH_READERS, write_mesh
+from .mesh_formats import MESH_READERS, UNHELD, write_mesh
 
 MESHES = tuple(MESH_READERS)
 LAS = (".las", ".laz")
@@ -90,7 +90,9 @@ def write_mesh_table(
     """
     suffix = Path(path).suffix.lower()
     held, left_out = mesh, []
-    if suffix != ".ply":
+    if suffix in UNHELD:
+        held, left_out = UNHELD[suffix](mesh)
+    elif suffix != ".ply":
         held, left_out = replace(mesh, attributes={}), [*mesh.attributes]
     if suffix in (".stl", ".off") and mesh.triangle_uvs is not None:
         held, left_out = held.without_texture(), ["textures", *left_out]

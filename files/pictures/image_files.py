@@ -20,7 +20,7 @@ from PIL import Image, ImageFile, JpegImagePlugin, PngImagePlugin
 
 from ...core.atomic import atomic_write, check_writable
 from ...core.errors import FileError
-from ..source import open_source
+from ..source import Source
 from .jpeg_scans import JPEG_MAGIC, testable_jpegs
 from .png_stream import PNG_MAGIC, parse_png_header, whole_png
 
@@ -91,20 +91,19 @@ def read_color(path: str | os.PathLike[str]) -> NDArray[np.uint8]:
     return _decode(path, data, header, "RGB")
 
 
-def read_texture(path: str | os.PathLike[str]) -> NDArray[np.uint8]:
-    """Read a PNG or JPEG picture as RGB, or RGBA where it has a channel of transparency; grey is replicated.
+def decode_texture(path: str | os.PathLike[str], data: bytes) -> NDArray[np.uint8]:
+    """The bytes of a PNG or JPEG file as RGB, or RGBA where it has a channel of transparency; grey is replicated.
+
+    Args:
+        path: The file, for errors.
+        data: Its bytes.
 
     Returns:
         Shape [h, w, 3 or 4], uint8.
 
     Raises:
-        FileError: Unreadable, no regular file, damaged, too large, or 16-bit grey.
+        FileError: Damaged, too large, of another kind, or 16-bit grey.
     """
-    return decode_texture(path, bytes(open_source(path)[:]))
-
-
-def decode_texture(path: str | os.PathLike[str], data: bytes) -> NDArray[np.uint8]:
-    """The same from the bytes of a PNG or JPEG file; `path` is for errors."""
     header = _parse_header(path, io.BytesIO(data))
     check_color_header(path, header)
     return _decode(path, data, header, "RGBA" if header.kind == "png" and header.channels in (2, 4) else "RGB")
@@ -128,6 +127,11 @@ def read_picture_header(path: str | os.PathLike[str]) -> PictureHeader:
             return _parse_header(path, file)
     except OSError as error:
         raise FileError(path, f"cannot be read: {error.strerror or error}") from error
+
+
+def parse_picture_header(path: str | os.PathLike[str], data: Source | memoryview) -> PictureHeader:
+    """The same of a file's bytes; `path` is for errors."""
+    return _parse_header(path, io.BytesIO(data))
 
 
 def check_depth_header(path: str | os.PathLike[str], header: PictureHeader) -> None:

@@ -8,18 +8,43 @@ import re
 import warnings
 from collections.abc import Iterator
 from pathlib import Path, PurePosixPath, PureWindowsPath
-from typing import IO, Any
+from typing import IO, Any, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ...core.atomic import atomic_write
-from .image_files import encode_png, read_texture
+from ...core.errors import FileError
+from ..source import Source, open_source
+from .image_files import decode_texture, encode_png, parse_picture_header
+
+# The pictures of one mesh, together: 16 pages of 8192 x 8192, 3 GiB as RGB.
+TOTAL_PIXELS = 2**30
+
+# What is said of a name that leads out of the folder.
+OUTSIDE = "leads out of its folder (copy it there, or ask for outside_files=True)"
+
+_Key = TypeVar("_Key")
 
 
-def find_beside(path: str | os.PathLike[str], name: str) -> Path | None:
-    """The file that a mesh file names relative to its own folder; None where there is none, or the name is absolute."""
-    if not name or PurePosixPath(name).is_absolute() or PureWindowsPath(name).anchor:
+def leads_outside(name: str) -> bool:
+    """Whether a name in a file leads out of the file's folder: an absolute one, or one that climbs by `..`."""
+    if PurePosixPath(name).is_absolute() or PureWindowsPath(name).anchor:
+        return True
+    depth = 0
+    for part in PurePosixPath(name.replace("\\", "/")).parts:
+        depth += -1 if part == ".." else 1
+        if depth < 0:
+            return True
+    return False
+
+
+def find_beside(path: str | os.PathLike[str], name: str, *, outside_files: bool = False) -> Path | None:
+    """The file that a mesh file names relative to its own folder; None where there is none.
+
+    Names that lead out of the folder are followed with `outside_files` alone.
+    """
+    if not name or (leads_outside(name) and not outside_files):
         return None
     try:
         found = Path(path).parent / name.replace("\\", "/")
@@ -28,18 +53,55 @@ def find_beside(path: str | os.PathLike[str], name: str) -> Path | None:
         return None
 
 
-def read_textures(path: str | os.PathLike[str], names: list[str]) -> tuple[NDArray[np.uint8], ...]:
+def why_missing(name: str, *, outside_files: bool) -> str:
+    """Why `find_beside` found nothing under a name, as the end of a sentence about it."""
+    return OUTSIDE if leads_outside(name) and not outside_files else "does not lie beside it"
+
+
+def read_textures(
+    path: str | os.PathLike[str], names: list[str], *, outside_files: bool = False
+) -> tuple[NDArray[np.uint8], ...]:
     """The pictures of these names beside a mesh file; none at all, with a warning, where one is missing.
 
+    A picture that several names mean is decoded once, and they share it.
+
     Raises:
-        FileError: A picture is damaged, or no PNG or JPEG.
+        FileError: A picture is damaged, or no PNG or JPEG, or all of them are too large together.
     """
-    places = [find_beside(path, name) for name in names]
+    places = [find_beside(path, name, outside_files=outside_files) for name in names]
     missing = [name for name, place in zip(names, places, strict=True) if place is None]
     if missing:
-        warn_left_behind(path, f"its picture {missing[0]!r} does not lie beside it")
+        reason = why_missing(missing[0], outside_files=outside_files)
+        warn_left_behind(path, f"its picture {missing[0]!r} {reason}")
         return ()
-    return tuple(read_texture(place) for place in places if place is not None)
+    files = {place: place.resolve() for place in places if place is not None}
+    given = {file: (place, open_source(place)) for place, file in reversed(files.items())}
+    pictures = decode_textures(path, {file: given[file] for file in dict.fromkeys(files.values())})
+    return tuple(pictures[files[place]] for place in places if place is not None)
+
+
+def decode_textures(
+    path: str | os.PathLike[str], given: dict[_Key, tuple[str | os.PathLike[str], Source | memoryview]]
+) -> dict[_Key, NDArray[np.uint8]]:
+    """Pictures by what tells them apart, each decoded once; read-only.
+
+    Args:
+        path: The mesh file.
+        given: The name of each, for errors, and the bytes of a PNG or JPEG file.
+
+    Raises:
+        FileError: A picture is damaged, or all of them are too large together; that is seen before any is decoded.
+    """
+    headers = [parse_picture_header(name, data) for name, data in given.values()]
+    total = sum(header.width * header.height for header in headers)
+    if total > TOTAL_PIXELS:
+        reason = f"its {len(headers)} pictures come to {total:,} pixels together, more than {TOTAL_PIXELS:,}"
+        raise FileError(path, reason, remedy="Write them smaller, or part the mesh into several files")
+    pictures = {}
+    for key, (name, data) in given.items():
+        pictures[key] = decode_texture(name, bytes(data))
+        pictures[key].flags.writeable = False
+    return pictures
 
 
 def warn_left_behind(path: Any, reason: str) -> None:

@@ -8,6 +8,7 @@ from pathlib import Path
 
 from numpy.typing import ArrayLike
 
+from ..source import netted
 from ..table import PointTable
 from .e57 import read_e57
 from .e57_writer import write_e57
@@ -21,12 +22,15 @@ from .ply import read_ply, write_ply
 from .text import read_text, write_text
 from .text_table import read_text_table
 
-READERS: dict[str, Callable[..., PointTable]] = {
+_READERS: dict[str, Callable[..., PointTable]] = {
     ".ply": read_ply, ".pcd": read_pcd, ".npz": read_npz,
     ".xyz": read_text, ".xyzn": read_text, ".xyzrgb": read_text, ".pts": read_text,
     ".csv": read_text_table, ".txt": read_text_table, ".bin": read_kitti_bin,
     ".las": read_las, ".laz": read_las, ".e57": read_e57,
 }  # fmt: skip
+
+#: The readers by extension; whatever a file's content makes them raise is a FileError.
+READERS = {extension: netted(reader) for extension, reader in _READERS.items()}
 
 #: The extensions that clouds are written to.
 WRITTEN = tuple(extension for extension in READERS if extension not in (".csv", ".txt", ".bin"))

@@ -83,11 +83,12 @@ def table_of(path: Path, columns: Mapping[str, Column]) -> PointTable:
     return PointTable(points, normals, colors, attributes)
 
 
-def read_ply_mesh(path: str | os.PathLike[str]) -> MeshTable:
+def read_ply_mesh(path: str | os.PathLike[str], *, outside_files: bool = False) -> MeshTable:
     """Read a PLY file as a triangle mesh.
 
     Args:
         path: The file; text or binary, with elements `vertex` and `face`.
+        outside_files: Whether names of pictures that lead out of the file's folder are followed.
 
     Returns:
         The mesh. A face of more than three corners becomes the fan of triangles around its first corner.
@@ -119,7 +120,7 @@ def read_ply_mesh(path: str | os.PathLike[str]) -> MeshTable:
     vertices, normals, colors, attributes = _assign_roles(path, columns["vertex"])
     fans = fan_corners(path, faces.lengths)
     mesh = MeshTable(vertices, _check_corners(path, faces, len(vertices))[fans], normals, colors, attributes)
-    add_textures(path, mesh, header, columns["face"], faces.lengths, fans)
+    add_textures(path, mesh, header, columns["face"], faces.lengths, fans, outside_files=outside_files)
     return mesh
 
 

@@ -52,8 +52,10 @@ def add_textures(
     columns: dict[str, Column],
     lengths: NDArray[np.int64],
     fans: NDArray[np.int64],
+    *,
+    outside_files: bool = False,
 ) -> None:
-    """Give a mesh the textures of its file.
+    """Give a mesh the textures of its file: the pictures that faces have, in the order of their names.
 
     Args:
         path: The file.
@@ -62,6 +64,7 @@ def add_textures(
         columns: The texture properties of faces.
         lengths: Corners of each face, shape [f].
         fans: The triangles as places in the list of all corners, shape [t, 3].
+        outside_files: Whether names that lead out of the file's folder are followed.
 
     Raises:
         FileError: A face with another number of coordinates than two a corner, a number that no comment names, or a
@@ -71,17 +74,20 @@ def add_textures(
     if mesh.triangle_uvs is None:
         return
     named = [words[1] for words in (text.split(None, 1) for text in header.comments) if _is_picture(words)]
-    mesh.textures = read_textures(path, named)
-    numbers = columns.get(_NUMBER)
-    if numbers is None or not mesh.textures:
+    if not named:
         return
-    assert not isinstance(numbers, ListColumn)
-    bad = np.flatnonzero((numbers < 0) | (numbers >= len(named)))
-    if len(bad):
-        reason = f"a face has the texture {numbers[bad[0]]}, but {len(named)} are named"
-        raise FileError(path, reason, where=f"face {int(bad[0])}")
-    if numbers.any():
-        mesh.triangle_material_ids = np.repeat(numbers.astype(np.int32), lengths - 2)
+    numbers = columns.get(_NUMBER)
+    used, ids = np.zeros(1, np.int64), None
+    if numbers is not None:
+        assert not isinstance(numbers, ListColumn)
+        bad = np.flatnonzero((numbers < 0) | (numbers >= len(named)))
+        if len(bad):
+            reason = f"a face has the texture {numbers[bad[0]]}, but {len(named)} are named"
+            raise FileError(path, reason, where=f"face {int(bad[0])}")
+        used, ids = np.unique(numbers, return_inverse=True)
+    mesh.textures = read_textures(path, [named[number] for number in used], outside_files=outside_files)
+    if mesh.textures and ids is not None and ids.any():
+        mesh.triangle_material_ids = np.repeat(ids.astype(np.int32), lengths - 2)
 
 
 def _is_picture(words: list[str]) -> bool:

@@ -19,7 +19,6 @@ from ...pcd.cloud import PointCloud
 from ...pcd.point_arrays import VECTORS, check_cloud
 from ..table import PointTable
 from . import text_table
-from .e57 import read_e57
 from .formats import READERS, WRITTEN, write_table
 from .las import LasFile, iterate_las, open_las
 from .las_crs import is_geographic, warn_of_degrees
@@ -74,9 +73,9 @@ def read_point_cloud(
         return cloud_of(text_table.read_text_table(path, columns), path, device=device)
     if scan is None:
         return cloud_of(reader(path), path, device=device)
-    if reader is not read_e57:
+    if extension != ".e57":
         raise ValueError(f"scan: only .e57 has scans, got {Path(path).suffix}")
-    return cloud_of(read_e57(path, scan=check_count("scan", scan, minimum=0)), path, device=device)
+    return cloud_of(reader(path, scan=check_count("scan", scan, minimum=0)), path, device=device)
 
 
 def read_las_chunks(

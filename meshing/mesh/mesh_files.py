@@ -1,4 +1,4 @@
-"""Triangle meshes from and to files: PLY, OBJ, STL, OFF and GLB."""
+"""Triangle meshes from and to files: PLY, OBJ, STL, OFF, GLB and glTF."""
 
 from __future__ import annotations
 
@@ -9,32 +9,41 @@ from typing import Any
 
 import numpy as np
 
+from ...core.devices import resolve_device
 from ...core.errors import FileError
-from ...files.meshes.mesh_formats import MESH_READERS, write_mesh
+from ...files.meshes.mesh_formats import MESH_READERS, read_mesh, write_mesh
+from ...files.source import content_errors
 from ...files.table import MeshTable
 from .mesh import TriangleMesh
 
 ATTRIBUTES_HELD = {".ply": ("attributes", "triangle_attributes")}  # by format, as MeshTable names them
 
 
-def read_triangle_mesh(path: str | os.PathLike[str], *, device: Any = None) -> TriangleMesh:
+def read_triangle_mesh(
+    path: str | os.PathLike[str], *, device: Any = None, up: str = "y", outside_files: bool = False
+) -> TriangleMesh:
     """Read a triangle mesh; the extension names the format.
 
     Args:
-        path: A .ply, .obj, .stl, .off or .glb file, text or binary. Faces of more than three corners become fans of
-            triangles. Corners of an .stl that lie at exactly the same place become one vertex.
+        path: A .ply, .obj, .stl, .off, .glb or .gltf file, text or binary. Faces of more than three corners become fans
+            of triangles. Corners of an .stl that lie at exactly the same place become one vertex.
         device: Where to put it; "cpu" by default.
+        up: Which axis is to be up in the mesh of a .glb or .gltf: "y" as the standard and the file have it, "z" as most
+            clouds do.
+        outside_files: Whether pictures and other files are read that a file names outside its own folder.
 
     Returns:
-        The mesh with the vertex normals and colours of the file, its texture coordinates, and one texture a material:
-        its picture, or a pixel of its colour. Pictures of .ply and .obj lie beside them. (0, 0) is the lower left
-        corner of a picture in every format. Other values at vertices and of triangles are `vertex_attributes` and
-        `triangle_attributes`. Normals of an .obj that are not one a vertex are left behind, with a warning. Where a
-        picture is missing, textures are left behind with a warning.
+        The mesh with the vertex normals and colours of the file, its texture coordinates, and one texture for each
+        material that triangles have: its picture, or a pixel of its colour; a picture of several materials is held
+        once. (0, 0) is the lower left corner of a picture in every format. Meshes of a .glb or .gltf stand as they do
+        at rest. Other values at vertices and of triangles are `vertex_attributes` and `triangle_attributes`. Normals
+        of an .obj that are not one a vertex are left behind with a warning, textures where a picture is missing or
+        lies outside the folder, and what else of a .glb or .gltf a mesh has no place for.
 
     Raises:
         FileError: Missing, damaged, without faces, or of a format that is not read; says the byte, line or row.
         DeviceError: No such device.
+        ValueError: Another axis, or "z" of a file that is no .glb or .gltf.
 
     Example:
         >>> import pointloom as loom
@@ -46,19 +55,21 @@ def read_triangle_mesh(path: str | os.PathLike[str], *, device: Any = None) -> T
     suffix = Path(path).suffix.lower()
     if suffix not in MESH_READERS:
         raise FileError(path, f"meshes are read from {', '.join(MESH_READERS)}, not from {suffix or 'no extension'}")
-    table = MESH_READERS[suffix](path)
-    return TriangleMesh(
-        table.vertices,
-        table.triangles,
-        vertex_normals=table.vertex_normals,
-        vertex_colors=table.vertex_colors,
-        triangle_uvs=table.triangle_uvs,
-        triangle_material_ids=table.triangle_material_ids,
-        textures=table.textures,
-        vertex_attributes=table.attributes,
-        triangle_attributes=table.triangle_attributes,
-        device=device,
-    )
+    where = resolve_device(device)
+    table = read_mesh(path, up=up, outside_files=outside_files)
+    with content_errors(path):  # vertices too far apart for float32
+        return TriangleMesh(
+            table.vertices,
+            table.triangles,
+            vertex_normals=table.vertex_normals,
+            vertex_colors=table.vertex_colors,
+            triangle_uvs=table.triangle_uvs,
+            triangle_material_ids=table.triangle_material_ids,
+            textures=table.textures,
+            vertex_attributes=table.attributes,
+            triangle_attributes=table.triangle_attributes,
+            device=where,
+        )
 
 
 def write_triangle_mesh(
@@ -70,6 +81,7 @@ def write_triangle_mesh(
     write_vertex_normals: bool = True,
     write_vertex_colors: bool = True,
     write_triangle_uvs: bool = True,
+    up: str = "y",
 ) -> None:
     """Write a triangle mesh; the extension names the format.
 
@@ -77,9 +89,10 @@ def write_triangle_mesh(
     float32 only, GLB float32 about a translation.
 
     Args:
-        path: A .ply (binary unless `ascii`), .obj (text), .stl (binary), .off (text) or .glb (binary) file; it appears
-            whole or not at all. Textures of m.ply are written beside it as m_0.png, m_1.png, ..., those of m.obj as
-            well, with m.mtl; a .glb holds them. A texture of one pixel is a colour in an .mtl.
+        path: A .ply (binary unless `ascii`), .obj (text), .stl (binary), .off (text), .glb (binary) or .gltf (text)
+            file; it appears whole or not at all. Textures of m.ply are written beside it as m_0.png, m_1.png, ...,
+            those of m.obj and m.gltf as well, with m.mtl or m.bin; a .glb holds them. A texture of one pixel is a
+            colour in an .mtl.
         mesh: The mesh. STL holds neither shared vertices nor normals nor colours at them, and refuses the last; STL and
             OFF refuse textures. GLB writes a vertex once for each texture coordinate that its corners have, and
             triangles in the order of their materials. Material numbers without textures do not come back from any.
@@ -89,10 +102,11 @@ def write_triangle_mesh(
         write_vertex_normals: Whether vertex normals are written where the mesh has them.
         write_vertex_colors: Whether vertex colours are.
         write_triangle_uvs: Whether texture coordinates, material numbers and textures are.
+        up: For .glb and .gltf: the axis that is up in the mesh, "y" or "z"; in the file it is y, by the standard.
 
     Raises:
         FileError: The place cannot be written, or the format cannot hold the mesh.
-        ValueError: Text was asked of STL, OFF or GLB, or a material number names no texture.
+        ValueError: Text was asked of STL, OFF or GLB, a material number names no texture, or an axis that is none.
         TypeError: No mesh.
 
     Example:
@@ -106,7 +120,7 @@ def write_triangle_mesh(
         raise TypeError(f"mesh: expected a TriangleMesh, got {type(mesh).__name__}")
     if suffix not in MESH_READERS:
         raise FileError(path, f"meshes are written to {', '.join(MESH_READERS)}, not to {suffix or 'no extension'}")
-    if ascii and suffix in (".stl", ".off", ".glb"):
+    if ascii and suffix in (".stl", ".off", ".glb", ".gltf"):
         raise ValueError(f"ascii: {suffix[1:].upper()} is written in one form only")
     table = mesh_table(mesh)
     if not write_vertex_normals:
@@ -116,7 +130,7 @@ def write_triangle_mesh(
     if not write_triangle_uvs:
         table.triangle_uvs, table.triangle_material_ids, table.textures = None, None, ()
     _leave_out(table, ATTRIBUTES_HELD.get(suffix, ()), suffix)
-    write_mesh(path, table, ascii=ascii, overwrite=overwrite)
+    write_mesh(path, table, ascii=ascii, overwrite=overwrite, up=up)
 
 
 def mesh_table(mesh: TriangleMesh) -> MeshTable:

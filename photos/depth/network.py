@@ -14,7 +14,7 @@ from ...core.checks import check_count, shown
 from ...core.devices import resolve_device
 from ...core.errors import DeviceError, FileError
 from ...files.foreign import import_for
-from ...files.source import open_source
+from ...files.source import content_errors, open_source
 from .inputs import Map, Placement, place, prepare
 from .photos import Photo, camera_of, take_photo
 from .presets import DEFAULT, find_preset
@@ -72,8 +72,9 @@ class DepthModel:
         source = open_source(self.path)
         self._session = _open_session(self.path, device, count)
         self.provider: str = self._session.get_providers()[0]
-        self._signature = check_signature(self.path, self._session, self._preset)
-        self._head = check_head(self.path, source, self._signature, self._preset)
+        with content_errors(self.path):  # names that are no UTF-8 show where onnxruntime hands them out
+            self._signature = check_signature(self.path, self._session, self._preset)
+            self._head = check_head(self.path, source, self._signature, self._preset)
 
     @property
     def preset(self) -> str:
@@ -146,7 +147,7 @@ def _open_session(path: str, device: Any, threads: int) -> Any:
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")  # of providers that fell away: looked at below
-            session = ort.InferenceSession(path, options, providers=providers)
+            session = _start(ort, path, options, providers)
     except MemoryError:
         raise
     except Exception as error:
@@ -159,6 +160,16 @@ def _open_session(path: str, device: Any, threads: int) -> Any:
             'CPU; install the CUDA libraries that onnxruntime-gpu names, or take "cpu"'
         )
     return session
+
+
+def _start(ort: Any, path: str, options: Any, providers: list[Any]) -> Any:
+    """A session; on the CPU where the first provider fails, as onnxruntime does it, but without its banner on stdout."""
+    try:
+        return ort.InferenceSession(path, options, providers=providers, enable_fallback=0)
+    except (ValueError, RuntimeError):
+        if providers == [CPU]:
+            raise
+        return ort.InferenceSession(path, options, providers=[CPU], enable_fallback=0)
 
 
 def wants_cuda(device: Any) -> bool:

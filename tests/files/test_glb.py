@@ -20,62 +20,10 @@ from pointloom.files.meshes.glb_writer import write_glb
 from pointloom.files.pictures.image_files import encode_png
 from pointloom.files.table import MeshTable
 
+from .gltf_scenes import TRIANGLE, Scene, container, one_triangle
 from .textured_meshes import PICTURE, square, textured
 
-CODES = {"i1": 5120, "u1": 5121, "i2": 5122, "u2": 5123, "u4": 5125, "f4": 5126}
-KINDS = {1: "SCALAR", 2: "VEC2", 3: "VEC3", 4: "VEC4"}
-TRIANGLE = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0]], "f4")
 Z = [[0.0, 0.0, 1.0]] * 3
-
-
-class Scene:
-    """A glTF scene that grows array by array."""
-
-    def __init__(self):
-        self.data, self.views, self.accessors, self.primitives = b"", [], [], []
-        self.more: dict = {}
-
-    def bytes(self, content: bytes, **more) -> int:
-        self.views.append({"buffer": 0, "byteOffset": len(self.data), "byteLength": len(content), **more})
-        self.data += content + b"\0" * (-len(content) % 4)
-        return len(self.views) - 1
-
-    def array(self, values, **more) -> int:
-        rows = values.reshape(len(values), -1)
-        code = f"{values.dtype.kind}{values.dtype.itemsize}"
-        accessor = {"bufferView": self.bytes(rows.tobytes()), "componentType": CODES[code], "count": len(rows)}
-        self.accessors.append(accessor | {"type": KINDS[rows.shape[1]]} | more)
-        return len(self.accessors) - 1
-
-    def primitive(self, *, indices=None, extra=None, **attributes):
-        names = {name: self.array(np.asarray(values)) for name, values in attributes.items()}
-        self.primitives.append({"attributes": names, **(extra or {})})
-        if indices is not None:
-            self.primitives[-1]["indices"] = self.array(np.asarray(indices))
-
-    def content(self) -> dict:
-        return {
-            "asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
-            "meshes": [{"primitives": self.primitives}], "accessors": self.accessors, "bufferViews": self.views,
-            "buffers": [{"byteLength": len(self.data)}], **self.more,
-        }  # fmt: skip
-
-    def write(self, path, content=None):
-        text = json.dumps(self.content() if content is None else content).encode()
-        path.write_bytes(container(text, self.data))
-        return path
-
-
-def container(text: bytes, data: bytes) -> bytes:
-    text += b" " * (-len(text) % 4)
-    chunks = struct.pack("<II", len(text), 0x4E4F534A) + text + struct.pack("<II", len(data), 0x004E4942) + data
-    return b"glTF" + struct.pack("<II", 2, 12 + len(chunks)) + chunks
-
-
-def one_triangle(**more) -> Scene:
-    scene = Scene()
-    scene.primitive(POSITION=TRIANGLE, indices=np.arange(3, dtype="u2"), **more)
-    return scene
 
 
 # ------------------------------------------------------------------------------------------------ reading
@@ -99,7 +47,8 @@ def test_strips_and_fans_turn_as_their_triangles_do(tmp_path):
     scene.primitive(POSITION=grid, extra={"mode": 5})
     scene.primitive(POSITION=ring, extra={"mode": 6})
     scene.primitive(POSITION=ring, extra={"mode": 1})
-    mesh = read_glb(scene.write(tmp_path / "m.glb"))
+    with pytest.warns(UserWarning, match=r"left behind: points and lines$"):
+        mesh = read_glb(scene.write(tmp_path / "m.glb"))
     assert len(mesh.triangles) == 5
     normals = loom.TriangleMesh(mesh.vertices, mesh.triangles).compute_triangle_normals()
     np.testing.assert_array_equal(normals, [[0, 0, 1]] * 5)
@@ -176,17 +125,19 @@ def test_materials_are_textures_factors_and_white(tmp_path):
         look(baseColorTexture={"index": 1, "texCoord": 1}), look(baseColorFactor=[1, 0.2158605, 0, 1]), {},
         look(baseColorTexture={"index": 0}),
     ]  # fmt: skip
-    mesh = read_glb(materials_of(tmp_path, materials, [0, 1, None, 3]))
-    np.testing.assert_array_equal(mesh.triangle_material_ids, [0, 1, 4, 3])
+    with pytest.warns(UserWarning, match="left behind: the texture coordinates TEXCOORD_0, .* TEXCOORD_1$"):
+        mesh = read_glb(materials_of(tmp_path, materials, [0, 1, None, 3]))
+    np.testing.assert_array_equal(mesh.triangle_material_ids, [0, 1, 3, 2])  # nobody has the third
     np.testing.assert_array_equal(mesh.textures[0], PICTURE[::-1])
-    np.testing.assert_array_equal(mesh.textures[3], PICTURE)
+    np.testing.assert_array_equal(mesh.textures[2], PICTURE)
     pixels = [picture.reshape(3).tolist() for picture in mesh.textures if picture.size == 3]
-    assert pixels == [[255, 128, 0], [255, 255, 255], [255, 255, 255]]  # sRGB holds 0.216 of the light as 128
+    assert pixels == [[255, 128, 0], [255, 255, 255]]  # sRGB holds 0.216 of the light as 128
     np.testing.assert_array_equal(mesh.triangle_uvs, np.repeat([[1, 0], [0, 1], [0, 1], [0, 1]], 3, axis=0))
 
 
 def test_plain_white_materials_are_no_textures(tmp_path):
-    mesh = read_glb(materials_of(tmp_path, [{}, look(metallicFactor=0.5)], [0, 1]))
+    with pytest.warns(UserWarning, match="left behind: the texture coordinates TEXCOORD_1$"):
+        mesh = read_glb(materials_of(tmp_path, [{}, look(metallicFactor=0, roughnessFactor=1)], [0, 1]))
     assert mesh.textures == ()
     assert mesh.triangle_material_ids is None
 
@@ -194,7 +145,7 @@ def test_plain_white_materials_are_no_textures(tmp_path):
 def test_normals_that_some_lack_are_left_behind_with_a_warning(tmp_path):
     scene = one_triangle(NORMAL=np.array(Z, "f4"))
     scene.primitive(POSITION=TRIANGLE)
-    with pytest.warns(UserWarning, match="the normals are left behind, since some primitives have none"):
+    with pytest.warns(UserWarning, match="left behind: the normals, since some primitives have none"):
         assert read_glb(scene.write(tmp_path / "m.glb")).vertex_normals is None
 
 
@@ -239,7 +190,9 @@ def test_trimesh_and_we_read_each_others_scenes(tmp_path):
     scene = trimesh.Scene([box])
     scene.add_geometry(ball, transform=trimesh.transformations.rotation_matrix(0.7, [1, 2, 3], [4, 5, 6]))
     scene.export(tmp_path / "t.glb")
-    ours, both = read_glb(tmp_path / "t.glb"), scene.to_geometry()
+    with pytest.warns(UserWarning, match=r"left behind: names of nodes \(2\)$"):
+        ours = read_glb(tmp_path / "t.glb")
+    both = scene.to_geometry()
     np.testing.assert_allclose(ours.vertices[ours.triangles], both.vertices[both.faces], atol=1e-6)
     moved = MeshTable(np.add(ours.vertices, [5e5, 5.4e6, 0]), ours.triangles)
     write_glb(tmp_path / "m.glb", moved)
@@ -254,10 +207,18 @@ def test_vertices_that_no_triangle_has_are_kept(tmp_path):
     np.testing.assert_array_equal(read_glb(tmp_path / "m.glb").vertices, mesh.vertices)
 
 
+def test_attributes_that_gltf_has_no_type_for_are_left_out_with_a_warning(tmp_path):
+    mesh = square()
+    mesh.attributes = {"far": np.full(4, 2**30 + 1), "fine": np.full(4, 0.1), "wide": np.zeros((4, 5)), "v": np.ones(4)}
+    mesh.triangle_attributes = {"side": np.zeros(2)}
+    with pytest.warns(UserWarning, match="far, fine, wide, side left out, since glTF cannot hold that"):
+        write_glb(tmp_path / "m.glb", mesh)
+    assert [*read_glb(tmp_path / "m.glb").attributes] == ["v"]
+
+
 @pytest.mark.parametrize(
     ("change", "reason"),
     [
-        ({"attributes": {"w": np.zeros(4)}}, "GLB cannot hold the attributes w"),
         ({"triangles": np.empty((0, 3), int), "triangle_uvs": None}, "without triangles"),
         ({"vertices": np.full((4, 3), np.nan)}, "POSITION: GLB cannot hold NaN"),
         ({"triangle_uvs": np.full((6, 2), np.inf)}, "TEXCOORD_0: GLB cannot hold NaN"),
@@ -290,11 +251,13 @@ def lie(*path_and_value):
 LIES = [
     (lie("asset", {"version": "1.0"}), "glTF '1.0'; version 2 is read"),
     (lie("asset", None), "glTF None"),
-    (lie("extensionsRequired", ["KHR_draco_mesh_compression"]), "needs the extension KHR_draco_mesh_compression"),
-    (lie("meshes", 0, "primitives", 0, "extensions", {"KHR_draco_mesh_compression": {}}), "compressed with Draco"),
-    (lie("meshes", 0, "primitives", 0, "targets", [{"POSITION": 0}]), "morph targets"),
-    (lie("nodes", 0, "skin", 0), "has a skin"),
-    (lie("accessors", 0, "sparse", {"count": 1}), "is sparse"),
+    (lie("extensionsRequired", ["NOT_YET"]), "needs the extension NOT_YET, which is not read"),
+    (lie("extensionsRequired", "NOT_YET"), "needs the extension NOT_YET, which is not read"),
+    (lie("meshes", 0, "primitives", 0, "extensions", 3), "extensions is no object"),
+    (lie("meshes", 0, "primitives", 0, "targets", 3), "targets: expected a list of objects"),
+    (lie("nodes", 0, "skin", 0), "names skins 0, of 0"),
+    (lie("accessors", 0, "sparse", {"count": 4}), "sparse replaces 4 of 3 elements"),
+    (lie("accessors", 0, "sparse", 4), "sparse is no object"),
     (lie("accessors", 0, "count", 4), "says 4 elements, beyond the 36 bytes"),
     (lie("accessors", 0, "count", 0), "says 0 elements"),
     (lie("accessors", 0, "count", -3), "count is -3"),
@@ -362,10 +325,10 @@ def test_indices_beyond_the_vertices_are_refused(tmp_path):
     ("materials", "more", "reason"),
     [
         ([look(baseColorTexture={"index": 2})], {}, "names textures 2, of 2"),
-        ([look(baseColorTexture={"index": 0, "extensions": {"KHR_texture_transform": {}}})], {}, "KHR_texture_tra"),
+        ([look(baseColorTexture={"index": 0, "extensions": {"KHR_texture_transform": 3}})], {}, "transform is no obj"),
         ([look(baseColorFactor=[1, 1])], {}, "baseColorFactor is not 4 numbers"),
         ([look(baseColorTexture={"index": 0})], {"textures": [{}]}, "source is None"),
-        ([look(baseColorTexture={"index": 0})], {"images": [{"uri": "p.png"}]}, "lies in another file"),
+        ([look(baseColorTexture={"index": 0})], {"images": [{"uri": 7}]}, "uri is 7, expected a text"),
         ([look(baseColorTexture={"index": 0})], {"images": [{"bufferView": 0}]}, "neither PNG nor JPEG"),
     ],
 )

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from contextlib import nullcontext
 
 import numpy as np
 import pytest
@@ -10,7 +11,7 @@ import pytest
 import pointloom as loom
 from pointloom.core.errors import FileError
 from pointloom.files.meshes.glb import read_glb
-from pointloom.files.meshes.glb_writer import write_glb
+from pointloom.files.meshes.glb_writer import write_glb, write_gltf
 from pointloom.files.meshes.obj import read_obj, write_obj
 from pointloom.files.pictures.image_files import encode_png, write_png
 from pointloom.files.points.ply import read_ply_mesh, write_ply_mesh
@@ -18,7 +19,12 @@ from pointloom.files.table import MeshTable
 
 from .textured_meshes import CORNERS, PICTURE, corner_table, square, textured
 
-FORMATS = {".obj": (write_obj, read_obj), ".ply": (write_ply_mesh, read_ply_mesh), ".glb": (write_glb, read_glb)}
+FORMATS = {
+    ".obj": (write_obj, read_obj),
+    ".ply": (write_ply_mesh, read_ply_mesh),
+    ".glb": (write_glb, read_glb),
+    ".gltf": (write_gltf, read_glb),
+}
 SQUARE = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n"
 FACE = "f 1/1 2/2 3/3 4/4\n"
 
@@ -42,7 +48,7 @@ def test_a_picture_stands_upright(tmp_path, suffix):
     np.testing.assert_array_equal(again.textures[0], PICTURE)
 
 
-@pytest.mark.parametrize("suffix", [".obj", ".glb"])
+@pytest.mark.parametrize("suffix", [".obj", ".glb", ".gltf"])
 def test_open3d_sees_our_picture_upright(tmp_path, suffix):
     o3d = pytest.importorskip("open3d")
     FORMATS[suffix][0](tmp_path / f"m{suffix}", square())
@@ -62,7 +68,7 @@ def test_trimesh_sees_our_picture_upright(tmp_path, suffix):
     FORMATS[suffix][0](tmp_path / f"m{suffix}", square())
     theirs = trimesh.load(tmp_path / f"m{suffix}", process=False, force="mesh")
     material = theirs.visual.material
-    picture = material.baseColorTexture if suffix == ".glb" else material.image
+    picture = material.baseColorTexture if suffix.startswith(".gl") else material.image
     uvs = np.asarray(theirs.visual.uv)[theirs.faces.reshape(-1)]
     mesh = MeshTable(np.asarray(theirs.vertices), np.asarray(theirs.faces), triangle_uvs=uvs)
     mesh.textures = (np.asarray(picture.convert("RGB")),)
@@ -87,7 +93,9 @@ def test_we_see_pictures_of_open3d_and_trimesh_upright(tmp_path):
     other = trimesh.Trimesh(mesh.vertices, mesh.triangles, visual=look, process=False)
     for name in ("t.glb", "t.obj"):
         other.export(tmp_path / name)
-        assert seen_at_corners(FORMATS[name[1:]][1](tmp_path / name)) == CORNERS
+        lost = "left behind: factors of base colours beside a texture" if name == "t.glb" else None
+        with pytest.warns(UserWarning, match=lost) if lost else nullcontext():
+            assert seen_at_corners(FORMATS[name[1:]][1](tmp_path / name)) == CORNERS
 
 
 @pytest.mark.parametrize("suffix", FORMATS)
@@ -97,7 +105,7 @@ def test_textured_meshes_survive_a_round_trip(tmp_path, suffix, bare):
     written = textured(normals=not bare, colors=not bare)
     write(tmp_path / f"m{suffix}", written)
     again = read(tmp_path / f"m{suffix}")
-    if suffix == ".glb":  # 1 - v rounds; all else is the same
+    if suffix in (".glb", ".gltf"):  # 1 - v rounds; all else is the same
         np.testing.assert_allclose(corner_table(again), corner_table(written), atol=2**-24)
     else:
         np.testing.assert_array_equal(corner_table(again).astype(np.float32), corner_table(written).astype(np.float32))
@@ -121,7 +129,8 @@ def test_texture_coordinates_without_a_picture_survive(tmp_path, suffix):
     again = read(tmp_path / f"m{suffix}")
     np.testing.assert_array_equal(again.triangle_uvs, mesh.triangle_uvs)
     assert again.textures == ()
-    assert [path.name for path in tmp_path.iterdir()] == [f"m{suffix}"]
+    beside = {"m.bin"} if suffix == ".gltf" else set()
+    assert {path.name for path in tmp_path.iterdir()} == {f"m{suffix}"} | beside
 
 
 def test_triangle_meshes_read_and_write_textures(tmp_path, device):
@@ -213,8 +222,11 @@ def test_a_picture_in_a_folder_with_blanks_and_options_is_found(tmp_path):
     ("mtl", "reason"),
     [
         ("newmtl a\nmap_Kd q.png\n", "its picture 'q.png' does not lie beside it"),
-        ("newmtl a\nmap_Kd /etc/hostname\n", "its picture '/etc/hostname' does not lie beside it"),
-        ("newmtl a\nmap_Kd C:\\p.png\n", r"its picture 'C:\\p.png' does not lie beside it"),
+        (
+            "newmtl a\nmap_Kd /etc/hostname\n",
+            "its picture '/etc/hostname' leads out of its folder (copy it there, or ask for outside_files=True)",
+        ),
+        ("newmtl a\nmap_Kd C:\\p.png\n", r"its picture 'C:\\p.png' leads out of its folder"),
         (f"newmtl a\nmap_Kd {'x' * 5000}\n", "does not lie beside it"),
     ],
 )

@@ -341,6 +341,16 @@ def test_what_is_no_model_is_refused_with_a_remedy(tmp_path):
         loom.DepthModel(tmp_path / "none.onnx")
 
 
+@pytest.mark.parametrize("name", [b"side", b"depth", b"Conv"])
+def test_a_name_that_is_no_text_is_refused_without_a_banner(tmp_path, capsys, name):
+    data = linear(tmp_path / "good.onnx", size=("side", "w")).read_bytes()
+    path = tmp_path / "bad.onnx"
+    path.write_bytes(data.replace(name, b"\xff" + name[1:]))
+    with pytest.raises(loom.FileError, match=r"bad\.onnx"):
+        loom.DepthModel(path)
+    assert capsys.readouterr().out == ""
+
+
 def test_a_model_of_a_later_format_says_what_to_update(tmp_path):
     model = onnx.load(linear(tmp_path / "m.onnx"))
     model.ir_version = 99

@@ -1,0 +1,92 @@
+"""Compressed glTF: meshes by Draco (KHR_draco_mesh_compression) and views by meshoptimizer (EXT_meshopt_compression).
+
+Both are decoded by the packages of those who made them, DracoPy and meshoptimizer, which are extras of pointloom. What
+comes out is held against what the file says of it.
+
+Source: the two extensions' specifications by Khronos.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..foreign import foreign_errors, import_for
+from .gltf_file import GltfFile
+
+DRACO = "KHR_draco_mesh_compression"
+MESHOPT = ("EXT_meshopt_compression", "KHR_meshopt_compression")
+_FILTERS = {"NONE": (), "OCTAHEDRAL": (4, 8), "QUATERNION": (8,), "EXPONENTIAL": tuple(range(4, 257, 4))}
+_MOST_STRIDE = 256
+
+
+def decode_view(file: GltfFile, packed: dict[str, Any], data: memoryview, name: str) -> tuple[memoryview, int]:
+    """The bytes of a view that meshoptimizer packed, and the step between its elements.
+
+    Raises:
+        FileError: The package is missing, or the view is damaged.
+    """
+    count, stride = file.whole(packed, "count", name), file.whole(packed, "byteStride", name)
+    mode, filter_name = packed.get("mode"), packed.get("filter", "NONE")
+    is_attribute = mode == "ATTRIBUTES"
+    file.check_count(count, f"the elements of {name}")
+    if mode not in ("ATTRIBUTES", "TRIANGLES", "INDICES") or filter_name not in _FILTERS:
+        raise file.error(f"{name} is packed as {str(mode)[:20]} {str(filter_name)[:20]}, which is not read")
+    good = range(4, _MOST_STRIDE + 1, 4) if is_attribute else (2, 4)
+    if filter_name != "NONE":
+        good = _FILTERS[filter_name] if is_attribute else ()
+    if stride not in good or count < 1 or (mode == "TRIANGLES" and count % 3):
+        raise file.error(f"{name} is packed as {mode} {filter_name} of {count} times {stride} bytes, which cannot be")
+    package = import_for(file.path, "meshoptimizer", "meshopt")
+    with foreign_errors(file.path, f"{name} is packed by meshoptimizer and damaged"):
+        if is_attribute:
+            plain = package.decode_vertex_buffer(count, stride, bytes(data)).view(np.uint8).reshape(-1)
+        elif mode == "TRIANGLES":
+            plain = package.decode_index_buffer(count, stride, bytes(data)).view(np.uint8)
+        else:
+            plain = package.decode_index_sequence(count, stride, bytes(data)).view(np.uint8)
+        if filter_name == "OCTAHEDRAL":
+            plain = package.decode_filter_oct(plain, count, stride)
+        elif filter_name == "QUATERNION":
+            plain = package.decode_filter_quat(plain, count, stride)
+        elif filter_name == "EXPONENTIAL":
+            plain = package.decode_filter_exp(plain, count, stride)
+    return memoryview(plain.tobytes()[: count * stride]), stride
+
+
+class DracoMesh:
+    """What Draco packed of one primitive: corners, and values at vertices by their accessors' names."""
+
+    def __init__(self, file: GltfFile, packed: dict[str, Any], data: memoryview, what: str):
+        """Decode it.
+
+        Raises:
+            FileError: The package is missing, or the mesh is damaged.
+        """
+        self._file, self._what = file, what
+        self._names = file.part(packed, "attributes", what)
+        package = import_for(file.path, "DracoPy", "gltf")
+        with foreign_errors(file.path, f"{what} is packed by Draco and damaged"):
+            mesh = package.decode(bytes(data))
+            faces, attributes = getattr(mesh, "faces", None), mesh.attributes
+        if faces is None:
+            raise file.error(f"{what}: Draco packed points, no triangles")
+        self.corners: NDArray[np.int64] = np.asarray(faces).reshape(-1).astype(np.int64)
+        file.check_count(len(self.corners), f"the corners of {what}")
+        self._values = {entry["unique_id"]: entry["data"] for entry in attributes}
+
+    def get(self, name: str) -> NDArray[Any] | None:
+        """The values of an attribute, shape [n, width]; None of one that was not packed.
+
+        Raises:
+            FileError: The packed mesh lacks it.
+        """
+        if name not in self._names:
+            return None
+        key = self._names[name]
+        if not isinstance(key, int) or key not in self._values:
+            raise self._file.error(f"{self._what}: Draco packed no attribute {str(key)[:20]}, which {name} names")
+        values = np.asarray(self._values[key])
+        return values.reshape(len(values), -1)

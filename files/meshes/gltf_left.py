@@ -1,0 +1,87 @@
+"""What a glTF file holds and a mesh has no place for: gathered while it is read, told of once."""
+
+from __future__ import annotations
+
+import warnings
+from collections.abc import Hashable
+
+from .gltf_compression import DRACO, MESHOPT
+from .gltf_file import GltfFile
+
+SPECULAR = "KHR_materials_pbrSpecularGlossiness"
+
+# Extensions that are read, and those that say nothing of a mesh's geometry, so that a file may require them.
+READ = (DRACO, *MESHOPT, "KHR_texture_transform", "KHR_mesh_quantization", SPECULAR)
+_LOOKS = ("KHR_materials_", "KHR_texture_", "EXT_texture_", "MSFT_texture_", "KHR_lights_", "EXT_lights_", "KHR_xmp")
+
+# Names of a material's parts that have no place, and what they are called.
+_MAPS = {
+    "normalTexture": "normal maps",
+    "occlusionTexture": "occlusion maps",
+    "emissiveTexture": "emissive maps",
+    "emissiveFactor": "emissive colours",
+}
+
+
+class LeftBehind:
+    """What is left behind of a file: words, or things of a kind to be counted."""
+
+    def __init__(self, file: GltfFile):
+        self._file = file
+        self._words: dict[str, set[Hashable]] = {}
+
+    def add(self, words: str, thing: Hashable = None) -> None:
+        """Note what is left behind; with a thing, how many such things there are is told."""
+        self._words.setdefault(words, set()).update(() if thing is None else (thing,))
+
+    def add_material(self, number: int) -> None:
+        """Note what of a material that is used has no place."""
+        file = self._file
+        material, what = file.take("materials", number, "a primitive"), f"materials {number}"
+        for name, words in _MAPS.items():
+            if material.get(name) not in (None, [0, 0, 0]):
+                self.add(words, number)
+        look = file.part(material, "pbrMetallicRoughness", what)
+        if "metallicRoughnessTexture" in look:
+            self.add("metallic-roughness maps", number)
+        if (look.get("metallicFactor", 1.0), look.get("roughnessFactor", 1.0)) not in ((1, 1), (0, 1)):
+            self.add("metallic and roughness factors", number)
+        if material.get("alphaMode", "OPAQUE") == "MASK":
+            self.add("alpha cutoffs", number)
+
+    def add_scene(self, nodes: list[int], materials: list[int]) -> None:
+        """Note what stands beside the meshes: names of parts, animations, cameras, extensions."""
+        file, content = self._file, self._file.content
+        for kind, numbers in (("nodes", nodes), ("materials", materials)):
+            named = [number for number in numbers if file.take(kind, number, kind).get("name")]
+            if len(numbers) > 1:  # of a mesh of one part nothing is lost that tells parts apart
+                for number in named:
+                    self.add(f"names of {kind}", number)
+        for kind in ("animations", "cameras"):
+            if isinstance(content.get(kind), list):
+                for number in range(len(content[kind])):
+                    self.add(kind, number)
+        used = content.get("extensionsUsed")
+        for name in used if isinstance(used, list) else ():
+            if name not in READ:
+                self.add(f"what the extension {str(name)[:60]} says")
+
+    def warn(self, stacklevel: int) -> None:
+        """Tell of all of it in one warning."""
+        if not self._words:
+            return
+        told = [f"{words} ({len(things)})" if things else words for words, things in self._words.items()]
+        message = f"{self._file.path}: parts that a mesh has no place for are left behind: {', '.join(told)}"
+        warnings.warn(message, UserWarning, stacklevel=stacklevel + 1)
+
+
+def check_required(file: GltfFile) -> None:
+    """Hold that all extensions that a file requires are read, or say nothing of its geometry.
+
+    Raises:
+        FileError: One is not.
+    """
+    required = file.content.get("extensionsRequired", [])
+    for name in required if isinstance(required, list) else [required]:
+        if not isinstance(name, str) or not (name in READ or name.startswith(_LOOKS)):
+            raise file.error(f"needs the extension {str(name)[:60]}, which is not read", remedy="Export without it")

@@ -1,0 +1,274 @@
+"""One primitive of a glTF mesh: its vertices in the world at rest, its triangles, its texture coordinates.
+
+Vertices are those of the default weights of morph targets, then carried by the joints of a skin where the node has
+one, else by the node.
+
+Source: Khronos, "glTF 2.0 Specification", section 3.7.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .gltf_arrays import GltfArrays
+from .gltf_compression import DRACO, DracoMesh
+from .gltf_left import LeftBehind
+from .gltf_nodes import Tree, blend_joints, joint_transforms, move_points, turn_normals
+
+TRIANGLES, STRIP, FAN = 4, 5, 6
+ALPHA = "alpha"
+
+# Types of components, KHR_mesh_quantization's among them; "n" is for normalised ones.
+_POSITION = "f4 i1 u1 i2 u2 ni1 nu1 ni2 nu2"
+_NORMAL = "f4 ni1 ni2"
+_COLOR = "f4 nu1 nu2"
+_UV = "f4 i1 u1 i2 u2 ni1 nu1 ni2 nu2"
+_WEIGHTS = "f4 nu1 nu2"
+_CUSTOM = "f4 i1 u1 i2 u2 u4 ni1 nu1 ni2 nu2"
+_PLACELESS = ("TANGENT", "COLOR_", "JOINTS_", "WEIGHTS_", "TEXCOORD_")
+
+
+@dataclass
+class Vertices:
+    """Vertices that primitives share: where they begin among all, and what is known of them.
+
+    `is_mirrored` says that the triangles between them turn round.
+    """
+
+    first: int
+    positions: NDArray[Any]
+    normals: NDArray[Any] | None
+    colors: NDArray[Any] | None
+    attributes: dict[str, NDArray[Any]] = field(default_factory=dict)
+    is_mirrored: bool = False
+
+
+@dataclass
+class Placing:
+    """How a node places its mesh: by its own transform, or by its skin's joints; and weights of morph targets."""
+
+    T: NDArray[np.float64]
+    joints: NDArray[np.float64] | None
+    weights: list[float] | None
+
+
+def placing_of(arrays: GltfArrays, tree: Tree, number: int) -> Placing:
+    """How a node places its mesh.
+
+    Raises:
+        FileError: Its skin or its weights are not whole.
+    """
+    file = arrays.file
+    node, what = file.take("nodes", number, "a scene"), f"nodes {number}"
+    mesh = file.take("meshes", node["mesh"], what)
+    joints = joint_transforms(arrays, tree, file.whole(node, "skin", what)) if "skin" in node else None
+    weights = node.get("weights", mesh.get("weights"))
+    if weights is not None and not isinstance(weights, list):
+        raise file.error(f"{what}: weights are no list of numbers")
+    return Placing(tree.T_world_node[number], joints, weights)
+
+
+class Primitive:
+    """A primitive of triangles."""
+
+    def __init__(self, arrays: GltfArrays, left: LeftBehind, content: dict[str, Any], what: str):
+        """Look at what it says; nothing is decoded but a mesh of Draco's.
+
+        Raises:
+            FileError: It has no attributes, or its compressed mesh is damaged.
+        """
+        self._arrays, self._file, self._left, self._what = arrays, arrays.file, left, what
+        self._content = content
+        self.mode = self._file.whole(content, "mode", what, TRIANGLES)
+        if self.mode > FAN:
+            raise self._file.error(f"{what} has the unknown mode {self.mode}")
+        found = content.get("attributes")
+        if not isinstance(found, dict):
+            raise self._file.error(f"{what}: a primitive has no attributes")
+        self._attributes: dict[str, Any] = found
+        targets = content.get("targets", [])
+        if not isinstance(targets, list) or not all(isinstance(target, dict) for target in targets):
+            raise self._file.error(f"{what}: targets: expected a list of objects")
+        self._targets: list[dict[str, Any]] = targets
+        self.has_triangles = self.mode >= TRIANGLES and "POSITION" in found
+        packed = self._file.extension(content, DRACO, what)
+        self._packed = packed if packed is not None and self.has_triangles and not self._stands_plain() else None
+        self._draco: DracoMesh | None = None
+        if self._packed is not None:
+            data = arrays.view(self._packed.get("bufferView"), f"{DRACO} of {what}")[0]
+            self._draco = DracoMesh(self._file, self._packed, data, what)
+
+    def _stands_plain(self) -> bool:
+        """Whether all arrays stand in the file without compression too."""
+        numbers = [*self._attributes.values(), self._content.get("indices")]
+        return all("bufferView" in self._file.take("accessors", number, self._what) for number in numbers)
+
+    @property
+    def key(self) -> str:
+        """What tells its vertices from those of other primitives of the mesh."""
+        names = {name: number for name, number in self._attributes.items() if not name.startswith("TEXCOORD")}
+        return repr((sorted(names.items()), self._targets, self._packed))
+
+    # ------------------------------------------------------------------------------------------ vertices
+
+    def _array(self, name: str, types: tuple[str, ...], components: str, count: int | None) -> NDArray[Any]:
+        given = self._draco.get(name) if self._draco is not None else None
+        what = f"{name} of {self._what}"
+        values = self._arrays.accessor(self._attributes[name], what, types, components, given)
+        if count is not None and len(values) != count:
+            raise self._file.error(f"{what} has {len(values)} elements, POSITION {count}")
+        return values
+
+    def read_vertices(self, first: int, placing: Placing) -> Vertices:
+        """Its vertices where the node places them, `first` being where they begin among all.
+
+        Raises:
+            FileError: Something of them is not whole.
+        """
+        positions = self._array("POSITION", ("VEC3",), _POSITION, None)
+        count = len(positions)
+        self._file.check_count(first + count, "the vertices of all nodes")
+        if not np.isfinite(positions).all():
+            row = int(np.argmin(np.isfinite(positions).all(axis=1)))
+            raise self._file.error(f"POSITION of {self._what} is NaN or infinite", where=f"vertex {row}")
+        normals = self._array("NORMAL", ("VEC3",), _NORMAL, count) if "NORMAL" in self._attributes else None
+        colors, attributes = self._colors(count)
+        positions = self._morphed("POSITION", positions, _POSITION, placing)
+        if normals is not None:
+            normals = self._morphed("NORMAL", normals, _NORMAL, placing)
+        attributes |= self._custom(count, attributes)
+        vertices = Vertices(first, positions, normals, colors, attributes)
+        self._place(vertices, placing)
+        return vertices
+
+    def _colors(self, count: int) -> tuple[NDArray[Any] | None, dict[str, NDArray[Any]]]:
+        """Colours, and their alpha as an attribute where it is not 1 everywhere."""
+        if "COLOR_0" not in self._attributes:
+            return None, {}
+        values = self._array("COLOR_0", ("VEC3", "VEC4"), _COLOR, count)
+        if not ((values >= 0) & (values <= 1)).all():
+            raise self._file.error(f"COLOR_0 of {self._what}: a colour is outside 0..1")
+        has_alpha = values.shape[1] == 4 and not (values[:, 3] == 1).all()
+        return values[:, :3], {ALPHA: values[:, 3].astype(np.float32)} if has_alpha else {}
+
+    def _custom(self, count: int, taken: dict[str, NDArray[Any]]) -> dict[str, NDArray[Any]]:
+        """The attributes whose names begin with an underscore, without it; all else is noted as left behind."""
+        found: dict[str, NDArray[Any]] = {}
+        for name in self._attributes:
+            if name.startswith("_") and len(name) > 1 and name[1:] not in taken:
+                accessor = self._file.take("accessors", self._attributes[name], f"{name} of {self._what}")
+                if accessor.get("type") not in ("SCALAR", "VEC2", "VEC3", "VEC4"):
+                    self._left.add(f"the attribute {name[:60]}")
+                    continue
+                values = self._array(name, ("SCALAR", "VEC2", "VEC3", "VEC4"), _CUSTOM, count)
+                found[name[1:]] = values[:, 0] if values.shape[1] == 1 else values
+            elif name not in ("POSITION", "NORMAL", "COLOR_0") and not name.startswith(_PLACELESS):
+                self._left.add(f"the attribute {name[:60]}")
+            elif name == "TANGENT":
+                self._left.add("tangents")
+            elif name.startswith("COLOR_") and name != "COLOR_0":
+                self._left.add(f"the colours {name[:60]}")
+        return found
+
+    def _morphed(self, name: str, values: NDArray[Any], components: str, placing: Placing) -> NDArray[Any]:
+        """Values with those of its morph targets added, by their weights."""
+        if not self._targets:
+            return values
+        self._left.add("morph targets, but for their default weights")
+        weights = [0.0] * len(self._targets) if placing.weights is None else placing.weights
+        given = self._file.numbers(
+            {"weights": weights}, "weights", f"the node of {self._what}", [0.0] * len(self._targets), most=1e30
+        )
+        moved = values
+        for number, (target, weight) in enumerate(zip(self._targets, given, strict=True)):
+            if weight == 0 or name not in target:
+                continue
+            what = f"{name} of target {number} of {self._what}"
+            offsets = self._arrays.accessor(target[name], what, ("VEC3",), components)
+            if len(offsets) != len(values):
+                raise self._file.error(f"{what} has {len(offsets)} elements, {name} {len(values)}")
+            moved = moved.astype(np.float64) + weight * offsets
+        if moved is not values and any(set(target) - {"POSITION", "NORMAL", "TANGENT"} for target in self._targets):
+            self._left.add("colours and texture coordinates of morph targets")
+        return moved
+
+    def _place(self, vertices: Vertices, placing: Placing) -> None:
+        """Move vertices to the world, by joints or by the node."""
+        if placing.joints is None:
+            T = placing.T
+            if np.array_equal(T, np.eye(4)):
+                return
+            vertices.is_mirrored = bool(np.linalg.det(T[:3, :3]) < 0)
+        elif "JOINTS_0" not in self._attributes or "WEIGHTS_0" not in self._attributes:
+            raise self._file.error(f"{self._what} has a skin, but no joints and weights at its vertices")
+        else:
+            count, joints, weights = len(vertices.positions), [], []
+            for k in range(sum(name.startswith("JOINTS_") for name in self._attributes)):
+                if f"JOINTS_{k}" not in self._attributes or f"WEIGHTS_{k}" not in self._attributes:
+                    raise self._file.error(f"{self._what} has no JOINTS_{k} and WEIGHTS_{k}, but later ones")
+                joints.append(self._array(f"JOINTS_{k}", ("VEC4",), "u1 u2", count).astype(np.int64))
+                weights.append(self._array(f"WEIGHTS_{k}", ("VEC4",), _WEIGHTS, count))
+            what = f"JOINTS of {self._what}"
+            T = blend_joints(self._file, placing.joints, np.hstack(joints), np.hstack(weights), what)
+            vertices.is_mirrored = bool((np.linalg.det(T[:, :3, :3]) < 0).all())
+        vertices.positions = move_points(vertices.positions, T)
+        if not np.isfinite(vertices.positions).all():
+            raise self._file.error(f"{self._what} has a vertex that its node moves beyond the range of numbers")
+        if vertices.normals is not None:
+            vertices.normals = turn_normals(vertices.normals, T)
+
+    # ------------------------------------------------------------------------------------------ triangles
+
+    def read_corners(self, count: int) -> NDArray[np.int64]:
+        """Its triangles among its `count` vertices, shape [t, 3].
+
+        Raises:
+            FileError: A corner that is no vertex, or corners that are no whole triangles.
+        """
+        mode, corners = self.mode, self._indices()
+        if corners is None:
+            corners = np.arange(count)
+        elif len(corners) and corners.max() >= count:
+            raise self._file.error(f"indices of {self._what} name vertex {corners.max()}, of {count}")
+        if self._draco is not None:  # which gives triangles of strips too
+            mode = TRIANGLES
+        if mode == TRIANGLES:
+            if len(corners) % 3:
+                raise self._file.error(f"{self._what}: {len(corners)} corners are no whole triangles")
+            return corners.reshape(-1, 3)
+        k = np.arange(max(len(corners) - 2, 0))
+        if mode == STRIP:  # every other triangle of a strip is wound the other way
+            return np.stack([corners[k], corners[k + 1 + k % 2], corners[k + 2 - k % 2]], axis=1)
+        return np.stack([corners[k + 1], corners[k + 2], np.broadcast_to(corners[0], k.shape)], axis=1)
+
+    def _indices(self) -> NDArray[np.int64] | None:
+        if "indices" not in self._content:
+            return None if self._draco is None else self._draco.corners
+        given, what = None, f"indices of {self._what}"
+        if self._draco is not None:
+            if self.mode != TRIANGLES:
+                return self._draco.corners
+            given = self._draco.corners[:, None]
+        return self._arrays.accessor(self._content["indices"], what, ("SCALAR",), "u1 u2 u4", given)[:, 0].astype(
+            np.int64
+        )
+
+    def read_uvs(
+        self, number: int, transform: NDArray[np.float64] | None, corners: NDArray[np.int64], count: int
+    ) -> NDArray[np.float32] | None:
+        """The texture coordinates of corners, v counted from below; None where it has none of this number."""
+        name = f"TEXCOORD_{number}"
+        for other in self._attributes:
+            if other.startswith("TEXCOORD_") and other != name:
+                self._left.add(f"the texture coordinates {other[:60]}")
+        if name not in self._attributes:
+            return None
+        uvs = self._array(name, ("VEC2",), _UV, count).astype(np.float32)
+        if transform is not None:
+            uvs = (uvs.astype(np.float64) @ transform[:, :2].T + transform[:, 2]).astype(np.float32)
+        uvs[:, 1] = 1 - uvs[:, 1]
+        return uvs[corners.reshape(-1)]
