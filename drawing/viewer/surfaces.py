@@ -43,7 +43,7 @@ def to_glb(part: Triangles) -> bytes | None:
     positions, faces = surface_arrays(part)
     if not len(faces):
         return None
-    lit, has_texture = is_lit(part), part.texture is not None and part.uvs is not None and part.uvs.size > 0
+    lit, has_texture = part.is_lit, part.is_textured
     columns: dict[str, NDArray[Any]] = {"POSITION": positions}
     material: dict[str, Any] = {"doubleSided": not part.cull}
     look: dict[str, Any] = {"metallicFactor": 0.0, "roughnessFactor": 1.0}
@@ -94,13 +94,6 @@ def edges_beside(part: Triangles, gap: float) -> tuple[NDArray[np.float32], NDAr
     shift = normals / np.where(lengths > 0, lengths, 1) * gap * np.linalg.norm(np.ptp(positions[faces.ravel()], axis=0))
     both = np.concatenate([positions + shift, positions - shift]).astype(np.float32)
     return both, np.concatenate([faces, faces + len(positions)]).astype(np.int32)
-
-
-def is_lit(part: Triangles) -> bool:
-    """Whether light falls on it: by default where nothing else shows its relief."""
-    if part.lit is not None:
-        return bool(part.lit)
-    return part.colors.size == 0 and part.texture is None
 
 
 def sent_colors(colors: Any, *, lit: bool) -> NDArray[np.float32]:

@@ -180,12 +180,17 @@ def test_colors_come_out_of_the_page_s_tone_mapping_as_they_are(rng):
     assert seen[-1].min() > 0.89  # 243 of 255
 
 
-def test_light_falls_where_nothing_else_shows_relief():
+def test_light_falls_on_all_but_photographs():
     part_of = lambda mesh, **style: make_item("mesh", 0, mesh, Style(**style)).parts[0]  # noqa: E731
     plain, colored = loom.TriangleMesh(SQUARE, FACES), loom.TriangleMesh(SQUARE, FACES, vertex_colors=np.ones((4, 3)))
     assert b"KHR_materials_unlit" not in to_glb(part_of(plain))
-    assert b"KHR_materials_unlit" in to_glb(part_of(colored))
-    assert b"KHR_materials_unlit" not in to_glb(part_of(colored, shaded=True))
+    assert b"KHR_materials_unlit" not in to_glb(part_of(colored))
+    assert b"KHR_materials_unlit" in to_glb(part_of(colored, shaded=False))
+    picture = {"triangle_uvs": np.zeros((6, 2)), "textures": [np.zeros((2, 2, 3), np.uint8)]}
+    textured = loom.TriangleMesh(SQUARE, FACES, **picture)
+    assert b"KHR_materials_unlit" in to_glb(part_of(textured))
+    assert b"KHR_materials_unlit" not in to_glb(part_of(textured, shaded=True))
+    assert b"KHR_materials_unlit" not in to_glb(part_of(textured, color=(1, 0, 0)))
     assert b'"doubleSided":true' in to_glb(part_of(plain))
     assert b'"doubleSided":false' in to_glb(part_of(plain, back_faces=False))
 
