@@ -17,7 +17,7 @@ from pointloom.drawing.viewer.sessions import told
 from pointloom.drawing.viewer.surfaces import (
     before_tone_mapping,
     edges_beside,
-    sent_colors,
+    linear_colors,
     surface_arrays,
     to_glb,
     tone_mapped,
@@ -172,7 +172,7 @@ def test_a_mesh_is_sent_whole(tmp_path, device):
 
 
 def test_colors_come_out_of_the_page_s_tone_mapping_as_they_are(rng):
-    linear = sent_colors(0.35 + 0.4 * rng.random((200, 3)), lit=True).astype(np.float64)
+    linear = linear_colors(0.35 + 0.4 * rng.random((200, 3)))
     assert np.allclose(tone_mapped(before_tone_mapping(linear)), linear, atol=1e-5)
     saturated = np.vstack([np.eye(3), 1 - np.eye(3), np.zeros((1, 3)), np.ones((1, 3))])
     seen = tone_mapped(before_tone_mapping(saturated))
