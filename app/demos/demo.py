@@ -12,6 +12,7 @@ from ...core.reports import Fields, all_of
 from ...core.timing import Clock, peak_bytes
 from ...drawing.render.picture_files import save_picture
 from ...drawing.render.render import render
+from ...drawing.render.scene_view import as_photographed
 from ...drawing.render.surface_picture import draw_surface
 from ...meshing.mesh.mesh import TriangleMesh
 from ...meshing.mesh.mesh_files import write_triangle_mesh
@@ -124,7 +125,7 @@ class FuseTrial(Trial):
 
 def _write(place: Place, room: TriangleMesh, sofa: TriangleMesh) -> tuple[str, ...]:
     """Draw and write the meshes; gives the names of all files."""
-    images = [render(room, mesh_show_back_face=False), draw_surface(sofa)]
+    images = [render(as_photographed(room), mesh_show_back_face=False), draw_surface(sofa)]
     place.clock.stop("picture")
     files = place.files(OUTPUTS)
     for mesh, image, k in zip((room, sofa), images, (0, 2), strict=True):

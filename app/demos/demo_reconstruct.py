@@ -19,6 +19,7 @@ from ...core.timing import peak_bytes
 from ...core.wording import plain
 from ...drawing.render.picture_files import save_picture
 from ...drawing.render.render import render
+from ...drawing.render.scene_view import as_photographed
 from ...files.frames.frames import camera_line, describe_camera
 from ...meshing.mesh.mesh import TriangleMesh
 from ...meshing.mesh.mesh_files import write_triangle_mesh
@@ -189,7 +190,7 @@ class ReconstructTrial(Trial):
         drift = Drift.of(brought.poses, truths)
         errors = SurfaceErrors.of(surface_errors(mesh.vertices, device=mesh.device), self.voxel_size)
         clock.stop("measure")
-        image = render(mesh, mesh_show_back_face=False)
+        image = render(as_photographed(mesh), mesh_show_back_face=False)
         clock.stop("picture")
         cost, files = Cost(clock.seconds, peak_bytes()), place.files(OUTPUTS)
         write_triangle_mesh(files[0], mesh, overwrite=place.overwrite)

@@ -224,7 +224,7 @@ def _describe_shape(shape: Shape, arrays: list[NDArray[Any]], size: float | None
         described["colors"] = _append(arrays, np.asarray(shape.colors, np.uint8))
     if shape.normals is not None:
         described["normals"] = _append(arrays, _pack_normals(shape.normals))
-    for look in ("wireframe", "cull"):
+    for look in ("wireframe", "cull", "unlit"):
         if getattr(shape, look):
             described[look] = True
     return described

@@ -151,6 +151,7 @@ def _surface(part: Triangles, shift: NDArray[np.float64], max_points: int, plain
         plain=plain,
         wireframe=part.wireframe,
         cull=part.cull,
+        unlit=not part.is_lit,
     )
 
 

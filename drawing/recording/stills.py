@@ -59,5 +59,5 @@ def _part(shape: Shape, device: Any) -> Part:
     indices = upload(np.empty(0, np.int32) if shape.indices is None else shape.indices.ravel(), int32, device)
     if shape.kind == "lines":
         return Lines(positions, origin, indices, colors, width=shape.size, plain=plain)
-    faces: dict[str, Any] = {"wireframe": shape.wireframe, "cull": shape.cull}
+    faces: dict[str, Any] = {"wireframe": shape.wireframe, "cull": shape.cull, "lit": not shape.unlit}
     return Triangles(positions, origin, indices, colors, normals, **faces, plain=plain)

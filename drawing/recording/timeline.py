@@ -23,6 +23,7 @@ class Shape:
         plain: Red, green and blue, uint8.
         wireframe: Edges over the faces.
         cull: Leave out faces that look away, so that one sees into a closed room through its near walls.
+        unlit: Faces stay as bright as their colours: photographs have their own light.
     """
 
     kind: Literal["points", "lines", "triangles"]
@@ -34,6 +35,7 @@ class Shape:
     plain: tuple[int, int, int] = (89, 128, 158)
     wireframe: bool = False
     cull: bool = False
+    unlit: bool = False
 
 
 @dataclasses.dataclass(frozen=True, eq=False)

@@ -83,7 +83,7 @@ class Triangles:
         texture: uint8 [h, w, 3] on the host, or None.
         wireframe: Edges over the faces.
         cull: Leave out faces that look away.
-        lit: Whether light falls at an angle; None for those without colours.
+        lit: Whether light falls at an angle; None for all but those with a texture, which has the light in it.
         plain: The colour of what has none.
         pose: Moves what is drawn, 4x4.
     """
@@ -100,6 +100,16 @@ class Triangles:
     lit: bool | None = None
     plain: Triple = (0.80, 0.78, 0.74)
     pose: Matrix | None = None
+
+    @property
+    def is_textured(self) -> bool:
+        """Whether there is a texture, and where in it each corner lies."""
+        return self.texture is not None and self.uvs is not None and self.uvs.size > 0
+
+    @property
+    def is_lit(self) -> bool:
+        """Whether light falls at an angle: colours alone show no relief, photographs have their own light."""
+        return not self.is_textured if self.lit is None else bool(self.lit)
 
 
 Part = Points | Lines | Triangles

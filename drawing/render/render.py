@@ -74,9 +74,9 @@ def render(
         mesh_show_back_face: Draw triangles that look away; without them one sees into a closed room.
         background: Red, green and blue, 0 to 1.
         shading: "smooth" or "flat" lights all that is drawn at an angle, by normals of vertices or of faces; "none"
-            shows colours as they are. None takes what suits: meshes without colours are lit, smoothly if they have
-            normals; points that have normals and no colours of their own are lit, others are darker where they lie
-            behind their neighbours.
+            shows colours as they are. None takes what suits: meshes are lit, smoothly if they have normals, except
+            those with textures, which hold the light of the photographs; points that have normals and no colours of
+            their own are lit, others are darker where they lie behind their neighbours.
         labels: Texts and the places [m] that they belong to: [("door", [1, 0, 2])]. One that would lie on an earlier
             one in the picture is left out: give those that matter most first.
         legend: Names and colours, [("before", (1, 0, 0))], or True for the names of the geometries.

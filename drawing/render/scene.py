@@ -216,14 +216,14 @@ class Drawing:
     def _surface(self, part: Triangles) -> Surface:
         uvs, texture = part.uvs, part.texture
         image: Any = (empty(0, uint8, self.device), 0, 0)
-        if texture is not None and uvs is not None and uvs.size:
+        if texture is not None and part.is_textured:
             pixels = np.ascontiguousarray(np.asarray(texture, np.uint8)[:, :, :3])
             image = (upload(pixels.ravel(), uint8, self.device), texture.shape[1], texture.shape[0])
         else:
             uvs = empty(0, vec2, self.device)
-        lit = (part.colors.size == 0 and image[1] == 0) if part.lit is None else part.lit
         held = {"normals": part.normals, "colors": part.colors, "uvs": uvs, "texture": image}
-        return Surface(part.positions, part.indices, plain=vec3(*part.plain), lit=lit, edges=part.wireframe, **held)
+        looks = {"plain": vec3(*part.plain), "lit": part.is_lit, "edges": part.wireframe}
+        return Surface(part.positions, part.indices, **looks, **held)
 
     def _rectangle(self, placed: Placed, margin: float, reach: float = 0.0) -> tuple[int, int, int, int]:
         """The rectangle [px] of the picture that a part lies in: left, top, right, bottom."""

@@ -1,4 +1,8 @@
-"""A picture of a scanned scene, whose frame may lie anyhow: `draw_scene`, from where `view_scene` says."""
+"""A picture of a scanned scene, whose frame may lie anyhow: `draw_scene`, from where `view_scene` says.
+
+Colours that cameras took have the light of the scene in them, and scanned surfaces are rough: such a mesh is drawn as
+bright as its colours are (`as_photographed`).
+"""
 
 from __future__ import annotations
 
@@ -35,8 +39,14 @@ def draw_scene(path: Any, mesh: TriangleMesh, T_world_camera: NDArray[np.float64
         FileError: The place cannot be written.
     """
     view = view_scene(mesh, T_world_camera)
-    image = render(mesh, view, background=BACKDROP, mesh_show_back_face=False)
+    image = render(as_photographed(mesh), view, background=BACKDROP, mesh_show_back_face=False)
     save_picture(path, image, overwrite=overwrite)
+
+
+def as_photographed(mesh: TriangleMesh) -> dict[str, Any]:
+    """A mesh for `render` whose colours, if it has any, are those of photographs; without any it is lit."""
+    entry: dict[str, Any] = {"geometry": mesh}
+    return entry | {"shaded": False} if "vertex_colors" in mesh.device_arrays else entry
 
 
 def view_scene(

@@ -19,6 +19,7 @@ from .camera import camera_of, diagonal, read_parameters, set_first_camera, set_
 from .coloring_choice import ColoringChoice
 from .detail_tree import DetailTree
 from .items import Bounds, Frame, Item
+from .lights import light_evenly
 from .nodes import NORMAL_LENGTH, ItemNodes
 from .panel import Panel
 from .server import ViewerServer
@@ -75,6 +76,7 @@ class Scene:
         try:
             self.panel = Panel(self)  # type: ignore[arg-type]  # a Viewer
             self._paint_background()
+            light_evenly(self.server.viser)
             self._aim_first_camera()
             self.server.viser.on_client_connect(self._join)
             self.server.viser.on_client_disconnect(self._leave)

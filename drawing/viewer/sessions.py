@@ -16,6 +16,7 @@ from ...core.errors import PointloomError
 from ..render.view import View
 from .camera import camera_of, diagonal, point_radius, set_camera, set_reach, view_of
 from .items import Item
+from .lights import Lamps
 from .pacing import Pace
 from .whole_cloud import WholeCloud
 
@@ -52,6 +53,7 @@ class Session:
         self._canvas, self._sizes = (0, 0), {}
         self._put, self._put_shape = np.zeros(3), 0  # where the camera was put, and the shape of the page then
         self._line: Any = None
+        self._lamps: Lamps | None = None
         self._toolbox: Any = None
         self._pace = Pace(self._ask_for_sign)
         self._feeder: threading.Thread | None = None
@@ -62,6 +64,7 @@ class Session:
         """Show the scene to the page; the viewer's lock is held."""
         self._take_size(self.client.camera)
         self.go_home()
+        self._lamps = Lamps(self.client)
         self._line = self.viewer.panel.add_line(self.client)
         for item in self.viewer.items.values():
             self.show(item)
@@ -267,6 +270,9 @@ class Session:
         if now == self._camera:
             return  # it was only asked for a sign
         self._camera, self._moved = now, time.monotonic()
+        if self._lamps is not None and not self.closed:
+            with self.as_it_lasts():
+                self._lamps.follow(camera)
         if self._timer is None and not self.closed:
             self._wait(REST)
 

@@ -1,7 +1,7 @@
 """Triangles as the browser takes them: one glTF scene in memory, its colours such that they come out as they are.
 
-The page maps tones (ACES, as fitted by S. Hill) over all that glTF brings. Colours of surfaces without light are
-therefore sent as what the mapping makes the wanted colour of; those under light are sent as they are.
+The page maps tones (ACES, as fitted by S. Hill) over all that glTF brings. Colours are therefore sent as what the
+mapping makes the wanted colour of; under light, of the colour in the usual light (lights.py).
 Source: Khronos, "glTF 2.0 Specification"; three.js, tonemapping_pars_fragment.
 """
 
@@ -18,6 +18,7 @@ from ...files.meshes.glb_container import BINARY_CHUNK, JSON_CHUNK, MAGIC
 from ...files.pictures.image_files import encode_png
 from ...kernels.memory import download
 from ..render.parts import Triangles
+from .lights import USUAL
 
 _FLOAT, _UINT = 5126, 5125
 
@@ -36,6 +37,7 @@ _DARKER = (1.0, 0.9, 0.8, 0.7, 0.6, 0.5)
 # Textures have eight bits for what the curve spreads over twice white: they are brightened as a whole instead, so
 # that the middle grey comes out as it is.
 _TEXTURE_GAIN = 1.25
+_LIT_GAIN = 0.75  # ... under light, which is brighter than that
 
 
 def to_glb(part: Triangles) -> bytes | None:
@@ -43,7 +45,7 @@ def to_glb(part: Triangles) -> bytes | None:
     positions, faces = surface_arrays(part)
     if not len(faces):
         return None
-    lit, has_texture = is_lit(part), part.texture is not None and part.uvs is not None and part.uvs.size > 0
+    lit, has_texture = part.is_lit, part.is_textured
     columns: dict[str, NDArray[Any]] = {"POSITION": positions}
     material: dict[str, Any] = {"doubleSided": not part.cull}
     look: dict[str, Any] = {"metallicFactor": 0.0, "roughnessFactor": 1.0}
@@ -56,9 +58,9 @@ def to_glb(part: Triangles) -> bytes | None:
     if has_texture:
         columns, faces = _with_corners(part, columns, faces)
         look["baseColorTexture"] = {"index": 0}
-        look["baseColorFactor"] = [1.0 if lit else _TEXTURE_GAIN] * 3 + [1.0]
-    if not lit:
-        material["extensions"] = {"KHR_materials_unlit": {}}
+        look["baseColorFactor"] = [_LIT_GAIN if lit else _TEXTURE_GAIN] * 3 + [1.0]
+    # light is scattered alone, as in our pictures: no gloss
+    material["extensions"] = {"KHR_materials_specular": {"specularFactor": 0.0}} if lit else {"KHR_materials_unlit": {}}
     material["pbrMetallicRoughness"] = look
     return _assemble(columns, faces, material, part.texture if has_texture else None)
 
@@ -96,18 +98,16 @@ def edges_beside(part: Triangles, gap: float) -> tuple[NDArray[np.float32], NDAr
     return both, np.concatenate([faces, faces + len(positions)]).astype(np.int32)
 
 
-def is_lit(part: Triangles) -> bool:
-    """Whether light falls on it: by default where nothing else shows its relief."""
-    if part.lit is not None:
-        return bool(part.lit)
-    return part.colors.size == 0 and part.texture is None
-
-
 def sent_colors(colors: Any, *, lit: bool) -> NDArray[np.float32]:
-    """Colours of the screen (0 to 1) as the linear ones that glTF has."""
+    """Colours of the screen (0 to 1) as the linear ones of which the page makes them, under light the usual share."""
+    shown = np.asarray(colors, np.float64) * (USUAL if lit else 1.0)
+    return before_tone_mapping(linear_colors(shown)).astype(np.float32)
+
+
+def linear_colors(colors: Any) -> NDArray[np.float64]:
+    """Colours of the screen (0 to 1) as shares of light."""
     shown = np.clip(np.nan_to_num(np.asarray(colors, np.float64)), 0, 1)
-    linear = np.where(shown <= 0.04045, shown / 12.92, ((shown + 0.055) / 1.055) ** 2.4)
-    return (linear if lit else before_tone_mapping(linear)).astype(np.float32)
+    return np.where(shown <= 0.04045, shown / 12.92, ((shown + 0.055) / 1.055) ** 2.4)
 
 
 def before_tone_mapping(linear: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -118,9 +118,9 @@ def before_tone_mapping(linear: NDArray[np.float64]) -> NDArray[np.float64]:
     sent, is_exact = _before_curve(linear)
     hard = np.flatnonzero(~is_exact)
     if len(hard):
-        wanted = _as_seen(linear[hard])
+        wanted = as_seen(linear[hard])
         tries = np.stack([_before_curve(linear[hard] * share)[0] for share in _DARKER])
-        gaps = [np.square(_as_seen(tone_mapped(one)) - wanted).sum(axis=1) for one in tries]
+        gaps = [np.square(as_seen(tone_mapped(one)) - wanted).sum(axis=1) for one in tries]
         sent[hard] = tries[np.argmin(gaps, axis=0), np.arange(len(hard))]
     return sent
 
@@ -143,8 +143,8 @@ def _before_curve(linear: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDA
     return np.maximum(found, 0), found.min(axis=1) > -1e-3
 
 
-def _as_seen(linear: NDArray[np.float64]) -> NDArray[np.float64]:
-    """In sRGB, whose steps look equal."""
+def as_seen(linear: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Shares of light as colours of the screen, sRGB, whose steps look equal."""
     return np.where(linear <= 0.0031308, 12.92 * linear, 1.055 * np.maximum(linear, 0.0031308) ** (1 / 2.4) - 0.055)
 
 
@@ -196,8 +196,7 @@ def _assemble(
         "meshes": [{"primitives": [primitive]}],
         "materials": [material],
     }
-    if "extensions" in material:
-        content["extensionsUsed"] = list(material["extensions"])
+    content["extensionsUsed"] = list(material["extensions"])
     if texture is not None:
         content["images"] = [{"bufferView": add_view(encode_png(texture)), "mimeType": "image/png"}]
         content["textures"] = [{"source": 0}]

@@ -80,6 +80,24 @@ def test_a_million_points_are_seen(show):
     wait_for_picture(page, lambda image: count_pixels(image, BLUE) > 40_000)
 
 
+def test_a_mesh_without_colours_is_lit_as_in_our_pictures_from_all_sides(show):
+    ball = loom.TriangleMesh.create_sphere(1.0, 40).compute_vertex_normals()
+    viewer, page = show(ball)
+    for front in ((0, -1, 0.2), (1, 0.3, -0.5)):
+        viewer.set_view(front=front, up=(0, 0, 1), lookat=(0, 0, 0), zoom=0.8)
+
+        def looks_alike(image: np.ndarray) -> bool:
+            view = viewer.get_view()
+            own = loom.render(ball, view).astype(float)
+            seen = image[: own.shape[0], : own.shape[1]].astype(float)  # the panel stands beside the canvas
+            if seen.shape != own.shape:
+                return False
+            both = (seen.min(axis=2) < 245) & (own.min(axis=2) < 245)
+            return bool(both.mean() > 0.05 and np.abs(seen - own)[both].mean() < 10)
+
+        wait_for_picture(page, looks_alike)
+
+
 FOUR = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0.0]])
 FOUR_COLORS = [RED, GREEN, BLUE, (255, 0, 255)]
 

@@ -142,14 +142,15 @@ class Scene {
   drawShape(number, camera, pose, near) {
     const { gl, looks } = this;
     const shape = this.shapes.get(number);
-    const { kind, size, plain, normals, colors, wireframe, cull } = this.description.shapes[number];
+    const { kind, size, plain, normals, colors, wireframe, cull, unlit } = this.description.shapes[number];
     if (!shape || shape.count === 0) return;
     const program = this.programs[kind];
     const toCamera = modelToCamera(camera.rotation, camera.eye, pose, camera.unit);
     const every = kind === "points" ? thinned(shape.count, this.every) : 1;
     const factor = looks.pointFactor * Math.min(Math.sqrt(every), 2);
     const pixels = size * this.density * (kind === "points" ? factor : 1);
-    const lit = [colors === undefined, true, false][looks.light];
+    const suits = kind === "triangles" ? !unlit : colors === undefined;
+    const lit = [suits, true, false][looks.light];
     const relief = kind === "points" && looks.light !== 2 && !(lit && normals !== undefined);
     gl.useProgram(program.program);
     gl.uniformMatrix4x3fv(program.at("to_camera"), false, toCamera);

@@ -71,7 +71,7 @@ def test_vertex_colours_are_interpolated_in_perspective(device):
     colors = np.column_stack([(vertices[:, 0] + 1) / 2, np.zeros(4), np.zeros(4)])
     mesh = loom.TriangleMesh(vertices, triangles, vertex_colors=colors)
     columns = np.arange(60, 88)
-    row = loom.render(mesh, view, device=device)[59, columns, 0].astype(float) / 255
+    row = loom.render(mesh, view, shading="none", device=device)[59, columns, 0].astype(float) / 255
     assert row == pytest.approx((x_of_ramp(columns) + 1) / 2, abs=0.01)
 
 
@@ -108,8 +108,9 @@ def test_each_triangle_has_the_texture_of_its_material(device):
 def test_one_looks_into_a_closed_box_through_its_near_walls(device):
     inward = sphere()
     inward.triangles, inward.vertex_colors = inward.triangles[:, ::-1], np.clip(inward.vertices, 0, 1)
-    culled = loom.render(inward, straight_view(5.0), mesh_show_back_face=False, device=device)
-    closed = loom.render(inward, straight_view(5.0), device=device)
+    options = {"shading": "none", "device": device}
+    culled = loom.render(inward, straight_view(5.0), mesh_show_back_face=False, **options)
+    closed = loom.render(inward, straight_view(5.0), **options)
     assert culled[60, 80, 2] > 240 and closed[60, 80, 2] < 15
 
 
@@ -123,6 +124,29 @@ def test_light_on_a_smooth_sphere_changes_less_from_pixel_to_pixel(device):
     assert steps["smooth"] * 2 < steps["flat"]
     plain = loom.render(mesh, straight_view(5.0), shading="none", device=device)
     assert np.unique(plain[60, 50:110], axis=0).shape[0] == 1
+
+
+@pytest.mark.parametrize("with_normals", [False, True], ids=["flat", "smooth"])
+def test_a_painted_mesh_is_lit_as_one_without_colors_is(device, with_normals):
+    ball = loom.TriangleMesh.create_sphere(1.0)
+    ball = ball.compute_vertex_normals() if with_normals else ball
+    plain = loom.render({"geometry": ball, "color": (1, 0.6, 0.2)}, straight_view(5.0), device=device)
+    painted = ball.paint_uniform_color([1, 0.6, 0.2])
+    image = loom.render(painted, straight_view(5.0), device=device)
+    assert np.unique(image.reshape(-1, 3), axis=0).shape[0] > 50
+    assert np.abs(image.astype(int) - plain).max() <= 1  # colours between three corners are rounded
+    bare = loom.render({"geometry": painted, "shaded": False}, straight_view(5.0), device=device)
+    assert np.unique(bare[60, 50:110], axis=0).tolist() == [[255, 153, 51]]
+
+
+def test_a_texture_keeps_the_light_of_its_photographs(device):
+    square = loom.TriangleMesh(
+        [[-1, -1, 0], [1, -1, 0.5], [1, 1, 0], [-1, 1, 0]], [[0, 2, 1], [0, 3, 2]],
+        triangle_uvs=np.zeros((6, 2)), textures=[np.full((2, 2, 3), 200, np.uint8)],
+    )  # fmt: skip
+    middle = loom.render(square, straight_view(5.0), device=device)[60, 80]
+    lit = loom.render({"geometry": square, "shaded": True}, straight_view(5.0), device=device)[60, 80]
+    assert middle.tolist() == [200, 200, 200] and lit[0] < 200
 
 
 def test_edges_are_drawn_over_faces_and_as_wide_on_each_slope(device):

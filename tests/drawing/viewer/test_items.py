@@ -17,7 +17,7 @@ from pointloom.drawing.viewer.sessions import told
 from pointloom.drawing.viewer.surfaces import (
     before_tone_mapping,
     edges_beside,
-    sent_colors,
+    linear_colors,
     surface_arrays,
     to_glb,
     tone_mapped,
@@ -172,7 +172,7 @@ def test_a_mesh_is_sent_whole(tmp_path, device):
 
 
 def test_colors_come_out_of_the_page_s_tone_mapping_as_they_are(rng):
-    linear = sent_colors(0.35 + 0.4 * rng.random((200, 3)), lit=True).astype(np.float64)
+    linear = linear_colors(0.35 + 0.4 * rng.random((200, 3)))
     assert np.allclose(tone_mapped(before_tone_mapping(linear)), linear, atol=1e-5)
     saturated = np.vstack([np.eye(3), 1 - np.eye(3), np.zeros((1, 3)), np.ones((1, 3))])
     seen = tone_mapped(before_tone_mapping(saturated))
@@ -180,12 +180,17 @@ def test_colors_come_out_of_the_page_s_tone_mapping_as_they_are(rng):
     assert seen[-1].min() > 0.89  # 243 of 255
 
 
-def test_light_falls_where_nothing_else_shows_relief():
+def test_light_falls_on_all_but_photographs():
     part_of = lambda mesh, **style: make_item("mesh", 0, mesh, Style(**style)).parts[0]  # noqa: E731
     plain, colored = loom.TriangleMesh(SQUARE, FACES), loom.TriangleMesh(SQUARE, FACES, vertex_colors=np.ones((4, 3)))
     assert b"KHR_materials_unlit" not in to_glb(part_of(plain))
-    assert b"KHR_materials_unlit" in to_glb(part_of(colored))
-    assert b"KHR_materials_unlit" not in to_glb(part_of(colored, shaded=True))
+    assert b"KHR_materials_unlit" not in to_glb(part_of(colored))
+    assert b"KHR_materials_unlit" in to_glb(part_of(colored, shaded=False))
+    picture = {"triangle_uvs": np.zeros((6, 2)), "textures": [np.zeros((2, 2, 3), np.uint8)]}
+    textured = loom.TriangleMesh(SQUARE, FACES, **picture)
+    assert b"KHR_materials_unlit" in to_glb(part_of(textured))
+    assert b"KHR_materials_unlit" not in to_glb(part_of(textured, shaded=True))
+    assert b"KHR_materials_unlit" not in to_glb(part_of(textured, color=(1, 0, 0)))
     assert b'"doubleSided":true' in to_glb(part_of(plain))
     assert b'"doubleSided":false' in to_glb(part_of(plain, back_faces=False))
 

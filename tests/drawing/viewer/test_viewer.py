@@ -314,6 +314,14 @@ def test_the_camera_rests_a_quarter_of_a_second_after_it_moved(shown, page, rng)
     assert view.T_world_camera[0, 3] - shown.frame.origin[0] == pytest.approx(9)
 
 
+def test_the_lamps_of_a_page_go_with_its_camera(shown, page):
+    lamps = session_of(shown)._lamps
+    facing = {"wxyz": [1.0, 0.0, 0.0, 0.0], "look_at": [0, 0, 0], "up_direction": [0, -1, 0]}
+    say(page, CAMERA | facing | {"position": [0.0, 1.0, -3.0]})
+    wait_until(lambda: np.allclose(lamps._lamp.position, [0, 1, -3]))
+    assert np.allclose(lamps._key.position, [-0.45, -0.65, -0.612])  # above left of it, y down
+
+
 def test_points_keep_their_size_on_the_screen_as_the_camera_goes_away(shown, page, rng):
     shown.add("cloud", cloud_of(rng.random((50, 3)) * 0.1))
     near = {"wxyz": [0.0, 1.0, 0.0, 0.0], "look_at": [0, 0, 0], "up_direction": [0, 1, 0]}
