@@ -11,3 +11,5 @@ from .matches import match as match
 from .reconstruction import reconstruct as reconstruct
 from .verdict import Verdict as Verdict
 from .verdict import judge_model as judge_model
+from .triangulation import TriangulationResult as TriangulationResult
+from .triangulation import triangulate as triangulate

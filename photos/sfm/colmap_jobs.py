@@ -89,7 +89,7 @@ def _messages(process: LimitedProcess, poll: Callable[[], None] | None) -> Itera
                     yield message
 
 
-_NOUNS = {"features": "finding features", "matches": "matching", "model": "mapping"}
+_NOUNS = {"features": "finding features", "matches": "matching", "model": "mapping", "points": "triangulation"}
 
 
 def _what_failed(stage: str, last: dict[str, Any], process: LimitedProcess, folder: Path) -> tuple[str, str]:

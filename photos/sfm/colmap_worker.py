@@ -44,7 +44,7 @@ def main() -> int:
     pycolmap.logging.logtostderr = True
     pycolmap.logging.minloglevel = pycolmap.logging.WARNING.value
     pycolmap.set_random_seed(job.get("seed", 0))
-    stages = {"features": find_features, "matches": match, "model": map_pictures}
+    stages = {"features": find_features, "matches": match, "model": map_pictures, "points": triangulate}
     try:
         done = stages[job["stage"]](pycolmap, job, answers)
     except MemoryError:
@@ -146,6 +146,64 @@ def _mapped(pycolmap: Any, job: dict[str, Any], answers: IO[str]) -> list[Any]:
     )
     # The number of a model settles which of two of one size it is.
     return [model for _, model in sorted(found.items(), key=lambda item: (-item[1].num_reg_images(), item[0]))]
+
+
+def triangulate(pycolmap: Any, job: dict[str, Any], answers: IO[str]) -> dict[str, Any]:
+    """Points of matches between pictures whose poses are known, and stay as they are.
+
+    The job's file of arrays has the places of features as a camera without distortion has them (its middle at zero, the
+    middle of a pixel at whole numbers), so that each picture's camera is known by its focal length alone.
+    """
+    import numpy as np
+
+    with np.load(job["arrays"]) as given:
+        given = dict(given)
+    model = pycolmap.Reconstruction()
+    with pycolmap.Database.open(job["database"]) as database:
+        _write_posed(pycolmap, np, model, database, given)
+    options = pycolmap.IncrementalPipelineOptions()
+    options.num_threads = options.mapper.num_threads = 1
+    options.random_seed = options.mapper.random_seed = options.triangulation.random_seed = job["seed"]
+    options.extract_colors, options.min_num_matches = False, job["fewest"]
+    options.triangulation.ignore_two_view_tracks = len(given["poses"]) > 2
+    options.triangulation.min_angle = options.mapper.filter_min_tri_angle = job["angle"]
+    options.triangulation.merge_max_reproj_error = options.triangulation.complete_max_reproj_error = job["error"]
+    options.mapper.filter_max_reproj_error = job["error"]
+    options.triangulation.create_max_angle_error = options.triangulation.continue_max_angle_error = job["angle_error"]
+    found = pycolmap.triangulate_points(model, job["database"], job["scratch"], job["scratch"], options=options)
+    points = [found.points3D[number] for number in sorted(found.points3D)]
+    seen = [(e.image_id - 1, e.point2D_idx, k) for k, point in enumerate(points) for e in point.track.elements]
+    places = np.array([point.xyz for point in points], np.float64).reshape(-1, 3)
+    np.savez(job["found"], points=places, seen=np.array(seen, np.int64).reshape(-1, 3))
+    return {"points": len(points)}
+
+
+def _write_posed(pycolmap: Any, np: Any, model: Any, database: Any, given: dict[str, Any]) -> None:
+    """Pictures with poses into a model, and with features and matches into a database; numbered from 1."""
+    for i, pose in enumerate(given["poses"]):
+        width, height = (int(side) for side in given["sizes"][i])
+        params = [given["focals"][i], given["focals"][i], 0.5, 0.5]
+        camera = pycolmap.Camera(model="PINHOLE", width=width, height=height, params=params, camera_id=i + 1)
+        model.add_camera_with_trivial_rig(camera)
+        places = given["places"][given["firsts"][i] : given["firsts"][i + 1]] + 0.5
+        image = pycolmap.Image(name=f"{i:06d}", keypoints=places, camera_id=i + 1, image_id=i + 1)
+        model.add_image_with_trivial_frame(image, pycolmap.Rigid3d(pycolmap.Rotation3d(pose[:, :3]), pose[:, 3]))
+    for camera in model.cameras.values():
+        database.write_camera(camera, use_camera_id=True)
+    for rig in model.rigs.values():
+        database.write_rig(rig, use_rig_id=True)
+    for frame in model.frames.values():
+        database.write_frame(frame, use_frame_id=True)
+    for number, image in model.images.items():
+        database.write_image(image, use_image_id=True)
+        places = given["places"][given["firsts"][number - 1] : given["firsts"][number]] + 0.5
+        database.write_keypoints(number, places.astype(np.float32))
+    for (a, b), first, last in zip(given["pairs"], given["starts"], given["starts"][1:], strict=False):
+        found = pycolmap.TwoViewGeometry()
+        found.config = pycolmap.TwoViewGeometryConfiguration.CALIBRATED
+        found.inlier_matches = given["matches"][first:last].astype(np.uint32)
+        database.write_matches(int(a) + 1, int(b) + 1, found.inlier_matches)
+        database.write_two_view_geometry(int(a) + 1, int(b) + 1, found)
 
 
 def _own_output() -> IO[str]:

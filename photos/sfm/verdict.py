@@ -13,6 +13,7 @@ from ...core.checks import check_count, check_list
 from ...files.models.sfm_model import SfmModel
 from .camera_check import CameraCheck
 from .parallax import parallax, triangulation_angles
+from .pose_check import PoseCheck
 
 MIN_REGISTERED = 0.6  # share of the pictures
 WHOLE = 0.95  # share of the pictures in the largest model, with which others do not matter: they overlap
@@ -41,6 +42,7 @@ class Verdict:
         error: Median reprojection error [px]; NaN without points.
         reasons: Why the result is poor, with the remedy; empty where it is good.
         focal: What the pictures say of the focal length; None where nobody asked.
+        poses: What they say of poses that were given; None where they were found.
     """
 
     picture_count: int
@@ -53,11 +55,12 @@ class Verdict:
     error: float
     reasons: tuple[str, ...]
     focal: CameraCheck | None = None
+    poses: PoseCheck | None = None
 
     @property
     def remarks(self) -> tuple[str, ...]:
         """What is to be known of a result though it is good: cameras that differ, a focal length that is EXIF's."""
-        return () if self.focal is None else tuple(self.focal.remarks())
+        return tuple(line for check in (self.focal, self.poses) if check is not None for line in check.remarks())
 
     @property
     def poor(self) -> str | None:
@@ -67,7 +70,9 @@ class Verdict:
     def to_json(self) -> dict[str, Any]:
         """The same in JSON's types; NaN becomes None."""
         fields = dataclasses.asdict(self) | {"model_sizes": list(self.model_sizes), "reasons": list(self.reasons)}
-        fields |= {"focal": None if self.focal is None else self.focal.to_json(), "remarks": list(self.remarks)}
+        asked = {"focal": self.focal, "poses": self.poses}
+        fields |= {name: None if check is None else check.to_json() for name, check in asked.items()}
+        fields |= {"remarks": list(self.remarks)}
         numbers = {key: value for key, value in fields.items() if isinstance(value, float)}
         return fields | {key: None if math.isnan(value) else value for key, value in numbers.items()}
 
@@ -78,12 +83,13 @@ class Verdict:
         Raises:
             KeyError: A figure is missing.
         """
-        names = [field.name for field in dataclasses.fields(cls) if field.name != "focal"]
+        names = [field.name for field in dataclasses.fields(cls) if field.name not in ("focal", "poses")]
         found: dict[str, Any] = {name: told[name] for name in names}
         found |= {name: math.nan if found[name] is None else found[name] for name in ("angle", "parallax", "error")}
         found |= {name: tuple(found[name]) for name in ("model_sizes", "reasons")}
-        focal = told.get("focal")  # older records have none
-        return cls(**found, focal=None if focal is None else CameraCheck.from_json(focal))
+        focal, poses = told.get("focal"), told.get("poses")  # older records have none
+        found["focal"] = None if focal is None else CameraCheck.from_json(focal)
+        return cls(**found, poses=None if poses is None else PoseCheck.from_json(poses))
 
 
 def judge_model(
@@ -93,6 +99,7 @@ def judge_model(
     model_sizes: Sequence[int] | None = None,
     fix_intrinsic: bool = False,
     focal: CameraCheck | None = None,
+    poses: PoseCheck | None = None,
 ) -> Verdict:
     """Say what a model is worth: how many pictures it places, and how well they fix the depth of its points.
 
@@ -102,6 +109,7 @@ def judge_model(
         model_sizes: Pictures of each model that was found, this one first; None for this one alone.
         fix_intrinsic: The cameras were known before; else whether the camera only turned is asked with any.
         focal: What the pictures say of the focal length, as `map_pictures` has asked; None where nobody has.
+        poses: What they say of poses that were given, as `triangulate` has asked.
 
     Returns:
         The figures, and the reasons why the result is poor: fewer than 60 % of the pictures are placed; others form
@@ -126,6 +134,8 @@ def judge_model(
         raise TypeError(f"model: expected an SfmModel or None, got {type(model).__name__}")
     if focal is not None and not isinstance(focal, CameraCheck):
         raise TypeError(f"focal: expected a Verdict's `focal` or None, got {type(focal).__name__}")
+    if poses is not None and not isinstance(poses, PoseCheck):
+        raise TypeError(f"poses: expected a Verdict's `poses` or None, got {type(poses).__name__}")
     registered = 0 if model is None else len(model)
     check_count("picture_count", picture_count, minimum=registered)
     given = [registered] if model_sizes is None else check_list("model_sizes", model_sizes, "counts")
@@ -150,15 +160,20 @@ def judge_model(
         float(np.median(errors)) if len(errors) else math.nan,
         (),
         focal,
+        poses,
     )
     longer = max((max(camera.width, camera.height) for camera in model.cameras), default=1)
     return dataclasses.replace(verdict, reasons=tuple(_reasons(verdict, longer)))
 
 
 def _reasons(found: Verdict, longer_side: int) -> list[str]:
-    reasons = []
+    reasons = [] if found.poses is None else found.poses.reasons(found.registered_count)
     count, registered = found.picture_count, found.registered_count
-    if registered < MIN_REGISTERED * count:
+    if found.poses is not None and found.poses.are_wrong:
+        return reasons
+    if registered < MIN_REGISTERED * count and found.poses is not None:
+        reasons.append(f"only {registered} of {count} pictures have a pose: give those of the others too")
+    elif registered < MIN_REGISTERED * count:
         remedy = "film more slowly, or take pictures that overlap by two thirds"
         reasons.append(f"only {registered} of {count} pictures could be placed: {remedy}")
     if registered < WHOLE * count and len(found.model_sizes) > 1:
@@ -174,7 +189,10 @@ def _reasons(found: Verdict, longer_side: int) -> list[str]:
     if not asked and found.error > (most := MAX_ERROR * max(1.0, longer_side / FINDING_SIZE)):
         off = f"points are {found.error:.2g} px off what the model shows (median), more than {most:.2g}"
         remedy = "do not zoom, hold still what is seen, and give camera_model where the lens bends much"
-        reasons.append(f"{off}: no lens that was tried fits the pictures; {remedy}")
+        what = f"no lens that was tried fits the pictures; {remedy}"
+        if found.poses is not None:
+            what = "the poses and cameras that were given are no better than that; without them they are found anew"
+        reasons.append(f"{off}: {what}")
     if found.point_count < MIN_POINTS or found.points_a_picture < MIN_POINTS_A_PICTURE:
         each = f"{found.points_a_picture:.0f} a picture"
         remedy = "take sharp pictures of something with a pattern"

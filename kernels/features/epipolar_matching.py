@@ -1,0 +1,146 @@
+"""Descriptors matched along known epipolar lines: the nearest of those features that a known motion admits.
+
+Both pictures' features are rays with z = 1 in their camera's frame, and E = [t]x R carries a ray of the first to its
+line in the second (Longuet-Higgins 1981; Hartley and Zisserman 2004, section 9.6). A feature is admitted where it lies
+within a distance of the line, and the feature that is matched within that of its own line: each in its picture.
+
+One thread a feature of one direction of one pair; reads 16 B a feature of the other picture, and 128 B of those that
+are admitted, writes 12 B. Distances of descriptors are whole numbers, ties go to the lower feature: the same matches
+on any device and number of threads.
+"""
+
+import numpy as np
+
+from ..array_types import Array2, Device
+from ..lang import array, float64, func, int32, kernel, launch, struct, tid, uint8
+from ..memory import download, empty, upload
+
+NO_MATCH = -1
+FARTHEST = 0x7FFFFFFF  # beyond any squared distance of two descriptors
+WIDTH = 128  # numbers of a descriptor
+
+
+@struct
+class LineSearches:
+    """Directed pairs of pictures, one after the other.
+
+    Attributes:
+        starts: Of the searches: number of the first thread of each, and of all threads, int32 [p + 1].
+        pictures: First and second picture of each, int32 [p, 2].
+        essential: E of each, row by row, float64 [p, 9].
+        limits: Square of the distance from the line that is admitted, in the first and in the second picture, in
+            units of rays, float64 [p, 2].
+    """
+
+    starts: array(dtype=int32)
+    pictures: array(dtype=int32, ndim=2)
+    essential: array(dtype=float64, ndim=2)
+    limits: array(dtype=float64, ndim=2)
+
+    def __init__(
+        self, starts: np.ndarray, pictures: np.ndarray, essential: np.ndarray, limits: np.ndarray, device: Device
+    ) -> None:
+        self.starts, self.pictures = upload(starts, int32, device), upload(pictures, int32, device)
+        self.essential, self.limits = upload(essential, float64, device), upload(limits, float64, device)
+
+
+@struct
+class LineFeatures:
+    """Features of all pictures, one picture's after the other's.
+
+    Attributes:
+        firsts: The first feature of each picture, and the number of all, int32 [n + 1].
+        rays: x and y at z = 1, float64 [m, 2]; NaN where the lens has no ray.
+        descriptors: uint8 [m, 128].
+    """
+
+    firsts: array(dtype=int32)
+    rays: array(dtype=float64, ndim=2)
+    descriptors: array(dtype=uint8, ndim=2)
+
+    def __init__(self, firsts: np.ndarray, rays: np.ndarray, descriptors: np.ndarray, device: Device) -> None:
+        self.firsts, self.rays = upload(firsts, int32, device), upload(rays, float64, device)
+        self.descriptors = upload(descriptors, uint8, device)
+
+
+@func
+def search_of(thread: int, starts: array(dtype=int32)) -> int:
+    """The search that a thread belongs to."""
+    low = int(0)
+    high = starts.shape[0] - 1
+    while high - low > 1:
+        middle = (low + high) // 2
+        if starts[middle] <= thread:
+            low = middle
+        else:
+            high = middle
+    return low
+
+
+@func
+def descriptor_sqdist(a: int, b: int, descriptors: array(dtype=uint8, ndim=2)) -> int:
+    """Squared distance of two descriptors."""
+    total = int(0)
+    for k in range(WIDTH):
+        difference = int(descriptors[a, k]) - int(descriptors[b, k])
+        total += difference * difference
+    return total
+
+
+@kernel
+def match_along_lines_kernel(
+    searches: LineSearches, features: LineFeatures, found: array(dtype=int32, ndim=2)
+):
+    """The nearest admitted feature of the second picture, its squared distance, and that of the next."""
+    i = tid()
+    s = search_of(i, searches.starts)
+    first = searches.pictures[s, 0]
+    second = searches.pictures[s, 1]
+    mine = features.firsts[first] + i - searches.starts[s]
+    x = features.rays[mine, 0]
+    y = features.rays[mine, 1]
+    a = searches.essential[s, 0] * x + searches.essential[s, 1] * y + searches.essential[s, 2]
+    b = searches.essential[s, 3] * x + searches.essential[s, 4] * y + searches.essential[s, 5]
+    c = searches.essential[s, 6] * x + searches.essential[s, 7] * y + searches.essential[s, 8]
+    widest = searches.limits[s, 1] * (a * a + b * b)
+    near = searches.limits[s, 0]
+    e00 = searches.essential[s, 0]
+    e01 = searches.essential[s, 1]
+    e10 = searches.essential[s, 3]
+    e11 = searches.essential[s, 4]
+    e20 = searches.essential[s, 6]
+    e21 = searches.essential[s, 7]
+    best = int(NO_MATCH)
+    least = int(FARTHEST)
+    second_least = int(FARTHEST)
+    for j in range(features.firsts[second], features.firsts[second + 1]):
+        u = features.rays[j, 0]
+        v = features.rays[j, 1]
+        off = a * u + b * v + c
+        square = off * off
+        if square <= widest:
+            p = e00 * u + e10 * v + e20
+            q = e01 * u + e11 * v + e21
+            if square <= near * (p * p + q * q):
+                sqdist = descriptor_sqdist(mine, j, features.descriptors)
+                if sqdist < least:
+                    second_least = least
+                    least = sqdist
+                    best = j - features.firsts[second]
+                else:
+                    second_least = min(second_least, sqdist)
+    found[i, 0] = best
+    found[i, 1] = least
+    found[i, 2] = second_least
+
+
+def match_along_lines(searches: LineSearches, features: LineFeatures, count: int) -> np.ndarray:
+    """Run all searches, `count` threads.
+
+    Returns:
+        int32 [count, 3]: the number of the match in its picture or NO_MATCH, its squared distance and that of the
+        next, FARTHEST where there is none.
+    """
+    found: Array2[int32] = empty((count, 3), int32, searches.starts.device)
+    launch(match_along_lines_kernel, count, [searches, features, found])
+    return download(found)  # sync

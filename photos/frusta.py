@@ -1,0 +1,86 @@
+"""What cameras with known poses can see together, by their frusta alone.
+
+Nobody knows how deep a picture is of which no point is known; but it is of use only where others see the same from
+aside. So places are tried along rays through each picture, at depths in equal ratios from a part of the step between
+cameras to where their parallax is lost, and kept where another camera has them in its picture under an angle that
+says something.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..cameras.camera import PinholeCameraIntrinsic
+
+GRID = 5  # rays along each side of a picture
+DEPTHS = 20  # places along a ray
+NEAREST = 0.5  # of the distance to the nearest camera elsewhere
+LEAST_ANGLE = 1.5  # [degrees] under which a place must be seen for its depth to be known
+MOST_ANGLE = 60.0  # [degrees] above which pictures show hardly the same side
+
+Array = NDArray[np.float64]
+
+
+def places_before(
+    index: int, cameras: Sequence[PinholeCameraIntrinsic], poses: Array
+) -> tuple[Array, NDArray[np.bool_], Array]:
+    """Places before a camera that others see too.
+
+    Args:
+        index: Number of the camera.
+        cameras: Size and projection of each.
+        poses: T_camera_world of each, [n, 4, 4].
+
+    Returns:
+        Places in the world [m, 3]; which camera has which in its picture, from aside enough, [m, n]; and under which
+        angle with the camera itself [m, n] [degrees]. Nothing where all cameras stand at one place.
+    """
+    R, t = poses[:, :3, :3], poses[:, :3, 3]
+    centers = -np.einsum("nji,nj->ni", R, t)
+    apart = np.linalg.norm(centers - centers[index], axis=1)
+    elsewhere = apart[apart > 1e-9 * max(float(apart.max(initial=0.0)), np.finfo(float).tiny)]
+    if not len(elsewhere):
+        return np.zeros((0, 3)), np.zeros((0, len(poses)), bool), np.zeros((0, len(poses)))
+    nearest, farthest = float(elsewhere.min()) * NEAREST, float(elsewhere.max()) / np.radians(LEAST_ANGLE)
+    z = np.geomspace(nearest, max(farthest, 2 * nearest), DEPTHS)
+    at = (_rays(cameras[index])[:, None] * z[:, None]).reshape(-1, 3)
+    places = (at - t[index]) @ R[index]
+    seen, angles = np.zeros((len(places), len(poses)), bool), np.zeros((len(places), len(poses)))
+    own = centers[index] - places
+    for j, camera in enumerate(cameras):
+        p = places @ R[j].T + t[j]
+        with np.errstate(divide="ignore", invalid="ignore"):
+            u, v = (p[:, :2] / p[:, 2:]).T * ([camera.fx], [camera.fy]) + ([camera.cx], [camera.cy])
+        inside = (p[:, 2] > 0) & (u > -0.5) & (v > -0.5) & (u < camera.width - 0.5) & (v < camera.height - 0.5)
+        other = centers[j] - places
+        cross = np.linalg.norm(np.cross(own, other), axis=1)
+        angles[:, j] = np.degrees(np.arctan2(cross, (own * other).sum(axis=1)))
+        seen[:, j] = inside & (angles[:, j] >= LEAST_ANGLE) & (angles[:, j] <= MOST_ANGLE)
+    seen[:, index] = False
+    return places, seen, angles
+
+
+def shares_in_view(cameras: Sequence[PinholeCameraIntrinsic], poses: Array) -> Array:
+    """How much of what each camera may see together with others each other one sees, [n, n], 0 to 1.
+
+    A place counts by how many cameras see it: where most of them meet is what they were pointed at.
+    """
+    shares = np.zeros((len(poses), len(poses)))
+    for i in range(len(poses)):
+        _, seen, _ = places_before(i, cameras, poses)
+        weights = seen.sum(axis=1).astype(float)
+        if weights.any():
+            shares[i] = weights @ seen / weights.sum()
+    return shares
+
+
+def _rays(camera: PinholeCameraIntrinsic) -> Array:
+    """Rays through the middles of equal parts of a picture, z = 1, [GRID * GRID, 3]."""
+    steps = (np.arange(GRID) + 0.5) / GRID
+    x = (steps * camera.width - 0.5 - camera.cx) / camera.fx
+    y = (steps * camera.height - 0.5 - camera.cy) / camera.fy
+    u, v = np.meshgrid(x, y)
+    return np.stack([u.ravel(), v.ravel(), np.ones(GRID * GRID)], axis=1)
