@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 from ..core.atomic import atomic_write
 from ..core.checks import LARGEST_NUMBER as LARGEST_NUMBER
 from ..core.checks import check_count, check_number, check_positive, check_shape
+from ..core.dropped_results import returns_new
 from ..core.errors import FileError
 from ..core.json_files import check_keys, read_json_object
 
@@ -86,6 +87,7 @@ class PinholeCameraIntrinsic:
         """The calibration matrix K, shape [3, 3] [px]; a new array each time."""
         return np.array([[self.fx, 0.0, self.cx], [0.0, self.fy, self.cy], [0.0, 0.0, 1.0]])
 
+    @returns_new
     def scaled(self, factor: float) -> PinholeCameraIntrinsic:
         """The camera of the same pictures resized by `factor`.
 

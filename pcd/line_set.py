@@ -19,6 +19,7 @@ from ..core.checks import (
     check_shape,
     check_transformation,
 )
+from ..core.dropped_results import returns_new
 from .boxes import AxisAlignedBoundingBox, OrientedBoundingBox
 
 Rows = NDArray[np.float64]
@@ -192,20 +193,24 @@ class LineSet:
         """The mean of the points [m]; zero where there are none."""
         return self.points.mean(axis=0) if len(self.points) else np.zeros(3)
 
+    @returns_new
     def paint_uniform_color(self, color: ArrayLike) -> LineSet:
         """The same lines in one colour: red, green and blue, 0 to 1."""
         return dataclasses.replace(self, colors=np.tile(check_shape("color", color, (3,)), (len(self.lines), 1)))
 
+    @returns_new
     def transform(self, transformation: ArrayLike) -> LineSet:
         """Moved by a 4x4 matrix."""
         matrix = check_transformation("transformation", transformation)
         return self._moved(lambda points: points @ matrix[:3, :3].T + matrix[:3, 3])
 
+    @returns_new
     def translate(self, translation: ArrayLike, relative: bool = True) -> LineSet:
         """Moved by a vector [m]; with `relative=False` its centre is brought there."""
         shift = check_finite("translation", check_shape("translation", translation, (3,)))
         return self._moved(lambda points: points + (shift if relative else shift - self.get_center()))
 
+    @returns_new
     def scale(self, scale: float, center: ArrayLike) -> LineSet:
         """Grown by a factor about a centre [m]."""
         factor, middle = check_positive("scale", scale), check_finite("center", check_shape("center", center, (3,)))

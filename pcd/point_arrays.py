@@ -14,6 +14,7 @@ from ..core.array_libraries import NUMPY, check_library, hand_out, library_of
 from ..core.checks import check_name, check_numeric, check_rows, is_on_gpu
 from ..core.coordinates import quiet, split_origin
 from ..core.devices import resolve_device
+from ..core.dropped_results import returns_new
 from ..core.gpu_arrays import take_colors, take_column, take_points, take_vectors
 from ..core.known_names import KnownNames
 from ..core.yes_or_no import YesOrNo
@@ -148,6 +149,7 @@ class PointArrays(KnownNames):
         """
         return self._kept.lend() if check_name("name", name) == "points" else self.device_array(name)
 
+    @returns_new
     def to(self, device: Any, *, arrays: str | None = None) -> Self:
         """The cloud on another device; itself where it is there already.
 
@@ -201,6 +203,7 @@ class PointArrays(KnownNames):
         with turn_on(self.device):
             return self.array("points").__dlpack__(stream=stream)
 
+    @returns_new
     def without(self, *names: str) -> Self:
         """The cloud without these attributes, "normals" and "colors" among them.
 
@@ -219,6 +222,7 @@ class PointArrays(KnownNames):
             self.required_array(name, f"the cloud has {', '.join(self._arrays)}")
         return self.with_arrays({n: a for n, a in self._arrays.items() if n not in names}, grid=self.grid)
 
+    @returns_new
     def copy(self) -> Self:
         """Another cloud over the same arrays: what is assigned to one does not reach the other."""
         return self.with_arrays(dict(self._arrays), grid=self.grid)

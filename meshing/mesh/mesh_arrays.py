@@ -11,6 +11,7 @@ from numpy.typing import DTypeLike, NDArray
 from ...core.array_libraries import NUMPY, check_library, hand_out, library_of
 from ...core.checks import check_name, check_numeric, check_rows, check_textures, is_on_gpu
 from ...core.devices import check_same_device, resolve_device
+from ...core.dropped_results import returns_new
 from ...core.gpu_arrays import take_vectors
 from ...core.known_names import KnownNames
 from ...core.pickled_arrays import device_like, pickled, unpickled
@@ -258,6 +259,7 @@ class MeshArrays(KnownNames):
             raise KeyError(f"{name}: this mesh has {', '.join(self._arrays)}")
         return self._arrays[name]
 
+    @returns_new
     def to(self, device: Any, *, arrays: str | None = None) -> Self:
         """The mesh on another device; itself where it is there already.
 
@@ -279,6 +281,7 @@ class MeshArrays(KnownNames):
         mesh._library = library
         return mesh
 
+    @returns_new
     def copy(self) -> Self:
         """Another mesh over the same arrays: what is assigned to one does not reach the other."""
         return self.with_arrays()

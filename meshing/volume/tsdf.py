@@ -16,6 +16,7 @@ from ...core.array_libraries import NUMPY, library_of
 from ...core.checks import check_positive, check_rigid
 from ...core.coordinates import split_origin
 from ...core.devices import resolve_device
+from ...core.dropped_results import returns_new
 from ...core.pickled_arrays import device_like
 from ...core.watching import report
 from ...kernels.images import depth as depth_images
@@ -341,6 +342,7 @@ class TSDFVolume:
         volume._blocks.fill({name: arrays[name] for name in VOXEL_ARRAYS if name in arrays})
         return volume
 
+    @returns_new
     def copy(self) -> TSDFVolume:
         """Another volume with the same voxels: frames that are integrated into one do not reach the other."""
         sizes = {"voxel_size": self.voxel_size, "truncation": self.truncation}

@@ -42,7 +42,7 @@ def test_an_operation_whose_result_nobody_takes_warns(cloud, line):
 
 
 @pytest.mark.parametrize("line", DROPPED)
-@pytest.mark.parametrize("use", ["taken = {}", "print(repr({}), end='')", "[{} for _ in range(2)]", "assert len([{}])"])
+@pytest.mark.parametrize("use", ["taken = {}", "print(repr({}), end='')", "taken = [{} for _ in range(2)]", "assert len([{}])"])
 def test_an_operation_whose_result_is_taken_does_not_warn(cloud, line, use):
     names = {"cloud": cloud, "np": np, "loom": loom, "print": lambda *_args, **_options: None}
     with warnings.catch_warnings():
