@@ -13,11 +13,16 @@ from ..core.checks import check_positive, is_on_gpu
 from ..core.gpu_arrays import INTEGERS, device_for, take_numbers
 from ..kernels.arrays.row_numbers import limits_of
 from ..kernels.images.depth import decode_depth, intensity_of, metric_depth
-from ..kernels.lang import float32, float64, int64, uint8, uint16
+from ..kernels.lang import float32, float64, int8, int64, uint8, uint16
 from ..kernels.memory import cast, download, empty, fill_column, upload
 from .camera import PinholeCameraIntrinsic
 
 MOST_RAW = 65535  # of integer depths
+BYTES = (int8, uint8)  # pictures, and no depth
+TOO_SHALLOW = (
+    "depth: expected 16-bit integers or float metres, got {}: 8 bits hold no depth but a picture of it; read the data "
+    "set's 16-bit files, or convert what is a distance to float metres"
+)
 TOO_DEEP = "depth: integer depths must lie in 0..65535; convert larger ones to float metres"
 RAW_TRUNC = 7.0  # [m] where Open3D cuts the frames of data sets with long ranges
 
@@ -27,14 +32,14 @@ class RGBDImage:
 
     Args:
         color: 8-bit colours, shape [h, w, 3], or grey [h, w].
-        depth: Shape [h, w]; integers are divided by `depth_scale`, floats are metres.
+        depth: Shape [h, w]; integers of 16 bits and more are divided by `depth_scale`, floats are metres.
         depth_scale: Integer units a metre.
         depth_trunc: Farthest depth kept [m]; beyond it a pixel has no measurement (0).
         device: Where the images go; None for the GPU that the depth lies on, else the CPU.
 
     Raises:
         ValueError: Wrong shapes, or depth and colour of different sizes.
-        TypeError: Wrong element types.
+        TypeError: Wrong element types; depth of 8 bits, which is a picture of it.
 
     Attributes:
         depth_array: The depth on its device, float32 [h * w] [m], 0 where there is none.
@@ -81,7 +86,8 @@ class RGBDImage:
 
         Args:
             color: 8-bit colours, shape [h, w, 3], or grey [h, w].
-            depth: Shape [h, w]; integers are divided by `depth_scale`, floats are metres (Open3D divides them too).
+            depth: Shape [h, w]; integers of 16 bits and more are divided by `depth_scale`, floats are metres (Open3D
+                divides them too, and takes 8 bits for 0..1).
             depth_scale: Integer units a metre.
             depth_trunc: Farthest depth kept [m] (Open3D drops it itself).
             convert_rgb_to_intensity: Keep 0.299 R + 0.587 G + 0.114 B, 0..1, in place of colours.
@@ -246,6 +252,8 @@ def _flat_integers(image: wp.array) -> wp.array:
     """Integer depths on a GPU as uint16, flat: the image's own memory where it holds that."""
     if image.dtype not in INTEGERS:
         raise TypeError(f"depth: expected integers or floats, got {image.dtype.__name__}")
+    if image.dtype in BYTES:
+        raise TypeError(TOO_SHALLOW.format(image.dtype.__name__))
     flat = view_as(image, image.dtype, (image.size,))
     if image.dtype == uint16:
         return flat
@@ -266,6 +274,8 @@ def _upload_raw(depth: Any, device: Any) -> tuple[wp.array, int, int]:
     if image.dtype.kind not in "iu":
         expected = "the file's integers" if image.dtype.kind == "f" else "integers or floats"
         raise TypeError(f"depth: expected {expected}, got {image.dtype}")
+    if image.dtype.itemsize == 1:
+        raise TypeError(TOO_SHALLOW.format(image.dtype))
     if image.dtype != np.uint16 and (image.min() < 0 or image.max() > MOST_RAW):
         raise ValueError(TOO_DEEP)
     return upload(image.reshape(-1), uint16, device), image.shape[0], image.shape[1]
