@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from typing import Any, Self
 
 import numpy as np
@@ -11,10 +12,11 @@ from numpy.typing import ArrayLike, NDArray
 from ..core.array_libraries import NUMPY, library_of, view_as
 from ..core.checks import check_positive, is_on_gpu
 from ..core.gpu_arrays import INTEGERS, device_for, take_numbers
+from ..core.pickled_arrays import device_like, pickled, unpickled
 from ..kernels.arrays.row_numbers import limits_of
 from ..kernels.images.depth import decode_depth, intensity_of, metric_depth
 from ..kernels.lang import float32, float64, int8, int64, uint8, uint16
-from ..kernels.memory import cast, download, empty, fill_column, upload
+from ..kernels.memory import cast, clone, download, empty, fill_column, upload
 from .camera import PinholeCameraIntrinsic
 
 MOST_RAW = 65535  # of integer depths
@@ -109,6 +111,8 @@ class RGBDImage:
             image.color_array = intensity_of(image.color_array)
         return image
 
+    create_from_color_and_depth = from_color_and_depth
+
     @classmethod
     def from_redwood_format(
         cls, color: ArrayLike, depth: ArrayLike, convert_rgb_to_intensity: bool = True, *, device: Any = None
@@ -158,6 +162,11 @@ class RGBDImage:
         """
         return cls._from_raw("nyu", color, depth, convert_rgb_to_intensity, device)
 
+    create_from_redwood_format = from_redwood_format
+    create_from_tum_format = from_tum_format
+    create_from_sun_format = from_sun_format
+    create_from_nyu_format = from_nyu_format
+
     @property
     def depth(self) -> NDArray[np.float32]:
         """Depth [m], float32 [h, w]; 0 where there is none."""
@@ -171,6 +180,30 @@ class RGBDImage:
 
     def __repr__(self) -> str:
         return f"RGBDImage({self.width} x {self.height}, {self.device})"
+
+    def __copy__(self) -> Self:
+        arrays = self.color_array, self.depth_array
+        return self.from_device_arrays(*arrays, self.height, self.width, self._library)
+
+    def __deepcopy__(self, memo: dict[int, Any]) -> Self:
+        arrays = clone(self.color_array), clone(self.depth_array)
+        return self.from_device_arrays(*arrays, self.height, self.width, self._library)
+
+    def __getstate__(self) -> dict[str, Any]:
+        """The image as NumPy arrays and the name of its device, for pickle."""
+        arrays = pickled({"color_array": self.color_array, "depth_array": self.depth_array})
+        state = {"arrays": arrays, "device": str(self.device), "library": self._library}
+        return state | {"height": self.height, "width": self.width}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        """The image on the device that it was on; on the first GPU where there is another number of them.
+
+        Raises:
+            DeviceError: It was on a GPU, and here is none.
+        """
+        self.device, self._library = device_like("image", state["device"]), state["library"]
+        vars(self).update(unpickled(state["arrays"], self.device))
+        self.height, self.width = state["height"], state["width"]
 
     # ------------------------------------------------------------------------------------------ internals
 
@@ -231,6 +264,8 @@ def upload_raw_depth(
 
 
 def _as_array(name: str, values: Any) -> NDArray[Any]:
+    if isinstance(values, str | os.PathLike):
+        raise TypeError(f"{name}: expected an array, got a path; loom.read_{name}(path) reads it")
     try:
         return np.asarray(values)
     except (ValueError, TypeError) as error:

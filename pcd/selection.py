@@ -17,7 +17,8 @@ from ..kernels.extent.masks import mask_finite
 from ..kernels.lang import int32
 from ..kernels.memory import upload
 from ..kernels.sampling.duplicates import first_occurrences
-from .boxes import AxisAlignedBoundingBox, BoundingBox, OrientedBoundingBox
+from .bounding_box import BoundingBox
+from .boxes import AxisAlignedBoundingBox, OrientedBoundingBox
 from .composition import Composition
 from .polygon_volume import SelectionPolygonVolume, mask_volume
 

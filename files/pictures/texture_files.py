@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...core.atomic import atomic_write
+from ...core.paths import path_of
 from .image_files import encode_png, read_texture
 
 
@@ -22,7 +23,7 @@ def find_beside(path: str | os.PathLike[str], name: str) -> Path | None:
     if not name or PurePosixPath(name).is_absolute() or PureWindowsPath(name).anchor:
         return None
     try:
-        found = Path(path).parent / name.replace("\\", "/")
+        found = path_of(path).parent / name.replace("\\", "/")
         return found if found.is_file() else None
     except (OSError, ValueError):  # too long, or with a zero byte
         return None

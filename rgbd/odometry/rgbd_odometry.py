@@ -234,8 +234,8 @@ def _check_camera(name: str, camera: Any, width: int, height: int) -> PinholeCam
             raise ValueError(f"{name}: {error}") from None
         if found.fx * WIDEST < width or found.fy * WIDEST < height:
             raise ValueError(
-                f"{name}: focal lengths of {found.fx:g} and {found.fy:g} px see nearly a half-space in {width} x {height} "
-                "pixels, so this is no camera's matrix; expected fx and fy in pixels, or a PinholeCameraIntrinsic"
+                f"{name}: focal lengths of {found.fx:g} and {found.fy:g} px see nearly a half-space in {width} x "
+                f"{height} pixels: no camera's matrix; expected fx and fy in pixels, or a PinholeCameraIntrinsic"
             )
         return found
     if (camera.width, camera.height) != (width, height):
