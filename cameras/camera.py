@@ -8,16 +8,18 @@ lens distortion: pictures must be undistorted first.
 from __future__ import annotations
 
 import dataclasses
+import enum
 import json
 import os
-from typing import Any
+from typing import Any, overload
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from ..core.atomic import atomic_write
 from ..core.checks import LARGEST_NUMBER as LARGEST_NUMBER
 from ..core.checks import check_count, check_number, check_positive, check_shape
+from ..core.dropped_results import returns_new
 from ..core.errors import FileError
 from ..core.json_files import check_keys, read_json_object
 
@@ -39,9 +41,20 @@ def check_pixels(name: str, value: Any) -> int:
     return check_count(name, value, maximum=MOST_PIXELS, because="no camera or panorama is larger; scale it")
 
 
-@dataclasses.dataclass(frozen=True)
+class PinholeCameraIntrinsicParameters(enum.Enum):
+    """Cameras that Open3D knows, for `PinholeCameraIntrinsic(PinholeCameraIntrinsicParameters.PrimeSenseDefault)`."""
+
+    PrimeSenseDefault = (640, 480, 525.0, 525.0, 319.5, 239.5)
+    Kinect2DepthCameraDefault = (512, 424, 365.456, 365.456, 254.878, 205.395)
+    Kinect2ColorCameraDefault = (1920, 1080, 1059.9718, 1059.9718, 975.7193, 545.9533)
+
+
+@dataclasses.dataclass(frozen=True, init=False)
 class PinholeCameraIntrinsic:
     """Size and projection of a pinhole camera.
+
+    Besides the six numbers it takes what Open3D's takes: one of `PinholeCameraIntrinsicParameters`, or the size and the
+    calibration matrix, `PinholeCameraIntrinsic(640, 480, K)`.
 
     Args:
         width: Columns of its pictures [px].
@@ -71,7 +84,32 @@ class PinholeCameraIntrinsic:
     cx: float
     cy: float
 
-    def __post_init__(self):
+    @overload
+    def __init__(self, width: PinholeCameraIntrinsicParameters) -> None: ...
+    @overload
+    def __init__(self, width: int, height: int, fx: ArrayLike) -> None: ...
+    @overload
+    def __init__(self, width: int, height: int, fx: float, fy: float, cx: float, cy: float) -> None: ...
+    def __init__(
+        self, width: Any = None, height: Any = None, fx: Any = None, fy: Any = None, cx: Any = None, cy: Any = None
+    ):
+        given: Any = (width, height, fx, fy, cx, cy)
+        if isinstance(width, PinholeCameraIntrinsicParameters):
+            given = width.value
+        elif fx is not None and fy is None and cx is None and cy is None and np.ndim(fx) == 2:
+            given = dataclasses.astuple(self.from_matrix(fx, width, height))
+        missing = [field.name for field, value in zip(dataclasses.fields(self), given, strict=True) if value is None]
+        if missing:
+            raise TypeError(
+                f"{', '.join(missing)}: missing; expected PinholeCameraIntrinsic(width, height, fx, fy, cx, cy), "
+                "(width, height, K), (PinholeCameraIntrinsicParameters.PrimeSenseDefault), or "
+                "read_pinhole_camera_intrinsic(path)"
+            )
+        for field, value in zip(dataclasses.fields(self), given, strict=True):
+            object.__setattr__(self, field.name, value)
+        self._check()
+
+    def _check(self) -> None:
         for name in ("width", "height"):
             object.__setattr__(self, name, check_pixels(name, getattr(self, name)))
         if self.width * self.height > MOST_IN_ALL:
@@ -86,6 +124,35 @@ class PinholeCameraIntrinsic:
         """The calibration matrix K, shape [3, 3] [px]; a new array each time."""
         return np.array([[self.fx, 0.0, self.cx], [0.0, self.fy, self.cy], [0.0, 0.0, 1.0]])
 
+    @property
+    def intrinsic_matrix(self) -> NDArray[np.float64]:
+        """The calibration matrix under Open3D's name; see `matrix`."""
+        return self.matrix
+
+    def get_focal_length(self) -> tuple[float, float]:
+        """The focal lengths (fx, fy) [px]."""
+        return self.fx, self.fy
+
+    def get_principal_point(self) -> tuple[float, float]:
+        """Where the optical axis meets the picture, (cx, cy) [px]."""
+        return self.cx, self.cy
+
+    def get_skew(self) -> float:
+        """The skew [px]: 0, as a camera with another one is refused."""
+        return 0.0
+
+    def is_valid(self) -> bool:
+        """Whether it is a camera: True, as nothing else is made."""
+        return True
+
+    @returns_new
+    def set_intrinsics(
+        self, width: int, height: int, fx: float, fy: float, cx: float, cy: float
+    ) -> PinholeCameraIntrinsic:
+        """Another camera of these numbers: `camera = camera.set_intrinsics(...)`; no camera is changed in place."""
+        return PinholeCameraIntrinsic(width, height, fx, fy, cx, cy)
+
+    @returns_new
     def scaled(self, factor: float) -> PinholeCameraIntrinsic:
         """The camera of the same pictures resized by `factor`.
 
@@ -110,17 +177,17 @@ class PinholeCameraIntrinsic:
     @classmethod
     def prime_sense_default(cls) -> PinholeCameraIntrinsic:
         """PrimeSense, Kinect v1 and Xtion cameras: 640 x 480, f 525, c (319.5, 239.5)."""
-        return cls(640, 480, 525.0, 525.0, 319.5, 239.5)
+        return cls(PinholeCameraIntrinsicParameters.PrimeSenseDefault)
 
     @classmethod
     def kinect2_depth_default(cls) -> PinholeCameraIntrinsic:
         """The depth camera of Kinect v2: 512 x 424."""
-        return cls(512, 424, 365.456, 365.456, 254.878, 205.395)
+        return cls(PinholeCameraIntrinsicParameters.Kinect2DepthCameraDefault)
 
     @classmethod
     def kinect2_color_default(cls) -> PinholeCameraIntrinsic:
         """The colour camera of Kinect v2: 1920 x 1080."""
-        return cls(1920, 1080, 1059.9718, 1059.9718, 975.7193, 545.9533)
+        return cls(PinholeCameraIntrinsicParameters.Kinect2ColorCameraDefault)
 
     @classmethod
     def from_matrix(cls, K: Any, width: int, height: int) -> PinholeCameraIntrinsic:

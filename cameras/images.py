@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from typing import Any, Self
 
 import numpy as np
@@ -11,13 +12,19 @@ from numpy.typing import ArrayLike, NDArray
 from ..core.array_libraries import NUMPY, library_of, view_as
 from ..core.checks import check_positive, is_on_gpu
 from ..core.gpu_arrays import INTEGERS, device_for, take_numbers
+from ..core.pickled_arrays import device_like, pickled, unpickled
 from ..kernels.arrays.row_numbers import limits_of
 from ..kernels.images.depth import decode_depth, intensity_of, metric_depth
-from ..kernels.lang import float32, float64, int64, uint8, uint16
-from ..kernels.memory import cast, download, empty, fill_column, upload
+from ..kernels.lang import float32, float64, int8, int64, uint8, uint16
+from ..kernels.memory import cast, clone, download, empty, fill_column, upload
 from .camera import PinholeCameraIntrinsic
 
 MOST_RAW = 65535  # of integer depths
+BYTES = (int8, uint8)  # pictures, and no depth
+TOO_SHALLOW = (
+    "depth: expected 16-bit integers or float metres, got {}: 8 bits hold no depth but a picture of it; read the data "
+    "set's 16-bit files, or convert what is a distance to float metres"
+)
 TOO_DEEP = "depth: integer depths must lie in 0..65535; convert larger ones to float metres"
 RAW_TRUNC = 7.0  # [m] where Open3D cuts the frames of data sets with long ranges
 
@@ -27,14 +34,14 @@ class RGBDImage:
 
     Args:
         color: 8-bit colours, shape [h, w, 3], or grey [h, w].
-        depth: Shape [h, w]; integers are divided by `depth_scale`, floats are metres.
+        depth: Shape [h, w]; integers of 16 bits and more are divided by `depth_scale`, floats are metres.
         depth_scale: Integer units a metre.
         depth_trunc: Farthest depth kept [m]; beyond it a pixel has no measurement (0).
         device: Where the images go; None for the GPU that the depth lies on, else the CPU.
 
     Raises:
         ValueError: Wrong shapes, or depth and colour of different sizes.
-        TypeError: Wrong element types.
+        TypeError: Wrong element types; depth of 8 bits, which is a picture of it.
 
     Attributes:
         depth_array: The depth on its device, float32 [h * w] [m], 0 where there is none.
@@ -81,7 +88,8 @@ class RGBDImage:
 
         Args:
             color: 8-bit colours, shape [h, w, 3], or grey [h, w].
-            depth: Shape [h, w]; integers are divided by `depth_scale`, floats are metres (Open3D divides them too).
+            depth: Shape [h, w]; integers of 16 bits and more are divided by `depth_scale`, floats are metres (Open3D
+                divides them too, and takes 8 bits for 0..1).
             depth_scale: Integer units a metre.
             depth_trunc: Farthest depth kept [m] (Open3D drops it itself).
             convert_rgb_to_intensity: Keep 0.299 R + 0.587 G + 0.114 B, 0..1, in place of colours.
@@ -102,6 +110,8 @@ class RGBDImage:
         if convert_rgb_to_intensity:
             image.color_array = intensity_of(image.color_array)
         return image
+
+    create_from_color_and_depth = from_color_and_depth
 
     @classmethod
     def from_redwood_format(
@@ -152,6 +162,11 @@ class RGBDImage:
         """
         return cls._from_raw("nyu", color, depth, convert_rgb_to_intensity, device)
 
+    create_from_redwood_format = from_redwood_format
+    create_from_tum_format = from_tum_format
+    create_from_sun_format = from_sun_format
+    create_from_nyu_format = from_nyu_format
+
     @property
     def depth(self) -> NDArray[np.float32]:
         """Depth [m], float32 [h, w]; 0 where there is none."""
@@ -165,6 +180,30 @@ class RGBDImage:
 
     def __repr__(self) -> str:
         return f"RGBDImage({self.width} x {self.height}, {self.device})"
+
+    def __copy__(self) -> Self:
+        arrays = self.color_array, self.depth_array
+        return self.from_device_arrays(*arrays, self.height, self.width, self._library)
+
+    def __deepcopy__(self, memo: dict[int, Any]) -> Self:
+        arrays = clone(self.color_array), clone(self.depth_array)
+        return self.from_device_arrays(*arrays, self.height, self.width, self._library)
+
+    def __getstate__(self) -> dict[str, Any]:
+        """The image as NumPy arrays and the name of its device, for pickle."""
+        arrays = pickled({"color_array": self.color_array, "depth_array": self.depth_array})
+        state = {"arrays": arrays, "device": str(self.device), "library": self._library}
+        return state | {"height": self.height, "width": self.width}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        """The image on the device that it was on; on the first GPU where there is another number of them.
+
+        Raises:
+            DeviceError: It was on a GPU, and here is none.
+        """
+        self.device, self._library = device_like("image", state["device"]), state["library"]
+        vars(self).update(unpickled(state["arrays"], self.device))
+        self.height, self.width = state["height"], state["width"]
 
     # ------------------------------------------------------------------------------------------ internals
 
@@ -225,6 +264,8 @@ def upload_raw_depth(
 
 
 def _as_array(name: str, values: Any) -> NDArray[Any]:
+    if isinstance(values, str | os.PathLike):
+        raise TypeError(f"{name}: expected an array, got a path; loom.read_{name}(path) reads it")
     try:
         return np.asarray(values)
     except (ValueError, TypeError) as error:
@@ -246,6 +287,8 @@ def _flat_integers(image: wp.array) -> wp.array:
     """Integer depths on a GPU as uint16, flat: the image's own memory where it holds that."""
     if image.dtype not in INTEGERS:
         raise TypeError(f"depth: expected integers or floats, got {image.dtype.__name__}")
+    if image.dtype in BYTES:
+        raise TypeError(TOO_SHALLOW.format(image.dtype.__name__))
     flat = view_as(image, image.dtype, (image.size,))
     if image.dtype == uint16:
         return flat
@@ -266,6 +309,8 @@ def _upload_raw(depth: Any, device: Any) -> tuple[wp.array, int, int]:
     if image.dtype.kind not in "iu":
         expected = "the file's integers" if image.dtype.kind == "f" else "integers or floats"
         raise TypeError(f"depth: expected {expected}, got {image.dtype}")
+    if image.dtype.itemsize == 1:
+        raise TypeError(TOO_SHALLOW.format(image.dtype))
     if image.dtype != np.uint16 and (image.min() < 0 or image.max() > MOST_RAW):
         raise ValueError(TOO_DEEP)
     return upload(image.reshape(-1), uint16, device), image.shape[0], image.shape[1]

@@ -21,6 +21,7 @@ from ..core.atomic import atomic_write, check_writable
 from ..core.checks import check_name, check_numeric, check_rigid, check_shape
 from ..core.errors import FileError
 from ..core.json_files import check_keys, read_json_object
+from ..core.paths import path_of
 from ..core.quaternions import nearest_rotations, quaternions_to_rotations, rotations_to_quaternions
 from .camera import LARGEST_NUMBER, PinholeCameraIntrinsic, intrinsic_to_json, read_json_matrix
 
@@ -203,7 +204,7 @@ def read_pose(path: str | os.PathLike[str]) -> NDArray[np.float64]:
 def read_lines(path: str | os.PathLike[str]) -> list[Line]:
     """The lines of a text file that are neither blank nor comments, as (line number, columns)."""
     try:
-        text = Path(path).read_bytes().decode("utf-8-sig")
+        text = path_of(path).read_bytes().decode("utf-8-sig")
     except OSError as error:
         raise FileError(path, f"cannot be read: {error.strerror or error}") from error
     except UnicodeDecodeError as error:

@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import IO
 
 from .errors import FileError
+from .paths import path_of
 
 _REPLACE = "Give another name, or overwrite=True to replace it"
 
@@ -20,7 +21,7 @@ def check_writable(path: str | os.PathLike[str], *, overwrite: bool = True) -> P
     Raises:
         FileError: The folder is missing or read-only, the path is a folder, or the file exists and may not be replaced.
     """
-    path = Path(path)
+    path = path_of(path)
     folder = path.parent
     if not folder.is_dir():
         raise FileError(path, f"the folder {folder} does not exist", remedy="Make the folder first")

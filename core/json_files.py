@@ -5,11 +5,11 @@ from __future__ import annotations
 import json
 import math
 import os
-from pathlib import Path
 from typing import Any
 
 from .checks import LARGEST_NUMBER as LARGEST_NUMBER
 from .errors import FileError
+from .paths import path_of
 
 
 def read_json_object(path: str | os.PathLike[str]) -> dict[str, Any]:
@@ -20,7 +20,7 @@ def read_json_object(path: str | os.PathLike[str]) -> dict[str, Any]:
     """
     try:
         content = json.loads(
-            Path(path).read_bytes(), object_pairs_hook=_unique_pairs, parse_constant=_refuse, parse_float=_finite
+            path_of(path).read_bytes(), object_pairs_hook=_unique_pairs, parse_constant=_refuse, parse_float=_finite
         )
     except OSError as error:
         raise FileError(path, f"cannot be read: {error.strerror or error}") from error

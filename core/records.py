@@ -15,6 +15,7 @@ from typing import Any
 from .atomic import atomic_write
 from .errors import FileError, FilePath
 from .json_files import read_json_object
+from .paths import path_of
 
 RECORDS = "records"  # the folder below a job's that they lie in
 VERSION = 1  # raised where a stage begins to make something else of the same inputs
@@ -42,7 +43,7 @@ def digest_of_file(path: FilePath) -> str:
     Raises:
         OSError: It cannot be read.
     """
-    with Path(path).open("rb") as file:
+    with path_of(path).open("rb") as file:
         return digest_of_bytes(iter(lambda: file.read(CHUNK), b""))
 
 

@@ -8,10 +8,10 @@ import mmap
 import os
 import stat
 from collections.abc import Callable, Iterator
-from pathlib import Path
 from typing import Any, ParamSpec, TypeVar
 
 from ..core.errors import FileError, PointloomError
+from ..core.paths import path_of
 
 # A header without an end would otherwise be searched through gigabytes of payload; real ones stay below 100 KiB.
 MAX_HEADER_BYTES = 1 << 20
@@ -64,7 +64,7 @@ def open_source(path: str | os.PathLike[str]) -> Source:
     Raises:
         FileError: Missing, a folder, a pipe or device, unreadable, or empty.
     """
-    path = Path(path)
+    path = path_of(path)
     try:
         status = path.stat()
         if stat.S_ISDIR(status.st_mode):

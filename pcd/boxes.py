@@ -2,66 +2,25 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
 import warp as wp
 from numpy.typing import ArrayLike, NDArray
 
-from ..core.array_libraries import hand_out, hand_out_host, library_of
-from ..core.checks import LARGEST_NUMBER, check_finite, check_positive, check_rigid, check_rows, check_shape, is_on_gpu
+from ..core.checks import LARGEST_NUMBER, check_finite, check_positive, check_rigid, check_rows, check_shape
 from ..core.coordinates import finite_box
-from ..core.devices import resolve_device
 from ..core.dropped_results import returns_new
-from ..core.gpu_arrays import take_points
-from ..core.known_names import KnownNames
-from ..kernels.arrays.select import positions_of
 from ..kernels.extent.masks import mask_aligned_box, mask_oriented_box
+from .bounding_box import BoundingBox, shown_numbers
 from .convex_hull import find_extremes
 from .minimal_box import fit_principal_box, fit_smallest_box
-from .point_arrays import PointArrays, read_only
+from .point_arrays import read_only
 
 CORNERS = np.array(  # Open3D's order, in halves of the extent
     [[-1, -1, -1], [1, -1, -1], [-1, 1, -1], [-1, -1, 1], [1, 1, 1], [-1, 1, 1], [1, -1, 1], [1, 1, -1]], np.float64
 )
-
-
-class BoundingBox(KnownNames):
-    """What both kinds of boxes have: a colour for pictures, and the points that they hold."""
-
-    def __init__(self, color: ArrayLike):
-        self.color = color
-
-    @property
-    def color(self) -> NDArray[np.float64]:
-        """The colour that a viewer draws it in, 0..1, shape [3]; assign another."""
-        return read_only(self._color.copy())
-
-    @color.setter
-    def color(self, values: ArrayLike) -> None:
-        color = check_shape("color", values, (3,))
-        if not ((color >= 0) & (color <= 1)).all():
-            raise ValueError(f"color: expected three numbers 0..1, got {color.tolist()}")
-        self._color = color.copy()
-
-    def get_point_indices_within_bounding_box(self, points: ArrayLike | PointArrays) -> NDArray[np.int64]:
-        """The indices of the points inside, faces included, ascending; of a cloud or of an array of shape [n, 3]."""
-        if isinstance(points, PointArrays):
-            mask = self.mask_points(points.device_array("points"), points.origin)
-            return points.handed_out(positions_of(mask), dtype=np.int64)
-        library = library_of(points)
-        if is_on_gpu(points):
-            mask = self.mask_points(*take_points("points", points, None))
-            return hand_out(positions_of(mask), library, dtype=np.int64)
-        rows = np.flatnonzero(self._holds(check_rows("points", points, 3, dtype=np.float64)))
-        return hand_out_host(rows, library, resolve_device("cpu"))
-
-    def mask_points(self, points: wp.array, origin: NDArray[np.float64]) -> wp.array:
-        """A uint8 device mask of the points inside, of an array of vec3 relative to an origin."""
-        raise NotImplementedError
-
-    def _holds(self, points: NDArray[np.float64]) -> NDArray[np.bool_]:
-        raise NotImplementedError
 
 
 class AxisAlignedBoundingBox(BoundingBox):
@@ -108,8 +67,12 @@ class AxisAlignedBoundingBox(BoundingBox):
         """Highest corner [m], shape [3]."""
         return read_only(self._max_bound.copy())
 
+    def __iter__(self) -> Iterator[NDArray[np.float64]]:
+        """Both bounds: `low, high = mesh.get_axis_aligned_bounding_box()`."""
+        return iter((self.min_bound, self.max_bound))
+
     def __repr__(self) -> str:
-        return f"{type(self).__name__}({self._min_bound.tolist()}, {self._max_bound.tolist()})"
+        return f"{type(self).__name__}({shown_numbers(self._min_bound)}, {shown_numbers(self._max_bound)})"
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, AxisAlignedBoundingBox):
@@ -192,10 +155,10 @@ class AxisAlignedBoundingBox(BoundingBox):
         return self._like(step - half, step + half)
 
     @returns_new
-    def scale(self, scale: float, center: ArrayLike) -> AxisAlignedBoundingBox:
-        """The box scaled about a point by a factor above zero."""
+    def scale(self, scale: float, center: ArrayLike | None = None) -> AxisAlignedBoundingBox:
+        """The box scaled by a factor above zero about a point [m], about its middle if none is given."""
         factor = check_positive("scale", scale)
-        about = check_finite("center", check_shape("center", center, (3,)))
+        about = self.get_center() if center is None else check_finite("center", check_shape("center", center, (3,)))
         with np.errstate(over="ignore"):  # a side beyond float64 is an open one
             return self._like(about + factor * (self._min_bound - about), about + factor * (self._max_bound - about))
 
@@ -294,7 +257,7 @@ class OrientedBoundingBox(BoundingBox):
 
     def __repr__(self) -> str:
         parts = (self._center, self._R, self._extent)
-        return f"{type(self).__name__}({', '.join(str(part.tolist()) for part in parts)})"
+        return f"{type(self).__name__}({', '.join(map(shown_numbers, parts))})"
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, OrientedBoundingBox):
@@ -359,10 +322,10 @@ class OrientedBoundingBox(BoundingBox):
         return self._like(self._center + step if relative else step, self._R, self._extent)
 
     @returns_new
-    def scale(self, scale: float, center: ArrayLike) -> OrientedBoundingBox:
-        """The box scaled about a point by a factor above zero."""
+    def scale(self, scale: float, center: ArrayLike | None = None) -> OrientedBoundingBox:
+        """The box scaled by a factor above zero about a point [m], about its middle if none is given."""
         factor = check_positive("scale", scale)
-        about = check_finite("center", check_shape("center", center, (3,)))
+        about = self.center if center is None else check_finite("center", check_shape("center", center, (3,)))
         if factor * max(np.abs(self._center - about).max(), self._extent.max()) > LARGEST_NUMBER:
             raise ValueError(f"scale: {factor:g} takes the box beyond {LARGEST_NUMBER:g} m; take a smaller one")
         return self._like(factor * (self._center - about) + about, self._R, factor * self._extent)

@@ -5,6 +5,7 @@ What a cloud can do lies in one file a subject; PointCloud brings them together.
 
 from __future__ import annotations
 
+import os
 from typing import Any
 
 from numpy.typing import ArrayLike
@@ -77,6 +78,10 @@ class PointCloud(
         origin: ArrayLike | None = None,
         **attributes: ArrayLike,
     ):
+        if isinstance(points, PointCloud):
+            raise TypeError("points: expected an array, got a PointCloud; cloud.copy() is another one of its arrays")
+        if isinstance(points, str | os.PathLike):
+            raise TypeError("points: expected an array, got a path; loom.read_point_cloud(path) reads it")
         where = resolve_device(device)
         start = None if origin is None else check_finite("origin", check_shape("origin", origin, (3,)))
         self._arrays, self._library, self.grid = {}, library_of(points), None

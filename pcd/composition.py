@@ -15,6 +15,10 @@ from ..kernels.lang import vec3
 from ..kernels.memory import full
 from .point_arrays import PointArrays, check_cloud
 
+_NO_SUM = (
+    "a cloud and a {} cannot be added: cloud.translate(vector) moves it, cloud.points = array sets its points, and "
+    "cloud + loom.PointCloud(array) adds points"
+)
 MAX_POINTS = 2**31 - 1  # rows are counted in 32 bits
 
 
@@ -24,14 +28,14 @@ class Composition(PointArrays):
     def __add__(self, other: Any) -> Self:
         """The points of both clouds, see `concatenate`."""
         if not isinstance(other, PointArrays):
-            return NotImplemented
+            raise TypeError(_NO_SUM.format(type(other).__name__))
         return self.concatenate([self, other])
 
     def __radd__(self, other: Any) -> Self:
         """The cloud itself for 0, where `sum` begins."""
         if isinstance(other, int) and other == 0:
             return self.copy()
-        return NotImplemented
+        raise TypeError(_NO_SUM.format(type(other).__name__))
 
     @classmethod
     def concatenate(cls, clouds: Iterable[PointArrays]) -> Self:

@@ -63,6 +63,8 @@ class DepthClouds(Selection):
         cloud._library = library_of(depth)
         return cloud
 
+    create_from_depth_image = from_depth_image
+
     @classmethod
     def from_rgbd_image(
         cls,
@@ -83,6 +85,8 @@ class DepthClouds(Selection):
         )
         cloud._library = image.array_library
         return cloud
+
+    create_from_rgbd_image = from_rgbd_image
 
     def project_to_depth_image(
         self,

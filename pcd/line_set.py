@@ -3,23 +3,17 @@
 from __future__ import annotations
 
 import dataclasses
-from collections.abc import Callable
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..cameras.camera import PinholeCameraIntrinsic
-from ..core.checks import (
-    check_count,
-    check_finite,
-    check_positive,
-    check_rigid,
-    check_rows,
-    check_shape,
-    check_transformation,
-)
+from ..core.checks import check_count, check_positive, check_rigid, check_rows, check_shape, check_transformation
+from ..core.dropped_results import returns_new
+from ..core.yes_or_no import YesOrNo
 from .boxes import AxisAlignedBoundingBox, OrientedBoundingBox
+from .motion import Movable
 
 Rows = NDArray[np.float64]
 
@@ -36,7 +30,7 @@ CAMERA_COLORS = np.array([[0.0, 0.0, 1.0]] * 8 + [[1.0, 0.0, 0.0], [0.0, 1.0, 0.
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
-class LineSet:
+class LineSet(Movable):
     """Segments that join points: edges, pairs, paths, for pictures and the viewer.
 
     Methods return what they make and change nothing in place.
@@ -169,13 +163,29 @@ class LineSet:
         return len(self.lines)
 
     @property
-    def has_colors(self) -> bool:
-        """Whether each line has a colour."""
-        return self.colors is not None
+    def has_points(self) -> YesOrNo:
+        """Whether there are points; may be called, too."""
+        return YesOrNo(len(self.points))
 
-    def is_empty(self) -> bool:
-        """Whether there are no points."""
-        return len(self.points) == 0
+    @property
+    def has_lines(self) -> YesOrNo:
+        """Whether there are lines; may be called, too."""
+        return YesOrNo(len(self.lines))
+
+    @property
+    def has_colors(self) -> YesOrNo:
+        """Whether each line has a colour; may be called, too."""
+        return YesOrNo(self.colors is not None)
+
+    @property
+    def is_empty(self) -> YesOrNo:
+        """Whether there are no points; may be called, too."""
+        return YesOrNo(len(self.points) == 0)
+
+    @returns_new
+    def clear(self) -> LineSet:
+        """A set without points and lines: `lines = lines.clear()`."""
+        return LineSet(np.zeros((0, 3)), np.zeros((0, 2), np.int32))
 
     def get_line_coordinate(self, line_index: int) -> tuple[Rows, Rows]:
         """The two ends of a line, shape [3] each [m]."""
@@ -188,28 +198,28 @@ class LineSet:
         """The box of the points."""
         return AxisAlignedBoundingBox.create_from_points(self.points)
 
+    def get_min_bound(self) -> Rows:
+        """The lowest coordinates of the points [m], shape [3]; zeros where there is none."""
+        return self.get_axis_aligned_bounding_box().min_bound
+
+    def get_max_bound(self) -> Rows:
+        """The highest coordinates of the points [m], shape [3]; zeros where there is none."""
+        return self.get_axis_aligned_bounding_box().max_bound
+
     def get_center(self) -> Rows:
         """The mean of the points [m]; zero where there are none."""
         return self.points.mean(axis=0) if len(self.points) else np.zeros(3)
 
+    @returns_new
     def paint_uniform_color(self, color: ArrayLike) -> LineSet:
         """The same lines in one colour: red, green and blue, 0 to 1."""
         return dataclasses.replace(self, colors=np.tile(check_shape("color", color, (3,)), (len(self.lines), 1)))
 
+    @returns_new
     def transform(self, transformation: ArrayLike) -> LineSet:
         """Moved by a 4x4 matrix."""
-        matrix = check_transformation("transformation", transformation)
-        return self._moved(lambda points: points @ matrix[:3, :3].T + matrix[:3, 3])
+        return self._mapped("transformation", check_transformation("transformation", transformation))
 
-    def translate(self, translation: ArrayLike, relative: bool = True) -> LineSet:
-        """Moved by a vector [m]; with `relative=False` its centre is brought there."""
-        shift = check_finite("translation", check_shape("translation", translation, (3,)))
-        return self._moved(lambda points: points + (shift if relative else shift - self.get_center()))
-
-    def scale(self, scale: float, center: ArrayLike) -> LineSet:
-        """Grown by a factor about a centre [m]."""
-        factor, middle = check_positive("scale", scale), check_finite("center", check_shape("center", center, (3,)))
-        return self._moved(lambda points: middle + factor * (points - middle))
-
-    def _moved(self, move: Callable[[Rows], Rows]) -> LineSet:
-        return dataclasses.replace(self, points=move(self.points))
+    def _mapped(self, name: str, T: Rows) -> LineSet:
+        """The lines under an affine map."""
+        return dataclasses.replace(self, points=self.points @ T[:3, :3].T + T[:3, 3])

@@ -72,11 +72,6 @@ class Normals(PointArrays):
             raise ValueError(f"covariances: expected shape [{len(self)}, 3, 3], got {list(matrices.shape)}")
         self._set("covariances", matrices.reshape(-1, 9).astype(np.float32))
 
-    @property
-    def has_covariances(self) -> bool:
-        """Whether there are covariances."""
-        return "covariances" in self._arrays
-
     @returns_new
     def estimate_covariances(self, *, radius: float | None = None, max_nn: int | None = 30) -> Self:
         """Measure how the neighbours of each point spread about their mean.

@@ -9,6 +9,7 @@ import warp as wp
 from numpy.typing import NDArray
 
 from ..core.checks import check_count, check_positive
+from ..core.dropped_results import returns_new
 from ..kernels.arrays.select import positions_of
 from ..kernels.search.neighbor_distances import average_distances, mask_up_to, mean_and_deviation
 from ..kernels.segmentation.neighbor_counts import mask_crowded
@@ -20,6 +21,7 @@ ROUNDING = 1 + 1e-12  # where all distances are equal, their mean may round to l
 class Outliers(Selection):
     """The part of PointCloud that removes outliers."""
 
+    @returns_new
     def remove_statistical_outlier(
         self, nb_neighbors: int, std_ratio: float, print_progress: bool = False
     ) -> tuple[Self, NDArray[np.int32]]:
@@ -59,6 +61,7 @@ class Outliers(Selection):
         limit = (mean + ratio * deviation) * ROUNDING if count else 0.0
         return self._keep(mask_up_to(distances, limit))
 
+    @returns_new
     def remove_radius_outlier(
         self, nb_points: int, radius: float, print_progress: bool = False
     ) -> tuple[Self, NDArray[np.int32]]:

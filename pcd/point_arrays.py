@@ -14,18 +14,18 @@ from ..core.array_libraries import NUMPY, check_library, hand_out, library_of
 from ..core.checks import check_name, check_numeric, check_rows, is_on_gpu
 from ..core.coordinates import quiet, split_origin
 from ..core.devices import resolve_device
+from ..core.dropped_results import returns_new
 from ..core.gpu_arrays import take_colors, take_column, take_points, take_vectors
-from ..core.known_names import KnownNames
-from ..core.yes_or_no import YesOrNo
 from ..kernels.lang import vec3
 from ..kernels.language.device_lock import turn_on
 from ..kernels.memory import download, move, upload
 from ..kernels.search.point_tree import PointTree
 from .attributes import VECTORS, Attributes
+from .cloud_questions import CloudQuestions
 from .kept_tree import KeptTree
 
 
-class PointArrays(KnownNames):
+class PointArrays(CloudQuestions):
     """The arrays of a cloud by name, checked where they are assigned; PointCloud adds the operations.
 
     What is read is a copy that cannot be written to, so that no change is lost in silence: change a `.copy()` of it and
@@ -41,9 +41,6 @@ class PointArrays(KnownNames):
     _origin: NDArray[np.float64]
     _library: str = NUMPY  # whose arrays operations return, see array_libraries.py
     grid: tuple[int, int] | None
-
-    def __len__(self) -> int:
-        return self._arrays["points"].size
 
     def __repr__(self) -> str:
         names = [n for n in self._arrays if n != "points"]
@@ -101,21 +98,6 @@ class PointArrays(KnownNames):
         self._set("colors", values)
 
     @property
-    def has_normals(self) -> YesOrNo:
-        """Whether there are normals; may be called, too."""
-        return YesOrNo("normals" in self._arrays)
-
-    @property
-    def has_colors(self) -> YesOrNo:
-        """Whether there are colours; may be called, too."""
-        return YesOrNo("colors" in self._arrays)
-
-    @property
-    def is_empty(self) -> YesOrNo:
-        """Whether there is no point; may be called, too."""
-        return YesOrNo(len(self) == 0)
-
-    @property
     def attributes(self) -> Attributes:
         """The further attributes, a mapping of NumPy arrays of shape [n] or [n, c]; to set an item sets the cloud's."""
         return Attributes(self)
@@ -127,6 +109,24 @@ class PointArrays(KnownNames):
         if name in VECTORS:
             return getattr(self, name)
         return read_only(download(self.required_array(name, f"the cloud has {', '.join(self._arrays)}")).copy())
+
+    __array_ufunc__ = None  # arithmetic of arrays with clouds is an error, whichever stands first
+
+    def __array__(self, dtype: DTypeLike | None = None, copy: bool | None = None) -> NDArray[Any]:
+        """The points for `np.asarray(cloud)`, float64 [n, 3] [m]: a copy, that cannot be written to but by `copy=True`.
+
+        Raises:
+            ValueError: `copy=False`: the cloud keeps float32 about an origin, so this is always a copy.
+
+        Example:
+            >>> import numpy as np, pointloom as loom
+            >>> np.asarray(loom.PointCloud([[1, 2, 3]]))
+            array([[1., 2., 3.]])
+        """
+        if copy is False:
+            raise ValueError("a cloud keeps float32 about an origin, so its points are copied; see array('points')")
+        points = self.points if dtype is None else self.points.astype(dtype)
+        return points.copy() if copy and not points.flags.writeable else points
 
     def __setitem__(self, name: str, values: ArrayLike) -> None:
         if name == "points":
@@ -148,6 +148,7 @@ class PointArrays(KnownNames):
         """
         return self._kept.lend() if check_name("name", name) == "points" else self.device_array(name)
 
+    @returns_new
     def to(self, device: Any, *, arrays: str | None = None) -> Self:
         """The cloud on another device; itself where it is there already.
 
@@ -201,6 +202,7 @@ class PointArrays(KnownNames):
         with turn_on(self.device):
             return self.array("points").__dlpack__(stream=stream)
 
+    @returns_new
     def without(self, *names: str) -> Self:
         """The cloud without these attributes, "normals" and "colors" among them.
 
@@ -219,6 +221,12 @@ class PointArrays(KnownNames):
             self.required_array(name, f"the cloud has {', '.join(self._arrays)}")
         return self.with_arrays({n: a for n, a in self._arrays.items() if n not in names}, grid=self.grid)
 
+    @returns_new
+    def clear(self) -> Self:
+        """A cloud without points and attributes on the same device: `cloud = cloud.clear()`."""
+        return type(self)(device=self.device)
+
+    @returns_new
     def copy(self) -> Self:
         """Another cloud over the same arrays: what is assigned to one does not reach the other."""
         return self.with_arrays(dict(self._arrays), grid=self.grid)

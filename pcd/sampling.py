@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..core.array_libraries import hand_out, hand_out_host, view_as
 from ..core.checks import check_count, check_finite, check_name, check_positive, check_seed, check_shape, shown
+from ..core.dropped_results import returns_new
 from ..kernels.arrays.bounds import bound_points
 from ..kernels.arrays.run_sums import average_vec3, first_rows, sum_columns
 from ..kernels.arrays.select import gather_rows
@@ -30,6 +31,7 @@ OPEN3D_CELLS = 2**31 - 1  # Open3D counts the cells between the bounds in 32 bit
 class Sampling(Selection):
     """The part of PointCloud that thins a cloud."""
 
+    @returns_new
     def voxel_down_sample(self, voxel_size: float, reduction: str = "mean") -> Self:
         """One point for each occupied voxel: the mean of its points and of all their attributes, or one of its points.
 
@@ -109,6 +111,7 @@ class Sampling(Selection):
         cubic_id = hand_out(octants, self._library, shape=(octants.size // 8, 8))
         return VoxelTrace(cloud, cubic_id, voxels, indices, offsets)
 
+    @returns_new
     def uniform_down_sample(self, every_k_points: int) -> Self:
         """Every k-th point, the first among them.
 
@@ -124,6 +127,7 @@ class Sampling(Selection):
         step = check_count("every_k_points", every_k_points)
         return self.select_rows(step_rows(len(self), step, self.device))
 
+    @returns_new
     def random_down_sample(self, sampling_ratio: float, seed: int = 0) -> Self:
         """`int(sampling_ratio * n)` of the points, chosen at random without repeats, in their own order.
 
@@ -148,6 +152,7 @@ class Sampling(Selection):
             raise ValueError(f"sampling_ratio: expected a share 0..1, got {sampling_ratio!r}")
         return self.select_rows(draw_rows(len(self), int(ratio * len(self)), check_seed(seed), self.device))
 
+    @returns_new
     def farthest_point_down_sample(self, num_samples: int, start_index: int = 0) -> Self:
         """Points spread over the cloud, each chosen as the farthest from all before it; in their own order.
 

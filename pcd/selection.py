@@ -17,7 +17,8 @@ from ..kernels.extent.masks import mask_finite
 from ..kernels.lang import int32
 from ..kernels.memory import upload
 from ..kernels.sampling.duplicates import first_occurrences
-from .boxes import AxisAlignedBoundingBox, BoundingBox, OrientedBoundingBox
+from .bounding_box import BoundingBox
+from .boxes import AxisAlignedBoundingBox, OrientedBoundingBox
 from .composition import Composition
 from .polygon_volume import SelectionPolygonVolume, mask_volume
 
@@ -25,6 +26,7 @@ from .polygon_volume import SelectionPolygonVolume, mask_volume
 class Selection(Composition):
     """The part of PointCloud that chooses points."""
 
+    @returns_new
     def select_by_index(self, indices: ArrayLike, invert: bool = False) -> Self:
         """The points at some indices, in the order given, repeats kept; or with `invert` all others in their order.
 
@@ -41,6 +43,7 @@ class Selection(Composition):
         chosen = upload(check_indices("indices", indices, len(self), **what), int32, self.device)
         return self.select_rows(other_rows(chosen, len(self)) if invert else chosen)
 
+    @returns_new
     def select_by_mask(self, mask: ArrayLike, invert: bool = False) -> Self:
         """The points where a boolean mask of shape [n] is set (or, inverted, is not).
 
@@ -54,6 +57,7 @@ class Selection(Composition):
             raise ValueError(f"mask: expected booleans of shape [{len(self)}], got {chosen.dtype} {list(chosen.shape)}")
         return self.select_rows(upload(np.flatnonzero(chosen != invert).astype(np.int32), int32, self.device))
 
+    @returns_new
     def crop(
         self, bounding_box: AxisAlignedBoundingBox | OrientedBoundingBox | SelectionPolygonVolume, invert: bool = False
     ) -> Self:

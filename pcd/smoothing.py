@@ -6,6 +6,7 @@ import math
 from typing import Any, Self
 
 from ..core.checks import check_count, check_number, check_positive, check_search
+from ..core.dropped_results import returns_new
 from ..kernels.surface.normals import estimate_normals
 from ..kernels.surface.smoothing import average_by_sides, average_passes, average_passes_fixed, project_to_planes
 from .selection import Selection
@@ -17,6 +18,7 @@ MOST_PASSES = 10_000  # of smoothing
 class Smoothing(Selection):
     """The part of PointCloud that smooths."""
 
+    @returns_new
     def smooth_mls(self, *, radius: float | None = 0.05, max_nn: int | None = 30) -> Self:
         """Move each point onto the plane through its neighbours, along the plane's normal.
 
@@ -52,6 +54,7 @@ class Smoothing(Selection):
         moved, fitted = project_to_planes(self.search_tree(), count, reach, normals)
         return self._moved(moved, {} if normals is None else {"normals": fitted})
 
+    @returns_new
     def smooth_bilateral(
         self, *, radius: float | None = 0.05, max_nn: int | None = 30, sigma_s: float = 0.05, sigma_r: float = 0.05
     ) -> Self:
@@ -86,6 +89,7 @@ class Smoothing(Selection):
             normals = estimate_normals(tree, tree.source, NORMAL_NEIGHBORS, math.inf)
         return self._moved(average_by_sides(tree, normals, count, reach, spatial, across))
 
+    @returns_new
     def smooth_laplacian(
         self, iterations: int = 10, lambda_: float = 0.5, knn: int = 20, use_fixed_neighborhoods: bool = False
     ) -> Self:
@@ -113,6 +117,7 @@ class Smoothing(Selection):
         passes = _check_passes(iterations)
         return self._averaged([check_number("lambda_", lambda_)] * passes, knn, use_fixed_neighborhoods)
 
+    @returns_new
     def smooth_taubin(
         self,
         iterations: int = 10,

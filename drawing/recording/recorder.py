@@ -6,7 +6,6 @@ import contextlib
 import dataclasses
 import os
 from collections.abc import Iterable, Sequence
-from pathlib import Path
 from types import TracebackType
 from typing import Any
 
@@ -14,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...core.checks import check_count, check_name, check_number, check_positive, check_progress, check_transformation
+from ...core.paths import path_of
 from ...core.progress import ReportProgress
 from ...core.watching import watch
 from ..render.geometries import STYLE_KEYS, Style
@@ -127,7 +127,7 @@ class Recorder:
     ):
         if view is not None and not isinstance(view, View):
             raise TypeError(f"view: expected a View, got {type(view).__name__}")
-        self.path = Path(path)
+        self.path = path_of(path)
         self.max_points = check_count("max_points", max_points)
         self._max_frames = check_count("max_frames", max_frames, minimum=2)
         self._fps = check_positive("fps", fps, maximum=FASTEST)

@@ -19,7 +19,7 @@ from ...kernels.memory import empty, move, upload
 from ...meshing.mesh.mesh import TriangleMesh
 from ...meshing.mesh.voxel_grid import VoxelGrid
 from ...meshing.volume.tsdf import TSDFVolume
-from ...pcd.boxes import BoundingBox
+from ...pcd.bounding_box import BoundingBox
 from ...pcd.cloud import PointCloud
 from ...pcd.convex_hull import ConvexHull
 from ...pcd.line_set import LineSet

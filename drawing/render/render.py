@@ -24,6 +24,7 @@ from .geometries import Named, Style, named_geometries, parts_of
 from .legends import draw_color_bar, draw_labels, draw_legend
 from .open3d_views import OPEN3D_KEYS, read_view
 from .parts import Lines, Part, Points, Triangles, Triple
+from .picture import Picture as Picture
 from .scene import Scene
 from .view import Frame, View
 
@@ -31,8 +32,6 @@ DIRECTION: Triple = (-0.65, 0.7, -0.75)  # down from the front right, as onto a 
 UP: Triple = (0.0, 0.0, 1.0)
 NORMAL_SHARE = 0.02  # length of the lines along normals, as a share of the scene's longest side
 SHADINGS = ("smooth", "flat", "none")
-
-Picture = NDArray[np.uint8]
 
 
 @overload
@@ -85,8 +84,8 @@ def render(
         device: "cpu", "cuda:N"; None where the first geometry lies, to which the others are copied.
 
     Returns:
-        Shape [h, w, 3], uint8 RGB, each pixel the mean of 2 x 2 samples. With `depth` a pair of it and the depth along
-        the optical axis [m], float32 [h, w], 0 where nothing is seen.
+        A Picture: an array of shape [h, w, 3], uint8 RGB, that notebooks show; each pixel is the mean of 2 x 2 samples.
+        With `depth` a pair of it and the depth along the optical axis [m], float32 [h, w], 0 where nothing is seen.
 
     Raises:
         TypeError: A geometry of another kind, or a camera that is none; says what is accepted.
@@ -136,7 +135,7 @@ def render(
     coloring = _check_bar(color_bar, parts)
     if texts or entries or coloring is not None:
         _write_on(Canvas(drawing.picture, *camera_size), _project(texts, view), entries or [], coloring)
-    picture = download(drawing.picture).reshape(*camera_size[::-1], 3).copy()  # sync
+    picture = Picture(download(drawing.picture).reshape(*camera_size[::-1], 3).copy())  # sync
     if not depth:
         return picture
     depths = download(drawing.depth())  # sync

@@ -12,6 +12,7 @@ from ...cameras.trajectory import read_lines, read_trajectory
 from ...core.devices import resolve_device
 from ...core.errors import FileError
 from ...core.json_files import read_json_object
+from ...core.paths import path_of
 from ...core.progress import ReportProgress
 from ...files.ascii_rows import is_number
 from ...files.meshes import tables
@@ -91,7 +92,7 @@ def read_geometry(path: str | os.PathLike[str], *, device: Any = None) -> Any:
     Raises:
         FileError: A file that is missing, damaged or of no kind that is shown.
     """
-    path, suffix = Path(path), Path(path).suffix.lower()
+    path, suffix = path_of(path), Path(path).suffix.lower()
     if path.is_dir():
         raise FileError(path, "is a folder", remedy="Give its files, as in pointloom view folder/*.ply")
     if not path.exists():

@@ -19,6 +19,7 @@ from numpy.typing import NDArray
 from ...cameras.camera import PinholeCameraIntrinsic
 from ...core.checks import check_count, check_name, check_positive
 from ...core.errors import DatasetError, FileError
+from ...core.paths import path_of
 from ..pictures.image_files import (
     PictureHeader,
     check_color_header,
@@ -236,7 +237,7 @@ def open_frames(
 
 
 def _check_folder(folder: str | os.PathLike[str]) -> Path:
-    folder = Path(folder)
+    folder = path_of(folder)
     if not folder.is_dir():
         reason = "is not a folder" if folder.exists() else "does not exist"
         raise DatasetError(folder, reason, remedy="Give the folder that holds the frames")

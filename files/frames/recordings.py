@@ -17,6 +17,7 @@ from ...cameras.camera import PinholeCameraIntrinsic, intrinsic_to_json
 from ...core.atomic import atomic_write
 from ...core.checks import check_positive, check_progress
 from ...core.errors import FileError
+from ...core.paths import path_of
 from ...core.progress import ReportProgress
 from ..pictures.image_files import write_png
 from .dataset_layouts import FRAME_TIMES
@@ -62,7 +63,7 @@ class FrameRecorder:
         if not isinstance(intrinsic, PinholeCameraIntrinsic):
             raise TypeError(f"intrinsic: expected a PinholeCameraIntrinsic, got {type(intrinsic).__name__}")
         self.depth_scale = check_positive("depth_scale", depth_scale)
-        self.folder, self.intrinsic, self.count = Path(folder), intrinsic, 0
+        self.folder, self.intrinsic, self.count = path_of(folder), intrinsic, 0
         self._colored: bool | None = None
         _make_folder(self.folder)
         text = json.dumps(intrinsic_to_json(intrinsic) | {"depth_scale": self.depth_scale}, indent=4)

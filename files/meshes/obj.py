@@ -29,6 +29,7 @@ from numpy.typing import NDArray
 from ...core.atomic import check_writable
 from ...core.coordinates import quiet
 from ...core.errors import FileError
+from ...core.paths import path_of
 from ..ascii_rows import AsciiRows, row_format, write_rows
 from ..columns import stack_colors, stack_normals
 from ..fans import fan_corners
@@ -61,7 +62,7 @@ def read_obj(path: str | os.PathLike[str], *, outside_files: bool = False) -> Me
         UserWarning: The file has normals that are not one a vertex, or names an .mtl, a picture or a material that is
             not there.
     """
-    path = Path(path)
+    path = path_of(path)
     statements = _read_statements(path)
     vertices, colors = _vertices_of(path, statements.rows(b"v"))
     normals = statements.rows(b"vn")

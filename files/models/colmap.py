@@ -16,6 +16,7 @@ from ...cameras.camera_models import MODELS
 from ...core.atomic import atomic_write
 from ...core.checks import check_name
 from ...core.errors import FileError
+from ...core.paths import path_of
 from . import colmap_binary, colmap_text
 from .colmap_records import assemble, records_of
 from .sfm_model import SfmModel
@@ -66,7 +67,7 @@ def find_colmap_model(folder: str | os.PathLike[str]) -> tuple[Path, str]:
     Raises:
         FileError: None, a part of one, or several.
     """
-    folder = Path(folder)
+    folder = path_of(folder)
     if not folder.is_dir():
         reason = "is a file" if folder.exists() else "does not exist"
         raise FileError(folder, reason, remedy="Give the folder of cameras, images and points3D")
@@ -84,7 +85,7 @@ def find_colmap_model(folder: str | os.PathLike[str]) -> tuple[Path, str]:
 
 def is_colmap_model(folder: str | os.PathLike[str]) -> bool:
     """Whether a folder, or one of those below where projects keep it, has a file of a model."""
-    folder = Path(folder)
+    folder = path_of(folder)
     below = [p for place in (folder, folder / "sparse") for p in _numbered(place)]
     return any(_files_of(place) for place in [folder, *below, *(folder / name for name in PLACES)])
 
@@ -154,7 +155,7 @@ def write_colmap_model(
     if check_name("format", format) not in FORMS:
         raise ValueError(f"format: expected 'bin' or 'txt', got {format!r}")
     _check_writable(model, format)
-    folder = Path(folder)
+    folder = path_of(folder)
     is_new = _prepare(folder, overwrite)
     write, records = FORMS[format], records_of(model)
     stale = [folder / f"{name}.{form}" for name in ("images", *FILES, *BESIDE) for form in FORMS]

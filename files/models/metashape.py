@@ -20,6 +20,7 @@ from numpy.typing import NDArray
 from ...cameras.camera_models import CameraModel
 from ...core.checks import check_rigid
 from ...core.errors import FileError
+from ...core.paths import path_of
 from ..source import open_source
 from .colmap_records import camera_of
 from .sfm_model import SfmModel
@@ -65,7 +66,7 @@ def read_metashape_cameras(path: str | os.PathLike[str]) -> SfmModel:
         >>> model.centers.tolist(), model.left_out, model.cameras[0].model
         ([[2.0, 0.0, 0.0]], ('IMG_2: not aligned',), 'SIMPLE_RADIAL')
     """
-    path = Path(path)
+    path = path_of(path)
     chunk = _chunk_of(path)
     lenses = {_name(path, sensor, "id"): sensor for sensor in chunk.findall("sensors/sensor")}
     placed = _transform_of(path, chunk, "the chunk")

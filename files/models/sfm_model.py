@@ -23,6 +23,7 @@ from ...core.checks import (
     check_shape,
     shown,
 )
+from ...core.dropped_results import returns_new
 from ...core.known_names import nearest_name
 from ...pcd.cloud import PointCloud
 
@@ -170,6 +171,7 @@ class SfmModel:
     def _places(self) -> dict[str, int]:
         return {name: i for i, name in enumerate(self.names)}
 
+    @returns_new
     def transform(self, transformation: ArrayLike) -> SfmModel:
         """The model moved, turned and scaled as a whole; what is seen where stays as it is.
 
@@ -199,6 +201,7 @@ class SfmModel:
         poses[:, :3, 3] = -np.einsum("nij,nj->ni", poses[:, :3, :3], scale * self.centers @ R.T + t)
         return dataclasses.replace(self, T_camera_world=poses, points=scale * self.points @ R.T + t)
 
+    @returns_new
     def scaled(self, factor: float) -> SfmModel:
         """The model with all lengths times a factor about the world's origin, rotations untouched.
 
@@ -220,6 +223,7 @@ class SfmModel:
         poses[:, :3, 3] *= factor
         return dataclasses.replace(self, T_camera_world=poses, points=self.points * factor)
 
+    @returns_new
     def select(self, names: Iterable[str]) -> SfmModel:
         """The model of some of its pictures; points that none of them saw go.
 

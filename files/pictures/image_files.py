@@ -20,6 +20,7 @@ from PIL import Image, ImageFile, JpegImagePlugin, PngImagePlugin
 
 from ...core.atomic import atomic_write, check_writable
 from ...core.errors import FileError
+from ...core.paths import path_of
 from ..source import Source
 from .jpeg_scans import JPEG_MAGIC, testable_jpegs
 from .png_stream import PNG_MAGIC, parse_png_header, whole_png
@@ -123,7 +124,7 @@ def read_picture_header(path: str | os.PathLike[str]) -> PictureHeader:
         FileError: Unreadable, of another kind, or too large.
     """
     try:
-        with Path(path).open("rb") as file:
+        with path_of(path).open("rb") as file:
             return _parse_header(path, file)
     except OSError as error:
         raise FileError(path, f"cannot be read: {error.strerror or error}") from error
@@ -178,7 +179,7 @@ def write_png(path: str | os.PathLike[str], image: NDArray[np.uint8] | NDArray[n
 
 def _read_bytes(path: str | os.PathLike[str]) -> bytes:
     try:
-        return Path(path).read_bytes()
+        return path_of(path).read_bytes()
     except OSError as error:
         raise FileError(path, f"cannot be read: {error.strerror or error}") from error
 

@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 
 from ...core.atomic import atomic_write
 from ...core.errors import FileError
+from ...core.paths import path_of
 from ..source import Source, open_source
 from .image_files import decode_texture, encode_png, parse_picture_header
 
@@ -47,7 +48,7 @@ def find_beside(path: str | os.PathLike[str], name: str, *, outside_files: bool 
     if not name or (leads_outside(name) and not outside_files):
         return None
     try:
-        found = Path(path).parent / name.replace("\\", "/")
+        found = path_of(path).parent / name.replace("\\", "/")
         return found if found.is_file() else None
     except (OSError, ValueError):  # too long, or with a zero byte
         return None

@@ -18,6 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...core.coordinates import choose_origin
+from ...core.paths import path_of
 from ..source import Source, open_source
 from ..table import PointTable
 from . import pcd, ply
@@ -106,7 +107,7 @@ def open_in_parts(path: str | os.PathLike[str]) -> RowsInParts | LasInParts | No
     Raises:
         FileError: As of the reader of the whole file; what is wrong with a point shows when its part is read.
     """
-    path = Path(path)
+    path = path_of(path)
     suffix = path.suffix.lower()
     if suffix in (".las", ".laz"):
         return LasInParts(open_las(path))

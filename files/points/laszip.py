@@ -18,6 +18,7 @@ from pathlib import Path
 from typing import Any
 
 from ...core.errors import FileError
+from ...core.paths import path_of
 from ..foreign import foreign_errors, import_for
 from ..source import Source
 from .las_header import LasHeader
@@ -159,7 +160,7 @@ def _read_chunk_table(
     if chunk_size != _VARIABLE and not (count - 1) * chunk_size <= header.point_count <= count * chunk_size:
         reason = f"the header counts {header.point_count} points, the table {count} chunks of {chunk_size}"
         raise FileError(path, reason, where=f"byte {table}")
-    with Path(path).open("rb") as file:
+    with path_of(path).open("rb") as file:
         file.seek(header.begin)
         chunks = lazrs.read_chunk_table(file, lazrs.LazVlr(record))
     if not chunks:

@@ -22,6 +22,7 @@ from numpy.typing import NDArray
 
 from ...core.atomic import atomic_write, check_writable
 from ...core.errors import FileError
+from ...core.paths import path_of
 from ..columns import stack_colors, stack_normals
 from ..source import open_source
 from ..table import PointTable
@@ -116,7 +117,7 @@ def read_member(path: Any, archive: zipfile.ZipFile, info: zipfile.ZipInfo, name
     possible = info.compress_size * (1 if info.compress_type == zipfile.ZIP_STORED else _MAX_DEFLATE_RATIO)
     if info.compress_type not in (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED):
         raise FileError(path, f"member {name!r} is compressed in an unknown way", where=f"byte {info.header_offset}")
-    if info.compress_size > Path(path).stat().st_size or info.file_size > possible:
+    if info.compress_size > path_of(path).stat().st_size or info.file_size > possible:
         reason = f"member {name!r} claims {info.file_size} bytes from {info.compress_size} stored ones"
         raise FileError(path, reason, where=f"byte {info.header_offset}")
     with archive.open(info) as stream:

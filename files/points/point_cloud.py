@@ -14,6 +14,7 @@ from ...core.checks import check_count
 from ...core.coordinates import FLOAT32_MAX, choose_origin, finite_box, quiet, written_steps
 from ...core.devices import resolve_device
 from ...core.errors import FileError
+from ...core.paths import path_of
 from ...kernels.memory import download
 from ...pcd.cloud import PointCloud
 from ...pcd.point_arrays import VECTORS, check_cloud
@@ -230,8 +231,12 @@ def table_of(cloud: PointCloud) -> PointTable:
 
 
 def _extension(path: str | os.PathLike[str]) -> str:
-    extension = Path(path).suffix.lower()
+    extension = path_of(path).suffix.lower()
     if extension not in READERS:
+        if extension in (".obj", ".stl", ".off", ".glb", ".gltf"):
+            raise FileError(
+                path, f"{extension} files hold meshes", remedy="Use read_triangle_mesh, write_triangle_mesh"
+            )
         known = " ".join(READERS)
         raise FileError(path, f"unknown extension {extension!r}", remedy=f"Use one of {known}")
     return extension

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from ...core.errors import FileError
+from ...core.paths import path_of
 from ...pcd.cloud import PointCloud
 from .formats import READERS
 from .point_cloud import read_point_cloud
@@ -28,7 +29,7 @@ def list_scans(folder: str | os.PathLike[str]) -> list[Path]:
     Raises:
         FileError: No folder, no scan in it, or scans of several kinds, whose order would be a guess.
     """
-    place = Path(folder)
+    place = path_of(folder)
     if not place.is_dir():
         raise FileError(folder, "is no folder" if place.exists() else "does not exist", remedy="Give a folder of scans")
     files = [path for path in place.iterdir() if path.suffix.lower() in READERS and path.is_file()]

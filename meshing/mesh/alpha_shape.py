@@ -117,6 +117,8 @@ class AlphaShapes(MeshArrays):
             answers.append((mesh, tetrahedra, _used_rows(triangles)) if return_tetrahedra else mesh)
         return answers if is_list else answers[0]
 
+    create_from_point_cloud_alpha_shape = from_point_cloud_alpha_shape
+
     @classmethod
     def _over_points(cls, cloud: PointCloud, triangles: wp.array) -> Self:
         """A mesh of the points that some triangles use."""

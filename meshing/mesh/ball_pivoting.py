@@ -92,6 +92,8 @@ class BallPivoting(MeshArrays):
             library=cloud.array_library,
         )
 
+    create_from_point_cloud_ball_pivoting = from_point_cloud_ball_pivoting
+
 
 def _check_radii(radii: Any) -> list[float]:
     values = [radii] if isinstance(radii, int | float | np.number) else check_list("radii", radii, "radii [m]")

@@ -5,6 +5,7 @@ What a mesh can do lies in one file a subject; TriangleMesh brings them together
 
 from __future__ import annotations
 
+import os
 from collections.abc import Mapping
 from typing import Any
 
@@ -116,6 +117,8 @@ class TriangleMesh(
         device: Any = None,
         origin: Any = None,
     ):
+        if isinstance(vertices, str | os.PathLike):
+            raise TypeError("vertices: expected an array, got a path; loom.read_triangle_mesh(path) reads it")
         self._library = library_of(vertices)
         anchor = None if origin is None else check_shape("origin", origin, (3,))
         if is_on_gpu(vertices):

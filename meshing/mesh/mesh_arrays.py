@@ -13,8 +13,8 @@ from numpy.typing import DTypeLike, NDArray
 from ...core.array_libraries import NUMPY, check_library, hand_out, library_of
 from ...core.checks import check_name, check_numeric, check_rows, check_textures, is_on_gpu
 from ...core.devices import check_same_device, resolve_device
+from ...core.dropped_results import returns_new
 from ...core.gpu_arrays import take_vectors
-from ...core.known_names import KnownNames
 from ...core.pickled_arrays import device_like, pickled, unpickled
 from ...kernels.arrays.select import gather_rows
 from ...kernels.lang import int32, vec2, vec3, vec3i
@@ -22,6 +22,7 @@ from ...kernels.memory import clone, download, move, upload
 from ...kernels.meshes.mesh_edits import gather_corners, gather_triangles
 from ...pcd.point_arrays import read_only
 from .mesh_attributes import MeshAttributes, each, rows_of
+from .mesh_questions import MeshQuestions
 
 PER_VERTEX = {"vertices": vec3, "vertex_normals": vec3, "vertex_colors": vec3}
 PER_TRIANGLE = {"triangles": vec3i, "triangle_uvs": vec2, "triangle_material_ids": int32}
@@ -30,14 +31,12 @@ CORNERS = ("triangle_uvs",)  # three rows a triangle
 ATTRIBUTES = {"vertex_attributes": "vertices", "triangle_attributes": "triangles"}  # and what has one row of each
 
 
-class MeshArrays(KnownNames):
+class MeshArrays(MeshQuestions):
     """The arrays of a mesh by name, checked where they are assigned; TriangleMesh adds the operations."""
 
     _device: Any
     _origin: NDArray[np.float64]
-    _arrays: dict[str, wp.array]
     _attributes: dict[str, dict[str, wp.array]]  # by the names in ATTRIBUTES
-    _textures: tuple[NDArray[np.uint8], ...]
     _library: str = NUMPY  # whose arrays operations return, see core/array_libraries.py
 
     @classmethod
@@ -185,9 +184,6 @@ class MeshArrays(KnownNames):
 
     # -------------------------------------------------------------------------------------------- data
 
-    def __len__(self) -> int:
-        return self._arrays["triangles"].size
-
     def __repr__(self) -> str:
         extras = "".join(f", {name}" for name in self._arrays if name not in ("vertices", "triangles"))
         extras += "".join(f", {kind}[{', '.join(held)}]" for kind, held in self._attributes.items() if held)
@@ -206,13 +202,40 @@ class MeshArrays(KnownNames):
 
     @property
     def vertices(self) -> NDArray[np.float64]:
-        """Positions [m], a float64 copy of shape [m, 3] with the origin added."""
+        """Positions [m], a float64 copy of shape [m, 3] with the origin added; assigning takes any array-like."""
         return read_only(download(self._arrays["vertices"]).astype(np.float64).reshape(-1, 3) + self._origin)
+
+    @vertices.setter
+    def vertices(self, values: Any) -> None:
+        made = type(self)(values, device=self._device)
+        count = self._arrays["vertices"].size
+        held = [name for name in PER_VERTEX if name in self._arrays and name != "vertices"]
+        if made.array("vertices").size != count and (held or len(self)):
+            has = f"{count} vertices" + "".join(f", {name}" for name in ("triangles", *held) if name in self._arrays)
+            raise ValueError(
+                f"vertices: expected shape [{count}, 3] as the mesh has {has}, got {list(made.vertices.shape)}; "
+                "TriangleMesh(vertices, triangles) makes another mesh"
+            )
+        self._arrays["vertices"], self._origin = made._arrays["vertices"], made._origin
 
     @property
     def triangles(self) -> NDArray[np.int32]:
-        """Vertex numbers, an int32 copy of shape [t, 3]."""
+        """Vertex numbers, an int32 copy of shape [t, 3]; assigning takes any array-like.
+
+        With texture coordinates or material numbers their count stays: three rows of those belong to each triangle.
+        """
         return read_only(download(self._arrays["triangles"]).reshape(-1, 3).copy())
+
+    @triangles.setter
+    def triangles(self, values: Any) -> None:
+        made = type(self)(np.zeros((self._arrays["vertices"].size, 3)), values, device=self._device)
+        held = [name for name in TEXTURE if name in self._arrays]
+        if held and len(made) != len(self):
+            raise ValueError(
+                f"triangles: expected shape [{len(self)}, 3] as the mesh has {', '.join(held)}, got [{len(made)}, 3]; "
+                "mesh.triangle_uvs = None drops them"
+            )
+        self._arrays["triangles"] = made._arrays["triangles"]
 
     @property
     def vertex_normals(self) -> NDArray[np.float32] | None:
@@ -307,6 +330,7 @@ class MeshArrays(KnownNames):
             raise KeyError(f"{name}: this mesh has {', '.join(self._arrays)}")
         return self._arrays[name]
 
+    @returns_new
     def to(self, device: Any, *, arrays: str | None = None) -> Self:
         """The mesh on another device; itself where it is there already.
 
@@ -327,6 +351,12 @@ class MeshArrays(KnownNames):
         mesh._library = library
         return mesh
 
+    @returns_new
+    def clear(self) -> Self:
+        """A mesh without vertices and triangles on the same device: `mesh = mesh.clear()`."""
+        return type(self)(device=self._device)
+
+    @returns_new
     def copy(self) -> Self:
         """Another mesh over the same arrays: what is assigned to one does not reach the other."""
         return self.with_arrays()

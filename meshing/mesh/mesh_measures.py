@@ -5,14 +5,19 @@ from __future__ import annotations
 from typing import Self
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
+from ...core.checks import check_rows
 from ...core.dropped_results import returns_new
 from ...kernels.arrays.bounds import bound_points
 from ...kernels.memory import download
 from ...kernels.meshes import mesh_measures
 from ...kernels.meshes.mesh_topology import Topology, examine
+from ...pcd.boxes import AxisAlignedBoundingBox
+from ...pcd.point_arrays import read_only
 from .mesh_arrays import MeshArrays
+
+SAME_NORMAL = 1e-3  # what rounding makes of float32 normals
 
 
 class MeshMeasures(MeshArrays):
@@ -39,6 +44,23 @@ class MeshMeasures(MeshArrays):
         """
         normals = mesh_measures.triangle_normals(self._arrays["vertices"], self._arrays["triangles"])
         return download(normals).reshape(-1, 3)
+
+    @property
+    def triangle_normals(self) -> NDArray[np.float32]:
+        """The unit normals of the triangles, as `compute_triangle_normals` gives them: those of the triangles always.
+
+        Assigning takes what they are, for code that copies them from mesh to mesh, and nothing else.
+        """
+        return read_only(self.compute_triangle_normals().copy())
+
+    @triangle_normals.setter
+    def triangle_normals(self, values: ArrayLike) -> None:
+        given = check_rows("triangle_normals", values, 3, rows=len(self), dtype=np.float64)
+        if len(given) and not np.abs(given - self.compute_triangle_normals()).max() < SAME_NORMAL:
+            raise ValueError(
+                "triangle_normals: these are not the triangles' own, which no mesh keeps apart from its triangles; "
+                "orient_triangles() turns triangles, vertex_normals shade"
+            )
 
     def get_surface_area(self) -> float:
         """The area [m^2] of all triangles; those with a corner that is not finite count as none."""
@@ -85,12 +107,20 @@ class MeshMeasures(MeshArrays):
         """How triangles meet at edges, counted on the device: what `is_watertight` and its kin are told from."""
         return examine(self._arrays["triangles"], self._arrays["vertices"].size)
 
-    def get_axis_aligned_bounding_box(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-        """The lowest and highest coordinates [m] of the finite vertices, float64 [3] each; zeros if none are."""
+    def get_axis_aligned_bounding_box(self) -> AxisAlignedBoundingBox:
+        """The smallest aligned box around the finite vertices; at zero if none are. `low, high = box` unpacks it."""
         low, high, count = bound_points(self._arrays["vertices"])
         if not count:
-            return np.zeros(3), np.zeros(3)
-        return low.astype(np.float64) + self._origin, high.astype(np.float64) + self._origin
+            return AxisAlignedBoundingBox()
+        return AxisAlignedBoundingBox(low.astype(np.float64) + self._origin, high.astype(np.float64) + self._origin)
+
+    def get_min_bound(self) -> NDArray[np.float64]:
+        """The lowest coordinates of the finite vertices [m], shape [3]; zeros where there is none."""
+        return self.get_axis_aligned_bounding_box().min_bound
+
+    def get_max_bound(self) -> NDArray[np.float64]:
+        """The highest coordinates of the finite vertices [m], shape [3]; zeros where there is none."""
+        return self.get_axis_aligned_bounding_box().max_bound
 
 
 def is_closed(topology: Topology) -> bool:

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from ...core.checks import check_count, check_numeric, check_positive, check_seed
 from ...core.devices import check_same_device
+from ...core.dropped_results import returns_new
 from ...kernels.arrays.concatenation import concatenate_points
 from ...kernels.extent.distance_sums import summarize_distances
 from ...kernels.memory import download
@@ -111,6 +112,7 @@ class MeshMetrics(MeshSampling):
             (there.least, back.least),
         )
 
+    @returns_new
     def compute_error_map(
         self, mesh2: TriangleMesh, max_distance: float | None = None
     ) -> tuple[Self, NDArray[np.float32]]:

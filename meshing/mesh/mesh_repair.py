@@ -113,6 +113,7 @@ class MeshRepair(MeshTopology, MeshSelection):
         """
         return self._fill(check_positive("hole_size", hole_size))[0]
 
+    @returns_new
     def repair(
         self, *, merge_distance: float | None = None, hole_size: float | None = None
     ) -> tuple[Self, MeshRepairReport]:

@@ -15,7 +15,8 @@ from ...kernels.arrays.subsets import other_rows
 from ...kernels.lang import int32
 from ...kernels.memory import upload
 from ...kernels.meshes import mesh_edits
-from ...pcd.boxes import AxisAlignedBoundingBox, BoundingBox, OrientedBoundingBox
+from ...pcd.bounding_box import BoundingBox
+from ...pcd.boxes import AxisAlignedBoundingBox, OrientedBoundingBox
 from ...pcd.polygon_volume import SelectionPolygonVolume, mask_volume
 from .mesh_cleaning import MeshCleaning
 

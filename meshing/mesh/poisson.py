@@ -151,6 +151,8 @@ class Poisson(MeshArrays):
         )
         return mesh, mesh.handed_out(surface.densities)
 
+    create_from_point_cloud_poisson = from_point_cloud_poisson
+
 
 def _check_reach(scale: float, depth: int, samples: float, point_count: int) -> None:
     """Hold that the cloud fills some cells of the tree, and that there are as many points as cells ask for.

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from typing import Any, Self
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -41,6 +42,18 @@ class VoxelGrid:
     ):
         self.origin, self.voxel_size, self.counts = read_only(origin), voxel_size, counts
         self.coordinates = read_only(coordinates)
+
+    @classmethod
+    def create_from_triangle_mesh(cls, input: Any, voxel_size: float) -> Self:
+        """The voxels that a mesh touches; see `TriangleMesh.voxelize`."""
+        return input.voxelize(voxel_size)
+
+    @classmethod
+    def create_from_triangle_mesh_within_bounds(
+        cls, input: Any, voxel_size: float, min_bound: ArrayLike, max_bound: ArrayLike
+    ) -> Self:
+        """The voxels between two corners [m] that a mesh touches; see `TriangleMesh.voxelize`."""
+        return input.voxelize(voxel_size, min_bound, max_bound)
 
     def __len__(self) -> int:
         return len(self.coordinates)

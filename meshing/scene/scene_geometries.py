@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, Self
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,6 +11,7 @@ from ...core.checks import check_count, check_rigid, check_rows
 from ...core.coordinates import ORIGIN_LIMIT
 from ...core.devices import check_same_device, resolve_device
 from ...core.known_names import KnownNames
+from ...core.pickled_arrays import device_like
 from ...kernels.rays.scene_trees import SceneTrees
 from ...kernels.rays.triangle_tree import TriangleTree
 from ..mesh.mesh import TriangleMesh
@@ -45,6 +46,30 @@ class SceneGeometries(KnownNames):
         triangles = sum(len(mesh) for mesh in self._meshes)
         counts = f"{len(self)} geometries of {len(self._meshes)} meshes, {triangles} triangles"
         return f"{type(self).__name__}({counts}, {self._device})"
+
+    def __copy__(self) -> Self:
+        """Another scene of the same meshes: what is added to one or moved in it does not reach the other."""
+        scene = type(self)(self._device)
+        scene._meshes, scene._trees = list(self._meshes), list(self._trees)
+        scene._mesh_of, scene._poses = list(self._mesh_of), [pose.copy() for pose in self._poses]
+        return scene
+
+    def __deepcopy__(self, memo: dict[int, Any]) -> Self:
+        return self.__copy__()  # nobody writes to the meshes that a scene keeps
+
+    def __getstate__(self) -> dict[str, Any]:
+        """The meshes and where they stand, for pickle; their trees are built anew."""
+        return {"device": str(self._device), "meshes": self._meshes, "mesh_of": self._mesh_of, "poses": self._poses}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        """The scene on the device that it was on; on the first GPU where there is another number of them.
+
+        Raises:
+            DeviceError: It was on a GPU, and here is none.
+        """
+        self.__init__(device_like("scene", state["device"]))
+        self._meshes, self._mesh_of, self._poses = state["meshes"], state["mesh_of"], state["poses"]
+        self._trees = [TriangleTree(mesh.array("vertices"), mesh.array("triangles")) for mesh in self._meshes]
 
     @property
     def device(self) -> Any:

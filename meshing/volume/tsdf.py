@@ -11,11 +11,12 @@ import warp as wp
 from numpy.typing import ArrayLike, NDArray
 
 from ...cameras.camera import PinholeCameraIntrinsic
-from ...cameras.images import check_intrinsic, upload_color, upload_raw_depth
+from ...cameras.images import RGBDImage, check_intrinsic, upload_color, upload_raw_depth
 from ...core.array_libraries import NUMPY, library_of
 from ...core.checks import check_positive, check_rigid
 from ...core.coordinates import split_origin
-from ...core.devices import resolve_device
+from ...core.devices import check_same_device, resolve_device
+from ...core.dropped_results import returns_new
 from ...core.pickled_arrays import device_like
 from ...core.watching import report
 from ...kernels.images import depth as depth_images
@@ -122,23 +123,23 @@ class TSDFVolume:
 
     def integrate(
         self,
-        depth: ArrayLike,
+        depth: ArrayLike | RGBDImage,
         intrinsic: PinholeCameraIntrinsic,
         extrinsic: ArrayLike,
         color: ArrayLike | None = None,
         depth_scale: float = 1000.0,
-        depth_max: float = 3.0,
+        depth_max: float | None = None,
     ) -> int:
-        """Fold in one frame.
+        """Fold in one frame: `volume.integrate(depth, camera, T, color)`, or Open3D's `integrate(rgbd, camera, T)`.
 
         Args:
             depth: Shape [h, w]; integers are divided by `depth_scale`, floats are metres. 0, NaN and infinite mean no
-                measurement.
+                measurement. Or an RGBDImage on the volume's device, whose colours are taken where the volume keeps any.
             intrinsic: The camera, of the image's size.
             extrinsic: T_camera_world, shape [4, 4].
             color: uint8 [h, w, 3] of the same size; needed when the volume keeps colour, for every frame or for none.
             depth_scale: Integer units a metre.
-            depth_max: Farthest depth used [m].
+            depth_max: Farthest depth used [m]; None for 3, and for all that an RGBDImage was left with.
 
         Returns:
             The number of blocks touched; 0 where the frame holds no depth. On a GPU it is still being counted then, and
@@ -150,13 +151,21 @@ class TSDFVolume:
             TypeError: Wrong element types.
         """
         T_camera_world = check_rigid("extrinsic", extrinsic)
-        raw, scale, farthest, height, width = upload_raw_depth(depth, depth_scale, depth_max, self.device)
+        if isinstance(depth, RGBDImage):
+            raw, scale, height, width = depth.depth_array, 1.0, depth.height, depth.width
+            farthest = np.inf if depth_max is None else check_positive("depth_max", depth_max, allow_infinite=True)
+            pixels, library = self._pixels_of(depth, color), depth.array_library
+        else:
+            limit = 3.0 if depth_max is None else depth_max
+            raw, scale, farthest, height, width = upload_raw_depth(depth, depth_scale, limit, self.device)
+            pixels, library = None, library_of(depth)
         camera = check_intrinsic(intrinsic, width, height)
-        self._check_color(color is not None)
-        pixels = None if color is None else upload_color(color, height, width, self.device)
+        self._check_color(pixels is not None or color is not None)
+        if color is not None:
+            pixels = upload_color(color, height, width, self.device)
         T = np.linalg.inv(T_camera_world)
         count = self.integrate_device_frame(raw, camera, T, pixels, scale, farthest)
-        self._library = library_of(depth)
+        self._library = library
         report("integrate", volume=self, intrinsic=camera, T_world_camera=T)
         return count
 
@@ -189,6 +198,18 @@ class TSDFVolume:
         count = self._fold(depth, depth_scale, depth_max, intrinsic, T, pixels)
         self._frames, self._next = after, None
         return count
+
+    def _pixels_of(self, image: RGBDImage, color: ArrayLike | None) -> Any:
+        """The colours of an image, on the device; None where the volume keeps none, or others are given."""
+        check_same_device("depth", self.device, image.device)
+        if not self.has_color or color is not None:
+            return None
+        if image.color_array.dtype != wp.uint8:
+            raise TypeError(
+                "depth: the RGBDImage holds brightness, and the volume keeps colour: make it with "
+                "convert_rgb_to_intensity=False, or the volume with color=False"
+            )
+        return image.color_array
 
     def _check_color(self, colored: bool) -> None:
         """Refuse a frame with colour after one without, and the other way round."""
@@ -341,6 +362,7 @@ class TSDFVolume:
         volume._blocks.fill({name: arrays[name] for name in VOXEL_ARRAYS if name in arrays})
         return volume
 
+    @returns_new
     def copy(self) -> TSDFVolume:
         """Another volume with the same voxels: frames that are integrated into one do not reach the other."""
         sizes = {"voxel_size": self.voxel_size, "truncation": self.truncation}

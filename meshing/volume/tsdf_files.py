@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import os
 import zipfile
-from pathlib import Path
 from typing import IO, Any
 
 import numpy as np
@@ -16,6 +15,7 @@ from numpy.typing import NDArray
 
 from ...core.atomic import atomic_write
 from ...core.errors import FileError
+from ...core.paths import path_of
 from ...files.points.npz import read_member
 from ...kernels.arrays.block_keys import BIAS
 from ...kernels.volumes.tsdf_blocks import BLOCK_VOXELS, MAX_BLOCKS, block_box
@@ -35,7 +35,7 @@ def _read_members(path: str | os.PathLike[str]) -> dict[str, NDArray[Any]]:
     """The arrays of an NPZ archive, none of which is allocated before its sizes are known to be true."""
     try:
         arrays = {}
-        with Path(path).open("rb") as file, zipfile.ZipFile(file) as archive:
+        with path_of(path).open("rb") as file, zipfile.ZipFile(file) as archive:
             if min((info.header_offset for info in archive.infolist()), default=0) or not _ends_archive(file):
                 raise FileError(path, "bytes stand before or behind the archive", remedy="Copy the file again")
             for info in archive.infolist():

@@ -14,6 +14,7 @@ from PIL import JpegImagePlugin, PngImagePlugin
 
 from ...cameras.camera import PinholeCameraIntrinsic
 from ...core.checks import check_numeric, shown
+from ...core.paths import path_of
 from ...files.pictures.image_files import PIXEL_LIMIT, read_color, read_depth, read_picture_header
 
 SUFFIXES = (".png", ".jpg", ".jpeg")
@@ -97,7 +98,7 @@ def _exif_tags(path: Any, kind: str) -> dict[int, Any]:
     """What a camera wrote into a picture; nothing where that is damaged, since the pixels are right without it."""
     plugin = PngImagePlugin.PngImageFile if kind == "png" else JpegImagePlugin.JpegImageFile
     try:
-        with Path(path).open("rb") as file, plugin(file) as picture:
+        with path_of(path).open("rb") as file, plugin(file) as picture:
             exif = picture.getexif()
             return {**exif, **exif.get_ifd(_EXIF_IFD)}
     except MemoryError:

@@ -14,6 +14,7 @@ from ...cameras.camera import PinholeCameraIntrinsic
 from ...cameras.camera_models import CameraModel
 from ...core.checks import check_name, check_numeric, check_positive, shown
 from ...core.errors import FileError
+from ...core.paths import path_of
 from ...files.models.colmap import read_colmap_model
 from ...files.models.sfm_model import SfmModel
 from ...files.pictures.image_files import read_depth
@@ -91,7 +92,7 @@ def read_distances(path: str | os.PathLike[str]) -> NDArray[np.float64]:
         FileError: Unreadable, or a line of something else.
     """
     try:
-        lines = Path(path).read_text("utf-8").splitlines()
+        lines = path_of(path).read_text("utf-8").splitlines()
     except OSError as error:
         raise FileError(path, f"cannot be read: {error.strerror or error}") from error
     except UnicodeDecodeError as error:

@@ -21,6 +21,7 @@ from ...core.atomic import atomic_write
 from ...core.checks import check_finite, check_numeric
 from ...core.errors import FileError, FilePath
 from ...core.json_files import check_keys, read_json_object
+from ...core.paths import path_of
 from ...files.points.npz import read_member
 from .posed_pictures import PosedCamera, check_cameras, check_sources
 
@@ -148,7 +149,7 @@ class DepthMaps(Sequence[DepthMap]):
             FileError: No finished folder of depth maps, or one that is damaged.
         """
         maps = object.__new__(cls)
-        maps.folder, maps._kept = Path(folder), []
+        maps.folder, maps._kept = path_of(folder), []
         maps.cameras, maps.sources = _read_index(maps.folder / INDEX)
         for i in range(len(maps.cameras)):
             if not (maps.folder / _file_name(i)).is_file():
@@ -204,7 +205,7 @@ def _float32(name: str, values: ArrayLike) -> NDArray[np.float32]:
 
 def made_folder(folder: FilePath) -> Path:
     """The folder, made where it is not there, without an index: what is written into it is unfinished till the end."""
-    path = Path(folder)
+    path = path_of(folder)
     try:
         path.mkdir(parents=True, exist_ok=True)
         (path / INDEX).unlink(missing_ok=True)

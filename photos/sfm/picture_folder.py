@@ -17,6 +17,7 @@ from PIL import Image
 
 from ...core.checks import shown
 from ...core.errors import DatasetError, FileError, FilePath
+from ...core.paths import path_of
 from ...files.pictures.image_files import PictureHeader, read_color, read_depth
 from ...files.points.scan_files import natural_key
 
@@ -43,7 +44,7 @@ def check_place(name: str, value: Any) -> Path:
         raise TypeError(f"{name}: expected a path, got {type(value).__name__}")
     if not path or "\0" in path:
         raise ValueError(f"{name}: expected a path, got {shown(path)}")
-    return Path(path)
+    return path_of(path)
 
 
 def list_pictures(folder: FilePath) -> list[Path]:
@@ -52,7 +53,7 @@ def list_pictures(folder: FilePath) -> list[Path]:
     Raises:
         DatasetError: No folder, or no picture in it.
     """
-    place = Path(folder)
+    place = path_of(folder)
     if not place.is_dir():
         reason = "is no folder" if place.exists() else "does not exist"
         raise DatasetError(folder, reason, remedy="Give a folder of pictures")
@@ -67,7 +68,7 @@ def list_pictures(folder: FilePath) -> list[Path]:
 
 def unread_pictures(folder: FilePath) -> list[str]:
     """Names of pictures of kinds that are not read."""
-    return sorted(path.name for path in Path(folder).iterdir() if path.suffix.lower() in OTHER_SUFFIXES)
+    return sorted(path.name for path in path_of(folder).iterdir() if path.suffix.lower() in OTHER_SUFFIXES)
 
 
 def _counted(kinds: Counter[str]) -> str:

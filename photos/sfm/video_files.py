@@ -24,6 +24,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...core.errors import FileError
+from ...core.paths import path_of
 from .limited_process import LimitedProcess
 
 READERS = ("auto", "ffmpeg", "opencv")
@@ -63,7 +64,7 @@ def open_video(path: str | os.PathLike[str], *, reader: str = "auto") -> VideoFi
     Raises:
         FileError: No such file, no video in it, or nothing to read it with.
     """
-    place = Path(path)
+    place = path_of(path)
     if not place.is_file():
         reason = "is no file" if place.exists() else "does not exist"
         raise FileError(path, reason, remedy="Give a video, or a folder of pictures")

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import os
 import zipfile
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -16,6 +15,7 @@ from numpy.typing import NDArray
 
 from ...core.atomic import atomic_write
 from ...core.errors import FileError
+from ...core.paths import path_of
 from ...files.points.npz import read_member
 from ...kernels.lang import int64
 from ...kernels.memory import download, upload, write
@@ -71,7 +71,7 @@ def read_control_grid(path: str | os.PathLike[str], *, device: Any = None) -> Co
 def _read_members(path: str | os.PathLike[str]) -> dict[str, NDArray[Any]]:
     names = ("format", "sizes", "origin", "cells", "shifts")
     try:
-        with Path(path).open("rb") as file, zipfile.ZipFile(file) as archive:
+        with path_of(path).open("rb") as file, zipfile.ZipFile(file) as archive:
             return {name: read_member(path, archive, archive.getinfo(f"{name}.npy"), name) for name in names}
     except FileError:
         raise

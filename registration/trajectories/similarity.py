@@ -26,6 +26,7 @@ from ...cameras.trajectory import Trajectory, parse_floats, read_lines, read_tra
 from ...core.checks import check_finite, check_list, check_name, check_positive, check_seed, check_shape, shown
 from ...core.errors import FileError
 from ...core.known_names import nearest_name
+from ...core.paths import path_of
 from ...files.models.sfm_model import SfmModel
 from ..rigid import fit_pose
 
@@ -295,7 +296,7 @@ def read_positions(path: str | os.PathLike[str], names: Sequence[str]) -> dict[s
         >>> positions["0001_garden.jpg"].tolist()
         [3.0, 0.0, 0.0]
     """
-    path = Path(path)
+    path = path_of(path)
     names = tuple(check_name(f"names[{k}]", name) for k, name in enumerate(check_list("names", names, "names")))
     lines = [] if path.suffix.lower() in (".log", ".json") else read_lines(path)
     widths = {len(columns) for _, columns in lines}

@@ -52,6 +52,11 @@ class OdometryResult:
     def __iter__(self) -> Iterator[Any]:
         return iter((self.success, self.transformation, self.information))
 
+    def __repr__(self) -> str:
+        verdict = "success" if self.success else f"no success: {self.reason}"
+        rmse = f"inlier_rmse {self.inlier_rmse:.6g}"
+        return f"OdometryResult({verdict}, fitness {self.fitness:.4f}, {rmse}, {self.iterations} iterations)"
+
 
 def spread_information(count: float, moments: NDArray[np.float64]) -> NDArray[np.float64]:
     """Sum of G^T G, G = [-[q]x, I], of points q by their sums and those of their products above the diagonal."""

@@ -29,6 +29,7 @@ from .options import (
 from .results import OdometryResult
 
 WEIGHTS = ("robust", "open3d")
+WIDEST = 20.0  # sides of a picture to a focal length: 168 degrees
 Jacobian = RGBDOdometryJacobianFromColorTerm | RGBDOdometryJacobianFromHybridTerm
 
 
@@ -228,9 +229,15 @@ def _check_camera(name: str, camera: Any, width: int, height: int) -> PinholeCam
     if not isinstance(camera, PinholeCameraIntrinsic):
         matrix = check_finite(name, check_shape(name, camera, (3, 3)))
         try:
-            return PinholeCameraIntrinsic.from_matrix(matrix, width, height)
+            found = PinholeCameraIntrinsic.from_matrix(matrix, width, height)
         except ValueError as error:
             raise ValueError(f"{name}: {error}") from None
+        if found.fx * WIDEST < width or found.fy * WIDEST < height:
+            raise ValueError(
+                f"{name}: focal lengths of {found.fx:g} and {found.fy:g} px see nearly a half-space in {width} x "
+                f"{height} pixels: no camera's matrix; expected fx and fy in pixels, or a PinholeCameraIntrinsic"
+            )
+        return found
     if (camera.width, camera.height) != (width, height):
         made = f"{camera.width} x {camera.height}"
         raise ValueError(f"{name}: made for {made} pixels, but the images have {width} x {height}")

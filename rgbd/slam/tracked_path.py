@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...cameras.trajectory import Trajectory
+from ...core.dropped_results import returns_new
 from ...core.number_runs import some_frames
 from ...core.reports import Fields, in_columns
 from ...core.wording import format_share
@@ -123,6 +124,7 @@ class TrackedPath:
         count = f"{1 + len(own)} maps that do not lie relative to each other"
         return f"{count}: {told} are in {kind}, and are left out of the path"
 
+    @returns_new
     def with_poses(self, poses: Sequence[NDArray[np.float64]]) -> TrackedPath:
         """The same with other poses of the frames that have one."""
         told = self.trajectory

@@ -17,6 +17,7 @@ from .photos.depth.settings import DepthSettings as DepthSettings
 from .drawing.render.frustum import CameraFrustum as CameraFrustum
 from .drawing.render.open3d_views import read_view as read_view
 from .drawing.render.open3d_views import write_view as write_view
+from .drawing.render.picture import Picture as Picture
 from .drawing.render.picture_files import save_picture as save_picture
 from .drawing.render.render import render as render
 from .drawing.render.view import View as View
@@ -51,6 +52,7 @@ from .meshing.mesh.voxel_grid import VoxelGrid as VoxelGrid
 from .pcd.boxes import AxisAlignedBoundingBox as AxisAlignedBoundingBox
 from .pcd.boxes import OrientedBoundingBox as OrientedBoundingBox
 from .cameras.camera import PinholeCameraIntrinsic as PinholeCameraIntrinsic
+from .cameras.camera import PinholeCameraIntrinsicParameters as PinholeCameraIntrinsicParameters
 from .cameras.camera import read_pinhole_camera_intrinsic as read_pinhole_camera_intrinsic
 from .cameras.camera import write_pinhole_camera_intrinsic as write_pinhole_camera_intrinsic
 from .cameras.camera_models import CameraModel as CameraModel

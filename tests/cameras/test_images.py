@@ -135,7 +135,7 @@ def test_depth_that_is_no_measurement_gives_no_point(device):
     assert cloud.points.tolist() == [[4, 2, 2]]
 
 
-@pytest.mark.parametrize("dtype", [np.uint8, np.int16, np.int32, np.int64, np.uint16, np.float64, np.float16])
+@pytest.mark.parametrize("dtype", [np.int16, np.int32, np.int64, np.uint16, np.float64, np.float16])
 def test_depth_of_any_type_is_taken(device, dtype):
     depth = np.array([[0, 50, 100], [120, 0, 7]], dtype)
     scale = 1.0 if np.dtype(dtype).kind == "f" else 10.0
@@ -205,3 +205,20 @@ def test_wrong_arguments_are_named(changes, error, message):
 def test_colours_that_do_not_go_with_the_depth_are_refused(color, error, message):
     with pytest.raises(error, match=message):
         loom.RGBDImage(color, np.zeros((2, 3), np.uint16))
+
+
+@pytest.mark.parametrize("kind", [np.uint8, np.int8])
+def test_eight_bits_are_no_depth(kind, device):
+    depth, color = np.full((2, 3), 100, kind), np.zeros((2, 3, 3), np.uint8)
+    camera = loom.PinholeCameraIntrinsic(3, 2, 3.0, 3.0, 1.0, 0.5)
+    for use in (
+        lambda: loom.RGBDImage(color, depth, device=device),
+        lambda: loom.RGBDImage.from_color_and_depth(color, depth, depth_scale=10, depth_trunc=10, device=device),
+        lambda: loom.RGBDImage.from_sun_format(color, depth, device=device),
+        lambda: loom.PointCloud.from_depth_image(depth, camera, device=device),
+        lambda: loom.TSDFVolume(voxel_size=0.1, device=device).integrate(depth, camera, np.eye(4)),
+    ):
+        with pytest.raises(
+            TypeError, match=r"depth: expected 16-bit integers or float metres, got u?int8: 8 bits hold"
+        ):
+            use()

@@ -141,7 +141,7 @@ def test_vertices_without_area_point_up_and_vertices_that_are_not_finite_have_no
     assert np.isnan(mesh.vertex_normals[5]).all()
     assert mesh.get_surface_area() == 0.5
     np.testing.assert_array_equal(mesh.compute_triangle_normals(), [[1, 0, 0], [0, 0, 1], [0, 0, 1]])
-    np.testing.assert_array_equal(mesh.get_axis_aligned_bounding_box(), [[0, 0, 0], [5, 5, 5]])
+    np.testing.assert_array_equal([*mesh.get_axis_aligned_bounding_box()], [[0, 0, 0], [5, 5, 5]])
 
 
 @pytest.mark.parametrize("scale", [1e-18, 1e-3, 1e12])
@@ -158,7 +158,7 @@ def test_an_empty_mesh_takes_every_operation(device):
     assert mesh.compute_triangle_normals().shape == (0, 3)
     assert (mesh.get_surface_area(), mesh.get_volume()) == (0.0, 0.0)
     assert len(mesh.transform(np.eye(4)).remove_unreferenced_vertices()) == 0
-    np.testing.assert_array_equal(mesh.get_axis_aligned_bounding_box(), np.zeros((2, 3)))
+    np.testing.assert_array_equal([*mesh.get_axis_aligned_bounding_box()], np.zeros((2, 3)))
 
 
 def test_volume_is_refused_where_there_is_none(device):

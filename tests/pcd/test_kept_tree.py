@@ -34,10 +34,10 @@ def test_operations_on_the_same_points_build_one_tree(device, rng, builds):
     first = cloud.estimate_normals(max_nn=12)
     again = first.estimate_normals(radius=0.2).estimate_covariances()
     again.cluster_dbscan(0.1, 5)
-    again.remove_statistical_outlier(10, 2.0)
-    again.remove_radius_outlier(3, 0.2)
-    again.compute_nearest_neighbor_distance()
-    again.farthest_point_down_sample(10)
+    _ = again.remove_statistical_outlier(10, 2.0)
+    _ = again.remove_radius_outlier(3, 0.2)
+    _ = again.compute_nearest_neighbor_distance()
+    _ = again.farthest_point_down_sample(10)
     cloud.compute_point_cloud_distance(again)
     loom.NearestNeighborSearch(again.copy()).knn_search(again, 3)
     assert builds == [3000]
@@ -148,7 +148,7 @@ def test_the_kept_tree_is_right_after_smoothing_with_fixed_neighbourhoods(device
     """That pass moves points by place on the curve; it must not move those of the tree that the cloud keeps."""
     cloud = loom.PointCloud(rng.random((900, 3)), device=device)
     before = download(cloud.search_tree().points).copy()
-    cloud.smooth_laplacian(iterations=3, use_fixed_neighborhoods=True)
+    _ = cloud.smooth_laplacian(iterations=3, use_fixed_neighborhoods=True)
     np.testing.assert_array_equal(download(cloud.search_tree().points), before)
 
 

@@ -35,6 +35,9 @@ DROPPED = [
 ]
 
 
+USES = ["taken = {}", "print(repr({}), end='')", "taken = [{} for _ in range(2)]", "assert len([{}])"]
+
+
 @pytest.mark.parametrize("line", DROPPED)
 def test_an_operation_whose_result_nobody_takes_warns(cloud, line):
     with pytest.warns(loom.DroppedResultWarning, match=r"the result is dropped; it returns a new object"):
@@ -42,7 +45,7 @@ def test_an_operation_whose_result_nobody_takes_warns(cloud, line):
 
 
 @pytest.mark.parametrize("line", DROPPED)
-@pytest.mark.parametrize("use", ["taken = {}", "print(repr({}), end='')", "[{} for _ in range(2)]", "assert len([{}])"])
+@pytest.mark.parametrize("use", USES)
 def test_an_operation_whose_result_is_taken_does_not_warn(cloud, line, use):
     names = {"cloud": cloud, "np": np, "loom": loom, "print": lambda *_args, **_options: None}
     with warnings.catch_warnings():

@@ -42,7 +42,16 @@ def test_tiny_frames_are_no_success_and_no_error(device, size):
     assert not od.align_frames(one, one).success
 
 
-def test_eight_bit_depth_is_integers():
-    coarse = (10 * DEPTH).astype(np.uint8)
-    frame = od.OdometryFrame(coarse, CAMERA, depth_scale=10.0)
-    assert repr(frame) == "OdometryFrame(160 x 120, 3 levels, cpu)"
+def test_eight_bits_are_no_depth():
+    with pytest.raises(TypeError, match=r"depth: expected 16-bit integers or float metres, got uint8"):
+        od.OdometryFrame((10 * DEPTH).astype(np.uint8), CAMERA, depth_scale=10.0)
+
+
+def test_a_matrix_without_a_focal_length_is_no_camera():
+    image = loom.RGBDImage(COLOR, DEPTH)
+    with pytest.raises(
+        ValueError, match="pinhole_camera_intrinsic: focal lengths of 1 and 1 px see nearly a half-space"
+    ):
+        od.compute_rgbd_odometry(image, image, np.eye(3))
+    found = od.compute_rgbd_odometry(image, image, CAMERA.matrix)
+    assert found.success and repr(found).startswith("OdometryResult(success, fitness 0.9")

@@ -1,0 +1,49 @@
+"""Pictures as arrays that a notebook shows as pictures."""
+
+from __future__ import annotations
+
+import io
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+from PIL import Image
+
+CHANNELS = 3
+
+
+class Picture(np.ndarray[Any, np.dtype[np.uint8]]):
+    """A picture: an array of uint8 RGB, shape [h, w, 3], which notebooks show and `save_picture` writes.
+
+    Parts of it (`picture[:100]`) are pictures, too; what is computed of it is a plain array.
+
+    Example:
+        >>> import pointloom as loom
+        >>> picture = loom.render(loom.TriangleMesh.create_sphere(1.0), size=(64, 48))
+        >>> picture.shape, picture.mean(axis=2).shape
+        ((48, 64, 3), (48, 64))
+        >>> picture
+        Picture(64 x 48)
+    """
+
+    def __new__(cls, pixels: NDArray[np.uint8]) -> Picture:  # noqa: D102
+        return np.asarray(pixels).view(cls)
+
+    def __array_wrap__(self, array: Any, context: Any = None, return_scalar: bool = False) -> Any:
+        return array[()] if return_scalar else np.asarray(array)
+
+    def _is_whole(self) -> bool:
+        return self.ndim == CHANNELS and self.shape[2] == CHANNELS and self.dtype == np.uint8 and self.size > 0
+
+    def _repr_png_(self) -> bytes | None:
+        """The picture in a notebook; nothing for a part that is none, such as one channel."""
+        if not self._is_whole():
+            return None
+        file = io.BytesIO()
+        Image.fromarray(np.ascontiguousarray(self)).save(file, "PNG")
+        return file.getvalue()
+
+    def __repr__(self) -> str:
+        if not self._is_whole():
+            return repr(np.asarray(self))
+        return f"Picture({self.shape[1]} x {self.shape[0]})"

@@ -1,0 +1,58 @@
+"""What both kinds of boxes have: a colour for pictures, and the points that they hold."""
+
+from __future__ import annotations
+
+import numpy as np
+import warp as wp
+from numpy.typing import ArrayLike, NDArray
+
+from ..core.array_libraries import hand_out, hand_out_host, library_of
+from ..core.checks import check_rows, check_shape, is_on_gpu
+from ..core.devices import resolve_device
+from ..core.gpu_arrays import take_points
+from ..core.known_names import KnownNames
+from ..kernels.arrays.select import positions_of
+from .point_arrays import PointArrays, read_only
+
+
+class BoundingBox(KnownNames):
+    """What both kinds of boxes have: a colour for pictures, and the points that they hold."""
+
+    def __init__(self, color: ArrayLike):
+        self.color = color
+
+    @property
+    def color(self) -> NDArray[np.float64]:
+        """The colour that a viewer draws it in, 0..1, shape [3]; assign another."""
+        return read_only(self._color.copy())
+
+    @color.setter
+    def color(self, values: ArrayLike) -> None:
+        color = check_shape("color", values, (3,))
+        if not ((color >= 0) & (color <= 1)).all():
+            raise ValueError(f"color: expected three numbers 0..1, got {color.tolist()}")
+        self._color = color.copy()
+
+    def get_point_indices_within_bounding_box(self, points: ArrayLike | PointArrays) -> NDArray[np.int64]:
+        """The indices of the points inside, faces included, ascending; of a cloud or of an array of shape [n, 3]."""
+        if isinstance(points, PointArrays):
+            mask = self.mask_points(points.device_array("points"), points.origin)
+            return points.handed_out(positions_of(mask), dtype=np.int64)
+        library = library_of(points)
+        if is_on_gpu(points):
+            mask = self.mask_points(*take_points("points", points, None))
+            return hand_out(positions_of(mask), library, dtype=np.int64)
+        rows = np.flatnonzero(self._holds(check_rows("points", points, 3, dtype=np.float64)))
+        return hand_out_host(rows, library, resolve_device("cpu"))
+
+    def mask_points(self, points: wp.array, origin: NDArray[np.float64]) -> wp.array:
+        """A uint8 device mask of the points inside, of an array of vec3 relative to an origin."""
+        raise NotImplementedError
+
+    def _holds(self, points: NDArray[np.float64]) -> NDArray[np.bool_]:
+        raise NotImplementedError
+
+
+def shown_numbers(values: NDArray[np.float64]) -> str:
+    """Numbers for a box's line, to nine digits."""
+    return str(np.array([float(f"{value:.9g}") for value in values.ravel()]).reshape(values.shape).tolist())

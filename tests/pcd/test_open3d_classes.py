@@ -1,0 +1,215 @@
+"""What Open3D's classes are asked and given is asked and given alike here: questions, aliases, assignments, copies."""
+
+from __future__ import annotations
+
+import copy
+import io
+import pickle
+
+import numpy as np
+import pytest
+from PIL import Image
+
+import pointloom as loom
+
+CAMERA = loom.PinholeCameraIntrinsic(8, 6, 8.0, 8.0, 3.5, 2.5)
+COLOR = np.arange(8 * 6 * 3, dtype=np.uint8).reshape(6, 8, 3)
+DEPTH = np.linspace(1, 2, 48, dtype=np.float32).reshape(6, 8)
+
+
+@pytest.fixture
+def shapes(device):
+    mesh = loom.TriangleMesh.create_box(1, 2, 3, device=device)
+    return {
+        "cloud": loom.PointCloud(mesh.vertices, device=device),
+        "mesh": mesh,
+        "lines": loom.LineSet.create_from_triangle_mesh(mesh),
+        "box": mesh.get_axis_aligned_bounding_box(),
+        "turned": loom.OrientedBoundingBox([0.5, 1, 1.5], np.eye(3), [1, 2, 3]),
+    }
+
+
+@pytest.mark.parametrize("kind", ["cloud", "mesh", "lines", "box", "turned"])
+def test_all_shapes_are_bounded_and_moved_alike(shapes, kind):
+    shape, R = shapes[kind], np.array([[0, -1.0, 0], [1, 0, 0], [0, 0, 1]])
+    assert shape.get_min_bound().tolist() == [0, 0, 0] and shape.get_max_bound().tolist() == [1, 2, 3]
+    assert shape.get_center().tolist() == [0.5, 1, 1.5] and not shape.is_empty()
+    for moved, low in (
+        (shape.scale(2.0), [0, 0, 0]),
+        (shape.scale(2.0, [0, 0, 0]), [0, 0, 0]),
+        (shape.translate([0, 0, 1]), [0, 0, 1]),
+        (shape.rotate(R, [0, 0, 0]), [-2, 0, 0]),
+        (shape.rotate(R), [-0.5, 0.5, 0]),
+    ):
+        middle_kept = moved.get_center().tolist() == [0.5, 1, 1.5] and low == [0, 0, 0]
+        expected = np.subtract(moved.get_center(), [1, 2, 3]) if middle_kept else low
+        np.testing.assert_allclose(moved.get_min_bound(), expected, atol=1e-6)
+
+
+def test_questions_may_be_called(shapes):
+    cloud, mesh, lines = (shapes[name] for name in ("cloud", "mesh", "lines"))
+    assert cloud.has_points() and not cloud.has_covariances()
+    assert cloud.estimate_covariances(max_nn=4).has_covariances() and not mesh.has_triangle_uvs
+    assert mesh.has_vertices() and mesh.has_triangles() and not mesh.has_vertex_normals() and not mesh.has_textures()
+    assert mesh.compute_vertex_normals().has_vertex_normals() and not mesh.has_vertex_colors
+    assert lines.has_points() and lines.has_lines() and not lines.has_colors()
+    for shape in (cloud, mesh, lines):
+        assert shape.clear().is_empty() and not shape.is_empty
+    with pytest.warns(loom.DroppedResultWarning, match="write mesh = mesh.clear"):
+        mesh.clear()
+
+
+def test_the_makers_have_open3d_names():
+    for kind in (loom.PointCloud, loom.TriangleMesh, loom.RGBDImage):
+        makers = [name for name in dir(kind) if name.startswith("from_")]
+        ours = {"from_dlpack", "from_open3d", "from_device_arrays", "from_device_depth"}
+        assert {name for name in makers if not hasattr(kind, f"create_{name}")} <= ours
+    rgbd = loom.RGBDImage.create_from_color_and_depth(COLOR, DEPTH)
+    assert len(loom.PointCloud.create_from_rgbd_image(rgbd, CAMERA)) == 48
+    grid = loom.VoxelGrid.create_from_triangle_mesh(loom.TriangleMesh.create_box(), 0.5)
+    assert len(grid) == len(loom.TriangleMesh.create_box().voxelize(0.5))
+    low = loom.VoxelGrid.create_from_triangle_mesh_within_bounds(loom.TriangleMesh.create_box(), 0.5, [0] * 3, [1] * 3)
+    assert 0 < len(low) < len(grid)
+
+
+# ------------------------------------------------------------------------------------------------ assignments
+
+
+def test_vertices_and_triangles_are_assigned(shapes):
+    mesh = shapes["mesh"].compute_vertex_normals()
+    mesh.vertices = mesh.vertices + np.array([5e5, 0, 0])
+    assert mesh.get_min_bound().tolist() == [5e5, 0, 0] and mesh.origin[0] > 0
+    mesh.triangles = mesh.triangles[:4]
+    assert len(mesh) == 4 and mesh.has_vertex_normals
+    mesh.triangle_normals = mesh.triangle_normals
+    other = loom.TriangleMesh(device=mesh.device)
+    other.vertices, other.triangles, other.vertex_normals = mesh.vertices, mesh.triangles, mesh.vertex_normals
+    assert len(other) == 4 and np.array_equal(other.vertices, mesh.vertices)
+
+
+@pytest.mark.parametrize(
+    ("line", "message"),
+    [
+        ("mesh.vertices = [[0, 0, 0]]", r"vertices: expected shape \[8, 3\] as the mesh has 8 vertices, triangles"),
+        ("mesh.triangles = [[0, 1, 8]]", r"triangles: row 0 is \[0, 1, 8\], but there are vertices 0..7"),
+        ("mesh.triangle_normals = -mesh.triangle_normals", "triangle_normals: these are not the triangles' own"),
+        ("cloud + cloud.points", "a cloud and a ndarray cannot be added: cloud.translate"),
+        ("cloud.points + cloud", "a cloud and a ndarray cannot be added: cloud.translate"),
+        ("np.asarray(cloud, copy=False)", "so its points are copied"),
+        ("loom.PointCloud(cloud)", r"points: expected an array, got a PointCloud; cloud.copy\(\)"),
+        (
+            "loom.PointCloud('scan.ply')",
+            r"points: expected an array, got a path; loom.read_point_cloud\(path\) reads it",
+        ),
+        ("loom.RGBDImage('a.png', 'b.png')", r"depth: expected an array, got a path; loom.read_depth\(path\) reads it"),
+        ("loom.write_point_cloud(cloud, 'a.ply')", "path: expected the path of a file or folder, got a PointCloud; it"),
+    ],
+)
+def test_what_cannot_be_meant_is_told(shapes, line, message):
+    with pytest.raises((TypeError, ValueError), match=message):
+        exec(line, {**shapes, "np": np, "loom": loom})
+
+
+def test_a_cloud_is_an_array_of_its_points(shapes):
+    cloud = shapes["cloud"]
+    np.testing.assert_array_equal(np.asarray(cloud), cloud.points)
+    assert np.asarray(cloud, np.float32).dtype == np.float32 and np.array(cloud).flags.writeable
+    assert np.linalg.norm(cloud, axis=1).shape == (8,)
+
+
+# ------------------------------------------------------------------------------------------------ cameras
+
+
+def test_cameras_are_made_as_open3d_makes_them():
+    made = loom.PinholeCameraIntrinsic(loom.PinholeCameraIntrinsicParameters.PrimeSenseDefault)
+    assert made == loom.PinholeCameraIntrinsic.prime_sense_default()
+    assert loom.PinholeCameraIntrinsic(8, 6, CAMERA.matrix) == CAMERA == pickle.loads(pickle.dumps(CAMERA))
+    np.testing.assert_array_equal(made.intrinsic_matrix, made.matrix)
+    assert made.get_focal_length() == (525, 525) and made.get_principal_point() == (319.5, 239.5) and made.is_valid()
+    assert made.set_intrinsics(8, 6, 8, 8, 3.5, 2.5) == CAMERA and made.get_skew() == 0
+    with pytest.raises(TypeError, match=r"width, height, fx, fy, cx, cy: missing; .*PrimeSenseDefault"):
+        loom.PinholeCameraIntrinsic()
+    with pytest.raises(TypeError, match="cx, cy: missing"):
+        loom.PinholeCameraIntrinsic(8, 6, 8.0, 8.0)
+
+
+# ------------------------------------------------------------------------------------------------ copies
+
+
+@pytest.mark.parametrize("take", [copy.copy, copy.deepcopy, lambda image: pickle.loads(pickle.dumps(image))])
+def test_images_and_scenes_are_copied(take, device):
+    for image in (
+        loom.RGBDImage(COLOR, DEPTH, device=device),
+        loom.RGBDImage.from_color_and_depth(COLOR, DEPTH, device=device),
+    ):
+        other = take(image)
+        np.testing.assert_array_equal(other.color, image.color)
+        np.testing.assert_array_equal(other.depth, image.depth)
+        assert repr(other) == repr(image)
+    scene = loom.RaycastingScene(device)
+    scene.add_triangles(loom.TriangleMesh.create_box(device=device))
+    lifted = np.eye(4)
+    lifted[2, 3] = 5
+    scene.add_instance(0, lifted)
+    other, ray = take(scene), [[0.5, 0.5, 10, 0, 0, -1]]
+    assert other.cast_rays(ray)["t_hit"].tolist() == scene.cast_rays(ray)["t_hit"].tolist() == [4]
+    assert other.compute_signed_distance([[0.5, 0.5, 0.5]]).tolist() == [-0.5]
+    other.set_pose(1, np.eye(4))
+    assert scene.cast_rays(ray)["t_hit"].tolist() == [4] and other.cast_rays(ray)["t_hit"].tolist() == [9]
+
+
+# ------------------------------------------------------------------------------------------------ pictures
+
+
+def test_a_picture_shows_itself(shapes, tmp_path):
+    picture = loom.render(shapes["mesh"], size=(32, 24))
+    assert repr(picture) == "Picture(32 x 24)" and isinstance(picture, loom.Picture)
+    np.testing.assert_array_equal(np.asarray(Image.open(io.BytesIO(picture._repr_png_()))), picture)
+    assert picture[:10]._repr_png_() and picture[..., 0]._repr_png_() is None
+    assert type(picture / 2) is np.ndarray and type(picture.mean(axis=2)) is np.ndarray and picture.max() <= 255
+    loom.save_picture(tmp_path / "a.png", picture)
+    np.testing.assert_array_equal(loom.read_color(tmp_path / "a.png"), picture)
+
+
+# ------------------------------------------------------------------------------------------------ volumes
+
+
+def test_a_volume_takes_an_image_as_open3d_does(device):
+    rgbd = loom.RGBDImage(COLOR, DEPTH * 4, depth_trunc=10, device=device)
+    volume, other = (loom.TSDFVolume(voxel_size=0.1, device=device) for _ in range(2))
+    assert volume.integrate(rgbd, CAMERA, np.eye(4)) == other.integrate(DEPTH * 4, CAMERA, np.eye(4), COLOR, 1000.0, 10)
+    mine, same = (one.extract_point_cloud(weight_threshold=0) for one in (volume, other))
+    np.testing.assert_array_equal(mine.points, same.points)
+    np.testing.assert_array_equal(mine.colors, same.colors)
+    grey = loom.RGBDImage.from_color_and_depth(COLOR, DEPTH, device=device)
+    with pytest.raises(TypeError, match=r"the RGBDImage holds brightness, .*convert_rgb_to_intensity=False"):
+        volume.integrate(grey, CAMERA, np.eye(4))
+    plain = loom.TSDFVolume(voxel_size=0.1, color=False, device=device)
+    assert plain.integrate(grey, CAMERA, np.eye(4)) > 0
+
+
+# ------------------------------------------------------------------------------------------------ paths
+
+
+def test_the_tilde_is_the_home(tmp_path, monkeypatch, shapes):
+    monkeypatch.setenv("HOME", str(tmp_path))
+    (tmp_path / "in").mkdir()
+    mesh, cloud, picture = shapes["mesh"].compute_uvatlas(64), shapes["cloud"], loom.Picture(COLOR)
+    mesh.textures = [COLOR]
+    loom.write_point_cloud("~/in/a.ply", cloud)
+    assert len(loom.read_point_cloud("~/in/a.ply")) == 8
+    loom.write_triangle_mesh("~/in/a.obj", mesh)
+    assert loom.read_triangle_mesh("~/in/a.obj").has_textures
+    loom.save_picture("~/in/a.png", picture)
+    assert loom.read_color("~/in/a.png").shape == COLOR.shape
+    loom.write_pinhole_camera_intrinsic("~/in/camera.json", CAMERA)
+    assert loom.read_pinhole_camera_intrinsic("~/in/camera.json") == CAMERA
+    loom.write_trajectory("~/in/path.log", loom.Trajectory(np.eye(4)[None]))
+    assert len(loom.read_trajectory("~/in/path.log").poses) == 1
+    assert sorted(path.name for path in (tmp_path / "in").iterdir()) == [
+        "a.mtl", "a.obj", "a.ply", "a.png", "a_0.png", "camera.json", "path.log",
+    ]  # fmt: skip
+    with pytest.raises(loom.FileError, match=f"{tmp_path}/in/b.ply: does not exist"):
+        loom.read_point_cloud("~/in/b.ply")
+    with pytest.raises(loom.DatasetError, match=r"does not exist|no folder"):
+        loom.open_frames("~/nowhere")
