@@ -79,6 +79,7 @@ def choose_origin(points: NDArray[Any], steps: NDArray[np.float64] | None = None
     return origin if steps is None or not points.size else _refine(origin, _most(points), steps)
 
 
+@quiet()
 def written_steps(points: NDArray[Any]) -> NDArray[np.float64] | None:
     """The decimal steps in which float64 coordinates were written, for `choose_origin`, or None.
 
