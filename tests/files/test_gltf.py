@@ -282,6 +282,10 @@ def test_weights_that_are_none_are_refused(tmp_path, weights, reason):
 
 
 def test_a_place_that_is_no_number_is_refused(tmp_path):
+    scene = morphed(weights=[1, 0])
+    scene.primitives[0]["targets"][0]["POSITION"] = scene.array(np.full((3, 3), np.inf, "f4"))
+    with pytest.raises(FileError, match=r"vertex 0\): POSITION of meshes 0 is moved by a morph target to no place"):
+        read_glb(scene.write(tmp_path / "m.glb"))
     scene = Scene()
     scene.primitive(POSITION=np.array([[0, 0, 0], [1, 0, 0], [0, np.nan, 0]], "f4"))
     with pytest.raises(FileError, match=r"vertex 2\): POSITION of meshes 0 is NaN or infinite"):
