@@ -56,7 +56,7 @@ class ConvertReport(JobReport):
 
 
 def convert_file(
-    source: FilePath, output: FilePath, *, as_text: bool = False, overwrite: bool = False
+    source: FilePath, output: FilePath, *, as_text: bool = False, overwrite: bool = False, up: str = "y"
 ) -> ConvertReport:
     """Write a cloud or mesh in another format, every value as the file has it.
 
@@ -64,23 +64,24 @@ def convert_file(
     to thousandths, unless the source is such a file too: then its steps and coordinate system are kept.
 
     Args:
-        source: A cloud, or a mesh (.ply .obj .stl .off .glb).
+        source: A cloud, or a mesh (.ply .obj .stl .off .glb .gltf).
         output: A cloud (.ply .pcd .npz .xyz .xyzn .xyzrgb .pts .las .laz .e57) or a mesh (as the source).
         as_text: Text instead of binary, for .ply and .pcd.
         overwrite: Replace the output if it exists.
+        up: As of `Settings`.
 
     Raises:
         FileError: A file that cannot be read or written, or a cloud for a format of meshes.
     """
-    job = Job("convert", source, as_text=as_text, overwrite=overwrite)
+    job = Job("convert", source, as_text=as_text, overwrite=overwrite, up=up)
     allowed = (*WRITTEN, *(suffix for suffix in tables.MESHES if suffix not in WRITTEN))
     job.check(output, allowed, what="clouds and meshes")
     with job.stage("read"):
-        table = tables.read_table(source)
+        table = job.read_table()
     suffix = Path(output).suffix.lower()
     if isinstance(table, MeshTable) and suffix in tables.MESHES:
         with job.stage("write"):
-            job.wrote(output, tables.write_mesh_table(output, table, **job.form))
+            job.write_table(table, output)
         return ConvertReport(job.done(), "mesh", len(table.vertices), len(table.triangles))
     if suffix not in WRITTEN:
         raise FileError(source, f"holds no triangles, which {suffix} needs", remedy="Write .ply or .pcd")

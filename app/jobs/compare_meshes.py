@@ -15,13 +15,12 @@ from ...core.wording import plain
 from ...drawing.render.error_picture import draw_errors
 from ...drawing.render.picture_files import check_picture, save_picture
 from ...drawing.render.surface_picture import looks_inwards
-from ...files.meshes import tables
 from ...meshing.mesh.mesh import TriangleMesh
 from ...meshing.mesh.mesh_comparison import MeshComparison, compare_meshes
 from ...meshing.mesh.mesh_files import mesh_table, read_triangle_mesh
 from .job import Job, JobReport, Settings
 
-MAP_FORMATS = (".ply", ".obj", ".glb", ".off")  # that hold colours at vertices
+MAP_FORMATS = (".ply", ".obj", ".glb", ".gltf", ".off")  # that hold colours at vertices
 
 _TITLE = "distances of A from B, at the vertices of A"
 
@@ -59,10 +58,9 @@ class ErrorMaps:
                 image = draw_errors(first, np.asarray(distances), _TITLE, back_faces=not looks_inwards(first))
                 save_picture(self.picture, image, overwrite=job.form["overwrite"])
         if self.mesh is not None:
-            tables.write_mesh_table(self.mesh, mesh_table(colored), overwrite=job.form["overwrite"])
-        for path in (self.mesh, self.picture):
-            if path is not None:
-                job.wrote(path)
+            job.write_table(mesh_table(colored), self.mesh)
+        if self.picture is not None:
+            job.wrote(self.picture)
 
 
 @dataclass(frozen=True)
@@ -122,15 +120,15 @@ def compare_mesh_files(
     drawn.check(job)
     where = job.device
     with job.stage("read"):
-        meshes = [_read(path, where) for path in (first, second)]
+        meshes = [_read(path, where, job.up_of(path)) for path in (first, second)]
     with job.stage("compare"):
         found = compare_meshes(*meshes, thresholds=thresholds, samples=samples, limit=limit, seed=seed)
     drawn.write(job, *meshes)
     return ComparisonReport(job.done(found.why_poor(to_shell)), os.fspath(second), found)
 
 
-def _read(path: FilePath, device: Any) -> TriangleMesh:
-    mesh = read_triangle_mesh(path, device=device)
+def _read(path: FilePath, device: Any, up: str) -> TriangleMesh:
+    mesh = read_triangle_mesh(path, device=device, up=up)
     if not mesh.get_surface_area() > 0:
         raise FileError(path, "holds no triangle with an area, so no distance can be taken")
     return mesh

@@ -7,6 +7,7 @@ from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from functools import cached_property
+from pathlib import Path
 from typing import TYPE_CHECKING, Any, Self, TypedDict
 
 from ...core import outputs
@@ -18,6 +19,7 @@ from ...core.reports import Fields, Report, values_of
 from ...core.timing import Clock
 from ...core.wording import plain
 from ...files.meshes import tables
+from ...files.meshes.mesh_formats import UPRIGHT, turned_up
 from ...files.points.formats import WRITTEN
 from ...files.table import MeshTable, PointTable
 
@@ -34,12 +36,14 @@ class Settings(TypedDict, total=False):
         as_text: Text instead of binary, for .ply and .pcd.
         overwrite: Replace outputs that exist.
         progress: Called with each stage when it begins.
+        up: Which axis is up in what is worked on, "y" or "z"; in a .glb or .gltf it is y, so that "z" turns those.
     """
 
     device: Any
     as_text: bool
     overwrite: bool
     progress: ReportProgress | None
+    up: str
 
 
 class Form(TypedDict):
@@ -116,10 +120,11 @@ class Job:
     Args:
         command: Its name.
         source: What is read.
-        device, as_text, overwrite, progress: As of `Settings`.
+        device, as_text, overwrite, progress, up: As of `Settings`.
 
     Attributes:
         source: What is read.
+        up: Which axis is up in what is worked on.
         tell: The progress, or what says nothing.
         clock: The seconds of the stages.
         left_out: Names of what the outputs cannot hold.
@@ -136,8 +141,9 @@ class Job:
         as_text: bool = False,
         overwrite: bool = False,
         progress: ReportProgress | None = None,
+        up: str = "y",
     ):
-        self._command, self._device = command, device
+        self._command, self._device, self.up = command, device, up
         self.source, self.tell, self.clock = source, check_progress(progress), Clock()
         self.form: Form = {"as_text": as_text, "overwrite": overwrite}
         self.left_out: list[str] = []
@@ -170,9 +176,23 @@ class Job:
         yield
         self.clock.stop(name)
 
+    def up_of(self, path: FilePath) -> str:
+        """The axis that is to be up, for a file of a format that says which one is; else "y", which turns nothing."""
+        return self.up if Path(path).suffix.lower() in UPRIGHT else "y"
+
+    def read_table(self) -> PointTable | MeshTable:
+        """What the source holds, in NumPy."""
+        table = tables.read_table(self.source)
+        return turned_up(table) if isinstance(table, MeshTable) and self.up_of(self.source) == "z" else table
+
+    def write_table(self, table: MeshTable, output: FilePath) -> None:
+        """Write a mesh, leaving out what the format cannot hold."""
+        held = turned_up(table, back=True) if self.up_of(output) == "z" else table
+        self.wrote(output, tables.write_mesh_table(output, held, **self.form))
+
     def read_points(self) -> PointTable:
         """The points of the source as its file has them; of a mesh the vertices, which leaves its triangles out."""
-        table = tables.read_table(self.source)
+        table = self.read_table()
         if isinstance(table, MeshTable):
             self.left_out.append("triangles")
             return tables.points_of(table)
@@ -192,7 +212,7 @@ class Job:
 
         where = self.device
         with self.stage("read"):
-            return read_triangle_mesh(self.source, device=where)
+            return read_triangle_mesh(self.source, device=where, up=self.up_of(self.source))
 
     def write_points(self, table: PointTable, output: FilePath) -> None:
         """Write points, whole or not at all; in LAS with the source's steps where it is such a file."""
@@ -213,7 +233,7 @@ class Job:
 
         if len(mesh):
             with self.stage("write"):
-                self.wrote(output, tables.write_mesh_table(output, mesh_table(mesh), **self.form))
+                self.write_table(mesh_table(mesh), output)
 
     def wrote(self, output: FilePath, left_out: Iterable[str] = ()) -> None:
         """Note that an output was written, and what it cannot hold."""

@@ -25,15 +25,16 @@ def mesh_file(
     as_text: bool = False,
     overwrite: bool = False,
     progress: ReportProgress | None = None,
+    up: str = "y",
     **options: Any,
 ) -> ResultReport:
     """Write a surface through the points of a cloud, and a picture of it; outputs are checked before the work.
 
     Args:
         source: A cloud; of a mesh the vertices count.
-        output: A .ply, .obj, .stl, .off or .glb file; STL holds no normals and colours, which are then left out.
+        output: A .ply, .obj, .stl, .off, .glb or .gltf file; STL holds no normals and colours, which are then left out.
         picture: A .png file for a picture of the mesh.
-        device, as_text, overwrite, progress: As of `Settings`.
+        device, as_text, overwrite, progress, up: As of `Settings`.
         options: As of `create_surface`.
 
     Returns:
@@ -44,7 +45,7 @@ def mesh_file(
         ValueError: What the method refuses.
         DeviceError: No such device.
     """
-    job = Job("mesh", source, device=device, as_text=as_text, overwrite=overwrite, progress=progress)
+    job = Job("mesh", source, device=device, as_text=as_text, overwrite=overwrite, progress=progress, up=up)
     job.check(output, tables.MESHES, what="meshes")
     if picture is not None:
         check_picture(picture, overwrite=overwrite)

@@ -25,7 +25,7 @@ class ModelOutputs:
     """Where a model goes.
 
     Attributes:
-        mesh: A .ply, .obj, .stl, .off or .glb file; STL holds no colours, which are then left out.
+        mesh: A .ply, .obj, .stl, .off, .glb or .gltf file; STL holds no colours, which are then left out.
         picture: A .png file for a picture of the mesh.
         trajectory: A file for the poses: .txt or .tum (TUM's format), .log.
     """

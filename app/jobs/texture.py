@@ -20,6 +20,7 @@ from ...core.wording import format_bytes, format_seconds, plain
 from ...drawing.render.picture_files import check_picture
 from ...drawing.render.scene_view import draw_scene
 from ...files.frames.datasets import RGBDDataset, open_dataset
+from ...files.meshes.mesh_formats import UPRIGHT
 from ...meshing.color_map.results import NothingSeenError
 from ...meshing.color_map.textured_mesh import TexturedMesh, task_fields
 from ...meshing.color_map.texturing import DEPTH_MAX, texture_mesh
@@ -27,7 +28,7 @@ from ...meshing.mesh.mesh import TriangleMesh
 from ...meshing.mesh.mesh_files import read_triangle_mesh, write_triangle_mesh
 from .announced_stages import AnnouncedStages
 
-WITH_ATLAS = (".obj", ".glb")
+WITH_ATLAS = (".obj", ".glb", ".gltf")
 WRITTEN = (".ply", *WITH_ATLAS)
 SIZE = 2048  # texels a side: 3 mm each on the walls of a room
 
@@ -44,6 +45,7 @@ def texture_folder(
     depth_max: float = DEPTH_MAX,
     intrinsic: FilePath | None = None,
     device: Any = "auto",
+    up: str = "y",
     picture: FilePath | None = None,
     overwrite: bool = False,
     progress: ReportProgress | None = None,
@@ -54,11 +56,12 @@ def texture_folder(
     Args:
         mesh: A mesh, in the frame of the poses.
         folder: As `open_dataset` takes it, with `layout` and `every`.
-        output: A .ply for a colour at each vertex, an .obj or .glb for a texture.
+        output: A .ply for a colour at each vertex, an .obj, .glb or .gltf for a texture.
         method, depth_max: As of `texture_mesh`.
         size: Texels a side of the texture.
         intrinsic: A camera as Open3D's JSON, if it is another than the folder says.
         device: Where to compute.
+        up: The axis that is up in the frame of the poses, "y" or "z", where the mesh or the output is .glb or .gltf.
         picture: A .png file for a picture of the mesh, with the colours at its vertices.
         overwrite: Replace outputs that exist.
         progress: Called with the stage, how many of its steps are done, and how many there are.
@@ -79,7 +82,7 @@ def texture_folder(
         check_picture(picture, overwrite=overwrite)
     where, clock, with_atlas = resolve_device(device), Clock(), Path(output).suffix.lower() in WITH_ATLAS
     camera = None if intrinsic is None else read_pinhole_camera_intrinsic(intrinsic)
-    shape = read_triangle_mesh(mesh, device=where)
+    shape = read_triangle_mesh(mesh, device=where, up=_up_of(mesh, up))
     if with_atlas and not len(shape):
         raise FileError(mesh, "has no triangles, which a texture needs", remedy="Write a .ply for colours at vertices")
     dataset = _open_colored(folder, intrinsic=camera, **layout)
@@ -91,7 +94,7 @@ def texture_folder(
             found = texture_mesh(shape, dataset, **how, progress=told)
     except NothingSeenError:
         return TextureReport(task, None, clock.seconds, [])
-    files = _write(found, output, picture, overwrite=overwrite)
+    files = _write(found, output, picture, up=_up_of(output, up), overwrite=overwrite)
     clock.stop("write")
     return TextureReport(task, found, clock.seconds, files)
 
@@ -173,8 +176,13 @@ def _open_colored(folder: FilePath, **options: Any) -> RGBDDataset:
     return dataset
 
 
-def _write(found: TexturedMesh, output: FilePath, picture: FilePath | None, *, overwrite: bool) -> list[str]:
-    write_triangle_mesh(output, found.mesh, overwrite=overwrite)
+def _up_of(path: FilePath, up: str) -> str:
+    """The axis that is to be up, for a file of a format that says which one is."""
+    return up if Path(path).suffix.lower() in UPRIGHT else "y"
+
+
+def _write(found: TexturedMesh, output: FilePath, picture: FilePath | None, *, up: str, overwrite: bool) -> list[str]:
+    write_triangle_mesh(output, found.mesh, up=up, overwrite=overwrite)
     if picture is None:
         return [os.fspath(output)]
     draw_scene(picture, found.colors.mesh, found.colors.trajectory.poses, overwrite=overwrite)

@@ -72,7 +72,7 @@ def cli() -> None:
     pointloom evaluate poses.txt truth.txt                 its errors
 
     Clouds are read and written as .ply .pcd .npz .xyz .xyzn .xyzrgb .pts .las .laz .e57, with all their attributes;
-    .csv, .txt and KITTI's .bin are read. Meshes are .ply .obj .stl .off .glb. A - stands for standard input or
+    .csv, .txt and KITTI's .bin are read. Meshes are .ply .obj .stl .off .glb .gltf. A - stands for standard input or
     output:
 
     \b
@@ -103,7 +103,7 @@ def info(files: tuple[Path, ...], read_as: str | None, as_json: bool) -> int:
 
     \b
     clouds        .ply .pcd .npz .xyz .xyzn .xyzrgb .pts .csv .txt .bin .las .laz .e57
-    meshes        .ply .obj .stl .off .glb
+    meshes        .ply .obj .stl .off .glb .gltf
     trajectories  .log .tum .kitti .txt .json
     cameras       .json, .txt of a 3x3 matrix
     models        folders of COLMAP (cameras, images, points3D), .xml of Metashape
@@ -162,7 +162,7 @@ def convert(source: Path, output: Path, **options: Any) -> Answer:
 
     \b
     clouds  .ply .pcd .npz .xyz .xyzn .xyzrgb .pts .las .laz .e57, and from .csv .txt .bin
-    meshes  .ply .obj .stl .off .glb
+    meshes  .ply .obj .stl .off .glb .gltf
 
     What OUT cannot hold is left out, and the summary names it; a mesh becomes a cloud of its vertices that way. LAS and
     LAZ hold coordinates in steps: those of IN where it is such a file, else thousandths.

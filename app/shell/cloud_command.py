@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 import click
 
 from .answer import answer_with
-from .options import FILE, Decorator, ascii_option, device_option, force_option, json_option
+from .options import FILE, Decorator, ascii_option, check_up, device_option, force_option, json_option, up_option
 from .pipes import INPUT, from_option, open_pipes, to_option
 
 if TYPE_CHECKING:
@@ -22,8 +22,8 @@ Answer: TypeAlias = "JobReport"
 def from_cloud_to_cloud(*, device: bool = True) -> Callable[[Callable[..., Answer]], Callable[..., int]]:
     """Give a command IN and OUT, either of them `-`, and after its own options those that all such commands share.
 
-    The function gets source and output as files, overwrite, as_text and (with `device`) device beside its own options,
-    and returns its report.
+    The function gets source and output as files, overwrite, as_text, up and (with `device`) device beside its own
+    options, and returns its report.
     """
 
     def decorate(function: Callable[..., Answer]) -> Callable[..., int]:
@@ -38,6 +38,7 @@ def from_cloud_to_cloud(*, device: bool = True) -> Callable[[Callable[..., Answe
             **options: Any,
         ) -> int:
             with open_pipes([source], output, read_as=read_as, write_as=write_as, as_json=as_json) as ends:
+                check_up(options["up"], ends.sources[0], ends.output)
                 report = function(source=ends.sources[0], output=ends.output, overwrite=force, **options)
             title = INPUT if read_as else str(source)
             report = ends.rename(report)
@@ -47,6 +48,7 @@ def from_cloud_to_cloud(*, device: bool = True) -> Callable[[Callable[..., Answe
             click.argument("source", type=FILE, metavar="IN"),
             click.argument("output", type=FILE, metavar="OUT"),
             *([device_option()] if device else []),
+            up_option(),
             ascii_option(),
             from_option(),
             to_option(),

@@ -76,7 +76,7 @@ QUANTILE = Number("a share from 0 and below 1", lambda number: 0 <= number < 1)
 @click.option("--picture", type=FILE, metavar="PNG", help="Draw the mesh as well.")
 @from_cloud_to_cloud()
 def mesh(source: Path, output: Path, method: str, new_normals: bool, **options: Any) -> Answer:
-    """Write to OUT (.ply, .obj, .stl, .off or .glb) a surface through the points of the cloud IN.
+    """Write to OUT (.ply .obj .stl .off .glb .gltf) a surface through the points of the cloud IN.
 
     \b
     poisson  a smooth closed surface, cut off where it is made up; needs normals

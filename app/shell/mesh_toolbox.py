@@ -15,7 +15,7 @@ from .answer import answer_with
 from .cloud_command import Answer, from_cloud_to_cloud
 from .console import Progress
 from .mesh_command import Lengths
-from .options import FILE, LENGTH, device_option, force_option, json_option, refuse, refuse_same
+from .options import FILE, LENGTH, check_up, device_option, force_option, json_option, refuse, refuse_same, up_option
 from .toolbox import COUNT, FACTOR, SEED, SHARE, Number
 
 AREA = Number("an area in square metres above 0", lambda number: 0 < number < math.inf)
@@ -155,6 +155,7 @@ def sample_mesh(source: Path, output: Path, **options: Any) -> Answer:
 @click.option("--picture", type=FILE, metavar="PNG", help="Draw A coloured by its distance from B, with a histogram.")
 @click.option("--seed", type=SEED, default=0, show_default=True, metavar="N", help="Chooses the samples.")
 @device_option()
+@up_option()
 @json_option()
 @force_option()
 def compare_meshes(
@@ -172,6 +173,7 @@ def compare_meshes(
     from ..jobs.compare_meshes import ErrorMaps, compare_mesh_files
 
     refuse_same(error_map=error_map, picture=picture)
+    check_up(options["up"], first, second, error_map)
     with Progress() as progress:
         options |= {"maps": ErrorMaps(error_map, picture), "overwrite": force, "progress": progress}
         report = compare_mesh_files(first, second, **options)

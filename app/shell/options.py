@@ -151,6 +151,18 @@ def refuse_same(**files: Path | None) -> None:
             refuse(f"{option} is the file of {first}, {path}; give another name")
 
 
+def up_option() -> Decorator:
+    """`--up y|z`."""
+    text = "Which axis is up here where IN or OUT is .glb or .gltf, in which it is y: z turns those."
+    return click.option("--up", type=click.Choice(("y", "z")), default="y", show_default=True, help=text)
+
+
+def check_up(up: str, *paths: Path | None) -> None:
+    """Refuse --up z where it would do nothing."""
+    if up == "z" and not any(path is not None and path.suffix.lower() in (".glb", ".gltf") for path in paths):
+        refuse("--up z is for .glb and .gltf, and none of the files is one")
+
+
 def ascii_option() -> Decorator:
     """`--ascii`."""
     return click.option("--ascii", "as_text", is_flag=True, help="Write PLY or PCD as text; binary by default.")

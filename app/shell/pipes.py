@@ -27,7 +27,7 @@ _PIPE = Path("-")
 
 # The extensions of files/points/formats.py and files/meshes/tables.py, which cannot be loaded for --help; a test holds
 # them alike.
-_MESHES = ["obj", "stl", "off", "glb"]
+_MESHES = ["obj", "stl", "off", "glb", "gltf"]
 READ = ["ply", "pcd", "npz", "xyz", "xyzn", "xyzrgb", "pts", "csv", "txt", "bin", "las", "laz", "e57", *_MESHES]
 WRITTEN = ["ply", "pcd", "npz", "xyz", "xyzn", "xyzrgb", "pts", "las", "laz", "e57", *_MESHES]
 
@@ -136,7 +136,7 @@ def open_pipes(
         with ends.errors_renamed():
             yield ends
         if writes and any(path not in (spool, result) for path in Path(folder).iterdir()):
-            refuse(f"textures lie in files beside a .{write_as}, which a pipe cannot hold: give --to glb, or a name")
+            refuse(f"files lie beside such a .{write_as}, which a pipe cannot hold: give --to glb, or a name")
         if writes and result.exists():
             _send(result, stdout)
 

@@ -9,7 +9,17 @@ import click
 
 from .answer import answer_with
 from .console import Progress
-from .options import FILE, device_option, force_option, frame_options, json_option, picture_option, refuse_same
+from .options import (
+    FILE,
+    check_up,
+    device_option,
+    force_option,
+    frame_options,
+    json_option,
+    picture_option,
+    refuse_same,
+    up_option,
+)
 
 METHODS = ("rigid", "non-rigid", "none")
 
@@ -17,13 +27,14 @@ METHODS = ("rigid", "non-rigid", "none")
 @click.command(short_help="Colour a mesh by posed RGB-D frames.")
 @click.argument("mesh", type=FILE)
 @click.argument("frames", type=FILE)
-@click.option("-o", "--output", type=FILE, required=True, metavar="OUT", help="The coloured mesh: .ply, .obj or .glb.")
+@click.option("-o", "--output", type=FILE, required=True, metavar="OUT", help="Coloured: .ply .obj .glb .gltf.")
 @click.option("--method", type=click.Choice(METHODS), default="rigid", show_default=True, help="How pictures may move.")
 @click.option(
     "--size", type=click.IntRange(16, 16384), default=2048, show_default=True, metavar="N", help="Texels a side."
 )
 @frame_options()
 @device_option()
+@up_option()
 @picture_option()
 @json_option()
 @force_option()
@@ -31,8 +42,8 @@ def texture(mesh: Path, frames: Path, output: Path, as_json: bool, force: bool, 
     """Write to OUT the mesh MESH with the colours of FRAMES, a folder of posed RGB-D frames as `fuse` takes it.
 
     \b
-    .ply        a colour at each vertex
-    .obj .glb   a texture; where MESH has no texture coordinates an atlas is made
+    .ply              a colour at each vertex
+    .obj .glb .gltf   a texture; where MESH has no texture coordinates an atlas is made
 
     \b
     rigid      the poses move until the pictures agree at each vertex
@@ -50,6 +61,7 @@ def texture(mesh: Path, frames: Path, output: Path, as_json: bool, force: bool, 
     from ..jobs.texture import texture_folder
 
     refuse_same(output=output, picture=options["picture"])
+    check_up(options["up"], mesh, output)
     with Progress() as progress:
         report = texture_folder(mesh, frames, output, overwrite=force, progress=progress, **options)
     return answer_with(report, f"{mesh} and {frames} ({report.task.layout})", as_json)

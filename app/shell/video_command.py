@@ -30,7 +30,7 @@ class KnownDistance(click.ParamType):
         return parts[0], parts[1], metres
 
 
-MESH = "The mesh, .ply .obj .stl .off .glb."
+MESH = "The mesh, .ply .obj .stl .off .glb .gltf."
 
 
 @click.command(short_help="A video, or a folder of pictures, to a mesh.")

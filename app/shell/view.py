@@ -52,7 +52,7 @@ def view(
 
     \b
     clouds        .ply .pcd .npz .xyz .xyzn .xyzrgb .pts .csv .txt .bin .las .laz .e57
-    meshes        .ply .obj .stl .off .glb
+    meshes        .ply .obj .stl .off .glb .gltf
     trajectories  .log .tum .kitti .txt .json
     volumes       .npz of TSDFVolume.save, .json of SelectionPolygonVolume
 

@@ -28,7 +28,7 @@ from .gltf_file import GltfFile
 from .gltf_left import LeftBehind, check_required
 from .gltf_materials import Materials
 from .gltf_nodes import walk_scene
-from .gltf_primitives import Placing, Primitive, Vertices, placing_of
+from .gltf_primitives import TRIANGLES, Placing, Primitive, Vertices, placing_of
 
 
 def read_glb(path: str | os.PathLike[str], *, outside_files: bool = False) -> MeshTable:
@@ -86,7 +86,7 @@ class _Parts:
                 material = file.whole(content, "material", what) if "material" in content else -1
                 self._add(primitive, material, placing, shared)
             else:
-                self.left.add("points and lines")
+                self.left.add("points and lines" if primitive.mode < TRIANGLES else "triangles without positions")
 
     def _add(self, primitive: Primitive, material: int, placing: Placing, shared: dict[str, Vertices]) -> None:
         if primitive.key not in shared:

@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ...core.coordinates import quiet
 from .gltf_arrays import GltfArrays
 from .gltf_compression import DRACO, DracoMesh
 from .gltf_left import LeftBehind
@@ -132,18 +133,23 @@ class Primitive:
         positions = self._array("POSITION", ("VEC3",), _POSITION, None)
         count = len(positions)
         self._file.check_count(first + count, "the vertices of all nodes")
-        if not np.isfinite(positions).all():
-            row = int(np.argmin(np.isfinite(positions).all(axis=1)))
-            raise self._file.error(f"POSITION of {self._what} is NaN or infinite", where=f"vertex {row}")
+        self._check_finite(positions, "is NaN or infinite")
         normals = self._array("NORMAL", ("VEC3",), _NORMAL, count) if "NORMAL" in self._attributes else None
         colors, attributes = self._colors(count)
         positions = self._morphed("POSITION", positions, _POSITION, placing)
+        self._check_finite(positions, "is moved by a morph target to no place")
         if normals is not None:
             normals = self._morphed("NORMAL", normals, _NORMAL, placing)
         attributes |= self._custom(count, attributes)
         vertices = Vertices(first, positions, normals, colors, attributes)
         self._place(vertices, placing)
+        self._check_finite(vertices.positions, "is moved by its node beyond the range of numbers")
         return vertices
+
+    def _check_finite(self, positions: NDArray[Any], reason: str) -> None:
+        is_finite = np.isfinite(positions).all(axis=1)
+        if not is_finite.all():
+            raise self._file.error(f"POSITION of {self._what} {reason}", where=f"vertex {int(np.argmin(is_finite))}")
 
     def _colors(self, count: int) -> tuple[NDArray[Any] | None, dict[str, NDArray[Any]]]:
         """Colours, and their alpha as an attribute where it is not 1 everywhere."""
@@ -191,7 +197,8 @@ class Primitive:
             offsets = self._arrays.accessor(target[name], what, ("VEC3",), components)
             if len(offsets) != len(values):
                 raise self._file.error(f"{what} has {len(offsets)} elements, {name} {len(values)}")
-            moved = moved.astype(np.float64) + weight * offsets
+            with quiet():
+                moved = moved.astype(np.float64) + weight * offsets
         if moved is not values and any(set(target) - {"POSITION", "NORMAL", "TANGENT"} for target in self._targets):
             self._left.add("colours and texture coordinates of morph targets")
         return moved
@@ -216,8 +223,6 @@ class Primitive:
             T = blend_joints(self._file, placing.joints, np.hstack(joints), np.hstack(weights), what)
             vertices.is_mirrored = bool((np.linalg.det(T[:, :3, :3]) < 0).all())
         vertices.positions = move_points(vertices.positions, T)
-        if not np.isfinite(vertices.positions).all():
-            raise self._file.error(f"{self._what} has a vertex that its node moves beyond the range of numbers")
         if vertices.normals is not None:
             vertices.normals = turn_normals(vertices.normals, T)
 
@@ -268,7 +273,8 @@ class Primitive:
         if name not in self._attributes:
             return None
         uvs = self._array(name, ("VEC2",), _UV, count).astype(np.float32)
-        if transform is not None:
-            uvs = (uvs.astype(np.float64) @ transform[:, :2].T + transform[:, 2]).astype(np.float32)
-        uvs[:, 1] = 1 - uvs[:, 1]
+        with quiet():
+            if transform is not None:
+                uvs = (uvs.astype(np.float64) @ transform[:, :2].T + transform[:, 2]).astype(np.float32)
+            uvs[:, 1] = 1 - uvs[:, 1]
         return uvs[corners.reshape(-1)]

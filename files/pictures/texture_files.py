@@ -6,7 +6,7 @@ import contextlib
 import os
 import re
 import warnings
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from pathlib import Path, PurePosixPath, PureWindowsPath
 from typing import IO, Any, TypeVar
 
@@ -82,7 +82,7 @@ def read_textures(
 
 
 def decode_textures(
-    path: str | os.PathLike[str], given: dict[_Key, tuple[str | os.PathLike[str], Source | memoryview]]
+    path: str | os.PathLike[str], given: Mapping[_Key, tuple[str | os.PathLike[str], Source | memoryview]]
 ) -> dict[_Key, NDArray[np.uint8]]:
     """Pictures by what tells them apart, each decoded once; read-only.
 

@@ -163,7 +163,7 @@ def _open_session(path: str, device: Any, threads: int) -> Any:
 
 
 def _start(ort: Any, path: str, options: Any, providers: list[Any]) -> Any:
-    """A session; on the CPU where the first provider fails, as onnxruntime does it, but without its banner on stdout."""
+    """A session; on the CPU where the first provider fails, as onnxruntime has it, but without its banner on stdout."""
     try:
         return ort.InferenceSession(path, options, providers=providers, enable_fallback=0)
     except (ValueError, RuntimeError):

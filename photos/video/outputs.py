@@ -29,7 +29,7 @@ class Outputs:
     """Files to be written of a video; None where one is not asked for.
 
     Attributes:
-        mesh: .ply, .obj, .stl, .off or .glb; STL holds no colours, which are then left out.
+        mesh: .ply, .obj, .stl, .off, .glb or .gltf; STL holds no colours, which are then left out.
         cloud: Of the fused points.
         trajectory: Of the poses, .log, .txt or .tum (TUM's format).
         picture: Of the mesh, .png.

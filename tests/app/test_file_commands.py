@@ -77,7 +77,7 @@ def test_a_text_file_is_a_cloud_where_it_is_nothing_else(tmp_path):
 
 
 def test_meshes_and_scans_of_other_programs_are_read_by_the_commands(mesh, tmp_path):
-    for suffix in (".obj", ".stl", ".off", ".glb"):
+    for suffix in (".obj", ".stl", ".off", ".glb", ".gltf"):
         answer("convert", mesh, tmp_path / f"a{suffix}")
         (report,) = answer("info", tmp_path / f"a{suffix}")["files"]
         assert (report["kind"], report["vertices"], report["triangles"]) == ("mesh", 4, 2)
@@ -88,6 +88,21 @@ def test_meshes_and_scans_of_other_programs_are_read_by_the_commands(mesh, tmp_p
     assert report["attributes"] == {"intensity": "float32"}
     refused = run("convert", mesh, tmp_path / "a.csv")
     assert "clouds and meshes are not written to .csv" in refused.stderr
+
+
+def test_up_turns_what_says_which_axis_is_up(mesh, tmp_path):
+    answer("convert", mesh, tmp_path / "turned.glb", "--up", "z")
+    answer("convert", tmp_path / "turned.glb", tmp_path / "again.ply", "--up", "z")
+    answer("convert", tmp_path / "turned.glb", tmp_path / "as_it_is.gltf")
+    x, y, z = loom.read_triangle_mesh(mesh).vertices.T
+    turned = loom.read_triangle_mesh(tmp_path / "as_it_is.gltf").vertices
+    np.testing.assert_allclose(turned, np.stack([x, z, -y], axis=1), atol=1e-6)
+    np.testing.assert_allclose(loom.read_triangle_mesh(tmp_path / "again.ply").vertices.T, [x, y, z], atol=1e-6)
+    found = answer("compare-meshes", mesh, tmp_path / "turned.glb", "--up", "z", "--samples", "100")
+    assert found["hausdorff"] < 1e-6
+    refused = run("convert", mesh, tmp_path / "other.ply", "--up", "z")
+    assert refused.exit_code == 2
+    assert "--up z is for .glb and .gltf, and none of the files is one" in refused.stderr
 
 
 def test_textures_are_told_converted_and_named_where_they_are_lost(tmp_path):

@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 
 import pointloom as loom
+from pointloom.core.checks import check_textures
 from pointloom.core.errors import FileError
 from pointloom.files.meshes import gltf_file
 from pointloom.files.meshes.glb import read_glb
@@ -282,6 +283,10 @@ def test_weights_that_are_none_are_refused(tmp_path, weights, reason):
 
 
 def test_a_place_that_is_no_number_is_refused(tmp_path):
+    scene = morphed(weights=[1, 0])
+    scene.primitives[0]["targets"][0]["POSITION"] = scene.array(np.full((3, 3), np.inf, "f4"))
+    with pytest.raises(FileError, match=r"vertex 0\): POSITION of meshes 0 is moved by a morph target to no place"):
+        read_glb(scene.write(tmp_path / "m.glb"))
     scene = Scene()
     scene.primitive(POSITION=np.array([[0, 0, 0], [1, 0, 0], [0, np.nan, 0]], "f4"))
     with pytest.raises(FileError, match=r"vertex 2\): POSITION of meshes 0 is NaN or infinite"):
@@ -353,6 +358,18 @@ def test_materials_of_one_picture_share_it_and_it_is_decoded_once(tmp_path, monk
         again = loom.read_triangle_mesh(tmp_path / name)
         assert [picture is again.textures[0] for picture in again.textures] == [True] * 3
     assert not (tmp_path / "n_1.png").exists()
+
+
+def test_pictures_that_can_change_are_copied_once_and_others_shared():
+    fixed, loose = PICTURE.copy(), PICTURE.copy()
+    fixed.flags.writeable = False
+    taken = check_textures("textures", [fixed, loose, loose, loose[::-1], fixed[:, ::-1]])
+    loose[:] = 0
+    assert taken[0] is fixed
+    assert taken[1] is taken[2]
+    for picture, expected in zip(taken, (PICTURE, PICTURE, PICTURE, PICTURE[::-1], PICTURE[:, ::-1]), strict=True):
+        np.testing.assert_array_equal(picture, expected)
+        assert not picture.flags.writeable
 
 
 def test_materials_that_no_face_has_are_not_looked_at(tmp_path):
