@@ -10,12 +10,17 @@ from ..points.ply import read_ply_mesh, write_ply_mesh
 from ..table import MeshTable
 from .glb import read_glb
 from .glb_writer import write_glb
-from .obj import read_obj, write_obj
-from .off import read_off, write_off
-from .stl import read_stl, write_stl
+from .obj import held_by_obj, read_obj, write_obj
+from .off import held_by_off, read_off, write_off
+from .stl import held_by_stl, read_stl, write_stl
 
 MESH_READERS: dict[str, Callable[..., MeshTable]] = {
     ".ply": read_ply_mesh, ".obj": read_obj, ".stl": read_stl, ".off": read_off, ".glb": read_glb,
+}  # fmt: skip
+
+#: The part of a mesh that each format holds, and the names of the rest.
+UNHELD: dict[str, Callable[[MeshTable], tuple[MeshTable, list[str]]]] = {
+    ".obj": held_by_obj, ".stl": held_by_stl, ".off": held_by_off,
 }  # fmt: skip
 
 _WRITERS: dict[str, Callable[..., None]] = {
