@@ -95,12 +95,12 @@ def warn_of_rest(path: Any, header: PlyHeader, columns: Mapping[str, Mapping[str
     for element in header.elements:
         if not element.count:
             continue
-        if element.name not in columns:
+        if element.name not in ("vertex", "face", STRIPS):
             lost.append(f"element {element.name!r}")
         elif element.name != STRIPS:
             lost += [f"{element.name} {p.name!r}" for p in element.properties if p.name not in columns[element.name]]
     if lost:
-        warn_of_loss(path, "lists", f"a mesh has no place for them: {', '.join(lost)}", stacklevel=4)
+        warn_of_loss(path, "lists and elements", f"a mesh has no place for them: {', '.join(lost)}", stacklevel=4)
 
 
 def attribute_columns(
