@@ -112,6 +112,7 @@ def _dot(a: list[Floats], b: list[Floats]) -> Floats:
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 
 
+@np.errstate(all="ignore")
 def _split_quads(p: Floats) -> tuple[Places, Places, Mask]:
     """Which of the quads [q, 4, 3] are parted from corner 1 to 3, the triangles for those, and which cross themselves.
 
@@ -119,14 +120,13 @@ def _split_quads(p: Floats) -> tuple[Places, Places, Mask]:
     (s x d) n and n n less that, those along the other diagonal (s x e) n and n n less that.
     """
     xyz = np.ascontiguousarray(p.transpose(1, 2, 0))
-    with np.errstate(all="ignore"):
-        d, e, s = (list(xyz[k] - xyz[j]) for k, j in ((2, 0), (3, 1), (1, 0)))
-        n = _cross(d, e)
-        nn = _dot(n, n)
-        fan, other = _dot(_cross(s, d), n), _dot(_cross(s, e), n)
-        dd, ee, none = _dot(d, d), _dot(e, e), _NO_AREA * nn
-        is_fan, is_other = ((part > none) & (nn - part > none) for part in (fan, other))
-        bent = _dot(s, n) ** 2 > _BENT**2 * nn * np.maximum(dd, ee)
+    d, e, s = (list(xyz[k] - xyz[j]) for k, j in ((2, 0), (3, 1), (1, 0)))
+    n = _cross(d, e)
+    nn = _dot(n, n)
+    fan, other = _dot(_cross(s, d), n), _dot(_cross(s, e), n)
+    dd, ee, none = _dot(d, d), _dot(e, e), _NO_AREA * nn
+    is_fan, is_other = ((part > none) & (nn - part > none) for part in (fan, other))
+    bent = _dot(s, n) ** 2 > _BENT**2 * nn * np.maximum(dd, ee)
     swapped = is_other & (~is_fan | (bent & (ee < dd)))
     crossed = np.zeros(len(p), bool)
     rest = np.flatnonzero(~is_fan & ~is_other)
@@ -141,15 +141,15 @@ def _split_quads(p: Floats) -> tuple[Places, Places, Mask]:
     return rows, np.broadcast_to([[0, 1, 3], [1, 2, 3]], (len(rows), 2, 3)), crossed
 
 
+@np.errstate(all="ignore")
 def _split_polygons(p: Floats) -> tuple[Places, Places, Mask]:
     """Which of the polygons [q, n, 3] are no fans but have triangles, those, and which cross themselves."""
-    with np.errstate(all="ignore"):
-        arms = np.ascontiguousarray((p[:, 1:] - p[:, :1]).transpose(2, 0, 1))
-        sides = _cross([*arms[:, :, :-1]], [*arms[:, :, 1:]])
-        n = [side.sum(axis=1) for side in sides]
-        nn = _dot(n, n)
-        turned = _dot(sides, [side[:, None] for side in n]) > _NO_AREA * nn[:, None]
-        rest = np.flatnonzero(~turned.all(axis=1) | _goes_round(arms, n))
+    arms = np.ascontiguousarray((p[:, 1:] - p[:, :1]).transpose(2, 0, 1))
+    sides = _cross([*arms[:, :, :-1]], [*arms[:, :, 1:]])
+    n = [side.sum(axis=1) for side in sides]
+    nn = _dot(n, n)
+    turned = _dot(sides, [side[:, None] for side in n]) > _NO_AREA * nn[:, None]
+    rest = np.flatnonzero(~turned.all(axis=1) | _goes_round(arms, n))
     rest = rest[np.isfinite(p[rest]).all(axis=(1, 2))]
     crossed = np.zeros(len(p), bool)
     if not len(rest):

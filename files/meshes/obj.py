@@ -127,7 +127,16 @@ class _Statements:
     has_lines: bool = False
 
     def rows(self, kind: int) -> AsciiRows:
-        return AsciiRows(self.path, b"\n".join(self.lines[kind]), 1)
+        """The values of all v, vt or vn.
+
+        Raises:
+            FileError: One has none, so that those behind it would move up.
+        """
+        rows = AsciiRows(self.path, b"\n".join(self.lines[kind]), 1)
+        if rows.row_count != self.counts[kind]:
+            blank = next(k for k, line in enumerate(self.lines[kind], 1) if line and max(line) <= 32)
+            raise FileError(self.path, f"a {_KINDS[kind].decode()} has no values", where=f"line {blank}")
+        return rows
 
 
 def _text_of(path: Path) -> bytes:
@@ -177,7 +186,7 @@ def _read_statements(path: Path) -> _Statements:
             found.materials.append(material)
         elif kind in _KINDS:
             column = _KINDS.index(kind)
-            found.lines[column][number - 1] = rest
+            found.lines[column][number - 1] = rest or b" "
             counts[column] += 1
             at_face = (counts[0], counts[1], counts[2])
         elif kind == b"usemtl":

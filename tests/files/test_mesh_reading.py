@@ -200,6 +200,8 @@ def test_what_we_write_as_obj_reads_back_the_same(tmp_path, rng, normals, colors
         (SQUARE + "f 1/1/1/1 2 3\n", "line 5", "not a corner of a face: '1/1/1/1'"),
         ("v 0 0 0\nv 0 0\nf 1 2 1\n", "line 2", "a vertex has 3, 4 or 6 values, found 2"),
         ("v 0 0\nf 1 1 1\n", "line 1", "a vertex has 3, 4 or 6 values, found 2"),
+        ("v\n" + SQUARE + "f 1 2 3\n", "line 1", "a v has no values"),
+        (SQUARE + "vt \0\nvt 0 0\nf 1/1 2/2 3/2\n", "line 5", "a vt has no values"),
         ("v 0 0 0 1\nv 0 0 0 2\nf 1 2 1\n", "line 2", "a vertex has the weight 2"),
         (SQUARE + "\nv 0 x 0\nf 1 2 3\n", "line 6", "not a number: 'x'"),
         (SQUARE + "curv 0 1 1 2\nf 1 2 3\n", "line 5", "the statement 'curv' is not read"),
