@@ -63,9 +63,15 @@ def split_faces(path: Any, lengths: Places, corners: NDArray[Any], vertices: NDA
         at_a_time = max(1, _CORNERS_AT_A_TIME // length)
         for begin in range(0, len(rows), at_a_time):
             some = rows[begin : begin + at_a_time]
-            p = points[corners[firsts[some][:, None] + np.arange(length)]].astype(np.float64, copy=False)
+            if len(rows) == len(lengths):  # all of one length
+                of_corners = corners[begin * length : (begin + len(some)) * length].reshape(-1, length)
+            else:
+                of_corners = corners[firsts[some][:, None] + np.arange(length)]
+            p = points[of_corners].astype(np.float64, copy=False)
             changed, triangles, odd = _split_quads(p) if length == 4 else _split_polygons(p)
             crossed.append(some[odd])
+            if not len(changed):
+                continue
             some = some[changed]
             places = firsts[some][:, None, None] + triangles
             fans[begins[some][:, None] + np.arange(length - 2)] = places
@@ -77,8 +83,10 @@ def _fans(lengths: Places) -> Places:
     """The fan of each face around its first corner."""
     if (lengths == lengths[0]).all():
         length = int(lengths[0])
-        fan = np.stack([np.zeros(length - 2, np.int64), np.arange(1, length - 1), np.arange(2, length)], axis=1)
-        return (np.arange(0, len(lengths) * length, length)[:, None, None] + fan).reshape(-1, 3)
+        begins, fans = np.arange(0, len(lengths) * length, length), np.empty((len(lengths), length - 2, 3), np.int64)
+        for k in range(length - 2):
+            fans[:, k, 0], fans[:, k, 1], fans[:, k, 2] = begins, begins + (k + 1), begins + (k + 2)
+        return fans.reshape(-1, 3)
     fans = lengths - 2
     firsts = np.repeat(np.cumsum(lengths) - lengths, fans)
     within = np.arange(len(firsts)) - np.repeat(np.cumsum(fans) - fans, fans)

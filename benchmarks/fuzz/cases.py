@@ -1,7 +1,7 @@
 """The table of what is fuzzed: for each reader whole files to begin with, how they are damaged, and what is true.
 
-One line a reader. `seeds` makes the bytes of whole files from nothing, `mutate` damages one (mutations.py), `read` is the
-reader, `oracle` says in words where what was read differs from the file (oracles.py), or None.
+One line a reader. `seeds` makes the bytes of whole files from nothing, `mutate` damages one (mutations.py), `read` is
+the reader, `oracle` says in words where what was read differs from the file (oracles.py), or None.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
-"""Slow parsers of the formats, written apart from the readers: what a file says, or Refused.
+"""Slow parsers of the formats, written apart from the readers: what a file says, or RefusedError.
 
-An oracle takes the file and what the reader made of it, and says in words where the two differ; Refused says that there
-was nothing to read. Both are an answer that was made up. What a reader leaves behind with a warning is None.
+An oracle takes the file and what the reader made of it, and says in words where the two differ; RefusedError says that
+there was nothing to read. Both are an answer that was made up. What a reader leaves behind with a warning is None.
 """
 
 from __future__ import annotations
@@ -18,13 +18,13 @@ import numpy as np
 from pointloom.files.table import MeshTable, PointTable
 
 
-class Refused(Exception):
+class RefusedError(Exception):
     """The file is damaged: no reader may take it."""
 
 
 def require(holds: bool, reason: str) -> None:
     if not holds:
-        raise Refused(reason)
+        raise RefusedError(reason)
 
 
 _REAL = re.compile(rb"[+-]?(\d+\.?\d*(e[+-]?\d+)?|\.\d+(e[+-]?\d+)?|inf(inity)?|nan(\(\w*\))?)", re.I)
@@ -54,7 +54,7 @@ def same(found: Any, expected: Any) -> bool:
 
 
 def differing_faces(mesh: MeshTable, faces: list[list[int]]) -> str | None:
-    """Whether the triangles are those faces: n - 2 each, of their corners, which have the face's edges as their border."""
+    """Where the triangles are not those faces: n - 2 each, of their corners, with the face's edges as their border."""
     at = 0
     for number, face in enumerate(faces):
         rows = mesh.triangles[at : at + len(face) - 2].tolist()

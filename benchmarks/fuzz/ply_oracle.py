@@ -1,4 +1,4 @@
-"""A slow parser of PLY meshes: faces, strips, and what stands at vertices and faces (oracles.py says what an oracle is)."""
+"""A slow parser of PLY meshes: faces, strips, values at both; oracles.py says what an oracle is."""
 
 from __future__ import annotations
 
@@ -99,6 +99,8 @@ def ply(path: Path, mesh: MeshTable) -> str | None:
             for prop, code, length in properties:
                 size = int(source.take(length)) if length else 1
                 require(size >= 0 and size <= len(data), "a length")
+                if length and name == "vertex" and form == "ascii":
+                    code = "d"  # it is left behind
                 values = [source.take(code) for _ in range(size)]
                 rows[prop].append(values if length else values[0])
             source.end()

@@ -1,9 +1,10 @@
 """Damaged files against the readers: `python benchmarks/fuzz/run.py --count 3000 --seed 1`.
 
-A reader refuses a damaged file with a FileError that names it, or reads what the file says. Each reader of cases.py gets
-`count` files, half of whole ones cut at every border first, the rest damaged by chance; they are read in children, so
-that a crash of the process is counted and the rest goes on. What an oracle contradicts was invented; what is no FileError
-is a raw error; what takes more than ten seconds hangs. Those files are kept (--keep), and the exit code is 1.
+A reader refuses a damaged file with a FileError that names it, or reads what the file says. Each reader of cases.py
+gets `count` files: whole ones cut at every border, by turns with such that are damaged by chance. They are read in
+children, so that a crash of the process is counted and the rest goes on. What an oracle contradicts was invented; what
+is no FileError is a raw error; what takes more than ten seconds counts as a crash. Those files are kept (--keep), and
+the exit code is 1.
 """
 
 from __future__ import annotations
@@ -23,7 +24,7 @@ from pathlib import Path
 
 import numpy as np
 from cases import CASES, Case
-from oracles import Refused
+from oracles import RefusedError
 
 from pointloom.core.errors import FileError
 
@@ -38,10 +39,10 @@ class Hang(BaseException):
 
 
 def inputs(case: Case, seeds: list[bytes], number: int, seed: int) -> bytes:
-    """The file of this number: at first whole ones that end at a border, then damaged ones."""
+    """The file of this number: by turns one that ends at a border, as long as there are such, and a damaged one."""
     borders = [(k, at) for k, data in enumerate(seeds) for at in _borders(data)]
-    if 2 * number < len(borders) and number % 2:
-        k, at = borders[number]
+    if number % 2 == 0 and number // 2 < len(borders):
+        k, at = borders[number // 2]
         return seeds[k][:at]
     rng = random.Random(f"{case.name} {seed} {number}")
     return case.mutate(rng, rng.choice(seeds))
@@ -69,7 +70,7 @@ def outcome(case: Case, path: Path) -> tuple[str, str]:
     try:
         with np.errstate(all="ignore"):
             wrong = case.oracle(path, read)
-    except Refused as error:
+    except RefusedError as error:
         wrong = f"to be refused: {error}"
     except Exception as error:
         wrong = f"no file for the oracle: {error!r}"
