@@ -19,7 +19,8 @@ def read_triangle_mesh(path: str | os.PathLike[str], *, device: Any = None) -> T
 
     Args:
         path: A .ply, .obj, .stl, .off or .glb file, text or binary. Faces of more than three corners become
-            triangles that cover them once (docs/meshes.md). Corners of an .stl that lie at exactly the same place become one vertex.
+            triangles that cover them once (docs/meshes.md). Corners of an .stl that lie at exactly the same place
+            become one vertex.
         device: Where to put it; "cpu" by default.
 
     Returns:
@@ -74,8 +75,8 @@ def write_triangle_mesh(
         path: A .ply (binary unless `ascii`), .obj (text), .stl (binary), .off (text) or .glb (binary) file; it appears
             whole or not at all. Textures of m.ply are written beside it as m_0.png, m_1.png, ..., those of m.obj as
             well, with m.mtl; a .glb holds them. A texture of one pixel is a colour in an .mtl.
-        mesh: The mesh. STL holds neither shared vertices nor normals nor colours at them, STL and OFF no textures, which
-            are left out with a warning. GLB writes a vertex once for each texture coordinate that its corners have, and
+        mesh: The mesh. STL holds neither shared vertices nor normals nor colours at them, STL and OFF no textures,
+            which are left out with a warning. GLB writes a vertex once for each texture coordinate that its corners have, and
             triangles in the order of their materials. Material numbers without textures do not come back from any.
         ascii: Text, for .ply.
         overwrite: Whether existing files may be replaced.
