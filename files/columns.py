@@ -70,7 +70,8 @@ def colors_or_loss(path: Any, columns: Sequence[NDArray[Any]], *, stacklevel: in
     try:
         return stack_colors(path, columns)
     except FileError as error:
-        warn_of_loss(path, "colours", f"{error.reason} ({error.where})", stacklevel=stacklevel + 1)
+        reason = f"{error.reason} ({error.where})" if error.where else error.reason
+        warn_of_loss(path, "colours", reason, stacklevel=stacklevel + 1)
         return None
 
 

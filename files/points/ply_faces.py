@@ -69,7 +69,8 @@ def triangle_attributes(
         try:
             found["colors"] = _colors_of(path, scalars)
         except FileError as error:
-            warn_of_loss(path, "colours of faces", f"{error.reason} ({error.where})", stacklevel=4)
+            reason = f"{error.reason} ({error.where})" if error.where else error.reason
+            warn_of_loss(path, "colours of faces", reason, stacklevel=4)
     if "colors" in scalars:
         warn_of_loss(path, "values 'colors' of faces", "a mesh calls something else so", stacklevel=4)
         del scalars["colors"]

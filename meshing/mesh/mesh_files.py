@@ -76,8 +76,9 @@ def write_triangle_mesh(
             whole or not at all. Textures of m.ply are written beside it as m_0.png, m_1.png, ..., those of m.obj as
             well, with m.mtl; a .glb holds them. A texture of one pixel is a colour in an .mtl.
         mesh: The mesh. STL holds neither shared vertices nor normals nor colours at them, STL and OFF no textures,
-            which are left out with a warning. GLB writes a vertex once for each texture coordinate that its corners have, and
-            triangles in the order of their materials. Material numbers without textures do not come back from any.
+            which are left out with a warning. GLB writes a vertex once for each texture coordinate that its corners
+            have, and triangles in the order of their materials. Material numbers without textures do not come back
+            from any.
         ascii: Text, for .ply.
         overwrite: Whether existing files may be replaced.
         write_vertex_normals: Whether vertex normals are written where the mesh has them.
