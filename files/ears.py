@@ -16,8 +16,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-# Corners that a polygon may have: the work grows with the square of them, and 20,000 take some ten seconds.
-MOST_CORNERS = 20_000
+# Corners that a polygon may have: the work grows with the square of them, and 10,000 take some five seconds.
+MOST_CORNERS = 10_000
 
 # Polygons of more corners are not looked through for crossings one edge against each; their triangles tell most.
 _MOST_CROSSED = 2_048
@@ -31,8 +31,9 @@ _STRAIGHT = 1e-12
 # How the search for an ear gives way: no corner in or on its triangle, none in it, no area needed, nothing asked.
 _OPEN, _FLAT, _ANY = 1, 2, 3
 
-# Steps a corner until a polygon is given up.
+# Steps a corner until a polygon is given up, and a large one, so that one that crosses itself ends too; most take two.
 _MOST_STEPS = 12
+_MOST_STEPS_OF_LARGE = 4
 
 Floats = NDArray[np.float64]
 Places = NDArray[np.int64]
@@ -58,7 +59,9 @@ def clip_ears(x: Floats, y: Floats) -> tuple[Places, NDArray[np.bool_]]:
         part = slice(begin, begin + at_a_time)
         todo = np.arange(begin, min(begin + at_a_time, count))
         todo = todo[~_cross_themselves(x[part], y[part]) & ~_wind_twice(x[part], y[part])]
-        for start in {0: 0, n // 3: 0, 2 * n // 3: 0}:  # where one order of clipping is stuck, another may go on
+        for start in (
+            (0,) if n > _MOST_CROSSED else {0: 0, n // 3: 0, 2 * n // 3: 0}
+        ):  # where one order of clipping is stuck, another may go on
             if not len(todo):
                 break
             triangles[todo], good[todo] = _Clipping(x[todo], y[todo], start).run()
@@ -153,7 +156,7 @@ class _Clipping:
         rows, steps = np.arange(len(self.x)), 0
         while len(rows):
             steps += 1
-            if steps > _MOST_STEPS * n:
+            if steps > n * (_MOST_STEPS if n <= _MOST_CROSSED else _MOST_STEPS_OF_LARGE):
                 self.good[rows] = False
                 break
             rows = self._step(rows)
