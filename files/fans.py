@@ -176,7 +176,7 @@ def _goes_round(arms: Floats, n: list[Floats]) -> Mask:
     """Whether the arms [3, q, n - 1] from the first corner to the others turn by more than once about it."""
     first = [arm[:, :1] for arm in arms]
     side = _dot(_cross(first, [*arms]), [part[:, None] for part in n])
-    return ((side[:, 1:-1] < 0) & (side[:, 2:] >= 0)).any(axis=1)
+    return np.asarray(((side[:, 1:-1] < 0) & (side[:, 2:] >= 0)).any(axis=1))
 
 
 def _flattened(p: Floats, n: Floats) -> tuple[Floats, Floats, Floats]:

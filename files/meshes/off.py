@@ -244,8 +244,8 @@ def write_off(path: str | os.PathLike[str], mesh: MeshTable, *, overwrite: bool 
         columns.append(mesh.attributes.get("alpha", np.full(len(mesh.vertices), 255, np.uint8)))
     kind = "C" * (mesh.vertex_colors is not None) + "N" * (mesh.vertex_normals is not None)
     faces, colors = [*mesh.triangles.T], mesh.triangle_attributes.get("colors")
-    for k in range(0 if colors is None else colors.shape[1]):
-        faces.append(colors_to_bytes(path, colors[:, [k, k, k]])[:, 0])
+    if colors is not None:
+        faces += [colors_to_bytes(path, colors[:, [k, k, k]])[:, 0] for k in range(colors.shape[1])]
     warn_left_out(path, "OFF", lost)
     with atomic_write(path, overwrite=overwrite) as file:
         file.write(f"{kind}OFF\n{len(mesh.vertices)} {len(mesh.triangles)} 0\n".encode("ascii"))
