@@ -10,6 +10,7 @@ from __future__ import annotations
 import dataclasses
 import json
 import os
+import re
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import Any
@@ -210,10 +211,10 @@ def read_lines(path: str | os.PathLike[str]) -> list[Line]:
     except UnicodeDecodeError as error:
         raise FileError(path, "not a text file", where=f"byte {error.start}") from error
     lines = []
-    for number, line in enumerate(text.splitlines(), 1):
+    for number, line in enumerate(text.replace("\r\n", "\n").replace("\r", "\n").split("\n"), 1):
         if line.startswith(_OPEN3D_TUM_HEADER):
             line = line[len(_OPEN3D_TUM_HEADER) :]
-        columns = line.split()
+        columns = re.split(r"[ \t\v\f]+", line.strip(" \t\v\f")) if line.strip(" \t\v\f") else []
         if columns and not columns[0].startswith("#"):
             lines.append((number, columns))
     return lines
@@ -228,7 +229,8 @@ def parse_floats(path: str | os.PathLike[str], line: Line, count: int) -> list[f
         values = [float(column) for column in columns]
     except ValueError as error:
         raise FileError(path, f"not a number: {error}"[:200], where=f"line {number}") from error
-    if "_" in "".join(columns) or not all(abs(value) < LARGEST_NUMBER for value in values):
+    words = "".join(columns)
+    if "_" in words or not words.isascii() or not all(abs(value) < LARGEST_NUMBER for value in values):
         raise FileError(path, "expected finite numbers", where=f"line {number}")
     return values
 
@@ -248,7 +250,7 @@ def _read_log(path: str | os.PathLike[str], lines: list[Line]) -> Trajectory:
 def _parse_ids(path: str | os.PathLike[str], line: Line) -> list[int]:
     number, columns = line
     try:
-        ids = [int(column) for column in columns]
+        ids = [int(column) for column in columns if column.isascii() and "_" not in column]
     except ValueError:
         ids = []
     if len(ids) != 3 or any(abs(i) >= 2**63 for i in ids):

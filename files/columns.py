@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ..core.coordinates import quiet
+from ..core.coordinates import choose_origin, quiet
 from ..core.errors import FileError
 
 # Colours that arithmetic has pushed out of 0..1 by no more than this are clipped; anything further is a mistake.
@@ -62,6 +63,44 @@ def stack_colors(path: Any, columns: Sequence[NDArray[Any]]) -> NDArray[np.float
     colors = _stack(columns, np.float32)
     colors /= np.float32(full)
     return colors
+
+
+def colors_or_loss(path: Any, columns: Sequence[NDArray[Any]], *, stacklevel: int = 3) -> NDArray[np.float32] | None:
+    """As `stack_colors`, but None with a warning where a colour is outside its range: a mesh is whole without them."""
+    try:
+        return stack_colors(path, columns)
+    except FileError as error:
+        reason = f"{error.reason} ({error.where})" if error.where else error.reason
+        warn_of_loss(path, "colours", reason, stacklevel=stacklevel + 1)
+        return None
+
+
+def warn_of_loss(path: Any, what: str, reason: str, *, stacklevel: int = 3) -> None:
+    """Warn that something of a file is left behind, for a reason; by default in the name of a reader's caller."""
+    warnings.warn(f"{path}: the {what} are left behind, since {reason}", UserWarning, stacklevel=stacklevel + 1)
+
+
+def warn_left_out(path: Any, format: str, names: Sequence[str], *, stacklevel: int = 3) -> None:
+    """Warn, in the name of a writer's caller, that a file lacks what its format cannot hold; say nothing of nothing."""
+    if names:
+        message = f"{path}: {', '.join(names)} left out, since {format} cannot hold that; .ply holds everything"
+        warnings.warn(message, UserWarning, stacklevel=stacklevel + 1)
+
+
+def check_reach(path: Any, points: NDArray[Any]) -> None:
+    """Hold that float32 can hold the vertices of a mesh about some origin.
+
+    Raises:
+        FileError: It cannot, with the vertex that lies farthest out.
+    """
+    try:
+        choose_origin(points)
+    except ValueError as error:
+        with quiet():
+            sizes = np.where(np.isfinite(points), np.abs(points), 0).max(axis=1)
+        reason = str(error).removeprefix("points: ")
+        remedy = "Drop what lies so far out"
+        raise FileError(path, f"vertices: {reason}", where=f"vertex {int(sizes.argmax())}", remedy=remedy) from error
 
 
 def colors_to_bytes(path: Any, colors: NDArray[Any]) -> NDArray[np.uint8]:

@@ -17,9 +17,9 @@ from ..source import netted
 from ..table import MeshTable
 from .glb import read_glb
 from .glb_writer import held_by_gltf, write_glb, write_gltf
-from .obj import read_obj, write_obj
-from .off import read_off, write_off
-from .stl import read_stl, write_stl
+from .obj import held_by_obj, read_obj, write_obj
+from .off import held_by_off, read_off, write_off
+from .stl import held_by_stl, read_stl, write_stl
 
 _READERS: dict[str, Callable[..., MeshTable]] = {
     ".ply": read_ply_mesh, ".obj": read_obj, ".stl": read_stl, ".off": read_off, ".glb": read_glb, ".gltf": read_glb,
@@ -30,7 +30,7 @@ MESH_READERS = {extension: netted(reader) for extension, reader in _READERS.item
 
 #: The part of a mesh that each format holds, and the names of the rest.
 UNHELD: dict[str, Callable[[MeshTable], tuple[MeshTable, list[str]]]] = {
-    ".glb": held_by_gltf, ".gltf": held_by_gltf,
+    ".obj": held_by_obj, ".stl": held_by_stl, ".off": held_by_off, ".glb": held_by_gltf, ".gltf": held_by_gltf,
 }  # fmt: skip
 
 _WRITERS: dict[str, Callable[..., None]] = {

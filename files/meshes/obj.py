@@ -1,16 +1,20 @@
 """Wavefront OBJ, text: vertices (with colours as x y z r g b), vertex normals, texture coordinates, materials, faces.
 
-Written are triangles; textures as pictures and an .mtl beside the file (obj_materials.py). Not held: attributes
-(refused), float64 types (values are written with digits enough to read back the same), and material numbers of a mesh
-that has no textures.
+Written are triangles; textures as pictures and an .mtl beside the file (obj_materials.py). Not held: attributes (left
+out with a warning), float64 types (values are written with digits enough to read back the same), and material numbers
+of a mesh that has no textures.
 
-Read are faces of any number of corners, each a fan of triangles, with corners as v, v/vt, v//vn and v/vt/vn, counted
+Read are faces of any number of corners, as triangles (fans.py), with corners as v, v/vt, v//vn and v/vt/vn, counted
 from the first or (negative) from the last. OBJ has a normal at each corner of a face, a mesh one at each vertex: they
-are taken where all corners at a vertex agree, else left behind with a warning (Open3D takes the first). A corner
-without texture coordinates gets (0, 0) where others have them. Materials that faces have are numbered in the order of
-the .mtl, those that it lacks (a warning) and faces without a material behind them, white. Where the .mtl or a picture
-is missing, or its name leads out of the folder, textures and material numbers are left behind with a warning. Left
-behind too are groups, points and lines; free-form surfaces and rational vertices are refused.
+are taken where all corners at a vertex agree, else left behind (Open3D takes the first). A corner without texture
+coordinates gets (0, 0) where others have them. Materials that faces have are numbered in the order of the .mtl, those
+that it lacks (a warning) and faces without a material behind them, white.
+
+Left behind with a warning, as the geometry is whole without them, are normals or texture coordinates where a corner
+names one that is not there, colours that some vertices lack or that are outside 0..1, textures and material numbers
+where the .mtl or a picture is missing or its name leads out of the folder, names of objects, groups and materials
+without textures, points and lines. Left behind in silence are smoothing groups and lines that begin with $. Free-form
+surfaces and rational vertices are refused. Files in UTF-16 are read where they begin with its mark.
 
 Source: Wavefront's "Object Files (.obj)", with the vertex colours that MeshLab and Blender added.
 """
@@ -19,7 +23,8 @@ from __future__ import annotations
 
 import os
 import warnings
-from dataclasses import dataclass, field
+from collections.abc import Iterator
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import IO, Any
 
@@ -31,15 +36,20 @@ from ...core.coordinates import quiet
 from ...core.errors import FileError
 from ...core.paths import path_of
 from ..ascii_rows import AsciiRows, row_format, write_rows
-from ..columns import stack_colors, stack_normals
-from ..fans import fan_corners
+from ..columns import check_reach, colors_or_loss, stack_normals, warn_left_out, warn_of_loss
+from ..fans import split_faces
 from ..pictures.texture_files import derived_name, find_beside, write_with
 from ..source import open_source
 from ..table import MeshTable
+from .obj_corners import read_corners
 from .obj_materials import Material, material_name, materials_of, mtl_of, pictures_of
 
-_PASSED_OVER = frozenset(b"vp g o s mg usemap maplib p l lod bevel c_interp d_interp shadow_obj trace_obj".split())
-_KINDS = {b"v": "vertices", b"vt": "texture coordinates", b"vn": "normals"}
+_PASSED_OVER = frozenset(b"vp s mg usemap maplib lod bevel c_interp d_interp shadow_obj trace_obj".split())
+_KINDS = (b"v", b"vt", b"vn")
+
+# What programs write where nobody named anything.
+_NAMELESS = frozenset(("", "default", "Default", "off", "(null)", "None"))
+_NAMES_TOLD = 5
 
 
 def read_obj(path: str | os.PathLike[str], *, outside_files: bool = False) -> MeshTable:
@@ -54,37 +64,42 @@ def read_obj(path: str | os.PathLike[str], *, outside_files: bool = False) -> Me
         material that a face has.
 
     Raises:
-        FileError: Missing, no face, a statement that is not known, a line with another number of values, a colour
-            outside 0..1, a face of fewer than three corners, or a corner that names what is not there; says the line.
-            Or an .mtl or a picture that is damaged.
+        FileError: Missing, no face, a statement that is not known, a line with another number of values, vertices too
+            far apart for float32, a face of fewer than three corners, a corner that is none or names a vertex that is
+            not there; says the line. Or an .mtl or a picture that is damaged.
 
     Warns:
-        UserWarning: The file has normals that are not one a vertex, or names an .mtl, a picture or a material that is
-            not there.
+        UserWarning: The file has normals that are not one a vertex, normals, texture coordinates or colours that are
+            not whole, faces that cross themselves, names, points or lines, or it names an .mtl, a picture or a material
+            that is not there.
     """
     path = path_of(path)
     statements = _read_statements(path)
-    vertices, colors = _vertices_of(path, statements.rows(b"v"))
-    normals = statements.rows(b"vn")
+    vertices, colors = _vertices_of(path, statements.rows(0))
+    normals = statements.rows(2)
     normals.check_width(0, normals.row_count, 3)
     normal_values = stack_normals(path, [*normals.numbers().reshape(-1, 3).T]) if normals.row_count else None
     if not statements.faces:
         raise FileError(path, "holds no faces", remedy="Read the vertices as a cloud: convert them to .xyz first")
-    corners, corner_uvs, corner_normals = statements.corners()
-    lengths = np.array([len(words) for _, words, _ in statements.faces])
-    triangles = fan_corners(path, lengths)
+    found = read_corners(path, statements.faces, statements.face_lines, statements.before, statements.counts)
+    check_reach(path, vertices)
+    triangles = split_faces(path, found.lengths, found.vertices, vertices)
     vertex_normals = None
-    if normal_values is not None:
-        vertex_normals = _normals_of(corners, corner_normals, normal_values, len(vertices))
+    if "normals" in found.missing:
+        warn_of_loss(path, "normals", found.missing["normals"])
+    elif normal_values is not None:
+        vertex_normals = _normals_of(found.vertices, found.normals, normal_values, len(vertices))
         if vertex_normals is None:
-            message = f"{path}: the normals are left behind, since they are not one a vertex"
-            warnings.warn(f"{message}; compute_vertex_normals() makes such", UserWarning, stacklevel=3)
-    mesh = MeshTable(vertices, corners[triangles], vertex_normals, colors)
-    if (corner_uvs >= 0).any():
-        mesh.triangle_uvs = _uvs_of(path, statements.rows(b"vt"), corner_uvs[triangles.reshape(-1)])
+            warn_of_loss(path, "normals", "they are not one a vertex; compute_vertex_normals() makes such")
+    mesh = MeshTable(vertices, found.vertices[triangles], vertex_normals, colors)
+    if "texture coordinates" in found.missing:
+        warn_of_loss(path, "texture coordinates", found.missing["texture coordinates"])
+    elif (found.uvs >= 0).any():
+        mesh.triangle_uvs = _uvs_of(path, statements.rows(1), found.uvs[triangles.reshape(-1)])
     if any(used >= 0 for used in statements.materials):
-        used = np.repeat(statements.materials, lengths - 2)
+        used = np.repeat(statements.materials, found.lengths - 2)
         _add_textures(path, mesh, statements, used, outside_files=outside_files)
+    _tell_rest(path, mesh, statements)
     return mesh.checked()
 
 
@@ -94,131 +109,125 @@ class _Statements:
 
     Attributes:
         path: The file, for errors.
-        lines: The values of each line by its kind, b"" elsewhere, so that lines keep their numbers.
-        counts: How many there are of each kind.
-        faces: Line, corners, and how many vertices, texture coordinates and normals came before.
+        lines: The values of each line for each of `_KINDS`, b"" elsewhere, so that lines keep their numbers.
+        counts: How many vertices, texture coordinates and normals there are.
+        faces: The corners of each face as they stand there.
+        face_lines: The line of each face.
+        before: How many of `counts` came before each face.
         materials: The material of each face, a place in `material_names`; -1 for none.
         material_names: In the order of their first use.
         libraries: The .mtl files that are named.
+        names: What o and g name, in the order of their first use.
+        has_lines: Whether there are points or lines.
     """
 
     path: Path
-    lines: dict[bytes, list[bytes]]
-    counts: dict[bytes, int] = field(default_factory=lambda: dict.fromkeys(_KINDS, 0))
-    faces: list[tuple[int, list[bytes], tuple[int, ...]]] = field(default_factory=list)
+    lines: tuple[list[bytes], list[bytes], list[bytes]]
+    counts: tuple[int, int, int] = (0, 0, 0)
+    faces: list[bytes] = field(default_factory=list)
+    face_lines: list[int] = field(default_factory=list)
+    before: list[tuple[int, int, int]] = field(default_factory=list)
     materials: list[int] = field(default_factory=list)
     material_names: dict[str, int] = field(default_factory=dict)
     libraries: list[str] = field(default_factory=list)
+    names: dict[str, dict[str, None]] = field(default_factory=lambda: {"objects": {}, "groups": {}})
+    has_lines: bool = False
 
-    def rows(self, kind: bytes) -> AsciiRows:
-        return AsciiRows(self.path, b"\n".join(self.lines[kind]), 1)
-
-    def corners(self) -> tuple[NDArray[np.int64], NDArray[np.int64], NDArray[np.int64]]:
-        """The vertex, the texture coordinates and the normal of each corner, from 0; -1 is none."""
-        table = self._all_corners()
-        if table is None:
-            table = self._corners_one_by_one()
-        return table[:, 0], table[:, 1], table[:, 2]
-
-    def _all_corners(self) -> NDArray[np.int64] | None:
-        """Vertex, texture coordinate and normal of each corner, where all are of one form and right; else None."""
-        words = [word for _, corners, _ in self.faces for word in corners]
-        text = b" ".join(words)
-        forms = {(word.count(b"/"), b"//" in word) for word in words}
-        if (
-            len(forms) != 1
-            or min(len(corners) for _, corners, _ in self.faces) < 3
-            or text.translate(None, b"0123456789-/ ")
-        ):
-            return None
-        ((slashes, skips),) = forms
-        columns = [0, 2] if skips else [*range(slashes + 1)]
-        try:
-            numbers = np.array(text.replace(b"/", b" ").split()).astype(np.int64).reshape(len(words), len(columns))
-        except (ValueError, OverflowError):
-            return None
-        before = np.repeat([counts for _, _, counts in self.faces], [len(corners) for _, corners, _ in self.faces], 0)
-        table = np.full((len(words), 3), -1)
-        places = np.where(numbers > 0, numbers - 1, before[:, columns] + numbers)
-        limits = np.array([*self.counts.values()])[columns]
-        if (numbers == 0).any() or (places < 0).any() or (places >= limits).any():
-            return None
-        table[:, columns] = places
-        return table
-
-    def _corners_one_by_one(self) -> NDArray[np.int64]:
-        """The same for corners of several forms.
+    def rows(self, kind: int) -> AsciiRows:
+        """The values of all v, vt or vn.
 
         Raises:
-            FileError: The first that is wrong, with its line.
+            FileError: One has none, so that those behind it would move up.
         """
-        found: list[int] = []
-        for line, words, before in self.faces:
-            if len(words) < 3:
-                reason = f"a face has {len(words)} corners; at least 3 are needed"
-                raise FileError(self.path, reason, where=f"line {line}")
-            for word in words:
-                found += self._corner(word, before, line)
-        return np.array(found, np.int64).reshape(-1, 3)
-
-    def _corner(self, word: bytes, before: tuple[int, ...], line: int) -> list[int]:
-        parts = word.split(b"/")
-        form = [bool(part) for part in parts]
-        if form not in ([True], [True, True], [True, False, True], [True, True, True]):
-            raise self._bad_corner(word, line)
-        places = [-1, -1, -1]
-        for k, (part, kind) in enumerate(zip(parts, _KINDS, strict=False)):
-            if not part:
-                continue
-            if not part.removeprefix(b"-").isdigit():
-                raise self._bad_corner(word, line)
-            number = int(part[:20])
-            places[k] = number - 1 if number > 0 else before[k] + number
-            if number == 0 or not 0 <= places[k] < self.counts[kind]:
-                reason = f"a face names {number} of {self.counts[kind]} {_KINDS[kind]}"
-                raise FileError(self.path, reason, where=f"line {line}")
-        return places
-
-    def _bad_corner(self, word: bytes, line: int) -> FileError:
-        shown = word[:40].decode("ascii", "backslashreplace")
-        reason = f"not a corner of a face: {shown!r}"
-        return FileError(self.path, reason, where=f"line {line}", remedy="Corners are v, v/vt, v//vn or v/vt/vn")
+        rows = AsciiRows(self.path, b"\n".join(self.lines[kind]), 1)
+        if rows.row_count != self.counts[kind]:
+            blank = next(k for k, line in enumerate(self.lines[kind], 1) if line and max(line) <= 32)
+            raise FileError(self.path, f"a {_KINDS[kind].decode()} has no values", where=f"line {blank}")
+        return rows
 
 
-def _read_statements(path: Path) -> _Statements:
+def _text_of(path: Path) -> bytes:
+    """The bytes of a file with LF line ends and blanks, in UTF-8 where it was in UTF-16."""
     body = bytes(open_source(path)[:])
+    if body[:2] in (b"\xff\xfe", b"\xfe\xff"):
+        try:
+            body = body.decode("utf-16").encode("utf-8", "surrogatepass")
+        except UnicodeDecodeError as error:
+            raise FileError(path, "is damaged UTF-16", where=f"byte {error.start}") from error
+    body = body.removeprefix(b"\xef\xbb\xbf")
     if b"\r" in body:
         body = body.replace(b"\r\n", b"\n").replace(b"\r", b"\n")
-    lines = body.split(b"\n")
-    found = _Statements(path, {kind: [b""] * len(lines) for kind in _KINDS})
-    begun, first, material = b"", 0, -1
+    return body.replace(b"\t", b" ") if b"\t" in body else body
+
+
+def _joined(path: Path, lines: list[bytes]) -> Iterator[tuple[int, bytes]]:
+    """Each statement with its line: without comments, and one where a line ends in a backslash."""
+    begun, first = b"", 0
     for number, line in enumerate(lines, 1):
         text = line.partition(b"#")[0]
         if text.rstrip().endswith(b"\\"):  # goes on in the next line
             begun, first = begun + text.rstrip()[:-1] + b" ", first or number
             continue
-        text, where = (begun + text, first) if first else (text, number)
-        begun, first = b"", 0
-        kind, _, rest = text.strip().replace(b"\t", b" ").partition(b" ")
-        if kind in _KINDS:
-            found.lines[kind][where - 1] = rest
-            found.counts[kind] += 1
-        elif kind == b"f":
-            found.faces.append((where, rest.split(), tuple(found.counts.values())))
+        if first:
+            yield first, begun + text
+            begun, first = b"", 0
+        else:
+            yield number, text
+    if first:
+        raise FileError(path, "ends in a line that is to go on", where=f"line {len(lines)}")
+
+
+def _read_statements(path: Path) -> _Statements:
+    body = _text_of(path)
+    lines = body.split(b"\n")
+    found = _Statements(path, ([b""] * len(lines), [b""] * len(lines), [b""] * len(lines)))
+    is_plain = b"#" not in body and b"\\" not in body
+    counts = [0, 0, 0]
+    at_face, material = (0, 0, 0), -1
+    for number, text in enumerate(lines, 1) if is_plain else _joined(path, lines):
+        kind, _, rest = text.strip().partition(b" ")
+        if kind == b"f":
+            found.faces.append(rest)
+            found.face_lines.append(number)
+            found.before.append(at_face)
             found.materials.append(material)
+        elif kind in _KINDS:
+            column = _KINDS.index(kind)
+            found.lines[column][number - 1] = rest or b" "
+            counts[column] += 1
+            at_face = (counts[0], counts[1], counts[2])
         elif kind == b"usemtl":
             name = rest.strip().decode("utf-8", "surrogateescape")
             material = found.material_names.setdefault(name, len(found.material_names))
         elif kind == b"mtllib":
             found.libraries += _libraries_of(path, rest.strip().decode("utf-8", "surrogateescape"))
-        elif kind and kind not in _PASSED_OVER:
+        elif kind in (b"o", b"g"):
+            name = rest.strip().decode("utf-8", "backslashreplace")
+            found.names["objects" if kind == b"o" else "groups"][name] = None
+        elif kind in (b"p", b"l"):
+            found.has_lines = True
+        elif kind and kind not in _PASSED_OVER and not kind.startswith(b"$"):
             shown = kind[:40].decode("ascii", "backslashreplace")
             reason = f"the statement {shown!r} is not read"
             remedy = "Read are v, vt, vn and f; other programs turn free-form surfaces into faces"
-            raise FileError(path, reason, where=f"line {where}", remedy=remedy)
-    if first:
-        raise FileError(path, "ends in a line that is to go on", where=f"line {len(lines)}")
+            raise FileError(path, reason, where=f"line {number}", remedy=remedy)
+    found.counts = at_face
     return found
+
+
+def _tell_rest(path: Path, mesh: MeshTable, statements: _Statements) -> None:
+    """Warn of points and lines, and of the names of objects, groups and materials, for which a mesh has no place."""
+    if statements.has_lines:
+        warn_of_loss(path, "points and lines", "a mesh has none")
+    materials = [] if mesh.textures or statements.libraries else statements.material_names
+    told = []
+    for what, names in ({**statements.names, "materials": materials}).items():
+        named = [repr(name[:60]) for name in names if name not in _NAMELESS]
+        if named:
+            more = f" and {len(named) - _NAMES_TOLD} more" if len(named) > _NAMES_TOLD else ""
+            told.append(f"{what} {', '.join(named[:_NAMES_TOLD])}{more}")
+    if told:
+        warn_of_loss(path, "names", f"a mesh has no place for them: {'; '.join(told)}")
 
 
 def _libraries_of(path: Path, text: str) -> list[str]:
@@ -268,20 +277,28 @@ def _add_textures(
 
 
 def _vertices_of(path: Path, rows: AsciiRows) -> tuple[NDArray[np.float64], NDArray[np.float32] | None]:
-    """Positions and, where the lines have six values, colours."""
+    """Positions and, where all lines have six values, colours."""
     if not rows.row_count:
         raise FileError(path, "holds no vertices")
-    width = int(rows.widths()[0])
-    if width not in (3, 4, 6):
-        raise FileError(path, f"a vertex has 3, 4 or 6 values, found {width}", where=rows.where(0))
-    rows.check_width(0, rows.row_count, width)
-    values = rows.numbers().reshape(-1, width)
-    if width == 4 and (values[:, 3] != 1).any():
-        row = int(np.flatnonzero(values[:, 3] != 1)[0])
-        reason = f"a vertex has the weight {values[row, 3]:g}; rational vertices are not read"
+    widths, first, values = rows.widths(), rows.first[:-1], rows.numbers()
+    wrong = np.flatnonzero((widths != 3) & (widths != 4) & (widths != 6))
+    if len(wrong):
+        row = int(wrong[0])
+        raise FileError(path, f"a vertex has 3, 4 or 6 values, found {widths[row]}", where=rows.where(row))
+    weighted = np.flatnonzero(widths == 4)
+    rational = weighted[values[first[weighted] + 3] != 1]
+    if len(rational):
+        row = int(rational[0])
+        reason = f"a vertex has the weight {values[first[row] + 3]:g}; rational vertices are not read"
         raise FileError(path, reason, where=rows.where(row))
-    colors = stack_colors(path, [*values[:, 3:].T]) if width == 6 else None
-    return np.ascontiguousarray(values[:, :3]), colors
+    colored, colors = int((widths == 6).sum()), None
+    if 0 < colored < len(widths):
+        warn_of_loss(path, "colours", f"only {colored} of {len(widths)} vertices have one", stacklevel=4)
+    elif colored:
+        colors = colors_or_loss(path, [values[k::6] for k in (3, 4, 5)], stacklevel=4)
+    if (widths == widths[0]).all():
+        return np.ascontiguousarray(values.reshape(len(widths), -1)[:, :3]), colors
+    return values[first[:, None] + np.arange(3)], colors
 
 
 def _normals_of(
@@ -308,12 +325,16 @@ def write_obj(path: str | os.PathLike[str], mesh: MeshTable, *, overwrite: bool 
         overwrite: Whether existing files may be replaced.
 
     Raises:
-        FileError: The place cannot be written, the mesh has attributes, or a value is not finite.
+        FileError: The place cannot be written, or a value is not finite.
         ValueError: An array of the mesh has the wrong shape, or a triangle names a missing vertex or texture.
+
+    Warns:
+        UserWarning: The mesh has attributes, which OBJ cannot hold.
     """
     path = check_writable(path, overwrite=overwrite)
-    mesh = mesh.checked()
+    mesh, lost = held_by_obj(mesh.checked())
     _refuse_unwritable(path, mesh)
+    warn_left_out(path, "OBJ", lost)
     beside, library = {}, derived_name(path, ".mtl")
     if mesh.textures:
         text, pictures = mtl_of(path, mesh.textures)
@@ -340,10 +361,13 @@ def write_obj(path: str | os.PathLike[str], mesh: MeshTable, *, overwrite: bool 
         _write_faces(file, columns, f"f {form} {form} {form}\n", mesh)
 
 
+def held_by_obj(mesh: MeshTable) -> tuple[MeshTable, list[str]]:
+    """The mesh without its attributes, and their names."""
+    names = [*mesh.attributes, *(f"triangle {name}" for name in mesh.triangle_attributes)]
+    return replace(mesh, attributes={}, triangle_attributes={}), names
+
+
 def _refuse_unwritable(path: Path, mesh: MeshTable) -> None:
-    if mesh.attributes:
-        reason = f"OBJ cannot hold the attributes {', '.join(mesh.attributes)}"
-        raise FileError(path, reason, remedy="Write .ply, or drop them first")
     for name in ("vertices", "vertex_normals", "vertex_colors", "triangle_uvs"):
         values = getattr(mesh, name)
         if values is not None and not np.isfinite(values).all():

@@ -1,10 +1,13 @@
 """OFF, text: vertices, with normals (NOFF), colours (COFF) and texture coordinates (STOFF), and faces of any size.
 
 Read are the headers [ST][C][N]OFF, with the counts behind them in the same line or in the next, and comments from # on.
-Colours are 0..255 where one of the file's is above 1, else 0..1; an alpha is left behind, and so are colours of faces.
-Written are the counts of edges as 0, colours as 0..255 with an alpha of 255, as Open3D has them. Not held: texture
-coordinates, since those of a mesh belong to corners (refused), and attributes (refused). Binary OFF and the spaces of
-other dimensions (4OFF, nOFF) are refused.
+Colours are 0..255 where one of the file's is above 1, else 0..1, those of vertices and of faces for themselves. An
+alpha of vertices becomes the attribute `alpha` (uint8 of 0..255, float32 of 0..1) where one is not opaque. Colours of
+faces are the triangles' attribute `colors`; they are left behind with a warning where some faces lack them or have
+others, numbers of a table of colours always. Written are the counts of edges as 0, colours as 0..255, those of vertices
+with an alpha of 255 or the attribute `alpha`, as Open3D has them. Not held, and left out with a warning: texture
+coordinates, since those of a mesh belong to corners, and other attributes. Binary OFF and the spaces of other
+dimensions (4OFF, nOFF) are refused.
 
 Source: Geomview, "OFF Files".
 """
@@ -13,6 +16,7 @@ from __future__ import annotations
 
 import os
 import re
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -23,8 +27,16 @@ from ...core.atomic import atomic_write, check_writable
 from ...core.coordinates import quiet
 from ...core.errors import FileError
 from ..ascii_rows import AsciiRows, row_format, write_rows
-from ..columns import colors_to_bytes, stack_colors, stack_normals
-from ..fans import fan_corners
+from ..columns import (
+    check_reach,
+    colors_or_loss,
+    colors_to_bytes,
+    stack_colors,
+    stack_normals,
+    warn_left_out,
+    warn_of_loss,
+)
+from ..fans import split_faces
 from ..source import open_source
 from ..table import MeshTable
 
@@ -36,12 +48,15 @@ def read_off(path: str | os.PathLike[str]) -> MeshTable:
     """Read a triangle mesh from OFF.
 
     Returns:
-        The mesh with float64 vertices; a face of more than three corners becomes the fan around its first.
+        The mesh with float64 vertices; a face of more than three corners becomes triangles as fans.py has it.
 
     Raises:
-        FileError: Missing, another header, fewer or more lines than the counts say, a line with another number of
-            values, a colour out of its range, a face of fewer than three corners or with one that is no vertex; says
-            the line or face.
+        FileError: Missing, another header, no faces, fewer or more lines than the counts say, a line with another
+            number of values, vertices too far apart for float32, a face of fewer than three corners or with one that is
+            no vertex; says the line or face.
+
+    Warns:
+        UserWarning: Colours that are not whole are left behind; faces cross themselves.
     """
     path = Path(path)
     body = bytes(open_source(path)[:]).replace(b"\r\n", b"\n").replace(b"\r", b"\n")
@@ -61,14 +76,21 @@ def read_off(path: str | os.PathLike[str]) -> MeshTable:
     values = rows.numbers()
     vertex_count, face_count = (int(x) for x in rows.cast(values[:3], np.dtype(np.uint32), "a count", 0)[:2])
     _check_row_count(path, rows, vertex_count, face_count)
+    if not face_count:
+        raise FileError(path, "holds no faces", remedy="Read the vertices as a cloud: convert them to .xyz first")
     width = _vertex_width(path, rows, vertex_count, 3 + 3 * with_normals + 2 * textured, colored)
     table = values[3 : 3 + vertex_count * width].reshape(-1, width)
     columns = [*table.T]
     normals = stack_normals(path, columns[3:6]) if with_normals else None
     at = 6 if with_normals else 3
-    colors = _colors_of(path, rows, columns[at : at + 3]) if colored else None
-    triangles = _triangles_of(path, rows, values, vertex_count, face_count)
-    mesh = MeshTable(np.ascontiguousarray(table[:, :3]), triangles, normals, colors)
+    colors, attributes = _vertex_colors(path, columns[at : at + width - at - 2 * textured]) if colored else (None, {})
+    vertices = np.ascontiguousarray(table[:, :3])
+    check_reach(path, vertices)
+    corners, lengths, face_colors = _faces_of(path, rows, values, len(vertices))
+    triangles = corners[split_faces(path, lengths, corners, vertices)]
+    mesh = MeshTable(vertices, triangles, normals, colors, attributes)
+    if face_colors is not None:
+        mesh.triangle_attributes = {"colors": np.repeat(face_colors, lengths - 2, axis=0)}
     if textured:
         with quiet():
             mesh.triangle_uvs = table[:, -2:].astype(np.float32)[triangles.reshape(-1)]
@@ -96,34 +118,103 @@ def _vertex_width(path: Path, rows: AsciiRows, count: int, bare: int, colored: b
     return width
 
 
-def _colors_of(path: Path, rows: AsciiRows, channels: list[NDArray[np.float64]]) -> NDArray[np.float32]:
-    if any((channel > 1).any() for channel in channels):
-        return stack_colors(path, [rows.cast(channel, np.dtype(np.uint8), "a colour", 1) for channel in channels])
-    return stack_colors(path, channels)
+def _vertex_colors(
+    path: Path, channels: list[NDArray[np.float64]]
+) -> tuple[NDArray[np.float32] | None, dict[str, NDArray[Any]]]:
+    """Colours, and as an attribute the alpha where it says something."""
+    in_bytes = _are_bytes(channels[:3])
+    colors = _colors_of(path, channels[:3], in_bytes)
+    if colors is None or len(channels) < 4 or (channels[3] == (255 if in_bytes else 1)).all():
+        return colors, {}
+    full, dtype = (255, np.uint8) if in_bytes else (1, np.float32)
+    alpha = channels[3]
+    if not ((alpha >= 0) & (alpha <= full)).all() or (in_bytes and (np.floor(alpha) != alpha).any()):
+        warn_of_loss(path, "alpha values", f"one is outside 0..{full}", stacklevel=4)
+        return colors, {}
+    return colors, {"alpha": alpha.astype(dtype)}
 
 
-def _triangles_of(
-    path: Path, rows: AsciiRows, values: NDArray[np.float64], vertex_count: int, face_count: int
-) -> NDArray[np.int64]:
+def _are_bytes(channels: list[NDArray[np.float64]]) -> bool:
+    return any(bool((channel > 1).any()) for channel in channels)
+
+
+def _colors_of(path: Path, channels: list[NDArray[np.float64]], in_bytes: bool) -> NDArray[np.float32] | None:
+    """Colours of 0..255 or 0..1; None, with a warning, where one is outside."""
+    if not in_bytes:
+        return colors_or_loss(path, channels, stacklevel=5)
+    for channel in channels:
+        wrong = np.flatnonzero(~((channel >= 0) & (channel <= 255) & (np.floor(channel) == channel)))
+        if len(wrong):
+            reason = f"{channel[wrong[0]]:g} is no whole number in 0..255 (row {wrong[0]})"
+            warn_of_loss(path, "colours", reason, stacklevel=5)
+            return None
+    return stack_colors(path, [channel.astype(np.uint8) for channel in channels])
+
+
+def _faces_of(
+    path: Path, rows: AsciiRows, values: NDArray[np.float64], vertex_count: int
+) -> tuple[NDArray[np.int64], NDArray[np.int64], NDArray[np.float32] | None]:
+    """The vertex of each corner, corners of each face, and the colours of faces, shape [f, 3 or 4]."""
     begin = 1 + vertex_count
     first, widths = rows.first[begin:-1], rows.widths()[begin:]
     lengths = rows.cast(values[first], np.dtype(np.uint32), "the corners of a face", begin).astype(np.int64)
     extra = widths - 1 - lengths
-    wrong = np.flatnonzero(~np.isin(extra, (0, 1, 3, 4)))
+    wrong = np.flatnonzero((extra < 0) | (extra == 2) | (extra > 4))
     if len(wrong):
         row = int(wrong[0])
         reason = f"a face of {lengths[row]} corners has {widths[row] - 1} values behind their number"
         raise FileError(path, reason, where=rows.where(begin + row), remedy="Behind corners stand 0, 1, 3 or 4 values")
-    fans = fan_corners(path, lengths)
-    within = np.arange(lengths.sum()) - np.repeat(np.cumsum(lengths) - lengths, lengths)
-    corners = values[np.repeat(first + 1, lengths) + within]
-    row_of = np.repeat(np.arange(begin, begin + face_count), lengths)
-    corners = rows.cast(corners, np.dtype(np.uint32), "a corner", row_of).astype(np.int64)
-    bad = np.flatnonzero(corners >= vertex_count)
-    if len(bad):
-        reason = f"a face names vertex {corners[bad[0]]}, but there are {vertex_count} vertices"
-        raise FileError(path, reason, where=rows.where(int(row_of[bad[0]])))
-    return corners[fans]
+    if (lengths == lengths[0]).all() and (extra == extra[0]).all():
+        corners = values[first[0] :].reshape(len(lengths), -1)[:, 1 : 1 + int(lengths[0])].reshape(-1)
+    else:
+        within = np.arange(lengths.sum()) - np.repeat(np.cumsum(lengths) - lengths, lengths)
+        corners = values[np.repeat(first + 1, lengths) + within]
+    if not ((corners >= 0) & (corners < vertex_count) & (np.floor(corners) == corners)).all():
+        row_of = np.repeat(np.arange(begin, begin + len(lengths)), lengths)
+        whole = rows.cast(corners, np.dtype(np.uint32), "a corner", row_of)
+        bad = int(np.flatnonzero(whole >= vertex_count)[0])
+        reason = f"a face names vertex {whole[bad]}, but there are {vertex_count} vertices"
+        raise FileError(path, reason, where=rows.where(int(row_of[bad])))
+    return corners.astype(np.int64), lengths, _face_colors(path, values, first + 1 + lengths, extra)
+
+
+def _face_colors(
+    path: Path, values: NDArray[np.float64], first: NDArray[np.int64], extra: NDArray[np.int64]
+) -> NDArray[np.float32] | None:
+    """The colours of faces: three or four values from `first` on; None where not all have such, with a warning."""
+    width = int(extra[0])
+    if not extra.any():
+        return None
+    if width < 3 or (extra != width).any():
+        some = np.count_nonzero(extra > 1)
+        reason = f"{some} of {len(extra)} faces have one of {width if width > 2 else '3 or 4'} values"
+        warn_of_loss(path, "colours of faces", reason, stacklevel=5)
+        return None
+    channels = [values[first + k] for k in range(width)]
+    in_bytes = _are_bytes(channels)
+    colors = _colors_of(path, channels[:3], in_bytes)
+    if colors is None or width == 3:
+        return colors
+    alpha = _colors_of(path, [channels[3]] * 3, in_bytes)
+    return None if alpha is None else np.concatenate([colors, alpha[:, :1]], axis=1)
+
+
+def held_by_off(mesh: MeshTable) -> tuple[MeshTable, list[str]]:
+    """The part of a mesh that OFF holds, and the names of the rest."""
+    held, of_triangles, names = {}, {}, []
+    for name, values in mesh.attributes.items():
+        if name == "alpha" and mesh.vertex_colors is not None and values.dtype == np.uint8 and values.ndim == 1:
+            held[name] = values
+        else:
+            names.append(name)
+    for name, values in mesh.triangle_attributes.items():
+        if name == "colors" and values.ndim == 2 and values.shape[1] in (3, 4):
+            of_triangles[name] = values
+        else:
+            names.append(f"triangle {name}")
+    if mesh.triangle_uvs is not None:
+        names.append("textures")
+    return replace(mesh.without_texture(), attributes=held, triangle_attributes=of_triangles), names
 
 
 def write_off(path: str | os.PathLike[str], mesh: MeshTable, *, overwrite: bool = True) -> None:
@@ -135,15 +226,14 @@ def write_off(path: str | os.PathLike[str], mesh: MeshTable, *, overwrite: bool 
         overwrite: Whether an existing file may be replaced.
 
     Raises:
-        FileError: The place cannot be written, or the mesh has attributes, texture coordinates, or a value that is not
-            finite.
+        FileError: The place cannot be written, or the mesh has a value that is not finite.
         ValueError: An array of the mesh has the wrong shape, or a triangle names a missing vertex.
+
+    Warns:
+        UserWarning: The mesh has textures or attributes that OFF cannot hold.
     """
     path = check_writable(path, overwrite=overwrite)
-    mesh = mesh.checked()
-    lost = [*mesh.attributes, *(["triangle_uvs"] if mesh.triangle_uvs is not None else [])]
-    if lost:
-        raise FileError(path, f"OFF cannot hold {', '.join(lost)}", remedy="Write .ply, or drop them first")
+    mesh, lost = held_by_off(mesh.checked())
     columns: list[NDArray[Any]] = [*mesh.vertices.T]
     if mesh.vertex_normals is not None:
         columns += [*mesh.vertex_normals.T]
@@ -151,10 +241,13 @@ def write_off(path: str | os.PathLike[str], mesh: MeshTable, *, overwrite: bool 
         raise FileError(path, "vertices, vertex_normals: OFF cannot hold NaN or infinite values")
     if mesh.vertex_colors is not None:
         columns += [*colors_to_bytes(path, mesh.vertex_colors).T]
-        columns.append(np.full(len(mesh.vertices), 255, np.uint8))
+        columns.append(mesh.attributes.get("alpha", np.full(len(mesh.vertices), 255, np.uint8)))
     kind = "C" * (mesh.vertex_colors is not None) + "N" * (mesh.vertex_normals is not None)
+    faces, colors = [*mesh.triangles.T], mesh.triangle_attributes.get("colors")
+    if colors is not None:
+        faces += [colors_to_bytes(path, colors[:, [k, k, k]])[:, 0] for k in range(colors.shape[1])]
+    warn_left_out(path, "OFF", lost)
     with atomic_write(path, overwrite=overwrite) as file:
         file.write(f"{kind}OFF\n{len(mesh.vertices)} {len(mesh.triangles)} 0\n".encode("ascii"))
         write_rows(file, columns)
-        triangles = [*mesh.triangles.T]
-        write_rows(file, triangles, line="3 " + row_format(triangles))
+        write_rows(file, faces, line="3 " + row_format(faces))

@@ -3,8 +3,8 @@
 Read are both forms. Corners at exactly the same place become one vertex; facet normals, which the corners tell, names
 and the two bytes that some programs put colours into are left behind.
 
-Not held: which triangles share a vertex, float64 positions (rounded), vertex normals (left out: the format stores facet
-normals, which are computed from the corners), colours, attributes and textures (refused).
+Not held: which triangles share a vertex, float64 positions (rounded), vertex normals (the format stores facet normals,
+which are computed from the corners), and, left out with a warning, colours, attributes and textures.
 
 Source: 3D Systems, "StereoLithography Interface Specification" (1989).
 """
@@ -20,6 +20,7 @@ from numpy.typing import NDArray
 from ...core.atomic import atomic_write, check_writable
 from ...core.errors import FileError
 from ..ascii_rows import CHUNK_ROWS, AsciiRows
+from ..columns import check_reach, warn_left_out
 from ..source import Source, open_source
 from ..table import MeshTable
 
@@ -45,8 +46,9 @@ def read_stl(path: str | os.PathLike[str]) -> MeshTable:
         the text. Facets without area are kept.
 
     Raises:
-        FileError: Missing, neither form, a size that does not fit the number of facets, a line that is not what the
-            text form has there, or a corner that is not finite; says where.
+        FileError: Missing, neither form, without facets, a size that does not fit the number of facets, a line that is
+            not what the text form has there, a corner that is not finite, or corners too far apart for float32; says
+            where.
     """
     path = Path(path)
     source = open_source(path)
@@ -60,6 +62,9 @@ def read_stl(path: str | os.PathLike[str]) -> MeshTable:
     wild = np.flatnonzero(~np.isfinite(corners).all(axis=1))
     if len(wild):
         raise FileError(path, "a corner is not finite", where=f"triangle {int(wild[0]) // 3}")
+    if not len(corners):
+        raise FileError(path, "holds no facets")
+    check_reach(path, corners)
     vertices, triangles = _merge(corners)
     return MeshTable(vertices, triangles.reshape(-1, 3)).checked()
 
@@ -117,6 +122,14 @@ def _merge(corners: NDArray[np.floating]) -> tuple[NDArray[np.floating], NDArray
     return corners[firsts[by_first]], rank[group]
 
 
+def held_by_stl(mesh: MeshTable) -> tuple[MeshTable, list[str]]:
+    """The places of a mesh, and the names of all else that it has."""
+    optional = {"normals": mesh.vertex_normals, "colors": mesh.vertex_colors, "textures": mesh.triangle_uvs}
+    names = [name for name, values in optional.items() if values is not None]
+    names += [*mesh.attributes, *(f"triangle {name}" for name in mesh.triangle_attributes)]
+    return MeshTable(mesh.vertices, mesh.triangles), names
+
+
 def write_stl(path: str | os.PathLike[str], mesh: MeshTable, *, overwrite: bool = True) -> None:
     """Write a triangle mesh as binary STL.
 
@@ -126,16 +139,15 @@ def write_stl(path: str | os.PathLike[str], mesh: MeshTable, *, overwrite: bool 
         overwrite: Whether an existing file may be replaced.
 
     Raises:
-        FileError: The place cannot be written, the mesh has colours, attributes or textures, a vertex that a triangle
-            uses is not finite in float32, or there are 2^32 triangles or more.
+        FileError: The place cannot be written, a vertex that a triangle uses is not finite in float32, or there are
+            2^32 triangles or more.
         ValueError: An array of the mesh has the wrong shape, or a triangle names a missing vertex.
+
+    Warns:
+        UserWarning: The mesh has colours, attributes or textures, which STL cannot hold.
     """
     path = check_writable(path, overwrite=overwrite)
-    mesh = mesh.checked()
-    lost = [*mesh.attributes]
-    lost += [name for name in ("vertex_colors", "triangle_uvs") if getattr(mesh, name) is not None]
-    if lost:
-        raise FileError(path, f"STL cannot hold {', '.join(lost)}", remedy="Write .ply, or drop them first")
+    mesh, lost = held_by_stl(mesh.checked())
     if len(mesh.triangles) >= 2**32:
         raise FileError(path, f"STL cannot count {len(mesh.triangles)} triangles", remedy="Write .ply")
     with np.errstate(over="ignore"):
@@ -143,6 +155,7 @@ def write_stl(path: str | os.PathLike[str], mesh: MeshTable, *, overwrite: bool 
     bad = ~np.isfinite(single[mesh.triangles]).all(axis=(1, 2))
     if bad.any():
         raise FileError(path, "a corner is not finite in float32", where=f"triangle {int(np.flatnonzero(bad)[0])}")
+    warn_left_out(path, "STL", [name for name in lost if name != "normals"])
     with atomic_write(path, overwrite=overwrite) as file:
         file.write(_HEADER + np.uint32(len(mesh.triangles)).astype("<u4").tobytes())
         for begin in range(0, len(mesh.triangles), CHUNK_ROWS):

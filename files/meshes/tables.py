@@ -11,6 +11,7 @@ from ..points.e57_writer import unstorable_in_e57
 from ..points.formats import READERS, write_table
 from ..points.las import open_las
 from ..points.las_writer import unstorable_in_las
+from ..points.ply_faces import STRIPS
 from ..points.ply_header import read_header
 from ..source import open_source
 from ..table import MeshTable, PointTable
@@ -24,11 +25,11 @@ _HELD = {".xyz": (), ".xyzn": ("normals",), ".xyzrgb": ("colors",), ".pts": ("co
 
 
 def is_mesh_file(path: str | os.PathLike[str]) -> bool:
-    """Whether a file holds triangles: a .ply with faces, by its header."""
+    """Whether a file holds triangles: a .ply with faces or strips of triangles, by its header."""
     if Path(path).suffix.lower() != ".ply":
         return False
     header = read_header(path, open_source(path))
-    return any(element.name == "face" and element.count > 0 for element in header.elements)
+    return any(element.name in ("face", STRIPS) and element.count > 0 for element in header.elements)
 
 
 def read_table(path: str | os.PathLike[str]) -> PointTable | MeshTable:
@@ -88,18 +89,13 @@ def write_mesh_table(
     Raises:
         FileError: The place cannot be written.
     """
-    suffix = Path(path).suffix.lower()
     held, left_out = mesh, []
+    suffix = Path(path).suffix.lower()
     if suffix in UNHELD:
         held, left_out = UNHELD[suffix](mesh)
     elif suffix != ".ply":
-        held, left_out = replace(mesh, attributes={}), [*mesh.attributes]
-    if suffix in (".stl", ".off") and mesh.triangle_uvs is not None:
-        held, left_out = held.without_texture(), ["textures", *left_out]
-    if suffix == ".stl":
-        optional = {"normals": mesh.vertex_normals, "colors": mesh.vertex_colors}
-        left_out = [*(name for name, values in optional.items() if values is not None), *left_out]
-        held = replace(held, vertex_normals=None, vertex_colors=None)
+        held = replace(mesh, attributes={}, triangle_attributes={})
+        left_out = [*mesh.attributes, *mesh.triangle_attributes]
     write_mesh(path, held, ascii=as_text, overwrite=overwrite)
     return left_out
 

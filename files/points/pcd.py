@@ -47,6 +47,7 @@ def read_pcd(path: str | os.PathLike[str]) -> PointTable:
 
     Returns:
         The points, float32 or float64 as stored, with normals, colours, attributes and the grid of an organised cloud.
+        Where WIDTH x HEIGHT is 0 and POINTS is not, a warning says so, and POINTS counts.
 
     Raises:
         FileError: Missing, not PCD, truncated, longer than its header says, damaged or inconsistent.

@@ -6,6 +6,7 @@ Source: the PCD v0.7 format description of the Point Cloud Library. Versions .5 
 from __future__ import annotations
 
 import math
+import warnings
 from dataclasses import dataclass
 from typing import Any
 
@@ -152,7 +153,7 @@ def _parse_fields(path: Any, lines: _Lines) -> list[Field]:
 
 
 def _parse_extent(path: Any, lines: _Lines) -> tuple[int, int]:
-    """Width and height, held against POINTS; older files may leave out some of the three."""
+    """Width and height, held against POINTS; older files may leave out some of the three, or have 0 for a grid."""
     numbers = {key: _parse_one(path, lines, key) for key in ("WIDTH", "HEIGHT", "POINTS") if key in lines}
     height = numbers.get("HEIGHT", 1)
     if "WIDTH" not in numbers:
@@ -161,6 +162,10 @@ def _parse_extent(path: Any, lines: _Lines) -> tuple[int, int]:
         return numbers["POINTS"], 1
     width = numbers["WIDTH"]
     points = numbers.get("POINTS", width * height)
+    if width * height == 0 and points:  # as PCL where HEIGHT is 0, and Open3D
+        message = f"{path}: WIDTH x HEIGHT is 0, so that the {points} points of POINTS are one row"
+        warnings.warn(message, UserWarning, stacklevel=5)
+        return points, 1
     if points != width * height:
         raise FileError(
             path, f"POINTS is {points}, but WIDTH x HEIGHT is {width * height}", where=f"line {lines['POINTS'][1]}"

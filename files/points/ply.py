@@ -2,9 +2,8 @@
 
 Reading takes any elements in any order, properties in any order and of any scalar type, lists of any length anywhere,
 comments, obj_info and CRLF headers. It holds the file to its header: a missing, surplus or malformed byte is an error,
-and nothing is allocated before the counts were compared with the size of the file. List properties of vertices and
-properties of faces other than their corners and their texture (ply_textures.py) are checked for extent and dropped, as
-are all other elements.
+and nothing is allocated before the counts were compared with the size of the file. What faces have is in ply_faces.py
+and ply_textures.py. List properties of vertices and all other elements are checked for extent and left behind.
 
 Roles of vertex properties: x y z are positions; nx ny nz normals; red green blue (or diffuse_red .., or r g b) colours;
 every other scalar, alpha included, is an attribute. In text, one row is one line.
@@ -19,7 +18,7 @@ Source: Greg Turk, "The PLY Polygon File Format" (1994).
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import IO, Any
 
@@ -29,11 +28,23 @@ from numpy.typing import NDArray
 from ...core.atomic import atomic_write, check_writable
 from ...core.errors import FileError
 from ..ascii_rows import CHUNK_ROWS, write_rows
-from ..columns import check_name, check_type, colors_to_bytes, own, stack_colors, stack_normals, stack_points
-from ..fans import fan_corners
+from ..columns import (
+    check_name,
+    check_reach,
+    check_type,
+    colors_or_loss,
+    colors_to_bytes,
+    own,
+    stack_colors,
+    stack_normals,
+    stack_points,
+    warn_of_loss,
+)
+from ..fans import split_faces
 from ..pictures.texture_files import picture_names, write_with
 from ..source import Source, open_source
 from ..table import MeshTable, PointTable
+from .ply_faces import STRIPS, attribute_columns, strip_triangles, triangle_attributes, warn_of_rest
 from .ply_header import TYPE_NAMES, Element, Property, read_header
 from .ply_rows import Column, ListColumn, read_rows
 from .ply_textures import add_textures, face_columns, pair_at_vertices, texture_properties
@@ -91,37 +102,66 @@ def read_ply_mesh(path: str | os.PathLike[str], *, outside_files: bool = False) 
         outside_files: Whether names of pictures that lead out of the file's folder are followed.
 
     Returns:
-        The mesh. A face of more than three corners becomes the fan of triangles around its first corner.
+        The mesh, with values and colours of faces as attributes of triangles. A face of more than three corners
+        becomes triangles as fans.py has it, a strip those that it runs through.
 
     Raises:
         FileError: As `read_ply`; also no faces, a face of fewer than three corners, or a corner that is no vertex; a
-            face with another number of texture coordinates or a texture that no comment names; a damaged picture.
+            face with another number of texture coordinates or a texture that no comment names; a damaged picture;
+            vertices too far apart for float32.
 
     Warns:
-        UserWarning: A picture that is named does not lie beside the file; none is taken then.
+        UserWarning: A picture that is named does not lie beside the file, and none is taken; colours outside their
+            range, lists and elements that no mesh has are left behind; faces cross themselves.
     """
     path = Path(path)
     source = open_source(path)
     header = read_header(path, source)
     header.element(path, "vertex")
-    if not any(element.name == "face" for element in header.elements):
-        strips = any(element.name == "tristrips" for element in header.elements)
-        reason = "holds triangle strips, which are not supported" if strips else "holds no faces"
-        raise FileError(path, reason, remedy="" if strips else "Read it as a point cloud")
-    corners = _corner_property(path, header.element(path, "face"))
-    textured = texture_properties(path, header.element(path, "face"))
+    by_name = {element.name: element for element in header.elements if element.count}
+    if "face" not in by_name and STRIPS not in by_name:
+        if "face" in (element.name for element in header.elements):
+            _corner_property(path, header.element(path, "face"))
+        raise FileError(path, "holds no faces", remedy="Read it as a point cloud")
+    taken: dict[str, list[Property]] = {}
+    for name in ("face", STRIPS):
+        if name in by_name:
+            taken[name] = [_corner_property(path, by_name[name])]
+    if "face" in by_name:
+        taken["face"] += texture_properties(path, by_name["face"])
 
     def wanted(element: Element, prop: Property) -> bool:
-        return _is_vertex_scalar(element, prop) or (element.name == "face" and (prop is corners or prop in textured))
+        is_scalar = prop.count_type is None and element.name in ("vertex", "face")
+        return is_scalar or prop in taken.get(element.name, ())
 
     columns = read_rows(path, source, header, wanted)
-    faces = columns["face"][corners.name]
-    assert isinstance(faces, ListColumn)
-    vertices, normals, colors, attributes = _assign_roles(path, columns["vertex"])
-    fans = fan_corners(path, faces.lengths)
-    mesh = MeshTable(vertices, _check_corners(path, faces, len(vertices))[fans], normals, colors, attributes)
-    add_textures(path, mesh, header, columns["face"], faces.lengths, fans, outside_files=outside_files)
+    vertices, normals, colors, attributes = _assign_roles(path, columns["vertex"], colors_of=colors_or_loss)
+    check_reach(path, vertices)
+    mesh = MeshTable(vertices, np.empty((0, 3), np.int64), normals, colors, attributes)
+    if "face" in by_name:
+        faces = columns["face"][taken["face"][0].name]
+        assert isinstance(faces, ListColumn)
+        vertex_of = _check_corners(path, faces, len(vertices))
+        fans = split_faces(path, faces.lengths, vertex_of, vertices)
+        mesh.triangles = vertex_of[fans]
+        add_textures(path, mesh, header, columns["face"], faces.lengths, fans, outside_files=outside_files)
+        mesh.triangle_attributes = triangle_attributes(path, columns["face"], faces.lengths)
+    if STRIPS in by_name:
+        _add_strips(path, mesh, columns[STRIPS][taken[STRIPS][0].name])
+    warn_of_rest(path, header, columns)
     return mesh
+
+
+def _add_strips(path: Path, mesh: MeshTable, strips: Column) -> None:
+    """Add the triangles of strips behind those of faces, which then have nothing but corners."""
+    assert isinstance(strips, ListColumn)
+    triangles = strip_triangles(path, strips, len(mesh.vertices))
+    if not len(mesh.triangles) and not len(triangles):
+        raise FileError(path, "holds no faces: its strips have no triangle", remedy="Read it as a point cloud")
+    if mesh.triangle_uvs is not None or mesh.triangle_attributes:
+        warn_of_loss(path, "textures and values of faces", "the strips beside them have none")
+        mesh.triangle_uvs, mesh.triangle_material_ids, mesh.textures, mesh.triangle_attributes = None, None, (), {}
+    mesh.triangles = np.concatenate([mesh.triangles, triangles])
 
 
 def write_ply(
@@ -188,14 +228,16 @@ def write_ply_mesh(
         raise FileError(path, reason, remedy="Rename one of them")
     names = picture_names(path, len(mesh.textures))
     properties, values = face_columns(mesh)
+    more, more_values = attribute_columns(path, mesh.triangle_attributes, _TYPES, _TYPE_REMEDY)
     said = [*comments, *(f"TextureFile {name}" for name in names)]
     head = _header(columns, len(mesh.vertices), ascii=ascii, comments=said)
-    head += ["element face " + str(len(mesh.triangles)), "property list uchar int vertex_indices", *properties]
+    head += ["element face " + str(len(mesh.triangles)), "property list uchar int vertex_indices"]
+    head += [*properties, *more]
     with write_with(path, dict(zip(names, mesh.textures, strict=True)), overwrite=overwrite) as file:
         file.write("\n".join([*head, "end_header", ""]).encode("ascii"))
         _write_columns(file, list(columns.values()), ascii=ascii)
         corner_counts = np.broadcast_to(np.uint8(3), len(mesh.triangles))
-        _write_columns(file, [corner_counts, *mesh.triangles.T, *values], ascii=ascii)
+        _write_columns(file, [corner_counts, *mesh.triangles.T, *values, *more_values], ascii=ascii)
 
 
 def _is_vertex_scalar(element: Element, prop: Property) -> bool:
@@ -213,7 +255,7 @@ def _role_names(path: Any, names: Sequence[str] | Mapping[str, Any]) -> list[tup
 
 
 def _assign_roles(
-    path: Any, columns: Mapping[str, Column]
+    path: Any, columns: Mapping[str, Column], *, colors_of: Callable[..., NDArray[np.float32] | None] = stack_colors
 ) -> tuple[NDArray[Any], NDArray[np.float32] | None, NDArray[np.float32] | None, dict[str, NDArray[Any]]]:
     arrays = {name: column for name, column in columns.items() if not isinstance(column, ListColumn)}
     roles = _role_names(path, arrays)
@@ -222,7 +264,7 @@ def _assign_roles(
     return (
         stack_points(points),
         None if normals is None else stack_normals(path, normals),
-        None if colors is None else stack_colors(path, colors),
+        None if colors is None else colors_of(path, colors),
         {name: own(column) for name, column in arrays.items()},
     )
 
@@ -231,9 +273,9 @@ def _corner_property(path: Any, face: Element) -> Property:
     for prop in face.properties:
         if prop.name in _CORNERS:
             if prop.count_type is None or prop.dtype.kind == "f":
-                raise FileError(path, f"the faces' property {prop.name!r} is not a list of whole numbers")
+                raise FileError(path, f"the property {prop.name!r} of {face.name!r} is not a list of whole numbers")
             return prop
-    raise FileError(path, "element 'face' has no property vertex_indices")
+    raise FileError(path, f"element {face.name!r} has no property vertex_indices")
 
 
 def _check_corners(path: Any, faces: ListColumn, vertex_count: int) -> NDArray[Any]:

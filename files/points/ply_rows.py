@@ -262,8 +262,11 @@ class _TextRows:
         rows = slice(begin, begin + element.count)
         at, end = self._rows.first[rows].copy(), self._rows.first[1:][rows]
         columns: dict[str, Column] = {}
-        for prop in element.properties:
+        lists = [k for k, prop in enumerate(element.properties) if prop.count_type is not None]
+        for k, prop in enumerate(element.properties):
             what = f"{element.name} {prop.name}"
+            if element.name == "face" and k == lists[-1] + 1 and self._are_undeclared_lists(at, end):
+                return columns
             self._require(at < end, begin, "the line ends too early")
             head = self._values[at]
             at += 1
@@ -281,6 +284,14 @@ class _TextRows:
             at += lengths
         self._require(at == end, begin, "the line has more values than declared")
         return columns
+
+    def _are_undeclared_lists(self, at: NDArray[np.int64], end: NDArray[np.int64]) -> bool:
+        """Whether all that is left of each row is one list, though scalars are declared.
+
+        VCGlib writes colours of corners so: nine values behind their number, where the header has red to alpha.
+        """
+        sizes = end - at - 1
+        return bool((sizes > 4).all() and (self._values[np.minimum(at, len(self._values) - 1)] == sizes).all())
 
     def _require(self, good: NDArray[np.bool_], begin: int, reason: str) -> None:
         if not good.all():

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import warnings
 from pathlib import Path
 from typing import Any
 
@@ -16,8 +15,6 @@ from ...files.source import content_errors
 from ...files.table import MeshTable
 from .mesh import TriangleMesh
 
-ATTRIBUTES_HELD = {".ply": ("attributes", "triangle_attributes")}  # by format, as MeshTable names them
-
 
 def read_triangle_mesh(
     path: str | os.PathLike[str], *, device: Any = None, up: str = "y", outside_files: bool = False
@@ -25,8 +22,9 @@ def read_triangle_mesh(
     """Read a triangle mesh; the extension names the format.
 
     Args:
-        path: A .ply, .obj, .stl, .off, .glb or .gltf file, text or binary. Faces of more than three corners become fans
-            of triangles. Corners of an .stl that lie at exactly the same place become one vertex.
+        path: A .ply, .obj, .stl, .off, .glb or .gltf file, text or binary. Faces of more than three corners become
+            triangles that cover them once (docs/meshes.md). Corners of an .stl that lie at exactly the same place
+            become one vertex.
         device: Where to put it; "cpu" by default.
         up: Which axis is to be up in the mesh of a .glb or .gltf: "y" as the standard and the file have it, "z" as most
             clouds do.
@@ -93,10 +91,11 @@ def write_triangle_mesh(
             file; it appears whole or not at all. Textures of m.ply are written beside it as m_0.png, m_1.png, ...,
             those of m.obj and m.gltf as well, with m.mtl or m.bin; a .glb holds them. A texture of one pixel is a
             colour in an .mtl.
-        mesh: The mesh. STL holds neither shared vertices nor normals nor colours at them, and refuses the last; STL and
-            OFF refuse textures. GLB writes a vertex once for each texture coordinate that its corners have, and
-            triangles in the order of their materials. Material numbers without textures do not come back from any.
-            Further attributes of vertices and triangles are held by .ply; other formats leave them out, with a warning.
+        mesh: The mesh. STL holds neither shared vertices nor normals nor colours at them, STL and OFF no textures,
+            which are left out with a warning. GLB writes a vertex once for each texture coordinate that its corners
+            have, and triangles in the order of their materials. Material numbers without textures do not come back
+            from any. Further attributes are held by .ply, those of vertices by .glb and .gltf, colours of triangles by
+            .off; other formats leave them out, with a warning.
         ascii: Text, for .ply.
         overwrite: Whether existing files may be replaced.
         write_vertex_normals: Whether vertex normals are written where the mesh has them.
@@ -129,7 +128,6 @@ def write_triangle_mesh(
         table.vertex_colors = None
     if not write_triangle_uvs:
         table.triangle_uvs, table.triangle_material_ids, table.textures = None, None, ()
-    _leave_out(table, ATTRIBUTES_HELD.get(suffix, ()), suffix)
     write_mesh(path, table, ascii=ascii, overwrite=overwrite, up=up)
 
 
@@ -146,14 +144,3 @@ def mesh_table(mesh: TriangleMesh) -> MeshTable:
         attributes=dict(mesh.vertex_attributes),
         triangle_attributes=dict(mesh.triangle_attributes),
     )
-
-
-def _leave_out(table: MeshTable, held: tuple[str, ...], suffix: str) -> None:
-    """Empty the attributes of a table that a format does not hold, with a warning."""
-    for kind in ("attributes", "triangle_attributes"):
-        names = list(getattr(table, kind))
-        if names and kind not in held:
-            of = "triangle" if kind == "triangle_attributes" else "vertex"
-            what = f"{of} attributes {', '.join(names)}"
-            warnings.warn(f"{what}: left out, as {suffix} files cannot hold them; .ply can", stacklevel=3)
-            setattr(table, kind, {})

@@ -105,7 +105,7 @@ def test_bad_input_ends_with_an_error_that_names_it(scan, tmp_path):
     out = tmp_path / "out.ply"
     assert "not written to .stl" in refusal("texture", scan / "bare.ply", scan / "room", "-o", tmp_path / "out.stl")
     assert "no.ply" in refusal("texture", tmp_path / "no.ply", scan / "room", "-o", out)
-    assert "no triangles" in refusal_of_empty_mesh(scan, tmp_path)
+    assert "holds no faces" in refusal_of_empty_mesh(scan, tmp_path)
     out.write_bytes(b"old")
     assert "exists" in refusal("texture", scan / "bare.ply", scan / "room", "-o", out)
     assert out.read_bytes() == b"old"

@@ -3,12 +3,16 @@
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 
 import numpy as np
 import pytest
 
+import pointloom as loom
 from pointloom.core.errors import FileError
+from pointloom.files.meshes.mesh_formats import write_mesh
 from pointloom.files.meshes.obj import write_obj
+from pointloom.files.meshes.off import write_off
 from pointloom.files.meshes.stl import write_stl
 from pointloom.files.points.ply import read_ply, read_ply_mesh, write_ply_mesh
 from pointloom.files.table import MeshTable
@@ -50,18 +54,33 @@ def test_a_ply_mesh_survives_a_round_trip_to_the_bit(tmp_path, ascii, dtype):
     np.testing.assert_array_equal(read_ply(tmp_path / "m.ply").points, written.vertices)
 
 
-@pytest.mark.parametrize("ascii", [False, True])
-def test_an_empty_mesh_survives_a_round_trip(tmp_path, ascii):
-    write_ply_mesh(tmp_path / "m.ply", MeshTable(np.empty((0, 3)), np.empty((0, 3), np.int32)), ascii=ascii)
-    read = read_ply_mesh(tmp_path / "m.ply")
-    assert read.vertices.shape == (0, 3)
-    assert read.triangles.shape == (0, 3)
+@pytest.mark.parametrize("suffix", [".ply", ".obj", ".off", ".stl"])
+@pytest.mark.parametrize("count", [0, 1])
+def test_a_file_without_faces_is_no_mesh_in_any_format(tmp_path, suffix, count):
+    path, empty = tmp_path / f"m{suffix}", MeshTable(np.zeros((count, 3)), np.empty((0, 3), np.int32))
+    write_mesh(path, empty, ascii=False, overwrite=True)
+    with pytest.raises(FileError, match=r"holds no (faces|facets)|is empty"):
+        loom.read_triangle_mesh(path)
+    if suffix == ".ply":
+        assert len(loom.read_point_cloud(path)) == count
+
+
+def test_vertices_too_far_apart_for_float32_are_a_file_error_of_every_reader(tmp_path):
+    far = MeshTable(np.array([[0, 0, 0], [1, 0, 0], [0, 1, 1e39]]), np.array([[0, 1, 2]]))
+    for suffix in (".ply", ".obj", ".off"):
+        write_mesh(tmp_path / f"m{suffix}", far, ascii=False, overwrite=True)
+    facet = "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 1e39\nendloop\nendfacet\n"
+    (tmp_path / "m.stl").write_text(f"solid\n{facet}endsolid\n")
+    for suffix in (".ply", ".obj", ".off", ".stl"):
+        with pytest.raises(FileError, match="reach beyond float32") as caught:
+            loom.read_triangle_mesh(tmp_path / f"m{suffix}")
+        assert (caught.value.where, caught.value.path) == ("vertex 2", str(tmp_path / f"m{suffix}"))
 
 
 @pytest.mark.parametrize("name", ["vertex_indices", "vertex_index"])
 def test_larger_faces_become_fans_around_their_first_corner(tmp_path, name):
     path = tmp_path / "m.ply"
-    path.write_text(HEAD.format(3, name) + SQUARE + "4 0 1 2 3\n3 4 1 0\n5 4 3 2 1 0\n")
+    path.write_text(HEAD.format(3, name) + SQUARE.replace("2 2", "-1 0.5") + "4 0 1 2 3\n3 4 1 0\n5 4 3 2 1 0\n")
     expected = [[0, 1, 2], [0, 2, 3], [4, 1, 0], [4, 3, 2], [4, 2, 1], [4, 1, 0]]
     np.testing.assert_array_equal(read_ply_mesh(path).triangles, expected)
 
@@ -102,7 +121,7 @@ def test_a_bad_face_is_refused_with_its_row(tmp_path, faces, where, reason):
     ("header", "reason"),
     [
         ("", "holds no faces"),
-        ("element tristrips 0\nproperty list int int vertex_indices\n", "triangle strips"),
+        ("element tristrips 0\nproperty list int int vertex_indices\n", "holds no faces"),
         ("element face 0\nproperty uchar flag\n", "no property vertex_indices"),
         ("element face 0\nproperty int vertex_indices\n", "not a list of whole numbers"),
         ("element face 0\nproperty list uchar float vertex_indices\n", "not a list of whole numbers"),
@@ -173,10 +192,17 @@ def test_stl_bytes_are_what_the_specification_says(tmp_path):
     np.testing.assert_array_equal(np.frombuffer(data[134:146], "<f4"), [0, 0, 0])
 
 
-@pytest.mark.parametrize("write", [write_obj, write_stl])
-def test_what_a_mesh_format_cannot_hold_is_refused_naming_ply(tmp_path, write):
-    with pytest.raises(FileError, match=r"cannot hold.* weight.*Write \.ply"):
-        write(tmp_path / "m.any", mesh())
+@pytest.mark.parametrize(
+    ("write", "lost"), [(write_obj, "weight"), (write_stl, "colors, weight"), (write_off, "weight")]
+)
+def test_what_a_mesh_format_cannot_hold_is_left_out_with_a_warning_naming_ply(tmp_path, write, lost):
+    with pytest.warns(UserWarning, match=rf": {lost}, triangle label left out.*\.ply holds everything"):
+        write(tmp_path / "m.any", replace(mesh(), triangle_attributes={"label": np.zeros(90)}))
+    assert (tmp_path / "m.any").stat().st_size > 3000
+
+
+@pytest.mark.parametrize("write", [write_obj, write_stl, write_off])
+def test_a_place_that_is_not_finite_is_refused(tmp_path, write):
     nowhere = bare(mesh())
     nowhere.vertices[nowhere.triangles[7, 0]] = np.nan
     with pytest.raises(FileError, match=r"finite|NaN"):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import tracemalloc
 import warnings
 
 import numpy as np
@@ -80,9 +81,16 @@ def test_negative_corners_count_from_the_face_on_back(tmp_path):
 
 def test_polygons_and_what_is_no_surface(tmp_path):
     head, tail = "# c\nmtllib a.mtl\no thing\n", "g side\nusemtl red\ns off\nf 1 2 3 4 5\nl 1 2\np 1\nf 1 2 3\n"
-    text = f"{head}{SQUARE}v 2 2 0 # a corner\n{tail}"
-    with pytest.warns(UserWarning, match="textures are left behind, since the file 'a.mtl' of its materials"):
+    text = f"{head}{SQUARE}v -1 0.5 0 # a corner\n{tail}"
+    with warnings.catch_warnings(record=True) as told:
+        warnings.simplefilter("always")
         table = read_obj(obj(tmp_path, text))
+    told = [str(warning.message).split(": the ", 1)[1] for warning in told]
+    assert told == [
+        "textures are left behind, since the file 'a.mtl' of its materials does not lie beside it",
+        "points and lines are left behind, since a mesh has none",
+        "names are left behind, since a mesh has no place for them: objects 'thing'; groups 'side'",
+    ]
     np.testing.assert_array_equal(table.triangles, [[0, 1, 2], [0, 2, 3], [0, 3, 4], [0, 1, 2]])
 
 
@@ -94,6 +102,56 @@ def test_normals_are_taken_where_they_are_one_a_vertex(tmp_path):
         path = obj(tmp_path, f"{SQUARE}vn 0 0 1\nvn 1 0 0\n{face}")
         with pytest.warns(UserWarning, match="the normals are left behind, since they are not one a vertex"):
             assert read_obj(path).vertex_normals is None
+
+
+@pytest.mark.parametrize(
+    ("vertices", "faces", "lost"),
+    [
+        (SQUARE, "vt 0 0\nf 1/2 2/1 3/1\n", "texture coordinates are left behind, since a face names 2 of 1"),
+        (SQUARE, "vt 0 0\nvn 0 0 1\nf 1/1/0 2/1/1 3/1/1\n", "normals are left behind, since a face names 0 of 1"),
+        ("v 0 0 0 1 0 0\nv 1 0 0\nv 1 1 0 0 0 1\nv 0 1 0\n", "f 1 2 3\n", "colours are left behind, since only 2 of 4"),
+        ("v 0 0 0 1 0 nan\nv 1 0 0 0 0 0\nv 1 1 0 0 0 1\n", "f 1 2 3\n", "colours are left behind, since a colour is"),
+        (SQUARE, "o a\ng b c\nf 1 2 3\n", "names are left behind.*: objects 'a'; groups 'b c'"),
+        (SQUARE, "usemtl red\nf 1 2 3\n", "names are left behind.*: materials 'red'"),
+    ],
+)
+def test_what_is_not_whole_beside_the_geometry_is_left_behind_and_told(tmp_path, vertices, faces, lost):
+    path = obj(tmp_path, vertices + faces)
+    with pytest.warns(UserWarning, match=lost) as told:
+        table = read_obj(path)
+    assert len(told) == 1
+    np.testing.assert_array_equal(table.vertices[:3], [[0, 0, 0], [1, 0, 0], [1, 1, 0]])
+    np.testing.assert_array_equal(table.triangles, [[0, 1, 2]])
+    if "texture" not in lost:
+        assert table.vertex_colors is table.vertex_normals is None
+    assert (table.triangle_uvs is None) == ("normals" not in lost)
+
+
+def test_corners_may_end_in_slashes_and_lines_begin_with_a_dollar(tmp_path):
+    table = read_obj(obj(tmp_path, f"$ vtk\n$\n{SQUARE}vt 0.5 0.25\nf 1/1/ 2/1/ 3/1\nf 1// 3/ 4\n"))
+    np.testing.assert_array_equal(table.triangles, [[0, 1, 2], [0, 2, 3]])
+    np.testing.assert_array_equal(table.triangle_uvs, [[0.5, 0.25]] * 3 + [[0, 0]] * 3)
+
+
+@pytest.mark.parametrize("encoding", ["utf-16", "utf-16-be", "utf-8-sig"])
+def test_files_with_the_mark_of_an_encoding_are_read(tmp_path, encoding):
+    mark = b"\xfe\xff" if encoding == "utf-16-be" else b""
+    (tmp_path / "m.obj").write_bytes(mark + f"# \u00fc\r\n{SQUARE}f 1 2 3\r\n".encode(encoding))
+    np.testing.assert_array_equal(read_obj(tmp_path / "m.obj").triangles, [[0, 1, 2]])
+    (tmp_path / "m.obj").write_bytes(b"\xff\xfev\0 \0x")
+    with pytest.raises(FileError, match="damaged UTF-16"):
+        read_obj(tmp_path / "m.obj")
+
+
+def test_a_number_of_many_digits_takes_no_memory(tmp_path):
+    zeros = "0" * 200_000
+    path = obj(tmp_path, f"{SQUARE}f {zeros}1 2 -{zeros}2\n" + "f 1 2 3\n" * 3000)
+    tracemalloc.start()
+    table = read_obj(path)
+    peak = tracemalloc.get_traced_memory()[1]
+    tracemalloc.stop()
+    np.testing.assert_array_equal(table.triangles[:2], [[0, 1, 2], [0, 1, 2]])
+    assert peak < 20e6  # 200,000 digits for each of the 9,003 corners would be 1.8e9
 
 
 def test_colours_of_vertices_are_read(tmp_path):
@@ -128,18 +186,23 @@ def test_what_we_write_as_obj_reads_back_the_same(tmp_path, rng, normals, colors
         (SQUARE + "f 1 2 3\n\nf 1 2 5\n", "line 7", "a face names 5 of 4 vertices"),
         (SQUARE + "f 0 1 2\n", "line 5", "a face names 0 of 4 vertices"),
         (SQUARE + "f -5 1 2\n", "line 5", "a face names -5 of 4 vertices"),
-        (SQUARE + "f 1/1 2/2 3/3\n", "line 5", "a face names 1 of 0 texture coordinates"),
-        (SQUARE + "vn 0 0 1\nf 1//1 2//1 3//2\n", "line 6", "a face names 2 of 1 normals"),
+        (SQUARE + "f 1 2 3\nf 1/1/1/1 2/1/1/1 3/1/1/1\n", "line 6", "not a corner of a face: '1/1/1/1'"),
+        (SQUARE + "vn 0 0 1\nf 1//1/2 //1/ 3//1/2 //1/\n", "line 6", "not a corner of a face: '1//1/2'"),
+        (SQUARE + "f 1 2 /3\n", "line 5", "not a corner of a face: '/3'"),
+        (SQUARE + "f 1 2 3-1\n", "line 5", "not a corner of a face: '3-1'"),
+        (SQUARE + "f 1 2 3/-\n", "line 5", "not a corner of a face: '3/-'"),
+        (SQUARE + f"f 1 2 {10**30}\n", "line 5", f"a face names {10**18} of 4 vertices"),
+        (SQUARE + "v 0 0 1e39\nf 1 2 5\n", "vertex 4", "reach beyond float32"),
         (SQUARE + "f 1 2 3.0\n", "line 5", "not a corner of a face: '3.0'"),
-        (SQUARE + "f 1 2 3/\n", "line 5", "not a corner of a face: '3/'"),
         (SQUARE + "f 1 2 1_0\n", "line 5", "not a corner of a face: '1_0'"),
         (SQUARE + "f 1 2 +3\n", "line 5", "not a corner of a face: '+3'"),
         (SQUARE + "f 1 2 --3\n", "line 5", "not a corner of a face: '--3'"),
         (SQUARE + "f 1/1/1/1 2 3\n", "line 5", "not a corner of a face: '1/1/1/1'"),
-        ("v 0 0 0\nv 0 0\nf 1 2 1\n", "line 2", "expected 3 values, found 2"),
+        ("v 0 0 0\nv 0 0\nf 1 2 1\n", "line 2", "a vertex has 3, 4 or 6 values, found 2"),
         ("v 0 0\nf 1 1 1\n", "line 1", "a vertex has 3, 4 or 6 values, found 2"),
+        ("v\n" + SQUARE + "f 1 2 3\n", "line 1", "a v has no values"),
+        (SQUARE + "vt \0\nvt 0 0\nf 1/1 2/2 3/2\n", "line 5", "a vt has no values"),
         ("v 0 0 0 1\nv 0 0 0 2\nf 1 2 1\n", "line 2", "a vertex has the weight 2"),
-        ("v 0 0 0 0 0 255\nf 1 1 1\n", "row 0", "a colour is outside 0..1"),
         (SQUARE + "\nv 0 x 0\nf 1 2 3\n", "line 6", "not a number: 'x'"),
         (SQUARE + "curv 0 1 1 2\nf 1 2 3\n", "line 5", "the statement 'curv' is not read"),
         (SQUARE + "f 1 2 3 \\", "line 5", "ends in a line that is to go on"),
@@ -219,6 +282,8 @@ def test_a_binary_file_that_begins_with_solid_is_read(tmp_path):
         ("solid a\n" + TEXT_FACET.replace("1 0 0", "1 0 x") + "endsolid\n", "line 5", "not a number: 'x'"),
         ("solid a\n" + TEXT_FACET.replace("1 0 0", "1 0 inf") + "endsolid\n", "triangle 0", "a corner is not finite"),
         ("solid a\nendsolid\n" + TEXT_FACET, "line 3", "expected solid, found 'facet normal 0 0 1'"),
+        ("solid x\nendsolid x\n", "", "holds no facets"),
+        ("\0" * 84, "", "holds no facets"),
         ("no mesh", "byte 7", "is no STL"),
         ("x" * 200, "byte 200", "facets that it declares take"),
     ],

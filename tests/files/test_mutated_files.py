@@ -123,6 +123,8 @@ TEXT = ("ascii", "cloud.xyz", "cloud.pts", "cloud.csv", "plain.txt", "mesh.obj",
 pytestmark = [
     pytest.mark.filterwarnings("ignore:.*are left behind"),
     pytest.mark.filterwarnings("ignore:.*it is taken for white"),
+    pytest.mark.filterwarnings("ignore:.*such are fans"),
+    pytest.mark.filterwarnings("ignore:.*WIDTH x HEIGHT is 0"),
 ]
 
 

@@ -71,8 +71,8 @@ def test_open3d_and_we_read_each_others_files(tmp_path, normals, colors):
 @pytest.mark.parametrize(
     "head", ["OFF\n4 2 0\n", "OFF 4 2 5\n", "OFF4 2 0\n", "# a\n\nOFF # b\n\n4 2 0 # c\n", "OFF\r\n4 2 0\r\n"]
 )
-def test_faces_are_fans_and_comments_and_colours_of_faces_are_passed_over(tmp_path, head):
-    read = read_off(off(tmp_path, head + SQUARE + "\n4 0 1 2 3 # d\n3 0 1 2 255 0 0\n"))
+def test_faces_are_fans_and_comments_are_passed_over(tmp_path, head):
+    read = read_off(off(tmp_path, head + SQUARE + "\n4 0 1 2 3 # d\n3 0 1 2\n"))
     np.testing.assert_array_equal(read.triangles, [[0, 1, 2], [0, 2, 3], [0, 1, 2]])
     np.testing.assert_array_equal(read.vertices[2], [1, 1, 0])
 
@@ -101,10 +101,56 @@ def test_colours_up_to_one_are_parts(tmp_path):
     np.testing.assert_array_equal(read.vertex_colors, [[1, 0.5, 0]] * 3)
 
 
-def test_an_empty_mesh_survives(tmp_path):
-    write_off(tmp_path / "m.off", MeshTable(np.empty((0, 3)), np.empty((0, 3), np.int32)))
-    read = read_off(tmp_path / "m.off")
-    assert (read.vertices.shape, read.triangles.shape) == ((0, 3), (0, 3))
+@pytest.mark.parametrize(
+    ("values", "lost"),
+    [
+        ("256 0 0", "colours are left behind, since 256 is no whole number in 0..255"),
+        ("-1 0 0", "colours are left behind, since a colour is outside 0..1"),
+        ("nan 0 0", "colours are left behind, since a colour is outside 0..1"),
+        ("9 0 0 300", "alpha values are left behind, since one is outside 0..255"),
+    ],
+)
+def test_colours_out_of_their_range_are_left_behind_and_told(tmp_path, values, lost):
+    path = off(tmp_path, "COFF\n3 1 0\n" + f"0 0 0 {values}\n" * 3 + "3 0 1 2\n")
+    with pytest.warns(UserWarning, match=lost):
+        read = read_off(path)
+    assert read.attributes == {}
+    assert len(read.triangles) == 1
+
+
+def test_an_alpha_that_is_not_opaque_is_an_attribute_and_comes_back(tmp_path):
+    rows = "0 0 0 255 0 51 255\n1 0 0 255 0 51 7\n0 1 0 255 0 51 0\n"
+    for _ in range(2):
+        read = read_off(off(tmp_path, f"COFF\n3 1 0\n{rows}3 0 1 2\n"))
+        np.testing.assert_array_equal(read.attributes["alpha"], np.uint8([255, 7, 0]))
+        write_off(tmp_path / "m.off", read)
+    assert rows in (tmp_path / "m.off").read_text()
+    floats = read_off(off(tmp_path, "COFF\n3 1 0\n" + "0 0 0 1 0 0 0.5\n" * 3 + "3 0 1 2\n"))
+    np.testing.assert_array_equal(floats.attributes["alpha"], np.float32([0.5] * 3))
+
+
+def test_colours_of_faces_are_the_triangles(tmp_path):
+    faces = "4 0 1 2 3 255 0 51\n3 0 1 2 0 0 255\n"
+    read = read_off(off(tmp_path, f"OFF\n4 2 0\n{SQUARE}{faces}"))
+    expected = np.float32([[1, 0, 0.2], [1, 0, 0.2], [0, 0, 1]])
+    np.testing.assert_array_equal(read.triangle_attributes["colors"], expected)
+    write_off(tmp_path / "m.off", read)
+    assert "3 0 1 2 255 0 51\n3 0 2 3 255 0 51\n3 0 1 2 0 0 255\n" in (tmp_path / "m.off").read_text()
+    parts = read_off(off(tmp_path, f"OFF\n4 1 0\n{SQUARE}3 0 1 2 1 0.5 0 0.25\n"))
+    np.testing.assert_array_equal(parts.triangle_attributes["colors"], np.float32([[1, 0.5, 0, 0.25]]))
+    write_off(tmp_path / "m.off", parts)
+    np.testing.assert_allclose(
+        read_off(tmp_path / "m.off").triangle_attributes["colors"], [[1, 0.5, 0, 0.25]], atol=4e-3
+    )
+
+
+@pytest.mark.parametrize(
+    "faces", ["3 0 1 2 5\n3 0 2 3 6\n", "3 0 1 2\n3 0 2 3 9 9 9\n", "3 0 1 2 9 9 9\n3 0 2 3 9 9 9 9\n"]
+)
+def test_colours_of_some_faces_are_left_behind_and_told(tmp_path, faces):
+    path = off(tmp_path, f"OFF\n4 2 0\n{SQUARE}{faces}")
+    with pytest.warns(UserWarning, match=r"colours of faces are left behind, since [0-2] of 2 faces"):
+        assert read_off(path).triangle_attributes == {}
 
 
 @pytest.mark.parametrize(
@@ -124,8 +170,8 @@ def test_an_empty_mesh_survives(tmp_path):
         ("OFF\n4 1 0\n" + SQUARE + "3 0 1 2\n3 0 1 2\n", "line 8", "1 lines follow"),
         ("OFF\n3 1 0\n0 0 0\n0 0\n0 0 0\n3 0 1 2\n", "line 4", "expected 3 values, found 2"),
         ("NOFF\n3 1 0\n0 0 0\n0 0 0\n0 0 0\n3 0 1 2\n", "line 3", "a vertex has 6 values, found 3"),
-        ("COFF\n1 0 0\n0 0 0 256 0 0\n", "line 3", "a colour: 256 does not fit"),
-        ("COFF\n1 0 0\n0 0 0 -1 0 0\n", "row 0", "a colour is outside 0..1"),
+        ("OFF\n0 0 0\n", "", "holds no faces"),
+        ("OFF\n4 0 0\n" + SQUARE, "", "holds no faces"),
         ("OFF\n4 1 0\n" + SQUARE + "3 0 1 4\n", "line 7", "a face names vertex 4"),
         ("OFF\n4 1 0\n" + SQUARE + "3 0 1 -1\n", "line 7", "a corner: -1 does not fit"),
         ("OFF\n4 1 0\n" + SQUARE + "2 0 1\n", "face 0", "a face has 2 corners"),
@@ -141,10 +187,8 @@ def test_a_damaged_file_is_refused_with_its_line(tmp_path, text, where, reason):
 
 
 def test_what_off_cannot_hold_is_refused(tmp_path):
-    holds_more, wild = mesh(), mesh()
-    holds_more.attributes = {"weight": np.zeros(30)}
+    wild = mesh()
     wild.vertices[3, 0] = np.inf
-    for bad, reason in ((holds_more, "cannot hold weight"), (wild, "NaN or infinite")):
-        with pytest.raises(FileError, match=reason):
-            write_off(tmp_path / "m.off", bad)
+    with pytest.raises(FileError, match="NaN or infinite"):
+        write_off(tmp_path / "m.off", wild)
     assert not list(tmp_path.iterdir())

@@ -179,6 +179,21 @@ def test_a_damaged_file_is_refused_with_place_and_reason(path, old, new, where, 
     assert caught.value.where == where
 
 
+@pytest.mark.parametrize(("width", "height"), [(0, 0), (0, 1), (2, 0)])
+def test_a_grid_of_nothing_leaves_the_points_that_are_counted(tmp_path, width, height):
+    path = tmp_path / "c.pcd"
+    head = HEAD.replace("WIDTH 2", f"WIDTH {width}").replace("HEIGHT 1", f"HEIGHT {height}")
+    path.write_text(head + "1 2 3\n4 5 6\n")
+    with pytest.warns(UserWarning, match="WIDTH x HEIGHT is 0, so that the 2 points of POINTS are one row"):
+        read = read_pcd(path)
+    assert (len(read.points), read.grid) == (2, None)
+    path.write_text(head.replace("POINTS 2", "POINTS 0"))
+    assert len(read_pcd(path).points) == 0
+    path.write_text(head.replace("POINTS 2", "POINTS 0") + "1 2 3\n4 5 6\n")
+    with pytest.raises(FileError, match="2 lines follow"):
+        read_pcd(path)
+
+
 @pytest.mark.parametrize("encoding", ENCODINGS)
 @pytest.mark.parametrize("count", [10**10, 10**18])
 def test_an_impossible_count_is_refused_before_anything_is_allocated(path, encoding, count):

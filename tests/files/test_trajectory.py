@@ -283,3 +283,26 @@ def test_changed_bytes_give_poses_or_a_file_error(tmp_path, trajectory, name, st
     except FileError:
         return
     assert np.isfinite(again.poses).all() and len(again) >= 1
+
+
+@pytest.mark.parametrize(
+    ("text", "where"),
+    [
+        ("\uff11 0 0 0 0 0 0 1\n", "line 1"),
+        ("1 0 0 0 0 0 0 1\n\u2028\n2 0 0 0 0 0 0 1\n", "line 2"),
+        ("1 0 0 0 0 0 0\u00a01\n", "line 1"),
+        ("1 0 0 0 0 0 0 1\x1c2 0 0 0 0 0 0 1\n", "line 1"),
+    ],
+)
+def test_digits_blanks_and_line_ends_are_those_of_ascii(tmp_path, text, where):
+    (tmp_path / "t.tum").write_bytes(text.encode())
+    with pytest.raises(FileError) as caught:
+        read_trajectory(tmp_path / "t.tum")
+    assert caught.value.where == where
+
+
+@pytest.mark.parametrize("ids", ["\uff10 0 1", "0 1_0 1"])
+def test_numbers_of_a_log_are_plain_digits(tmp_path, ids):
+    (tmp_path / "t.log").write_bytes((f"{ids}\n" + "1 0 0 0\n0 1 0 0\n0 0 1 0\n0 0 0 1\n").encode())
+    with pytest.raises(FileError, match="expected three whole numbers before a pose"):
+        read_trajectory(tmp_path / "t.log")

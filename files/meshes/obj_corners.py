@@ -1,0 +1,174 @@
+"""The corners of OBJ faces: v, v/vt, v//vn or v/vt/vn, where the parts behind v may be empty (1//, 2/2/).
+
+All corners of a file are parsed at once; only a file in which one is wrong, or longer than 18 digits, is walked face by
+face.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...core.errors import FileError
+
+KINDS = ("vertices", "texture coordinates", "normals")
+
+_BLANKS = bytes.maketrans(b"\t\v\f\r", b"    ")
+_MOST_DIGITS = 18  # what int64 holds for sure
+
+
+@dataclass
+class Corners:
+    """The corners of all faces, one face after another.
+
+    Attributes:
+        lengths: Corners of each face, shape [f].
+        vertices: The vertex of each corner, from 0, shape [c].
+        uvs: Its texture coordinates; -1 for none.
+        normals: Its normal; -1 for none.
+        missing: What some corner names that is not there: a sentence for "texture coordinates" and "normals".
+    """
+
+    lengths: NDArray[np.int64]
+    vertices: NDArray[np.int64]
+    uvs: NDArray[np.int64]
+    normals: NDArray[np.int64]
+    missing: dict[str, str]
+
+
+def read_corners(
+    path: Any,
+    faces: Sequence[bytes],
+    lines: Sequence[int],
+    before: Sequence[tuple[int, int, int]],
+    counts: tuple[int, int, int],
+) -> Corners:
+    """The corners of faces.
+
+    Args:
+        path: The file, for errors.
+        faces: What stands behind f in each line.
+        lines: The number of each line.
+        before: How many vertices, texture coordinates and normals stand before each face.
+        counts: How many there are in all.
+
+    Raises:
+        FileError: A face of fewer than three corners, a word that is no corner, or a vertex that is not there; says the
+            line.
+    """
+    parsed = _parse_all(faces)
+    numbers, given, lengths = _parse_one_by_one(path, faces, lines) if parsed is None else parsed
+    small = np.flatnonzero(lengths < 3)
+    if len(small):
+        reason = f"a face has {lengths[small[0]]} corners; at least 3 are needed"
+        raise FileError(path, reason, where=f"line {lines[small[0]]}")
+    is_negative = numbers < 0
+    places = numbers - 1
+    if is_negative.any():
+        places = np.where(is_negative, np.repeat(np.array(before), lengths, axis=0) + numbers, places)
+    bad = given & ((places < 0) | (places >= np.array(counts)))
+    places[~given] = -1
+    missing = {}
+    if bad.any():
+        face_of = np.repeat(np.arange(len(lengths)), lengths)
+        for column, kind in enumerate(KINDS):
+            row = int(np.argmax(bad[:, column]))
+            if bad[row, column]:
+                where = f"line {lines[face_of[row]]}"
+                reason = f"a face names {numbers[row, column]} of {counts[column]} {kind}"
+                if column == 0:
+                    raise FileError(path, reason, where=where)
+                missing[kind] = f"{reason} ({where})"
+    return Corners(lengths, places[:, 0], places[:, 1], places[:, 2], missing)
+
+
+_Parsed = tuple[NDArray[np.int64], NDArray[np.bool_], NDArray[np.int64]]
+
+
+def _parse_all(faces: Sequence[bytes]) -> _Parsed | None:
+    """The numbers of corners [c, 3], which are given, and corners of each face; None where one is no corner."""
+    text = b"\n".join([*faces, b""]).translate(_BLANKS)
+    if text.translate(None, b"0123456789-/ \n"):
+        return None
+    codes = np.frombuffer(text, np.uint8)
+    is_blank, is_slash = codes <= 32, codes == 47
+    is_word = ~is_blank
+    is_word[1:] &= is_blank[:-1]
+    begins = is_word.copy()
+    begins[1:] |= is_slash[:-1]
+    ends = is_blank.copy()
+    ends[0] = False
+    ends[1:] &= ~is_blank[:-1]
+    begin, end = np.flatnonzero(begins), np.flatnonzero(ends | is_slash)
+    digits = end - begin
+    firsts = np.flatnonzero(is_word[begin])
+    parts = np.diff(np.append(firsts, len(begin)))
+    signs = (codes[begin] == 45) & (digits > 1)
+    if (
+        not len(begin)
+        or parts.max() > 3
+        or digits.max() > _MOST_DIGITS
+        or (digits[firsts] == 0).any()
+        or np.count_nonzero(signs) != text.count(b"-")
+    ):
+        return None
+    words_before = np.searchsorted(begin[firsts], np.flatnonzero(codes == 10))
+    lengths = np.diff(words_before, prepend=0)
+    found = np.fromstring(text.replace(b"/", b" "), np.int64, sep=" ")
+    filled = digits > 0
+    numbers, given = np.zeros((len(firsts), 3), np.int64), np.zeros((len(firsts), 3), bool)
+    if len(begin) == len(firsts) * parts[0] and (parts == parts[0]).all():  # all of one form
+        given[:, : parts[0]] = filled.reshape(-1, parts[0])
+    else:
+        within = np.arange(len(begin)) - np.repeat(firsts, parts)
+        given[np.repeat(np.arange(len(firsts)), parts), within] = filled
+    numbers[given] = found
+    return numbers, given, lengths
+
+
+def _parse_one_by_one(path: Any, faces: Sequence[bytes], lines: Sequence[int]) -> _Parsed:
+    """The same, for a file with a corner that is none.
+
+    Raises:
+        FileError: The first such, or a face before it that is too small, with the line.
+    """
+    numbers: list[list[int]] = []
+    lengths = []
+    for face, line in zip(faces, lines, strict=True):
+        words = face.split()
+        lengths.append(len(words))
+        if len(words) < 3:
+            raise FileError(path, f"a face has {len(words)} corners; at least 3 are needed", where=f"line {line}")
+        for word in words:
+            numbers.append(_parse(word))
+            if not numbers[-1]:
+                shown = word[:40].decode("ascii", "backslashreplace")
+                remedy = "Corners are v, v/vt, v//vn or v/vt/vn"
+                raise FileError(path, f"not a corner of a face: {shown!r}", where=f"line {line}", remedy=remedy)
+    table = np.array(numbers, np.int64).reshape(-1, 3)
+    given = table != _EMPTY
+    return np.where(given, table, 0), given, np.array(lengths)
+
+
+_EMPTY = -(2**63)
+
+
+def _parse(word: bytes) -> list[int]:
+    """The three numbers of a corner; nothing where it is none."""
+    parts = word.split(b"/")
+    if len(parts) > 3 or not parts[0]:
+        return []
+    found = [_EMPTY] * 3
+    for k, part in enumerate(parts):
+        digits = part.removeprefix(b"-")
+        if part and not digits.isdigit():
+            return []
+        if part:
+            size = digits.lstrip(b"0")
+            size = 10**_MOST_DIGITS if len(size) > _MOST_DIGITS else int(size or b"0")
+            found[k] = -size if part.startswith(b"-") else size
+    return found

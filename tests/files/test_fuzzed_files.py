@@ -1,0 +1,83 @@
+"""Damaged files are refused or read as they are: a small run of benchmarks/fuzz, and what the run is worth."""
+
+from __future__ import annotations
+
+import sys
+import warnings
+from collections.abc import Iterator
+from pathlib import Path
+from types import ModuleType
+
+import pytest
+
+from pointloom.core.errors import FileError
+
+FOLDER = Path(__file__).resolve().parents[2] / "benchmarks" / "fuzz"
+NAMES = ("run", "cases", "mutations", "oracles", "ply_oracle")
+CASES = ("OBJ", "OBJ corners", "OFF", "STL", "PLY mesh, text", "PLY mesh, binary", "PCD")
+
+
+@pytest.fixture(scope="module")
+def fuzz() -> Iterator[ModuleType]:
+    """The script, with its folder on the path as when it runs."""
+    for name in NAMES:
+        sys.modules.pop(name, None)
+    sys.path.insert(0, str(FOLDER))
+    import run
+
+    yield run
+    sys.path.remove(str(FOLDER))
+    for name in NAMES:
+        sys.modules.pop(name, None)
+
+
+def case_of(fuzz, name):
+    return next(case for case in fuzz.CASES if case.name == name)
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_damaged_files_are_refused_or_read_as_they_are(fuzz, name, tmp_path):
+    found = fuzz.fuzz(case_of(fuzz, name), range(60), 0, tmp_path)
+    assert [entry for entry in found if entry[1] not in ("refused", "read")] == []
+    assert {what for _, what, _ in found} == {"refused", "read"}
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_whole_files_are_read_and_an_oracle_notices_what_is_not_there(fuzz, name, tmp_path):
+    case = case_of(fuzz, name)
+    for k, data in enumerate(case.seeds()):
+        path = tmp_path / f"{k}{case.suffix}"
+        path.write_bytes(data)
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")  # of what is left behind
+            read = case.read(path)
+        if b"binary_compressed" in data:
+            read.points = read.points[:-1]  # all that is asked of it
+        else:
+            assert case.oracle(path, read) is None
+            moved = read.points if name == "PCD" else read.vertices
+            moved[-1, 2] += 1
+            if name != "PCD":
+                read.triangles = read.triangles[:, [0, 2, 1]] if name != "STL" else read.triangles
+        assert case.oracle(path, read) is not None
+
+
+def test_crashes_raw_errors_and_what_was_invented_are_told_apart(fuzz, tmp_path):
+    path = tmp_path / "x.obj"
+    path.write_bytes(b" ")
+    case = case_of(fuzz, "OBJ")
+
+    def outcome(read):
+        return fuzz.outcome(fuzz.Case("x", ".obj", case.seeds, case.mutate, read, lambda path, found: found), path)
+
+    def fails(error):
+        def read(path):
+            raise error
+
+        return read
+
+    assert outcome(lambda path: None) == ("read", "")
+    assert outcome(lambda path: "another place") == ("invented", "another place")
+    assert outcome(fails(FileError(path, "damaged")))[0] == "refused"
+    assert outcome(fails(FileError("other.obj", "damaged")))[0] == "raw error"
+    assert outcome(fails(IndexError("3")))[0] == "raw error"
