@@ -15,6 +15,7 @@ from ..core.devices import resolve_device
 from ..core.dropped_results import returns_new
 from ..core.gpu_arrays import take_points
 from ..core.known_names import KnownNames
+from ..core.wording import rounded
 from ..kernels.arrays.select import positions_of
 from ..kernels.extent.masks import mask_aligned_box, mask_oriented_box
 from .convex_hull import find_extremes
@@ -109,7 +110,7 @@ class AxisAlignedBoundingBox(BoundingBox):
         return read_only(self._max_bound.copy())
 
     def __repr__(self) -> str:
-        return f"{type(self).__name__}({self._min_bound.tolist()}, {self._max_bound.tolist()})"
+        return f"{type(self).__name__}{rounded((self._min_bound, self._max_bound), self.get_max_extent())}"
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, AxisAlignedBoundingBox):
@@ -293,8 +294,8 @@ class OrientedBoundingBox(BoundingBox):
         return read_only(self._extent.copy())
 
     def __repr__(self) -> str:
-        parts = (self._center, self._R, self._extent)
-        return f"{type(self).__name__}({', '.join(str(part.tolist()) for part in parts)})"
+        center, extent = rounded((self._center, self._extent), float(self._extent.max()))
+        return f"{type(self).__name__}({center}, {rounded(self._R, 1.0)}, {extent})"
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, OrientedBoundingBox):

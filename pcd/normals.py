@@ -35,9 +35,9 @@ class Normals(PointArrays):
         Returns:
             The cloud with unit normals, shape [n, 3]; (0, 0, 1) where fewer than 3 neighbours are found, NaN for
             points that are not finite. Each is on the side of the normal that the point had before; without one on
-            Open3D's, which no surface has: neighbours may differ. Turn them with `orient_normals_towards_camera_location`
-            (a scan, from where it was taken), `orient_normals_to_align_with_direction` (terrain) or
-            `orient_normals_consistent_tangent_plane`.
+            Open3D's, where neighbours may lie on two sides of one surface. They are turned with
+            `orient_normals_towards_camera_location` (a scan, from where it was taken),
+            `orient_normals_to_align_with_direction` (terrain) or `orient_normals_consistent_tangent_plane`.
 
         Raises:
             ValueError: Neither limit given, or one out of range.
