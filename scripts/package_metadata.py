@@ -1,7 +1,7 @@
 """What a package page shows beside pyproject.toml: the project's URLs, and the README with links that work there.
 
 The repository's address stands once, in pyproject.toml under [tool.hatch.metadata.hooks.custom]. Where it is empty
-there are no URLs, and the README's links stay relative. The build backend runs this (hatchling, "Metadata hook plugins").
+there are no URLs, and the README's links stay relative. The build backend runs this (hatchling's metadata hooks).
 """
 
 from __future__ import annotations

@@ -22,8 +22,8 @@ Answer: TypeAlias = "JobReport"
 def from_cloud_to_cloud(*, device: bool = True) -> Callable[[Callable[..., Answer]], Callable[..., int]]:
     """Give a command IN and OUT, either of them `-`, and after its own options those that all such commands share.
 
-    OUT is given by its place or by `-o`. The function gets source and output as files, overwrite, as_text and (with `device`) device beside its own options,
-    and returns its report.
+    OUT is given by its place or by `-o`. The function gets source and output as files, overwrite, as_text and (with
+    `device`) device beside its own options, and returns its report.
     """
 
     def decorate(function: Callable[..., Answer]) -> Callable[..., int]:
