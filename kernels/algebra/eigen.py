@@ -5,8 +5,8 @@ separated eigenvalue comes first, the other two from the plane orthogonal to it,
 About 150 operations in float64; the entries are scaled by the largest first, so neither overflow nor underflow.
 
 An eigenvector has a side by the order of these steps alone: the cross product of two rows in their order, and in the
-plane orthogonal to it the negative of whichever of its two axes counts more. Open3D's are the same, so that normals that
-nobody has turned look to the same side.
+plane orthogonal to it the negative of whichever of its two axes counts more. Open3D's are the same, so that normals
+that nobody has turned look to the same side.
 """
 
 from ..lang import acos, cos, cross, dot, float64, func, mat33d, sqrt, vec3d, vector
