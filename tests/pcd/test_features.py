@@ -35,8 +35,8 @@ def scenes(fragment, lidar, terrain):
     """Clouds with normals on the CPU, by name."""
     whole = loom.PointCloud(fragment.points)
     near = lidar[np.linalg.norm(lidar[:, :3], axis=1) < 12, :3]
-    # Its normals look up, as for any use: which of two equally far neighbours is taken tells most where those of a slope
-    # lie on both sides (45 rows, where 12 differ).
+    # Its normals look up, as for any use: which of two equally far neighbours is taken tells most where normals
+    # lie on both sides (45 rows, where 12 differ now).
     slope = loom.PointCloud(terrain).estimate_normals(radius=8.0, max_nn=30).orient_normals_to_align_with_direction()
     return {
         "fragment 0.05": whole.voxel_down_sample(0.05).estimate_normals(radius=0.1, max_nn=30),
