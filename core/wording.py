@@ -11,6 +11,8 @@ import math
 from collections.abc import Iterable
 from typing import Any
 
+MOST_DECIMALS = 15  # that `rounded` leaves; Python has no more of numbers near 1
+
 
 def format_share(share: float) -> str:
     """A share as a percentage, with digits enough that only nothing is 0.0% and only all is 100.0%."""
@@ -68,3 +70,18 @@ def plain(value: Any) -> Any:
     if value is None or isinstance(value, bool | int | str):
         return value
     return str(value)
+
+
+def rounded(values: Any, size: float) -> Any:
+    """Numbers as they are shown of what has a size, to a millionth of it; of tiny ones all digits.
+
+    Args:
+        values: A number, an array (which becomes lists), or lists and tuples of such.
+        size: A length in the same unit.
+    """
+    if isinstance(values, list | tuple):
+        return type(values)(rounded(value, size) for value in values)
+    if hasattr(values, "tolist"):
+        return rounded(values.tolist(), size)
+    decimals = 6 - math.floor(math.log10(size)) if 0 < size < math.inf else 6
+    return values if decimals > MOST_DECIMALS else round(values, decimals) + 0.0  # no -0.0

@@ -51,8 +51,3 @@ class BoundingBox(KnownNames):
 
     def _holds(self, points: NDArray[np.float64]) -> NDArray[np.bool_]:
         raise NotImplementedError
-
-
-def shown_numbers(values: NDArray[np.float64]) -> str:
-    """Numbers for a box's line, to nine digits."""
-    return str(np.array([float(f"{value:.9g}") for value in values.ravel()]).reshape(values.shape).tolist())

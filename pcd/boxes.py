@@ -12,8 +12,9 @@ from numpy.typing import ArrayLike, NDArray
 from ..core.checks import LARGEST_NUMBER, check_finite, check_positive, check_rigid, check_rows, check_shape
 from ..core.coordinates import finite_box
 from ..core.dropped_results import returns_new
+from ..core.wording import rounded
 from ..kernels.extent.masks import mask_aligned_box, mask_oriented_box
-from .bounding_box import BoundingBox, shown_numbers
+from .bounding_box import BoundingBox
 from .convex_hull import find_extremes
 from .minimal_box import fit_principal_box, fit_smallest_box
 from .point_arrays import read_only
@@ -72,7 +73,7 @@ class AxisAlignedBoundingBox(BoundingBox):
         return iter((self.min_bound, self.max_bound))
 
     def __repr__(self) -> str:
-        return f"{type(self).__name__}({shown_numbers(self._min_bound)}, {shown_numbers(self._max_bound)})"
+        return f"{type(self).__name__}{rounded((self._min_bound, self._max_bound), self.get_max_extent())}"
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, AxisAlignedBoundingBox):
@@ -256,8 +257,8 @@ class OrientedBoundingBox(BoundingBox):
         return read_only(self._extent.copy())
 
     def __repr__(self) -> str:
-        parts = (self._center, self._R, self._extent)
-        return f"{type(self).__name__}({', '.join(map(shown_numbers, parts))})"
+        center, extent = rounded((self._center, self._extent), float(self._extent.max()))
+        return f"{type(self).__name__}({center}, {rounded(self._R, 1.0)}, {extent})"
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, OrientedBoundingBox):

@@ -34,7 +34,10 @@ class Normals(PointArrays):
 
         Returns:
             The cloud with unit normals, shape [n, 3]; (0, 0, 1) where fewer than 3 neighbours are found, NaN for
-            points that are not finite. The sign follows earlier normals where there were any.
+            points that are not finite. Each is on the side of the normal that the point had before; without one on
+            Open3D's, where neighbours may lie on two sides of one surface. They are turned with
+            `orient_normals_towards_camera_location` (a scan, from where it was taken),
+            `orient_normals_to_align_with_direction` (terrain) or `orient_normals_consistent_tangent_plane`.
 
         Raises:
             ValueError: Neither limit given, or one out of range.
@@ -44,6 +47,10 @@ class Normals(PointArrays):
             coordinates of any size do no harm (Open3D's legacy form turns 57 % of normals at UTM coordinates), and
             one NaN spoils no other point's normal. Stored covariances are not used; Open3D takes them where there
             are some, whatever search it is asked for.
+
+            The side of fresh normals follows from the covariance by the steps of the eigensolver that Open3D has as
+            well: of a LiDAR scan all are Open3D's. Where neighbours are equally far, as in depth images, either takes
+            some of them, and where the side hangs by these it may be the other (0.5 % of a depth frame).
         """
         reach, count = check_search(radius, max_nn)
         points = self._arrays["points"]

@@ -2,6 +2,7 @@
 
 import email.parser
 import importlib.metadata
+import importlib.util
 import re
 import shutil
 import subprocess
@@ -94,6 +95,45 @@ def test_the_wheel_names_its_version_and_its_command(wheel):
     assert metadata["Name"] == "pointloom"
     assert metadata["Version"] == pointloom.__version__
     assert "pointloom = pointloom.__main__:main" in wheel.read(f"{dist_info}/entry_points.txt").decode()
+
+
+@pytest.fixture(scope="module")
+def package_metadata():
+    """The module scripts/package_metadata.py."""
+    spec = importlib.util.spec_from_file_location("package_metadata", ROOT / "scripts" / "package_metadata.py")
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+def test_the_readme_of_the_package_is_ours_with_the_links_that_the_address_makes(wheel, package_metadata):
+    place = PROJECT["tool"]["hatch"]["metadata"]["hooks"]["custom"]
+    message = wheel.read(f"pointloom-{PROJECT['project']['version']}.dist-info/METADATA").decode()
+    metadata = email.parser.Parser().parsestr(message)
+    readme = (ROOT / "README.md").read_text()
+    expected = package_metadata.absolute_links(readme, place["repository"], place["branch"])
+    assert metadata.get_payload().strip() == expected.strip()
+    urls = package_metadata.project_urls(place["repository"], place["branch"])
+    assert metadata.get_all("Project-URL", []) == [f"{name}, {address}" for name, address in urls.items()]
+
+
+def test_an_address_makes_every_link_of_the_readme_absolute(package_metadata):
+    readme = (ROOT / "README.md").read_text()
+    links = re.findall(r"\]\(([^)\s]+)\)", readme)
+    assert len(links) > 5 and not all(link.startswith("https:") for link in links)
+    assert package_metadata.absolute_links(readme, "", "main") == readme
+    text = package_metadata.absolute_links(readme, "https://host.test/owner/pointloom/", "main")
+    for relative, link in zip(links, re.findall(r"\]\(([^)\s]+)\)", text), strict=True):
+        if relative.startswith("https:"):
+            assert link == relative
+            continue
+        kind = "raw" if relative.endswith(".png") else "blob"
+        assert link == f"https://host.test/owner/pointloom/{kind}/main/{relative}"
+        assert (ROOT / relative.partition("#")[0]).exists()
+    urls = package_metadata.project_urls("https://host.test/owner/pointloom/", "main")
+    assert urls["Repository"] == "https://host.test/owner/pointloom"
+    assert urls["Changelog"] == "https://host.test/owner/pointloom/blob/main/CHANGELOG.md"
+    assert package_metadata.project_urls("", "main") == {}
 
 
 def test_the_links_of_the_import_package_are_relative():

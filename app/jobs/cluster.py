@@ -150,10 +150,10 @@ def _why_poor(cloud: PointCloud, sizes: NDArray[Any], eps: float, min_points: in
     search, probes = NearestNeighborSearch(cloud), probe_points(cloud)
     if len(sizes):
         distance = distance_of_nearest(search, probes, min_points, share=0.9)
-        hint = f"one cluster holds all {finite:,} finite points; take a smaller --eps"
+        hint = f"one cluster holds all {finite:,} finite points; take a smaller --radius"
         return f"{hint}, such as {rounded_up(distance):g}" if distance and rounded_up(distance) < eps else hint
     distance = distance_of_nearest(search, probes, min_points)
     lonely = f"all points are noise: none has {min_points} within {eps:g} m, itself included"
     if distance is None:
-        return f"{lonely}; take a larger --eps or fewer --min-points"
-    return f"{lonely}; half of them have as many within {rounded_up(distance):g} m: take a larger --eps"
+        return f"{lonely}; take a larger --radius or fewer --neighbors"
+    return f"{lonely}; half of them have as many within {rounded_up(distance):g} m: take a larger --radius"

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from ...cameras.trajectory import write_trajectory
+from ...cameras.pose_files import FORMATS, write_poses
 from ...core.errors import FileError, FilePath
 from ...core.progress import ReportProgress
 from ...core.reports import Fields
@@ -82,7 +82,8 @@ def register_folder(
 
     Args:
         folder: Clouds of one kind, taken in natural order of their names.
-        output: A .log file of poses, T_reference_cloud; the first number of each is that of its cloud, from 0.
+        output: A file of poses, T_reference_cloud: .txt or .tum (TUM), .log (Open3D); the time in TUM, and the first
+            number in .log, are the number of the cloud, from 0.
         voxel_size: Edge of the voxels that the clouds are thinned to [m]; None chooses it from them.
         neighbors: As of `register_fragments`.
         merged: A cloud of all that could be placed, with the attributes that all of them have.
@@ -124,7 +125,7 @@ def register_folder(
 
 
 def _check_outputs(job: Job, output: FilePath, merged: FilePath | None, graph: FilePath | None) -> None:
-    job.check(output, (".log",), what="poses")
+    job.check(output, tuple(FORMATS), what="poses")
     job.check(merged)
     if merged is not None and Path(merged).resolve().parent == Path(job.source).resolve():
         reason = f"lies in {os.fspath(job.source)}, where the next run would take it for one of the clouds"
@@ -148,7 +149,7 @@ def _write_results(
     graph: FilePath | None,
 ) -> None:
     """Write what is asked for; left out is what the merged cloud cannot hold, or not all clouds have."""
-    write_trajectory(output, found.trajectory, overwrite=job.form["overwrite"])
+    write_poses(output, found.trajectory, overwrite=job.form["overwrite"])
     job.wrote(output)
     if graph is not None:
         write_pose_graph(graph, found.pose_graph, overwrite=job.form["overwrite"])

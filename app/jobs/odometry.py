@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from ...cameras.pose_files import FORMATS as POSE_FORMATS
 from ...cameras.trajectory import Trajectory, read_trajectory, write_trajectory
 from ...core.errors import FileError, FilePath
 from ...core.progress import ReportProgress
@@ -21,7 +22,7 @@ from ...registration.trajectories.trajectory_error import TrajectoryError
 from .evaluate import compare
 from .job import Job, JobReport
 
-FORMATS = {"kitti": (".txt", ".kitti"), "tum": (".txt", ".tum")}  # extensions of each
+FORMATS = {"kitti": (".kitti", ".txt"), "tum": (".txt", ".tum"), "log": (".log",)}  # extensions of each
 
 
 @dataclass(frozen=True)
@@ -91,9 +92,8 @@ def odometry_of_folder(
 
     Args:
         folder: The scans, in natural order of their names: .bin as KITTI has them, or clouds.
-        output: A file of poses: .txt, .kitti or .tum.
-        format: "kitti" or "tum"; None goes by the extension, and takes KITTI's for .txt. TUM's times are the numbers
-            of the scans.
+        output: A file of poses: .txt or .tum (TUM), .log (Open3D) or .kitti.
+        format: "kitti", "tum" or "log"; None goes by the extension. TUM's times are the numbers of the scans.
         voxel_size, max_range, min_range: As of `LidarOdometry`.
         truth: A file of the scanner's true poses, one a scan.
         device: Where to compute.
@@ -149,7 +149,8 @@ def _check_output(job: Job, output: FilePath, format: str | None) -> str:
     """The format of the poses, once it is sure that they can be written."""
     suffix = Path(output).suffix.lower()
     if format is None:
-        format = "tum" if suffix == ".tum" else "kitti"
+        job.check(output, (*POSE_FORMATS, ".kitti"), what="poses")
+        return POSE_FORMATS.get(suffix, "kitti")
     if format not in FORMATS:
         raise ValueError(f"format: expected one of {', '.join(FORMATS)}, got {format!r}")
     job.check(output, FORMATS[format], what=f"poses as {format}")

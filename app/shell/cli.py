@@ -28,7 +28,7 @@ from .answer import answer_with
 from .cloud_command import Answer, from_cloud_to_cloud
 from .console import Progress, print_fields, print_json
 from .group import ERROR, INTERRUPTED, TERMINATED, CommandLine, report_error
-from .options import FILE, LENGTH, device_option, force_option, json_option, refuse
+from .options import FILE, LENGTH, Renamed, device_option, force_option, json_option, refuse
 from .pipes import from_option, open_pipes
 
 _SETTINGS = {"help_option_names": ["-h", "--help"], "max_content_width": 110}
@@ -62,7 +62,7 @@ def cli() -> None:
     pointloom sample scan.ply out.ply --voxel 0.05         fewer points
     pointloom crop scan.ply out.ply --box 0 0 0 5 5 2.5    a part of it
     pointloom plane scan.ply floor.ply --distance 0.02     the floor, and where it lies
-    pointloom cluster scan.ply out.ply --eps 0.05 --paint  what hangs together
+    pointloom cluster scan.ply out.ply --radius 0.05 --paint  what hangs together
     pointloom mesh scan.ply mesh.ply                       a surface through it
 
     \b
@@ -197,7 +197,10 @@ def downsample(source: Path, output: Path, voxel: float, **options: Any) -> Answ
     "--radius", type=LENGTH, metavar="M", help="Neighbours lie closer than this [m]; any distance if not given."
 )
 @click.option(
-    "--max-nn",
+    "--neighbors",
+    "max_nn",
+    cls=Renamed,
+    old="--max-nn",
     type=click.IntRange(min=3),
     default=30,
     show_default=True,

@@ -10,7 +10,17 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 import click
 
 from .answer import answer_with
-from .options import FILE, Decorator, ascii_option, check_up, device_option, force_option, json_option, up_option
+from .options import (
+    FILE,
+    Decorator,
+    ascii_option,
+    check_up,
+    device_option,
+    force_option,
+    json_option,
+    refuse,
+    up_option,
+)
 from .pipes import INPUT, from_option, open_pipes, to_option
 
 if TYPE_CHECKING:
@@ -22,21 +32,23 @@ Answer: TypeAlias = "JobReport"
 def from_cloud_to_cloud(*, device: bool = True) -> Callable[[Callable[..., Answer]], Callable[..., int]]:
     """Give a command IN and OUT, either of them `-`, and after its own options those that all such commands share.
 
-    The function gets source and output as files, overwrite, as_text, up and (with `device`) device beside its own
-    options, and returns its report.
+    OUT is given by its place or by `-o`. The function gets source and output as files, overwrite, as_text, up and
+    (with `device`) device beside its own options, and returns its report.
     """
 
     def decorate(function: Callable[..., Answer]) -> Callable[..., int]:
         @functools.wraps(function)
         def command(
             source: Path,
-            output: Path,
+            output: Path | None,
+            named_output: Path | None,
             read_as: str | None,
             write_as: str | None,
             as_json: bool,
             force: bool,
             **options: Any,
         ) -> int:
+            output = _the_output(output, named_output)
             with open_pipes([source], output, read_as=read_as, write_as=write_as, as_json=as_json) as ends:
                 check_up(options["up"], ends.sources[0], ends.output)
                 report = function(source=ends.sources[0], output=ends.output, overwrite=force, **options)
@@ -46,7 +58,8 @@ def from_cloud_to_cloud(*, device: bool = True) -> Callable[[Callable[..., Answe
 
         shared: list[Decorator] = [
             click.argument("source", type=FILE, metavar="IN"),
-            click.argument("output", type=FILE, metavar="OUT"),
+            click.argument("output", type=FILE, metavar="OUT", required=False),
+            click.option("-o", "--output", "named_output", type=FILE, metavar="OUT", help="OUT by name."),
             *([device_option()] if device else []),
             up_option(),
             ascii_option(),
@@ -61,3 +74,13 @@ def from_cloud_to_cloud(*, device: bool = True) -> Callable[[Callable[..., Answe
         return decorated
 
     return decorate
+
+
+def _the_output(placed: Path | None, named: Path | None) -> Path:
+    """OUT, wherever it was given."""
+    if placed is not None and named is not None:
+        refuse(f"give OUT once, got {placed} and -o {named}")
+    output = placed or named
+    if output is None:
+        refuse("missing argument 'OUT'; give a file, or - for standard output")
+    return output

@@ -15,6 +15,7 @@ from .console import Progress
 from .options import (
     FILE,
     LENGTH,
+    POSES,
     device_option,
     force_option,
     frame_options,
@@ -46,7 +47,10 @@ ONLY_FRAGMENTS = ("work", "resume", "config", "slac")  # options of --method fra
 )
 @click.option("--refine", is_flag=True, help="Move each pose onto what the frames before it saw.")
 @click.option(
-    "--trajectory", type=FILE, metavar="POSES", help="Write the poses that were used: .txt or .tum (TUM), .log."
+    "--trajectory",
+    type=FILE,
+    metavar="POSES",
+    help="Write the poses that were used: .txt or .tum (TUM), .log (Open3D).",
 )
 @device_option()
 @picture_option()
@@ -87,7 +91,7 @@ def fuse(dataset: Path, output: Path, voxel: float, as_json: bool, force: bool, 
 
 @click.command(short_help="Find the path of a depth camera from its frames.")
 @click.argument("frames", type=FILE)
-@click.option("-o", "--output", type=FILE, required=True, metavar="POSES", help="The poses: .txt or .tum (TUM), .log.")
+@click.option("-o", "--output", type=FILE, required=True, metavar="POSES", help=POSES)
 @frame_options(posed=False)
 @click.option("--voxel", "voxel_size", type=LENGTH, default=0.02, show_default=True, metavar="M", help=MODEL_VOXEL)
 @device_option()
@@ -127,7 +131,7 @@ def track(frames: Path, output: Path, as_json: bool, force: bool, **options: Any
     "--method", type=click.Choice(["slam", "fragments"]), default="slam", show_default=True, help="See above."
 )
 @click.option("--voxel", "voxel_size", type=LENGTH, metavar="M", help=MESH_VOXEL)
-@click.option("--trajectory", type=FILE, metavar="POSES", help="Write the poses: .txt or .tum (TUM), .log.")
+@click.option("--trajectory", type=FILE, metavar="POSES", help="Write the poses: .txt or .tum (TUM), .log (Open3D).")
 @click.option("--work", type=FILE, metavar="DIR", help="Folder of the stages' files; beside the mesh if not given.")
 @click.option("--resume", is_flag=True, help="Keep what an earlier run left in that folder.")
 @click.option("--config", type=FILE, metavar="JSON", help="Settings with the names of Open3D's system.")

@@ -49,9 +49,9 @@ class CommandLine(click.Group):
             with warnings.catch_warnings(), CompileNotice():
                 warnings.showwarning = _show_warning
                 code = super().main(words, prog_name or "pointloom", complete_var, standalone_mode=False, **extra)
-        except _NoCommand as error:
-            error.show()
-            code = USAGE
+        except _NoCommand as error:  # asked for nothing: told what there is
+            click.echo(error.ctx.get_help())
+            code = 0
         except Exception as error:
             code, message = _exit_code(error), report_error(error)
             if isinstance(error, click.UsageError) and error.ctx is not None:
@@ -108,6 +108,39 @@ def _flushed(code: int) -> int:
     return code
 
 
+def _unknown_option(given: str, ctx: click.Context) -> str:
+    """What is said of an option that a command does not have: those like it, where else it is, and which there are."""
+    from difflib import get_close_matches
+
+    own = _options_of(ctx.command)
+    message = f"no option {given} of {ctx.command_path}"
+    near = get_close_matches(given, own, n=2, cutoff=0.7)
+    if near:
+        return f"{message}; did you mean {' or '.join(near)}?"
+    others = _commands_like(ctx, given)
+    elsewhere = f", which {' and '.join(others)} {'have' if len(others) > 1 else 'has'}" if others else ""
+    return f"{message}{elsewhere}; its options are {', '.join(option for option in own if option.startswith('--'))}"
+
+
+def _commands_like(ctx: click.Context, option: str) -> list[str]:
+    """The commands from and to the same things as this one that have an option."""
+    group = None if ctx.parent is None else ctx.parent.command
+    if not isinstance(group, click.Group):
+        return []
+
+    def ends(command: click.Command) -> list[str | None]:
+        return [one.name for one in command.params if isinstance(one, click.Argument)]
+
+    alike = [name for name, command in sorted(group.commands.items()) if ends(command) == ends(ctx.command)]
+    return [name for name in alike if option in _options_of(group.commands[name])]
+
+
+def _options_of(command: click.Command) -> list[str]:
+    """The options of a command by the names that its help shows."""
+    options = [one for one in command.params if isinstance(one, click.Option) and not one.hidden]
+    return [name for option in options for name in (*option.opts, *option.secondary_opts)]
+
+
 def _exit_code(error: Exception) -> int:
     if isinstance(error, click.UsageError):
         return USAGE
@@ -117,6 +150,8 @@ def _exit_code(error: Exception) -> int:
 def _message(error: Exception) -> str:
     if isinstance(error, click.Abort):
         return "interrupted"
+    if isinstance(error, click.NoSuchOption) and error.ctx is not None:
+        return _unknown_option(error.option_name, error.ctx)
     if isinstance(error, click.ClickException):
         text = error.format_message().rstrip(".")
         return text[:1].lower() + text[1:]

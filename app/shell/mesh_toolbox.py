@@ -15,7 +15,18 @@ from .answer import answer_with
 from .cloud_command import Answer, from_cloud_to_cloud
 from .console import Progress
 from .mesh_command import Lengths
-from .options import FILE, LENGTH, check_up, device_option, force_option, json_option, refuse, refuse_same, up_option
+from .options import (
+    FILE,
+    LENGTH,
+    Renamed,
+    check_up,
+    device_option,
+    force_option,
+    json_option,
+    refuse,
+    refuse_same,
+    up_option,
+)
 from .toolbox import COUNT, FACTOR, SEED, SHARE, Number
 
 AREA = Number("an area in square metres above 0", lambda number: 0 < number < math.inf)
@@ -150,7 +161,10 @@ def sample_mesh(source: Path, output: Path, **options: Any) -> Answer:
 @click.argument("second", type=FILE, metavar="B")
 @click.option("--samples", type=COUNT, default=100_000, show_default=True, metavar="N", help="Points drawn from each.")
 @click.option("--threshold", "thresholds", type=Lengths(), metavar="A,B,...", help="Distances [m] of the F-score.")
-@click.option("--max", "limit", type=LENGTH, metavar="M", help="Exit with 3 where any place lies farther apart [m].")
+@click.option(
+    "--max-distance", "limit", cls=Renamed, old="--max", type=LENGTH, metavar="M",
+    help="Exit with 3 where any place lies farther apart [m].",
+)  # fmt: skip
 @click.option("--error-map", type=FILE, metavar="OUT", help="Write A coloured by its distance from B to this mesh.")
 @click.option("--picture", type=FILE, metavar="PNG", help="Draw A coloured by its distance from B, with a histogram.")
 @click.option("--seed", type=SEED, default=0, show_default=True, metavar="N", help="Chooses the samples.")
@@ -164,11 +178,11 @@ def compare_meshes(
     """Measure how far the surfaces of the meshes A and B lie apart, both ways, by exact distances to triangles.
 
     Chamfer, root mean square, Hausdorff, and the F-score at some distances. The exit code is 3 where the surfaces lie
-    farther apart than --max, or so far that they are likely of other units or frames.
+    farther apart than --max-distance, or so far that they are likely of other units or frames.
 
     \b
     pointloom compare-meshes mine.ply truth.ply --threshold 0.005,0.01
-    pointloom compare-meshes mine.ply truth.ply --max 0.02 --error-map errors.ply --picture errors.png
+    pointloom compare-meshes mine.ply truth.ply --max-distance 0.02 --error-map errors.ply --picture errors.png
     """
     from ..jobs.compare_meshes import ErrorMaps, compare_mesh_files
 

@@ -66,9 +66,30 @@ class RecordingFile(click.Path):
         return path
 
 
+class Renamed(click.Option):
+    """An option that is taken by an earlier name too, which neither help nor completion shows.
+
+    Args:
+        old: The earlier name.
+    """
+
+    def __init__(self, *args: Any, old: str, **attrs: Any):
+        super().__init__(*args, **attrs)
+        self.old = old
+
+    def add_to_parser(self, parser: Any, ctx: click.Context) -> None:
+        """Have a parser take all names."""
+        shown, self.opts = self.opts, [*self.opts, self.old]
+        try:
+            super().add_to_parser(parser, ctx)
+        finally:
+            self.opts = shown
+
+
 LENGTH = Length()
 SCALE = Scale()
 FILE = click.Path(path_type=Path)
+POSES = "The poses: .txt or .tum (TUM), .log (Open3D)."  # one format an extension, in all commands
 
 
 def device_option() -> Decorator:

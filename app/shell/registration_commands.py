@@ -12,7 +12,18 @@ import click
 
 from .answer import answer_with
 from .console import Progress
-from .options import FILE, LENGTH, device_option, force_option, json_option, record_option, refuse, refuse_same
+from .options import (
+    FILE,
+    LENGTH,
+    POSES,
+    Renamed,
+    device_option,
+    force_option,
+    json_option,
+    record_option,
+    refuse,
+    refuse_same,
+)
 from .pipes import from_option, open_pipes
 from .toolbox import COUNT, Number
 
@@ -80,7 +91,7 @@ def register(
 
 @click.command(short_help="Bring all clouds of a folder into one frame.")
 @click.argument("folder", type=FILE, metavar="DIR")
-@click.option("-o", "--output", type=FILE, required=True, metavar="LOG", help="The poses, as Open3D's .log.")
+@click.option("-o", "--output", type=FILE, required=True, metavar="POSES", help=POSES)
 @click.option("--voxel", "voxel_size", type=LENGTH, metavar="M", help="Thin the clouds to voxels of this edge [m].")
 @click.option(
     "--loops",
@@ -100,8 +111,8 @@ def multiway(folder: Path, output: Path, as_json: bool, force: bool, **options: 
 
     They are taken in natural order (scan2 before scan10). Pairs are registered as by pointloom register --init global;
     a pose graph weighs them against each other and drops those that contradict the rest. Without --voxel the edge is
-    the median of those that register would choose. The .log names each cloud by its number, from 0, and leaves out
-    those that could not be placed; there are such where the exit code is 3.
+    the median of those that register would choose. POSES names each cloud by its number, from 0 (TUM's time), and
+    leaves out those that could not be placed; there are such where the exit code is 3.
 
     \b
     pointloom multiway scans -o poses.log --merged all.ply
@@ -117,11 +128,11 @@ def multiway(folder: Path, output: Path, as_json: bool, force: bool, **options: 
 
 @click.command(short_help="Find the path of a LiDAR from its scans.")
 @click.argument("folder", type=FILE, metavar="DIR")
-@click.option("-o", "--output", type=FILE, required=True, metavar="POSES", help="The poses: .txt, .kitti or .tum.")
+@click.option("-o", "--output", type=FILE, required=True, metavar="POSES", help=f"{POSES[:-1]}, .kitti.")
 @click.option(
     "--format",
-    type=click.Choice(["kitti", "tum"]),
-    help="By the extension if not given; kitti for .txt. Times of tum are the scans' numbers.",
+    type=click.Choice(["kitti", "tum", "log"]),
+    help="By the extension if not given; kitti for .txt too. Times of tum are the scans' numbers.",
 )
 @click.option(
     "--voxel", "voxel_size", type=LENGTH, metavar="M", help="Edge of the map's voxels [m]; 1 % of --max-range."
@@ -147,7 +158,8 @@ def odometry(folder: Path, output: Path, as_json: bool, force: bool, **options: 
 
     \b
     pointloom odometry velodyne -o poses.txt
-    pointloom odometry velodyne -o poses.txt --truth truth.txt
+    pointloom odometry velodyne -o poses.kitti --truth truth.txt
+    pointloom odometry velodyne -o 00.txt --format kitti
     """
     if options["min_range"] >= options["max_range"]:
         refuse(f"--min-range {options['min_range']:g} leaves nothing within --max-range {options['max_range']:g}")
@@ -164,7 +176,10 @@ def odometry(folder: Path, output: Path, as_json: bool, force: bool, **options: 
 @click.argument("poses", type=FILE, metavar="POSES")
 @click.argument("truth", type=FILE, metavar="TRUTH")
 @click.option(
-    "--align",
+    "--alignment",
+    "align",
+    cls=Renamed,
+    old="--align",
     type=click.Choice(["none", "first", "se3", "sim3"]),
     default="se3",
     show_default=True,
@@ -174,7 +189,7 @@ def odometry(folder: Path, output: Path, as_json: bool, force: bool, **options: 
 @json_option()
 @force_option()
 def evaluate(poses: Path, truth: Path, align: str, picture: Path | None, as_json: bool, force: bool) -> int:
-    """Print how far the trajectory POSES lies from TRUTH: .log, .tum, .kitti, .txt or .json, each in any format.
+    """Print how far the trajectory POSES lies from TRUTH: .log, .tum, .kitti, .json, or .txt (TUM or KITTI by columns).
 
     Poses belong together by time where both files have times (.tum), else by number. They are aligned not at all, by
     the first pose, or in least squares without (se3) or with a scale (sim3).
@@ -185,7 +200,7 @@ def evaluate(poses: Path, truth: Path, align: str, picture: Path | None, as_json
       segments  errors over 100 to 800 m of the path as KITTI has them, for those lengths that the path has
 
     \b
-    pointloom evaluate poses.txt truth.txt --align first --picture path.png
+    pointloom evaluate poses.txt truth.txt --alignment first --picture path.png
     """
     from ..jobs.evaluate import evaluate_files
 

@@ -14,7 +14,7 @@ import click
 
 from .cloud_command import Answer, from_cloud_to_cloud
 from .console import Progress
-from .options import FILE, LENGTH, refuse
+from .options import FILE, LENGTH, Renamed, refuse
 
 NEIGHBORS, RATIO = 20, 2.0  # of the statistical filter, where not given: Open3D's example
 MOST_POINTS = 2**31 - 2
@@ -52,8 +52,9 @@ COORDINATE = Number("a coordinate in metres, -inf or inf", lambda number: True)
 @click.option("--duplicates", is_flag=True, help="Remove all but the first of the points at one position.")
 @click.option("--neighbors", type=COUNT, metavar="N", help="Statistical filter: neighbours of a mean; 20 if not given.")
 @click.option(
-    "--ratio", type=FACTOR, metavar="R", help="Statistical filter: deviations above the mean; 2.0 if not given."
-)
+    "--deviations", "ratio", cls=Renamed, old="--ratio", type=FACTOR, metavar="R",
+    help="Statistical filter: how many above the mean; 2.0 if not given.",
+)  # fmt: skip
 @click.option("--radius", type=LENGTH, metavar="M", help="Radius filter: how far neighbours may be [m].")
 @click.option("--min-neighbors", type=COUNT, metavar="N", help="Radius filter: neighbours a point needs.")
 @click.option("--removed", type=FILE, metavar="FILE", help="Write the points that were removed, if any, to this cloud.")
@@ -78,7 +79,7 @@ def clean(
     \b
       non-finite   points with a NaN or infinite coordinate; always removed
       duplicates   (--duplicates) points at the place of an earlier one
-      statistical  (--neighbors, --ratio) points farther from their neighbours than the mean of the cloud by more
+      statistical  (--neighbors, --deviations) points farther from their neighbours than the mean of the cloud by more
                    than R standard deviations
       radius       (--radius, --min-neighbors) points with fewer than N others within M metres
 
@@ -103,22 +104,26 @@ def clean(
 
 
 @click.command(short_help="Label the points of a cloud by cluster.")
-@click.option("--eps", type=LENGTH, required=True, metavar="M", help="Neighbours lie closer than this [m].")
 @click.option(
-    "--min-points", type=COUNT, default=10, show_default=True, metavar="N", help="Neighbours that make a core."
-)
+    "--radius", "eps", cls=Renamed, old="--eps", type=LENGTH, required=True, metavar="M",
+    help="Neighbours lie closer than this [m]: eps of DBSCAN.",
+)  # fmt: skip
+@click.option(
+    "--neighbors", "min_points", cls=Renamed, old="--min-points", type=COUNT, default=10, show_default=True,
+    metavar="N", help="Neighbours that make a core, itself included.",
+)  # fmt: skip
 @click.option("--largest", type=COUNT, metavar="N", help="Keep the N largest clusters alone; all points if not given.")
 @click.option("--paint", is_flag=True, help="Colour the points by label (tab20, noise black).")
 @from_cloud_to_cloud()
 def cluster(source: Path, output: Path, **options: Any) -> Answer:
     """Write the cloud IN to OUT with the cluster of each point (DBSCAN) as the attribute label, -1 for noise.
 
-    A point with at least --min-points points closer than --eps, itself included, is the core of a cluster; cores
-    closer than --eps are of one. Where eps does not fit the cloud, the exit code is 3 and a better one is proposed.
+    A point with at least --neighbors points closer than --radius, itself included, is the core of a cluster; cores
+    closer than --radius are of one. Where it does not fit the cloud, the exit code is 3 and a better one is proposed.
 
     \b
-    pointloom cluster scan.ply out.ply --eps 0.05 --paint
-    pointloom cluster scan.ply trunk.ply --eps 0.05 --min-points 20 --largest 1
+    pointloom cluster scan.ply out.ply --radius 0.05 --paint
+    pointloom cluster scan.ply trunk.ply --radius 0.05 --neighbors 20 --largest 1
     """
     from ..jobs.cluster import cluster_file
 

@@ -1,7 +1,7 @@
 """The light of our pictures in the page: from everywhere, from the camera and from above left of it.
 
-`render` multiplies the colours of the screen by shares of light; the page adds up light itself and maps tones after that.
-So surfaces are sent as they look under the light that most of them are seen in, `USUAL`, and the lamps of the page have
+`render` multiplies the colours of the screen by shares of light; the page adds up light and maps tones after that. So
+surfaces are sent as they look under the light that most of them are seen in, `USUAL`, and the lamps of the page have
 other strengths: those that come nearest to our picture of a ball without colours, each of its pixels alike (least
 squares; tests/drawing/viewer/test_lights.py says what is left). Both lamps go with the camera, which the page reports
 as it moves.

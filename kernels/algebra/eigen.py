@@ -3,6 +3,10 @@
 Source: Eberly, "A robust eigensolver for 3x3 symmetric matrices", Geometric Tools, 2014. The eigenvector of the best
 separated eigenvalue comes first, the other two from the plane orthogonal to it, so repeated eigenvalues do no harm.
 About 150 operations in float64; the entries are scaled by the largest first, so neither overflow nor underflow.
+
+An eigenvector has a side by the order of these steps alone: the cross product of two rows in their order, and in the
+plane orthogonal to it the negative of whichever of its two axes counts more. Open3D's are the same, so that normals
+that nobody has turned look to the same side.
 """
 
 from ..lang import acos, cos, cross, dot, float64, func, mat33d, sqrt, vec3d, vector
@@ -92,18 +96,18 @@ def smallest_in_plane(a: mat33d, w: vec3d) -> vec3d:
     half = (dot(u, au) - dot(v, av)) * 0.5
     mixed = dot(u, av)
     size = max(abs(half), abs(mixed))
-    x = float64(1.0)
-    y = float64(0.0)
+    x = float64(0.0)
+    y = float64(-1.0)
     if size > 0.0:
         half = half / size
         mixed = mixed / size
         larger = abs(half) + sqrt(half * half + mixed * mixed)
-        if half >= 0.0:
-            x = -mixed
-            y = larger
+        if half > 0.0:
+            x = mixed
+            y = -larger
         else:
-            x = larger
-            y = -mixed
+            x = -larger
+            y = mixed
         length = sqrt(x * x + y * y)
         x = x / length
         y = y / length

@@ -28,7 +28,7 @@ def test_clean_removes_what_is_not_finite_and_statistical_outliers(scene, tmp_pa
         (["--duplicates"], {"non_finite": 1, "duplicate": 1}, {NOT_FINITE, REPEATED}),
         (["--radius", "0.3", "--min-neighbors", "1"], {"non_finite": 1, "radius": 1}, {NOT_FINITE, STRAY}),
         (
-            ["--duplicates", "--radius", "0.3", "--min-neighbors", "1", "--ratio", "20"],
+            ["--duplicates", "--radius", "0.3", "--min-neighbors", "1", "--deviations", "20"],
             {"non_finite": 1, "duplicate": 1, "statistical": 1, "radius": 0},
             {NOT_FINITE, REPEATED, STRAY},
         ),

@@ -78,11 +78,48 @@ def test_the_version_is_the_package_s():
     assert run("--version").stdout.split()[-1] == loom.__version__
 
 
-def test_no_command_shows_the_help_and_fails():
+def test_no_command_shows_the_help():
     result = run()
-    assert result.exit_code == 2
-    assert "Commands:" in result.stderr
-    assert result.stdout == ""
+    assert result.exit_code == 0
+    assert "Commands:" in result.stdout
+    assert result.stderr == ""
+
+
+OLD_NAMES = [
+    ("normals", "--max-nn", "--neighbors"),
+    ("clean", "--ratio", "--deviations"),
+    ("cluster", "--eps", "--radius"),
+    ("cluster", "--min-points", "--neighbors"),
+    ("compare-meshes", "--max", "--max-distance"),
+    ("evaluate", "--align", "--alignment"),
+]
+
+
+@pytest.mark.parametrize(("command", "old", "new"), OLD_NAMES)
+def test_options_go_by_their_old_names_which_no_help_shows(command, old, new):
+    words = run(command, "--help").stdout.split()
+    assert new in words and old not in words
+    said = [run(command, "a.ply", "b.ply", name, "-5").stderr for name in (old, new)]
+    assert said[0] == said[1] and f"invalid value for '{new}'" in said[0]
+
+
+def test_every_command_that_writes_takes_o():
+    for name, command in cli.commands.items():
+        if any(one.name in ("output", "named_output") for one in command.params):
+            assert any({"-o", "--output"} <= set(one.opts) for one in command.params), name
+
+
+def test_an_output_is_named_by_o_or_by_its_place(tmp_path):
+    loom.write_point_cloud(tmp_path / "a.ply", loom.PointCloud(np.random.default_rng(0).random((9, 3))))
+    placed, named = tmp_path / "b.ply", tmp_path / "c.ply"
+    assert run("convert", tmp_path / "a.ply", placed).exit_code == 0
+    assert run("convert", "-o", named, tmp_path / "a.ply").exit_code == 0
+    assert placed.read_bytes() == named.read_bytes()
+
+
+def test_an_extension_of_poses_is_one_format_in_every_command():
+    for name in ("fuse", "track", "reconstruct", "multiway", "odometry"):
+        assert ".txt or .tum (TUM), .log (Open3D)" in " ".join(run(name, "--help").stdout.split()), name
 
 
 # ------------------------------------------------------------------------------------------------ wrong calls
@@ -98,7 +135,11 @@ def test_no_command_shows_the_help_and_fails():
         ("xyzzy", "the commands are clean, clean-mesh, cluster"),
         ("fuse", "missing argument"),
         ("fuse frames", "missing option '-o'"),
-        ("fuse frames -o a.ply --voxl 1", "--voxel"),
+        ("fuse frames -o a.ply --voxl 1", "no option --voxl of pointloom fuse; did you mean --voxel?"),
+        ("normals a.ply b.ply --voxel 1", "which downsample and sample and simplify have; its options are --radius,"),
+        ("view a.ply --eps 1", "no option --eps of pointloom view; its options are --port"),
+        ("clean a.ply", "missing argument 'OUT'"),
+        ("clean a.ply b.ply -o c.ply", "give OUT once, got b.ply and -o c.ply"),
         ("fuse frames -o a.ply --voxel 0", "above 0, got '0'"),
         ("fuse frames -o a.ply --voxel nan", "above 0, got 'nan'"),
         ("fuse frames -o a.ply --depth-max inf", "above 0, got 'inf'"),
@@ -108,7 +149,7 @@ def test_no_command_shows_the_help_and_fails():
         ("fuse frames -o a.ply --device gpu", "such as cuda:0"),
         ("info", "missing argument"),
         ("downsample a.ply b.ply", "missing option '--voxel'"),
-        ("normals a.ply b.ply --max-nn 2", "--max-nn"),
+        ("normals a.ply b.ply --neighbors 2", "'--neighbors'"),
         ("normals a.ply b.ply --towards 0 0", "--towards"),
         ("normals a.ply b.ply --towards 0 0 0 --direction 0 0 1", "give one"),
         ("demo --frames 0", "--frames"),

@@ -11,7 +11,7 @@ from .toolbox_scene import FIRST_BLOB, FLOOR, REPEATED, SECOND_BLOB, STRAY, rows
 
 def test_cluster_labels_are_the_library_s(scene, points, tmp_path, device):
     output = tmp_path / "out.npz"
-    report = answer("cluster", scene, output, "--eps", "0.2", "--device", device)
+    report = answer("cluster", scene, output, "--radius", "0.2", "--device", device)
     labels = loom.read_point_cloud(output)["label"]
     assert labels.dtype == np.int32
     np.testing.assert_array_equal(labels, loom.PointCloud(points).cluster_dbscan(0.2, 10))
@@ -19,19 +19,29 @@ def test_cluster_labels_are_the_library_s(scene, points, tmp_path, device):
     assert (report["clusters"], report["noise"], report["replaced"]) == (3, 2, [])
     sizes = [(cluster["label"], cluster["points"]) for cluster in report["largest"]]
     assert sizes == [(0, 601), (1, 150), (2, 100)]
-    shown = run("cluster", scene, output, "--eps", "0.2", "--force").stdout
+    shown = run("cluster", scene, output, "--radius", "0.2", "--force").stdout
     assert "601 (label 0), 150 (label 1), 100 (label 2)" in shown
     assert "2 of 853 points, 0.2%" in shown
 
 
 def test_cluster_keeps_the_largest_under_their_own_labels(scene, tmp_path):
-    report = answer("cluster", scene, tmp_path / "out.npz", "--eps", "0.2", "--largest", "2")
+    report = answer("cluster", scene, tmp_path / "out.npz", "--radius", "0.2", "--largest", "2")
     assert report["points"] == 751
     found = loom.read_point_cloud(tmp_path / "out.npz")
     assert np.unique(found["label"]).tolist() == [0, 1]
     assert found["row"].tolist() == [*FLOOR, *FIRST_BLOB, REPEATED]
     # the largest are those of the most points, whatever their labels
-    words = ["cluster", tmp_path / "out.npz", tmp_path / "b.npz", "--eps", "0.2", "--min-points", "1", "--largest", "1"]
+    words = [
+        "cluster",
+        tmp_path / "out.npz",
+        tmp_path / "b.npz",
+        "--radius",
+        "0.2",
+        "--neighbors",
+        "1",
+        "--largest",
+        "1",
+    ]
     assert answer("crop", scene, tmp_path / "out.npz", "--force", "--box", 0, 0, 0.1, 1, 1, 9)["points"] == 250
     loom.write_point_cloud(
         tmp_path / "out.npz", loom.read_point_cloud(tmp_path / "out.npz").select_by_index(range(249, -1, -1))
@@ -41,27 +51,27 @@ def test_cluster_keeps_the_largest_under_their_own_labels(scene, tmp_path):
 
 
 def test_cluster_paints_labels_and_noise(scene, tmp_path):
-    report = answer("cluster", scene, tmp_path / "out.npz", "--eps", "0.2", "--paint")
+    report = answer("cluster", scene, tmp_path / "out.npz", "--radius", "0.2", "--paint")
     assert report["replaced"] == ["colors"]
     found = loom.read_point_cloud(tmp_path / "out.npz")
     expected = np.vstack([TAB20 / 255, np.zeros(3)]).astype(np.float32)[found["label"]]
     np.testing.assert_array_equal(found.colors, expected)
     assert not found.colors[STRAY].any()
     assert len(np.unique(TAB20, axis=0)) == 20
-    shown = run("cluster", tmp_path / "out.npz", tmp_path / "b.xyzrgb", "--eps", "0.2", "--paint").stdout
+    shown = run("cluster", tmp_path / "out.npz", tmp_path / "b.xyzrgb", "--radius", "0.2", "--paint").stdout
     assert "colors, label of the input" in shown
     assert len(loom.read_point_cloud(tmp_path / "b.xyzrgb")) == 853
 
 
 def test_cluster_wants_a_format_that_holds_what_it_finds(scene, tmp_path):
     for suffix, options, reason in ((".xyzrgb", [], "labels are not"), (".xyz", ["--paint"], "labels or colours")):
-        result = run("cluster", scene, tmp_path / f"out{suffix}", "--eps", "0.2", *options)
+        result = run("cluster", scene, tmp_path / f"out{suffix}", "--radius", "0.2", *options)
         assert result.exit_code == 1
         assert reason in result.stderr
 
 
 def test_cluster_proposes_an_eps_where_all_is_noise(scene, tmp_path):
-    words = ["cluster", scene, tmp_path / "out.npz", "--eps"]
+    words = ["cluster", scene, tmp_path / "out.npz", "--radius"]
     report = poor_answer(*words, "0.0001")
     assert (report["clusters"], report["noise"], report["points"]) == (0, 853, 853)
     better = report["poor"].split("as many within ")[1].split(" m")[0]
@@ -69,11 +79,11 @@ def test_cluster_proposes_an_eps_where_all_is_noise(scene, tmp_path):
     assert report["noise"] < 427  # half of the points are cores then
     report = poor_answer(*words, "0.0001", "--largest", "1", "--force")
     assert (report["points"], report["files"]) == (0, [])
-    assert "fewer --min-points" in poor_answer(*words, "0.2", "--min-points", "900", "--force")["poor"]
+    assert "fewer --neighbors" in poor_answer(*words, "0.2", "--neighbors", "900", "--force")["poor"]
 
 
 def test_cluster_proposes_an_eps_where_one_cluster_holds_everything(scene, tmp_path):
-    words = ["cluster", scene, tmp_path / "out.npz", "--eps"]
+    words = ["cluster", scene, tmp_path / "out.npz", "--radius"]
     report = poor_answer(*words, "100")
     assert report["files"] == [str(tmp_path / "out.npz")]
     assert "one cluster holds all 852 finite points" in report["poor"]

@@ -31,14 +31,14 @@ def paths(tmp_path) -> tuple[Path, Path]:
     [("none", {"align": None}), ("first", {"align": "first"}), ("se3", {}), ("sim3", {"with_scale": True})],
 )
 def test_evaluate_prints_what_the_library_finds(paths, align, options):
-    report = answer("evaluate", *paths, "--align", align)
+    report = answer("evaluate", *paths, "--alignment", align)
     expected = loom.registration.evaluate_trajectory(read_trajectory(paths[0]), read_trajectory(paths[1]), **options)
     assert (report["align"], report["compared"], report["scale"]) == (align, 40, expected.scale)
     assert report["absolute"]["m"]["rmse"] == expected.absolute_translation.rmse
     assert report["absolute"]["deg"]["max"] == expected.absolute_rotation.max
     assert report["relative"]["m"]["median"] == expected.relative_translation.median
     np.testing.assert_array_equal(report["transformation"], expected.transformation)
-    shown = run("evaluate", *paths, "--align", align).stdout
+    shown = run("evaluate", *paths, "--alignment", align).stdout
     assert f"40 poses, aligned by {align}" in shown
     assert f"ATE       {expected.absolute_translation.rmse:.4g} m rmse" in shown
     assert ("scale 0.961538" in shown) == (align == "sim3")
@@ -83,7 +83,7 @@ def test_a_picture_shows_both_paths_and_the_error(paths, tmp_path):
 
 
 def test_a_picture_shows_the_estimate_as_it_was_aligned(paths, tmp_path):
-    answer("evaluate", *paths, "--align", "sim3", "--picture", tmp_path / "path.png")
+    answer("evaluate", *paths, "--alignment", "sim3", "--picture", tmp_path / "path.png")
     estimate, truth = map(read_trajectory, paths)
     found = loom.registration.evaluate_trajectory(estimate, truth, with_scale=True)
     aligned = estimate.poses[:, :3, 3] @ found.transformation[:3, :3].T + found.transformation[:3, 3]

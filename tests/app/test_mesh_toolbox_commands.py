@@ -211,8 +211,8 @@ def test_where_a_picture_cannot_be_written_is_told_before_the_work(ball, tmp_pat
 
 
 def test_surfaces_farther_apart_than_asked_are_a_poor_result(ball, larger, tmp_path):
-    assert "more than 0.001 m" in poor_answer("compare-meshes", ball, larger, "--max", 0.001)["poor"]
-    assert answer("compare-meshes", ball, larger, "--max", 0.1)["poor"] is None
+    assert "more than 0.001 m" in poor_answer("compare-meshes", ball, larger, "--max-distance", 0.001)["poor"]
+    assert answer("compare-meshes", ball, larger, "--max-distance", 0.1)["poor"] is None
 
 
 @pytest.mark.slow

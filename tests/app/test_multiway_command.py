@@ -76,7 +76,7 @@ def test_clouds_that_have_nothing_in_common_write_nothing(views, tmp_path, rng):
 
 def test_multiway_refuses_what_cannot_be_done_before_the_work(views, tmp_path):
     output = tmp_path / "poses.log"
-    assert "poses are not written to .txt" in refusal("multiway", views, "-o", tmp_path / "poses.txt")
+    assert "poses are not written to .csv" in refusal("multiway", views, "-o", tmp_path / "poses.csv")
     assert "where the next run would take it for one of the clouds" in refusal(
         "multiway", views, "-o", output, "--merged", views / "all.ply"
     )

@@ -51,7 +51,7 @@ def test_odometry_writes_the_path_and_its_errors(drive, tmp_path, device):
 
 def test_odometry_writes_tum_too_and_sums_up(drive, tmp_path):
     poses = tmp_path / "poses.txt"
-    shown = run("odometry", drive, "-o", poses, "--format", "tum", *INDOORS)
+    shown = run("odometry", drive, "-o", poses, *INDOORS)
     assert shown.exit_code == 0, shown.stderr
     assert read_trajectory(poses).timestamps.tolist() == [0, 1, 2, 3, 4]
     assert "5, 25,000 points, " in shown.stdout
@@ -60,6 +60,11 @@ def test_odometry_writes_tum_too_and_sums_up(drive, tmp_path):
     kitti = tmp_path / "poses.kitti"
     assert answer("odometry", drive, "-o", kitti, *INDOORS)["format"] == "kitti"
     np.testing.assert_allclose(read_trajectory(poses).poses, read_trajectory(kitti).poses, atol=1e-12)
+    rows, log = tmp_path / "00.txt", tmp_path / "poses.log"
+    assert answer("odometry", drive, "-o", rows, "--format", "kitti", *INDOORS)["format"] == "kitti"
+    assert rows.read_bytes() == kitti.read_bytes()
+    assert answer("odometry", drive, "-o", log, *INDOORS)["format"] == "log"
+    np.testing.assert_allclose(read_trajectory(log).poses, read_trajectory(kitti).poses, atol=1e-12)
 
 
 def test_a_scan_that_does_not_overlap_is_a_poor_result(drive, tmp_path, rng):
@@ -114,7 +119,7 @@ def test_scans_out_of_range_write_nothing(drive, tmp_path):
 
 def test_odometry_refuses_what_cannot_be_done_before_the_work(drive, tmp_path):
     poses, truth = tmp_path / "poses.txt", tmp_path / "truth.txt"
-    assert "poses as kitti are not written to .log" in refusal("odometry", drive, "-o", tmp_path / "a.log")
+    assert "poses are not written to .json" in refusal("odometry", drive, "-o", tmp_path / "a.json")
     assert "poses as tum are not written to .kitti" in refusal(
         "odometry", drive, "-o", tmp_path / "a.kitti", "--format", "tum"
     )

@@ -28,12 +28,12 @@ def test_every_command_explains_itself_with_an_example(command):
         ("multiway scans", "missing option '-o'"),
         ("multiway scans -o a.log --loops 0", "'--loops': expected a whole number from 1"),
         ("odometry scans", "missing option '-o'"),
-        ("odometry scans -o a.txt --format log", "'--format'"),
+        ("odometry scans -o a.txt --format json", "'--format'"),
         ("odometry scans -o a.txt --min-range -1", "'--min-range': expected a distance in metres, 0 or above"),
         ("odometry scans -o a.txt --min-range inf", "'--min-range'"),
         ("odometry scans -o a.txt --max-range 3", "--min-range 5 leaves nothing within --max-range 3"),
         ("evaluate a.txt", "missing argument 'TRUTH'"),
-        ("evaluate a.txt b.txt --align umeyama", "'--align'"),
+        ("evaluate a.txt b.txt --alignment umeyama", "'--alignment'"),
     ],
 )
 def test_a_wrong_call_exits_with_2_and_names_the_option(words, hint):

@@ -12,7 +12,7 @@ from .commands import answer, chosen_device, names_in, poor_answer, run
 # every command, with options that work on `scene`
 CALLS = {
     "clean": [],
-    "cluster": ["--eps", "0.2"],
+    "cluster": ["--radius", "0.2"],
     "plane": ["--distance", "0.01"],
     "crop": ["--box", "0", "0", "0", "1", "1", "1"],
     "sample": ["--every", "2"],
@@ -98,7 +98,7 @@ def test_an_empty_cloud_is_a_poor_result(tmp_path, command):
 
 @each_command
 def test_the_vertices_of_a_mesh_count(mesh, tmp_path, command):
-    options = ["--eps", "2", "--min-points", "5", "--largest", "1"] if command == "cluster" else CALLS[command]
+    options = ["--radius", "2", "--neighbors", "5", "--largest", "1"] if command == "cluster" else CALLS[command]
     result = run(command, mesh, tmp_path / "out.ply", *options, "--json")
     report = json.loads(result.stdout)
     assert report["points_in"] == 4
@@ -111,15 +111,15 @@ def test_the_vertices_of_a_mesh_count(mesh, tmp_path, command):
         ("clean a.ply", "missing argument"),
         ("clean a.ply b.ply --radius 1", "--radius needs --min-neighbors"),
         ("clean a.ply b.ply --min-neighbors 4", "--min-neighbors needs --radius"),
-        ("clean a.ply b.ply --ratio 0", "'--ratio': expected a finite number above 0, got '0'"),
-        ("clean a.ply b.ply --ratio inf", "--ratio"),
+        ("clean a.ply b.ply --deviations 0", "'--deviations': expected a finite number above 0, got '0'"),
+        ("clean a.ply b.ply --deviations inf", "--deviations"),
         ("clean a.ply b.ply --neighbors 2.5", "'--neighbors': expected a whole number from 1 to"),
         ("clean a.ply b.ply --neighbors 2147483647", "--neighbors"),
         ("clean a.ply b.ply --removed ./b.ply", "--removed is OUT itself"),
-        ("cluster a.ply b.ply", "missing option '--eps'"),
-        ("cluster a.ply b.ply --eps nan", "'--eps'"),
-        ("cluster a.ply b.ply --eps 1 --min-points 0", "--min-points"),
-        ("cluster a.ply b.ply --eps 1 --largest 0", "--largest"),
+        ("cluster a.ply b.ply", "missing option '--radius'"),
+        ("cluster a.ply b.ply --radius nan", "'--radius'"),
+        ("cluster a.ply b.ply --radius 1 --neighbors 0", "--neighbors"),
+        ("cluster a.ply b.ply --radius 1 --largest 0", "--largest"),
         ("plane a.ply b.ply", "missing option '--distance'"),
         ("plane a.ply b.ply --distance -1", "--distance"),
         ("plane a.ply b.ply --distance 1 --planes 2 --invert", "--invert chooses points, --planes labels"),
@@ -156,7 +156,7 @@ def test_the_whole_chain_works_on_a_lidar_tile(data, tmp_path):
     steps = (
         ["sample", "--every", "20"],
         ["clean", "--duplicates", "--neighbors", "8"],
-        ["cluster", "--eps", "60"],
+        ["cluster", "--radius", "60"],
         ["plane", "--distance", "3", "--planes", "2"],
         ["crop", "--box", "636000", "848900", "-inf", "637000", "849500", "inf"],
     )

@@ -370,6 +370,13 @@ def test_boxes_compare_by_value_and_show_it():
     assert aligned != aligned.translate([0, 0, 1]) and turned != turned.scale(2, [0, 0, 0])
     assert repr(aligned) == "AxisAlignedBoundingBox([0.5, 1.0, 2.0], [3.0, 5.0, 8.25])"
     assert repr(turned).startswith("OrientedBoundingBox([1.0, 2.0, 3.0], [[0.8,")
+    # six digits of its size, wherever it lies
+    far = loom.AxisAlignedBoundingBox([500_000 + 1 / 3, 1 / 3, -1e-9], [500_002, 2 / 3, 0.1])
+    assert repr(far) == "AxisAlignedBoundingBox([500000.333333, 0.333333, 0.0], [500002.0, 0.666667, 0.1])"
+    small = loom.AxisAlignedBoundingBox([1e-5 / 3] * 3, [1e-5] * 3)
+    assert repr(small) == f"AxisAlignedBoundingBox({[3.333333e-06] * 3}, {[1e-05] * 3})"
+    tilted = loom.OrientedBoundingBox([1 / 3] * 3, np.eye(3), [1000 / 3, 2, 1])
+    assert repr(tilted).startswith("OrientedBoundingBox([0.3333, 0.3333, 0.3333], [[1.0, 0.0,")
     with pytest.raises(TypeError, match="unhashable"):
         hash(aligned)
     with pytest.raises(ValueError, match="read-only"):

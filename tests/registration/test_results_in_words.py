@@ -35,8 +35,8 @@ def test_errors_of_a_path_are_what_evaluate_prints(paths, tmp_path, align):
         write_trajectory(file, path, format="kitti")
     found = reg.evaluate_trajectory(*paths, **ALIGNMENTS[align])
     assert found.aligned_by == align
-    assert f"{files[0]} against {files[1]}\n{found}\n" == run("evaluate", *files, "--align", align).stdout
-    report = answer("evaluate", *files, "--align", align)
+    assert f"{files[0]} against {files[1]}\n{found}\n" == run("evaluate", *files, "--alignment", align).stdout
+    report = answer("evaluate", *files, "--alignment", align)
     assert {name: report[name] for name in found.to_json()} == found.to_json()
 
 

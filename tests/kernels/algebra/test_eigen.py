@@ -63,6 +63,21 @@ def test_eigenvectors_of_matrices_with_given_eigenvalues(device, values, rng, to
     assert_solved(device, with_values(rng, values), tolerances)
 
 
+@pytest.mark.parametrize(
+    "values", [(0.1, 0.5, 1), (1e-6, 0.5, 1), (0.1, 0.9, 1), (0.01, 0.011, 1), (0.0, 1e-3, 1)], ids=str
+)
+def test_eigenvectors_have_open3ds_sign(device, values, rng):
+    """Whichever eigenvalue is the best separated: its rule follows from the order of its steps."""
+    import open3d as o3d
+
+    matrices = with_values(rng, values, 300)
+    cloud = o3d.geometry.PointCloud(o3d.utility.Vector3dVector(np.zeros((len(matrices), 3))))
+    cloud.covariances = o3d.utility.Matrix3dVector(matrices)
+    cloud.estimate_normals()
+    dots = (solve(device, matrices) * np.asarray(cloud.normals)).sum(axis=1)
+    assert (dots > 0.999).all()
+
+
 @pytest.mark.parametrize("scale", [1e-300, 1e-100, 1e-30, 1.0, 1e30, 1e100, 1e300])
 def test_eigenvectors_do_not_depend_on_scale(device, scale, rng, tolerances):
     for values in ((0.1, 0.5, 1), (0, 0, 1), (0, 1, 1)):
