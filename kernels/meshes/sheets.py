@@ -11,6 +11,8 @@ others. A triangle goes with its own opposite copy only where nothing else is le
 One thread an edge of three or more. About 60 B an open half-edge beside the sorts.
 """
 
+import numpy as np
+
 from ..algebra.angles import arctangent
 from ..algebra.transform import widen
 from ..array_types import Indices, Integers, Mask, Points, Triangles
@@ -35,13 +37,15 @@ from ..lang import (
     vec3,
     vec3i,
 )
-from ..memory import empty, full, zeros
+from ..memory import download, empty, full, upload, zeros
 from .mesh_edges import corner_at, edge_key, find_edges, key_bits, run_places
+from .mesh_measures import measure
 from .mesh_topology import corner_vertex, next_corner
 
 FULL_TURN = 6.283185307179586
 HALF_TURN = 3.141592653589793
 SAME_ANGLE = 1.0e-5  # [rad]: what float32 leaves of the angle between two walls that lie on each other
+FLAT = 1.0e-6  # of its area to the power of 1.5: with less volume a mesh looks neither way
 MOST_TRIED = 64  # half-edges at one edge for which all pairs are tried
 ALONE, MATCHED, TENTATIVE = 0, 1, 2  # how a half-edge got its twin
 
@@ -146,6 +150,8 @@ class OpenEdges:
         starts: int32 [e + 1], where each edge's half-edges begin in `halves`.
         halves: int32 [n].
         angles: float64 [n], about the edge.
+        ends: uint8 [n], 1 where the solid behind a triangle ends at it, counter-clockwise about the edge from its lower
+            vertex.
         order: int32 [n], places of half-edges in the order of their angles, edge by edge.
         partners: int32 [n], the place of the one that each goes with, else -1.
         states: uint8 [n], ALONE, MATCHED or TENTATIVE.
@@ -154,6 +160,7 @@ class OpenEdges:
     starts: array(dtype=int32)
     halves: array(dtype=int32)
     angles: array(dtype=float64)
+    ends: array(dtype=uint8)
     order: array(dtype=int32)
     partners: array(dtype=int32)
     states: array(dtype=uint8)
@@ -168,6 +175,7 @@ class OpenEdges:
         self.count, self.groups, n = groups.count, groups, rows.size
         self.starts, self.halves = groups.starts, gather_rows(rows, groups.order)
         self.angles, self.order = zeros(n, float64, device), positions(n, device)
+        self.ends = zeros(n, uint8, device)
         self.partners, self.states = full(n, -1, int32, device), zeros(n, uint8, device)
 
 
@@ -196,9 +204,13 @@ def unite_twins_kernel(twins: array(dtype=int32), parents: array(dtype=int32)):
 
 @kernel
 def measure_angles_kernel(
-    vertices: array(dtype=vec3), placed: array(dtype=vec3i), runs: array(dtype=int32), open_edges: OpenEdges
+    vertices: array(dtype=vec3),
+    placed: array(dtype=vec3i),
+    flips: array(dtype=uint8),
+    runs: array(dtype=int32),
+    open_edges: OpenEdges,
 ):
-    """The angle of each triangle about its edge, from the first one there; those of one place have the same bits."""
+    """The angle of each triangle about its edge, from the first one there, the same bits at one place; its side."""
     i = tid()
     first = open_edges.starts[runs[i]]
     if open_edges.starts[runs[i] + 1] - first > 2:
@@ -218,16 +230,12 @@ def measure_angles_kernel(
         if angle < -float64(SAME_ANGLE):
             angle = angle + float64(FULL_TURN)
         open_edges.angles[i] = angle
+        forward = 1 if a < b else 0
+        open_edges.ends[i] = uint8(1 if forward != int(flips[h // 3]) else 0)
 
 
 @func
-def ends_solid(placed: array(dtype=vec3i), h: int) -> int:
-    """1 where the solid behind a triangle ends at it, seen counter-clockwise about its edge from the lower vertex."""
-    return 1 if corner_vertex(placed, h) < corner_vertex(placed, next_corner(h)) else 0
-
-
-@func
-def sort_by_angle(placed: array(dtype=vec3i), open_edges: OpenEdges, first: int, last: int):
+def sort_by_angle(open_edges: OpenEdges, first: int, last: int):
     """Put the half-edges of one edge in order: by angle, and where angles are the same, those that end solid first."""
     for p in range(first + 1, last):
         q = p
@@ -245,11 +253,11 @@ def sort_by_angle(placed: array(dtype=vec3i), open_edges: OpenEdges, first: int,
         slot = open_edges.order[p]
         angle = open_edges.angles[slot]
         q = p
-        going = ends_solid(placed, open_edges.halves[slot])
+        going = int(open_edges.ends[slot])
         while q > first and going == 1:
             before = open_edges.order[q - 1]
             going = 0
-            if ends_solid(placed, open_edges.halves[before]) == 0 and open_edges.angles[before] == angle:
+            if open_edges.angles[before] == angle and open_edges.ends[before] == 0:
                 open_edges.order[q] = before
                 q -= 1
                 going = 1
@@ -287,8 +295,7 @@ def match_brackets(
         for p in range(first, last):
             s = open_edges.order[p]
             h = open_edges.halves[s]
-            begins = 1 - ends_solid(placed, h)
-            if is_free(open_edges, naturals, s, tier) == 1 and begins == 1:
+            if is_free(open_edges, naturals, s, tier) == 1 and open_edges.ends[s] == 0:
                 tip = tip_of(placed, h)
                 found = -1
                 step = 1
@@ -299,8 +306,7 @@ def match_brackets(
                     step += 1
                 if found >= 0:
                     g = open_edges.halves[found]
-                    other = tip_of(placed, g)
-                    if ends_solid(placed, g) == 1 and other != tip:
+                    if tip_of(placed, g) != tip and open_edges.ends[found] != 0:
                         join_slots(open_edges, s, found, MATCHED)
                         changed = 1
 
@@ -334,7 +340,7 @@ def match_flattest(
                         h = open_edges.halves[x]
                         g = open_edges.halves[y]
                         opposite = 0
-                        if ends_solid(placed, h) != ends_solid(placed, g):
+                        if open_edges.ends[x] != open_edges.ends[y]:
                             opposite = 1
                         copies = 0
                         if tip_of(placed, h) == tip_of(placed, g):
@@ -360,13 +366,13 @@ def match_sheets_kernel(
     i = tid()
     first = open_edges.starts[rows[i]]
     last = open_edges.starts[rows[i] + 1]
-    sort_by_angle(placed, open_edges, first, last)
+    sort_by_angle(open_edges, first, last)
     tiers = int(2)
     for tier in range(tiers):
         balance = 0
         for p in range(first, last):
             if is_free(open_edges, naturals, p, tier) == 1:
-                balance += 2 * ends_solid(placed, open_edges.halves[p]) - 1
+                balance += 2 * int(open_edges.ends[p]) - 1
         if balance == 0 or last - first > MOST_TRIED:
             match_brackets(placed, open_edges, naturals, first, last, tier)
         if last - first <= MOST_TRIED:
@@ -452,6 +458,14 @@ def mask_loose(triangles: Triangles, vertex_count: int) -> Mask:
     return loose
 
 
+def follow_most(forms: Indices, parents: Indices, inwards: bool) -> Mask:
+    """uint8 [t]: 1 for triangles that are wound against most of their part, 0 where all look `inwards`; one sync."""
+    flips = download(forms)[::2] % 2
+    parts = download(parents)
+    against = np.bincount(parts, flips, len(parts)) * 2 > np.bincount(parts, minlength=len(parts))
+    return upload(flips ^ against[parts] ^ inwards, uint8, parents.device)
+
+
 class Sheets:
     """The pairs of half-edges that make sheets of a mesh.
 
@@ -489,14 +503,21 @@ class Sheets:
         launch(spread_marks_kernel, count, [parents, ends, naturals])
         runs = run_places(found.groups, found.halves.size)
         in_runs = found.angles.size if found.count else 0
-        launch(measure_angles_kernel, in_runs, [vertices, placed, runs, found])
+        area, volume = measure(vertices, placed)  # sync
+        inwards = volume < -FLAT * area**1.5
+        flips = follow_most(self._forms(), parents, inwards)  # sync
+        launch(measure_angles_kernel, in_runs, [vertices, placed, flips, runs, found])
         launch(match_sheets_kernel, rows.size, [placed, naturals, rows, found])
         tentative = zeros(3 * count, uint8, device)
         launch(write_twins_kernel, found.count, [found, self.twins, tentative, self.crowding])
-        forms = positions(2 * count, device)
-        launch(unite_forms_of_twins_kernel, 3 * count, [placed, self.twins, forms])
+        launch(part_tentative_kernel, 3 * count, [self._forms(), tentative, self.twins])
+
+    def _forms(self) -> Indices:
+        """The sets of triangles as they are, 2 t, and flipped, 2 t + 1, that pairs make turn alike."""
+        forms = positions(2 * self._placed.size, self._placed.device)
+        launch(unite_forms_of_twins_kernel, self.twins.size, [self._placed, self.twins, forms])
         launch(flatten_sets_kernel, forms.size, [forms])
-        launch(part_tentative_kernel, 3 * count, [forms, tentative, self.twins])
+        return forms
 
     def parts(self) -> Indices:
         """The first triangle of each one's part, int32 [t]: parts hang together by pairs."""
