@@ -190,9 +190,10 @@ class MeshRepair(MeshTopology, MeshSelection):
         """Give each fan of triangles a vertex of its own where several hang together by the vertex alone.
 
         Returns:
-            A mesh with `is_vertex_manifold()`. New vertices stand behind the old ones, with their position, normal and
-            colour; the fan with the lowest triangle keeps the old one. Triangles, their texture and vertices without
-            triangles stay. Edges stay what they are: those of more than two triangles are split by `repair`.
+            A mesh with `is_vertex_manifold()` where no triangle names a vertex twice. New vertices stand behind the old
+            ones, with their position, normal and colour; the fan with the lowest triangle keeps the old one. Triangles,
+            their texture and vertices without triangles stay. Edges stay what they are: those of more than two
+            triangles are split by `repair`.
 
         Notes:
             About 80 B of memory a triangle. Same bits from run to run and on every device. Open3D lists these vertices
