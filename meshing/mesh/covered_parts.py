@@ -10,6 +10,8 @@ from numpy.typing import NDArray
 from ...kernels.meshes.sheets import FLAT
 from .mesh_nesting import Parts, find_enclosing
 
+BULGE = 0.02  # the same for an open part: a fifth of a ball's
+
 
 class Copies:
     """The triangles that have copies, by class.
@@ -54,7 +56,7 @@ def find_covered(mesh: Any, copies: Copies, names: NDArray[np.int32], twins: NDA
     A part is covered where all of its triangles have copies in parts that stay. A closed part that looks outwards is a
     solid: only copies that look the same way cover it, so one that fills the room between others stays. One that looks
     inwards and lies within another is the wall of a hollow, and the same holds. Open parts go first, then those that
-    look inwards, then later ones.
+    look inwards, then later ones: of an open sheet the side stays that is listed first, of a vault the outer one.
 
     Args:
         mesh: The mesh.
@@ -69,7 +71,7 @@ def find_covered(mesh: Any, copies: Copies, names: NDArray[np.int32], twins: NDA
     if not len(whole):
         return gone[labels]
     closed = np.bincount(labels[np.flatnonzero(twins < 0) // 3], minlength=len(firsts)) == 0
-    sides = _sides_of(mesh, labels, len(firsts), whole)
+    sides = _sides_of(mesh, labels, closed, whole)
     solid = _are_solid(mesh, Parts(labels, closed, sides), part_of, copies)
     keys = copies.classes * 2 + copies.ways
     left = np.bincount(keys, minlength=2 * (copies.classes.max() + 1)).tolist()
@@ -86,8 +88,11 @@ def find_covered(mesh: Any, copies: Copies, names: NDArray[np.int32], twins: NDA
     return gone[labels]
 
 
-def _sides_of(mesh: Any, labels: NDArray[np.int64], count: int, chosen: NDArray[np.int64]) -> NDArray[np.float64]:
-    """The volume between each chosen part and the middle of its vertices, 0 where it is flat; float64 [count]."""
+def _sides_of(
+    mesh: Any, labels: NDArray[np.int64], closed: NDArray[np.bool_], chosen: NDArray[np.int64]
+) -> NDArray[np.float64]:
+    """The volume between each chosen part and the middle of its vertices, 0 where it looks neither way; float64 [p]."""
+    count = len(closed)
     rows = np.flatnonzero(np.isin(labels, chosen))
     corners, own = mesh.vertices[mesh.triangles[rows]] - mesh.origin, labels[rows]
     counts = np.maximum(np.bincount(own, minlength=count), 1)[:, None]
@@ -95,7 +100,7 @@ def _sides_of(mesh: Any, labels: NDArray[np.int64], count: int, chosen: NDArray[
     a, b, c = (corners - middles[own][:, None]).transpose(1, 0, 2)
     volumes = np.bincount(own, np.einsum("ij,ij->i", a, np.cross(b, c)), count) / 6
     areas = np.bincount(own, np.linalg.norm(np.cross(b - a, c - a), axis=1), count) / 2
-    return np.where(np.abs(volumes) > FLAT * areas**1.5, volumes, 0.0)
+    return np.where(np.abs(volumes) > np.where(closed, FLAT, BULGE) * areas**1.5, volumes, 0.0)
 
 
 def _are_solid(mesh: Any, parts: Parts, part_of: NDArray[np.int64], copies: Copies) -> NDArray[np.bool_]:
@@ -120,4 +125,4 @@ def _are_solid(mesh: Any, parts: Parts, part_of: NDArray[np.int64], copies: Copi
 
 
 def _all_sides(mesh: Any, parts: Parts) -> NDArray[np.float64]:
-    return _sides_of(mesh, parts.labels, len(parts.closed), np.flatnonzero(parts.closed))
+    return _sides_of(mesh, parts.labels, parts.closed, np.flatnonzero(parts.closed))
