@@ -24,7 +24,10 @@ FLAT = 1.0e-6  # of its area to the power of 1.5: with less volume a mesh looks 
 
 @kernel
 def mark_unsound_kernel(triangles: array(dtype=vec3i), edges: UniqueKeys, unsound: array(dtype=uint8)):
-    """1 for triangles at an edge that is not one of two which turn alike; all threads write the same."""
+    """1 for triangles at an edge that is not one of two which turn alike, and for a triangle and its other side alone.
+
+    All threads write the same.
+    """
     i = tid()
     first = edges.starts[i]
     last = edges.starts[i + 1]
@@ -33,8 +36,10 @@ def mark_unsound_kernel(triangles: array(dtype=vec3i), edges: UniqueKeys, unsoun
         h = edges.order[first]
         g = edges.order[first + 1]
         other = corner_vertex(triangles, g)
+        tip = tip_of(triangles, g)
         if corner_vertex(triangles, h) != other and h // 3 != g // 3:
-            sound = 1
+            if tip_of(triangles, h) != tip:
+                sound = 1
     if sound == 0:
         for j in range(first, last):
             unsound[edges.order[j] // 3] = uint8(1)

@@ -134,6 +134,7 @@ MENDED = {
     "a ball wound both ways": (partly_turned(sphere()), sphere()),
     "a ball with two sides": (two_sided(sphere()), sphere()),
     "a ball with two sides, loose": (loose(two_sided(sphere())), sphere()),
+    "a ball of loose triangles with two sides each": (two_sided(loose(sphere())), sphere()),
     "a ball within its other side": (joined(turned(sphere()), sphere()), sphere()),
     "a ball given twice": (joined(sphere(), sphere()), sphere()),
     "a ball with some triangles twice": (with_more(sphere(), sphere().triangles[5:9]), sphere()),
