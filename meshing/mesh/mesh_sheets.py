@@ -155,6 +155,6 @@ def _joined(first: Indices, second: Indices) -> Indices:
     return upload(np.concatenate([download(first), download(second)]), int32, first.device)  # sync
 
 
-def _area_of(mesh: MeshCleaning, rows: Indices) -> float:
+def _area_of(mesh: Any, rows: Indices) -> float:
     """The area [m^2] of some triangles."""
     return mesh.with_arrays(**mesh.triangles_at(rows)).get_surface_area() if rows.size else 0.0
