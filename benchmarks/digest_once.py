@@ -158,6 +158,28 @@ def mesh_cleaned(d: Scenes) -> list[Any]:
     return [*cleaned, *(mesh.merge_close_vertices(eps) for eps in (0.02, 0.2)), mesh.select_by_index(rows)]
 
 
+def two_sided_ball(d: Scenes) -> Any:
+    """A ball with two sides, a fin on it, and another ball that touches it at a vertex."""
+    vertices, triangles = d.ball.vertices, d.ball.triangles
+    count, fin = len(vertices), [[*triangles[9][:2], 2 * len(vertices)]]
+    shift = vertices[0] - vertices[-1]
+    return (
+        loom()
+        .TriangleMesh(
+            np.concatenate([vertices, vertices + shift, 2 * vertices[:1]]),
+            np.concatenate([triangles, triangles[:, ::-1], fin, triangles + count]),
+            device=d.device,
+        )
+        .remove_duplicated_vertices()
+    )
+
+
+def loose_ball(d: Scenes) -> Any:
+    """A ball of triangles that share no vertex."""
+    corners = d.ball.vertices[d.ball.triangles].reshape(-1, 3)
+    return loom().TriangleMesh(corners, np.arange(len(corners)).reshape(-1, 3), device=d.device)
+
+
 def torn_ball(d: Scenes) -> Any:
     """A ball without two caps, some of its triangles flipped."""
     middles = d.ball.vertices[d.ball.triangles].mean(axis=1)
@@ -520,6 +542,12 @@ ONCE: dict[str, Callable[[Scenes], Any]] = {
     "mesh, cleaned": mesh_cleaned,
     "mesh, topology": mesh_topology,
     "mesh, repair": lambda d: [torn_ball(d).fill_holes(), torn_ball(d).repair(hole_size=0.5, merge_distance=0.01)[0]],
+    "mesh, sheets": lambda d: [two_sided_ball(d).repair()[0], two_sided_ball(d).split_non_manifold_vertices()],
+    "mesh, seams": lambda d: [
+        loose_ball(d).filter_smooth_taubin(2),
+        loose_ball(d).subdivide_loop(),
+        loose_ball(d).deform_as_rigid_as_possible([0], [[0, 0, 2]], 2),
+    ],
     "mesh, cluster_connected_triangles": lambda d: list(some_triangles(d).cluster_connected_triangles()),
     "mesh, remove_small_components": lambda d: some_triangles(d).remove_small_components(min_triangles=2),
     "mesh, from_point_cloud_poisson": lambda d: [

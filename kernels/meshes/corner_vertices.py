@@ -6,11 +6,12 @@ whose vertices are what they were keeps their numbers. About 20 B a corner.
 
 from ..array_types import Indices, Integers, Triangles
 from ..arrays.prefix_sum import exclusive_scan
+from ..arrays.select import positions_of
 from ..arrays.sort import positions
 from ..arrays.union_find import flatten_sets_kernel
-from ..lang import array, atomic_min, int32, kernel, launch, tid, vec3i
+from ..arrays.unique import UniqueKeys
+from ..lang import array, atomic_min, func, int32, kernel, launch, tid, uint8, vec3i
 from ..memory import empty, full, zeros
-from .clean_triangles import names_twice
 from .mesh_edges import find_edges, key_bits, run_places, unite_corners_kernel
 from .mesh_edits import mark_places
 from .mesh_topology import CornersByVertex, corner_vertex
@@ -113,37 +114,82 @@ class CornerVertices:
 
 
 @kernel
-def keep_sets_kernel(
-    sets: array(dtype=int32), rows: array(dtype=int32), places: array(dtype=int32), kept: array(dtype=int32)
+def keep_corners_kernel(
+    corners: array(dtype=int32), rows: array(dtype=int32), places: array(dtype=int32), kept: array(dtype=int32)
 ):
-    """The sets of the corners of kept triangles, by their new numbers; one thread a corner."""
+    """What corners of kept triangles name, by its new number; one thread a corner."""
     i = tid()
-    corner = sets[3 * rows[i // 3] + i % 3]
-    kept[i] = 3 * places[corner // 3] + corner % 3
+    corner = corners[3 * rows[i // 3] + i % 3]
+    new = -1
+    if corner >= 0:
+        new = 3 * places[corner // 3] + corner % 3
+    kept[i] = new
 
 
-def keep_sets(sets: Indices, rows: Indices) -> Integers:
-    """The sets of the corners of the triangles at ascending rows, none of which shares one with another triangle."""
-    kept = empty(3 * rows.size, int32, sets.device)
-    _, places = mark_places(rows, sets.size // 3)
-    launch(keep_sets_kernel, kept.size, [sets, rows, places, kept])
+def keep_corners(corners: Indices, rows: Indices) -> Integers:
+    """What the corners of the triangles at ascending rows name, in new numbers: corners of these alone, or -1."""
+    kept = empty(3 * rows.size, int32, corners.device)
+    _, places = mark_places(rows, corners.size // 3)
+    launch(keep_corners_kernel, kept.size, [corners, rows, places, kept])
     return kept
 
 
 @kernel
+def mark_doubled_kernel(edges: UniqueKeys, twins: array(dtype=int32), mask: array(dtype=uint8)):
+    """1 for the half-edges between two vertices that are neither the first nor its twin."""
+    i = tid()
+    first = edges.order[edges.starts[i]]
+    for j in range(edges.starts[i], edges.starts[i + 1]):
+        h = edges.order[j]
+        mask[h] = uint8(1 if h != first and twins[first] != h else 0)
+
+
+def find_doubled_edges(triangles: Triangles, vertex_count: int, twins: Indices) -> Indices:
+    """The half-edges, ascending, that share both vertices with an earlier one that is not their twin."""
+    mask, edges = empty(twins.size, uint8, twins.device), find_edges(triangles, vertex_count)  # sync
+    launch(mark_doubled_kernel, edges.count, [edges, twins, mask])
+    return positions_of(mask)  # sync
+
+
+@func
+def times_named(t: vec3i, v: int) -> int:
+    """How often a triangle names a vertex."""
+    times = 0
+    for k in range(3):
+        if t[k] == v:
+            times += 1
+    return times
+
+
+@kernel
 def drop_folded_corners_kernel(triangles: array(dtype=vec3i), around: CornersByVertex, fans: array(dtype=int32)):
-    """Corners of triangles that name a vertex twice go with the first fan there; one thread a vertex."""
+    """Corners of triangles that name their vertex twice go with the first fan there; one thread a vertex."""
     i = tid()
     first = NONE
     for j in range(around.starts[i], around.starts[i + 1]):
         corner = around.corners[j]
-        if names_twice(triangles[corner // 3]) == 0:
+        if times_named(triangles[corner // 3], i) == 1:
             first = min(first, fans[corner])
-    if first != NONE:
-        for j in range(around.starts[i], around.starts[i + 1]):
-            corner = around.corners[j]
-            if names_twice(triangles[corner // 3]) == 1:
-                fans[corner] = first
+    for j in range(around.starts[i], around.starts[i + 1]):
+        corner = around.corners[j]
+        if times_named(triangles[corner // 3], i) > 1:
+            if first == NONE:
+                first = corner
+            fans[corner] = first
+
+
+@kernel
+def find_lowest_corners_kernel(fans: array(dtype=int32), lowest: array(dtype=int32)):
+    """The lowest corner of each fan; a minimum is the same in any order."""
+    i = tid()
+    atomic_min(lowest, fans[i], i)
+
+
+@kernel
+def name_fans_kernel(lowest: array(dtype=int32), fans: array(dtype=int32)):
+    """Fans by their lowest corners."""
+    i = tid()
+    fans[i] = lowest[fans[i]]
 
 
 @kernel
@@ -212,6 +258,9 @@ def split_fans(triangles: Triangles, vertex_count: int) -> tuple[Triangles, Indi
     launch(unite_corners_kernel, corners, [triangles, edges, key_bits(vertex_count), places, fans])
     launch(flatten_sets_kernel, corners, [fans])
     launch(drop_folded_corners_kernel, vertex_count, [triangles, CornersByVertex(triangles, vertex_count), fans])
+    lowest = full(corners, NONE, int32, device)
+    launch(find_lowest_corners_kernel, corners, [fans, lowest])
+    launch(name_fans_kernel, corners, [lowest, fans])
     firsts, further = full(vertex_count, NONE, int32, device), empty(corners, int32, device)
     launch(find_first_fans_kernel, corners, [triangles, fans, firsts])
     launch(mark_further_fans_kernel, corners, [triangles, fans, firsts, further])

@@ -1,60 +1,33 @@
 """Which half-edges of a mesh are two sides of one sheet: cut where more than two meet, and stitched again in pairs.
 
 After Guéziec, Taubin, Lazarus and Horn, "Cutting and stitching: converting sets of polygons to manifold surfaces", IEEE
-TVCG 7(2), 2001. Two half-edges are a pair where they alone have an edge between two vertices. All others are open:
-they are looked at by the positions of their ends. Two at one place are a pair. Where more meet, they are put in order
-by angle about the edge, and the matching is that of brackets: a triangle behind which there is solid, seen
-counter-clockwise, goes with the next that ends it, so that solids which touch there stay two. Where as many begin as
-end, all are matched so; else those first that lie flattest to each other, sheets that end nowhere else before the
-others. A triangle goes with its own opposite copy only where nothing else is left.
-
-One thread an edge of three or more. About 60 B an open half-edge beside the sorts.
+TVCG 7(2), 2001. Two half-edges are a pair where they alone have an edge between two vertices. All others are open, and
+matched by the positions of their ends (open_edges.py). Pairs of two that run the same way at an edge of more are kept
+only where they leave their part two sides. About 40 B a half-edge beside the sorts.
 """
 
-from ..algebra.angles import arctangent
-from ..algebra.transform import widen
+import numpy as np
+
 from ..array_types import Indices, Integers, Mask, Points, Triangles
-from ..arrays.select import gather_rows, positions_of
 from ..arrays.sort import positions
 from ..arrays.union_find import flatten_sets_kernel, unite
 from ..arrays.unique import UniqueKeys
-from ..lang import (
-    array,
-    cross,
-    dot,
-    float64,
-    func,
-    int32,
-    int64,
-    kernel,
-    launch,
-    length,
-    struct,
-    tid,
-    uint8,
-    vec3,
-    vec3i,
-)
-from ..memory import empty, full, zeros
-from .mesh_edges import corner_at, edge_key, find_edges, key_bits, run_places
+from ..lang import array, int32, kernel, launch, tid, uint8, vec3i
+from ..memory import download, empty, full, upload, zeros
+from .mesh_edges import corner_at, find_edges
+from .mesh_measures import measure
 from .mesh_topology import corner_vertex, next_corner
+from .open_edges import OpenEdges, crowded_rows, match_by_angle, pair_two_kernel, tip_of, write_twins_kernel
 
-FULL_TURN = 6.283185307179586
-HALF_TURN = 3.141592653589793
-SAME_ANGLE = 1.0e-5  # [rad]: what float32 leaves of the angle between two walls that lie on each other
-MOST_TRIED = 64  # half-edges at one edge for which all pairs are tried
-ALONE, MATCHED, TENTATIVE = 0, 1, 2  # how a half-edge got its twin
-
-
-@func
-def tip_of(triangles: array(dtype=vec3i), h: int) -> int:
-    """The vertex of a half-edge's triangle that is not on it."""
-    return corner_vertex(triangles, next_corner(next_corner(h)))
+FLAT = 1.0e-6  # of its area to the power of 1.5: with less volume a mesh looks neither way
 
 
 @kernel
 def mark_unsound_kernel(triangles: array(dtype=vec3i), edges: UniqueKeys, unsound: array(dtype=uint8)):
-    """1 for triangles at an edge that is not one of two which turn alike; all threads write the same."""
+    """1 for triangles at an edge that is not one of two which turn alike, and for a triangle and its other side alone.
+
+    All threads write the same.
+    """
     i = tid()
     first = edges.starts[i]
     last = edges.starts[i + 1]
@@ -63,8 +36,10 @@ def mark_unsound_kernel(triangles: array(dtype=vec3i), edges: UniqueKeys, unsoun
         h = edges.order[first]
         g = edges.order[first + 1]
         other = corner_vertex(triangles, g)
+        tip = tip_of(triangles, g)
         if corner_vertex(triangles, h) != other and h // 3 != g // 3:
-            sound = 1
+            if tip_of(triangles, h) != tip:
+                sound = 1
     if sound == 0:
         for j in range(first, last):
             unsound[edges.order[j] // 3] = uint8(1)
@@ -124,275 +99,11 @@ def pair_given_kernel(
 
 
 @kernel
-def list_open_keys_kernel(
-    placed: array(dtype=vec3i), rows: array(dtype=int32), bits: int, none: int64, keys: array(dtype=int64)
-):
-    """The places of the ends of open half-edges; `none` for those without length."""
-    i = tid()
-    h = rows[i]
-    a = corner_vertex(placed, h)
-    b = corner_vertex(placed, next_corner(h))
-    keys[i] = edge_key(a, b, bits)
-    if a == b:
-        keys[i] = none
-
-
-@struct
-class OpenEdges:
-    """Open half-edges by the places of their ends.
-
-    Attributes:
-        count: Edges e.
-        starts: int32 [e + 1], where each edge's half-edges begin in `halves`.
-        halves: int32 [n].
-        angles: float64 [n], about the edge.
-        order: int32 [n], places of half-edges in the order of their angles, edge by edge.
-        partners: int32 [n], the place of the one that each goes with, else -1.
-        states: uint8 [n], ALONE, MATCHED or TENTATIVE.
-    """
-
-    starts: array(dtype=int32)
-    halves: array(dtype=int32)
-    angles: array(dtype=float64)
-    order: array(dtype=int32)
-    partners: array(dtype=int32)
-    states: array(dtype=uint8)
-
-    def __init__(self, placed: Triangles, vertex_count: int, is_open: Mask) -> None:
-        rows, bits, device = positions_of(is_open), key_bits(vertex_count), placed.device  # sync
-        none = (1 << (2 * bits)) - 1
-        keys = empty(rows.size, int64, device)
-        launch(list_open_keys_kernel, rows.size, [placed, rows, bits, none, keys])
-        groups = UniqueKeys(keys, 2 * bits)  # sync
-        groups.drop_last(none)  # sync
-        self.count, self.groups, n = groups.count, groups, rows.size
-        self.starts, self.halves = groups.starts, gather_rows(rows, groups.order)
-        self.angles, self.order = zeros(n, float64, device), positions(n, device)
-        self.partners, self.states = full(n, -1, int32, device), zeros(n, uint8, device)
-
-
-@kernel
-def pair_two_kernel(open_edges: OpenEdges, twins: array(dtype=int32), natural: array(dtype=uint8)):
-    """Pair two half-edges at one place; mark the triangles of those that are alone there."""
-    i = tid()
-    first = open_edges.starts[i]
-    count = open_edges.starts[i + 1] - first
-    h = open_edges.halves[first]
-    if count == 1:
-        natural[h // 3] = uint8(1)
-    if count == 2:
-        g = open_edges.halves[first + 1]
-        twins[h] = g
-        twins[g] = h
-
-
-@kernel
 def unite_twins_kernel(twins: array(dtype=int32), parents: array(dtype=int32)):
     """Make one set of the triangles that hang together by pairs."""
     i = tid()
     if twins[i] > i:
         unite(parents, i // 3, twins[i] // 3)
-
-
-@kernel
-def measure_angles_kernel(
-    vertices: array(dtype=vec3), placed: array(dtype=vec3i), runs: array(dtype=int32), open_edges: OpenEdges
-):
-    """The angle of each triangle about its edge, from the first one there; those of one place have the same bits."""
-    i = tid()
-    first = open_edges.starts[runs[i]]
-    if open_edges.starts[runs[i] + 1] - first > 2:
-        h = open_edges.halves[i]
-        g = open_edges.halves[first]
-        a = corner_vertex(placed, h)
-        b = corner_vertex(placed, next_corner(h))
-        low = widen(vertices[min(a, b)])
-        axis = widen(vertices[max(a, b)]) - low
-        size = length(axis)
-        along = axis / size
-        u = widen(vertices[tip_of(placed, g)]) - low
-        v = widen(vertices[tip_of(placed, h)]) - low
-        u = u - along * dot(u, along)
-        v = v - along * dot(v, along)
-        angle = arctangent(dot(cross(u, v), along), dot(u, v))
-        if angle < -float64(SAME_ANGLE):
-            angle = angle + float64(FULL_TURN)
-        open_edges.angles[i] = angle
-
-
-@func
-def ends_solid(placed: array(dtype=vec3i), h: int) -> int:
-    """1 where the solid behind a triangle ends at it, seen counter-clockwise about its edge from the lower vertex."""
-    return 1 if corner_vertex(placed, h) < corner_vertex(placed, next_corner(h)) else 0
-
-
-@func
-def sort_by_angle(placed: array(dtype=vec3i), open_edges: OpenEdges, first: int, last: int):
-    """Put the half-edges of one edge in order: by angle, and where angles are the same, those that end solid first."""
-    for p in range(first + 1, last):
-        q = p
-        while q > first and open_edges.angles[open_edges.order[max(q - 1, 0)]] > open_edges.angles[p]:
-            open_edges.order[q] = open_edges.order[q - 1]
-            q -= 1
-        open_edges.order[q] = p
-    head = open_edges.angles[open_edges.order[first]]
-    for p in range(first, last):
-        slot = open_edges.order[p]
-        if open_edges.angles[slot] - head <= float64(SAME_ANGLE):
-            open_edges.angles[slot] = head
-        head = open_edges.angles[slot]
-    for p in range(first + 1, last):
-        slot = open_edges.order[p]
-        angle = open_edges.angles[slot]
-        q = p
-        going = ends_solid(placed, open_edges.halves[slot])
-        while q > first and going == 1:
-            before = open_edges.order[q - 1]
-            going = 0
-            if ends_solid(placed, open_edges.halves[before]) == 0 and open_edges.angles[before] == angle:
-                open_edges.order[q] = before
-                q -= 1
-                going = 1
-        open_edges.order[q] = slot
-
-
-@func
-def is_free(open_edges: OpenEdges, naturals: array(dtype=uint8), slot: int, tier: int) -> int:
-    """1 where a half-edge has no partner yet and is of the tier: 0 for sheets that end nowhere else, 1 for all."""
-    free = 0
-    if open_edges.partners[slot] < 0:
-        if tier == 1 or naturals[open_edges.halves[slot] // 3] == 0:
-            free = 1
-    return free
-
-
-@func
-def join_slots(open_edges: OpenEdges, s: int, e: int, state: int):
-    """Make partners of two."""
-    open_edges.partners[s] = e
-    open_edges.partners[e] = s
-    open_edges.states[s] = uint8(state)
-    open_edges.states[e] = uint8(state)
-
-
-@func
-def match_brackets(
-    placed: array(dtype=vec3i), open_edges: OpenEdges, naturals: array(dtype=uint8), first: int, last: int, tier: int
-):
-    """Match each beginning of solid with the next free one about the edge, where that ends it; until none is left."""
-    n = last - first
-    changed = 1
-    while changed == 1:
-        changed = 0
-        for p in range(first, last):
-            s = open_edges.order[p]
-            h = open_edges.halves[s]
-            begins = 1 - ends_solid(placed, h)
-            if is_free(open_edges, naturals, s, tier) == 1 and begins == 1:
-                tip = tip_of(placed, h)
-                found = -1
-                step = 1
-                while step < n and found < 0:
-                    e = open_edges.order[first + (p - first + step) % n]
-                    if is_free(open_edges, naturals, e, tier) == 1:
-                        found = e
-                    step += 1
-                if found >= 0:
-                    g = open_edges.halves[found]
-                    other = tip_of(placed, g)
-                    if ends_solid(placed, g) == 1 and other != tip:
-                        join_slots(open_edges, s, found, MATCHED)
-                        changed = 1
-
-
-@func
-def match_flattest(
-    placed: array(dtype=vec3i),
-    open_edges: OpenEdges,
-    naturals: array(dtype=uint8),
-    first: int,
-    last: int,
-    tier: int,
-    against: int,
-):
-    """Match the two free ones that lie flattest to each other, again and again.
-
-    With `against` 1 those of opposite directions, with 0 those of one direction, tentatively, with 2 opposite copies.
-    """
-    found = 1
-    while found == 1:
-        found = 0
-        s = -1
-        e = -1
-        least = float64(FULL_TURN)
-        for p in range(first, last):
-            x = open_edges.order[p]
-            if is_free(open_edges, naturals, x, tier) == 1:
-                for q in range(p + 1, last):
-                    y = open_edges.order[q]
-                    if is_free(open_edges, naturals, y, tier) == 1:
-                        h = open_edges.halves[x]
-                        g = open_edges.halves[y]
-                        opposite = 0
-                        if ends_solid(placed, h) != ends_solid(placed, g):
-                            opposite = 1
-                        copies = 0
-                        if tip_of(placed, h) == tip_of(placed, g):
-                            copies = 1
-                        bend = abs(abs(open_edges.angles[x] - open_edges.angles[y]) - float64(HALF_TURN))
-                        fits = opposite == against and copies == 0
-                        if against == 2:
-                            fits = opposite == 1 and copies == 1
-                        if fits and bend < least:
-                            least = bend
-                            s = x
-                            e = y
-                            found = 1
-        if found == 1:
-            join_slots(open_edges, s, e, TENTATIVE if against == 0 else MATCHED)
-
-
-@kernel
-def match_sheets_kernel(
-    placed: array(dtype=vec3i), naturals: array(dtype=uint8), rows: array(dtype=int32), open_edges: OpenEdges
-):
-    """Find partners at an edge of three half-edges or more."""
-    i = tid()
-    first = open_edges.starts[rows[i]]
-    last = open_edges.starts[rows[i] + 1]
-    sort_by_angle(placed, open_edges, first, last)
-    tiers = int(2)
-    for tier in range(tiers):
-        balance = 0
-        for p in range(first, last):
-            if is_free(open_edges, naturals, p, tier) == 1:
-                balance += 2 * ends_solid(placed, open_edges.halves[p]) - 1
-        if balance == 0 or last - first > MOST_TRIED:
-            match_brackets(placed, open_edges, naturals, first, last, tier)
-        if last - first <= MOST_TRIED:
-            match_flattest(placed, open_edges, naturals, first, last, tier, 1)
-    if last - first <= MOST_TRIED:
-        match_flattest(placed, open_edges, naturals, first, last, 1, 0)
-        match_flattest(placed, open_edges, naturals, first, last, 1, 2)
-
-
-@kernel
-def write_twins_kernel(
-    open_edges: OpenEdges, twins: array(dtype=int32), tentative: array(dtype=uint8), crowding: array(dtype=uint8)
-):
-    """The twin of each half-edge that found a partner; marks those found tentatively, and those that found none."""
-    i = tid()
-    first = open_edges.starts[i]
-    last = open_edges.starts[i + 1]
-    if last - first > 2:
-        for p in range(first, last):
-            h = open_edges.halves[p]
-            if open_edges.partners[p] >= 0:
-                twins[h] = open_edges.halves[open_edges.partners[p]]
-                if int(open_edges.states[p]) == TENTATIVE:
-                    tentative[h] = uint8(1)
-            else:
-                crowding[h // 3] = uint8(1)
 
 
 @kernel
@@ -415,13 +126,6 @@ def part_tentative_kernel(parents: array(dtype=int32), tentative: array(dtype=ui
     t = i // 3
     if tentative[i] != 0 and parents[2 * t] == parents[2 * t + 1]:
         twins[i] = -1
-
-
-@kernel
-def mask_crowded_runs_kernel(starts: array(dtype=int32), mask: array(dtype=uint8)):
-    """1 for the edges of more than two."""
-    i = tid()
-    mask[i] = uint8(1 if starts[i + 1] - starts[i] > 2 else 0)
 
 
 @kernel
@@ -452,6 +156,14 @@ def mask_loose(triangles: Triangles, vertex_count: int) -> Mask:
     return loose
 
 
+def follow_most(forms: Indices, parents: Indices, inwards: bool) -> Mask:
+    """uint8 [t]: 1 for triangles that are wound against most of their part, 0 where all look `inwards`; one sync."""
+    flips = download(forms)[::2] % 2
+    parts = download(parents)
+    against = np.bincount(parts, flips, len(parts)) * 2 > np.bincount(parts, minlength=len(parts))
+    return upload(flips ^ against[parts] ^ inwards, uint8, parents.device)
+
+
 class Sheets:
     """The pairs of half-edges that make sheets of a mesh.
 
@@ -475,9 +187,7 @@ class Sheets:
         found = OpenEdges(placed, vertex_count, is_open)
         natural = zeros(count, uint8, device)
         launch(pair_two_kernel, found.count, [found, self.twins, natural])
-        crowded = empty(found.count, uint8, device)
-        launch(mask_crowded_runs_kernel, found.count, [found.starts, crowded])
-        rows = positions_of(crowded)  # sync
+        rows = crowded_rows(found)  # sync
         if rows.size:
             self._match(vertices, found, rows, natural)
 
@@ -487,16 +197,19 @@ class Sheets:
         ends, naturals = zeros(count, uint8, device), empty(count, uint8, device)
         launch(mark_roots_kernel, count, [parents, natural, ends])
         launch(spread_marks_kernel, count, [parents, ends, naturals])
-        runs = run_places(found.groups, found.halves.size)
-        in_runs = found.angles.size if found.count else 0
-        launch(measure_angles_kernel, in_runs, [vertices, placed, runs, found])
-        launch(match_sheets_kernel, rows.size, [placed, naturals, rows, found])
+        area, volume = measure(vertices, placed)  # sync
+        flips = follow_most(self._forms(), parents, volume < -FLAT * area**1.5)  # sync
+        match_by_angle(found, vertices, placed, rows, naturals, flips)
         tentative = zeros(3 * count, uint8, device)
         launch(write_twins_kernel, found.count, [found, self.twins, tentative, self.crowding])
-        forms = positions(2 * count, device)
-        launch(unite_forms_of_twins_kernel, 3 * count, [placed, self.twins, forms])
+        launch(part_tentative_kernel, 3 * count, [self._forms(), tentative, self.twins])
+
+    def _forms(self) -> Indices:
+        """The sets of triangles as they are, 2 t, and flipped, 2 t + 1, that pairs make turn alike."""
+        forms = positions(2 * self._placed.size, self._placed.device)
+        launch(unite_forms_of_twins_kernel, self.twins.size, [self._placed, self.twins, forms])
         launch(flatten_sets_kernel, forms.size, [forms])
-        launch(part_tentative_kernel, 3 * count, [forms, tentative, self.twins])
+        return forms
 
     def parts(self) -> Indices:
         """The first triangle of each one's part, int32 [t]: parts hang together by pairs."""

@@ -185,16 +185,22 @@ def pull_vertices_kernel(level: Level, bending: Bending):
 
 
 @kernel
-def turn_directions_kernel(rotations: array(dtype=mat33d), rows: array(dtype=vec3), turned: array(dtype=vec3)):
-    """Each vector under its vertex' rotation."""
+def turn_directions_kernel(
+    rotations: array(dtype=mat33d), rows: array(dtype=vec3), places: array(dtype=int32), turned: array(dtype=vec3)
+):
+    """Directions turned with their vertices, or with those at their places where there are any."""
     i = tid()
-    turned[i] = narrow(rotations[i] @ widen(rows[i]))
+    place = i
+    if places.shape[0] > 0:
+        place = places[i]
+    turned[i] = narrow(rotations[place] @ widen(rows[i]))
 
 
-def turn_directions(rotations: Array1[mat33d], rows: Vectors) -> Vectors:
-    """vec3 [m] rows under mat33d [m] rotations."""
+def turn_directions(rotations: Array1[mat33d], rows: Vectors, places: Indices | None = None) -> Vectors:
+    """vec3 directions turned by the rotations of their vertices, or of the vertices at int32 places."""
     turned = empty(rows.size, vec3, rows.device)
-    launch(turn_directions_kernel, rows.size, [rotations, rows, turned])
+    of = empty(0, int32, rows.device) if places is None else places
+    launch(turn_directions_kernel, rows.size, [rotations, rows, of, turned])
     return turned
 
 

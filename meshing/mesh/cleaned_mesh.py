@@ -15,6 +15,8 @@ from .mesh import TriangleMesh
 from .mesh_intersections import check_mesh
 from .mesh_repair import MeshRepairReport
 
+MOST_GONE = 0.02  # of the triangles that found no place: more, and parts of the surface may be missing
+MOST_LOST = 0.01  # of the area, without copies
 MOST_MERGED = 0.5  # of the vertices: a larger merge distance was likely meant for another mesh or unit
 
 # What repair removes or changes, in words; the rest of its report is what it found at the end.
@@ -22,8 +24,9 @@ _DONE = {
     "removed_non_finite_triangles": "triangles that are not finite removed",
     "merged_vertices": "vertices merged",
     "removed_degenerate_triangles": "degenerate triangles removed",
-    "removed_duplicated_triangles": "repeated triangles removed",
+    "removed_duplicated_triangles": "repeated triangles or their other sides removed",
     "removed_crowding_triangles": "triangles at crowded edges removed",
+    "split_vertices": "vertices added where surfaces only touch",
     "flipped_triangles": "triangles turned",
     "filled_holes": "holes filled",
     "added_triangles": "triangles added",
@@ -48,6 +51,7 @@ class CleanedMesh(ChangedMesh):
         removed_parts: Small parts that went after that; `parts` are left.
         is_watertight, boundary_edges: Of the mesh without them.
         self_intersections: Pairs of triangles that cut through each other.
+        was_watertight, area_in: Whether the mesh was closed before, and its area [m^2].
         merge_distance, hole_size: As they were given [m].
         vertices_in, triangles_in: How many the other one had.
         poor: Why the mesh is not to be believed, with the remedy; None where it is.
@@ -65,6 +69,8 @@ class CleanedMesh(ChangedMesh):
     is_watertight: bool
     boundary_edges: int
     self_intersections: int
+    was_watertight: bool
+    area_in: float
     merge_distance: float | None = None
     hole_size: float | None = None
 
@@ -77,11 +83,26 @@ class CleanedMesh(ChangedMesh):
             share = format_share(self.repair.merged_vertices / self.vertices_in)
             distance = say("merge_distance", "--merge")
             reasons.append(f"{share} of the vertices were merged: take a smaller {distance} than {merge:g} m")
+        reasons += self._losses(say)
         if fill is not None and self.repair.holes_left:
             reasons.append(f"{self.repair.holes_left:,} holes of up to {fill:g} m are left open")
         if not self.repair.is_orientable:
             reasons.append("a part has one side only, as a Moebius strip: there is no inside")
         return "; ".join(reasons) or None
+
+    def _losses(self, say: Audience) -> list[str]:
+        """What the repair cost of the mesh, where that is too much."""
+        done, losses = self.repair, []
+        gone = (done.removed_non_finite_triangles + done.removed_crowding_triangles) / max(1, self.triangles_in)
+        lost = done.lost_area / self.area_in if self.area_in > 0 else 0.0
+        look = f"compare it with what it was ({say('compare_meshes', 'pointloom compare-meshes')})"
+        if gone > MOST_GONE:
+            losses.append(f"{format_share(gone)} of the triangles are gone: {look}")
+        if lost > MOST_LOST:
+            losses.append(f"{format_share(lost)} of the area is gone: {look}")
+        if self.was_watertight and not done.is_watertight:
+            losses.append(f"it was closed and is no more: {look}")
+        return losses
 
     def to_json(self) -> dict[str, Any]:
         """All but the mesh in JSON's types."""
@@ -106,6 +127,7 @@ class CleanedMesh(ChangedMesh):
         """What was done and found, by name."""
         ends = {"is_watertight": self.is_watertight, "boundary_edges": self.boundary_edges}
         parts = {"removed_parts": self.removed_parts, "parts": self.parts}
+        ends |= {"was_watertight": self.was_watertight, "area_in": self.area_in}
         return asdict(self.repair) | ends | parts | {"self_intersections": self.self_intersections}
 
 
@@ -168,6 +190,8 @@ def clean_mesh(
         is_watertight=left.is_watertight() if small else done.is_watertight,
         boundary_edges=len(left.get_boundary_edges()) if small else done.boundary_edges,
         self_intersections=len(left.get_self_intersecting_triangles()),
+        was_watertight=mesh.is_watertight(),
+        area_in=mesh.get_surface_area(),
         merge_distance=merge_distance,
         hole_size=hole_size,
     )

@@ -7,9 +7,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ...kernels.meshes.sheets import FLAT
 from .mesh_nesting import Parts, find_enclosing
 
-FLAT = 1.0e-6  # of its size cubed: a part with less volume looks neither way
+BULGE = 0.02  # the same for an open part: a fifth of a ball's
 
 
 class Copies:
@@ -54,8 +55,8 @@ def find_covered(mesh: Any, copies: Copies, names: NDArray[np.int32], twins: NDA
 
     A part is covered where all of its triangles have copies in parts that stay. A closed part that looks outwards is a
     solid: only copies that look the same way cover it, so one that fills the room between others stays. One that looks
-    inwards and lies within a part that covers nothing of it is the wall of a hollow, and the same holds. Open parts go
-    first, then those that look inwards, then later ones.
+    inwards and lies within another is the wall of a hollow, and the same holds. Open parts go first, then those that
+    look inwards, then later ones: of an open sheet the side stays that is listed first, of a vault the outer one.
 
     Args:
         mesh: The mesh.
@@ -70,8 +71,8 @@ def find_covered(mesh: Any, copies: Copies, names: NDArray[np.int32], twins: NDA
     if not len(whole):
         return gone[labels]
     closed = np.bincount(labels[np.flatnonzero(twins < 0) // 3], minlength=len(firsts)) == 0
-    sides = _sides_of(mesh, labels, len(firsts), whole)
-    walls = _walls_of_hollows(mesh, Parts(labels, closed, sides), part_of, copies)
+    sides = _sides_of(mesh, labels, closed, whole)
+    solid = _are_solid(mesh, Parts(labels, closed, sides), part_of, copies)
     keys = copies.classes * 2 + copies.ways
     left = np.bincount(keys, minlength=2 * (copies.classes.max() + 1)).tolist()
     order = np.argsort(part_of, kind="stable")
@@ -80,16 +81,18 @@ def find_covered(mesh: Any, copies: Copies, names: NDArray[np.int32], twins: NDA
         own = keys[order[starts[part] : starts[part + 1]]].tolist()
         for key in own:
             left[key] -= 1
-        is_solid = closed[part] and (sides[part] > 0 or walls[part])
-        gone[part] = all(left[key] > 0 or (not is_solid and left[key ^ 1] > 0) for key in own)
+        gone[part] = all(left[key] > 0 or (not solid[part] and left[key ^ 1] > 0) for key in own)
         if not gone[part]:
             for key in own:
                 left[key] += 1
     return gone[labels]
 
 
-def _sides_of(mesh: Any, labels: NDArray[np.int64], count: int, chosen: NDArray[np.int64]) -> NDArray[np.float64]:
-    """The volume between each chosen part and the middle of its vertices, 0 where it is flat; float64 [count]."""
+def _sides_of(
+    mesh: Any, labels: NDArray[np.int64], closed: NDArray[np.bool_], chosen: NDArray[np.int64]
+) -> NDArray[np.float64]:
+    """The volume between each chosen part and the middle of its vertices, 0 where it looks neither way; float64 [p]."""
+    count = len(closed)
     rows = np.flatnonzero(np.isin(labels, chosen))
     corners, own = mesh.vertices[mesh.triangles[rows]] - mesh.origin, labels[rows]
     counts = np.maximum(np.bincount(own, minlength=count), 1)[:, None]
@@ -97,23 +100,29 @@ def _sides_of(mesh: Any, labels: NDArray[np.int64], count: int, chosen: NDArray[
     a, b, c = (corners - middles[own][:, None]).transpose(1, 0, 2)
     volumes = np.bincount(own, np.einsum("ij,ij->i", a, np.cross(b, c)), count) / 6
     areas = np.bincount(own, np.linalg.norm(np.cross(b - a, c - a), axis=1), count) / 2
-    return np.where(np.abs(volumes) > FLAT * areas**1.5, volumes, 0.0)
+    return np.where(np.abs(volumes) > np.where(closed, FLAT, BULGE) * areas**1.5, volumes, 0.0)
 
 
-def _walls_of_hollows(mesh: Any, parts: Parts, part_of: NDArray[np.int64], copies: Copies) -> NDArray[np.bool_]:
-    """Whether each part is closed, looks inwards and lies within one that it shares no triangle with, bool [p]."""
-    walls = np.zeros(len(parts.closed), np.bool_)
-    inwards = np.flatnonzero(parts.closed & (parts.sides < 0))
-    if not len(inwards):
-        return walls
+def _are_solid(mesh: Any, parts: Parts, part_of: NDArray[np.int64], copies: Copies) -> NDArray[np.bool_]:
+    """Whether each part is the skin of a solid, so that its other side does not stand for it, bool [p].
+
+    A closed part is that looks outwards, and one that looks inwards as the wall of a hollow: within an odd number of
+    parts that it shares no triangle with. Where all of the mesh has two sides, what lies so and looks outwards is none.
+    """
+    solid = parts.closed & (parts.sides > 0)
+    if not (parts.closed & (parts.sides < 0)).any():
+        return solid
     arrays = mesh.device_arrays
     whole = Parts(parts.labels, parts.closed, _all_sides(mesh, parts))
     enclosing = find_enclosing(arrays["vertices"], arrays["triangles"], whole)
-    for part in inwards.tolist():
+    is_two_sided = len(copies.rows) == len(parts.labels)
+    for part, around in enclosing.items():
         shared = set(part_of[np.isin(copies.classes, copies.classes[part_of == part])].tolist())
-        walls[part] = any(outer not in shared for outer in enclosing.get(part, ()))
-    return walls
+        is_odd = sum(whole.sides[outer] > 0 for outer in around if outer not in shared) % 2 == 1
+        if is_odd and (parts.sides[part] < 0 or is_two_sided):
+            solid[part] = parts.sides[part] < 0
+    return solid
 
 
 def _all_sides(mesh: Any, parts: Parts) -> NDArray[np.float64]:
-    return _sides_of(mesh, parts.labels, len(parts.closed), np.flatnonzero(parts.closed))
+    return _sides_of(mesh, parts.labels, parts.closed, np.flatnonzero(parts.closed))

@@ -12,6 +12,7 @@ from ...kernels.lang import float64
 from ...kernels.memory import contiguous, empty
 from ...kernels.meshes.mesh_curvature import measure_curvatures
 from .mesh_arrays import MeshArrays
+from .mesh_seams import sew
 
 
 class MeshCurvature(NamedTuple):
@@ -38,7 +39,8 @@ class MeshCurvatures(MeshArrays):
         Returns:
             A `MeshCurvature`. All four are NaN at vertices that the triangles do not close a ring around (at the rim,
             at edges of three triangles or more, without triangles), where two neighbouring triangles there turn
-            different ways, and next to a triangle without area or a vertex that is not finite.
+            different ways, and next to a triangle without area or a vertex that is not finite. Seams, where borders lie
+            on each other as texture leaves them, are no rim.
 
         Notes:
             O(m + t) memory. Sums run in float64 by ascending triangle: the same bits from run to run and on every
@@ -53,7 +55,9 @@ class MeshCurvatures(MeshArrays):
             >>> curvature.gaussian.round(3).tolist()
             [1.814, 1.814, 1.814, 1.814, 1.814, 1.814]
         """
-        found = measure_curvatures(self._arrays["vertices"], self._arrays["triangles"])
+        sewn = sew(self)
+        found = measure_curvatures(sewn.mesh.device_arrays["vertices"], sewn.mesh.device_arrays["triangles"])
         columns: Any = view_as(found, float64, (found.size, 4))
-        parts = [contiguous(columns[:, k]) if found.size else empty(0, float64, self.device) for k in range(4)]
+        columns = [contiguous(columns[:, k]) if found.size else empty(0, float64, self.device) for k in range(4)]
+        parts = [sewn.spread(column) for column in columns]
         return MeshCurvature(*map(self.handed_out, parts))

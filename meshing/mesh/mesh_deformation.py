@@ -5,15 +5,17 @@ from __future__ import annotations
 from typing import Any, Self
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ...core.checks import check_count, check_finite, check_positive, check_rows, shown
 from ...core.dropped_results import returns_new
 from ...kernels.arrays.select import gather_rows
 from ...kernels.lang import int32, vec3d
-from ...kernels.memory import upload
+from ...kernels.memory import download, upload
 from ...kernels.remeshing.rigid_deformation import deform_rigidly, turn_directions
 from ...kernels.remeshing.vertex_values import narrow_rows
 from .mesh_measures import MeshMeasures
+from .mesh_seams import sew
 from .vertex_numbers import check_finite_vertices, check_vertices
 
 MOST_TURNS = 10_000
@@ -45,12 +47,13 @@ class MeshDeformation(MeshMeasures):
         Returns:
             The bent mesh. Normals turn with their vertices, all else stays; Open3D drops it. Parts of the mesh that
             hang together with none of the given vertices stay where they are, where Open3D finds no solution; so do
-            vertices that are not finite. A triangle without area weighs nothing.
+            vertices that are not finite. A triangle without area weighs nothing. Vertices at one place of a seam, where
+            borders lie on each other as texture leaves them, move together; it is enough to give one of them.
 
         Raises:
             ValueError: No vertex, one that does not exist, is given twice or is not finite; another number of
-                positions, or one that is not finite; max_iter outside 0..10,000; an unknown energy; a smoothed_alpha
-                below 0.
+                positions, one that is not finite, or two for vertices at one place of a seam; max_iter outside
+                0..10,000; an unknown energy; a smoothed_alpha below 0.
             TypeError: No numbers.
             ArithmeticError: Triangles so thin that positions do not settle; not seen so far.
 
@@ -87,14 +90,36 @@ class MeshDeformation(MeshMeasures):
         likeness = alpha * self.get_surface_area() if _energy_of(energy) == "smoothed" else 0.0
         if turns == 0:
             return self.with_arrays()
-        vertices, triangles = self._arrays["vertices"], self._arrays["triangles"]
-        rows, places = upload(held, int32, self._device), upload(targets - self._origin, vec3d, self._device)
-        check_finite_vertices("constraint_vertex_indices", held, gather_rows(vertices, rows))
-        moved, rotations = deform_rigidly(vertices, triangles, rows, places, turns, likeness)
-        arrays: dict[str, Any] = {"vertices": narrow_rows(moved)}
+        rows = upload(held, int32, self._device)
+        check_finite_vertices("constraint_vertex_indices", held, gather_rows(self._arrays["vertices"], rows))
+        sewn = sew(self)
+        if sewn.places is not None:
+            held, targets = _once(held, download(gather_rows(sewn.places, rows)), targets)  # sync
+            rows = upload(held, int32, self._device)
+        places, arrays = upload(targets - self._origin, vec3d, self._device), sewn.mesh.device_arrays
+        moved, rotations = deform_rigidly(arrays["vertices"], arrays["triangles"], rows, places, turns, likeness)
+        bent: dict[str, Any] = {"vertices": sewn.spread(narrow_rows(moved))}
         if "vertex_normals" in self._arrays:
-            arrays["vertex_normals"] = turn_directions(rotations, self._arrays["vertex_normals"])
-        return self.with_arrays(**arrays)
+            bent["vertex_normals"] = turn_directions(rotations, self._arrays["vertex_normals"], sewn.places)
+        return self.with_arrays(**bent)
+
+
+def _once(
+    held: NDArray[np.int32], places: NDArray[np.int32], targets: NDArray[np.float64]
+) -> tuple[NDArray[np.int32], NDArray[np.float64]]:
+    """Places of a sewn mesh once each, and where they are put.
+
+    Raises:
+        ValueError: Two of them lie at one place and are put elsewhere each.
+    """
+    found, firsts, members = np.unique(places, return_index=True, return_inverse=True)
+    unlike = np.flatnonzero((targets != targets[firsts][members]).any(axis=1))
+    if len(unlike):
+        pair = f"{held[firsts[members[unlike[0]]]]} and {held[unlike[0]]}"
+        raise ValueError(
+            f"constraint_vertex_positions: vertices {pair} lie at one place of a seam; put them at one place"
+        )
+    return found.astype(np.int32), targets[firsts]
 
 
 def _energy_of(energy: Any) -> str:

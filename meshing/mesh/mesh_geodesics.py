@@ -12,6 +12,7 @@ from ...kernels.lang import int32
 from ...kernels.memory import upload
 from ...kernels.meshes.geodesics import geodesic_distances
 from .mesh_arrays import MeshArrays
+from .mesh_seams import sew
 from .vertex_numbers import check_finite_vertices, check_vertices
 
 
@@ -26,7 +27,7 @@ class MeshGeodesics(MeshArrays):
 
         Returns:
             Distances [m], float64 [m]; 0 at the sources, infinite where no triangles lead there, so at vertices that
-            are not finite.
+            are not finite. The way leads across seams, where borders lie on each other as texture leaves them.
 
         Raises:
             ValueError: No source, one that does not exist or is not finite.
@@ -49,4 +50,6 @@ class MeshGeodesics(MeshArrays):
         numbers = check_vertices("sources", sources, vertices.size)
         rows = upload(numbers, int32, self._device)
         check_finite_vertices("sources", numbers, gather_rows(vertices, rows))
-        return self.handed_out(geodesic_distances(vertices, self._arrays["triangles"], rows))
+        sewn = sew(self)
+        arrays, own = sewn.mesh.device_arrays, rows if sewn.places is None else gather_rows(sewn.places, rows)
+        return self.handed_out(sewn.spread(geodesic_distances(arrays["vertices"], arrays["triangles"], own)))

@@ -69,6 +69,8 @@ class MeshMeasures(MeshArrays):
     def get_volume(self) -> float:
         """The volume [m^3] that a closed mesh encloses; 0 where there are no triangles.
 
+        It is closed where each edge belongs to exactly two triangles; parts may touch at vertices.
+
         Of several parts the volumes are added, of those that look inwards subtracted: a hollow counts as one where its
         wall looks into it, and parts beside each other should all look outwards (`orient_triangles(outward=True)`).
 
@@ -93,10 +95,17 @@ class MeshMeasures(MeshArrays):
         return not topology.has_crowded_edge and (allow_boundary_edges or not topology.has_boundary)
 
     def is_watertight(self) -> bool:
-        """Whether each edge belongs to exactly two triangles, and the triangles at each vertex are one fan.
+        """Whether each edge belongs to exactly two triangles: then the mesh has a volume.
 
-        A mesh without triangles is not, since it encloses nothing; Open3D says that it is. Unlike Open3D's, the test
-        says nothing of triangles that cut through each other: `is_self_intersecting` does.
+        A mesh without triangles is not, since it encloses nothing; Open3D says that it is. Open3D's test also asks that
+        the triangles at each vertex are one fan and that none cut through each other, neither of which lets water out:
+        `is_vertex_manifold` and `is_self_intersecting` tell.
+
+        Example:
+            >>> import pointloom as loom
+            >>> box = loom.TriangleMesh.create_box()
+            >>> box.is_watertight(), loom.TriangleMesh(box.vertices, box.triangles[1:]).is_watertight()
+            (True, False)
         """
         return len(self) > 0 and is_closed(self.edge_topology())
 
@@ -124,5 +133,5 @@ class MeshMeasures(MeshArrays):
 
 
 def is_closed(topology: Topology) -> bool:
-    """Whether each edge has two triangles, and the triangles at each vertex are one fan."""
-    return not (topology.has_boundary or topology.has_crowded_edge or topology.has_split_vertex)
+    """Whether each edge has two triangles."""
+    return not (topology.has_boundary or topology.has_crowded_edge)

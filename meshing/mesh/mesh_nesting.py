@@ -58,7 +58,7 @@ def find_enclosing(vertices: Points, triangles: Triangles, parts: Parts) -> dict
             continue
         rows = [order[starts[part] : starts[part + 1]] for part in near.tolist()]
         queries = np.concatenate([
-            _points_behind(points, corners[own], parts.sides[part]) for part, own in zip(near, rows, strict=True)
+            _points_behind(points, corners[own], float(parts.sides[part])) for part, own in zip(near, rows, strict=True)
         ])  # fmt: skip
         own = upload(order[starts[outer] : starts[outer + 1]].astype(np.int32), int32, triangles.device)
         numbers = _winding_numbers(vertices, gather_triangles(triangles, own), queries)

@@ -24,6 +24,8 @@ from .mesh_selection import MeshSelection
 from .mesh_sheets import cut_and_stitch
 from .mesh_topology import MeshTopology
 
+ROUNDING = 1e-9  # of sums of areas
+
 
 @dataclass(frozen=True)
 class MeshRepairReport:
@@ -38,7 +40,7 @@ class MeshRepairReport:
         split_vertices: Vertices added where sheets or fans of triangles came apart.
         flipped_triangles: Triangles wound the other way.
         filled_holes: Holes closed.
-        added_triangles: Triangles that close them.
+        added_triangles: Triangles that close them, and those made of one where a surface touches itself along an edge.
         removed_vertices: Vertices that no triangle used at the end.
         lost_area: Area that went with triangles which were no copies [m^2].
         is_watertight: Whether the mesh is closed now, as of `TriangleMesh.is_watertight`.
@@ -176,9 +178,9 @@ class MeshRepair(MeshTopology, MeshSelection):
             split_vertices=found.split,
             flipped_triangles=count_unlike(found.mesh.device_arrays["triangles"], mesh.device_arrays["triangles"]),
             filled_holes=filled,
-            added_triangles=added,
+            added_triangles=added + found.halved,
             removed_vertices=found.unused,
-            lost_area=max(0.0, self.get_surface_area() - found.copied_area - area),
+            lost_area=_difference(self.get_surface_area(), found.copied_area + area),
             is_orientable=orientable,
             holes_left=left,
             **mesh._findings(),
@@ -190,9 +192,10 @@ class MeshRepair(MeshTopology, MeshSelection):
         """Give each fan of triangles a vertex of its own where several hang together by the vertex alone.
 
         Returns:
-            A mesh with `is_vertex_manifold()`. New vertices stand behind the old ones, with their position, normal and
-            colour; the fan with the lowest triangle keeps the old one. Triangles, their texture and vertices without
-            triangles stay. Edges stay what they are: those of more than two triangles are split by `repair`.
+            A mesh with `is_vertex_manifold()` where no triangle names a vertex twice. New vertices stand behind the old
+            ones, with their position, normal and colour; the fan with the lowest triangle keeps the old one. Triangles,
+            their texture and vertices without triangles stay. Edges stay what they are: those of more than two
+            triangles are split by `repair`.
 
         Notes:
             About 80 B of memory a triangle. Same bits from run to run and on every device. Open3D lists these vertices
@@ -252,3 +255,8 @@ class MeshRepair(MeshTopology, MeshSelection):
             "non_manifold_vertices": len(self.get_non_manifold_vertices()),
             "zero_area_triangles": positions_of(empty).size,
         }
+
+
+def _difference(whole: float, rest: float) -> float:
+    """What is left of a sum without the rest of it; 0 where that is rounding."""
+    return whole - rest if whole - rest > ROUNDING * whole else 0.0

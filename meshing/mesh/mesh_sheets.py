@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, Generic, TypeVar
 
 import numpy as np
@@ -16,10 +16,11 @@ from ...kernels.lang import int32, uint8
 from ...kernels.memory import download, upload
 from ...kernels.meshes import clean_triangles, merge_vertices
 from ...kernels.meshes.copies import find_copies
-from ...kernels.meshes.corner_vertices import CornerVertices, keep_sets
+from ...kernels.meshes.corner_vertices import CornerVertices, keep_corners
 from ...kernels.meshes.mesh_edits import count_referenced, gather_triangles
 from ...kernels.meshes.sheets import Sheets, mask_loose
 from .covered_parts import Copies, find_covered, find_doubled
+from .doubled_edges import part_doubled_edges
 from .mesh_cleaning import MeshCleaning
 
 MeshType = TypeVar("MeshType", bound=MeshCleaning)
@@ -31,23 +32,27 @@ class Stitched(Generic[MeshType]):
 
     Attributes:
         mesh: The mesh.
-        degenerate: Triangles that named a vertex, or a position, twice.
         copies: Triangles that were copies of others, of either side.
         copied_area: The area of these [m^2].
         crowding: Triangles that found no place where more than two met.
+        halved: Triangles added where one was made of two, to part two edges between the same vertices.
         merged: Vertices that became one with another.
         split: Vertices added where sheets came apart.
         unused: Vertices that no triangle uses.
+        open_sides: Sides of triangles at a border.
+        degenerate: Triangles that named a vertex, or a position, twice.
     """
 
     mesh: MeshType
-    degenerate: int
     copies: int
     copied_area: float
     crowding: int
+    halved: int
     merged: int
     split: int
     unused: int
+    open_sides: int
+    degenerate: int = 0
 
 
 def cut_and_stitch(mesh: MeshType) -> Stitched[MeshType]:
@@ -55,51 +60,68 @@ def cut_and_stitch(mesh: MeshType) -> Stitched[MeshType]:
 
     Closed parts that are wound alike stay as they are. Of all others what names a position twice goes, and what
     repeats an earlier triangle. Then parts go that are copies of others, and single triangles without a partner at an
-    edge of more than two.
+    edge of more than two. Where that leaves a border, and less of one if a single triangle is kept of those that have
+    the same vertices whichever way round, that is done.
     """
     clean = mesh.remove_degenerate_triangles()
     vertices, triangles = clean.device_arrays["vertices"], clean.device_arrays["triangles"]
     owners = merge_vertices.find_equal_vertices(vertices)
     placed = merge_vertices.rename_corners(triangles, owners, positions(vertices.size, vertices.device))
     loose = mask_loose(triangles, vertices.size)
-    folded, repeated = _find_worthless(clean, placed, loose)
-    copied_area = _area_of(clean, repeated)
-    kept = other_rows(_joined(folded, repeated), triangles.size)
-    clean = clean.with_arrays(**clean.triangles_at(kept))
-    placed, loose = gather_triangles(placed, kept), gather_rows(loose, kept)
+    folded, repeated, turned = _find_worthless(clean, placed, loose)
+    found = _sew(clean, placed, loose, folded, repeated)
+    if found.open_sides and turned.size > repeated.size:
+        other = _sew(clean, placed, loose, folded, turned)
+        found = other if other.open_sides < found.open_sides else found
+    return replace(found, degenerate=len(mesh) - triangles.size + folded.size)
 
+
+def _sew(mesh: MeshType, placed: Triangles, loose: Mask, folded: Indices, repeated: Indices) -> Stitched[MeshType]:
+    """`cut_and_stitch` without the triangles at some rows."""
+    vertices, copied_area = mesh.device_arrays["vertices"], _area_of(mesh, repeated)
+    kept = other_rows(_joined(folded, repeated), placed.size)
+    clean = mesh.with_arrays(**mesh.triangles_at(kept))
+    placed, loose = gather_triangles(placed, kept), gather_rows(loose, kept)
     sheets = Sheets(vertices, clean.device_arrays["triangles"], placed, loose)
     covered, crowding = _find_parts_to_drop(clean, sheets, placed, loose)
     copied_area += _area_of(clean, covered)
     kept = other_rows(_joined(covered, crowding), placed.size)
-    sets = keep_sets(sheets.corner_sets(), kept)
+    sets, twins = keep_corners(sheets.corner_sets(), kept), keep_corners(sheets.twins, kept)
     clean = clean.with_arrays(**clean.triangles_at(kept))
     used = count_referenced(clean.device_arrays["triangles"], vertices.size)
     found = CornerVertices(clean.device_arrays["triangles"], vertices.size, sets)
     rows: dict[str, Any] = {name: gather_rows(values, found.rows) for name, values in clean._per_vertex().items()}
     sewn = clean.with_arrays(triangles=found.triangles, **rows)
-    whole = sewn.remove_non_manifold_edges()  # where one fan has an edge twice
+    whole = part_doubled_edges(sewn, twins)
     return Stitched(
         mesh=whole,
-        degenerate=len(mesh) - triangles.size + folded.size,
         copies=repeated.size + covered.size,
         copied_area=copied_area,
-        crowding=crowding.size + len(sewn) - len(whole),
+        crowding=crowding.size,
+        halved=len(whole) - len(sewn),
         merged=used - found.kept,
-        split=found.rows.size - found.kept,
+        split=whole.device_arrays["vertices"].size - found.kept,
         unused=vertices.size - used,
+        open_sides=int((download(twins) < 0).sum()),  # sync
     )
 
 
-def _find_worthless(mesh: MeshCleaning, placed: Triangles, loose: Mask) -> tuple[Indices, Indices]:
-    """(rows that name a position twice, rows that repeat an earlier triangle) among the loose ones."""
+def _find_worthless(mesh: MeshCleaning, placed: Triangles, loose: Mask) -> tuple[Indices, Indices, Indices]:
+    """(rows that name a position twice, that repeat an earlier one, that do so whichever way round) of loose ones."""
     rows = positions_of(loose)  # sync
     own = gather_triangles(placed, rows)
     vertices = mesh.device_arrays["vertices"]
     folded = positions_of(clean_triangles.mask_degenerate(vertices, own, zero_area=False))  # sync
     rest = other_rows(folded, rows.size)
-    again = positions_of(clean_triangles.mask_repeats(gather_triangles(own, rest), vertices.size))  # sync
-    return gather_rows(rows, folded), gather_rows(rows, gather_rows(rest, again))
+    triangles, rows_left = gather_triangles(own, rest), gather_rows(rows, rest)
+    again = positions_of(clean_triangles.mask_repeats(triangles, vertices.size))  # sync
+    classes, count = find_copies(triangles, vertices.size)  # sync
+    turned = again
+    if count < rest.size:
+        mask = np.ones(rest.size, np.bool_)
+        mask[np.unique(download(classes), return_index=True)[1]] = False
+        turned = _rows_of(mask, rows.device)
+    return gather_rows(rows, folded), gather_rows(rows_left, again), gather_rows(rows_left, turned)
 
 
 def _find_parts_to_drop(mesh: MeshCleaning, sheets: Sheets, placed: Triangles, loose: Mask) -> tuple[Indices, Indices]:
@@ -133,6 +155,6 @@ def _joined(first: Indices, second: Indices) -> Indices:
     return upload(np.concatenate([download(first), download(second)]), int32, first.device)  # sync
 
 
-def _area_of(mesh: MeshCleaning, rows: Indices) -> float:
+def _area_of(mesh: Any, rows: Indices) -> float:
     """The area [m^2] of some triangles."""
     return mesh.with_arrays(**mesh.triangles_at(rows)).get_surface_area() if rows.size else 0.0

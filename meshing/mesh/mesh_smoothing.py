@@ -9,6 +9,7 @@ from ...core.dropped_results import returns_new
 from ...kernels.remeshing.mesh_filters import approach_mean_kernel, average_kernel, filter_values, sharpen_kernel
 from ...kernels.remeshing.vertex_values import narrow_directions, narrow_rows, widen_rows
 from .mesh_arrays import PER_VERTEX, MeshArrays
+from .mesh_seams import sew
 
 MOST_PASSES = 10_000
 SCOPES = {"all": tuple(PER_VERTEX), "vertex": ("vertices",), "normal": ("vertex_normals",), "color": ("vertex_colors",)}
@@ -27,7 +28,9 @@ class MeshSmoothing(MeshArrays):
 
         Returns:
             The mesh with what was smoothed in place of what it was, and all else as it was. Normals are of unit length
-            (Open3D leaves them shorter). A vertex that is not finite stays and counts for no neighbour.
+            (Open3D leaves them shorter). A vertex that is not finite stays and counts for no neighbour. Vertices at one
+            place of a seam, where borders lie on each other as texture leaves them, count as one: they move together
+            (in Open3D the surface tears there) and get the mean of their normals and colours.
 
         Raises:
             ValueError: Iterations outside 0..10,000; an unknown scope, or one that the mesh has nothing of.
@@ -145,15 +148,16 @@ class MeshSmoothing(MeshArrays):
             raise ValueError(f"filter_scope: the mesh has no {_names_of(scope)[0]} to filter")
         if count == 0 or not len(self):
             return self.with_arrays()
-        wide = {name: widen_rows(self._arrays[name]) for name in {"vertices", *names}}
-        triangles, positions = self._arrays["triangles"], wide["vertices"]
-        values = filter_values(triangles, positions, names, wide, passes * count)
+        sewn = sew(self)
+        arrays = sewn.mesh.device_arrays
+        wide = {name: widen_rows(arrays[name]) for name in {"vertices", *names}}
+        values = filter_values(arrays["triangles"], wide["vertices"], names, wide, passes * count)
         narrow: dict[str, Any] = {}
         for name, rows in values.items():
             if name == "vertex_normals":
-                narrow[name] = narrow_directions(rows, self._arrays[name])
+                narrow[name] = sewn.spread(narrow_directions(rows, arrays[name]))
             else:
-                narrow[name] = narrow_rows(rows)
+                narrow[name] = sewn.spread(narrow_rows(rows))
         return self.with_arrays(**narrow)
 
 

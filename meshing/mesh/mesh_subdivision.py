@@ -15,6 +15,7 @@ from ...kernels.remeshing import subdivision
 from ...kernels.remeshing.vertex_values import narrow_directions, narrow_rows, widen_rows
 from .mesh_arrays import MeshArrays
 from .mesh_attributes import each
+from .mesh_seams import sew
 
 MOST_CORNERS = 2**31 - 1  # half-edges are counted in 32 bits
 
@@ -64,7 +65,9 @@ class MeshSubdivision(MeshArrays):
             of the positions; texture coordinates are means along the edges of each triangle, and so are further
             attributes, as there. Edges of one triangle are smoothed as curves of their own; at edges of three or more
             all vertices across count alike, as in Open3D. Vertices without triangles stay, where Open3D makes them NaN,
-            and a vertex is no neighbour of itself.
+            and a vertex is no neighbour of itself. Vertices at one place of a seam, where borders lie on each other as
+            texture leaves them, become one, with the mean of their normals, colours and attributes; in Open3D the
+            surface tears there.
 
         Raises:
             ValueError: A negative count, or more than 715,827,882 triangles.
@@ -80,7 +83,8 @@ class MeshSubdivision(MeshArrays):
             >>> mesh.vertices[:, 0].tolist()
             [1.0, 6.0, 1.0, 4.0, 4.0, 0.0]
         """
-        return self._subdivided(number_of_iterations, subdivision.mask, 0)
+        count = check_count("number_of_iterations", number_of_iterations, minimum=0)
+        return (sew(self).mesh if count and len(self) else self)._subdivided(count, subdivision.mask, 0)
 
     def _subdivided(self, iterations: int, rule: Callable[..., list[Any]], first_new: int) -> Self:
         """Rounds of a rule for values; normals before `first_new` are as they were."""

@@ -270,7 +270,8 @@ class SceneDistances(SceneGeometries):
             mesh = self._meshes[number]
             vertices, triangles = mesh.array("vertices"), mesh.array("triangles")
             topology, is_shell = mesh.edge_topology(), False
-            if len(mesh) and is_closed(topology) and not topology.has_twisted_edge:
+            is_sound = is_closed(topology) and not (topology.has_twisted_edge or topology.has_split_vertex)
+            if len(mesh) and is_sound:
                 is_whole = len(Components(vertices, triangles).counts) == 1
                 is_shell = is_whole and not has_narrow_triangles(vertices, triangles)
                 is_shell = is_shell and not meet_anywhere(self._trees[number], vertices, triangles)

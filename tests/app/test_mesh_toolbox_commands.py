@@ -64,6 +64,13 @@ def test_merging_most_vertices_is_a_poor_result(ball, tmp_path):
     assert "take a smaller --merge than 0.9 m" in report["poor"]
 
 
+def test_a_mesh_that_lost_part_of_its_surface_is_a_poor_result(tmp_path):
+    box = TriangleMesh.create_box()
+    fin = TriangleMesh(np.vstack([box.vertices, [[5, 5, 5]]]), np.vstack([box.triangles, [[*box.triangles[0][:2], 8]]]))
+    report = poor_answer("clean-mesh", write(tmp_path / "fin.ply", fin), tmp_path / "out.ply")
+    assert "of the area is gone" in report["poor"] and report["is_watertight"] and report["lost_area"] > 1
+
+
 def test_a_strip_with_one_side_is_a_poor_result(tmp_path):
     strip = write(tmp_path / "strip.ply", TriangleMesh.create_moebius())
     assert "one side only" in poor_answer("clean-mesh", strip, tmp_path / "out.ply")["poor"]

@@ -93,7 +93,14 @@ def test_manifold_tests_agree_with_open3d(device, name):
     peer = in_open3d(mesh)
     assert mesh.is_edge_manifold() == peer.is_edge_manifold()
     assert mesh.is_edge_manifold(allow_boundary_edges=False) == peer.is_edge_manifold(allow_boundary_edges=False)
-    assert mesh.is_watertight() == (peer.is_watertight() and len(mesh) > 0)
+    # Open3D asks for one fan at each vertex, too
+    assert (mesh.is_watertight() and mesh.is_vertex_manifold()) == (peer.is_watertight() and len(mesh) > 0)
+
+
+def test_parts_that_touch_at_a_vertex_are_closed_and_have_a_volume(device):
+    mesh = TriangleMesh(*MESHES["two tetrahedra at a vertex"], device=device)
+    assert mesh.is_watertight() and mesh.get_volume() == pytest.approx(1 / 3)
+    assert not TriangleMesh(*MESHES["two tetrahedra at an edge"], device=device).is_watertight()
 
 
 def test_a_mesh_without_triangles_is_not_watertight(device):
@@ -111,8 +118,8 @@ def test_manifold_tests_agree_with_open3d_on_random_triangles(triangles):
     peer = in_open3d(mesh)
     assert mesh.is_edge_manifold() == peer.is_edge_manifold()
     assert mesh.is_edge_manifold(False) == peer.is_edge_manifold(False)
-    closed = peer.is_edge_manifold(False) and peer.is_vertex_manifold()
-    assert mesh.is_watertight() == (closed and len(triangles) > 0)
+    assert mesh.is_watertight() == (peer.is_edge_manifold(False) and len(triangles) > 0)
+    assert mesh.is_vertex_manifold() == peer.is_vertex_manifold()
 
 
 # ------------------------------------------------------------------------------------------------ operations

@@ -176,38 +176,39 @@ def test_a_repair_says_what_it_did(device):
     loose = BOX[BOX_SIDES].reshape(-1, 3)  # a box of triangles that share no vertex
     sides = np.arange(36).reshape(12, 3)
     sides[[2, 5]] = sides[[2, 5], ::-1]
-    sides = np.vstack([sides[:-1], sides[3:4, [1, 2, 0]], [[0, 3, 3], [3, 36, 37]], [[3, 4, 38]]])
-    vertices = np.vstack([loose, [[np.nan, 0, 0], [7, 7, 7]], [[0.01, 0.5, 0.1]], [[9, 9, 9]]])
+    sides = np.vstack([sides[:-1], sides[3:4, [1, 2, 0]], [[0, 3, 3], [3, 36, 37]], [[39, 40, 38]]])
+    vertices = np.vstack([loose, [[np.nan, 0, 0], [7, 7, 7]], [[0.01, 0.5, 0.1]], loose[3:5], [[9, 9, 9]]])
     mended, report = TriangleMesh(vertices, rng.permutation(sides), device=device).repair(hole_size=2)
     assert mended.is_watertight() and mended.get_volume() == pytest.approx(1) and len(mended) == 12
     assert mended._signed_volume() > 0
     assert report.removed_non_finite_triangles == 1
-    assert report.merged_vertices == 28
+    assert report.merged_vertices == 33 - 8
     assert report.removed_degenerate_triangles == 1
     assert report.removed_duplicated_triangles == 1
     assert report.removed_crowding_triangles == 1
     assert (report.filled_holes, report.added_triangles, report.holes_left) == (1, 1, 0)
     assert report.flipped_triangles == 2
-    assert report.removed_vertices == 4
+    assert report.removed_vertices == 3 + 6 and report.split_vertices == 0
     assert report.is_watertight and report.is_orientable and report.boundary_edges == 0
     assert report.non_manifold_vertices == report.zero_area_triangles == 0
 
 
 @HYPOTHESIS
 @given(SOUPS, st.sampled_from([None, 10.0]), st.sampled_from([None, 0.3]))
-def test_whatever_the_mesh_a_repair_is_edge_manifold_and_its_report_true(triangles, hole_size, merge_distance):
+def test_whatever_the_mesh_a_repair_is_manifold_and_its_report_true(triangles, hole_size, merge_distance):
     mesh = soup(triangles)
     mended, report = mesh.repair(hole_size=hole_size, merge_distance=merge_distance)
-    assert mended.is_edge_manifold()
+    assert mended.is_edge_manifold() and mended.is_vertex_manifold()
     gone = report.removed_degenerate_triangles + report.removed_duplicated_triangles + report.removed_crowding_triangles
     assert len(mended) == len(mesh) - gone - report.removed_non_finite_triangles + report.added_triangles
-    assert len(mended.vertices) == len(mesh.vertices) - report.merged_vertices - report.removed_vertices
+    left = len(mesh.vertices) - report.merged_vertices - report.removed_vertices
+    assert len(mended.vertices) == left + report.split_vertices
     assert report.is_watertight == mended.is_watertight()
     assert report.is_orientable == mended.is_orientable() == (turns_alike(mended.triangles) or len(mended) == 0)
     assert report.boundary_edges == len(mended.get_boundary_edges())
     assert report.non_manifold_vertices == len(mended.get_non_manifold_vertices())
     assert (report.holes_left is None) == (hole_size is None)
-    again, second = mended.repair(merge_distance=None)
+    again, second = mended.repair()
     assert len(again) == len(mended) and second.flipped_triangles == 0
 
 

@@ -1,6 +1,7 @@
 """clean_mesh, simplify_mesh, smooth_mesh and compare_meshes: what the commands do, for meshes in memory."""
 
 import json
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -95,6 +96,24 @@ def test_the_remedy_is_named_as_a_caller_gives_it():
     ):
         assert argument in found.poor and "--" not in found.poor
         assert option in found.why_poor(to_shell)
+
+
+def test_a_repair_that_cost_too_much_is_poor():
+    box = TriangleMesh.create_box()
+    fin = TriangleMesh(np.vstack([box.vertices, [[5, 5, 5]]]), np.vstack([box.triangles, [[*box.triangles[0][:2], 8]]]))
+    lost = loom.clean_mesh(fin)
+    assert lost.repair.removed_crowding_triangles == 1 and "% of the area is gone: compare it with" in lost.poor
+    holed = loom.clean_mesh(TriangleMesh(np.where(np.arange(8)[:, None] == 7, np.nan, box.vertices), box.triangles))
+    assert "of the triangles are gone" in holed.poor and "pointloom compare-meshes" in holed.why_poor(to_shell)
+    opened = replace(holed, triangles_in=10**6, was_watertight=True)
+    assert opened.poor == "it was closed and is no more: compare it with what it was (compare_meshes)"
+
+
+def test_copies_cost_nothing():
+    ball = TriangleMesh.create_sphere(1, 8)
+    twice = TriangleMesh(ball.vertices, np.vstack([ball.triangles, ball.triangles[:, ::-1]]))
+    found = loom.clean_mesh(twice)
+    assert found.poor is None and len(found.mesh) == len(ball) and found.is_watertight
 
 
 @pytest.mark.parametrize(

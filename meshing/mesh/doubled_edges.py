@@ -1,0 +1,91 @@
+"""Sheets that pass between the same two vertices more than once: all but the first get a vertex halfway."""
+
+from __future__ import annotations
+
+from typing import Any, TypeVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...kernels.array_types import Indices
+from ...kernels.arrays.select import gather_rows
+from ...kernels.lang import int32, vec2, vec3i
+from ...kernels.memory import download, upload
+from ...kernels.meshes.corner_vertices import find_doubled_edges
+from .mesh_cleaning import MeshCleaning
+
+MeshType = TypeVar("MeshType", bound=MeshCleaning)
+
+
+def part_doubled_edges(mesh: MeshType, twins: Indices) -> MeshType:
+    """Give sheets that have an edge between the same two vertices as another a vertex in the middle of it.
+
+    Such a surface touches itself along an edge and hangs together around both of its ends, so that no split of vertices
+    parts it. New vertices stand at the end, with the means of their ends; a triangle becomes two for each, the first in
+    its place, the others at the end.
+
+    Args:
+        mesh: Sheets.
+        twins: The other half-edge of each one's pair or -1, int32 [3 t].
+    """
+    count = mesh.device_arrays["vertices"].size
+    doubled = download(find_doubled_edges(mesh.device_arrays["triangles"], count, twins))  # sync
+    if not len(doubled):
+        return mesh
+    others = download(twins)[doubled]  # sync
+    triangles = download(mesh.device_arrays["triangles"]).reshape(-1, 3)  # sync
+    pairs = np.where(others >= 0, np.minimum(doubled, others), doubled)
+    halves, middles = np.unique(pairs, return_inverse=True)
+    ends = np.column_stack([triangles.ravel()[halves], triangles.ravel()[halves - halves % 3 + (halves + 1) % 3]])
+    middle_of = dict(zip(doubled.tolist(), (count + middles).tolist(), strict=True))
+    pieces, weights, rows = [], [], np.unique(doubled // 3)
+    for row in rows.tolist():
+        made = _pieces(triangles[row].tolist(), [middle_of.get(3 * row + k) for k in range(3)])
+        pieces.append([[vertex for vertex, _ in piece] for piece in made])
+        weights.append([[weight for _, weight in piece] for piece in made])
+    return _with_pieces(mesh, ends, rows, pieces, weights)
+
+
+def _pieces(corners: list[int], middles: list[int | None]) -> list[list[tuple[int, list[float]]]]:
+    """A triangle as triangles of (vertex, weights of its corners), with vertices on some of its sides."""
+    around: list[tuple[int, list[float]]] = []
+    for k in range(3):
+        around.append((corners[k], [float(j == k) for j in range(3)]))
+        middle = middles[k]
+        if middle is not None:
+            around.append((middle, [0.0 if j == (k + 2) % 3 else 0.5 for j in range(3)]))
+    first = next(k for k, (_, weight) in enumerate(around) if max(weight) < 1)
+    around = around[first:] + around[:first]  # from a middle on, which lies on a line with its neighbours alone
+    return [[around[0], around[k], around[k + 1]] for k in range(1, len(around) - 1)]
+
+
+def _with_pieces(
+    mesh: MeshType, ends: NDArray[np.int32], rows: NDArray[np.int64], pieces: list[Any], weights: list[Any]
+) -> MeshType:
+    """The mesh with vertices between some ends, and with pieces in the place of the triangles at some rows."""
+    device, count = mesh.device, len(mesh)
+    lower, upper = (upload(np.ascontiguousarray(ends[:, k]), int32, device) for k in (0, 1))
+    arrays: dict[str, Any] = {}
+    for name, values in mesh._per_vertex().items():
+        own, one, other = (download(part) for part in (values, gather_rows(values, lower), gather_rows(values, upper)))
+        middle = one
+        if own.dtype.kind == "f":
+            middle = (one.astype(np.float64) + other) / 2
+            if name == "vertex_normals":
+                size = np.linalg.norm(middle, axis=1, keepdims=True)
+                middle = np.where(size > 0, middle / np.where(size > 0, size, 1), one)
+        arrays[name] = upload(np.concatenate([own, middle.astype(own.dtype)]), values.dtype, device)
+    places = [[row] + [-1] * (len(piece) - 1) for row, piece in zip(rows.tolist(), pieces, strict=True)]
+    flat = np.concatenate(places)
+    flat[flat < 0] = count + np.arange((flat < 0).sum())
+    source = np.append(np.arange(count), np.empty(len(flat) - len(rows), np.int64)).astype(np.int32)
+    source[flat] = np.repeat(rows, [len(piece) for piece in pieces])
+    arrays |= mesh.triangles_at(upload(source, int32, device))
+    triangles = download(arrays["triangles"]).reshape(-1, 3).copy()
+    triangles[flat] = np.concatenate([np.array(piece) for piece in pieces])
+    arrays["triangles"] = upload(triangles, vec3i, device)
+    if "triangle_uvs" in arrays:
+        uvs = download(arrays["triangle_uvs"]).reshape(-1, 3, 2).copy()
+        uvs[flat] = np.einsum("nkj,njc->nkc", np.concatenate([np.array(w) for w in weights]), uvs[flat])
+        arrays["triangle_uvs"] = upload(uvs.reshape(-1, 2).astype(np.float32), vec2, device)
+    return mesh.with_arrays(**arrays)

@@ -1,0 +1,211 @@
+"""A repair makes no mesh worse: what is right stays, what is closed stays closed, nothing goes but copies."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from pointloom import TriangleMesh
+
+from .mesh_soups import GOOD_SOUPS, SOUPS, soup, surface
+from .repair_scenes import (
+    DIAGONAL,
+    MENDED,
+    SIDE_BY_SIDE,
+    VALID,
+    blocks,
+    box,
+    fans,
+    joined,
+    loose,
+    moved,
+    partly_turned,
+    ring,
+    shells,
+    sphere,
+    turned,
+    two_sided,
+    welded,
+    with_more,
+)
+from .test_mesh_texture import PICTURE, corner_table
+
+
+@pytest.mark.parametrize("name", VALID)
+def test_what_is_right_stays_as_it_is(device, name):
+    mesh = VALID[name].to(device)
+    mended, report = mesh.repair()
+    np.testing.assert_array_equal(mended.triangles, mesh.triangles)
+    np.testing.assert_array_equal(mended.vertices, mesh.vertices)
+    assert report.is_watertight == mesh.is_watertight() and report.flipped_triangles == report.split_vertices == 0
+
+
+@pytest.mark.parametrize("name", MENDED)
+def test_what_is_wrong_becomes_what_was_meant(device, name):
+    given_mesh, meant = MENDED[name]
+    mended, report = given_mesh.to(device).repair()
+    assert mended.is_edge_manifold() and mended.is_vertex_manifold() and report.is_orientable
+    assert mended.is_watertight() == (len(meant.get_boundary_edges()) == 0)
+    assert mended.get_surface_area() == pytest.approx(meant.get_surface_area(), rel=1e-6)
+    local = TriangleMesh(meant.vertices, meant.triangles)
+    assert mended._signed_volume() == pytest.approx(local._signed_volume(), rel=1e-4)
+    assert report.lost_area == 0 and report.removed_crowding_triangles == 0
+    assert len(mended) - report.added_triangles == len(meant)
+
+
+@pytest.mark.parametrize("count", [3, 4, 5, 6, 9])
+def test_an_edge_of_many_triangles_becomes_sheets_of_two(device, count):
+    mesh = fans(count).to(device)
+    mended, report = mesh.repair()
+    parts = mended.cluster_connected_triangles()[1]
+    assert len(mended) == 2 * count and mended.is_edge_manifold() and mended.is_vertex_manifold()
+    assert sorted(parts) == [2] * (count % 2) + [4] * (count // 2)
+    assert report.split_vertices == 2 * ((count + 1) // 2 - 1)
+
+
+@pytest.mark.parametrize("turned_triangles", [False, True])
+def test_triangles_at_one_edge_are_paired_by_angle(device, turned_triangles):
+    """Two thin wedges whose tips touch: each stays whole, whichever way its triangles are listed."""
+    tips = [[1, 0.1, 0], [1, -0.1, 0], [-1, 0.1, 0], [-1, -0.1, 0]]
+    first = [[0, 1, 3], [1, 0, 2], [2, 0, 3], [1, 2, 3]]
+    second = [[0, 1, 4], [1, 0, 5], [5, 0, 4], [1, 5, 4]]
+    mesh = TriangleMesh([[0, 0, 0], [0, 0, 1], *tips], first + second, device=device)
+    mesh = turned(mesh) if turned_triangles else mesh
+    mended, report = mesh.repair()
+    assert mended.is_watertight() and sorted(mended.cluster_connected_triangles()[1]) == [4, 4]
+    assert report.split_vertices == 2 and mended.get_volume() == pytest.approx(2 * 0.2 / 6)
+
+
+def test_a_single_triangle_without_a_partner_goes_and_a_sheet_stays(device):
+    ball = sphere()
+    tip = 2 * ball.vertices[:1]
+    fin = TriangleMesh(np.vstack([ball.vertices, tip]), np.vstack([ball.triangles, [[*ball.triangles[20][:2], 62]]]))
+    mended, report = fin.to(device).repair()
+    assert report.removed_crowding_triangles == 1 and report.lost_area > 0 and mended.is_watertight()
+    wall = fin.with_arrays()
+    wall = TriangleMesh(
+        np.vstack([fin.vertices, 3 * tip]), np.vstack([fin.triangles, [[62, ball.triangles[20][0], 63]]])
+    )
+    mended, report = wall.to(device).repair()
+    assert report.removed_crowding_triangles == 0 and len(mended) == len(wall)
+    assert sorted(mended.cluster_connected_triangles()[1]) == [2, len(ball)]
+
+
+def test_a_surface_that_touches_itself_along_an_edge_is_parted_there(device):
+    mesh = ring().to(device)
+    mesh.vertex_colors = np.linspace(0, 1, 3 * len(mesh.vertices)).reshape(-1, 3)
+    mesh.triangle_uvs = np.random.default_rng(0).random((3 * len(mesh), 2))
+    mesh.textures = [PICTURE]
+    mended, report = mesh.repair()
+    assert mended.is_watertight() and mended.is_vertex_manifold() and report.added_triangles == 2
+    assert mended.get_volume() == pytest.approx(8) and len(mended.triangle_uvs) == 3 * len(mended)
+    np.testing.assert_array_equal(mended.vertices[-1], [1, 1, 1.5])
+    np.testing.assert_array_equal(mended.vertices[:-1], mesh.vertices)
+    assert report.split_vertices == 1 and len(mended.vertex_colors) == len(mesh.vertices) + 1
+
+
+def test_a_moebius_strip_stays_one(device):
+    strip = surface(6, 4, wrap=True, twist=True)
+    mended, report = strip.to(device).repair()
+    assert not report.is_orientable and len(mended) == len(strip)
+    doubled, _ = two_sided(strip).to(device).repair()
+    assert doubled.is_edge_manifold() and doubled.get_surface_area() >= strip.get_surface_area() * 0.999
+
+
+def test_texture_and_colours_follow_their_triangles(device):
+    mesh = welded(SIDE_BY_SIDE)
+    mesh.triangle_uvs = np.random.default_rng(0).random((3 * len(mesh), 2))
+    mesh.triangle_material_ids = np.arange(len(mesh)) % 2
+    mesh.textures = [PICTURE, PICTURE]
+    mesh.vertex_colors = np.random.default_rng(1).random((len(mesh.vertices), 3))
+    mended, report = mesh.to(device).repair()
+    np.testing.assert_array_equal(corner_table(mended), corner_table(mesh))
+    assert report.split_vertices == 4
+
+
+def test_walls_on_each_other_stay_two_where_their_triangles_differ(device):
+    """Two boxes whose common wall is split along either diagonal, one vertex a place."""
+    other = box(1, 0, 0)
+    triangles = other.triangles.copy()
+    wall = np.flatnonzero((other.vertices[triangles][:, :, 0] == 1).all(axis=1))
+    a, b, c, d = 0, 1, 2, 3
+    corners = np.unique(triangles[wall])
+    by_place = {tuple(p): k for k, p in zip(corners, other.vertices[corners][:, 1:].astype(int).tolist(), strict=True)}
+    a, b, c, d = (by_place[place] for place in ((0, 0), (0, 1), (1, 1), (1, 0)))
+    first = [[a, b, c], [a, c, d]] if not {a, c} <= set(triangles[wall[0]]) else [[a, b, d], [b, c, d]]
+    triangles[wall] = first
+    boxes = welded(joined(box(), TriangleMesh(other.vertices, triangles)))
+    turn = np.linalg.qr(np.random.default_rng(5).random((3, 3)))[0]
+    boxes = TriangleMesh(boxes.vertices @ (turn * np.linalg.det(turn)), boxes.triangles)
+    mended, _ = boxes.to(device).repair()
+    assert mended.is_watertight() and mended.get_volume() == pytest.approx(2)
+    assert sorted(mended.cluster_connected_triangles()[1]) == [12, 12]
+
+
+# ------------------------------------------------------------------------------------------------ properties
+
+
+@settings(deadline=None, max_examples=25)
+@given(st.integers(0, 2**32 - 1), st.floats(0.2, 0.7), st.sampled_from([lambda m: m, loose, partly_turned]))
+def test_cubes_of_any_grid_are_closed_and_keep_their_area(seed, share, change):
+    full = np.random.default_rng(seed).random((3, 3, 3)) < share
+    full[0, 0, 0] = True
+    mesh = blocks(full)
+    mended, report = change(mesh).repair()
+    assert mended.is_watertight() and mended.is_vertex_manifold()
+    assert mended.get_surface_area() == pytest.approx(mesh.get_surface_area(), rel=1e-6)
+    if change is not partly_turned:
+        assert mended.get_volume() == pytest.approx(full.sum(), rel=1e-6)
+        assert report.removed_crowding_triangles == report.removed_duplicated_triangles == 0
+
+
+SHAPES = st.sampled_from([sphere(), DIAGONAL, shells(3), ring(), joined(sphere(), sphere(0.5))])
+CHANGES = st.sampled_from([turned, two_sided, loose, partly_turned, welded, lambda m: with_more(m, m.triangles[3:9])])
+
+
+@settings(deadline=None, max_examples=40)
+@given(SHAPES, st.lists(CHANGES, max_size=3), st.floats(-1e6, 1e6))
+def test_whatever_was_done_to_a_closed_mesh_its_repair_is_closed(shape, changes, shift):
+    mesh = shape
+    for change in changes:
+        mesh = change(mesh)
+    mended, report = moved(mesh, [shift, 0, 0]).repair()
+    again, second = mended.repair()
+    assert report.is_watertight and report.non_manifold_vertices == 0 and report.lost_area < 0.01
+    assert mended.get_surface_area() >= 0.99 * shape.get_surface_area()
+    assert len(again) == len(mended) and second.flipped_triangles == second.split_vertices == 0
+
+
+# ------------------------------------------------------------------------------------------------ fans at vertices
+
+
+def test_each_fan_gets_a_vertex_of_its_own(device):
+    mesh = welded(joined(box(), box(1, 1, 1)))
+    mesh.vertex_colors = np.random.default_rng(0).random((15, 3))
+    mesh.triangle_uvs = np.random.default_rng(1).random((72, 2))
+    mesh.triangle_material_ids = np.zeros(24, int)
+    mesh.textures = [PICTURE]
+    mesh = mesh.to(device)
+    split = mesh.split_non_manifold_vertices()
+    assert not mesh.is_vertex_manifold() and split.is_vertex_manifold() and len(split.vertices) == 16
+    np.testing.assert_array_equal(split.vertices[:15], mesh.vertices)
+    np.testing.assert_array_equal(corner_table(split), corner_table(mesh))
+
+
+@settings(deadline=None, max_examples=30)
+@given(SOUPS)
+def test_a_split_moves_nothing(triangles):
+    mesh = soup(triangles)
+    split = mesh.split_non_manifold_vertices()
+    np.testing.assert_array_equal(split.vertices[split.triangles], mesh.vertices[mesh.triangles])
+    np.testing.assert_array_equal(split.vertices[:7], mesh.vertices)
+
+
+@settings(deadline=None, max_examples=30)
+@given(GOOD_SOUPS)
+def test_a_split_parts_no_edge(triangles):
+    mesh = soup(triangles)
+    split = mesh.split_non_manifold_vertices()
+    assert split.is_vertex_manifold() and split.edge_topology()[:3] == mesh.edge_topology()[:3]

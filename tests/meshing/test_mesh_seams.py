@@ -1,0 +1,132 @@
+"""What moves or measures a surface goes across its seams, where a place has several vertices for its texture."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from pointloom import TriangleMesh
+
+from .mesh_soups import FAR
+from .repair_scenes import SIDE_BY_SIDE, joined, loose, moved, sphere
+from .test_mesh_texture import PICTURE
+
+FILTERS = {
+    "simple": lambda mesh: mesh.filter_smooth_simple(4),
+    "laplacian": lambda mesh: mesh.filter_smooth_laplacian(4),
+    "taubin": lambda mesh: mesh.filter_smooth_taubin(4),
+    "sharpen": lambda mesh: mesh.filter_sharpen(1, 0.1),
+}
+CLOSE = 2e-6  # m: sums in another order, then float32
+
+
+def split_at_seams(mesh: TriangleMesh, device=None) -> TriangleMesh:
+    """The mesh with a texture of four pieces, each of which has its own vertices, as a file keeps it."""
+    middles = mesh.vertices[mesh.triangles].mean(axis=1)
+    piece = (middles[:, 0] > 0.1) * 2 + (middles[:, 1] > 0.1)
+    keys, corners = np.unique(piece[:, None] * len(mesh.vertices) + mesh.triangles, return_inverse=True)
+    split = TriangleMesh(mesh.vertices[keys % len(mesh.vertices)], corners.reshape(-1, 3), device=device)
+    split.triangle_uvs = np.random.default_rng(0).random((3 * len(mesh), 2))
+    split.textures = [PICTURE]
+    split.vertex_colors = np.random.default_rng(1).random((len(split.vertices), 3))
+    return split
+
+
+def corners_of(mesh: TriangleMesh) -> np.ndarray:
+    return mesh.vertices[mesh.triangles]
+
+
+@pytest.mark.parametrize("name", FILTERS)
+def test_a_filter_tears_no_seam_and_keeps_the_texture(device, name):
+    ball = sphere()
+    split = split_at_seams(ball, device)
+    changed = FILTERS[name](split)
+    np.testing.assert_allclose(corners_of(changed), corners_of(FILTERS[name](ball)), rtol=0, atol=CLOSE)
+    np.testing.assert_array_equal(changed.triangles, split.triangles)
+    np.testing.assert_array_equal(changed.triangle_uvs, split.triangle_uvs)
+    places = np.unique(split.vertices, axis=0, return_inverse=True)[1]
+    assert len(np.unique(np.column_stack([places, changed.vertices]), axis=0)) == len(ball.vertices)
+    assert len(np.unique(np.column_stack([places, changed.vertex_colors]), axis=0)) == len(ball.vertices)
+
+
+def test_triangles_that_share_no_vertex_are_smoothed_as_one_surface(device):
+    ball = sphere()
+    smooth = loose(ball).to(device).filter_smooth_taubin(5)
+    assert smooth.get_surface_area() == pytest.approx(ball.filter_smooth_taubin(5).get_surface_area(), rel=1e-5)
+
+
+def test_loop_goes_across_seams(device):
+    ball = sphere()
+    split = split_at_seams(ball, device)
+    fine = split.subdivide_loop(2)
+    np.testing.assert_allclose(corners_of(fine), corners_of(ball.subdivide_loop(2)), rtol=0, atol=CLOSE)
+    np.testing.assert_array_equal(fine.triangle_uvs, split.subdivide_midpoint(2).triangle_uvs)
+    assert fine.is_watertight()
+
+
+def test_distances_and_curvatures_go_across_seams(device):
+    ball = sphere()
+    split = split_at_seams(ball, device)
+    place = {tuple(p): k for k, p in enumerate(ball.vertices.tolist())}
+    numbers = [place[tuple(p)] for p in split.vertices.tolist()]
+    source = numbers.index(0)
+    wanted = ball.compute_geodesic_distances([0])[numbers]
+    np.testing.assert_allclose(split.compute_geodesic_distances([source]), wanted, rtol=1e-9)
+    for found, known in zip(split.compute_vertex_curvature(), ball.compute_vertex_curvature(), strict=True):
+        np.testing.assert_allclose(found, known[numbers], rtol=1e-6)
+
+
+def test_a_deformation_tears_no_seam(device):
+    ball = moved(sphere(), FAR)
+    split = split_at_seams(ball, device)
+    low, high = (int(pick(split.vertices[:, 2])) for pick in (np.argmin, np.argmax))
+    targets = split.vertices[[low, high]] + [[0, 0, 0], [0, 0, 0.3]]
+    bent = split.deform_as_rigid_as_possible([low, high], targets, 5)
+    held = [int(np.flatnonzero((ball.vertices == split.vertices[v]).all(axis=1))[0]) for v in (low, high)]
+    wanted = ball.deform_as_rigid_as_possible(held, targets, 5)
+    np.testing.assert_allclose(corners_of(bent), corners_of(wanted), rtol=0, atol=1e-5)
+
+
+def test_vertices_at_one_place_are_put_at_one_place(device):
+    split = split_at_seams(sphere(), device)
+    places, counts = np.unique(split.vertices, axis=0, return_counts=True)
+    first, second = np.flatnonzero((split.vertices == places[counts > 1][0]).all(axis=1))[:2].tolist()
+    target = split.vertices[first] + 0.1
+    once = split.deform_as_rigid_as_possible([first], [target], 2)
+    twice = split.deform_as_rigid_as_possible([first, second], [target, target], 2)
+    np.testing.assert_array_equal(once.vertices, twice.vertices)
+    with pytest.raises(ValueError, match=f"vertices {first} and {second} lie at one place of a seam"):
+        split.deform_as_rigid_as_possible([first, second], [target, target + 1], 2)
+
+
+def test_solids_that_touch_are_smoothed_apart(device):
+    """Closed parts have no border, so nothing of them is a seam."""
+    changed = SIDE_BY_SIDE.to(device).filter_smooth_simple(2)
+    alone = TriangleMesh.create_box().filter_smooth_simple(2)
+    np.testing.assert_array_equal(changed.vertices[:8], alone.vertices)
+
+
+@settings(deadline=None, max_examples=20)
+@given(st.integers(0, 2**32 - 1), st.sampled_from(list(FILTERS)))
+def test_vertices_at_one_place_of_a_seam_stay_at_one_place(seed, name):
+    """Some triangles of a ball, with vertices of their own or not, beside a ball that touches none of it."""
+    rng = np.random.default_rng(seed)
+    ball = sphere()
+    triangles = ball.triangles[rng.random(len(ball)) < 0.9]
+    own = np.where(rng.random(triangles.shape) < 0.5, rng.integers(1, 4, triangles.shape), 0)
+    vertices = np.tile(ball.vertices, (4, 1))
+    mesh = joined(TriangleMesh(vertices, triangles + own * len(ball.vertices)), moved(ball, [5, 0, 0]))
+    changed = FILTERS[name](mesh)
+    corners = np.sort(mesh.triangles[:, [[0, 1], [1, 2], [2, 0]]].reshape(-1, 2), axis=1)
+    edges, counts = np.unique(corners, axis=0, return_counts=True)
+    ends = mesh.vertices[edges[counts == 1]]
+    order = np.lexsort(ends[:, 0].T)
+    rim = edges[counts == 1][order]
+    by_place: dict[tuple, set] = {}
+    for a, b in rim.tolist():
+        key = tuple(sorted([tuple(mesh.vertices[a]), tuple(mesh.vertices[b])]))
+        value = tuple(sorted([tuple(changed.vertices[a]), tuple(changed.vertices[b])]))
+        by_place.setdefault(key, set()).add(value)
+    assert all(len(values) == 1 for values in by_place.values())
