@@ -22,6 +22,7 @@ from ..core.checks import check_count, check_number, check_positive, check_shape
 from ..core.dropped_results import returns_new
 from ..core.errors import FileError
 from ..core.json_files import check_keys, read_json_object
+from ..core.known_names import ToldNames
 
 # Keys that Open3D and its sensor recorders write beside the intrinsic; none of them changes what a pixel sees.
 # Any other key is refused, as it may (distortion coefficients, a crop).
@@ -50,7 +51,7 @@ class PinholeCameraIntrinsicParameters(enum.Enum):
 
 
 @dataclasses.dataclass(frozen=True, init=False)
-class PinholeCameraIntrinsic:
+class PinholeCameraIntrinsic(ToldNames):
     """Size and projection of a pinhole camera.
 
     Besides the six numbers it takes what Open3D's takes: one of `PinholeCameraIntrinsicParameters`, or the size and the

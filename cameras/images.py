@@ -12,7 +12,9 @@ from numpy.typing import ArrayLike, NDArray
 from ..core.array_libraries import NUMPY, library_of, view_as
 from ..core.checks import check_positive, is_on_gpu
 from ..core.gpu_arrays import INTEGERS, device_for, take_numbers
+from ..core.known_names import ToldNames
 from ..core.pickled_arrays import device_like, pickled, unpickled
+from ..core.told_arguments import told_arguments
 from ..kernels.arrays.row_numbers import limits_of
 from ..kernels.images.depth import decode_depth, intensity_of, metric_depth
 from ..kernels.lang import float32, float64, int8, int64, uint8, uint16
@@ -29,7 +31,7 @@ TOO_DEEP = "depth: integer depths must lie in 0..65535; convert larger ones to f
 RAW_TRUNC = 7.0  # [m] where Open3D cuts the frames of data sets with long ranges
 
 
-class RGBDImage:
+class RGBDImage(ToldNames):
     """A depth image in metres with a colour or grey image of the same size, on one device.
 
     Args:
@@ -57,6 +59,7 @@ class RGBDImage:
         (1.5, 3, 2)
     """
 
+    @told_arguments
     def __init__(
         self,
         color: ArrayLike,
@@ -74,6 +77,7 @@ class RGBDImage:
         self.device, self._library = where, library_of(depth)
 
     @classmethod
+    @told_arguments
     def from_color_and_depth(
         cls,
         color: ArrayLike,

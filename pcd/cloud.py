@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike
 from ..core.array_libraries import library_of
 from ..core.checks import check_finite, check_shape, is_on_gpu
 from ..core.devices import resolve_device
+from ..core.told_arguments import told_arguments
 from ..kernels.memory import move
 from .clusters import Clusters
 from .depth_clouds import DepthClouds
@@ -68,6 +69,7 @@ class PointCloud(
         (27, (27, 3), ['intensity'])
     """
 
+    @told_arguments
     def __init__(
         self,
         points: ArrayLike = (),

@@ -10,12 +10,13 @@ from numpy.typing import ArrayLike, NDArray
 from ..core.checks import LARGEST_NUMBER, check_finite, check_positive, check_rigid, check_shape, check_transformation
 from ..core.coordinates import FLOAT32_MAX, split_origin
 from ..core.dropped_results import returns_new
+from ..core.known_names import ToldNames
 from ..kernels.algebra.transform import transform_covariances, transform_directions, transform_points
 from ..kernels.lang import float32
 from .bounding import Bounding
 
 
-class Movable:
+class Movable(ToldNames):
     """What affine maps move, about its middle where no point is given."""
 
     def get_center(self) -> NDArray[np.float64]:

@@ -7,6 +7,7 @@ from typing import Any, Self
 import numpy as np
 
 from ...core.checks import check_list, check_positive, shown
+from ...core.told_arguments import told_arguments
 from ...kernels.memory import download
 from ...kernels.reconstruction.ball_surface import RollingBall, count_around
 from ...kernels.search.neighbor_distances import nearest_distances
@@ -25,6 +26,7 @@ class BallPivoting(MeshArrays):
     """The part of TriangleMesh that makes one of a cloud by rolling balls."""
 
     @classmethod
+    @told_arguments
     def from_point_cloud_ball_pivoting(cls, cloud: PointCloud, radii: Any = None) -> Self:
         """A mesh of a cloud: the triangles that a ball can rest on without a point inside.
 

@@ -13,6 +13,7 @@ from ...core.checks import check_rows, check_shape, is_on_gpu
 from ...core.coordinates import split_origin
 from ...core.devices import resolve_device
 from ...core.gpu_arrays import take_corners, take_points
+from ...core.told_arguments import told_arguments
 from ...files.table import MeshTable
 from ...kernels.lang import vec3, vec3i
 from ...kernels.memory import move, upload
@@ -94,6 +95,7 @@ class TriangleMesh(
         [0.0, 0.0, 1.0]
     """
 
+    @told_arguments
     def __init__(
         self,
         vertices: Any = (),

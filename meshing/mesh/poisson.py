@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from ...core.checks import check_count, check_positive
 from ...core.devices import check_same_device
+from ...core.told_arguments import told_arguments
 from ...kernels.algebra.transform import transform_points
 from ...kernels.arrays.bounds import bound_points
 from ...kernels.arrays.select import gather_rows
@@ -47,6 +48,7 @@ class Poisson(MeshArrays):
     """The part of TriangleMesh that makes surfaces by the Poisson equation."""
 
     @classmethod
+    @told_arguments
     def from_point_cloud_poisson(
         cls,
         cloud: PointCloud,

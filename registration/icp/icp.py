@@ -19,6 +19,7 @@ from ...core.checks import (
     check_rigid,
     check_transformation,
 )
+from ...core.told_arguments import told_arguments
 from ...core.watching import report, watched
 from ...pcd.cloud import PointCloud
 from ..given_pairs import check_cloud, check_clouds
@@ -61,6 +62,7 @@ class ICPConvergenceCriteria:
         check_count("max_iteration", self.max_iteration, minimum=0, maximum=MOST_STEPS, because=reason)
 
 
+@told_arguments
 def registration_icp(
     source: PointCloud,
     target: PointCloud,
@@ -189,6 +191,7 @@ def registration_icp_batch(
     return problem.results()
 
 
+@told_arguments
 def registration_colored_icp(
     source: PointCloud,
     target: PointCloud,
@@ -204,6 +207,7 @@ def registration_colored_icp(
     return registration_icp(source, target, max_correspondence_distance, init, method, criteria, overlap=overlap)
 
 
+@told_arguments
 def registration_generalized_icp(
     source: PointCloud,
     target: PointCloud,
@@ -219,6 +223,7 @@ def registration_generalized_icp(
     return registration_icp(source, target, max_correspondence_distance, init, method, criteria, overlap=overlap)
 
 
+@told_arguments
 def registration_symmetric_icp(
     source: PointCloud,
     target: PointCloud,

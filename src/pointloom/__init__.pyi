@@ -72,6 +72,10 @@ from .core.errors import FileError as FileError
 from .core.errors import PointloomError as PointloomError
 from .core.threads import get_num_threads as get_num_threads
 from .core.threads import set_num_threads as set_num_threads
+from .core.verbosity import VerbosityContextManager as VerbosityContextManager
+from .core.verbosity import VerbosityLevel as VerbosityLevel
+from .core.verbosity import get_verbosity_level as get_verbosity_level
+from .core.verbosity import set_verbosity_level as set_verbosity_level
 from .pcd.features import compute_eigen_features as compute_eigen_features
 from .pcd.features import compute_fpfh_feature as compute_fpfh_feature
 from .pcd.features import estimate_curvature as estimate_curvature
