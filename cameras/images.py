@@ -15,6 +15,7 @@ from ..core.gpu_arrays import INTEGERS, device_for, take_numbers
 from ..core.known_names import ToldNames
 from ..core.pickled_arrays import device_like, pickled, unpickled
 from ..core.told_arguments import told_arguments
+from ..core.units import warn_of_unit
 from ..kernels.arrays.row_numbers import limits_of
 from ..kernels.images.depth import decode_depth, intensity_of, metric_depth
 from ..kernels.lang import float32, float64, int8, int64, uint8, uint16
@@ -45,6 +46,9 @@ class RGBDImage(ToldNames):
         ValueError: Wrong shapes, or depth and colour of different sizes.
         TypeError: Wrong element types; depth of 8 bits, which is a picture of it.
 
+    Warns:
+        UnitsWarning: A scale or limit leaves no depth, of an array on the host.
+
     Attributes:
         depth_array: The depth on its device, float32 [h * w] [m], 0 where there is none.
         color_array: Colours on the device, uint8 [h * w, 3], or brightness, float32 [h * w].
@@ -74,6 +78,8 @@ class RGBDImage(ToldNames):
             depth, depth_scale, depth_trunc, where, limit="depth_trunc"
         )
         self.color_array = upload_color(color, self.height, self.width, where)
+        if isinstance(depth, np.ndarray):
+            _check_scale(depth, depth_scale, depth_trunc)
         self.device, self._library = where, library_of(depth)
 
     @classmethod
@@ -265,6 +271,23 @@ def upload_raw_depth(
     else:
         raw = _upload_raw(image, device)[0]
     return raw, scale, farthest, image.shape[0], image.shape[1]
+
+
+def _check_scale(depth: NDArray[Any], depth_scale: float, depth_trunc: float) -> None:
+    """Warn where a scale or limit leaves no depth of an image on the host; all of it is looked at only if a part is."""
+    unit = 1.0 if depth.dtype.kind == "f" else depth_scale
+    for part in (depth[::8, ::8], depth):
+        with np.errstate(invalid="ignore"):
+            measured = part[(part > 0) & np.isfinite(part)]
+        if measured.size and float(measured.min()) / unit <= depth_trunc:
+            return
+    if measured.size:
+        given = f"{measured.size:,} of {measured.dtype} {measured.min()}..{measured.max()}"
+        scale = "metres" if depth.dtype.kind == "f" else f"{depth_scale:g} units a metre"
+        warn_of_unit(
+            f"depth_scale, depth_trunc: no depth is left: {given}, taken for {scale}, lie beyond {depth_trunc:g} m; "
+            "integers in millimetres want depth_scale=1000, floats in millimetres are divided by 1000 first"
+        )
 
 
 def _as_array(name: str, values: Any) -> NDArray[Any]:

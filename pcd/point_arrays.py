@@ -84,6 +84,10 @@ class PointArrays(CloudQuestions):
     def normals(self, values: ArrayLike) -> None:
         self._set("normals", values)
 
+    @normals.deleter
+    def normals(self) -> None:
+        self._arrays.pop("normals", None)
+
     @property
     def colors(self) -> NDArray[np.float32]:
         """Colours 0..1, float32 [n, 3].
@@ -96,6 +100,10 @@ class PointArrays(CloudQuestions):
     @colors.setter
     def colors(self, values: ArrayLike) -> None:
         self._set("colors", values)
+
+    @colors.deleter
+    def colors(self) -> None:
+        self._arrays.pop("colors", None)
 
     @property
     def attributes(self) -> Attributes:

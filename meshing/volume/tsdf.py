@@ -78,6 +78,9 @@ class TSDFVolume(ToldNames):
         True
     """
 
+    device: Any
+    has_color: bool
+
     @told_arguments
     def __init__(self, *, voxel_size: float, truncation: float | None = None, color: bool = True, device: Any = None):
         edge = check_positive("voxel_size", voxel_size)

@@ -72,6 +72,7 @@ from .core.errors import FileError as FileError
 from .core.errors import PointloomError as PointloomError
 from .core.threads import get_num_threads as get_num_threads
 from .core.threads import set_num_threads as set_num_threads
+from .core.units import UnitsWarning as UnitsWarning
 from .core.verbosity import VerbosityContextManager as VerbosityContextManager
 from .core.verbosity import VerbosityLevel as VerbosityLevel
 from .core.verbosity import get_verbosity_level as get_verbosity_level
