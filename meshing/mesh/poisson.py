@@ -10,7 +10,7 @@ import numpy as np
 import warp as wp
 from numpy.typing import NDArray
 
-from ...core.checks import check_count, check_positive
+from ...core.checks import check_count, check_positive, check_progress
 from ...core.devices import check_same_device
 from ...core.told_arguments import told_arguments
 from ...kernels.algebra.transform import transform_points
@@ -142,6 +142,7 @@ class Poisson(MeshArrays):
             samples_per_cell=count,
             by_length=bool(confidence),
             envelope=None if envelope is None else _check_envelope(envelope, cloud),
+            progress=check_progress(None),
         )
         mesh = cls.from_device_arrays(
             surface.vertices,
