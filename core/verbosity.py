@@ -42,6 +42,8 @@ class Lines(logging.Handler):
 
     def emit(self, record: logging.LogRecord) -> None:
         """Write one line to what stderr is now: notebooks and tests put their own in its place."""
+        if record.name != LOGGER.name:  # the viewer's, of what visitors do: for who asks for them
+            return
         if logging.root.handlers or any(handler is not self for handler in LOGGER.handlers):
             return
         _print(self.format(record))

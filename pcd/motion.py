@@ -15,8 +15,6 @@ from ..kernels.algebra.transform import transform_covariances, transform_directi
 from ..kernels.lang import float32
 from .bounding import Bounding
 
-MATRIX = 2  # dimensions
-
 
 class Movable(ToldNames):
     """What affine maps move, about its middle where no point is given."""
@@ -53,12 +51,13 @@ class Movable(ToldNames):
             ValueError: R is no rotation matrix [3, 3], or the centre not three finite numbers.
         """
         T = np.eye(4)
-        if np.ndim(R) != MATRIX:  # an angle, or three
+        try:
+            T[:3, :3] = check_shape("R", R, (3, 3))
+        except ValueError as error:  # an angle, or three
             raise ValueError(
-                f"R: expected shape [3, 3], a rotation matrix, got {list(np.shape(R))}; "
-                "scipy.spatial.transform.Rotation.from_euler('xyz', angles, degrees=True).as_matrix() makes one"
-            )
-        T[:3, :3] = check_shape("R", R, (3, 3))
+                f"{error}: a rotation matrix; scipy.spatial.transform.Rotation.from_euler('xyz', angles, "
+                "degrees=True).as_matrix() makes one"
+            ) from None
         return self._mapped("center", map_about(check_rigid("R", T)[:3, :3], self._middle(center)))
 
     @returns_new

@@ -327,6 +327,8 @@ class PointArrays(CloudQuestions):
         self._kept = KeptTree(points, lent=is_shared)
 
     def _set(self, name: str, values: ArrayLike) -> None:
+        if isinstance(values, PointArrays):  # whose array would be its points
+            raise TypeError(f"{name}: expected an array, got a PointCloud; take one of its arrays: other[{name!r}]")
         if is_on_gpu(values):
             self._arrays[name] = self._taken(name, values)
             return

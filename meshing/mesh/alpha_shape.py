@@ -24,6 +24,7 @@ from .mesh_arrays import MeshArrays
 
 AUTO = 10.0  # medians of the distance to the nearest point: the least at which the scanned bunny hangs together
 CORNERS = 4  # points of a tetrahedron
+SHORT = 0.02  # of the usual alpha, a fifth of the distance to the nearest: no tetrahedron is so small
 MOST_ALPHAS = 1000  # a tetrahedron is asked about each
 
 
@@ -121,7 +122,7 @@ class AlphaShapes(MeshArrays):
             answers.append((mesh, tetrahedra, _used_rows(triangles)) if return_tetrahedra else mesh)
         if bare and tree.count >= CORNERS and not isinstance(alpha, str):
             usual = _choose_alpha(tree, unique.device_arrays["points"])
-            if max(bare) < usual:
+            if max(bare) < SHORT * usual:
                 told = ", ".join(f"{size:g}" for size in bare)
                 warn_of_unit(f"alpha: nothing is left at {told} m; the points' spacing asks for some {usual:.3g} m")
         return answers if is_list else answers[0]

@@ -22,6 +22,7 @@ WIDE_SHARE = 0.98  # of the points: the last radius is for those farthest from t
 MOST_NEIGHBORS = 2**33  # of all points together, some ten minutes of two cores
 LARGEST_SHARE = 1e4  # times the box: beyond it the ball is flat to what float64 tells apart
 CORNERS = 3  # points of a triangle
+SHORT = 0.1  # of the usual radius: below that a ball hardly touches two points
 
 
 class BallPivoting(MeshArrays):
@@ -88,7 +89,7 @@ class BallPivoting(MeshArrays):
         triangles = ball.roll(sizes, len(cloud), _check_work)
         if given is not None and not triangles.size and ball.tree.count >= CORNERS:
             told, usual = (", ".join(f"{r:.3g}" for r in radii) for radii in (given, _default_radii(ball.tree)))
-            if max(given) < _default_radii(ball.tree)[0]:
+            if max(given) < SHORT * _default_radii(ball.tree)[0]:
                 message = f"radii: balls of {told} m touch no three points; the points' spacing asks for {usual} m"
                 warn_of_unit(message)
         colors = cloud.device_array("colors") if cloud.has_colors else None

@@ -18,7 +18,7 @@ from ...kernels.arrays.select import gather_rows
 from ...kernels.lang import int32, vec2, vec3, vec3i
 from ...kernels.memory import clone, download, move, upload
 from ...kernels.meshes.mesh_edits import gather_corners, gather_triangles
-from ...pcd.point_arrays import read_only
+from ...pcd.point_arrays import PointArrays, read_only
 from .mesh_questions import MeshQuestions
 
 PER_VERTEX = {"vertices": vec3, "vertex_normals": vec3, "vertex_colors": vec3}
@@ -122,6 +122,8 @@ class MeshArrays(MeshQuestions):
         return taken
 
     def _assign(self, name: str, values: Any) -> None:
+        if isinstance(values, PointArrays):  # whose array would be its points
+            raise TypeError(f"{name}: expected an array, got a PointCloud; take one of its arrays")
         count = self._arrays["vertices"].size
         if is_on_gpu(values):
             given = take_vectors(name, values, self._device)

@@ -95,12 +95,15 @@ def test_vertices_and_triangles_are_assigned(shapes):
         ("mesh.triangle_normals = -mesh.triangle_normals", "triangle_normals: these are not the triangles' own"),
         ("cloud + cloud.points", "a cloud and a ndarray cannot be added: cloud.translate"),
         ("cloud.points + cloud", "a cloud and a ndarray cannot be added: cloud.translate"),
+        (
+            "cloud.colors = cloud",
+            r"colors: expected an array, got a PointCloud; take one of its arrays: other\['colors'\]",
+        ),
+        ("mesh.vertex_normals = cloud", "vertex_normals: expected an array, got a PointCloud"),
+        ("cloud.rotate(90)", r"R: expected shape \[3, 3\], got \[\]: a rotation matrix; scipy"),
         ("np.asarray(cloud, copy=False)", "so its points are copied"),
         ("loom.PointCloud(cloud)", r"points: expected an array, got a PointCloud; cloud.copy\(\)"),
-        (
-            "loom.PointCloud('scan.ply')",
-            r"points: expected an array, got a path; loom.read_point_cloud\(path\) reads it",
-        ),
+        ("loom.PointCloud('scan.ply')", r"points: expected real numbers, got 'scan\.ply'; loom\.read_point_cloud"),
         ("loom.RGBDImage('a.png', 'b.png')", r"depth: expected an array, got a path; loom.read_depth\(path\) reads it"),
         ("loom.write_point_cloud(cloud, 'a.ply')", "path: expected the path of a file or folder, got a PointCloud; it"),
     ],
@@ -112,6 +115,9 @@ def test_what_cannot_be_meant_is_told(shapes, line, message):
 
 def test_a_cloud_is_an_array_of_its_points(shapes):
     cloud = shapes["cloud"]
+    cloud.colors, cloud.normals = cloud.points / 3, cloud.points
+    del cloud.colors, cloud.normals
+    assert not cloud.has_colors and not cloud.has_normals
     np.testing.assert_array_equal(np.asarray(cloud), cloud.points)
     assert np.asarray(cloud, np.float32).dtype == np.float32 and np.array(cloud).flags.writeable
     assert np.linalg.norm(cloud, axis=1).shape == (8,)
