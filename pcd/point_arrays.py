@@ -232,7 +232,8 @@ class PointArrays(CloudQuestions):
     @returns_new
     def clear(self) -> Self:
         """A cloud without points and attributes on the same device: `cloud = cloud.clear()`."""
-        return type(self)(device=self.device)
+        kind: Any = type(self)
+        return kind(device=self.device)
 
     @returns_new
     def copy(self) -> Self:

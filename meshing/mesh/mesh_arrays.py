@@ -178,7 +178,8 @@ class MeshArrays(MeshQuestions):
 
     @vertices.setter
     def vertices(self, values: Any) -> None:
-        made = type(self)(values, device=self._device)
+        kind: Any = type(self)
+        made = kind(values, device=self._device)
         count = self._arrays["vertices"].size
         held = [name for name in PER_VERTEX if name in self._arrays and name != "vertices"]
         if made.array("vertices").size != count and (held or len(self)):
@@ -199,7 +200,8 @@ class MeshArrays(MeshQuestions):
 
     @triangles.setter
     def triangles(self, values: Any) -> None:
-        made = type(self)(np.zeros((self._arrays["vertices"].size, 3)), values, device=self._device)
+        kind: Any = type(self)
+        made = kind(np.zeros((self._arrays["vertices"].size, 3)), values, device=self._device)
         held = [name for name in TEXTURE if name in self._arrays]
         if held and len(made) != len(self):
             raise ValueError(
@@ -308,7 +310,8 @@ class MeshArrays(MeshQuestions):
     @returns_new
     def clear(self) -> Self:
         """A mesh without vertices and triangles on the same device: `mesh = mesh.clear()`."""
-        return type(self)(device=self._device)
+        kind: Any = type(self)
+        return kind(device=self._device)
 
     @returns_new
     def copy(self) -> Self:

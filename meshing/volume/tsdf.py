@@ -395,7 +395,7 @@ class TSDFVolume(ToldNames):
             DeviceError: It was on a GPU, and here is none.
         """
         where = device_like("volume", state["device"])
-        self.__dict__.update(vars(self._from_downloaded(state["arrays"], where)))
+        vars(self).update(vars(self._from_downloaded(state["arrays"], where)))
 
     # ------------------------------------------------------------------------------------------ internals
 

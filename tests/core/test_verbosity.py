@@ -85,7 +85,7 @@ def test_progress_that_is_asked_for_is_printed(capsys):
     kept, _ = cloud.remove_radius_outlier(1, 2.0, print_progress=True)
     lines = capsys.readouterr().err.splitlines()
     assert lines[0] == "pointloom: clusters of 4 points ..." and lines[1].startswith(
-        "pointloom: clusters of 4 points: 0."
+        "pointloom: clusters of 4 points: "
     )
     assert len(lines) == 4 and len(kept) == 4
     cloud.cluster_dbscan(2.0, 2)
