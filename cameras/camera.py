@@ -43,7 +43,13 @@ def check_pixels(name: str, value: Any) -> int:
 
 
 class PinholeCameraIntrinsicParameters(enum.Enum):
-    """Cameras that Open3D knows, for `PinholeCameraIntrinsic(PinholeCameraIntrinsicParameters.PrimeSenseDefault)`."""
+    """Cameras that Open3D knows, to make a `PinholeCameraIntrinsic` of.
+
+    Example:
+        >>> import pointloom as loom
+        >>> loom.PinholeCameraIntrinsic(loom.PinholeCameraIntrinsicParameters.PrimeSenseDefault).get_focal_length()
+        (525.0, 525.0)
+    """
 
     PrimeSenseDefault = (640, 480, 525.0, 525.0, 319.5, 239.5)
     Kinect2DepthCameraDefault = (512, 424, 365.456, 365.456, 254.878, 205.395)

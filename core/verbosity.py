@@ -21,7 +21,12 @@ PATIENCE = 3.0  # [s] before a call says how far it is, and between two times
 
 
 class VerbosityLevel(enum.IntEnum):
-    """How much is said, as in Open3D: each level what those before it say, and more."""
+    """How much is said, as in Open3D: each level what those before it say, and more.
+
+    Example:
+        >>> import pointloom as loom
+        >>> loom.set_verbosity_level(loom.VerbosityLevel.Info)
+    """
 
     Error = 0
     Warning = 1
@@ -91,7 +96,14 @@ def set_verbosity_level(verbosity_level: VerbosityLevel) -> None:
 
 
 def get_verbosity_level() -> VerbosityLevel:
-    """How much is said; see `set_verbosity_level`."""
+    """How much is said; see `set_verbosity_level`.
+
+    Example:
+        >>> import pointloom as loom
+        >>> with loom.VerbosityContextManager(loom.VerbosityLevel.Warning):
+        ...     loom.get_verbosity_level()
+        <VerbosityLevel.Warning: 1>
+    """
     level = LOGGER.getEffectiveLevel()
     return max((name for name, value in LEVELS.items() if value >= level), default=VerbosityLevel.Error)
 
