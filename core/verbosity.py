@@ -20,7 +20,7 @@ LOGGER = logging.getLogger("pointloom")
 PATIENCE = 3.0  # [s] before a call says how far it is, and between two times
 
 
-class VerbosityLevel(enum.IntEnum):
+class VerbosityLevel(enum.Enum):
     """How much is said, as in Open3D: each level what those before it say, and more.
 
     Example:
@@ -105,7 +105,8 @@ def get_verbosity_level() -> VerbosityLevel:
         <VerbosityLevel.Warning: 1>
     """
     level = LOGGER.getEffectiveLevel()
-    return max((name for name, value in LEVELS.items() if value >= level), default=VerbosityLevel.Error)
+    said = [name for name, value in LEVELS.items() if value >= level]
+    return said[-1] if said else VerbosityLevel.Error
 
 
 class VerbosityContextManager:

@@ -17,7 +17,6 @@ from .photos.depth.settings import DepthSettings as DepthSettings
 from .drawing.render.frustum import CameraFrustum as CameraFrustum
 from .drawing.render.open3d_views import read_view as read_view
 from .drawing.render.open3d_views import write_view as write_view
-from .drawing.render.picture import Picture as Picture
 from .drawing.render.picture_files import save_picture as save_picture
 from .drawing.render.render import render as render
 from .drawing.render.view import View as View

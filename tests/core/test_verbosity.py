@@ -66,7 +66,7 @@ def test_a_block_leaves_the_level_as_it_was():
     logger = logging.getLogger("pointloom")
     before = logger.level
     with loom.VerbosityContextManager(loom.VerbosityLevel.Error):
-        assert loom.get_verbosity_level() == loom.VerbosityLevel.Error == 0 and logger.level == logging.ERROR
+        assert loom.get_verbosity_level() is loom.VerbosityLevel.Error and logger.level == logging.ERROR
         with pytest.raises(KeyError), loom.VerbosityContextManager(loom.VerbosityLevel.Debug):
             assert loom.get_verbosity_level() is loom.VerbosityLevel.Debug
             raise KeyError

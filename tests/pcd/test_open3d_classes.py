@@ -11,6 +11,7 @@ import pytest
 from PIL import Image
 
 import pointloom as loom
+from pointloom.drawing.render.picture import Picture
 
 CAMERA = loom.PinholeCameraIntrinsic(8, 6, 8.0, 8.0, 3.5, 2.5)
 COLOR = np.arange(8 * 6 * 3, dtype=np.uint8).reshape(6, 8, 3)
@@ -169,7 +170,7 @@ def test_images_and_scenes_are_copied(take, device):
 
 def test_a_picture_shows_itself(shapes, tmp_path):
     picture = loom.render(shapes["mesh"], size=(32, 24))
-    assert repr(picture) == "Picture(32 x 24)" and isinstance(picture, loom.Picture)
+    assert repr(picture) == "Picture(32 x 24)" and isinstance(picture, Picture)
     np.testing.assert_array_equal(np.asarray(Image.open(io.BytesIO(picture._repr_png_()))), picture)
     assert picture[:10]._repr_png_() and picture[..., 0]._repr_png_() is None
     assert type(picture / 2) is np.ndarray and type(picture.mean(axis=2)) is np.ndarray and picture.max() <= 255
@@ -200,7 +201,7 @@ def test_a_volume_takes_an_image_as_open3d_does(device):
 def test_the_tilde_is_the_home(tmp_path, monkeypatch, shapes):
     monkeypatch.setenv("HOME", str(tmp_path))
     (tmp_path / "in").mkdir()
-    mesh, cloud, picture = shapes["mesh"].compute_uvatlas(64), shapes["cloud"], loom.Picture(COLOR)
+    mesh, cloud, picture = shapes["mesh"].compute_uvatlas(64), shapes["cloud"], Picture(COLOR)
     mesh.textures = [COLOR]
     loom.write_point_cloud("~/in/a.ply", cloud)
     assert len(loom.read_point_cloud("~/in/a.ply")) == 8
