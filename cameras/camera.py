@@ -22,6 +22,7 @@ from ..core.checks import check_count, check_number, check_positive, check_shape
 from ..core.dropped_results import returns_new
 from ..core.errors import FileError
 from ..core.json_files import check_keys, read_json_object
+from ..core.known_names import ToldNames
 
 # Keys that Open3D and its sensor recorders write beside the intrinsic; none of them changes what a pixel sees.
 # Any other key is refused, as it may (distortion coefficients, a crop).
@@ -42,7 +43,13 @@ def check_pixels(name: str, value: Any) -> int:
 
 
 class PinholeCameraIntrinsicParameters(enum.Enum):
-    """Cameras that Open3D knows, for `PinholeCameraIntrinsic(PinholeCameraIntrinsicParameters.PrimeSenseDefault)`."""
+    """Cameras that Open3D knows, to make a `PinholeCameraIntrinsic` of.
+
+    Example:
+        >>> import pointloom as loom
+        >>> loom.PinholeCameraIntrinsic(loom.PinholeCameraIntrinsicParameters.PrimeSenseDefault).get_focal_length()
+        (525.0, 525.0)
+    """
 
     PrimeSenseDefault = (640, 480, 525.0, 525.0, 319.5, 239.5)
     Kinect2DepthCameraDefault = (512, 424, 365.456, 365.456, 254.878, 205.395)
@@ -50,7 +57,7 @@ class PinholeCameraIntrinsicParameters(enum.Enum):
 
 
 @dataclasses.dataclass(frozen=True, init=False)
-class PinholeCameraIntrinsic:
+class PinholeCameraIntrinsic(ToldNames):
     """Size and projection of a pinhole camera.
 
     Besides the six numbers it takes what Open3D's takes: one of `PinholeCameraIntrinsicParameters`, or the size and the

@@ -12,7 +12,10 @@ from numpy.typing import ArrayLike, NDArray
 from ..core.array_libraries import NUMPY, library_of, view_as
 from ..core.checks import check_positive, is_on_gpu
 from ..core.gpu_arrays import INTEGERS, device_for, take_numbers
+from ..core.known_names import ToldNames
 from ..core.pickled_arrays import device_like, pickled, unpickled
+from ..core.told_arguments import told_arguments
+from ..core.units import warn_of_unit
 from ..kernels.arrays.row_numbers import limits_of
 from ..kernels.images.depth import decode_depth, intensity_of, metric_depth
 from ..kernels.lang import float32, float64, int8, int64, uint8, uint16
@@ -29,7 +32,7 @@ TOO_DEEP = "depth: integer depths must lie in 0..65535; convert larger ones to f
 RAW_TRUNC = 7.0  # [m] where Open3D cuts the frames of data sets with long ranges
 
 
-class RGBDImage:
+class RGBDImage(ToldNames):
     """A depth image in metres with a colour or grey image of the same size, on one device.
 
     Args:
@@ -42,6 +45,9 @@ class RGBDImage:
     Raises:
         ValueError: Wrong shapes, or depth and colour of different sizes.
         TypeError: Wrong element types; depth of 8 bits, which is a picture of it.
+
+    Warns:
+        UnitsWarning: A scale or limit leaves no depth, of an array on the host.
 
     Attributes:
         depth_array: The depth on its device, float32 [h * w] [m], 0 where there is none.
@@ -57,6 +63,7 @@ class RGBDImage:
         (1.5, 3, 2)
     """
 
+    @told_arguments
     def __init__(
         self,
         color: ArrayLike,
@@ -71,9 +78,12 @@ class RGBDImage:
             depth, depth_scale, depth_trunc, where, limit="depth_trunc"
         )
         self.color_array = upload_color(color, self.height, self.width, where)
+        if isinstance(depth, np.ndarray):
+            _check_scale(depth, depth_scale, depth_trunc)
         self.device, self._library = where, library_of(depth)
 
     @classmethod
+    @told_arguments
     def from_color_and_depth(
         cls,
         color: ArrayLike,
@@ -261,6 +271,23 @@ def upload_raw_depth(
     else:
         raw = _upload_raw(image, device)[0]
     return raw, scale, farthest, image.shape[0], image.shape[1]
+
+
+def _check_scale(depth: NDArray[Any], depth_scale: float, depth_trunc: float) -> None:
+    """Warn where a scale or limit leaves no depth of an image on the host; all of it is looked at only if a part is."""
+    unit = 1.0 if depth.dtype.kind == "f" else depth_scale
+    for part in (depth[::8, ::8], depth):
+        with np.errstate(invalid="ignore"):
+            measured = part[(part > 0) & np.isfinite(part)]
+        if measured.size and float(measured.min()) / unit <= depth_trunc:
+            return
+    if measured.size:
+        given = f"{measured.size:,} of {measured.dtype} {measured.min()}..{measured.max()}"
+        scale = "metres" if depth.dtype.kind == "f" else f"{depth_scale:g} units a metre"
+        warn_of_unit(
+            f"depth_scale, depth_trunc: no depth is left: {given}, taken for {scale}, lie beyond {depth_trunc:g} m; "
+            "integers in millimetres want depth_scale=1000, floats in millimetres are divided by 1000 first"
+        )
 
 
 def _as_array(name: str, values: Any) -> NDArray[Any]:

@@ -22,6 +22,7 @@ from ..core.atomic import atomic_write, check_writable
 from ..core.checks import check_name, check_numeric, check_rigid, check_shape
 from ..core.errors import FileError
 from ..core.json_files import check_keys, read_json_object
+from ..core.known_names import ToldNames
 from ..core.paths import path_of
 from ..core.quaternions import nearest_rotations, quaternions_to_rotations, rotations_to_quaternions
 from .camera import LARGEST_NUMBER, PinholeCameraIntrinsic, intrinsic_to_json, read_json_matrix
@@ -38,7 +39,7 @@ Line = tuple[int, list[str]]
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
-class Trajectory:
+class Trajectory(ToldNames):
     """The poses of a moving camera.
 
     Args:

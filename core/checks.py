@@ -9,7 +9,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from .progress import ReportProgress, say_nothing
+from .progress import ReportProgress
+from .verbosity import LoggedProgress
 
 MOST_SEED = 2**31 - 1
 MOST_COUNT = 2**31 - 1  # device code counts in 32 bits
@@ -271,12 +272,12 @@ def check_callback(name: str, value: Any) -> Any:
 
 
 def check_progress(value: Any) -> ReportProgress:
-    """What is to be called with the progress of a job, or silence for None.
+    """What is to be called with the progress of a job; None for what says it to the logger where it takes long.
 
     Raises:
         TypeError: It cannot be called.
     """
-    return check_callback("progress", value) or say_nothing
+    return check_callback("progress", value) or LoggedProgress()
 
 
 def check_search(radius: Any, max_nn: Any) -> tuple[float, int | None]:

@@ -11,6 +11,8 @@ from collections.abc import Callable
 from types import CodeType, FrameType
 from typing import Any, NamedTuple, ParamSpec, TypeVar
 
+from .told_arguments import is_of_call, mismatch
+
 P = ParamSpec("P")
 R = TypeVar("R")
 
@@ -60,6 +62,8 @@ def returns_new(operation: Callable[P, R]) -> Callable[P, R]:
     `list(map(lambda c: c.scale(2), clouds))`. What an interactive prompt shows is taken. The check reads one
     instruction of the caller, in a microsecond; what it finds suspicious is looked at once for each place in a program.
 
+    A call whose arguments do not fit is told as by `told_arguments`.
+
     Not told, since no instruction of the caller says it: results that a function of the user's own returns and that are
     dropped there (`def move(c): return c.scale(2)`, then `move(c)`), lists that are kept in a variable and never used,
     pairs of which only the second is kept (`_, rows = ...`), and what is only asked for its truth (`if c.scale(2):`).
@@ -67,7 +71,12 @@ def returns_new(operation: Callable[P, R]) -> Callable[P, R]:
 
     @functools.wraps(operation)
     def call(*args: P.args, **kwargs: P.kwargs) -> R:
-        result = operation(*args, **kwargs)
+        try:
+            result = operation(*args, **kwargs)
+        except TypeError as error:
+            if not is_of_call(error):
+                raise
+            raise mismatch(operation, args, kwargs, error) from None
         if _is_dropped(sys._getframe(1), call):
             warnings.warn(_message(operation, args, result), DroppedResultWarning, stacklevel=2)
         return result

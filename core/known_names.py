@@ -1,4 +1,4 @@
-"""Objects that take no attribute but those they have: a misspelt name is an error, not a new attribute."""
+"""Names that a class does not have: what Open3D calls otherwise is told, and a misspelt one is no new attribute."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ import sys
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
-OPEN3D_NAMES = "docs/open3d.md says what Open3D's names are here"
+from .open3d_names import SHAPES, row_of, told
 
 
 def nearest_name(name: str, known: Iterable[str]) -> str:
@@ -18,20 +18,35 @@ def nearest_name(name: str, known: Iterable[str]) -> str:
     return f"; did you mean {found[0]!r}?" if found else ""
 
 
-class KnownNames:
-    """A class whose objects have no attribute that it does not declare: reading or setting one names the nearest."""
-
-    _how_to_add = ""  # what else who sets an unknown attribute may have meant
+class ToldClass(type):
+    """The class of classes whose unknown names are told: `TriangleMesh.create_half_edge_mesh`."""
 
     if not TYPE_CHECKING:  # which finds misspelt names by itself
 
+        def __getattr__(cls, name: str) -> Any:  # asked only where there is none
+            raise AttributeError(_message(cls, name), name=name, obj=cls)
+
+
+class ToldNames(metaclass=ToldClass):
+    """A class whose unknown names are told, with what Open3D's are here, else with the nearest one."""
+
+    if not TYPE_CHECKING:
+
+        def __getattr__(self, name: str) -> Any:
+            raise AttributeError(_message(type(self), name))
+
+
+class KnownNames(ToldNames):
+    """A class whose objects have no attribute that it does not declare: setting one names the nearest, too."""
+
+    _how_to_add = ""  # what else who sets an unknown attribute may have meant
+
+    if not TYPE_CHECKING:
+
         def __setattr__(self, name: str, value: Any) -> None:
             if not name.startswith("_") and not _declares(type(self), name):
-                raise AttributeError(_message(self, name, self._how_to_add.format(name=name)))
+                raise AttributeError(_message(type(self), name, self._how_to_add.format(name=name)))
             object.__setattr__(self, name, value)
-
-        def __getattr__(self, name: str) -> Any:  # asked only where there is none
-            raise AttributeError(_message(self, name, "" if name.startswith("_") else OPEN3D_NAMES))
 
 
 def _declares(kind: type, name: str) -> bool:
@@ -48,7 +63,25 @@ def _annotated(kind: type) -> frozenset[str]:
     return frozenset(vars(kind).get("__annotations__", ()))
 
 
-def _message(owner: Any, name: str, remedy: str) -> str:
-    kind = type(owner)
-    near = nearest_name(name, dir(kind))
-    return f"{kind.__name__} has no attribute {name!r}{near}" + (f"{' ' if near else '; '}{remedy}" if remedy else "")
+@functools.lru_cache(1024)
+def _message(kind: type, name: str, how_to_add: str = "") -> str:
+    """What is said of a name that a class does not have."""
+    said = f"{kind.__name__} has no attribute {name!r}"
+    if name.startswith("_"):
+        return said
+    row = told(row_of(name, (*(base.__name__ for base in kind.__mro__), SHAPES)))
+    near = "" if row else nearest_name(name, dir(kind))
+    if how_to_add:
+        return said + (f"{row}; {how_to_add}" if row else f"{near} {how_to_add}" if near else f"; {how_to_add}")
+    return said + (row or near or _others(kind, name))
+
+
+def _others(kind: type, name: str) -> str:
+    """`; TriangleMesh has it` where other classes that are loaded have a name."""
+    found, waiting = set(), [ToldNames]
+    while waiting:
+        base = waiting.pop()
+        waiting += base.__subclasses__()
+        if not base.__subclasses__() and base is not kind and not base.__name__.startswith("_"):
+            found |= {base.__name__} if any(name in vars(parent) for parent in base.__mro__) else set()
+    return f"; {' and '.join(sorted(found))} {'have' if len(found) > 1 else 'has'} it" if found else ""

@@ -19,7 +19,7 @@ from .language import kept_kernels, pool_code, taichi_compiler, warp_compiler
 from .language.arguments import checked_arguments, device_of
 from .language.device_lock import RecordedLoop, lock, record, replay  # noqa: F401  handed on
 from .language.module_loading import load_module
-from .language.notices import announced
+from .language.notices import announced, compiling
 from .language.prepared_launches import TaichiLaunch, WarpLaunch
 from .language.segment_launches import launch_segments
 from .memory import empty, zeros
@@ -128,6 +128,7 @@ def _run_taichi(kernel: Any, name: str, annotations: Callable[[], Sequence[Any]]
     prepared = _by_taichi.get(kernel)
     if prepared is None or prepared.program() is not taichi.program:
         with announced(name):
+            compiling()  # for all that is known of Taichi's cache
             prepared = _by_taichi[kernel] = taichi.prepare(kernel, name, annotations(), values)
         again = None if _turn is None else prepared.bound(values)
     elif _turn is None:

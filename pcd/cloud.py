@@ -11,8 +11,9 @@ from typing import Any
 from numpy.typing import ArrayLike
 
 from ..core.array_libraries import library_of
-from ..core.checks import check_finite, check_shape, is_on_gpu
+from ..core.checks import check_finite, check_shape, is_on_gpu, shown
 from ..core.devices import resolve_device
+from ..core.told_arguments import told_arguments
 from ..kernels.memory import move
 from .clusters import Clusters
 from .depth_clouds import DepthClouds
@@ -68,6 +69,7 @@ class PointCloud(
         (27, (27, 3), ['intensity'])
     """
 
+    @told_arguments
     def __init__(
         self,
         points: ArrayLike = (),
@@ -81,7 +83,9 @@ class PointCloud(
         if isinstance(points, PointCloud):
             raise TypeError("points: expected an array, got a PointCloud; cloud.copy() is another one of its arrays")
         if isinstance(points, str | os.PathLike):
-            raise TypeError("points: expected an array, got a path; loom.read_point_cloud(path) reads it")
+            raise TypeError(
+                f"points: expected real numbers, got {shown(points)}; loom.read_point_cloud(path) reads a file"
+            )
         where = resolve_device(device)
         start = None if origin is None else check_finite("origin", check_shape("origin", origin, (3,)))
         self._arrays, self._library, self.grid = {}, library_of(points), None

@@ -8,6 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..core.checks import check_count, check_positive
+from ..core.told_arguments import told_arguments
+from ..core.verbosity import told_time
 from ..core.watching import report
 from ..kernels.segmentation.cluster_labels import rank_by_size
 from ..kernels.segmentation.dbscan import cluster_points
@@ -21,6 +23,7 @@ ANY: dict[str, Any] = {"maximum": 2**63 - 1, "because": "counts have 64 bits"}
 class Clusters(Selection):
     """The part of PointCloud that finds clusters."""
 
+    @told_arguments
     def cluster_dbscan(self, eps: float, min_points: int, print_progress: bool = False) -> NDArray[np.int32]:
         """Find clusters by density: cores closer than `eps` to each other, and the points around them.
 
@@ -31,7 +34,7 @@ class Clusters(Selection):
         Args:
             eps: Distance of neighbours [m], excluded.
             min_points: Neighbours that make a core.
-            print_progress: Taken since Open3D takes it; nothing is printed, for there is no loop to follow.
+            print_progress: Say on stderr that it begins, and how long it took.
 
         Returns:
             Labels, int32 [n], from 0; -1 for noise and for points that are not finite.
@@ -51,7 +54,9 @@ class Clusters(Selection):
             >>> cloud.cluster_dbscan(eps=0.2, min_points=2).tolist()
             [0, 0, 1, 1, -1]
         """
-        labels, _ = self._cluster(check_positive("eps", eps), check_count("min_points", min_points, **ANY))
+        reach, least = check_positive("eps", eps), check_count("min_points", min_points, **ANY)
+        with told_time(f"clusters of {len(self):,} points", print_progress):
+            labels, _ = self._cluster(reach, least)
         report("clusters", cloud=self, labels=labels)
         return self.handed_out(labels)
 

@@ -9,6 +9,7 @@ import numpy as np
 import warp as wp
 from numpy.typing import NDArray
 
+from ..core.known_names import ToldNames
 from ..kernels.arrays.bounds import bound_points
 from ..kernels.arrays.select import gather_rows, positions_of
 from ..kernels.extent.hull_filter import farthest_rows, gather_positions, mask_outer, scale_points
@@ -25,7 +26,7 @@ ROUNDING = 5e-7  # of the largest coordinate: float32 moves points by up to 1e-7
 
 
 @dataclass(frozen=True, eq=False)
-class ConvexHull:
+class ConvexHull(ToldNames):
     """The smallest convex body around points: a closed surface of triangles, counter-clockwise seen from outside.
 
     `loom.TriangleMesh(hull.vertices, hull.triangles)` makes a mesh of it.

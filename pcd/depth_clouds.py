@@ -14,6 +14,7 @@ from ..core.array_libraries import hand_out, library_of
 from ..core.checks import check_count, check_positive, check_rigid
 from ..core.coordinates import split_origin
 from ..core.gpu_arrays import device_for
+from ..core.told_arguments import told_arguments
 from ..kernels.images.depth import PixelGrid, color_pixels, pixel_normals, unproject_depth
 from ..kernels.images.depth_projection import project_points, read_colors, read_depth
 from .selection import Selection
@@ -23,6 +24,7 @@ class DepthClouds(Selection):
     """The part of PointCloud that deals with depth images."""
 
     @classmethod
+    @told_arguments
     def from_depth_image(
         cls,
         depth: ArrayLike,
@@ -66,6 +68,7 @@ class DepthClouds(Selection):
     create_from_depth_image = from_depth_image
 
     @classmethod
+    @told_arguments
     def from_rgbd_image(
         cls,
         image: RGBDImage,

@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 from ..core.array_libraries import hand_out
 from ..core.checks import check_indices, check_search, is_on_gpu
 from ..core.gpu_arrays import take_indices
+from ..core.told_arguments import told_arguments
 from ..kernels.features.eigen_features import measure_curvature, measure_shapes
 from ..kernels.features.fpfh import compute_features, mask_points
 from ..kernels.lang import int32
@@ -20,6 +21,7 @@ from .kept_tree import check_extent
 from .point_arrays import check_cloud
 
 
+@told_arguments
 def compute_fpfh_feature(
     cloud: PointCloud, *, radius: float | None = None, max_nn: int | None = 100, indices: ArrayLike | None = None
 ) -> NDArray[np.float32]:
@@ -71,6 +73,7 @@ def compute_fpfh_feature(
     return hand_out(compute_features(tree, normals, reach, count, rows), cloud.array_library)
 
 
+@told_arguments
 def compute_eigen_features(cloud: PointCloud, *, radius: float | None = None, max_nn: int | None = 30) -> PointCloud:
     """Tell lines, planes and volumes apart by the eigenvalues of each neighbourhood's covariance.
 
@@ -112,6 +115,7 @@ def compute_eigen_features(cloud: PointCloud, *, radius: float | None = None, ma
     return _with_attributes(cloud, shapes)
 
 
+@told_arguments
 def estimate_curvature(cloud: PointCloud, *, radius: float | None = None, max_nn: int | None = 30) -> PointCloud:
     """The surface variation of each point's neighbourhood: 0 on a plane, more on edges, at most 1/3.
 

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..core.checks import check_count, check_positive
+from ..core.told_arguments import told_arguments
 from ..kernels.features.iss import find_iss_keypoints
 from .cloud import PointCloud
 from .point_arrays import check_cloud
@@ -39,6 +40,7 @@ def compute_iss_keypoints(
 ) -> tuple[PointCloud, NDArray[np.int32]]: ...
 
 
+@told_arguments
 def compute_iss_keypoints(
     cloud: PointCloud,
     salient_radius: float = 0.0,

@@ -10,12 +10,13 @@ from numpy.typing import ArrayLike, NDArray
 from ..core.checks import LARGEST_NUMBER, check_finite, check_positive, check_rigid, check_shape, check_transformation
 from ..core.coordinates import FLOAT32_MAX, split_origin
 from ..core.dropped_results import returns_new
+from ..core.known_names import ToldNames
 from ..kernels.algebra.transform import transform_covariances, transform_directions, transform_points
 from ..kernels.lang import float32
 from .bounding import Bounding
 
 
-class Movable:
+class Movable(ToldNames):
     """What affine maps move, about its middle where no point is given."""
 
     def get_center(self) -> NDArray[np.float64]:
@@ -50,7 +51,13 @@ class Movable:
             ValueError: R is no rotation matrix [3, 3], or the centre not three finite numbers.
         """
         T = np.eye(4)
-        T[:3, :3] = check_shape("R", R, (3, 3))
+        try:
+            T[:3, :3] = check_shape("R", R, (3, 3))
+        except ValueError as error:  # an angle, or three
+            raise ValueError(
+                f"{error}: a rotation matrix; scipy.spatial.transform.Rotation.from_euler('xyz', angles, "
+                "degrees=True).as_matrix() makes one"
+            ) from None
         return self._mapped("center", map_about(check_rigid("R", T)[:3, :3], self._middle(center)))
 
     @returns_new

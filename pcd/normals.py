@@ -9,15 +9,22 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..core.checks import check_count, check_finite, check_numeric, check_positive, check_search, check_shape
 from ..core.dropped_results import returns_new
+from ..core.units import warn_of_unit
 from ..kernels.arrays.select import gather_rows
+from ..kernels.arrays.sort import positions
 from ..kernels.extent.masks import usable_rows
 from ..kernels.memory import download
+from ..kernels.reconstruction.ball_surface import count_around
 from ..kernels.search.point_tree import PointTree
 from ..kernels.surface.covariances import estimate_covariances
 from ..kernels.surface.normal_agreement import share_of_opposed_normals
 from ..kernels.surface.normals import align_normals, estimate_normals, orient_normals
 from ..kernels.surface.orientation import flip_vectors, normalize_vectors, orient_consistently
 from .point_arrays import PointArrays
+
+FEW = 10  # points that need no warning
+SHORT = 0.25  # of the spacing of a surface: a radius below it is looked at
+ALONE = 1.1  # points within a radius on average, the point itself among them: nine in ten have nobody
 
 
 class Normals(PointArrays):
@@ -42,6 +49,9 @@ class Normals(PointArrays):
         Raises:
             ValueError: Neither limit given, or one out of range.
 
+        Warns:
+            UnitsWarning: The radius finds hardly any point another one: it is in another unit.
+
         Notes:
             O(n) memory. Same bits from run to run. Hoppe et al. 1992, section 3.1. Covariances are centred, so
             coordinates of any size do no harm (Open3D's legacy form turns 57 % of normals at UTM coordinates), and
@@ -54,7 +64,9 @@ class Normals(PointArrays):
         """
         reach, count = check_search(radius, max_nn)
         points = self._arrays["points"]
-        normals = estimate_normals(self.search_tree(), points, count, reach)
+        tree = self.search_tree()
+        _check_radius(tree, radius)
+        normals = estimate_normals(tree, points, count, reach)
         if self.has_normals:
             align_normals(normals, self._arrays["normals"])
         return self.with_arrays(self._arrays | {"normals": normals}, grid=self.grid)
@@ -248,3 +260,19 @@ class Normals(PointArrays):
         normals = self.required_array("normals", "call estimate_normals() first")
         oriented = orient_normals(self._arrays["points"], normals, reference, to_point)
         return self.with_arrays(self._arrays | {"normals": oriented}, grid=self.grid)
+
+
+def _check_radius(tree: PointTree, radius: float | None) -> None:
+    """Warn where a radius finds nobody; points are only counted where it is short for a surface as large as theirs."""
+    if radius is None or tree.count <= FEW:
+        return
+    extent = float(np.max(np.asarray(tree.high, np.float64) - tree.low))
+    usual = extent / float(np.sqrt(tree.count))  # between the points of a surface
+    if radius > SHORT * usual:
+        return
+    found = count_around(tree, positions(tree.count, tree.device), radius)
+    if found < ALONE:
+        warn_of_unit(
+            f"radius: {radius:g} m finds {found - 1:.2g} other points on average, so that normals are (0, 0, 1); the "
+            f"cloud's {tree.count:,} points span {extent:.3g} m: take the radius in its unit, some {2 * usual:.2g} m"
+        )

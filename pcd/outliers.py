@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from ..core.checks import check_count, check_positive
 from ..core.dropped_results import returns_new
+from ..core.verbosity import told_time
 from ..kernels.arrays.select import positions_of
 from ..kernels.search.neighbor_distances import average_distances, mask_up_to, mean_and_deviation
 from ..kernels.segmentation.neighbor_counts import mask_crowded
@@ -33,7 +34,7 @@ class Outliers(Selection):
         Args:
             nb_neighbors: Neighbours that a mean is taken over, the point itself included.
             std_ratio: How many standard deviations above the mean a distance may lie.
-            print_progress: For Open3D's callers; there is nothing to show.
+            print_progress: Say on stderr that it begins, and how long it took.
 
         Returns:
             The points that stay, and their indices in this cloud, int32 [m], ascending. Points that are not finite do
@@ -56,10 +57,11 @@ class Outliers(Selection):
         """
         k = check_count("nb_neighbors", nb_neighbors)
         ratio = check_positive("std_ratio", std_ratio)
-        distances = average_distances(self.search_tree(), k)
-        count, mean, deviation = mean_and_deviation(distances)
-        limit = (mean + ratio * deviation) * ROUNDING if count else 0.0
-        return self._keep(mask_up_to(distances, limit))
+        with told_time(f"statistical outliers of {len(self):,} points", print_progress):
+            distances = average_distances(self.search_tree(), k)
+            count, mean, deviation = mean_and_deviation(distances)
+            limit = (mean + ratio * deviation) * ROUNDING if count else 0.0
+            return self._keep(mask_up_to(distances, limit))
 
     @returns_new
     def remove_radius_outlier(
@@ -71,7 +73,7 @@ class Outliers(Selection):
             nb_points: A point stays where it has at least so many others within the radius (Open3D's legacy rule: more
                 than `nb_points` with itself; its tensor form asks for one less).
             radius: Radius [m], the boundary excluded.
-            print_progress: For Open3D's callers; there is nothing to show.
+            print_progress: Say on stderr that it begins, and how long it took.
 
         Returns:
             The points that stay, and their indices in this cloud, int32 [m], ascending. Points that are not finite do
@@ -93,7 +95,8 @@ class Outliers(Selection):
         """
         needed = check_count("nb_points", nb_points) + 1
         reach = check_positive("radius", radius)
-        return self._keep(mask_crowded(self.search_tree(), reach, needed))
+        with told_time(f"radius outliers of {len(self):,} points", print_progress):
+            return self._keep(mask_crowded(self.search_tree(), reach, needed))
 
     def _keep(self, mask: wp.array) -> tuple[Self, NDArray[np.int32]]:
         rows = positions_of(mask)

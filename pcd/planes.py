@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..core.checks import check_count, check_positive, check_seed, shown
+from ..core.told_arguments import told_arguments
 from ..core.watching import report
 from ..kernels.arrays.select import gather_rows, invert_mask, positions_of
 from ..kernels.extent.masks import mask_finite
@@ -23,6 +24,7 @@ WRAP = 2**30  # numbers of samples stay below 2^31
 class Planes(PlanarPatches):
     """The part of PointCloud that finds planes."""
 
+    @told_arguments
     def segment_plane(
         self,
         distance_threshold: float = 0.01,

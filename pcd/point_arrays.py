@@ -84,6 +84,10 @@ class PointArrays(CloudQuestions):
     def normals(self, values: ArrayLike) -> None:
         self._set("normals", values)
 
+    @normals.deleter
+    def normals(self) -> None:
+        self._arrays.pop("normals", None)
+
     @property
     def colors(self) -> NDArray[np.float32]:
         """Colours 0..1, float32 [n, 3].
@@ -96,6 +100,10 @@ class PointArrays(CloudQuestions):
     @colors.setter
     def colors(self, values: ArrayLike) -> None:
         self._set("colors", values)
+
+    @colors.deleter
+    def colors(self) -> None:
+        self._arrays.pop("colors", None)
 
     @property
     def attributes(self) -> Attributes:
@@ -224,7 +232,8 @@ class PointArrays(CloudQuestions):
     @returns_new
     def clear(self) -> Self:
         """A cloud without points and attributes on the same device: `cloud = cloud.clear()`."""
-        return type(self)(device=self.device)
+        kind: Any = type(self)
+        return kind(device=self.device)
 
     @returns_new
     def copy(self) -> Self:
@@ -319,6 +328,8 @@ class PointArrays(CloudQuestions):
         self._kept = KeptTree(points, lent=is_shared)
 
     def _set(self, name: str, values: ArrayLike) -> None:
+        if isinstance(values, PointArrays):  # whose array would be its points
+            raise TypeError(f"{name}: expected an array, got a PointCloud; take one of its arrays: other[{name!r}]")
         if is_on_gpu(values):
             self._arrays[name] = self._taken(name, values)
             return

@@ -13,6 +13,7 @@ from ..core.checks import check_count, check_numeric, check_positive, check_rows
 from ..core.coordinates import split_origin
 from ..core.devices import check_same_device
 from ..core.gpu_arrays import take_numbers, take_points
+from ..core.known_names import ToldNames
 from ..kernels.arrays.row_numbers import run_lengths
 from ..kernels.lang import vec3
 from ..kernels.memory import upload
@@ -58,7 +59,7 @@ def _only(part: Any) -> Any:
     return part if isinstance(part, wp.array) and part.ndim == 1 else part[0]  # Warp has no single elements
 
 
-class NearestNeighborSearch:
+class NearestNeighborSearch(ToldNames):
     """Exact neighbour search over a cloud as it is now, by one tree for every radius and count.
 
     Distances are those of float32 coordinates relative to the cloud's origin. Points and queries that are not finite

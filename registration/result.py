@@ -25,6 +25,7 @@ class RegistrationResult:
         iterations: Steps that were taken.
         converged: Whether the criteria were met.
         reason: Why it stopped, in words: "converged", "max_iteration", "no correspondences", ...
+        hint: What may be the matter where there are no correspondences: where both clouds are, and how large.
         degenerate_directions: float64 [k, 6]: motions that the clouds do not determine, and along which the source was
             not moved: rotation about x, y, z through the middle of the correspondences, as the length of the arc at the
             source's spread, then translation; unit vectors. Empty where all six are determined.
@@ -46,7 +47,7 @@ class RegistrationResult:
         self.transformation, self.fitness, self.inlier_rmse = transformation, fitness, inlier_rmse
         self.iterations, self.converged, self.reason, self._score = iterations, converged, reason, score
         self.degenerate_directions = np.empty((0, 6)) if degenerate_directions is None else degenerate_directions
-        self._correspondences = correspondences
+        self._correspondences, self.hint = correspondences, ""
 
     @cached_property
     def correspondence_set(self) -> Pairs:
@@ -79,7 +80,8 @@ class RegistrationResult:
 
     def __repr__(self) -> str:
         believed = f", score {self._score:.2f}" if isinstance(self._score, float) else ""
+        why = f"{self.reason or 'not stated'}{f': {self.hint}' if self.hint else ''}"
         return (
             f"RegistrationResult(fitness {self.fitness:.4f}, inlier_rmse {self.inlier_rmse:.6g}, "
-            f"{self.iterations} iterations, {self.reason or 'not stated'}{believed})"
+            f"{self.iterations} iterations, {why}{believed})"
         )

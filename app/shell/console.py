@@ -96,8 +96,8 @@ class CompileNotice(logging.Handler):
         self._logger.setLevel(self._level)
 
     def emit(self, record: logging.LogRecord) -> None:
-        """Say it."""
-        if not self._said:
+        """Say it; how far a call is, the command says itself."""
+        if getattr(record, "compiles", False) and not self._said:
             self._said = True
             click.echo("compiling kernels for their first use on this machine; later runs start at once", err=True)
 

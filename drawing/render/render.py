@@ -14,6 +14,7 @@ from ...cameras.camera import check_pixels
 from ...core.array_libraries import view_as
 from ...core.checks import check_color, check_list, check_name, check_shape, shown
 from ...core.devices import resolve_device
+from ...core.told_arguments import told_arguments
 from ...kernels.drawing.placing import make_normal_lines
 from ...kernels.lang import vec3, vec3i
 from ...kernels.memory import download, empty
@@ -42,6 +43,7 @@ def render(
 def render(
     geometries: Any, camera: Any = None, *args: Any, depth: Literal[True], **options: Any
 ) -> tuple[Picture, NDArray[np.float32]]: ...
+@told_arguments
 def render(
     geometries: Any,
     camera: Any = None,

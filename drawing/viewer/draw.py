@@ -10,11 +10,13 @@ from typing import Any
 
 from ...core.checks import check_count
 from ...core.errors import PointloomError
+from ...core.told_arguments import told_arguments
 from ..render.geometries import Named, named_geometries
 from .notebook import StillPicture, in_notebook
 from .viewer import MOST_POINTS, Viewer
 
 
+@told_arguments
 def draw(
     geometries: Any,
     window_name: str = "pointloom",

@@ -12,7 +12,8 @@ from numpy.typing import NDArray
 
 from ...core.checks import check_name
 from ...core.errors import PointloomError
-from ...core.known_names import OPEN3D_NAMES, nearest_name
+from ...core.known_names import nearest_name
+from ...core.open3d_names import row_of, told
 from ..render.parts import Triangles
 from ..render.view import View, fit_view
 from .camera import camera_of, diagonal, read_parameters, set_first_camera, set_reach
@@ -87,7 +88,8 @@ class Scene:
     if not TYPE_CHECKING:
 
         def __getattr__(self, name: str) -> Any:  # asked only where there is none
-            remedy = "" if name.startswith("_") else f"{nearest_name(name, dir(type(self)))} {OPEN3D_NAMES}"
+            remedy = "" if name.startswith("_") else told(row_of(name, ("Visualizer",)))
+            remedy = remedy or nearest_name(name, dir(type(self)))
             raise AttributeError(f"{type(self).__name__} has no attribute {name!r}{remedy}")
 
     @property

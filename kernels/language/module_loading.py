@@ -20,6 +20,7 @@ import warp as wp
 
 from ..array_types import Device
 from . import compiled_ahead
+from .notices import compiling
 
 try:
     import fcntl
@@ -44,7 +45,15 @@ def load_module(module: Any, device: Device) -> None:
     place = "cpu" if device.is_cpu else f"sm{device.arch}"
     with turn_of(f"{module.get_module_identifier(block_dim)}.{place}"):
         if device.is_cpu or not _is_loaded_from_archive(module, device, block_dim):
+            if not _is_in_cache(module, device, block_dim):
+                compiling()
             module.load(device, block_dim)
+
+
+def _is_in_cache(module: Any, device: Device, block_dim: int) -> bool:
+    """Whether an earlier process has left what Warp would make of a module."""
+    file = module._get_compile_output_name(device, block_dim=block_dim)
+    return Path(wp.config.kernel_cache_dir or ".", module.get_module_identifier(block_dim), file).exists()
 
 
 def _is_loaded_from_archive(module: Any, device: Device, block_dim: int) -> bool:

@@ -7,7 +7,7 @@ the samples' mean value (`octree_surface`), and how dense they lie there.
 Kazhdan and Hoppe, "Screened Poisson surface reconstruction", ACM TOG 32(3), 2013.
 """
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import Any, NamedTuple
 
 from ..array_types import Points, Scalars, Triangles, Vectors
@@ -86,6 +86,7 @@ def reconstruct_poisson(
     samples_per_cell: float,
     by_length: bool,
     envelope: Envelope | None = None,
+    progress: Callable[[str, int, int], None] | None = None,
 ) -> PoissonSurface:
     """The surface of oriented points.
 
@@ -98,6 +99,7 @@ def reconstruct_poisson(
         samples_per_cell: Points in a cell where the tree ends.
         by_length: A normal's length is its weight.
         envelope: An Envelope that the surface does not leave, or None.
+        progress: Called with each stage, how many of its steps are done, and how many there are.
 
     Raises:
         MemoryError: The device has no room for the tree.
@@ -110,8 +112,10 @@ def reconstruct_poisson(
     totals: list[Any] = [download(reduce(sum_areas, c.count, [c, r]))[0] for c, r in pyramid.pairs()]  # sync
     area, weight = sum(totals)  # type: ignore[misc]  # there is one level at least
     tests = constraints(pyramid)
-    solutions = solve(pyramid, tests, point_weight * area / weight, cube, envelope)
+    solutions = solve(pyramid, tests, point_weight * area / weight, cube, envelope, progress)
     del tests
+    if progress is not None:
+        progress("surface", 0, 0)
     iso = mean_at_samples(pyramid, solutions)
     surface = OctreeSurface(pyramid.levels, solutions, iso, cube, is_linear)
     depths = empty(surface.slots.size, int32, points.device)

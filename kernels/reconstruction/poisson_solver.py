@@ -13,7 +13,7 @@ A renewal reads 21 corners, through a table of where they lie from each kind of 
 number of sweeps, never until a tolerance.
 """
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from itertools import product
 from typing import TYPE_CHECKING, Any
 
@@ -268,6 +268,7 @@ def solve(
     weight: float,
     cube: Cube | None = None,
     envelope: Envelope | None = None,
+    progress: Callable[[str, int, int], None] | None = None,
 ) -> list[Any]:
     """The solution at the corners of all levels, a list by depth (None for 0) of float32 device arrays.
 
@@ -276,11 +277,14 @@ def solve(
         tests: From `constraints`.
         weight: How much a sample pulls, in areas of a cell's face on level 0; 4^depth times that on a level.
         cube, envelope: A Cube, and an Envelope in it beyond which the function is held; None for none.
+        progress: Called with "levels", levels solved and levels in all, before each.
     """
     levels = pyramid.levels
     solutions: list[Any] = [None]
     table = upload(CORNER_TABLE, int32, levels[1].device)
     for depth in range(1, len(levels)):
+        if progress is not None:
+            progress("levels", depth - 1, len(levels) - 1)
         level, device = levels[depth], levels[depth].device
         values = zeros(SLOTS * level.count, float32, device)
         if depth > 1:

@@ -10,8 +10,8 @@ import numpy as np
 from ...cameras.camera import PinholeCameraIntrinsic
 from ...cameras.images import RGBDImage
 from ...cameras.trajectory import Trajectory
-from ...core.checks import check_callback, check_count, check_list, check_name, check_positive, check_rigid, shown
-from ...core.progress import ReportProgress, say_nothing
+from ...core.checks import check_count, check_list, check_name, check_positive, check_progress, check_rigid, shown
+from ...core.progress import ReportProgress
 from ...files.frames.datasets import Frame
 from ...files.frames.rgbd_sources import RGBDSource
 from ..mesh.mesh import TriangleMesh
@@ -80,7 +80,7 @@ def texture_mesh(
         ([0.0, 1.0, 0.0], 0.0)
     """
     _check(mesh, frames, method, size)
-    farthest, say = check_positive("depth_max", depth_max), check_callback("progress", progress) or say_nothing
+    farthest, say = check_positive("depth_max", depth_max), check_progress(progress)
     images, path = _read_frames(frames, poses, farthest, mesh.device, say)
     say("colours", 0, 0)
     colors = _color(mesh, images, path, frames.intrinsic, method, farthest)

@@ -10,6 +10,7 @@ import warp as wp
 from numpy.typing import NDArray
 
 from ...core.checks import check_list, check_positive, shown
+from ...core.units import warn_of_unit
 from ...kernels.arrays.select import gather_rows
 from ...kernels.lang import vec3i
 from ...kernels.memory import download, empty
@@ -22,6 +23,8 @@ from ...pcd.point_arrays import check_cloud
 from .mesh_arrays import MeshArrays
 
 AUTO = 10.0  # medians of the distance to the nearest point: the least at which the scanned bunny hangs together
+CORNERS = 4  # points of a tetrahedron
+SHORT = 0.02  # of the usual alpha, a fifth of the distance to the nearest: no tetrahedron is so small
 MOST_ALPHAS = 1000  # a tetrahedron is asked about each
 
 
@@ -111,10 +114,17 @@ class AlphaShapes(MeshArrays):
         if chosen is None:
             chosen = [_choose_alpha(tree, unique.device_arrays["points"])]
         found = _find_shapes(tree, rows, len(cloud), chosen, bool(return_tetrahedra))
-        answers = []
-        for triangles, tetrahedra in found:
+        answers, bare = [], []
+        for size, (triangles, tetrahedra) in zip(chosen, found, strict=True):
             mesh = cls._over_points(cloud, triangles)
+            if not triangles.size:
+                bare.append(size)
             answers.append((mesh, tetrahedra, _used_rows(triangles)) if return_tetrahedra else mesh)
+        if bare and tree.count >= CORNERS and not isinstance(alpha, str):
+            usual = _choose_alpha(tree, unique.device_arrays["points"])
+            if max(bare) < SHORT * usual:
+                told = ", ".join(f"{size:g}" for size in bare)
+                warn_of_unit(f"alpha: nothing is left at {told} m; the points' spacing asks for some {usual:.3g} m")
         return answers if is_list else answers[0]
 
     create_from_point_cloud_alpha_shape = from_point_cloud_alpha_shape

@@ -7,6 +7,8 @@ from typing import Any, Self
 import numpy as np
 
 from ...core.checks import check_list, check_positive, shown
+from ...core.told_arguments import told_arguments
+from ...core.units import warn_of_unit
 from ...kernels.memory import download
 from ...kernels.reconstruction.ball_surface import RollingBall, count_around
 from ...kernels.search.neighbor_distances import nearest_distances
@@ -19,12 +21,15 @@ LEAST_RADII, MOST_RADII = 3, 6  # taken from the cloud, each twice the one befor
 WIDE_SHARE = 0.98  # of the points: the last radius is for those farthest from the others, but not for strays
 MOST_NEIGHBORS = 2**33  # of all points together, some ten minutes of two cores
 LARGEST_SHARE = 1e4  # times the box: beyond it the ball is flat to what float64 tells apart
+CORNERS = 3  # points of a triangle
+SHORT = 0.1  # of the usual radius: below that a ball hardly touches two points
 
 
 class BallPivoting(MeshArrays):
     """The part of TriangleMesh that makes one of a cloud by rolling balls."""
 
     @classmethod
+    @told_arguments
     def from_point_cloud_ball_pivoting(cls, cloud: PointCloud, radii: Any = None) -> Self:
         """A mesh of a cloud: the triangles that a ball can rest on without a point inside.
 
@@ -82,6 +87,11 @@ class BallPivoting(MeshArrays):
         if extent:
             _check_size(sizes, extent)
         triangles = ball.roll(sizes, len(cloud), _check_work)
+        if given is not None and not triangles.size and ball.tree.count >= CORNERS:
+            told, usual = (", ".join(f"{r:.3g}" for r in radii) for radii in (given, _default_radii(ball.tree)))
+            if max(given) < SHORT * _default_radii(ball.tree)[0]:
+                message = f"radii: balls of {told} m touch no three points; the points' spacing asks for {usual} m"
+                warn_of_unit(message)
         colors = cloud.device_array("colors") if cloud.has_colors else None
         return cls.from_device_arrays(
             points,

@@ -6,8 +6,8 @@ from dataclasses import asdict, dataclass
 from typing import Any
 
 from ...core.audience import Audience, to_caller
-from ...core.checks import check_callback, check_count, check_positive
-from ...core.progress import ReportProgress, say_nothing
+from ...core.checks import check_count, check_positive, check_progress
+from ...core.progress import ReportProgress
 from ...core.reports import Fields
 from ...core.wording import format_share, plain
 from .changed_mesh import ChangedMesh, sizes_before
@@ -173,7 +173,7 @@ def clean_mesh(
     """
     check_mesh("mesh", mesh)
     fewest, least = check_count("min_triangles", min_triangles), check_positive("min_area", min_area, allow_zero=True)
-    say = check_callback("progress", progress) or say_nothing
+    say = check_progress(progress)
     say("repair", 0, 0)
     mended, done = mesh.repair(merge_distance=merge_distance, hole_size=hole_size)
     say("parts", 0, 0)

@@ -10,8 +10,8 @@ from typing import Any
 
 import numpy as np
 
-from ...core.checks import check_callback, check_count, check_name, check_positive, check_share
-from ...core.progress import ReportProgress, say_nothing
+from ...core.checks import check_count, check_name, check_positive, check_progress, check_share
+from ...core.progress import ReportProgress
 from ...kernels.memory import download
 from ...kernels.rays.surface_hausdorff import distances_to
 from ...kernels.rays.triangle_tree import TriangleTree
@@ -104,7 +104,7 @@ def create_surface(
     settings = _settings_of(
         method, {"depth": depth, "density_quantile": density_quantile, "radii": radii, "alpha": alpha}
     )
-    say = check_callback("progress", progress) or say_nothing
+    say = check_progress(progress)
     say("normals", 0, 0)
     plain = cloud.to(cloud.device, arrays="numpy").remove_non_finite_points()
     points, normals = _with_normals(plain, method, bool(new_normals))

@@ -10,10 +10,11 @@ from collections.abc import Mapping
 from typing import Any
 
 from ...core.array_libraries import NUMPY, library_of
-from ...core.checks import check_rows, check_shape, is_on_gpu
+from ...core.checks import check_rows, check_shape, is_on_gpu, shown
 from ...core.coordinates import split_origin
 from ...core.devices import resolve_device
 from ...core.gpu_arrays import take_corners, take_points
+from ...core.told_arguments import told_arguments
 from ...files.table import MeshTable
 from ...kernels.lang import vec3, vec3i
 from ...kernels.memory import upload
@@ -102,6 +103,7 @@ class TriangleMesh(
         [0.0, 0.0, 1.0]
     """
 
+    @told_arguments
     def __init__(
         self,
         vertices: Any = (),
@@ -118,7 +120,9 @@ class TriangleMesh(
         origin: Any = None,
     ):
         if isinstance(vertices, str | os.PathLike):
-            raise TypeError("vertices: expected an array, got a path; loom.read_triangle_mesh(path) reads it")
+            raise TypeError(
+                f"vertices: expected real numbers, got {shown(vertices)}; loom.read_triangle_mesh(path) reads a file"
+            )
         self._library = library_of(vertices)
         anchor = None if origin is None else check_shape("origin", origin, (3,))
         if is_on_gpu(vertices):

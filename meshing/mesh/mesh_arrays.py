@@ -20,7 +20,7 @@ from ...kernels.arrays.select import gather_rows
 from ...kernels.lang import int32, vec2, vec3, vec3i
 from ...kernels.memory import clone, download, move, upload
 from ...kernels.meshes.mesh_edits import gather_corners, gather_triangles
-from ...pcd.point_arrays import read_only
+from ...pcd.point_arrays import PointArrays, read_only
 from .mesh_attributes import MeshAttributes, each, rows_of
 from .mesh_questions import MeshQuestions
 
@@ -152,6 +152,8 @@ class MeshArrays(MeshQuestions):
         return {kind: rows_of(self._attributes[kind], rows)}
 
     def _assign(self, name: str, values: Any) -> None:
+        if isinstance(values, PointArrays):  # whose array would be its points
+            raise TypeError(f"{name}: expected an array, got a PointCloud; take one of its arrays")
         count = self._arrays["vertices"].size
         if is_on_gpu(values):
             given = take_vectors(name, values, self._device)
@@ -207,7 +209,8 @@ class MeshArrays(MeshQuestions):
 
     @vertices.setter
     def vertices(self, values: Any) -> None:
-        made = type(self)(values, device=self._device)
+        kind: Any = type(self)
+        made = kind(values, device=self._device)
         count = self._arrays["vertices"].size
         held = [name for name in PER_VERTEX if name in self._arrays and name != "vertices"]
         if made.array("vertices").size != count and (held or len(self)):
@@ -228,7 +231,8 @@ class MeshArrays(MeshQuestions):
 
     @triangles.setter
     def triangles(self, values: Any) -> None:
-        made = type(self)(np.zeros((self._arrays["vertices"].size, 3)), values, device=self._device)
+        kind: Any = type(self)
+        made = kind(np.zeros((self._arrays["vertices"].size, 3)), values, device=self._device)
         held = [name for name in TEXTURE if name in self._arrays]
         if held and len(made) != len(self):
             raise ValueError(
@@ -354,7 +358,8 @@ class MeshArrays(MeshQuestions):
     @returns_new
     def clear(self) -> Self:
         """A mesh without vertices and triangles on the same device: `mesh = mesh.clear()`."""
-        return type(self)(device=self._device)
+        kind: Any = type(self)
+        return kind(device=self._device)
 
     @returns_new
     def copy(self) -> Self:

@@ -6,6 +6,7 @@ import math
 from typing import Any
 
 from ...core.checks import check_count, check_seed
+from ...core.told_arguments import told_arguments
 from ...kernels.memory import check_room
 from ...kernels.meshes.poisson_disk import CrowdedError, eliminate_samples
 from ...kernels.meshes.surface_samples import SurfaceSamples
@@ -20,6 +21,7 @@ MOST_SAMPLES = 2**24  # that an even choice begins with: about 4 GB with their n
 class MeshSampling(MeshArrays):
     """The part of TriangleMesh that samples its surface."""
 
+    @told_arguments
     def sample_points_uniformly(
         self, number_of_points: int = 100, use_triangle_normal: bool = False, seed: int = 0
     ) -> PointCloud:
@@ -54,6 +56,7 @@ class MeshSampling(MeshArrays):
         count, seed = check_count("number_of_points", number_of_points), check_seed(seed)
         return self._draw(self._surface("sample_points_uniformly"), count, use_triangle_normal, seed)
 
+    @told_arguments
     def sample_points_poisson_disk(
         self,
         number_of_points: int,

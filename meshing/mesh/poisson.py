@@ -10,8 +10,9 @@ import numpy as np
 import warp as wp
 from numpy.typing import NDArray
 
-from ...core.checks import check_count, check_positive
+from ...core.checks import check_count, check_positive, check_progress
 from ...core.devices import check_same_device
+from ...core.told_arguments import told_arguments
 from ...kernels.algebra.transform import transform_points
 from ...kernels.arrays.bounds import bound_points
 from ...kernels.arrays.select import gather_rows
@@ -47,6 +48,7 @@ class Poisson(MeshArrays):
     """The part of TriangleMesh that makes surfaces by the Poisson equation."""
 
     @classmethod
+    @told_arguments
     def from_point_cloud_poisson(
         cls,
         cloud: PointCloud,
@@ -140,6 +142,7 @@ class Poisson(MeshArrays):
             samples_per_cell=count,
             by_length=bool(confidence),
             envelope=None if envelope is None else _check_envelope(envelope, cloud),
+            progress=check_progress(None),
         )
         mesh = cls.from_device_arrays(
             surface.vertices,

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from typing import Any
 
 from ...core.audience import Audience, to_caller
-from ...core.checks import check_callback, check_count, check_positive, check_share
-from ...core.progress import ReportProgress, say_nothing
+from ...core.checks import check_count, check_positive, check_progress, check_share
+from ...core.progress import ReportProgress
 from ...core.reports import Fields
 from ...core.wording import plain
 from .changed_mesh import ChangedMesh, sizes_before
@@ -143,7 +143,7 @@ def simplify_mesh(
     weight = check_positive("boundary_weight", boundary_weight, allow_zero=True)
     if by == "voxel" and (farthest, weight) != (math.inf, 1.0):
         raise ValueError("max_error, boundary_weight: go with triangles or ratio, not with voxel_size")
-    say, target = check_callback("progress", progress) or say_nothing, None
+    say, target = check_progress(progress), None
     say("simplify", 0, 0)
     if by == "voxel":
         small = mesh.simplify_vertex_clustering(amount, "quadric")

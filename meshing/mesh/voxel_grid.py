@@ -10,11 +10,12 @@ from numpy.typing import ArrayLike, NDArray
 
 from ...core.checks import check_finite, check_rows, check_shape
 from ...core.devices import resolve_device
+from ...core.known_names import ToldNames
 from ...kernels.memory import check_room
 from ...pcd.point_arrays import read_only
 
 
-class VoxelGrid:
+class VoxelGrid(ToldNames):
     """The occupied voxels of a regular grid, as `TriangleMesh.voxelize` gives them; `len(grid)` counts them.
 
     Attributes:
@@ -32,6 +33,11 @@ class VoxelGrid:
         >>> grid.dense()[:, :, 0].astype(int).tolist()
         [[1, 1, 1], [1, 1, 1], [1, 1, 0]]
     """
+
+    origin: NDArray[np.float64]
+    voxel_size: float
+    counts: tuple[int, int, int]
+    coordinates: NDArray[np.int32]
 
     def __init__(
         self,

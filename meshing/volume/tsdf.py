@@ -17,7 +17,9 @@ from ...core.checks import check_positive, check_rigid
 from ...core.coordinates import split_origin
 from ...core.devices import check_same_device, resolve_device
 from ...core.dropped_results import returns_new
+from ...core.known_names import ToldNames
 from ...core.pickled_arrays import device_like
+from ...core.told_arguments import told_arguments
 from ...core.watching import report
 from ...kernels.images import depth as depth_images
 from ...kernels.memory import download
@@ -43,7 +45,7 @@ class _Frames:
     colored: bool = False  # whether they had colour
 
 
-class TSDFVolume:
+class TSDFVolume(ToldNames):
     """A surface fused from posed depth frames: truncated signed distances in blocks that appear where depth is.
 
     Blocks of 8^3 voxels are found through a hash table and grow on demand: there is no block count to guess and
@@ -76,6 +78,10 @@ class TSDFVolume:
         True
     """
 
+    device: Any
+    has_color: bool
+
+    @told_arguments
     def __init__(self, *, voxel_size: float, truncation: float | None = None, color: bool = True, device: Any = None):
         edge = check_positive("voxel_size", voxel_size)
         limit = 4 * edge if truncation is None else check_positive("truncation", truncation)
@@ -121,6 +127,7 @@ class TSDFVolume:
         """Bytes of device memory held by voxels, keys and the hash table."""
         return self._blocks.memory_bytes
 
+    @told_arguments
     def integrate(
         self,
         depth: ArrayLike | RGBDImage,
@@ -388,7 +395,7 @@ class TSDFVolume:
             DeviceError: It was on a GPU, and here is none.
         """
         where = device_like("volume", state["device"])
-        self.__dict__.update(vars(self._from_downloaded(state["arrays"], where)))
+        vars(self).update(vars(self._from_downloaded(state["arrays"], where)))
 
     # ------------------------------------------------------------------------------------------ internals
 

@@ -10,6 +10,7 @@ import warp as wp
 from numpy.typing import ArrayLike
 
 from ...core.checks import check_count, check_positive, check_seed
+from ...core.told_arguments import told_arguments
 from ...core.watching import report
 from ...kernels.arrays.bounds import bound_points
 from ...kernels.lang import mat44d
@@ -98,6 +99,7 @@ class FastGlobalRegistrationOption:
         return f"FastGlobalRegistrationOption({', '.join(f'{name}={value}' for name, value in vars(self).items())})"
 
 
+@told_arguments
 def registration_fgr_based_on_feature_matching(
     source: PointCloud,
     target: PointCloud,

@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ...core.checks import LARGEST_NUMBER, check_callback, check_positive, shown
-from ...core.progress import ReportProgress, say_nothing
+from ...core.checks import LARGEST_NUMBER, check_positive, check_progress, shown
+from ...core.progress import ReportProgress
 from ...core.reports import Fields, Report
 from ...core.wording import format_share, plain
 from ...pcd.cloud import PointCloud
@@ -217,7 +217,7 @@ def register_pair(
         >>> bool(np.abs(found.transformation[:3, 3] - [-0.02, 0.03, -0.01]).max() < 0.01), found.poor
         (True, None)
     """
-    estimation, tell = _check_method(method), check_callback("progress", progress) or say_nothing
+    estimation, tell = _check_method(method), check_progress(progress)
     check_clouds(source, target)
     start = None if init is None else check_poses("init", init, estimation)
     reach, given = _check_length("distance", distance), _check_length("voxel_size", voxel_size)

@@ -11,6 +11,7 @@ import warp as wp
 from numpy.typing import ArrayLike
 
 from ...core.checks import check_count, check_positive, check_seed
+from ...core.told_arguments import told_arguments
 from ...core.watching import report
 from ...kernels.lang import int32, vec3
 from ...kernels.memory import empty
@@ -58,6 +59,7 @@ class RANSACConvergenceCriteria:
         return f"RANSACConvergenceCriteria(max_iteration={self.max_iteration}, confidence={self.confidence})"
 
 
+@told_arguments
 def registration_ransac_based_on_feature_matching(
     source: PointCloud,
     target: PointCloud,

@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ...core.checks import check_positive, check_transformation
+from ...core.told_arguments import told_arguments
 from ...pcd.cloud import PointCloud
 from ..given_pairs import check_clouds
 from ..result import RegistrationResult
@@ -13,6 +14,7 @@ from .estimation import TransformationEstimationPointToPoint
 from .iterative import IterativeRegistration
 
 
+@told_arguments
 def evaluate_registration(
     source: PointCloud, target: PointCloud, max_correspondence_distance: float, transformation: ArrayLike | None = None
 ) -> RegistrationResult:

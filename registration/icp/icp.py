@@ -19,6 +19,7 @@ from ...core.checks import (
     check_rigid,
     check_transformation,
 )
+from ...core.told_arguments import told_arguments
 from ...core.watching import report, watched
 from ...pcd.cloud import PointCloud
 from ..given_pairs import check_cloud, check_clouds
@@ -34,6 +35,7 @@ from .estimation import (
 from .iterative import DEGENERACY, IterativeRegistration
 
 MOST_STEPS = 100_000
+OTHER_UNIT = 20.0  # times as long: no two scans of one scene
 Watcher = Callable[[dict[str, Any]], None]
 
 
@@ -61,6 +63,7 @@ class ICPConvergenceCriteria:
         check_count("max_iteration", self.max_iteration, minimum=0, maximum=MOST_STEPS, because=reason)
 
 
+@told_arguments
 def registration_icp(
     source: PointCloud,
     target: PointCloud,
@@ -135,6 +138,8 @@ def registration_icp(
     watch = None if callback_after_iteration is None and not watched() else watch
     problem.run(rules.max_iteration, rules.relative_fitness, rules.relative_rmse, watch)
     result = problem.results()[0]
+    if result.fitness == 0:
+        result.hint = _where(source, target, poses[0], max_correspondence_distance)
     report("registration", source=source, target=target, result=result)
     return result
 
@@ -189,6 +194,7 @@ def registration_icp_batch(
     return problem.results()
 
 
+@told_arguments
 def registration_colored_icp(
     source: PointCloud,
     target: PointCloud,
@@ -204,6 +210,7 @@ def registration_colored_icp(
     return registration_icp(source, target, max_correspondence_distance, init, method, criteria, overlap=overlap)
 
 
+@told_arguments
 def registration_generalized_icp(
     source: PointCloud,
     target: PointCloud,
@@ -219,6 +226,7 @@ def registration_generalized_icp(
     return registration_icp(source, target, max_correspondence_distance, init, method, criteria, overlap=overlap)
 
 
+@told_arguments
 def registration_symmetric_icp(
     source: PointCloud,
     target: PointCloud,
@@ -232,6 +240,21 @@ def registration_symmetric_icp(
     """`registration_icp` with TransformationEstimationSymmetric: both clouds need normals."""
     method = TransformationEstimationSymmetric() if estimation_method is None else estimation_method
     return registration_icp(source, target, max_correspondence_distance, init, method, criteria, overlap=overlap)
+
+
+def _where(source: PointCloud, target: PointCloud, pose: NDArray[np.float64], reach: float) -> str:
+    """Where two clouds without correspondences are: most often another unit, or a start that is far off."""
+    said, middles, longest = [], [], []
+    for name, cloud, T in (("source", source, pose), ("target", target, np.eye(4))):
+        if not len(cloud):
+            return f"the {name} has no points"
+        box = cloud.get_axis_aligned_bounding_box()
+        middles.append(T[:3, :3] @ box.get_center() + T[:3, 3])
+        longest.append(box.get_max_extent())
+        said.append(f"the {name} spans {' x '.join(f'{length:.3g}' for length in box.get_extent())} m")
+    away = float(np.linalg.norm(middles[0] - middles[1]))
+    unit = "; in another unit?" if max(longest) > OTHER_UNIT * min(longest) else ""
+    return f"{', '.join(said)}, their middles {away:.3g} m apart, within {reach:g} m{unit}"
 
 
 def check_poses(name: str, pose: ArrayLike | None, method: TransformationEstimation) -> NDArray[np.float64]:

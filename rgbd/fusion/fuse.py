@@ -9,9 +9,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ...core.checks import check_callback, check_count, check_positive, check_rigid
+from ...core.checks import check_count, check_positive, check_progress, check_rigid
 from ...core.devices import resolve_device
-from ...core.progress import ReportProgress, say_nothing
+from ...core.progress import ReportProgress
 from ...core.timing import Clock, check_clock
 from ...files.frames.frames import (
     DEPTH_MAX,
@@ -91,7 +91,7 @@ def fuse(
         (2, True)
     """
     count, where = count_of(check_frames("frames", frames)), resolve_device(device)
-    say, clock = check_callback("progress", progress) or say_nothing, check_clock(clock)
+    say, clock = check_progress(progress), check_clock(clock)
     farthest, ahead = check_positive("depth_max", depth_max), check_count("read_ahead", read_ahead, minimum=0)
     if weight_threshold is not None:
         weight_threshold = check_positive("weight_threshold", weight_threshold, allow_zero=True)

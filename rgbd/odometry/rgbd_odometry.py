@@ -13,6 +13,7 @@ from ...cameras.images import RGBDImage, upload_depth
 from ...core.checks import check_finite, check_list, check_positive, check_rigid, check_shape
 from ...core.errors import DeviceError
 from ...core.gpu_arrays import device_for
+from ...core.told_arguments import told_arguments
 from ...core.watching import report
 from .alignment import align_steps
 from .frames import OdometryFrame
@@ -33,6 +34,7 @@ WIDEST = 20.0  # sides of a picture to a focal length: 168 degrees
 Jacobian = RGBDOdometryJacobianFromColorTerm | RGBDOdometryJacobianFromHybridTerm
 
 
+@told_arguments
 def compute_rgbd_odometry(
     source: RGBDImage,
     target: RGBDImage,

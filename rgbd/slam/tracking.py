@@ -10,10 +10,10 @@ from numpy.typing import NDArray
 
 from ...cameras.pose_files import trajectory_of
 from ...cameras.trajectory import Trajectory
-from ...core.checks import check_callback, check_count, check_positive
+from ...core.checks import check_count, check_positive, check_progress
 from ...core.devices import resolve_device
 from ...core.errors import FileError
-from ...core.progress import ReportProgress, say_nothing
+from ...core.progress import ReportProgress
 from ...core.timing import Clock, check_clock
 from ...files.frames.frames import (
     DEPTH_MAX,
@@ -106,7 +106,7 @@ def track_with(
     Raises:
         TypeError, ValueError, FileError: As `track`.
     """
-    say, clock = check_callback("progress", progress) or say_nothing, check_clock(clock)
+    say, clock = check_progress(progress), check_clock(clock)
     tally, count = _Tally(slam), count_of(frames)
     first_error: FileError | None = None
     say("frames", 0, count)

@@ -17,7 +17,6 @@ from .photos.depth.settings import DepthSettings as DepthSettings
 from .drawing.render.frustum import CameraFrustum as CameraFrustum
 from .drawing.render.open3d_views import read_view as read_view
 from .drawing.render.open3d_views import write_view as write_view
-from .drawing.render.picture import Picture as Picture
 from .drawing.render.picture_files import save_picture as save_picture
 from .drawing.render.render import render as render
 from .drawing.render.view import View as View
@@ -72,6 +71,11 @@ from .core.errors import FileError as FileError
 from .core.errors import PointloomError as PointloomError
 from .core.threads import get_num_threads as get_num_threads
 from .core.threads import set_num_threads as set_num_threads
+from .core.units import UnitsWarning as UnitsWarning
+from .core.verbosity import VerbosityContextManager as VerbosityContextManager
+from .core.verbosity import VerbosityLevel as VerbosityLevel
+from .core.verbosity import get_verbosity_level as get_verbosity_level
+from .core.verbosity import set_verbosity_level as set_verbosity_level
 from .pcd.features import compute_eigen_features as compute_eigen_features
 from .pcd.features import compute_fpfh_feature as compute_fpfh_feature
 from .pcd.features import estimate_curvature as estimate_curvature

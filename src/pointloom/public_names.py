@@ -10,6 +10,9 @@ from collections.abc import Callable, Iterable
 from typing import Any
 
 
+SHORT_NAME = "loom"  # what users import the package as
+
+
 def attach(package: str) -> tuple[Callable[[str], Any], Callable[[], list[str]], list[str]]:
     """`__getattr__`, `__dir__` and `__all__` of a package, from the imports in its stub."""
     homes = _read(package)
@@ -34,10 +37,34 @@ def _no_name(package: str, name: str, known: Iterable[str]) -> str:
     message = f"module {package!r} has no attribute {name!r}"
     if name.startswith("_"):
         return message
-    from .core.known_names import OPEN3D_NAMES, nearest_name
+    from .core.known_names import nearest_name
+    from .core.open3d_names import row_of, told
 
-    near = nearest_name(name, known)
-    return f"{message}{near}{' ' if near else '; '}{OPEN3D_NAMES}"
+    other = _elsewhere(package, name)
+    return message + (f"; it is {other}" if other else told(row_of(name)) or nearest_name(name, known))
+
+
+def _elsewhere(package: str, name: str) -> str:
+    """Where another of the package's modules has a name; empty where none has."""
+    root = package.partition(".")[0]
+    homes = _read(root)
+    if name in homes and package != root:
+        return f"{SHORT_NAME}.{name}"
+    for module, home in homes.items():
+        if module.islower() and (whole := _package_of(module, home)) and whole != package and name in _read(whole):
+            return f"{SHORT_NAME}.{module}.{name}"
+    return ""
+
+
+def _package_of(module: str, home: str) -> str:
+    """The package that a public name is, if it has public names of its own; else nothing."""
+    for whole in (home, f"{home}.{module}"):
+        try:
+            if whole.endswith(f".{module}") and pkgutil.get_data(whole, "__init__.pyi"):
+                return whole
+        except (ImportError, OSError):
+            continue
+    return ""
 
 
 def _read(package: str) -> dict[str, str]:

@@ -259,10 +259,11 @@ def test_normals_turn_to_the_side_asked_for(tmp_path, rng, device, options, side
     np.testing.assert_allclose(normals, np.tile([0, 0, side], (200, 1)), atol=1e-5)
 
 
+@pytest.mark.filterwarnings("default::UserWarning")
 def test_a_radius_without_neighbours_is_a_poor_result(cloud, tmp_path):
     result = run("normals", cloud, tmp_path / "out.ply", "--radius", "0.0001")
     assert result.exit_code == 3
-    assert "take a larger --radius" in result.stderr
+    assert "take a larger --radius" in result.stderr and "radius: 0.0001 m finds 0 other points" in result.stderr
     assert "out.ply" in result.stdout
 
 

@@ -161,7 +161,9 @@ def test_an_existing_file_is_replaced_whole_or_kept(extension, rng, tmp_path):
 
 def test_unknown_and_missing_files_are_named(tmp_path):
     for call in (loom.read_point_cloud, lambda path: loom.write_point_cloud(path, loom.PointCloud())):
-        with pytest.raises(loom.FileError, match=r"cloud\.stl: unknown extension '\.stl'\. Use one of \.ply \.pcd"):
+        with pytest.raises(loom.FileError, match=r"cloud\.abc: unknown extension '\.abc'\. Use one of \.ply \.pcd"):
+            call(tmp_path / "cloud.abc")
+        with pytest.raises(loom.FileError, match=r"cloud\.stl: \.stl files hold meshes\. Use read_triangle_mesh"):
             call(tmp_path / "cloud.stl")
     with pytest.raises(loom.FileError, match=r"missing\.ply"):
         loom.read_point_cloud(tmp_path / "missing.ply")

@@ -109,7 +109,7 @@ def utm_scan(data):
     return rows["xyz"] * scale + offset
 
 
-@pytest.mark.parametrize("search", [{"radius": 6.0, "max_nn": 30}, {"radius": 6.0, "max_nn": None}], ids=str)
+@pytest.mark.parametrize("search", [{"radius": 85.0, "max_nn": 30}, {"radius": 85.0, "max_nn": None}], ids=str)
 def test_normals_at_utm_coordinates_are_as_exact_as_at_the_origin(device, search, utm_scan, to_open3d, tolerances):
     assert np.abs(utm_scan).max() > 4e6
     found = loom.PointCloud(utm_scan, device=device).estimate_normals(**search).normals

@@ -11,6 +11,7 @@ import pytest
 from PIL import Image
 
 import pointloom as loom
+from pointloom.drawing.render.picture import Picture
 
 CAMERA = loom.PinholeCameraIntrinsic(8, 6, 8.0, 8.0, 3.5, 2.5)
 COLOR = np.arange(8 * 6 * 3, dtype=np.uint8).reshape(6, 8, 3)
@@ -95,12 +96,15 @@ def test_vertices_and_triangles_are_assigned(shapes):
         ("mesh.triangle_normals = -mesh.triangle_normals", "triangle_normals: these are not the triangles' own"),
         ("cloud + cloud.points", "a cloud and a ndarray cannot be added: cloud.translate"),
         ("cloud.points + cloud", "a cloud and a ndarray cannot be added: cloud.translate"),
+        (
+            "cloud.colors = cloud",
+            r"colors: expected an array, got a PointCloud; take one of its arrays: other\['colors'\]",
+        ),
+        ("mesh.vertex_normals = cloud", "vertex_normals: expected an array, got a PointCloud"),
+        ("cloud.rotate(90)", r"R: expected shape \[3, 3\], got \[\]: a rotation matrix; scipy"),
         ("np.asarray(cloud, copy=False)", "so its points are copied"),
         ("loom.PointCloud(cloud)", r"points: expected an array, got a PointCloud; cloud.copy\(\)"),
-        (
-            "loom.PointCloud('scan.ply')",
-            r"points: expected an array, got a path; loom.read_point_cloud\(path\) reads it",
-        ),
+        ("loom.PointCloud('scan.ply')", r"points: expected real numbers, got 'scan\.ply'; loom\.read_point_cloud"),
         ("loom.RGBDImage('a.png', 'b.png')", r"depth: expected an array, got a path; loom.read_depth\(path\) reads it"),
         ("loom.write_point_cloud(cloud, 'a.ply')", "path: expected the path of a file or folder, got a PointCloud; it"),
     ],
@@ -112,6 +116,9 @@ def test_what_cannot_be_meant_is_told(shapes, line, message):
 
 def test_a_cloud_is_an_array_of_its_points(shapes):
     cloud = shapes["cloud"]
+    cloud.colors, cloud.normals = cloud.points / 3, cloud.points
+    del cloud.colors, cloud.normals
+    assert not cloud.has_colors and not cloud.has_normals
     np.testing.assert_array_equal(np.asarray(cloud), cloud.points)
     assert np.asarray(cloud, np.float32).dtype == np.float32 and np.array(cloud).flags.writeable
     assert np.linalg.norm(cloud, axis=1).shape == (8,)
@@ -163,7 +170,7 @@ def test_images_and_scenes_are_copied(take, device):
 
 def test_a_picture_shows_itself(shapes, tmp_path):
     picture = loom.render(shapes["mesh"], size=(32, 24))
-    assert repr(picture) == "Picture(32 x 24)" and isinstance(picture, loom.Picture)
+    assert repr(picture) == "Picture(32 x 24)" and isinstance(picture, Picture)
     np.testing.assert_array_equal(np.asarray(Image.open(io.BytesIO(picture._repr_png_()))), picture)
     assert picture[:10]._repr_png_() and picture[..., 0]._repr_png_() is None
     assert type(picture / 2) is np.ndarray and type(picture.mean(axis=2)) is np.ndarray and picture.max() <= 255
@@ -194,7 +201,7 @@ def test_a_volume_takes_an_image_as_open3d_does(device):
 def test_the_tilde_is_the_home(tmp_path, monkeypatch, shapes):
     monkeypatch.setenv("HOME", str(tmp_path))
     (tmp_path / "in").mkdir()
-    mesh, cloud, picture = shapes["mesh"].compute_uvatlas(64), shapes["cloud"], loom.Picture(COLOR)
+    mesh, cloud, picture = shapes["mesh"].compute_uvatlas(64), shapes["cloud"], Picture(COLOR)
     mesh.textures = [COLOR]
     loom.write_point_cloud("~/in/a.ply", cloud)
     assert len(loom.read_point_cloud("~/in/a.ply")) == 8

@@ -7,7 +7,7 @@ import pytest
 import warp as wp
 
 from pointloom.kernels import lang, launches
-from pointloom.kernels.language import notices
+from pointloom.kernels.language import module_loading, notices
 
 pytestmark = pytest.mark.both_compilers
 
@@ -23,6 +23,9 @@ def test_what_lasts_is_announced_once(caplog, monkeypatch, holds_all_threads):
         monkeypatch.setattr(notices.threading.Timer, "start", lambda timer: None)
     with caplog.at_level(logging.INFO, "pointloom"):
         with notices.announced("slow_kernel"):
+            notices.compiling()
+            time.sleep(0.3)
+        with notices.announced("loaded_kernel"):  # from a cache, on a slow machine
             time.sleep(0.3)
         with notices.announced("quick_kernel"):
             pass
@@ -35,6 +38,7 @@ def test_an_error_ends_the_announcement(caplog, monkeypatch):
     monkeypatch.setattr(notices, "PATIENCE", 0.05)
     with caplog.at_level(logging.INFO, "pointloom"):
         with pytest.raises(ValueError), notices.announced("broken_kernel"):
+            notices.compiling()
             raise ValueError
         time.sleep(0.1)
     assert records(caplog) == []
@@ -49,3 +53,16 @@ def test_the_first_launch_of_a_kernel_alone_is_announced(write_kernels, device, 
     for _ in range(3):
         lang.launch(kernel, 4, [a])
     assert named == ["double_it_kernel"]
+
+
+def test_what_an_earlier_process_left_is_not_compiled(write_kernels, monkeypatch):
+    """A module is told to be compiled where Warp's cache does not have it, and only there."""
+    factor = f"1.{time.time_ns()}"  # which no earlier run had
+    source = f"@kernel\ndef triple_it_kernel(a: array(dtype=float)):\n    i = tid()\n    a[i] = a[i] * {factor}\n"
+    module, told = write_kernels("in_no_cache", source).triple_it_kernel.on_host.module, []
+    monkeypatch.setattr(module_loading, "compiling", lambda: told.append(True))
+    module_loading.load_module(module, wp.get_device("cpu"))
+    assert told == [True]
+    module.execs.clear()  # as in the next process
+    module_loading.load_module(module, wp.get_device("cpu"))
+    assert told == [True]

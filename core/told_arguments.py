@@ -1,0 +1,92 @@
+"""Calls that do not fit: the error names the arguments, what Open3D's are here, and the call that was meant."""
+
+from __future__ import annotations
+
+import functools
+import inspect
+from collections.abc import Callable, Mapping
+from typing import Any, ParamSpec, TypeVar
+
+from .known_names import nearest_name
+from .open3d_names import ARGUMENTS, row_of, told
+
+P = ParamSpec("P")
+R = TypeVar("R")
+
+SHORT = 24  # characters of a value that the call which was meant repeats
+
+
+def told_arguments(operation: Callable[P, R]) -> Callable[P, R]:
+    """Marks an operation whose errors of arguments say what to write: it costs nothing where the call fits."""
+
+    @functools.wraps(operation)
+    def call(*args: P.args, **kwargs: P.kwargs) -> R:
+        try:
+            return operation(*args, **kwargs)
+        except TypeError as error:
+            if not is_of_call(error):
+                raise
+            raise mismatch(operation, args, kwargs, error) from None
+
+    return call
+
+
+def is_of_call(error: TypeError) -> bool:
+    """Whether a call did not fit, caught where it was made: nothing of the function has run then."""
+    return error.__traceback__ is not None and error.__traceback__.tb_next is None
+
+
+def mismatch(
+    operation: Callable[..., Any], args: tuple[Any, ...], kwargs: Mapping[str, Any], error: TypeError
+) -> TypeError:
+    """The error of a call that does not fit, in words of this library."""
+    parameters = list(inspect.signature(operation).parameters.values())
+    said, given = operation.__name__, list(args)
+    if parameters and parameters[0].name in ("self", "cls") and given:
+        kind = given[0] if isinstance(given[0], type) else type(given[0])
+        parameters, given = parameters[1:], given[1:]
+        said = kind.__name__ if said == "__init__" else f"{kind.__name__}.{said}"
+    keywords = [p.name for p in parameters if p.kind is not p.VAR_KEYWORD and p.kind is not p.VAR_POSITIONAL]
+    unknown = [name for name in kwargs if name not in keywords]
+    if unknown:
+        return TypeError(_unknown(said, unknown[0], kwargs[unknown[0]], keywords))
+    by_place = [p.name for p in parameters if p.kind in (p.POSITIONAL_ONLY, p.POSITIONAL_OR_KEYWORD)]
+    if len(given) > len(by_place) and not any(p.kind is p.VAR_POSITIONAL for p in parameters):
+        return TypeError(_too_many(said, by_place, keywords, given))
+    missing = [p.name for p in parameters if p.default is p.empty and p.name in keywords and p.name not in kwargs]
+    missing = [name for name in missing if name not in by_place[: len(given)]]
+    if missing:
+        return TypeError(f"{said}() misses {', '.join(missing)}: it takes {', '.join(keywords)}")
+    return TypeError(str(error).replace(operation.__qualname__, said))
+
+
+def _unknown(said: str, name: str, value: Any, keywords: list[str]) -> str:
+    message = f"{said}() has no argument {name!r}"
+    if "radius" in keywords and type(value).__name__.startswith("KDTreeSearchParam"):
+        return f"{message}; here: {said.rpartition('.')[2]}({_search(value)})"
+    row = told(row_of(name, (ARGUMENTS,)))
+    return message + (row or nearest_name(name, keywords)) + f"; it takes {', '.join(keywords) or 'none'}"
+
+
+def _search(value: Any) -> str:
+    """An Open3D search as keywords."""
+    radius = getattr(value, "radius", None)
+    most = getattr(value, "max_nn", getattr(value, "knn", None))
+    return ", ".join(([f"radius={radius:g}"] if radius is not None else []) + [f"max_nn={most}"])
+
+
+def _too_many(said: str, by_place: list[str], keywords: list[str], given: list[Any]) -> str:
+    only = [name for name in keywords if name not in by_place]
+    extra = given[len(by_place) :]
+    if len(extra) > len(only):
+        return f"{said}() takes at most {len(keywords)} arguments ({', '.join(keywords)}), got {len(given)}"
+    first = [name if len(repr(value)) > SHORT else repr(value) for name, value in zip(by_place, given, strict=False)]
+    rest = [f"{name}={_short(value)}" for name, value in zip(only, extra, strict=False)]
+    call = f"{said.rpartition('.')[2]}({', '.join(first + rest)})"
+    begins = f"after {', '.join(by_place)}" if by_place else "from the first one on"
+    return f"{said}() takes its arguments by name {begins}: write {call}; it takes {', '.join(keywords)}"
+
+
+def _short(value: Any) -> str:
+    text = repr(value)
+    return text if len(text) <= SHORT else "..."

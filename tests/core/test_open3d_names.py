@@ -1,0 +1,130 @@
+"""Each of Open3D's names is here, or a row says what it is here; rows are true, and messages end in them."""
+
+from __future__ import annotations
+
+import re
+from types import ModuleType
+
+import numpy as np
+import pytest
+
+import pointloom as loom
+from pointloom.core.open3d_names import ARGUMENTS, MODULES, SHAPES, row_of, sections
+
+from ..test_imports import ROOT
+
+HOMES = {
+    "geometry": loom, "geometry.keypoint": loom, "io": loom, "camera": loom, "utility": loom, "visualization": loom,
+    "pipelines.registration": loom.registration, "pipelines.odometry": loom.odometry, "pipelines.integration": loom,
+    "pipelines.color_map": loom.color_map, "t.pipelines.registration": loom.registration, "t.geometry": loom,
+    "t.pipelines.odometry": loom.odometry, "t.pipelines.slac": loom.reconstruction, "t.pipelines.slam": loom.slam,
+    "t.io": loom,
+}  # fmt: skip
+CLASSES = {
+    "geometry.PointCloud": loom.PointCloud, "geometry.TriangleMesh": loom.TriangleMesh,
+    "geometry.LineSet": loom.LineSet,
+    "geometry.AxisAlignedBoundingBox": loom.AxisAlignedBoundingBox, "geometry.RGBDImage": loom.RGBDImage,
+    "geometry.OrientedBoundingBox": loom.OrientedBoundingBox, "geometry.VoxelGrid": loom.VoxelGrid,
+    "camera.PinholeCameraIntrinsic": loom.PinholeCameraIntrinsic, "camera.PinholeCameraTrajectory": loom.Trajectory,
+    "pipelines.integration.ScalableTSDFVolume": loom.TSDFVolume, "geometry.KDTreeFlann": loom.NearestNeighborSearch,
+}  # fmt: skip
+NO_NAMES = {"m", "n", "capsule"}  # what its bindings leave behind
+
+
+def public(owner):
+    return [name for name in dir(owner) if not name.startswith("_") and name not in NO_NAMES]
+
+
+def of_open3d(path):
+    owner = pytest.importorskip("open3d", exc_type=ImportError)
+    for part in path.split("."):
+        owner = getattr(owner, part)
+    return owner
+
+
+@pytest.mark.parametrize("module", HOMES)
+def test_each_name_of_open3d_is_here_or_has_a_row(module):
+    theirs = of_open3d(module)
+    names = [name for name in public(theirs) if not isinstance(getattr(theirs, name), ModuleType)]
+    assert [name for name in names if not (hasattr(HOMES[module], name) or hasattr(loom, name) or row_of(name))] == []
+
+
+@pytest.mark.parametrize("kind", CLASSES)
+def test_each_member_of_its_classes_is_here_or_has_a_row(kind):
+    ours = CLASSES[kind]
+    known = {*dir(ours), *(name for base in ours.__mro__ for name in getattr(base, "__annotations__", {}))}
+    told = [*(base.__name__ for base in ours.__mro__), SHAPES]
+    assert [name for name in public(of_open3d(kind)) if name not in known and row_of(name, told) is None] == []
+
+
+def test_rows_name_what_is_there():
+    text = "\n".join(row for rows in sections().values() for row in rows.values())
+    for name in set(re.findall(r"loom((?:\.\w+)+)", text)):
+        owner = loom
+        for part in name[1:].split("."):
+            known = {*dir(owner), *getattr(owner, "__annotations__", {})}
+            assert part in known, f"loom{name}"
+            owner = getattr(owner, part, None)
+    owners = {"cloud": loom.PointCloud, "mesh": loom.TriangleMesh, "volume": loom.TSDFVolume, "viewer": loom.Viewer}
+    owners |= {"search": loom.NearestNeighborSearch, "trajectory": loom.Trajectory}
+    for name, part in set(re.findall(rf"\b({'|'.join(owners)})\.(\w+)", text)):
+        assert part in {*dir(owners[name]), *getattr(owners[name], "__annotations__", {})}, f"{name}.{part}"
+
+
+def test_the_page_shows_the_same_rows():
+    page = (ROOT / "docs/open3d.md").read_text()
+    for section, rows in sections().items():
+        assert f"| **{section}** | |" in page
+        for names, row in rows.items():
+            assert f"| `{names}` | {row} |".replace("| `*", "| `*") in page, f"{section}: {names}"
+    assert {*MODULES, ARGUMENTS, SHAPES} <= sections().keys()
+
+
+# ------------------------------------------------------------------------------------------------ what is said
+
+MESSAGES = [
+    ("loom.KDTreeFlann(cloud)", r"no attribute 'KDTreeFlann'; here: loom\.NearestNeighborSearch\(cloud\): knn_search"),
+    ("loom.read_image('a.png')", r"here: loom\.read_color\(path\) or loom\.read_depth\(path\)"),
+    ("loom.io.read_point_cloud", "here: loom itself: open3d.io.read_point_cloud is loom.read_point_cloud"),
+    ("loom.PoseGraph()", "it is loom.registration.PoseGraph"),
+    ("loom.registration.compute_iss_keypoints", "it is loom.compute_iss_keypoints"),
+    ("loom.registration.OdometryOption", "it is loom.odometry.OdometryOption"),
+    ("loom.PointClouds", "did you mean 'PointCloud'"),
+    ("loom.VoxelGrid.create_from_point_cloud(cloud, 0.1)", "VoxelGrid has no attribute .*; not here: np.unique"),
+    ("loom.TriangleMesh.create_from_point_cloud_ball", "did you mean 'create_from_point_cloud_ball_pivoting'"),
+    ("mesh.estimate_normals()", r"here: mesh = mesh\.compute_vertex_normals\(\)"),
+    ("cloud.is_watertight()", "PointCloud has no attribute 'is_watertight'; TriangleMesh has it"),
+    ("volume.voxel_length", "here: volume.voxel_size"),
+    ("search.search_knn_vector_3d([0, 0, 0], 5)", r"here: search\.knn_search\(point, k\)"),
+    ("cloud.estimate_normals(0.1, 30)", r"write estimate_normals\(radius=0\.1, max_nn=30\)"),
+    ("cloud.estimate_normals(search_param=1)", r"no argument 'search_param'; here: keywords: radius=0\.1, max_nn=30"),
+    ("cloud.estimate_normals(search_param=hybrid)", r"here: estimate_normals\(radius=0\.1, max_nn=30\)"),
+    ("cloud.voxel_down_sample(voxle_size=1)", "did you mean 'voxel_size'"),
+    ("cloud.voxel_down_sample()", "PointCloud.voxel_down_sample.. misses voxel_size"),
+    ("loom.compute_fpfh_feature(cloud, 0.25, 100)", r"write compute_fpfh_feature\(cloud, radius=0\.25, max_nn=100\)"),
+    ("loom.TSDFVolume(0.02, 0.08)", r"write TSDFVolume\(voxel_size=0\.02, truncation=0\.08\)"),
+    ("loom.PointCloud(cloud.points, cloud.points)", r"write PointCloud\(points, normals=\.\.\.\)"),
+    ("loom.render(cloud, zoom=0.5)", r"a view is the second argument of render: loom\.render\(cloud, \{\"zoom\": 0\.5"),
+    ("loom.draw_geometries(cloud, foo=1)", "has no argument 'foo'; it takes geometries, window_name"),
+    (
+        "loom.registration.registration_icp(cloud, cloud, 0.1, max_iteration=9)",
+        "ICPConvergenceCriteria.max_iteration=30",
+    ),
+]
+
+
+@pytest.mark.parametrize(("line", "message"), MESSAGES)
+def test_a_name_of_open3d_is_answered_with_its_row(line, message):
+    class KDTreeSearchParamHybrid:
+        radius, max_nn = 0.1, 30
+
+    cloud = loom.PointCloud(np.zeros((9, 3)))
+    names = {"cloud": cloud, "mesh": loom.TriangleMesh.create_box(), "search": loom.NearestNeighborSearch(cloud)}
+    names |= {"loom": loom, "volume": loom.TSDFVolume(voxel_size=0.1), "hybrid": KDTreeSearchParamHybrid()}
+    with pytest.raises((AttributeError, TypeError), match=message):
+        exec(line, names)
+
+
+def test_errors_from_within_stay_as_they_are():
+    with pytest.raises(TypeError, match=r"voxel_size: expected a number, got '0\.05'"):
+        loom.PointCloud(np.zeros((9, 3))).voxel_down_sample("0.05")  # pyright: ignore[reportArgumentType]

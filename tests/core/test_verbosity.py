@@ -1,0 +1,99 @@
+"""What the library says is seen where nobody has configured logging, and is the program's own where somebody has."""
+
+import logging
+import subprocess
+import sys
+
+import pytest
+
+import pointloom as loom
+from pointloom.core import verbosity
+from pointloom.core.checks import check_progress
+
+SCRIPT = """
+import sys, time, logging
+import pointloom as loom
+from pointloom.core import verbosity
+from pointloom.core.checks import check_progress
+{begin}
+verbosity.PATIENCE = 0.0
+say = check_progress(None)
+say("pairs", 3, 10)
+logging.getLogger("pointloom").debug("details")
+"""
+
+
+def said_by(begin):
+    run = subprocess.run([sys.executable, "-c", SCRIPT.format(begin=begin)], capture_output=True, text=True, check=True)
+    assert run.stdout == ""
+    return run.stderr
+
+
+@pytest.mark.parametrize(
+    ("begin", "said"),
+    [
+        ("", "pointloom: pairs 3 of 10, after 0 s\n"),
+        ("loom.set_verbosity_level(loom.VerbosityLevel.Warning)", ""),
+        (
+            "loom.set_verbosity_level(loom.VerbosityLevel.Debug)",
+            "pointloom: pairs 3 of 10, after 0 s\npointloom: details\n",
+        ),
+        ("logging.basicConfig(format='mine %(message)s')", "mine pairs 3 of 10, after 0 s\n"),
+        ("logging.getLogger('pointloom').setLevel(logging.ERROR)", ""),
+    ],
+)
+def test_a_script_sees_how_far_a_long_call_is(begin, said):
+    assert said_by(begin) == said
+
+
+def test_a_short_call_says_nothing(caplog):
+    with caplog.at_level(logging.INFO, "pointloom"):
+        say = check_progress(None)
+        for done in range(100):
+            say("pairs", done, 100)
+    assert caplog.records == []
+
+
+def test_debug_says_each_stage(caplog):
+    with loom.VerbosityContextManager(loom.VerbosityLevel.Debug):
+        say = check_progress(None)
+        for stage in ("voxels", "search", "search", "refine"):
+            say(stage, 0, 0)
+    assert [record.getMessage() for record in caplog.records] == ["voxels", "search", "refine"]
+
+
+def test_a_block_leaves_the_level_as_it_was():
+    logger = logging.getLogger("pointloom")
+    before = logger.level
+    with loom.VerbosityContextManager(loom.VerbosityLevel.Error):
+        assert loom.get_verbosity_level() is loom.VerbosityLevel.Error and logger.level == logging.ERROR
+        with pytest.raises(KeyError), loom.VerbosityContextManager(loom.VerbosityLevel.Debug):
+            assert loom.get_verbosity_level() is loom.VerbosityLevel.Debug
+            raise KeyError
+        assert loom.get_verbosity_level() is loom.VerbosityLevel.Error
+    assert logger.level == before
+    for wrong in (2, "Info", None):
+        with pytest.raises(TypeError, match=r"expected (one of VerbosityLevel\.Error|a VerbosityLevel)"):
+            loom.set_verbosity_level(wrong)
+        with pytest.raises(TypeError, match="expected a VerbosityLevel"):
+            loom.VerbosityContextManager(wrong)
+
+
+def test_progress_that_is_asked_for_is_printed(capsys):
+    cloud = loom.PointCloud([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]])
+    cloud.cluster_dbscan(2.0, 2, print_progress=True)
+    kept, _ = cloud.remove_radius_outlier(1, 2.0, print_progress=True)
+    lines = capsys.readouterr().err.splitlines()
+    assert lines[0] == "pointloom: clusters of 4 points ..." and lines[1].startswith(
+        "pointloom: clusters of 4 points: "
+    )
+    assert len(lines) == 4 and len(kept) == 4
+    cloud.cluster_dbscan(2.0, 2)
+    assert capsys.readouterr().err == ""
+
+
+def test_a_closed_stderr_is_nobody_to_tell(monkeypatch, capsys):
+    cloud = loom.PointCloud([[0, 0, 0]])
+    monkeypatch.setattr(verbosity.sys, "stderr", None)
+    cloud.cluster_dbscan(2.0, 2, print_progress=True)
+    assert capsys.readouterr().out == ""
