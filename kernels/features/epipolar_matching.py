@@ -88,9 +88,7 @@ def descriptor_sqdist(a: int, b: int, descriptors: array(dtype=uint8, ndim=2)) -
 
 
 @kernel
-def match_along_lines_kernel(
-    searches: LineSearches, features: LineFeatures, found: array(dtype=int32, ndim=2)
-):
+def match_along_lines_kernel(searches: LineSearches, features: LineFeatures, found: array(dtype=int32, ndim=2)):
     """The nearest admitted feature of the second picture, its squared distance, and that of the next."""
     i = tid()
     s = search_of(i, searches.starts)

@@ -9,7 +9,7 @@ from .mapping import map_pictures as map_pictures
 from .matches import MatchReport as MatchReport
 from .matches import match as match
 from .reconstruction import reconstruct as reconstruct
-from .verdict import Verdict as Verdict
-from .verdict import judge_model as judge_model
 from .triangulation import TriangulationResult as TriangulationResult
 from .triangulation import triangulate as triangulate
+from .verdict import Verdict as Verdict
+from .verdict import judge_model as judge_model

@@ -88,7 +88,9 @@ def pinhole_of(camera: CameraModel) -> PinholeCameraIntrinsic:
     if camera.is_pinhole:
         return camera.intrinsic
     middle = np.array([[(camera.width - 1) / 2, (camera.height - 1) / 2]])
-    around = camera.unproject(np.concatenate([middle, middle + (0.5, 0), middle - (0.5, 0), middle + (0, 0.5), middle - (0, 0.5)]))
+    around = camera.unproject(
+        np.concatenate([middle, middle + (0.5, 0), middle - (0.5, 0), middle + (0, 0.5), middle - (0, 0.5)])
+    )
     fx, fy = 1 / np.linalg.norm(around[1] - around[2]), 1 / np.linalg.norm(around[3] - around[4])
     if not (np.isfinite(fx) and np.isfinite(fy)):
         fx = fy = float(max(camera.width, camera.height))

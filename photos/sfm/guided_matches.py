@@ -62,13 +62,7 @@ def pairs_in_view(cameras: Sequence[CameraModel], poses: NDArray[np.float64]) ->
 
 
 def match_guided(
-    features: FeatureRays,
-    model: SfmModel,
-    pairs: Pairs,
-    *,
-    distance: float,
-    device: Any,
-    progress: ReportProgress,
+    features: FeatureRays, model: SfmModel, pairs: Pairs, *, distance: float, device: Any, progress: ReportProgress
 ) -> PairMatches:
     """Match the features of pairs, each with those on its line that are no farther from it than `distance`.
 

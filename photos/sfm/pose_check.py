@@ -33,7 +33,11 @@ PLAINLY = 2.0  # times as many that fit poses with a usual mistake mended
 
 AXES = {
     "": (1, 1, 1),
-    "their axes are x right, y up, z back, as of OpenGL and ARKit, where x right, y down, z forward is expected": (1, -1, -1),
+    "their axes are x right, y up, z back, as of OpenGL and ARKit, where x right, y down, z forward is expected": (
+        1,
+        -1,
+        -1,
+    ),
     "the pictures are turned by 180 degrees": (-1, -1, 1),
     "their axes are x left, y down, z back": (-1, 1, -1),
 }
@@ -104,7 +108,9 @@ class PoseCheck:
                 return [f"only {fits}, {100 * self.cause_share:.0f} % would if {self.cause}: mend the poses"]
             if self.is_focal_wrong:
                 return [f"only {fits}, more would with {self.focal:.3g} times the focal length: check the cameras"]
-            remedy = "give the poses of these very pictures, each by its name, from camera to world or as the file has it"
+            remedy = (
+                "give the poses of these very pictures, each by its name, from camera to world or as the file has it"
+            )
             return [f"only {fits}: they are of other pictures, in another order, or in another convention; {remedy}"]
         reasons = []
         if self.is_focal_wrong:
@@ -237,7 +243,8 @@ class _Matches:
         f = self.focals[self.pairs[self.pair]] * factor
         with np.errstate(divide="ignore", invalid="ignore"):
             off = np.maximum(
-                apart / np.linalg.norm(there[:, :2], axis=1) * f[:, 1], apart / np.linalg.norm(back[:, :2], axis=1) * f[:, 0]
+                apart / np.linalg.norm(there[:, :2], axis=1) * f[:, 1],
+                apart / np.linalg.norm(back[:, :2], axis=1) * f[:, 0],
             )
         return np.nan_to_num(off, nan=np.inf), _before_both(poses[self.pairs[self.pair]], x, y)
 
@@ -252,7 +259,9 @@ class _Matches:
 
     def by_pair(self, fits: NDArray[np.bool_]) -> Array:
         """The share of each pair."""
-        return np.bincount(self.pair, fits, len(self.pairs)) / np.maximum(np.bincount(self.pair, minlength=len(self.pairs)), 1)
+        return np.bincount(self.pair, fits, len(self.pairs)) / np.maximum(
+            np.bincount(self.pair, minlength=len(self.pairs)), 1
+        )
 
     def strays(self, fits: NDArray[np.bool_], count: int) -> list[int]:
         """Pictures of which no pair fits, though there are two or more."""
@@ -311,7 +320,10 @@ def _other_conventions(model: SfmModel) -> Iterator[tuple[str, Array]]:
     turned, back = R.transpose(0, 2, 1), -np.einsum("nji,nj->ni", R, t)
     forms: dict[str, tuple[Array, Array]] = {
         "": (R, t),
-        "the poses are the other way round, from world to camera where from camera to world is expected, or the reverse": (turned, back),
+        "the poses are the other way round, from world to camera where from camera to world is expected, or the reverse": (
+            turned,
+            back,
+        ),
         "their rotations are the other way round": (turned, t),
         "their positions are those of the world before the camera": (R, back),
     }

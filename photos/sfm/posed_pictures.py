@@ -37,7 +37,10 @@ class PosedPictures:
     def remarks(self) -> tuple[str, ...]:
         """What has no partner, in words."""
         said = []
-        for names, what in ((self.without_pose, "pictures have no pose"), (self.without_picture, "poses have no picture")):
+        for names, what in (
+            (self.without_pose, "pictures have no pose"),
+            (self.without_picture, "poses have no picture"),
+        ):
             if names:
                 some = ", ".join(names[:4]) + (", ..." if len(names) > 4 else "")
                 said.append(f"{len(names)} {what}: {some}")
@@ -99,7 +102,9 @@ def with_poses(folder: FilePath, paths: Sequence[Path], cameras: SfmModel) -> Po
 def _stem(name: str) -> str:
     """A camera's name without the ending of a picture; of a label such as "IMG_1.2" it is all."""
     path = Path(name)
-    return path.stem if path.suffix.lower() in (".jpg", ".jpeg", ".png", ".tif", ".tiff", ".heic", ".dng") else path.name
+    return (
+        path.stem if path.suffix.lower() in (".jpg", ".jpeg", ".png", ".tif", ".tiff", ".heic", ".dng") else path.name
+    )
 
 
 def _places(paths: Sequence[Path], part: str) -> dict[str, list[Path]]:

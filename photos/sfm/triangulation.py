@@ -5,7 +5,6 @@ from __future__ import annotations
 import dataclasses
 import os
 import tempfile
-from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
@@ -14,11 +13,11 @@ from numpy.typing import NDArray
 
 from ...core.checks import check_progress, check_seed
 from ...core.devices import resolve_device
-from ...core.errors import DatasetError, FileError, FilePath
+from ...core.errors import FilePath
 from ...core.progress import ReportProgress
 from ...core.timing import Clock
 from ...files.models.sfm_model import SfmModel
-from ...files.pictures.image_files import read_color, read_picture_header
+from ...files.pictures.image_files import read_color
 from .colmap_jobs import MAX_SECONDS, run_job
 from .feature_rays import FeatureRays, focal_of, read_feature_rays
 from .features import MAX_FEATURES, MAX_SIZE, find_features
@@ -29,7 +28,9 @@ from .pose_check import NEAR, PoseCheck, check_poses
 from .posed_pictures import with_poses
 from .verdict import FINDING_SIZE, Verdict, judge_model
 
-LEAST_DISTANCE = 2.0  # [px] of a picture as features are found in it: what they are off by at most, by COLMAP's rule half
+LEAST_DISTANCE = (
+    2.0  # [px] of a picture as features are found in it: what they are off by at most, by COLMAP's rule half
+)
 DISTANCES = 4.0  # times the median distance of matches from their lines: what is farther is no match
 MIN_ANGLE = 1.5  # [degrees] under which a point is seen
 FEWEST_MATCHES = 8  # of a pair
@@ -192,7 +193,10 @@ def points_of(
         with np.load(found) as read:
             points, seen = read["points"], read["seen"]
     rows = features.firsts[seen[:, 0]] + seen[:, 1]
-    errors, colors = _errors(model, points, seen, features.pixels[rows]), _colors(pictures, model, seen, features, len(points))
+    errors, colors = (
+        _errors(model, points, seen, features.pixels[rows]),
+        _colors(pictures, model, seen, features, len(points)),
+    )
     whole = dataclasses.replace(
         bare, points=points, colors=colors, errors=errors, observations=seen[:, [0, 2]], pixels=features.pixels[rows]
     )
