@@ -105,6 +105,8 @@ def video(source: Path, output: Path, as_json: bool, force: bool, **options: Any
     if options["resume"] and options["work"] is None:
         refuse("--resume goes with --work, the folder of the earlier run")
     refuse_same(output=output, **{name: options[name] for name in ("cloud", "trajectory", "picture")})
+    from ...files.meshes.tables import MESHES
+    from ...files.points.formats import WRITTEN
     from ...photos.video.job import reconstruct
     from ...photos.video.outputs import Outputs
     from ...photos.video.settings import Settings
@@ -113,7 +115,12 @@ def video(source: Path, output: Path, as_json: bool, force: bool, **options: Any
     units = Units(**{name: options.pop(name) for name in ("scale", "known", "align")})
     names = ("max_frames", "max_size", "intrinsic", "seed", "cameras")
     settings = Settings(units=units, **{name: options.pop(name) for name in names})
-    outputs = Outputs(output, **{name: options.pop(name) for name in ("cloud", "trajectory", "picture")})
+    points_alone = output.suffix.lower() in set(WRITTEN) - set(MESHES) and options["cloud"] is None
+    if points_alone:
+        options["cloud"] = output
+    outputs = Outputs(
+        None if points_alone else output, **{name: options.pop(name) for name in ("cloud", "trajectory", "picture")}
+    )
     with Progress() as progress:
         result = reconstruct(source, settings, outputs=outputs, overwrite=force, progress=progress, **options)
     return answer_with(result, result.source, as_json)

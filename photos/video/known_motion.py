@@ -1,4 +1,4 @@
-"""The stages to a model where lenses and poses are known: pictures by their names, matches on epipolar lines, points."""
+"""The stages to a model where lenses and poses are known: pictures by their names, matches along lines, points."""
 
 from __future__ import annotations
 

@@ -92,5 +92,6 @@ def only_turned(verdict: Verdict, cameras: Sequence[CameraModel]) -> bool:
 
 
 def described(camera: CameraModel) -> str:
+    """A lens in words."""
     params = " ".join(f"{value:.5g}" for value in camera.params)
     return f"{camera.model} {camera.width} x {camera.height}: {params}"

@@ -27,8 +27,8 @@ class Settings:
         max_frames: The most pictures that are taken of a video, or of a folder.
         max_size: Longest side of the pictures that depth is estimated in [px].
         intrinsic: The camera, or the file of one (Open3D's JSON); None where it is to be found.
-        cameras: Lenses and poses of the pictures of a folder, or the file of them, as `read_cameras` reads it; None where
-            they are to be found. A trajectory wants `intrinsic` too; with others that is None.
+        cameras: Lenses and poses of the pictures of a folder, or the file of them, as `read_cameras` reads it; None
+            where they are to be found. A trajectory wants `intrinsic` too; with others that is None.
         units: What is known of the size of things.
         seed: Of what is drawn.
 
@@ -86,6 +86,8 @@ class Settings:
         if isinstance(self.cameras, str | os.PathLike):
             try:
                 return read_cameras(self.cameras, pictures=pictures, intrinsic=self.read_camera())
+            except FileError:
+                raise
             except ValueError as error:
                 raise FileError(self.cameras, str(error)) from error
         return self.cameras
