@@ -81,7 +81,8 @@ def test_transforms_that_make_no_sense_are_refused(tmp_path, frame, more, said):
 
 
 def test_transforms_without_a_size_are_refused(tmp_path):
-    path = write(tmp_path / "t.json", {"camera_angle_x": 0.7, "frames": [{"file_path": "r_0", "transform_matrix": ARKIT.tolist()}]})  # fmt: skip
+    frame = {"file_path": "r_0", "transform_matrix": ARKIT.tolist()}
+    path = write(tmp_path / "t.json", {"camera_angle_x": 0.7, "frames": [frame]})
     with pytest.raises(FileError, match="missing key w"):
         loom.read_cameras(path)
 

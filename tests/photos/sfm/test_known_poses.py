@@ -208,7 +208,7 @@ def test_names_that_do_not_fit_or_mean_several_are_refused(tmp_path):
         pictures_with_poses(tmp_path / "p", paths, cameras_named("1", "10"))
     with pytest.raises(FileError, match=r"1 of its 3 pictures"):
         pictures_with_poses(tmp_path / "p", paths, cameras_named("10", "0", "2"))  # 1 is no part of 10
-    with pytest.raises(FileError, match="may be of 10.png, or of one"):
+    with pytest.raises(FileError, match=r"may be of 10\.png, or of one"):
         pictures_with_poses(tmp_path / "p", paths, cameras_named("10", "a/10.png"))
 
 
