@@ -79,7 +79,7 @@ class PoseCheck:
     @classmethod
     def from_json(cls, told: Mapping[str, Any]) -> PoseCheck:
         """What `to_json` gave, read again."""
-        found = {key: math.nan if value is None else value for key, value in told.items()}
+        found: dict[str, Any] = {key: math.nan if value is None else value for key, value in told.items()}
         return cls(**found | {"strays": tuple(told["strays"])})
 
     @property

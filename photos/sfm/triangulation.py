@@ -215,7 +215,7 @@ def _often_seen(
 
 def _arrays_of(
     model: SfmModel, features: FeatureRays, matches: PairMatches, focals: NDArray[np.float64]
-) -> dict[str, NDArray[Any]]:
+) -> dict[str, Any]:
     """What COLMAP's process is told: pictures without distortion, their poses, features and matches."""
     owner = np.repeat(np.arange(len(model)), np.diff(features.firsts))
     return {
