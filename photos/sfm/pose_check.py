@@ -80,7 +80,8 @@ class PoseCheck:
     def from_json(cls, told: Mapping[str, Any]) -> PoseCheck:
         """What `to_json` gave, read again."""
         found: dict[str, Any] = {key: math.nan if value is None else value for key, value in told.items()}
-        return cls(**found | {"strays": tuple(told["strays"])})
+        found["strays"] = tuple(told["strays"])
+        return cls(**found)
 
     @property
     def are_wrong(self) -> bool:
