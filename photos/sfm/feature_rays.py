@@ -92,5 +92,6 @@ def pinhole_of(camera: CameraModel) -> PinholeCameraIntrinsic:
     fx, fy = 1 / np.linalg.norm(around[1] - around[2]), 1 / np.linalg.norm(around[3] - around[4])
     if not (np.isfinite(fx) and np.isfinite(fy)):
         fx = fy = float(max(camera.width, camera.height))
-    cx, cy = (middle - (around[0][:2] if np.isfinite(around[0]).all() else 0.0) * (fx, fy)).tolist()
+    off = around[0, :2] if np.isfinite(around[0]).all() else np.zeros(2)
+    cx, cy = (middle - off * np.array([fx, fy])).tolist()
     return PinholeCameraIntrinsic(camera.width, camera.height, float(fx), float(fy), cx, cy)
