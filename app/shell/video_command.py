@@ -30,7 +30,12 @@ class KnownDistance(click.ParamType):
         return parts[0], parts[1], metres
 
 
+<<<<<<< HEAD
 MESH = "The mesh, .ply .obj .stl .off .glb .gltf."
+=======
+MESH = "The mesh, .ply .obj .stl .off .glb; the points, .pcd .las .xyz ..."
+CAMERAS = "Known poses: Metashape's .xml, COLMAP's folder, transforms.json, Polycam, a trajectory."
+>>>>>>> h/poses
 
 
 @click.command(short_help="A video, or a folder of pictures, to a mesh.")
@@ -55,6 +60,7 @@ MESH = "The mesh, .ply .obj .stl .off .glb .gltf."
     help="Longest side of the pictures that depth is found in.",
 )
 @click.option("--intrinsic", type=FILE, metavar="JSON", help="The camera (Open3D's JSON); found if not given.")
+@click.option("--cameras", type=FILE, metavar="FILE", help=CAMERAS)
 @click.option("--scale", type=SCALE, metavar="F", help="Metres in a unit of the model.")
 @click.option("--known", type=KnownDistance(), metavar="A,B,M", help="Pictures A and B were taken M metres apart.")
 @click.option("--align", type=FILE, metavar="FILE", help="Known places of cameras: poses, or lines `name x y z` [m].")
@@ -82,6 +88,10 @@ def video(source: Path, output: Path, as_json: bool, force: bool, **options: Any
     With --work each stage's files stay, and --resume makes only what is missing or made from something else: another
     --max-size begins at undistorted, another --scale makes the mesh alone.
 
+    With --cameras nothing is placed: points and depth are found at the poses and lenses of the file, in its unit.
+    Pictures are those that it names, with or without their ending; a trajectory (.log, TUM, KITTI) wants --intrinsic
+    too. Poses that the pictures contradict are told, with the likely mistake.
+
     The exit code is 3 where fewer than 60 % of the pictures could be placed, where they fall apart into several
     models, where the camera turned without moving, where the pictures ask for another focal length than --intrinsic
     has or fix none and EXIF tells none, and where less than 20 % of the depth is confirmed; the remedy is told, and a
@@ -91,6 +101,7 @@ def video(source: Path, output: Path, as_json: bool, force: bool, **options: Any
     pointloom video walk.mp4 -o room.ply --picture room.png
     pointloom video photos/ -o room.ply --work stages --known IMG_0012,IMG_0040,1.5
     pointloom video walk.mp4 -o room.ply --work stages --resume --max-size 1280 --force
+    pointloom video photos/ -o house.ply --cameras cameras.xml --cloud points.ply
     """
     given = [name for name in ("scale", "known", "align") if options[name] is not None]
     if len(given) > 1:
@@ -98,15 +109,22 @@ def video(source: Path, output: Path, as_json: bool, force: bool, **options: Any
     if options["resume"] and options["work"] is None:
         refuse("--resume goes with --work, the folder of the earlier run")
     refuse_same(output=output, **{name: options[name] for name in ("cloud", "trajectory", "picture")})
+    from ...files.meshes.tables import MESHES
+    from ...files.points.formats import WRITTEN
     from ...photos.video.job import reconstruct
     from ...photos.video.outputs import Outputs
     from ...photos.video.settings import Settings
     from ...photos.video.units import Units
 
     units = Units(**{name: options.pop(name) for name in ("scale", "known", "align")})
-    names = ("max_frames", "max_size", "intrinsic", "seed")
+    names = ("max_frames", "max_size", "intrinsic", "seed", "cameras")
     settings = Settings(units=units, **{name: options.pop(name) for name in names})
-    outputs = Outputs(output, **{name: options.pop(name) for name in ("cloud", "trajectory", "picture")})
+    points_alone = output.suffix.lower() in set(WRITTEN) - set(MESHES) and options["cloud"] is None
+    if points_alone:
+        options["cloud"] = output
+    outputs = Outputs(
+        None if points_alone else output, **{name: options.pop(name) for name in ("cloud", "trajectory", "picture")}
+    )
     with Progress() as progress:
         result = reconstruct(source, settings, outputs=outputs, overwrite=force, progress=progress, **options)
     return answer_with(result, result.source, as_json)

@@ -18,6 +18,7 @@ from .depth_maps import DepthMaps, made_folder
 from .picture_slots import Picture, other_size
 from .plane_search import Setting, find_depth, motion_of
 from .posed_pictures import PosedCamera, SparsePoints, check_cameras, check_sources, check_sparse
+from .sources import choose_sources, depth_in_view
 
 LEAST_PICTURE = 8  # [px] along a side
 MOST_SOURCES = 8  # device code counts them in vectors of eight
@@ -26,13 +27,14 @@ LOW, HIGH = 0.02, 0.98  # the shares of the points' depths that count: a few of 
 NEARER, FARTHER = 0.7, 1.5  # how far beyond them depth is looked for
 LEAST_MOTION = 1.0  # [px] between the nearest and the farthest depth, in a source that says anything
 DEVICE_BYTES = 2**30
+NO_POINTS = SparsePoints(np.zeros((0, 3)), np.zeros((0, 2), np.int64))
 REMEDY = "move the camera between pictures, do not only turn it"
 
 
 def estimate_depth_maps(
     pictures: Iterable[Picture],
     cameras: Iterable[PosedCamera],
-    sparse: Any,
+    sparse: Any = None,
     *,
     sources: Iterable[Iterable[int]] | None = None,
     seed: int = 0,
@@ -54,7 +56,8 @@ def estimate_depth_maps(
             may differ.
         cameras: A PosedCamera for each.
         sparse: SparsePoints, or a model with such `points` and `observations`: how deep each picture is, and which of
-            them see the same.
+            them see the same. None, or one without points, has that guessed from where the cameras' frusta meet, which
+            finds a little less; `sfm.triangulate` finds points.
         sources: For each picture the numbers of those that it is compared with, up to 8; None lets `choose_sources`
             choose.
         seed: Chooses the planes that are tried.
@@ -64,13 +67,13 @@ def estimate_depth_maps(
         progress: Called with ("depth", steps done, steps in all).
 
     Returns:
-        Maps of the pictures' sizes. A picture without sources that were taken from elsewhere, or which sees fewer than
-        three points, has no depth, and no `sources` in the result.
+        Maps of the pictures' sizes. A picture without sources that were taken from elsewhere has no depth, and no
+        `sources` in the result. One that sees fewer than three points is searched where frusta meet.
 
     Raises:
         TypeError: Arguments of other types; pictures that are not uint8.
         ValueError: Fewer than two pictures, another number of cameras, a picture of another size than its camera; no
-            picture that depth can be found for, because the camera only turned or no points are known.
+            picture that depth can be found for, because the camera only turned.
         FileError: A picture or the folder cannot be read or written.
         DeviceError: No such device.
 
@@ -97,11 +100,9 @@ def estimate_depth_maps(
     """
     posed = check_cameras("cameras", cameras)
     given = _checked_pictures(pictures, posed)
-    points = check_sparse("sparse", sparse)
-    ranges = [_depth_range(points, i, camera) for i, camera in enumerate(posed)]
+    points = check_sparse("sparse", NO_POINTS if sparse is None else sparse)
+    ranges = [_depth_range(points, i, posed) for i in range(len(posed))]
     if sources is None:
-        from .sources import choose_sources
-
         wanted = choose_sources(posed, points)
     else:
         wanted = check_sources("sources", sources, len(posed))
@@ -114,7 +115,7 @@ def estimate_depth_maps(
     target = resolve_device(device)
     kept = _telling(wanted, posed, ranges)
     if not any(kept):
-        raise ValueError(_why_none(ranges))
+        raise ValueError(f"cameras: no picture has a source that was taken from elsewhere; {REMEDY}")
     place = None if folder is None else made_folder(folder)
     known = [each or (1.0, 2.0) for each in ranges]
     setting = Setting(given, posed, kept, known, seed, target, device_bytes)
@@ -166,15 +167,16 @@ def _check_array(name: str, picture: Any, size: tuple[int, int]) -> NDArray[np.u
     return np.ascontiguousarray(array)
 
 
-def _depth_range(sparse: SparsePoints, index: int, camera: PosedCamera) -> tuple[float, float] | None:
-    """Where to look for the depth of a picture, by the points that it sees; None where it sees too few."""
-    seen = sparse.points[sparse.seen_by(index)]
-    z = seen @ camera.T_camera_world[2, :3] + camera.T_camera_world[2, 3]
+def _depth_range(sparse: SparsePoints, index: int, cameras: tuple[PosedCamera, ...]) -> tuple[float, float] | None:
+    """Where to look for the depth of a picture: by its points, or where frusta meet; None where they do not."""
+    seen, T = sparse.points[sparse.seen_by(index)], cameras[index].T_camera_world
+    z = seen @ T[2, :3] + T[2, 3]
     z = z[z > 0]
     if len(z) < LEAST_POINTS:
-        return None
-    low, high = np.quantile(z, [LOW, HIGH])
-    return float(low) * NEARER, float(high) * FARTHER
+        span = depth_in_view(index, cameras, LOW, HIGH)
+    else:
+        span = tuple(float(each) for each in np.quantile(z, [LOW, HIGH]))
+    return None if span is None else (span[0] * NEARER, span[1] * FARTHER)
 
 
 def _telling(
@@ -186,12 +188,3 @@ def _telling(
         reach = 0.0 if span is None else 1 / span[0] - 1 / span[1]
         out.append(tuple(j for j in numbers if motion_of(cameras[i], cameras[j]) * reach >= LEAST_MOTION))
     return tuple(out)
-
-
-def _why_none(ranges: Sequence[tuple[float, float] | None]) -> str:
-    if all(each is None for each in ranges):
-        return (
-            f"sparse: no picture sees {LEAST_POINTS} points that lie before it, so that nobody knows how deep it is; "
-            "expected observations of the pictures in their order, and poses from world to camera"
-        )
-    return f"cameras: no picture has a source that was taken from elsewhere; {REMEDY}"

@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...core.checks import check_count
+from ..frusta import places_before
 from .posed_pictures import PosedCamera, SparsePoints, check_cameras, check_sparse
 
 COUNT = 8
@@ -29,8 +30,10 @@ def choose_sources(cameras: Any, sparse: Any, *, count: int = COUNT) -> tuple[tu
     good views see it, and a view is as good as its angle with the picture's at that point: full weight from 3 to 10
     degrees, less below, and falling by e every 10 degrees above.
 
-    A picture that shares no sparse point with any other has sources by their cameras alone: those that look the same
-    way, from a place some steps aside, where a step is the median distance from a camera to its nearest neighbour.
+    A picture that shares no sparse point with any other has sources by the cameras alone: in the same way, with places
+    along rays through it in place of points, which count by how many cameras have them in their pictures. Where there
+    are no such places either, those that look the same way, from a place some steps aside, where a step is the median
+    distance from a camera to its nearest neighbour.
 
     Args:
         cameras: A PosedCamera for each picture.
@@ -72,7 +75,7 @@ def choose_sources(cameras: Any, sparse: Any, *, count: int = COUNT) -> tuple[tu
     step, out = _step(centers), []
     for i in range(len(posed)):
         chosen = _by_cover(i, points, tracks, centers, most)
-        out.append(chosen or _by_camera(i, posed, centers, step, most))
+        out.append(chosen or _by_frusta(i, posed, most) or _by_camera(i, posed, centers, step, most))
     return tuple(out)
 
 
@@ -118,8 +121,49 @@ def _by_cover(
 def _worth(a: NDArray[np.float64], b: NDArray[np.float64]) -> NDArray[np.float64]:
     """How good it is to see a point along b beside a, by the angle between them."""
     cross = np.linalg.norm(np.cross(a, b), axis=1)
-    angle = np.degrees(np.arctan2(cross, (a * b).sum(axis=1)))  # exact for small ones, which arccos is not
+    return _worth_of(np.degrees(np.arctan2(cross, (a * b).sum(axis=1))))  # exact for small ones, which arccos is not
+
+
+def _worth_of(angle: NDArray[np.float64]) -> NDArray[np.float64]:
     return np.clip(angle / NARROW, 0, 1) * np.exp(-np.maximum(angle - WIDE, 0) / FALLOFF)
+
+
+def _by_frusta(i: int, cameras: tuple[PosedCamera, ...], most: int) -> tuple[int, ...]:
+    """Sources by what they may see of the same; none where no camera has such places from aside."""
+    poses = np.array([camera.T_camera_world for camera in cameras])
+    places, seen, angles = places_before(i, [camera.intrinsic for camera in cameras], poses)
+    weights = _worth_of(angles) * seen
+    often = seen.sum(axis=1) / max(1, len(cameras) - 1)
+    wanted, chosen = np.full(len(places), ENOUGH), []
+    for _ in range(most):
+        gain = often @ np.minimum(weights, wanted[:, None])
+        gain[chosen] = 0.0
+        best = int(gain.argmax())
+        if not gain[best] > 0:
+            break
+        chosen.append(best)
+        wanted = np.maximum(wanted - weights[:, best], 0.0)
+    return tuple(chosen)
+
+
+def depth_in_view(i: int, cameras: tuple[PosedCamera, ...], low: float, high: float) -> tuple[float, float] | None:
+    """Between which depths of a picture others may see the same; None where they nowhere do.
+
+    Args:
+        i: Number of the picture.
+        cameras: Of all.
+        low, high: Shares of the places along its rays, by how many see them, that lie nearer.
+    """
+    poses = np.array([camera.T_camera_world for camera in cameras])
+    places, seen, _ = places_before(i, [camera.intrinsic for camera in cameras], poses)
+    weights = seen.sum(axis=1)
+    if not weights.any():
+        return None
+    z = places @ poses[i, 2, :3] + poses[i, 2, 3]
+    order = np.argsort(z, kind="stable")
+    below = np.cumsum(weights[order]) / weights.sum()
+    nearest, farthest = (float(z[order[int(np.searchsorted(below, share))]]) for share in (low, high - 1e-9))
+    return nearest, farthest
 
 
 def _by_camera(

@@ -121,7 +121,7 @@ def _mutual(nearest: NDArray[np.int32], starts: NDArray[np.int64], count: int) -
 
 def write_matches(path: Path, matches: PairMatches) -> None:
     """Keep matches as a file."""
-    with open(path, "wb") as file:
+    with path.open("wb") as file:
         np.savez(file, pairs=matches.pairs, firsts=matches.firsts, matches=matches.matches)
 
 

@@ -12,6 +12,7 @@ import dataclasses
 import itertools
 import math
 from collections.abc import Iterator, Mapping
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -33,13 +34,17 @@ PLAINLY = 2.0  # times as many that fit poses with a usual mistake mended
 
 AXES = {
     "": (1, 1, 1),
+<<<<<<< HEAD
     "their axes are x right, y up, z back, as of OpenGL and ARKit, where x right, y down, z forward is expected": (
         1,
         -1,
         -1,
     ),
+=======
+    "the cameras' axes are x right, y up, z back (OpenGL, ARKit), not x right, y down, z forward": (1, -1, -1),
+>>>>>>> h/poses
     "the pictures are turned by 180 degrees": (-1, -1, 1),
-    "their axes are x left, y down, z back": (-1, 1, -1),
+    "the cameras' axes are x left, y down, z back": (-1, 1, -1),
 }
 QUARTERS = {
     "the pictures are turned by 90 degrees to the left": np.array([[0.0, 1, 0], [-1, 0, 0], [0, 0, 1]]),
@@ -82,8 +87,9 @@ class PoseCheck:
     @classmethod
     def from_json(cls, told: Mapping[str, Any]) -> PoseCheck:
         """What `to_json` gave, read again."""
-        found = {key: math.nan if value is None else value for key, value in told.items()}
-        return cls(**found | {"strays": tuple(told["strays"])})
+        found: dict[str, Any] = {key: math.nan if value is None else value for key, value in told.items()}
+        found["strays"] = tuple(told["strays"])
+        return cls(**found)
 
     @property
     def are_wrong(self) -> bool:
@@ -108,10 +114,15 @@ class PoseCheck:
                 return [f"only {fits}, {100 * self.cause_share:.0f} % would if {self.cause}: mend the poses"]
             if self.is_focal_wrong:
                 return [f"only {fits}, more would with {self.focal:.3g} times the focal length: check the cameras"]
+<<<<<<< HEAD
             remedy = (
                 "give the poses of these very pictures, each by its name, from camera to world or as the file has it"
             )
             return [f"only {fits}: they are of other pictures, in another order, or in another convention; {remedy}"]
+=======
+            why = "they are of other pictures, in another order, in another convention, or too rough"
+            return [f"only {fits}: {why}; give the poses of these very pictures, each by its name"]
+>>>>>>> h/poses
         reasons = []
         if self.is_focal_wrong:
             reasons.append(
@@ -166,8 +177,6 @@ def _sample(pairs: Pairs, model: SfmModel) -> Pairs:
 
 
 def _natural_order(model: SfmModel) -> list[int]:
-    from pathlib import Path
-
     return sorted(range(len(model)), key=lambda i: natural_key(Path(model.names[i])))
 
 
@@ -254,7 +263,7 @@ class _Matches:
         return (off <= self.near) & before, off
 
     def share(self, fits: NDArray[np.bool_]) -> float:
-        """The share that fits, of a pair in the middle: the mean over pairs would be moved by pairs that share nothing."""
+        """The share that fits."""
         return float(np.mean(fits))
 
     def by_pair(self, fits: NDArray[np.bool_]) -> Array:
@@ -320,12 +329,18 @@ def _other_conventions(model: SfmModel) -> Iterator[tuple[str, Array]]:
     turned, back = R.transpose(0, 2, 1), -np.einsum("nji,nj->ni", R, t)
     forms: dict[str, tuple[Array, Array]] = {
         "": (R, t),
+<<<<<<< HEAD
         "the poses are the other way round, from world to camera where from camera to world is expected, or the reverse": (
             turned,
             back,
         ),
         "their rotations are the other way round": (turned, t),
         "their positions are those of the world before the camera": (R, back),
+=======
+        "each pose is turned round (world to camera for camera to world, or the reverse)": (turned, back),
+        "each rotation is turned round, and the position right": (turned, t),
+        "each position is that of the world before the camera, and the rotation right": (R, back),
+>>>>>>> h/poses
     }
     axes = {said: np.diag(signs).astype(float) for said, signs in AXES.items()} | QUARTERS
     for (form, (rotation, center)), (said, flip) in itertools.product(forms.items(), axes.items()):
@@ -343,7 +358,7 @@ def _other_orders(model: SfmModel) -> Iterator[tuple[str, Array]]:
     yield "the pictures are in the reverse order", in_order[::-1][place]
     yield "the pictures were sorted as text where numbers count, or the reverse", T[place]
     yield "the pictures were sorted as numbers where text counts, or the reverse", T[np.argsort(place)]
-    for step in (1, -1, 2, -2):
+    for step in (1, -1, 2, -2, 3, -3):
         if count > 2 * abs(step):
             who = f"each picture has the pose of the one {abs(step)} {'before' if step > 0 else 'after'} it"
             yield who, np.roll(in_order, -step, axis=0)[place]

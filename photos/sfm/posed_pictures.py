@@ -11,6 +11,7 @@ import numpy as np
 from ...core.errors import DatasetError, FileError, FilePath
 from ...files.models.sfm_model import SfmModel
 from ...files.pictures.image_files import read_picture_header
+from .picture_folder import OTHER_SUFFIXES, SUFFIXES
 
 FEWEST = 2
 
@@ -102,9 +103,13 @@ def with_poses(folder: FilePath, paths: Sequence[Path], cameras: SfmModel) -> Po
 def _stem(name: str) -> str:
     """A camera's name without the ending of a picture; of a label such as "IMG_1.2" it is all."""
     path = Path(name)
+<<<<<<< HEAD
     return (
         path.stem if path.suffix.lower() in (".jpg", ".jpeg", ".png", ".tif", ".tiff", ".heic", ".dng") else path.name
     )
+=======
+    return path.stem if path.suffix.lower() in (*SUFFIXES, *OTHER_SUFFIXES) else path.name
+>>>>>>> h/poses
 
 
 def _places(paths: Sequence[Path], part: str) -> dict[str, list[Path]]:

@@ -28,9 +28,14 @@ from .pose_check import NEAR, PoseCheck, check_poses
 from .posed_pictures import with_poses
 from .verdict import FINDING_SIZE, Verdict, judge_model
 
+<<<<<<< HEAD
 LEAST_DISTANCE = (
     2.0  # [px] of a picture as features are found in it: what they are off by at most, by COLMAP's rule half
 )
+=======
+LEAST_DISTANCE = 1.0  # [px] of a picture as features are found in it: those of SIFT are off by a third of that
+FEWEST_VIEWS = 3  # of a point where there are so many pictures: any two rays that meet make one of two
+>>>>>>> h/poses
 DISTANCES = 4.0  # times the median distance of matches from their lines: what is farther is no match
 MIN_ANGLE = 1.5  # [degrees] under which a point is seen
 FEWEST_MATCHES = 8  # of a pair
@@ -111,8 +116,9 @@ def triangulate(
 
     Notes:
         The same points from run to run, for any number of threads. Features beyond 75 degrees off the axis are left
-        out. The distance from lines that is admitted is 4 times the median of matches by looks, 2 px at least and 0.6 %
-        of the picture's longer side at most. Triangulation: Schoenberger and Frahm 2016, section 4.3.
+        out. The distance from lines that is admitted is 4 times the median of matches by looks, 1 px at least and 0.6 %
+        of the picture's longer side at most; a point is seen by three pictures, where there are so many.
+        Triangulation: Schoenberger and Frahm 2016, section 4.3.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -191,7 +197,7 @@ def points_of(
         job |= {"database": os.fspath(place / "points.db"), "arrays": os.fspath(arrays), "found": os.fspath(found)}
         _, peak = run_job(job, database, **check_limits(max_seconds, max_memory))
         with np.load(found) as read:
-            points, seen = read["points"], read["seen"]
+            points, seen = _often_seen(read["points"], read["seen"], min(FEWEST_VIEWS, len(model)))
     rows = features.firsts[seen[:, 0]] + seen[:, 1]
     errors, colors = (
         _errors(model, points, seen, features.pixels[rows]),
@@ -203,9 +209,19 @@ def points_of(
     return whole, peak
 
 
+def _often_seen(
+    points: NDArray[np.float64], seen: NDArray[np.int64], fewest: int
+) -> tuple[NDArray[np.float64], NDArray[np.int64]]:
+    """The points that so many pictures see, and what sees them."""
+    pairs = np.unique(seen[:, [2, 0]], axis=0)
+    kept = np.bincount(pairs[:, 0], minlength=len(points)) >= fewest
+    place, seen = np.cumsum(kept) - 1, seen[kept[seen[:, 2]]]
+    return points[kept], np.column_stack([seen[:, :2], place[seen[:, 2]]])
+
+
 def _arrays_of(
     model: SfmModel, features: FeatureRays, matches: PairMatches, focals: NDArray[np.float64]
-) -> dict[str, NDArray[Any]]:
+) -> dict[str, Any]:
     """What COLMAP's process is told: pictures without distortion, their poses, features and matches."""
     owner = np.repeat(np.arange(len(model)), np.diff(features.firsts))
     return {

@@ -13,7 +13,7 @@ from functools import partial
 from typing import Any
 
 from ...core.stages import Chain, Made, Stage
-from . import motion, surface
+from . import known_motion, motion, surface
 from .settings import Settings
 
 # In the order in which they run.
@@ -26,6 +26,14 @@ STAGES: dict[str, Callable[..., Mapping[str, Any]]] = {
     "depth": surface.estimate,
     "fused": surface.fuse_points,
     "mesh": surface.make_mesh,
+}
+
+# Where lenses and poses are known.
+KNOWN_STAGES: dict[str, Callable[..., Mapping[str, Any]]] = STAGES | {
+    "frames": known_motion.take_pictures,
+    "features": known_motion.find_features,
+    "matches": known_motion.match,
+    "model": known_motion.triangulate,
 }
 
 
@@ -61,17 +69,20 @@ def settings_of_stages(source: Any, content: str, settings: Settings, device: An
         "max_size": Given(settings.max_size, {"max_size": settings.max_size}),
         "units": Given(settings.units, {"units": settings.units.settings}),
         "seed": Given(settings.seed, {"seed": settings.seed}),
+        "posed": Given(settings, {"cameras": settings.digest_of_cameras(), "camera": camera}),
         "device": Given(device, {}),
     }
 
 
-def run_to(last: str, chain: Chain, given: Mapping[str, Given]) -> Made:
+def run_to(
+    last: str, chain: Chain, given: Mapping[str, Given], stages: Mapping[str, Callable[..., Mapping[str, Any]]] = STAGES
+) -> Made:
     """Run the stages up to one of them that have not run yet, or keep what they left; gives what the last one left.
 
     Raises:
         FileError: As `Chain.run`. Whatever a stage raises; what was finished before stays.
     """
-    for name, make in STAGES.items():
+    for name, make in stages.items():
         if name not in chain.made:
             chain.run(stage_of(name, make, chain.made, given))
         if name == last:

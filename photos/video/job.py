@@ -23,11 +23,11 @@ from ...files.points.point_cloud import read_point_cloud
 from ...meshing.mesh.mesh_files import read_triangle_mesh
 from ..sfm.picture_folder import check_place
 from . import motion, surface
-from .chain import STAGES, Given, run_to, settings_of_stages
+from .chain import KNOWN_STAGES, STAGES, Given, run_to, settings_of_stages
 from .outputs import Outputs
 from .result import StageReport, VideoFigures, VideoResult
 from .settings import Settings
-from .units import fit_units
+from .units import fit_as_given, fit_units
 
 MARKER, REPORT = "video.json", "report.json"
 
@@ -50,7 +50,7 @@ def reconstruct(
     (`depth`), what several agree on is fused to points (`fused`) and to a surface (`mesh`).
 
     Args:
-        source: A video that ffmpeg reads, or a folder of pictures.
+        source: A video that ffmpeg reads, or a folder of pictures; a folder with `settings.cameras`.
         settings: How many and how large pictures, the unit, the camera; None for the usual.
         outputs: Files to be written as well, which are checked before the work; None for none.
         work: Folder of the stages' files and of report.json; None for one that is removed at the end. That one lies
@@ -113,18 +113,20 @@ def _run(
     chain: Chain, given: Mapping[str, Given], settings: Settings, *, source: str, work: FilePath | None, device: Any
 ) -> VideoResult:
     """Run the stages as far as they lead, and read what they leave."""
-    frames = run_to("frames", chain, given)
+    stages = STAGES if settings.cameras is None else KNOWN_STAGES
+    frames = run_to("frames", chain, given, stages)
     settings.units.check_names(motion.picture_names(frames))
-    found = run_to("model", chain, given)
+    found = run_to("model", chain, given, stages)
     mesh = cloud = model = fit = None
     figures = VideoFigures.of_stages(chain.made)
     reasons = figures.why_model_poor()
     if not figures.is_hopeless:
         model = motion.read_model(found)
         fit = fit_units(settings.units, model)  # before the long work: it may be refused
+        fit = fit if settings.cameras is None else fit_as_given(fit)
         reasons += [] if fit.poor is None else [fit.poor]
         model = model.transform(fit.T_world_model)
-        surface_made = run_to("mesh", chain, given)
+        surface_made = run_to("mesh", chain, given, stages)
         figures = VideoFigures.of_stages(chain.made)
         reasons += figures.why_depth_poor()
         cloud = read_point_cloud(chain.made["fused"].folder / surface.CLOUD, device=device).transform(fit.T_world_model)

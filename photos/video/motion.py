@@ -81,16 +81,17 @@ def map_pictures(
     given = {"fix_intrinsic": fixed_camera, "seed": seed, "progress": say}
     found = sfm.map_pictures(frames.folder / PICTURES, matches.folder / DATABASE, folder / MODEL, **given)
     cameras = () if found.model is None else tuple(dict.fromkeys(found.model.cameras))
-    told = {"missing": list(found.missing), "cameras": [_described(camera) for camera in cameras]}
-    return found.verdict.to_json() | told | {"turned": _only_turned(found.verdict, cameras)}
+    told = {"missing": list(found.missing), "cameras": [described(camera) for camera in cameras]}
+    return found.verdict.to_json() | told | {"turned": only_turned(found.verdict, cameras)}
 
 
-def _only_turned(verdict: Verdict, cameras: Sequence[CameraModel]) -> bool:
+def only_turned(verdict: Verdict, cameras: Sequence[CameraModel]) -> bool:
     """Whether depth cannot be told from where the pictures were taken: a NaN says so too."""
     longer = max((max(camera.width, camera.height) for camera in cameras), default=1)
     return not (verdict.angle >= MIN_ANGLE and verdict.parallax >= MIN_PARALLAX * longer)
 
 
-def _described(camera: CameraModel) -> str:
+def described(camera: CameraModel) -> str:
+    """A lens in words."""
     params = " ".join(f"{value:.5g}" for value in camera.params)
     return f"{camera.model} {camera.width} x {camera.height}: {params}"

@@ -74,7 +74,8 @@ class VideoFigures:
         """What is wrong with the model, and what to do about it."""
         reasons = [*self.verdict.reasons]
         if self.is_hopeless:
-            if not any("only turn" in reason for reason in reasons):
+            wrong = self.verdict.poses is not None and self.verdict.poses.are_wrong
+            if not wrong and not any("only turn" in reason for reason in reasons):
                 reasons.append("nothing is known of depth: move, do not only turn")
             reasons.append("nothing was written")
         return reasons
@@ -145,7 +146,7 @@ class VideoResult:
 
     @property
     def units(self) -> str:
-        """ "metres" or "arbitrary"."""
+        """ "metres", "arbitrary" or "of the poses given"."""
         return ARBITRARY if self.fit is None else self.fit.units
 
     @property

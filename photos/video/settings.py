@@ -3,11 +3,16 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 from ...cameras.camera import PinholeCameraIntrinsic, read_pinhole_camera_intrinsic
 from ...core.checks import check_count, check_seed
-from ...core.errors import FilePath
+from ...core.errors import FileError, FilePath
+from ...core.records import digest_of
+from ...files.models.camera_files import read_cameras
+from ...files.models.sfm_model import SfmModel
+from .motion import digest_of_source
 from .units import Units
 
 MAX_FRAMES, MAX_SIZE = 150, 960
@@ -22,6 +27,8 @@ class Settings:
         max_frames: The most pictures that are taken of a video, or of a folder.
         max_size: Longest side of the pictures that depth is estimated in [px].
         intrinsic: The camera, or the file of one (Open3D's JSON); None where it is to be found.
+        cameras: Lenses and poses of the pictures of a folder, or the file of them, as `read_cameras` reads it; None
+            where they are to be found. A trajectory wants `intrinsic` too; with others that is None.
         units: What is known of the size of things.
         seed: Of what is drawn.
 
@@ -40,6 +47,7 @@ class Settings:
     intrinsic: FilePath | PinholeCameraIntrinsic | None = None
     units: Units = field(default_factory=Units)
     seed: int = 0
+    cameras: FilePath | SfmModel | None = None
 
     def __post_init__(self):
         check_count("max_frames", self.max_frames, minimum=FEWEST_PICTURES)
@@ -50,6 +58,10 @@ class Settings:
         if not isinstance(self.intrinsic, str | os.PathLike | PinholeCameraIntrinsic | None):
             kind = type(self.intrinsic).__name__
             raise TypeError(f"intrinsic: expected a path or a PinholeCameraIntrinsic, got {kind}")
+        if not isinstance(self.cameras, str | os.PathLike | SfmModel | None):
+            raise TypeError(f"cameras: expected a path or an SfmModel, got {type(self.cameras).__name__}")
+        if isinstance(self.cameras, SfmModel) and self.intrinsic is not None:
+            raise ValueError("intrinsic: the cameras that are given have lenses; leave it out")
         self.read_camera()
 
     def read_camera(self) -> PinholeCameraIntrinsic | None:
@@ -61,3 +73,30 @@ class Settings:
         if isinstance(self.intrinsic, str | os.PathLike):
             return read_pinhole_camera_intrinsic(self.intrinsic)
         return self.intrinsic
+
+    def read_posed(self, pictures: Sequence[str]) -> SfmModel | None:
+        """The lenses and poses that are known, if any are.
+
+        Args:
+            pictures: Names of the pictures.
+
+        Raises:
+            FileError: Their file cannot be read, or holds those of no picture.
+        """
+        if isinstance(self.cameras, str | os.PathLike):
+            try:
+                return read_cameras(self.cameras, pictures=pictures, intrinsic=self.read_camera())
+            except FileError:
+                raise
+            except ValueError as error:
+                raise FileError(self.cameras, str(error)) from error
+        return self.cameras
+
+    def digest_of_cameras(self) -> str | None:
+        """Of the poses that were given."""
+        if isinstance(self.cameras, str | os.PathLike):
+            return digest_of_source(self.cameras)
+        if self.cameras is None:
+            return None
+        lenses = [[camera.model, camera.width, camera.height, *camera.params] for camera in self.cameras.cameras]
+        return digest_of([list(self.cameras.names), lenses, self.cameras.T_camera_world.tolist()])

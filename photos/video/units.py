@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -23,6 +23,7 @@ MOST_WRONG = 1 / 3  # of the places that may not fit the others: near one half c
 
 ARBITRARY = "arbitrary"
 METRES = "metres"
+OF_POSES = "of the poses given"
 UNKNOWN = "arbitrary: give --scale, --known or --align for metres"
 
 
@@ -107,9 +108,9 @@ class Fit:
 
     Attributes:
         T_world_model: A similarity, float64 [4, 4].
-        units: "metres" or "arbitrary".
+        units: "metres", "arbitrary", or "of the poses given" where they were and nothing else is known.
         scale: Metres in a unit of the model; 1 where nobody knows.
-        by: What settled it: "scale", "known", "align", or None.
+        by: What settled it: "scale", "known", "align", "cameras", or None.
         places: With `align`, how the known places agree with those found.
         poor: Why it is doubted, or None.
     """
@@ -132,6 +133,8 @@ class Fit:
     def __str__(self) -> str:
         if self.units == ARBITRARY:
             return UNKNOWN
+        if self.units == OF_POSES:
+            return "those of the poses that were given"
         line = f"metres by --{self.by}: {self.scale:.6g} m a unit of the model"
         if (known := self.places) is not None:
             line += f"; {known.count} places, {known.rms_m:.3g} m off (rms)"
@@ -162,6 +165,11 @@ def fit_units(units: Units, model: SfmModel) -> Fit:
     if units.scale is not None:
         return _scaled(units.scale, "scale", METRES)
     return _scaled(1.0, None, ARBITRARY)
+
+
+def fit_as_given(fit: Fit) -> Fit:
+    """The same where poses were given: they lie where they were, in their unit, unless more is known."""
+    return replace(fit, units=OF_POSES, by="cameras") if fit.units == ARBITRARY else fit
 
 
 def picture_named(said: str, names: Sequence[str], where: str = "") -> int:

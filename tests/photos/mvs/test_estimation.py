@@ -144,12 +144,9 @@ def test_the_unit_of_the_poses_and_a_far_origin_change_little():
         assert np.median(errors(maps[0], cameras[0], factor)) < 0.05
 
 
-def test_a_picture_without_points_or_sources_has_no_depth_and_no_sources():
+def test_a_picture_without_sources_has_no_depth():
     cameras = three()
     pictures, sparse = scene(cameras)
-    blind = loom.mvs.SparsePoints(sparse.points, sparse.observations[sparse.observations[:, 0] != 2])
-    maps = loom.mvs.estimate_depth_maps(pictures, cameras, blind, sources=ALL)
-    assert maps.sources[2] == () and maps[2].share == 0 and maps[0].share > 0.8
     maps = loom.mvs.estimate_depth_maps(pictures, cameras, sparse, sources=[[1], [0], []])
     assert maps.sources[2] == () and maps[2].share == 0 and maps[0].share > 0.8
 
@@ -160,12 +157,26 @@ def test_cameras_that_only_turn_are_refused_with_what_to_do():
         estimate(cameras, sources=[[1], [0]])
 
 
-def test_pictures_without_any_points_are_refused():
+def test_without_any_points_depth_is_found_where_frusta_meet():
     cameras = three()
-    with pytest.raises(ValueError, match="sparse: no picture sees"):
-        loom.mvs.estimate_depth_maps(
-            scene(cameras)[0], cameras, loom.mvs.SparsePoints(np.zeros((0, 3)), np.zeros((0, 2), int)), sources=ALL
-        )
+    pictures, _ = scene(cameras)
+    maps = loom.mvs.estimate_depth_maps(pictures, cameras)
+    for each, camera in zip(maps, cameras, strict=True):
+        wrong = errors(each, camera)
+        assert each.share > 0.8
+        assert np.median(wrong) < 0.05
+        assert (wrong < 0.2).mean() > 0.85
+    none = loom.mvs.SparsePoints(np.zeros((0, 3)), np.zeros((0, 2), int))
+    assert digest(maps) == digest(loom.mvs.estimate_depth_maps(pictures, cameras, none))
+
+
+def test_a_picture_that_sees_no_points_is_searched_where_frusta_meet():
+    cameras = three()
+    pictures, sparse = scene(cameras)
+    blind = loom.mvs.SparsePoints(sparse.points, sparse.observations[sparse.observations[:, 0] != 2])
+    maps = loom.mvs.estimate_depth_maps(pictures, cameras, blind, sources=ALL)
+    assert maps.sources[2] == (0, 1) and maps[2].share > 0.8
+    assert np.median(errors(maps[2], cameras[2])) < 0.05
 
 
 def test_pictures_that_do_not_fit_are_told_by_number(tmp_path):

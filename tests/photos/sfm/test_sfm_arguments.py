@@ -24,10 +24,11 @@ loom.sfm.find_features(pictures=pictures, database=new(), {FOUND})
 loom.sfm.match(database=database, matches=new(), pairs="auto", overlap=10, {LIMITS})
 loom.sfm.map_pictures(pictures=pictures, matches=database, folder=new(), {LIMITS})
 loom.sfm.reconstruct(pictures=pictures, work=new(), pairs="auto", overlap=10, {FOUND})
-loom.sfm.judge_model(model=model, picture_count=3, model_sizes=[2, 1], focal=None)
+loom.sfm.judge_model(model=model, picture_count=3, model_sizes=[2, 1], focal=None, poses=None)
+loom.sfm.triangulate(pictures=pictures, cameras=posed, max_size=640, max_features=500, device="cpu", {LIMITS})
 """  # noqa: E501
 TABLE = {name.removeprefix("sfm."): call for name, call in read_table(CALLS, {}).items()}
-RESULTS = {"FrameChoice", "FeatureReport", "MatchReport", "SfmResult", "Verdict"}
+RESULTS = {"FrameChoice", "TriangulationResult", "FeatureReport", "MatchReport", "SfmResult", "Verdict"}
 
 
 @pytest.fixture(autouse=True)
@@ -73,7 +74,8 @@ def things() -> dict[str, Any]:
     database = folder() / "made.db"
     with sqlite3.connect(database) as connection:
         connection.execute("CREATE TABLE images (image_id INTEGER, name TEXT)")
-        connection.execute("CREATE TABLE keypoints (image_id INTEGER, rows INTEGER)")
+        connection.execute("CREATE TABLE keypoints (image_id INTEGER, rows INTEGER, cols INTEGER, data BLOB)")
+        connection.execute("CREATE TABLE descriptors (image_id INTEGER, rows INTEGER, cols INTEGER, data BLOB)")
         connection.execute("CREATE TABLE two_view_geometries (pair_id INTEGER, rows INTEGER)")
         connection.execute("INSERT INTO two_view_geometries VALUES (2147483649, 9)")
         connection.executemany("INSERT INTO images VALUES (?, ?)", [(1, "view 0.png"), (2, "view 1.png")])
@@ -83,6 +85,8 @@ def things() -> dict[str, Any]:
     poses[1, 0, 3] = -1
     model = loom.SfmModel(["a", "b"], [camera] * 2, poses, points=[[0, 0, 2.0]])
     named = {"loom": loom, "pictures": pictures, "database": database, "model": model}
+    posed = loom.SfmModel(["view 0", "view 1"], [camera] * 2, poses)
+    named |= {"posed": posed}
     return named | {"new": lambda: folder() / f"new {next(numbers)}"}
 
 

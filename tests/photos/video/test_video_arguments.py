@@ -18,13 +18,13 @@ from ...hostile import faults_of, missing_from, public_arguments, read_table
 
 CALLS = """
 loom.video.reconstruct(source=film, settings=settings, outputs=outputs, work=work, device="cpu", progress=None)
-loom.video.Settings(max_frames=30, max_size=320, intrinsic=None, units=units, seed=0)
+loom.video.Settings(max_frames=30, max_size=320, intrinsic=None, units=units, seed=0, cameras=None)
 loom.video.Units(scale=2.0, known=None, align=None)
 loom.video.Outputs(mesh="room.ply", cloud="cloud.ply", trajectory="poses.log", picture="room.png")
 """
 TABLE = {name.removeprefix("video."): call for name, call in read_table(CALLS, {}).items()}
 RESULTS = {"Fit", "KnownPlaces", "StageReport", "VideoFigures", "VideoResult"}
-INSIDE = {"Outputs.check", "Outputs.write", "Units.check_names"}
+INSIDE = {"Outputs.check", "Outputs.write", "Units.check_names", "Settings.read_posed", "Settings.digest_of_cameras"}
 
 
 def test_the_table_names_every_argument_of_every_public_call():

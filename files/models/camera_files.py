@@ -1,0 +1,165 @@
+"""Cameras with known poses from any of the files that they come in: one call for `pointloom video --cameras`."""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...cameras.camera import PinholeCameraIntrinsic
+from ...cameras.camera_models import CameraModel
+from ...cameras.picture_names import number_of
+from ...cameras.trajectory import Trajectory, read_trajectory
+from ...core.checks import check_list, check_name
+from ...core.errors import FileError
+from ...core.json_files import read_json_object
+from ..points.scan_files import natural_key
+from .colmap import is_colmap_model, read_colmap_model
+from .frame_cameras import holds_frame_cameras, read_frame_cameras, read_transforms
+from .metashape import read_metashape_cameras
+from .sfm_model import SfmModel
+
+TRAJECTORIES = (".log", ".txt", ".tum", ".kitti", ".json")
+TIME_TOLERANCE = 0.02  # [s] between a picture and its pose, as the TUM benchmark's associate.py has it
+
+_KNOWN = (
+    "Give Metashape's .xml, a folder of COLMAP, transforms.json, Polycam's keyframes/cameras, frames of the 3D Scanner "
+    "App, or a trajectory (.log, .txt, .tum, .kitti, Open3D's .json)"
+)
+
+
+def read_cameras(
+    path: str | os.PathLike[str],
+    *,
+    pictures: Sequence[str] | None = None,
+    intrinsic: PinholeCameraIntrinsic | None = None,
+) -> SfmModel:
+    """Read lenses and poses of pictures, in any of the formats that they come in.
+
+    - `.xml`: Agisoft Metashape, see `read_metashape_cameras`.
+    - A folder with COLMAP's cameras, images and points3D, see `read_colmap_model`.
+    - `.json` with `frames`: nerfstudio's and instant-ngp's transforms.json.
+    - A folder with a JSON file for each picture: Polycam's keyframes/cameras, or the 3D Scanner App's frames.
+    - `.log`, `.txt`, `.tum`, `.kitti`, Open3D's `.json`: a trajectory, see `read_trajectory`; with `pictures` and
+      `intrinsic`.
+
+    Args:
+        path: The file or folder.
+        pictures: Names of the pictures; needed with a trajectory, which has none. With times, those in the names (as
+            TUM has them) are less than 0.02 s from their pose's. Of a `.log` file the numbers in the names are those
+            of the frames. Else the pictures are in natural order, as many as poses.
+        intrinsic: The lens of all; needed with a trajectory, and refused with anything else.
+
+    Returns:
+        The cameras, world to camera, x right, y down, z forward. With a trajectory, pictures without a pose are not in
+        it, and `left_out` names them.
+
+    Raises:
+        FileError: None of these, damaged, poses that cannot be told whose they are; says where.
+        TypeError, ValueError: `pictures` or `intrinsic` is missing, or does not go with the file.
+
+    Example:
+        >>> import numpy as np, pointloom as loom
+        >>> poses = np.tile(np.eye(4), (2, 1, 1))
+        >>> poses[1, 0, 3] = 0.5
+        >>> loom.write_trajectory("path.tum", loom.Trajectory(poses, timestamps=[10.0, 10.5]))
+        >>> lens = loom.PinholeCameraIntrinsic.prime_sense_default()
+        >>> model = loom.read_cameras("path.tum", pictures=["10.00.png", "10.50.png", "11.0.png"], intrinsic=lens)
+        >>> model.centers.tolist(), model.left_out
+        ([[0.0, 0.0, 0.0], [0.5, 0.0, 0.0]], ('11.0.png: no pose',))
+    """
+    place = Path(path)
+    kind = _kind_of(place)
+    if kind != "trajectory":
+        if intrinsic is not None:
+            raise ValueError(f"intrinsic: {place.name} holds the lenses itself; leave it out")
+        readers: dict[str, Any] = {"metashape": read_metashape_cameras, "colmap": read_colmap_model}
+        readers |= {"transforms": read_transforms, "frames": read_frame_cameras}
+        return readers[kind](place)
+    if not isinstance(intrinsic, PinholeCameraIntrinsic):
+        reason = "holds poses alone, and no lens"
+        raise FileError(place, reason, remedy="Give the camera as intrinsic (--intrinsic, Open3D's JSON) too")
+    if pictures is None:
+        raise ValueError("pictures: a trajectory names none; expected the names of its pictures")
+    names = [check_name("pictures", name) for name in check_list("pictures", pictures, "names")]
+    trajectory = read_trajectory(place)
+    chosen = _poses_of(place, trajectory, names)
+    kept = [i for i, row in enumerate(chosen) if row is not None]
+    if not kept:
+        raise FileError(place, "holds the pose of none of the pictures", remedy=f"Their names are such as {names[0]}")
+    rows = [row for row in chosen if row is not None]
+    left_out = tuple(f"{name}: no pose" for name, row in zip(names, chosen, strict=True) if row is None)
+    lens = CameraModel.from_intrinsic(intrinsic)
+    poses = _inverse(trajectory.poses[rows])
+    return SfmModel(tuple(names[i] for i in kept), (lens,) * len(kept), poses, left_out=left_out)
+
+
+def _kind_of(path: Path) -> str:
+    if path.is_dir():
+        if is_colmap_model(path):
+            return "colmap"
+        if holds_frame_cameras(path):
+            return "frames"
+        raise FileError(path, "holds no cameras that are known", remedy=_KNOWN)
+    suffix = path.suffix.lower()
+    if suffix == ".xml":
+        return "metashape"
+    if suffix == ".json" and "frames" in read_json_object(path):
+        return "transforms"
+    if suffix in TRAJECTORIES:
+        return "trajectory"
+    raise FileError(
+        path, "does not exist" if not path.exists() else "is no file of cameras that is known", remedy=_KNOWN
+    )
+
+
+def _poses_of(path: Path, trajectory: Trajectory, names: Sequence[str]) -> list[int | None]:
+    """The pose of each picture: by time, by number, or in order."""
+    if trajectory.timestamps is not None and (times := _times_of(names)) is not None:
+        return _by_time(trajectory.timestamps, times)
+    if trajectory.ids is not None:
+        rows = {int(number): k for k, number in enumerate(trajectory.ids[:, 0])}
+        numbers = [number_of(name) for name in names]
+        if None not in numbers and len(set(numbers)) == len(names) and len(rows) == len(trajectory):
+            return [rows.get(int(number or 0)) for number in numbers]
+    if len(names) != len(trajectory):
+        reason = f"holds {len(trajectory)} poses, and there are {len(names)} pictures: which is whose is not known"
+        raise FileError(path, reason, remedy="Name the pictures by the times of the poses, or give as many as poses")
+    order = sorted(range(len(names)), key=lambda i: natural_key(Path(names[i])))
+    rows_in_order: list[int | None] = [None] * len(names)
+    for row, i in enumerate(order):
+        rows_in_order[i] = row
+    return rows_in_order
+
+
+def _times_of(names: Sequence[str]) -> NDArray[np.float64] | None:
+    """The times that pictures are named by, as TUM's are; None where they are not."""
+    stems = [Path(name).name.rsplit(".", 1)[0] for name in names]
+    if all(re.fullmatch(r"\d+\.\d+", stem) for stem in stems):
+        return np.array([float(stem) for stem in stems])
+    return None
+
+
+def _by_time(known: NDArray[np.float64], times: NDArray[np.float64]) -> list[int | None]:
+    order = np.argsort(known, kind="stable")
+    at = np.clip(np.searchsorted(known[order], times), 1, max(len(known) - 1, 1))
+    if len(known) > 1:
+        at -= np.abs(known[order][at - 1] - times) <= np.abs(known[order][at] - times)
+    else:
+        at[:] = 0
+    rows = order[at]
+    return [
+        int(row) if abs(known[row] - time) < TIME_TOLERANCE else None for row, time in zip(rows, times, strict=True)
+    ]
+
+
+def _inverse(poses: NDArray[np.float64]) -> NDArray[np.float64]:
+    inverse = np.tile(np.eye(4), (len(poses), 1, 1))
+    inverse[:, :3, :3] = poses[:, :3, :3].transpose(0, 2, 1)
+    inverse[:, :3, 3] = -np.einsum("nji,nj->ni", poses[:, :3, :3], poses[:, :3, 3])
+    return inverse

@@ -1,0 +1,207 @@
+"""Cameras of telephones and of radiance fields: JSON files of a lens and a pose for each picture.
+
+Read are transforms.json of nerfstudio, instant-ngp and apps that write it (NeRFCapture, Record3D and Polycam by way of
+nerfstudio), the folder keyframes/cameras that Polycam exports, and the frames of the 3D Scanner App. All have poses
+camera to world, in ARKit's and OpenGL's axes of the camera: x right, y up, z back. Here they become x right, y down,
+z forward, world to camera. Principal points are measured from the picture's corner, as COLMAP has them.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator, Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...cameras.camera_models import CameraModel
+from ...core.checks import check_rigid
+from ...core.errors import FileError
+from ...core.json_files import read_json_object
+from ..pictures.image_files import read_picture_header
+from .colmap_records import camera_of
+from .sfm_model import SfmModel
+
+AXES = np.diag([1.0, -1.0, -1.0, 1.0])  # from x right, y down, z forward to x right, y up, z back
+LENSES = ("OPENCV", "PINHOLE", "SIMPLE_PINHOLE", "SIMPLE_RADIAL", "RADIAL", "OPENCV_FISHEYE")
+DISTORTION = ("k1", "k2", "p1", "p2", "k3", "k4", "k5", "k6")
+POLYCAM = [f"t_{row}{column}" for row in range(3) for column in range(4)]
+SCANNER_APP = "cameraPoseARFrame"
+PICTURES = (".jpg", ".jpeg", ".png")
+
+_EXPORTED = "Give transforms.json, Polycam's keyframes/cameras, or the folder of frames of the 3D Scanner App"
+
+
+def read_transforms(path: str | os.PathLike[str]) -> SfmModel:
+    """Read the transforms.json of nerfstudio and instant-ngp.
+
+    Args:
+        path: The file: `fl_x`, `fl_y`, `cx`, `cy`, `w`, `h`, distortion and `camera_model` for all frames or for each,
+            and `frames` with `file_path` and `transform_matrix`.
+
+    Returns:
+        A model without points. Its names are those of the pictures, with their folders.
+
+    Raises:
+        FileError: Missing, no such JSON, a camera without a size or focal length, a lens of another kind, poses that
+            are not rigid, numbers that make no sense; says where.
+
+    Notes:
+        Matrices are camera to world, with the camera's y up and z back (OpenGL). `camera_angle_x` [rad] stands for
+        `fl_x` where that is missing.
+    """
+    path, content = Path(path), read_json_object(path)
+    frames = content.get("frames")
+    if not isinstance(frames, list) or not frames:
+        raise FileError(path, "expected a list of at least one frame", where="key frames", remedy=_EXPORTED)
+    names, cameras, poses = [], [], []
+    for i, frame in enumerate(frames):
+        where = f"frames[{i}]"
+        if not isinstance(frame, dict) or not isinstance(frame.get("file_path"), str) or not frame["file_path"]:
+            raise FileError(path, "expected an object with the picture's file_path", where=where)
+        names.append(os.path.normpath(frame["file_path"]))
+        cameras.append(_lens_of(path, where, {**content, **frame}))
+        rows = _numbers(path, where, frame, "transform_matrix", None)
+        if rows.shape not in ((4, 4), (3, 4)):
+            raise FileError(path, "transform_matrix: expected 4 rows of 4 numbers", where=where)
+        poses.append(_pose(path, where, rows))
+    return _model(path, names, cameras, poses)
+
+
+def read_frame_cameras(folder: str | os.PathLike[str]) -> SfmModel:
+    """Read the cameras that Polycam or the 3D Scanner App wrote, a JSON file for each picture.
+
+    Args:
+        folder: Polycam's keyframes/cameras (or corrected_cameras, with the pictures of corrected_images), or the
+            folder of frame_00000.json and so on of the 3D Scanner App. Its files do not say how large pictures are: the
+            pictures beside them do.
+
+    Returns:
+        A model without points. Its names are those of the files without their ending. Frames of the 3D Scanner App
+        without a picture (most have depth alone) are not in it; `left_out` names them.
+
+    Raises:
+        FileError: No such folder or file, keys that are missing, poses that are not rigid; says where.
+    """
+    folder = Path(folder)
+    names, cameras, poses, left_out = [], [], [], []
+    for path, content in _camera_files(folder):
+        if SCANNER_APP in content:
+            picture = next((p for p in map(path.with_suffix, PICTURES) if p.is_file()), None)
+            if picture is None:
+                left_out.append(f"{path.stem}: no picture")
+                continue
+            header = read_picture_header(picture)
+            width, height = header.width, header.height
+            K = _numbers(path, "", content, "intrinsics", 9).reshape(3, 3)
+            params, rows = (
+                (K[0, 0], K[1, 1], K[0, 2], K[1, 2]),
+                _numbers(path, "", content, SCANNER_APP, 16).reshape(4, 4),
+            )
+        else:
+            width, height = (_side(path, "", content, name) for name in ("width", "height"))
+            params = tuple(_number(path, "", content, name) for name in ("fx", "fy", "cx", "cy"))
+            rows = np.array([_number(path, "", content, name) for name in POLYCAM]).reshape(3, 4)
+        names.append(path.stem)
+        cameras.append(camera_of(path, "", "PINHOLE", width, height, [float(value) for value in params]))
+        poses.append(_pose(path, "", rows))
+    if not names:
+        reason = "holds no camera of Polycam or of the 3D Scanner App"
+        reason += f" with a picture beside it ({len(left_out)} have none)" if left_out else ""
+        raise FileError(folder, reason, remedy=_EXPORTED)
+    return _model(folder, names, cameras, poses, left_out)
+
+
+def holds_frame_cameras(folder: str | os.PathLike[str]) -> bool:
+    """Whether a folder has a JSON file of a camera."""
+    return any(True for _ in _camera_files(Path(folder)))
+
+
+def _camera_files(folder: Path) -> Iterator[tuple[Path, dict[str, Any]]]:
+    """Those of a folder's JSON files that hold a camera; others lie beside them."""
+    for path in sorted(folder.glob("*.json")):
+        content = read_json_object(path)
+        if SCANNER_APP in content or "t_00" in content:
+            yield path, content
+
+
+def _lens_of(path: Path, where: str, values: Mapping[str, Any]) -> CameraModel:
+    kind = values.get("camera_model", "OPENCV")
+    if kind not in LENSES or (values.get("is_fisheye") is True and kind != "OPENCV_FISHEYE"):
+        remedy = f"Read are {', '.join(LENSES)}; undistort the pictures of others first"
+        raise FileError(path, f"camera_model is {str(kind)[:40]!r}", where=where, remedy=remedy)
+    width, height = (_side(path, where, values, name) for name in ("w", "h"))
+    if "fl_x" in values:
+        fx = _number(path, where, values, "fl_x")
+    else:
+        angle = _number(path, where, values, "camera_angle_x")
+        fx = 0.5 * width / np.tan(0.5 * angle) if 0 < angle < np.pi else 0.0
+    fy = _number(path, where, values, "fl_y") if "fl_y" in values else fx
+    cx = _number(path, where, values, "cx") if "cx" in values else width / 2
+    cy = _number(path, where, values, "cy") if "cy" in values else height / 2
+    k = {name: _number(path, where, values, name) if name in values else 0.0 for name in DISTORTION}
+    if kind == "OPENCV_FISHEYE":
+        return camera_of(path, where, kind, width, height, [fx, fy, cx, cy, k["k1"], k["k2"], k["k3"], k["k4"]])
+    if not any(k.values()):
+        return camera_of(path, where, "PINHOLE", width, height, [fx, fy, cx, cy])
+    numbers = [fx, fy, cx, cy, k["k1"], k["k2"], k["p1"], k["p2"]]
+    if not (k["k3"] or k["k4"] or k["k5"] or k["k6"]):
+        return camera_of(path, where, "OPENCV", width, height, numbers)
+    if k["k4"] or k["k5"] or k["k6"]:
+        raise FileError(
+            path, "k4 to k6 of a lens that is no fisheye are not read", where=where, remedy="Undistort first"
+        )
+    return camera_of(path, where, "FULL_OPENCV", width, height, [*numbers, k["k3"], 0.0, 0.0, 0.0])
+
+
+def _pose(path: Path, where: str, rows: NDArray[np.float64]) -> NDArray[np.float64]:
+    """T_camera_world of the upper rows of a matrix from a camera with y up and z back to the world."""
+    T = np.eye(4)
+    T[: len(rows)] = rows
+    try:
+        T = check_rigid("the pose", T) @ AXES
+    except ValueError as error:
+        raise FileError(path, str(error), where=where) from error
+    pose = np.eye(4)
+    pose[:3, :3], pose[:3, 3] = T[:3, :3].T, -T[:3, :3].T @ T[:3, 3]
+    return pose
+
+
+def _model(
+    path: Path,
+    names: list[str],
+    cameras: list[CameraModel],
+    poses: list[NDArray[np.float64]],
+    left_out: Sequence[str] = (),
+) -> SfmModel:
+    try:
+        return SfmModel(tuple(names), tuple(cameras), np.array(poses), left_out=tuple(left_out))
+    except ValueError as error:
+        raise FileError(path, str(error)) from error
+
+
+def _number(path: Path, where: str, values: Mapping[str, Any], name: str) -> float:
+    return float(_numbers(path, where, values, name, 1)[0])
+
+
+def _side(path: Path, where: str, values: Mapping[str, Any], name: str) -> int:
+    value = _number(path, where, values, name)
+    if value != round(value):
+        raise FileError(path, f"{name}: expected whole pixels, got {value:g}", where=where)
+    return int(value)
+
+
+def _numbers(path: Path, where: str, values: Mapping[str, Any], name: str, count: int | None) -> NDArray[np.float64]:
+    """Finite numbers under a key: `count` of them in a row, or as they stand."""
+    if name not in values:
+        raise FileError(path, f"missing key {name}", where=where, remedy=_EXPORTED)
+    try:
+        array = np.array(values[name], np.float64)
+    except (TypeError, ValueError):
+        array = np.full(1, np.nan)
+    if isinstance(values[name], str | bool) or not (np.abs(array) <= 1e100).all() or count not in (None, array.size):
+        wanted = "numbers" if count is None else f"{count} finite number{'s' * (count != 1)}"
+        raise FileError(path, f"{name}: expected {wanted}, got {str(values[name])[:80]}", where=where)
+    return array if count is None else array.reshape(-1)

@@ -1,0 +1,180 @@
+"""Cameras with known poses in the formats that they come in: telephones', radiance fields', trajectories."""
+
+from __future__ import annotations
+
+import json
+
+import numpy as np
+import pytest
+from PIL import Image
+
+import pointloom as loom
+from pointloom.core.errors import FileError
+
+# A camera at (1, 2, 3) that looks along the world's +x, its top towards the world's +y (ARKit: y is up).
+LOOK = np.array([[0.0, 0, 1], [0, -1, 0], [1, 0, 0]])  # T_world_camera's rotation, x right, y down, z forward
+ARKIT = np.array([[0.0, 0, -1, 1], [0, 1, 0, 2], [1, 0, 0, 3], [0, 0, 0, 1]])  # x right, y up, z back
+SIZE = {"w": 64, "h": 48, "fl_x": 60.0, "fl_y": 61.0, "cx": 32.5, "cy": 24.0}
+LENS = loom.PinholeCameraIntrinsic(64, 48, 60.0, 60.0, 31.5, 23.5)
+
+
+def write(path, content):
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text(json.dumps(content))
+    return path
+
+
+def transforms(tmp_path, frame=(), **more):
+    frames = [{"file_path": "./images/a.png", "transform_matrix": ARKIT.tolist(), **dict(frame)}]
+    return write(tmp_path / "transforms.json", {**SIZE, **more, "frames": frames})
+
+
+def assert_looks_along_x(model, name):
+    assert model.names == (name,)
+    np.testing.assert_allclose(model.T_world_camera[0, :3, :3], LOOK, atol=1e-12)
+    np.testing.assert_allclose(model.centers[0], [1, 2, 3], atol=1e-12)
+    # what lies ahead is in the middle of the picture, what lies higher in its upper half
+    ahead = np.array([[5.0, 2, 3], [5.0, 2.4, 3]]) @ model.T_camera_world[0, :3, :3].T + model.T_camera_world[0, :3, 3]
+    (_, middle), (_, upper) = model.cameras[0].project(ahead)
+    assert middle == pytest.approx(model.cameras[0].intrinsic.cy) and upper < middle
+
+
+def test_transforms_have_y_up_and_z_back(tmp_path):
+    model = loom.read_cameras(transforms(tmp_path))
+    assert_looks_along_x(model, "images/a.png")
+    assert model.cameras[0] == loom.CameraModel("PINHOLE", 64, 48, [60, 61, 32.5, 24])
+
+
+@pytest.mark.parametrize(
+    ("more", "expected"),
+    [
+        ({"k1": 0.1, "p2": 0.01}, ("OPENCV", [60, 61, 32.5, 24, 0.1, 0, 0, 0.01])),
+        ({"k1": 0.1, "k3": 0.2}, ("FULL_OPENCV", [60, 61, 32.5, 24, 0.1, 0, 0, 0, 0.2, 0, 0, 0])),
+        ({"camera_model": "OPENCV_FISHEYE", "k4": 0.1}, ("OPENCV_FISHEYE", [60, 61, 32.5, 24, 0, 0, 0, 0.1])),
+    ],
+)
+def test_lenses_of_transforms_are_those_of_colmap(tmp_path, more, expected):
+    (camera,) = loom.read_cameras(transforms(tmp_path, **more)).cameras
+    assert (camera.model, list(camera.params)) == expected
+
+
+def test_a_frame_of_transforms_may_have_a_lens_of_its_own(tmp_path):
+    (camera,) = loom.read_cameras(transforms(tmp_path, {"fl_x": 70.0, "w": 66})).cameras
+    assert (camera.width, camera.params[0]) == (66, 70.0)
+
+
+@pytest.mark.parametrize(
+    ("frame", "more", "said"),
+    [
+        ({}, {"camera_model": "EQUIRECTANGULAR"}, "EQUIRECTANGULAR"),
+        ({}, {"k4": 0.1}, "k4 to k6"),
+        ({}, {"w": 63.5}, "w: expected whole pixels"),
+        ({}, {"fl_x": "60"}, "fl_x: expected 1 finite number"),
+        ({"transform_matrix": (2 * ARKIT).tolist()}, {}, r"frames\[0\]"),
+        ({"transform_matrix": [[1, 2], [3, 4]]}, {}, "expected 4 rows"),
+        ({"file_path": 3}, {}, "file_path"),
+    ],
+)
+def test_transforms_that_make_no_sense_are_refused(tmp_path, frame, more, said):
+    with pytest.raises(FileError, match=said):
+        loom.read_cameras(transforms(tmp_path, frame, **more))
+
+
+def test_transforms_without_a_size_are_refused(tmp_path):
+    frame = {"file_path": "r_0", "transform_matrix": ARKIT.tolist()}
+    path = write(tmp_path / "t.json", {"camera_angle_x": 0.7, "frames": [frame]})
+    with pytest.raises(FileError, match="missing key w"):
+        loom.read_cameras(path)
+
+
+def polycam(**more):
+    rows = {f"t_{i}{j}": ARKIT[i, j] for i in range(3) for j in range(4)}
+    return rows | {"fx": 60.0, "fy": 61.0, "cx": 32.5, "cy": 24.0, "width": 64, "height": 48, "blur_score": 7.5} | more
+
+
+def test_cameras_of_polycam_have_y_up_and_z_back(tmp_path):
+    write(tmp_path / "cameras" / "12345.json", polycam())
+    write(tmp_path / "cameras" / "mesh_info.json", {"alignmentTransform": []})  # lies beside them
+    model = loom.read_cameras(tmp_path / "cameras")
+    assert_looks_along_x(model, "12345")
+    assert model.cameras[0] == loom.CameraModel("PINHOLE", 64, 48, [60, 61, 32.5, 24])
+
+
+def test_a_camera_of_polycam_without_its_lens_is_refused(tmp_path):
+    write(tmp_path / "cameras" / "1.json", {key: value for key, value in polycam().items() if key != "fy"})
+    with pytest.raises(FileError, match=r"1\.json: missing key fy"):
+        loom.read_cameras(tmp_path / "cameras")
+
+
+def test_frames_of_the_scanner_app_take_their_size_from_the_picture(tmp_path):
+    frame = {"cameraPoseARFrame": ARKIT.ravel().tolist(), "intrinsics": [60, 0, 32.5, 0, 61, 24, 0, 0, 1]}
+    for number in (0, 1):
+        write(tmp_path / f"frame_0000{number}.json", frame)
+    Image.new("RGB", (64, 48)).save(tmp_path / "frame_00000.jpg")
+    model = loom.read_cameras(tmp_path)
+    assert_looks_along_x(model, "frame_00000")
+    assert model.cameras[0] == loom.CameraModel("PINHOLE", 64, 48, [60, 61, 32.5, 24])
+    assert model.left_out == ("frame_00001: no picture",)
+    (tmp_path / "frame_00000.jpg").unlink()
+    with pytest.raises(FileError, match="2 have none"):
+        loom.read_cameras(tmp_path)
+
+
+# ------------------------------------------------------------------------------------------------ trajectories
+
+
+def trajectory(tmp_path, name, **more):
+    poses = np.tile(np.eye(4), (3, 1, 1))
+    poses[:, 0, 3] = 0, 1, 2
+    loom.write_trajectory(tmp_path / name, loom.Trajectory(poses, **more), format=name.rsplit(".", 1)[1])
+    return tmp_path / name
+
+
+def xs(model):
+    return dict(zip(model.names, model.centers[:, 0].tolist(), strict=True))
+
+
+def test_poses_with_times_are_of_the_pictures_named_by_them(tmp_path):
+    path = trajectory(tmp_path, "p.tum", timestamps=[5.0, 5.1, 5.2])
+    model = loom.read_cameras(path, pictures=["5.110.png", "5.0.png", "5.14.png"], intrinsic=LENS)
+    assert xs(model) == {"5.0.png": 0.0, "5.110.png": 1.0}
+    assert model.left_out == ("5.14.png: no pose",)
+
+
+def test_poses_with_numbers_are_of_the_pictures_with_them(tmp_path):
+    ids = np.array([[4, 4, 5], [8, 8, 9], [12, 12, 13]])
+    path = trajectory(tmp_path, "p.log", ids=ids)
+    model = loom.read_cameras(path, pictures=["f_8.png", "f_4.png", "f_5.png"], intrinsic=LENS)
+    assert xs(model) == {"f_4.png": 0.0, "f_8.png": 1.0}
+
+
+def test_poses_without_either_are_in_natural_order_and_as_many(tmp_path):
+    path = trajectory(tmp_path, "p.kitti")
+    model = loom.read_cameras(path, pictures=["f_10.png", "f_9.png", "f_2.png"], intrinsic=LENS)
+    assert xs(model) == {"f_2.png": 0.0, "f_9.png": 1.0, "f_10.png": 2.0}
+    with pytest.raises(FileError, match="3 poses, and there are 2 pictures"):
+        loom.read_cameras(path, pictures=["a.png", "b.png"], intrinsic=LENS)
+
+
+def test_a_trajectory_wants_a_lens_and_nothing_else_does(tmp_path):
+    with pytest.raises(FileError, match="no lens"):
+        loom.read_cameras(trajectory(tmp_path, "p.kitti"), pictures=["a.png"])
+    with pytest.raises(ValueError, match="intrinsic: "):
+        loom.read_cameras(transforms(tmp_path), intrinsic=LENS)
+
+
+def test_other_places_are_refused_with_what_is_known(tmp_path):
+    with pytest.raises(FileError, match="does not exist"):
+        loom.read_cameras(tmp_path / "cameras.csv")
+    with pytest.raises(FileError, match="no cameras that are known"):
+        loom.read_cameras(tmp_path)
+
+
+def test_a_colmap_model_and_metashape_are_told_by_what_they_are(tmp_path):
+    camera = loom.CameraModel("PINHOLE", 64, 48, [60, 61, 32.5, 24])
+    model = loom.SfmModel(["a.png"], [camera], np.eye(4)[None])
+    loom.write_colmap_model(tmp_path / "sparse", model)
+    assert loom.read_cameras(tmp_path).names == ("a.png",)
+    (tmp_path / "cameras.xml").write_text("<document/>")
+    with pytest.raises(FileError, match="one chunk"):
+        loom.read_cameras(tmp_path / "cameras.xml")
