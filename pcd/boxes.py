@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
@@ -107,6 +108,14 @@ class AxisAlignedBoundingBox(BoundingBox):
     def max_bound(self) -> NDArray[np.float64]:
         """Highest corner [m], shape [3]."""
         return read_only(self._max_bound.copy())
+
+    def __iter__(self) -> Iterator[NDArray[np.float64]]:
+        """The lowest corner, then the highest: `low, high = box`."""
+        return iter((self.min_bound, self.max_bound))
+
+    def __array__(self, dtype: Any = None, copy: bool | None = None) -> NDArray[Any]:
+        """Both corners, shape [2, 3]."""
+        return np.array([self._min_bound, self._max_bound], dtype)
 
     def __repr__(self) -> str:
         return f"{type(self).__name__}({self._min_bound.tolist()}, {self._max_bound.tolist()})"

@@ -12,6 +12,7 @@ from ...kernels.arrays.bounds import bound_points
 from ...kernels.memory import download
 from ...kernels.meshes import mesh_measures
 from ...kernels.meshes.mesh_topology import Topology, examine
+from ...pcd.boxes import AxisAlignedBoundingBox
 from .mesh_arrays import MeshArrays
 
 
@@ -85,12 +86,15 @@ class MeshMeasures(MeshArrays):
         """How triangles meet at edges, counted on the device: what `is_watertight` and its kin are told from."""
         return examine(self._arrays["triangles"], self._arrays["vertices"].size)
 
-    def get_axis_aligned_bounding_box(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-        """The lowest and highest coordinates [m] of the finite vertices, float64 [3] each; zeros if none are."""
+    def get_axis_aligned_bounding_box(self) -> AxisAlignedBoundingBox:
+        """The smallest aligned box around the finite vertices; at zero where there is none.
+
+        It may be taken apart: `low, high = mesh.get_axis_aligned_bounding_box()`.
+        """
         low, high, count = bound_points(self._arrays["vertices"])
         if not count:
-            return np.zeros(3), np.zeros(3)
-        return low.astype(np.float64) + self._origin, high.astype(np.float64) + self._origin
+            return AxisAlignedBoundingBox()
+        return AxisAlignedBoundingBox(low.astype(np.float64) + self._origin, high.astype(np.float64) + self._origin)
 
 
 def is_closed(topology: Topology) -> bool:

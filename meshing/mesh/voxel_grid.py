@@ -7,7 +7,7 @@ import math
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ...core.checks import check_rows
+from ...core.checks import check_finite, check_rows, check_shape
 from ...core.devices import resolve_device
 from ...kernels.memory import check_room
 from ...pcd.point_arrays import read_only
@@ -65,6 +65,16 @@ class VoxelGrid:
         grid = np.zeros(self.counts, bool)
         grid[tuple(self.coordinates.T)] = True
         return grid
+
+    def get_voxel(self, point: ArrayLike) -> NDArray[np.int64]:
+        """The voxel in which a point [m] lies, int64 [3], inside the grid or not, occupied or not.
+
+        Raises:
+            ValueError: Not three finite numbers.
+            TypeError: No numbers.
+        """
+        place = check_finite("point", check_shape("point", point, (3,)))
+        return np.floor((place - self.origin) / self.voxel_size).astype(np.int64)
 
     def check_if_included(self, queries: ArrayLike) -> NDArray[np.bool_]:
         """Whether points [m], shape [n, 3], lie in occupied voxels.
