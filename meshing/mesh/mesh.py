@@ -32,6 +32,7 @@ from .mesh_extent import MeshExtent
 from .mesh_geodesics import MeshGeodesics
 from .mesh_intersections import MeshIntersections
 from .mesh_metrics import MeshMetrics
+from .mesh_remeshing import MeshRemeshing
 from .mesh_repair import MeshRepair
 from .mesh_round_shapes import MeshRoundShapes
 from .mesh_sampling import MeshSampling
@@ -62,6 +63,7 @@ class TriangleMesh(
     MeshAtlas,
     MeshAlbedo,
     MeshSimplification,
+    MeshRemeshing,
     MeshSampling,
     MeshCutting,
     Poisson,
