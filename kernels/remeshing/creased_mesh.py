@@ -9,12 +9,16 @@ angle. About 200 B a triangle while edges are sorted.
 import math
 
 from ..algebra.transform import widen
-from ..array_types import Bytes, Points, Triangles
+from ..array_types import Bytes, Indices, Points, Triangles
 from ..arrays.select import positions_of
+from ..arrays.sort import positions
+from ..arrays.union_find import flatten_sets_kernel, unite
 from ..lang import (
     array,
     atomic_add,
+    atomic_max,
     dot,
+    float32,
     float64,
     func,
     int32,
@@ -26,9 +30,10 @@ from ..lang import (
     tid,
     uint8,
     vec3,
+    vec3d,
     vec3i,
 )
-from ..memory import empty, zeros
+from ..memory import empty, full, zeros
 from ..meshes.mesh_edges import MeshEdges
 from ..meshes.mesh_measures import triangle_cross
 from ..meshes.mesh_topology import CornersByVertex, corner_vertex, next_corner
@@ -199,19 +204,79 @@ def fix_bends_kernel(mesh: CreasedMesh, cosine: float64, fixed: array(dtype=uint
     fixed[i] = uint8(value)
 
 
-def find_features(vertices: Points, triangles: Triangles, angle: float) -> tuple[Bytes, Bytes]:
+@kernel
+def drop_creases_kernel(
+    mesh: CreasedMesh, sets: array(dtype=int32), chosen: array(dtype=uint8), creases: array(dtype=uint8)
+):
+    """0 for half-edges of creases in sets that are not chosen."""
+    h = tid()
+    if chosen[sets[corner_vertex(mesh.triangles, h)]] == 0:
+        creases[h] = uint8(0)
+
+
+@kernel
+def unite_creases_kernel(mesh: CreasedMesh, rows: array(dtype=int32), sets: array(dtype=int32)):
+    """One set of the vertices that creases join."""
+    i = tid()
+    unite(sets, mesh.edges.lows[rows[i]], mesh.edges.highs[rows[i]])
+
+
+@kernel
+def stretch_sets_kernel(
+    mesh: CreasedMesh, rows: array(dtype=int32), sets: array(dtype=int32), extents: array(dtype=float32, ndim=2)
+):
+    """The box of each set: maxima are the same in any order."""
+    i = tid()
+    a = mesh.edges.lows[rows[i]]
+    b = mesh.edges.highs[rows[i]]
+    root = sets[a]
+    for c in range(3):
+        p = mesh.vertices[a]
+        q = mesh.vertices[b]
+        atomic_max(extents, root, c, max(p[c], q[c]))
+        atomic_max(extents, root, c + 3, max(-p[c], -q[c]))
+
+
+@kernel
+def choose_wide_kernel(extents: array(dtype=float32, ndim=2), least: float64, chosen: array(dtype=uint8)):
+    """1 for sets whose box has a diagonal of at least so much."""
+    i = tid()
+    x = float64(extents[i, 0]) + float64(extents[i, 3])
+    y = float64(extents[i, 1]) + float64(extents[i, 4])
+    z = float64(extents[i, 2]) + float64(extents[i, 5])
+    d = vec3d(x, y, z)
+    chosen[i] = uint8(1 if dot(d, d) >= least * least else 0)
+
+
+def drop_short_creases(mesh: CreasedMesh, least: float) -> Bytes:
+    """The creases of a mesh without those that hang together over less than a length; borders are found again."""
+    device, count = mesh.vertices.device, mesh.vertices.size
+    rows, sets = crease_rows(mesh), positions(count, device)  # sync
+    launch(unite_creases_kernel, rows.size, [mesh, rows, sets])
+    launch(flatten_sets_kernel, count, [sets])
+    extents, chosen = full((count, 6), -math.inf, float32, device), empty(count, uint8, device)
+    launch(stretch_sets_kernel, rows.size, [mesh, rows, sets, extents])
+    launch(choose_wide_kernel, count, [extents, least, chosen])
+    launch(drop_creases_kernel, mesh.creases.size, [mesh, sets, chosen, mesh.creases])
+    return mesh.creases
+
+
+def find_features(vertices: Points, triangles: Triangles, angle: float, least: float) -> tuple[Bytes, Bytes]:
     """(creases, fixed) of a mesh, as CreasedMesh takes them.
 
     Args:
         vertices: vec3 [m].
         triangles: vec3i [t].
         angle: Between triangles, and between lines [rad]; beyond it an edge is a crease.
+        least: Creases that hang together over less than this are none.
     """
     device = vertices.device
     creases, cosine = zeros(3 * triangles.size, uint8, device), math.cos(angle)
     edges = MeshEdges(triangles, vertices.size)  # sync
     launch(find_creases_kernel, edges.count, [vertices, triangles, edges, cosine, creases])
-    mesh = CreasedMesh(vertices, triangles, creases, zeros(vertices.size, uint8, device))
+    free = zeros(vertices.size, uint8, device)
+    creases = drop_short_creases(CreasedMesh(vertices, triangles, creases, free), least)
+    mesh = CreasedMesh(vertices, triangles, creases, free)
     fixed = empty(vertices.size, uint8, device)
     launch(fix_bends_kernel, vertices.size, [mesh, cosine, fixed])
     return mesh.creases, fixed
@@ -233,12 +298,16 @@ def list_segments_kernel(mesh: CreasedMesh, rows: array(dtype=int32), segments: 
     segments[i] = vec3i(a, b, b)
 
 
+def crease_rows(mesh: CreasedMesh) -> Indices:
+    """The edges that are creases, int32; one sync."""
+    mask = empty(mesh.edges.count, uint8, mesh.vertices.device)
+    launch(mark_creased_kernel, mask.size, [mesh, mask])
+    return positions_of(mask)
+
+
 def crease_segments(mesh: CreasedMesh) -> Triangles:
     """The creases as triangles without area, vec3i: a TriangleTree finds places on them."""
-    device = mesh.vertices.device
-    mask = empty(mesh.edges.count, uint8, device)
-    launch(mark_creased_kernel, mask.size, [mesh, mask])
-    rows = positions_of(mask)  # sync
-    segments = empty(rows.size, vec3i, device)
+    rows = crease_rows(mesh)  # sync
+    segments = empty(rows.size, vec3i, mesh.vertices.device)
     launch(list_segments_kernel, rows.size, [mesh, rows, segments])
     return segments

@@ -27,6 +27,7 @@ from .surface_values import with_attributes_of, with_vectors_of
 MOST_TRIANGLES = 2**29  # half-edges and what they become are counted in 32 bits
 LONG, SHORT = 4 / 3, 4 / 5  # of the length asked for: edges beyond are split or collapse (Botsch and Kobbelt 2004)
 ROUNDS = 3  # of collapses and of flips in an iteration; each is a set of edges of which none is next to another
+LEAST_CREASE = 3.0  # of the length asked for: what hangs together over less is roughness
 FEW = 0.002  # of all edges: where a round changes fewer, it is the last
 
 
@@ -45,7 +46,8 @@ class MeshRemeshing(MeshCleaning):
             iterations: How often all that is done.
             feature_angle: Edges at which triangles meet at more than this [degrees] are creases: they stay where they
                 are, in other parts; so do borders, and edges that are not manifold. Where creases bend by more, or
-                meet, vertices stay. 180 keeps borders alone.
+                meet, vertices stay. Creases that hang together over less than three edges are roughness, and none. 180
+                keeps borders alone.
 
         Returns:
             The remeshed surface. It keeps its pieces, holes and handles; a watertight mesh stays so, and no triangle
@@ -91,7 +93,7 @@ class MeshRemeshing(MeshCleaning):
 
 
 def _remesh(vertices: Points, triangles: Triangles, target: float, iterations: int, angle: float) -> CreasedMesh:
-    creases, fixed = find_features(vertices, triangles, angle)
+    creases, fixed = find_features(vertices, triangles, angle, LEAST_CREASE * target)
     mesh = CreasedMesh(vertices, triangles, creases, fixed)
     surface, segments = TriangleTree(vertices, triangles), crease_segments(mesh)
     lines = TriangleTree(vertices, segments) if segments.size else surface
