@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
@@ -18,6 +17,7 @@ from ..core.gpu_arrays import take_points
 from ..core.known_names import KnownNames
 from ..kernels.arrays.select import positions_of
 from ..kernels.extent.masks import mask_aligned_box, mask_oriented_box
+from .box_corners import TwoCorners
 from .convex_hull import find_extremes
 from .minimal_box import fit_principal_box, fit_smallest_box
 from .point_arrays import PointArrays, read_only
@@ -65,7 +65,7 @@ class BoundingBox(KnownNames):
         raise NotImplementedError
 
 
-class AxisAlignedBoundingBox(BoundingBox):
+class AxisAlignedBoundingBox(BoundingBox, TwoCorners):
     """All points with min_bound <= p <= max_bound on each axis, both included.
 
     Boxes are equal where their bounds are; the colour does not count. Methods that move a box return another.
@@ -108,14 +108,6 @@ class AxisAlignedBoundingBox(BoundingBox):
     def max_bound(self) -> NDArray[np.float64]:
         """Highest corner [m], shape [3]."""
         return read_only(self._max_bound.copy())
-
-    def __iter__(self) -> Iterator[NDArray[np.float64]]:
-        """The lowest corner, then the highest: `low, high = box`."""
-        return iter((self.min_bound, self.max_bound))
-
-    def __array__(self, dtype: Any = None, copy: bool | None = None) -> NDArray[Any]:
-        """Both corners, shape [2, 3]."""
-        return np.array([self._min_bound, self._max_bound], dtype)
 
     def __repr__(self) -> str:
         return f"{type(self).__name__}({self._min_bound.tolist()}, {self._max_bound.tolist()})"

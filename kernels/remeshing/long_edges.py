@@ -7,7 +7,7 @@ edges, triangles that of their first ones.
 
 from ..algebra.transform import narrow, widen
 from ..arrays.prefix_sum import exclusive_scan
-from ..lang import array, dot, float64, int32, kernel, launch, tid, uint8, vec3, vec3i
+from ..lang import array, dot, float64, func, int32, kernel, launch, tid, uint8, vec3, vec3i
 from ..memory import copy, empty, zeros
 from ..meshes.mesh_topology import corner_vertex, next_corner
 from .creased_mesh import CreasedMesh
@@ -37,6 +37,15 @@ def count_parts_kernel(mesh: CreasedMesh, marks: array(dtype=int32), counts: arr
     """The triangles that each one becomes."""
     i = tid()
     counts[i] = 1 + marks[mesh.edge_of[3 * i]] + marks[mesh.edge_of[3 * i + 1]] + marks[mesh.edge_of[3 * i + 2]]
+
+
+@func
+def put_part(place: int, t: vec3i, flags: vec3i, triangles: array(dtype=vec3i), creases: array(dtype=uint8)):
+    """Write a triangle and the flags of its half-edges."""
+    triangles[place] = t
+    creases[3 * place] = uint8(flags[0])
+    creases[3 * place + 1] = uint8(flags[1])
+    creases[3 * place + 2] = uint8(flags[2])
 
 
 @kernel
@@ -69,66 +78,29 @@ def write_parts_kernel(
     ab = first_new + places[mesh.edge_of[h]]
     bc = first_new + places[mesh.edge_of[h1]]
     ca = first_new + places[mesh.edge_of[h2]]
-    f = mesh.creases[h]
-    f1 = mesh.creases[h1]
-    f2 = mesh.creases[h2]
-    none = uint8(0)
+    f = int(mesh.creases[h])
+    f1 = int(mesh.creases[h1])
+    f2 = int(mesh.creases[h2])
     if count == 1:
-        triangles[at] = vec3i(a, b, c)
-        creases[3 * at] = f
-        creases[3 * at + 1] = f1
-        creases[3 * at + 2] = f2
+        put_part(at, vec3i(a, b, c), vec3i(f, f1, f2), triangles, creases)
     if count == 2:
-        triangles[at] = vec3i(a, ab, c)
-        creases[3 * at] = f
-        creases[3 * at + 1] = none
-        creases[3 * at + 2] = f2
-        triangles[at + 1] = vec3i(ab, b, c)
-        creases[3 * at + 3] = f
-        creases[3 * at + 4] = f1
-        creases[3 * at + 5] = none
+        put_part(at, vec3i(a, ab, c), vec3i(f, 0, f2), triangles, creases)
+        put_part(at + 1, vec3i(ab, b, c), vec3i(f, f1, 0), triangles, creases)
+    if count >= 3:
+        put_part(at, vec3i(a, ab, ca), vec3i(f, 0, f2), triangles, creases)
     if count == 3:
-        triangles[at] = vec3i(a, ab, ca)
-        creases[3 * at] = f
-        creases[3 * at + 1] = none
-        creases[3 * at + 2] = f2
         p = widen(vertices[ab]) - widen(vertices[c])
         q = widen(vertices[b]) - widen(vertices[ca])
         if dot(p, p) < dot(q, q) or (dot(p, p) == dot(q, q) and ab + c < b + ca):
-            triangles[at + 1] = vec3i(ab, b, c)
-            creases[3 * at + 3] = f
-            creases[3 * at + 4] = f1
-            creases[3 * at + 5] = none
-            triangles[at + 2] = vec3i(ab, c, ca)
-            creases[3 * at + 6] = none
-            creases[3 * at + 7] = f2
-            creases[3 * at + 8] = none
+            put_part(at + 1, vec3i(ab, b, c), vec3i(f, f1, 0), triangles, creases)
+            put_part(at + 2, vec3i(ab, c, ca), vec3i(0, f2, 0), triangles, creases)
         else:
-            triangles[at + 1] = vec3i(ab, b, ca)
-            creases[3 * at + 3] = f
-            creases[3 * at + 4] = none
-            creases[3 * at + 5] = none
-            triangles[at + 2] = vec3i(b, c, ca)
-            creases[3 * at + 6] = f1
-            creases[3 * at + 7] = f2
-            creases[3 * at + 8] = none
+            put_part(at + 1, vec3i(ab, b, ca), vec3i(f, 0, 0), triangles, creases)
+            put_part(at + 2, vec3i(b, c, ca), vec3i(f1, f2, 0), triangles, creases)
     if count == 4:
-        triangles[at] = vec3i(a, ab, ca)
-        creases[3 * at] = f
-        creases[3 * at + 1] = none
-        creases[3 * at + 2] = f2
-        triangles[at + 1] = vec3i(ab, b, bc)
-        creases[3 * at + 3] = f
-        creases[3 * at + 4] = f1
-        creases[3 * at + 5] = none
-        triangles[at + 2] = vec3i(bc, c, ca)
-        creases[3 * at + 6] = f1
-        creases[3 * at + 7] = f2
-        creases[3 * at + 8] = none
-        triangles[at + 3] = vec3i(ab, bc, ca)
-        creases[3 * at + 9] = none
-        creases[3 * at + 10] = none
-        creases[3 * at + 11] = none
+        put_part(at + 1, vec3i(ab, b, bc), vec3i(f, f1, 0), triangles, creases)
+        put_part(at + 2, vec3i(bc, c, ca), vec3i(f1, f2, 0), triangles, creases)
+        put_part(at + 3, vec3i(ab, bc, ca), vec3i(0, 0, 0), triangles, creases)
 
 
 def split_long_edges(mesh: CreasedMesh, longest: float) -> tuple[CreasedMesh, int]:
