@@ -1,6 +1,7 @@
 """What a plane does to a mesh that was cut along it: heights of vertices, sides of pieces, half-edges in the plane.
 
-A vertex that is nearer to the plane than float32 rounds the mesh's largest coordinate lies in it. O(t) time, 20 B a half-edge.
+A vertex that is nearer to the plane than float32 rounds the mesh's largest coordinate lies in it. O(t) time, 20 B a
+half-edge.
 """
 
 import numpy as np

@@ -21,6 +21,7 @@ from ...kernels.meshes.holes import spread_corners
 from ...kernels.meshes.level_cut import LevelCut
 from ...pcd.line_set import LineSet
 from .flat_polygons import fill_loops, load_manifold, turn_by_depth
+from .mesh_cleaning import MeshCleaning
 from .mesh_trim import MeshTrim
 from .section_paths import join_lines, lines_in_plane, outline, run_alike
 
@@ -39,7 +40,7 @@ class _Plane(NamedTuple):
         return np.array([u, np.cross(self.normal, u)])
 
 
-class MeshCutting(MeshTrim):
+class MeshCutting(MeshTrim, MeshCleaning):
     """The part of TriangleMesh that cuts it by planes."""
 
     @returns_new
@@ -69,8 +70,8 @@ class MeshCutting(MeshTrim):
             UserWarning: Some outlines are not closed, because the mesh is not: there is no lid.
 
         Notes:
-            A vertex lies in the plane where it is nearer than float32 rounds the largest coordinate about `origin`. Some 150 B of memory a
-            triangle. Same bits from run to run and on every device.
+            A vertex lies in the plane where it is nearer than float32 rounds the largest coordinate about `origin`.
+            Some 150 B of memory a triangle. Same bits from run to run and on every device.
 
         Example:
             >>> import pointloom as loom
