@@ -50,11 +50,6 @@ class MeshExtent(MeshMeasures, MeshSelection):
         return YesOrNo("triangle_uvs" in self._arrays)
 
     @property
-    def has_triangle_material_ids(self) -> YesOrNo:
-        """Whether triangles have material numbers; may be called, too."""
-        return YesOrNo("triangle_material_ids" in self._arrays)
-
-    @property
     def has_textures(self) -> YesOrNo:
         """Whether there are pictures; may be called, too."""
         return YesOrNo(bool(self._textures))
