@@ -567,6 +567,10 @@ ONCE: dict[str, Callable[[Scenes], Any]] = {
         textured_ball(d).filter_smooth_taubin(3),
         textured_ball(d).filter_sharpen(1, 0.1, "color"),
     ],
+    "mesh, clip_plane": lambda d: [
+        textured_ball(d).clip_plane([0.1, 0, 0.2], [1, 2, -3], cap=c) for c in (False, True)
+    ],
+    "mesh, remesh_isotropic": lambda d: textured_ball(d).remesh_isotropic(0.3, 3),
     "mesh, subdivide": lambda d: [textured_ball(d).subdivide_midpoint(), textured_ball(d).subdivide_loop(2)],
     "mesh, deform_as_rigid_as_possible": lambda d: [
         textured_ball(d).deform_as_rigid_as_possible([0, 50, 99], d.ball.vertices[[0, 50, 9]], 3, energy, 0.5)

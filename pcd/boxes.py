@@ -72,6 +72,10 @@ class AxisAlignedBoundingBox(BoundingBox):
         """Both bounds: `low, high = mesh.get_axis_aligned_bounding_box()`."""
         return iter((self.min_bound, self.max_bound))
 
+    def __array__(self, dtype: Any = None, copy: bool | None = None) -> NDArray[Any]:
+        """Both bounds, shape [2, 3]."""
+        return np.array([self._min_bound, self._max_bound], dtype)
+
     def __repr__(self) -> str:
         return f"{type(self).__name__}{rounded((self._min_bound, self._max_bound), self.get_max_extent())}"
 

@@ -30,12 +30,8 @@ class KnownDistance(click.ParamType):
         return parts[0], parts[1], metres
 
 
-<<<<<<< HEAD
-MESH = "The mesh, .ply .obj .stl .off .glb .gltf."
-=======
-MESH = "The mesh, .ply .obj .stl .off .glb; the points, .pcd .las .xyz ..."
+MESH = "The mesh, .ply .obj .stl .off .glb .gltf; the points, .pcd .las .xyz ..."
 CAMERAS = "Known poses: Metashape's .xml, COLMAP's folder, transforms.json, Polycam, a trajectory."
->>>>>>> h/poses
 
 
 @click.command(short_help="A video, or a folder of pictures, to a mesh.")

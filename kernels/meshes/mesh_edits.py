@@ -148,6 +148,34 @@ def renumber_triangles(triangles: Triangles, places: Integers) -> Triangles:
     return renumbered
 
 
+@kernel
+def shift_triangles_kernel(triangles: array(dtype=vec3i), step: int, shifted: array(dtype=vec3i)):
+    """The same triangles of vertices that stand further back."""
+    i = tid()
+    shifted[i] = triangles[i] + vec3i(step, step, step)
+
+
+@kernel
+def raise_numbers_kernel(numbers: array(dtype=int32), step: int, raised: array(dtype=int32)):
+    """Each number and so many more."""
+    i = tid()
+    raised[i] = numbers[i] + step
+
+
+def shift_triangles(triangles: Triangles, step: int) -> Triangles:
+    """Triangles whose vertices stand `step` rows further back, as after those of another mesh."""
+    shifted = empty(triangles.size, vec3i, triangles.device)
+    launch(shift_triangles_kernel, triangles.size, [triangles, step, shifted])
+    return shifted
+
+
+def raise_numbers(numbers: Integers, step: int) -> Integers:
+    """int32 numbers, each by so many more."""
+    raised = empty(numbers.size, int32, numbers.device)
+    launch(raise_numbers_kernel, numbers.size, [numbers, step, raised])
+    return raised
+
+
 def turn_normals(normals: Vectors, A: np.ndarray) -> Vectors:
     """A n at unit length for a float64 matrix [3, 3]."""
     turned = empty(normals.size, vec3, normals.device)

@@ -1,6 +1,7 @@
 """What a plane does to a mesh that was cut along it: heights of vertices, sides of pieces, half-edges in the plane.
 
-A vertex that is nearer to the plane than float32 rounds its coordinates lies in it. O(t) time, 20 B a half-edge.
+A vertex that is nearer to the plane than float32 rounds the mesh's largest coordinate lies in it. O(t) time, 20 B a
+half-edge.
 """
 
 import numpy as np
@@ -27,14 +28,13 @@ IN_PLANE_DOWN = 3
 def measure_heights_kernel(
     vertices: array(dtype=vec3), normal: vec3d, offset: float64, slack: float64, heights: array(dtype=float64)
 ):
-    """Heights above the plane; 0 where they are below what rounding moves, and for vertices that are not finite."""
+    """Heights above the plane; 0 where they are not above the slack, and for vertices that are not finite."""
     i = tid()
     height = float64(0.0)
     if isfinite(vertices[i]):
         v = widen(vertices[i])
         height = dot(normal, v) + offset
-        reach = abs(normal[0] * v[0]) + abs(normal[1] * v[1]) + abs(normal[2] * v[2])
-        if abs(height) <= float64(ROUNDING) * reach + slack:
+        if abs(height) <= slack:
             height = float64(0.0)
     heights[i] = height
 
@@ -114,7 +114,7 @@ def measure_heights(vertices: Points, normal: np.ndarray, offset: float, slack: 
         vertices: vec3 [m].
         normal: float64 [3], of unit length.
         offset: Of the plane: the height of zero.
-        slack: What `offset` is rounded by.
+        slack: Vertices no higher and no lower than this lie in the plane.
     """
     heights = empty(vertices.size, float64, vertices.device)
     launch(measure_heights_kernel, vertices.size, [vertices, vec3d(*normal.tolist()), offset, slack, heights])

@@ -230,20 +230,6 @@ def mark_verdicts_kernel(verdicts: array(dtype=uint8), wanted: int, mask: array(
     mask[i] = uint8(1 if int(verdicts[i]) == wanted else 0)
 
 
-@kernel
-def shift_triangles_kernel(triangles: array(dtype=vec3i), step: int, shifted: array(dtype=vec3i)):
-    """The same triangles of vertices that stand further back."""
-    i = tid()
-    shifted[i] = triangles[i] + vec3i(step, step, step)
-
-
-def shift_triangles(triangles: Triangles, step: int) -> Triangles:
-    """Triangles whose vertices stand `step` rows further back, as after those of another mesh."""
-    shifted = empty(triangles.size, vec3i, triangles.device)
-    launch(shift_triangles_kernel, triangles.size, [triangles, step, shifted])
-    return shifted
-
-
 def rows_of(verdicts: Bytes, wanted: int) -> Indices:
     """Where a verdict is the one wanted, int32."""
     mask = empty(verdicts.size, uint8, verdicts.device)

@@ -20,6 +20,7 @@ from ...kernels.lang import vec3, vec3i
 from ...kernels.memory import upload
 from .alpha_shape import AlphaShapes
 from .ball_pivoting import BallPivoting
+from .isosurfaces import Isosurfaces
 from .mesh_albedo import MeshAlbedo
 from .mesh_arrays import ATTRIBUTES
 from .mesh_atlas import MeshAtlas
@@ -29,20 +30,26 @@ from .mesh_components import MeshComponents
 from .mesh_curvature import MeshCurvatures
 from .mesh_cutting import MeshCutting
 from .mesh_deformation import MeshDeformation
+from .mesh_extent import MeshExtent
 from .mesh_geodesics import MeshGeodesics
 from .mesh_intersections import MeshIntersections
 from .mesh_metrics import MeshMetrics
+from .mesh_remeshing import MeshRemeshing
 from .mesh_repair import MeshRepair
 from .mesh_round_shapes import MeshRoundShapes
 from .mesh_sampling import MeshSampling
 from .mesh_simplification import MeshSimplification
 from .mesh_smoothing import MeshSmoothing
 from .mesh_subdivision import MeshSubdivision
+from .mesh_sweeps import MeshSweeps
 from .mesh_voxels import MeshVoxels
 from .poisson import Poisson
 
 
 class TriangleMesh(
+    MeshExtent,
+    MeshSweeps,
+    Isosurfaces,
     MeshComponents,
     MeshRepair,
     MeshBooleans,
@@ -58,6 +65,7 @@ class TriangleMesh(
     MeshAtlas,
     MeshAlbedo,
     MeshSimplification,
+    MeshRemeshing,
     MeshSampling,
     MeshCutting,
     Poisson,

@@ -378,9 +378,9 @@ class MeshArrays(MeshQuestions):
 
     def _with_each(self, change: Callable[[wp.array], Any]) -> Self:
         """The mesh with every array changed alike."""
-        return self.with_arrays(
-            **each(self._arrays, change), **{kind: each(held, change) for kind, held in self._attributes.items()}
-        )
+        changed: dict[str, Any] = each(self._arrays, change)
+        changed |= {kind: each(held, change) for kind, held in self._attributes.items()}
+        return self.with_arrays(**changed)
 
     def __getstate__(self) -> dict[str, Any]:
         """The mesh as NumPy arrays and the name of its device, for pickle."""

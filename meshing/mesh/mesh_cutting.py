@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ...core.checks import check_finite, check_numeric, check_shape
 from ...core.dropped_results import returns_new
+from ...kernels.arrays.bounds import bound_points
 from ...kernels.arrays.concatenation import concatenate_rows
 from ...kernels.arrays.select import gather_rows, positions_of
 from ...kernels.lang import int32, vec3i
@@ -20,6 +21,7 @@ from ...kernels.meshes.holes import spread_corners
 from ...kernels.meshes.level_cut import LevelCut
 from ...pcd.line_set import LineSet
 from .flat_polygons import fill_loops, load_manifold, turn_by_depth
+from .mesh_cleaning import MeshCleaning
 from .mesh_trim import MeshTrim
 from .section_paths import join_lines, lines_in_plane, outline, run_alike
 
@@ -29,7 +31,7 @@ class _Plane(NamedTuple):
 
     normal: NDArray[np.float64]  # of unit length
     offset: float  # [m], the height of the origin
-    slack: float  # [m], what that is rounded by
+    slack: float  # [m], what rounding moves vertices by
 
     def axes(self) -> NDArray[np.float64]:
         """Two axes in the plane, [2, 3], to the left of each other seen against the normal."""
@@ -38,7 +40,7 @@ class _Plane(NamedTuple):
         return np.array([u, np.cross(self.normal, u)])
 
 
-class MeshCutting(MeshTrim):
+class MeshCutting(MeshTrim, MeshCleaning):
     """The part of TriangleMesh that cuts it by planes."""
 
     @returns_new
@@ -68,8 +70,8 @@ class MeshCutting(MeshTrim):
             UserWarning: Some outlines are not closed, because the mesh is not: there is no lid.
 
         Notes:
-            A vertex lies in the plane where it is nearer than float32 rounds its coordinates. Some 150 B of memory a
-            triangle. Same bits from run to run and on every device.
+            A vertex lies in the plane where it is nearer than float32 rounds the largest coordinate about `origin`.
+            Some 150 B of memory a triangle. Same bits from run to run and on every device.
 
         Example:
             >>> import pointloom as loom
@@ -119,7 +121,7 @@ class MeshCutting(MeshTrim):
             >>> import pointloom as loom
             >>> ball = loom.TriangleMesh.create_sphere()
             >>> ball.slice_plane([0, 0, 0], [0, 0, 1], contour_values=[-0.5, 0, 0.5])
-            LineSet(140 points, 140 lines)
+            LineSet(200 points, 200 lines)
         """
         if cap is not None:
             return self.clip_plane(point, normal, cap=cap)
@@ -165,12 +167,15 @@ class MeshCutting(MeshTrim):
     def _plane(self, point: ArrayLike, normal: ArrayLike) -> _Plane:
         place = check_finite("point", check_shape("point", point, (3,)))
         way = check_finite("normal", check_shape("normal", normal, (3,)))
-        largest = float(np.abs(way).max())
-        if not largest:
+        if not way.any():
             raise ValueError("normal: expected a direction, got zero")
-        way = way / largest
+        way = way / np.abs(way).max()
         way = way / np.linalg.norm(way)
-        slack = plane_cut.COARSE * float(np.abs(way) @ (np.abs(self._origin) + np.abs(place)))
+        low, high, count = bound_points(self._arrays["vertices"])
+        largest = np.abs([low, high]).max(axis=0).astype(np.float64) if count else np.zeros(3)
+        slack = float(
+            np.abs(way) @ (plane_cut.ROUNDING * largest + plane_cut.COARSE * (np.abs(self._origin) + np.abs(place)))
+        )
         return _Plane(way, float(way @ (self._origin - place)), slack)
 
     def _finite(self) -> Self:

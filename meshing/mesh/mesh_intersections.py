@@ -10,7 +10,8 @@ from numpy.typing import NDArray
 from ...core.devices import check_same_device
 from ...kernels.arrays.concatenation import concatenate_points
 from ...kernels.arrays.row_numbers import pair_up
-from ...kernels.rays.cutting_triangles import find_meeting_pairs, shift_triangles
+from ...kernels.meshes.mesh_edits import shift_triangles
+from ...kernels.rays.cutting_triangles import find_meeting_pairs
 from ...kernels.rays.triangle_tree import TriangleTree
 from .mesh_arrays import MeshArrays
 

@@ -4,6 +4,11 @@ from __future__ import annotations
 
 from typing import Any, TypeVar
 
+import numpy as np
+
+from ...core.array_libraries import view_as
+from ...kernels.lang import float32, vec3
+from ...kernels.meshes.mesh_edits import turn_normals
 from ...kernels.rays.surface_places import SurfacePlaces, middles_of
 from ...kernels.rays.triangle_tree import TriangleTree
 from .mesh_attributes import each, rows_of
@@ -28,4 +33,20 @@ def with_attributes_of(mesh: Mesh, source: Any) -> Mesh:
     if held["triangle_attributes"]:
         nearest = SurfacePlaces(middles_of(vertices, triangles), tree).triangles
         arrays["triangle_attributes"] = rows_of(held["triangle_attributes"], nearest)
+    return mesh.with_arrays(**arrays)
+
+
+def with_vectors_of(mesh: Mesh, source: Any) -> Mesh:
+    """A mesh with the normals, of unit length, and the colours of another one at the nearest points of its surface."""
+    names = [name for name in ("vertex_normals", "vertex_colors") if name in source.device_arrays]
+    if not names or not len(source) or not mesh.device_arrays["vertices"].size:
+        return mesh
+    tree = TriangleTree(source.device_arrays["vertices"], source.device_arrays["triangles"])
+    mixed, arrays = SurfacePlaces(mesh.device_arrays["vertices"], tree).mixed, {}
+    for name in names:
+        rows = source.device_arrays[name]
+        table = mixed.of(view_as(rows, float32, (rows.size, 3)))
+        arrays[name] = view_as(table, vec3, (mixed.count,))
+    if "vertex_normals" in arrays:
+        arrays["vertex_normals"] = turn_normals(arrays["vertex_normals"], np.eye(3))
     return mesh.with_arrays(**arrays)

@@ -87,15 +87,8 @@ def pinhole_of(camera: CameraModel) -> PinholeCameraIntrinsic:
     """The camera without distortion whose pixels are as large as this one's in the middle of its picture."""
     if camera.is_pinhole:
         return camera.intrinsic
-<<<<<<< HEAD
-    middle = np.array([[(camera.width - 1) / 2, (camera.height - 1) / 2]])
-    around = camera.unproject(
-        np.concatenate([middle, middle + (0.5, 0), middle - (0.5, 0), middle + (0, 0.5), middle - (0, 0.5)])
-    )
-=======
     middle = np.array([(camera.width - 1) / 2, (camera.height - 1) / 2])
     around = camera.unproject(middle + np.array([(0, 0), (0.5, 0), (-0.5, 0), (0, 0.5), (0, -0.5)]))
->>>>>>> h/poses
     fx, fy = 1 / np.linalg.norm(around[1] - around[2]), 1 / np.linalg.norm(around[3] - around[4])
     if not (np.isfinite(fx) and np.isfinite(fy)):
         fx = fy = float(max(camera.width, camera.height))

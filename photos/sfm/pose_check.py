@@ -34,15 +34,7 @@ PLAINLY = 2.0  # times as many that fit poses with a usual mistake mended
 
 AXES = {
     "": (1, 1, 1),
-<<<<<<< HEAD
-    "their axes are x right, y up, z back, as of OpenGL and ARKit, where x right, y down, z forward is expected": (
-        1,
-        -1,
-        -1,
-    ),
-=======
     "the cameras' axes are x right, y up, z back (OpenGL, ARKit), not x right, y down, z forward": (1, -1, -1),
->>>>>>> h/poses
     "the pictures are turned by 180 degrees": (-1, -1, 1),
     "the cameras' axes are x left, y down, z back": (-1, 1, -1),
 }
@@ -114,15 +106,8 @@ class PoseCheck:
                 return [f"only {fits}, {100 * self.cause_share:.0f} % would if {self.cause}: mend the poses"]
             if self.is_focal_wrong:
                 return [f"only {fits}, more would with {self.focal:.3g} times the focal length: check the cameras"]
-<<<<<<< HEAD
-            remedy = (
-                "give the poses of these very pictures, each by its name, from camera to world or as the file has it"
-            )
-            return [f"only {fits}: they are of other pictures, in another order, or in another convention; {remedy}"]
-=======
             why = "they are of other pictures, in another order, in another convention, or too rough"
             return [f"only {fits}: {why}; give the poses of these very pictures, each by its name"]
->>>>>>> h/poses
         reasons = []
         if self.is_focal_wrong:
             reasons.append(
@@ -329,18 +314,9 @@ def _other_conventions(model: SfmModel) -> Iterator[tuple[str, Array]]:
     turned, back = R.transpose(0, 2, 1), -np.einsum("nji,nj->ni", R, t)
     forms: dict[str, tuple[Array, Array]] = {
         "": (R, t),
-<<<<<<< HEAD
-        "the poses are the other way round, from world to camera where from camera to world is expected, or the reverse": (
-            turned,
-            back,
-        ),
-        "their rotations are the other way round": (turned, t),
-        "their positions are those of the world before the camera": (R, back),
-=======
         "each pose is turned round (world to camera for camera to world, or the reverse)": (turned, back),
         "each rotation is turned round, and the position right": (turned, t),
         "each position is that of the world before the camera, and the rotation right": (R, back),
->>>>>>> h/poses
     }
     axes = {said: np.diag(signs).astype(float) for said, signs in AXES.items()} | QUARTERS
     for (form, (rotation, center)), (said, flip) in itertools.product(forms.items(), axes.items()):

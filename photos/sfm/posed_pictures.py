@@ -103,13 +103,7 @@ def with_poses(folder: FilePath, paths: Sequence[Path], cameras: SfmModel) -> Po
 def _stem(name: str) -> str:
     """A camera's name without the ending of a picture; of a label such as "IMG_1.2" it is all."""
     path = Path(name)
-<<<<<<< HEAD
-    return (
-        path.stem if path.suffix.lower() in (".jpg", ".jpeg", ".png", ".tif", ".tiff", ".heic", ".dng") else path.name
-    )
-=======
     return path.stem if path.suffix.lower() in (*SUFFIXES, *OTHER_SUFFIXES) else path.name
->>>>>>> h/poses
 
 
 def _places(paths: Sequence[Path], part: str) -> dict[str, list[Path]]:

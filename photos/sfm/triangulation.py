@@ -28,14 +28,8 @@ from .pose_check import NEAR, PoseCheck, check_poses
 from .posed_pictures import with_poses
 from .verdict import FINDING_SIZE, Verdict, judge_model
 
-<<<<<<< HEAD
-LEAST_DISTANCE = (
-    2.0  # [px] of a picture as features are found in it: what they are off by at most, by COLMAP's rule half
-)
-=======
 LEAST_DISTANCE = 1.0  # [px] of a picture as features are found in it: those of SIFT are off by a third of that
 FEWEST_VIEWS = 3  # of a point where there are so many pictures: any two rays that meet make one of two
->>>>>>> h/poses
 DISTANCES = 4.0  # times the median distance of matches from their lines: what is farther is no match
 MIN_ANGLE = 1.5  # [degrees] under which a point is seen
 FEWEST_MATCHES = 8  # of a pair

@@ -50,7 +50,7 @@ def test_clips_are_those_of_open3d(device, name):
     peer = in_open3d(mesh).clip_plane(point, normal).to_legacy()
     assert clipped.get_surface_area() == pytest.approx(peer.get_surface_area(), rel=1e-5)
     np.testing.assert_allclose(
-        clipped.get_axis_aligned_bounding_box(), [peer.get_min_bound(), peer.get_max_bound()], atol=1e-6
+        [*clipped.get_axis_aligned_bounding_box()], [peer.get_min_bound(), peer.get_max_bound()], atol=1e-6
     )
 
 

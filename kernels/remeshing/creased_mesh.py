@@ -1,0 +1,313 @@
+"""A mesh that is remeshed: which of its edges are creases, that stay where they are, and what is around its vertices.
+
+An edge is a crease where it has not exactly two triangles that run it in opposite ways, where these meet at more than
+an angle, or where it was one before: creases are flagged at half-edges and follow what is done to their triangles. A
+vertex is free where no crease ends, on a line where two do, and a corner else, or where its line bends by more than the
+angle. About 200 B a triangle while edges are sorted.
+"""
+
+import math
+
+from ..algebra.transform import widen
+from ..array_types import Bytes, Indices, Points, Triangles
+from ..arrays.select import positions_of
+from ..arrays.sort import positions
+from ..arrays.union_find import flatten_sets_kernel, unite
+from ..lang import (
+    array,
+    atomic_add,
+    atomic_max,
+    dot,
+    float32,
+    float64,
+    func,
+    int32,
+    int64,
+    kernel,
+    launch,
+    length,
+    struct,
+    tid,
+    uint8,
+    vec3,
+    vec3d,
+    vec3i,
+)
+from ..memory import empty, full, zeros
+from ..meshes.mesh_edges import MeshEdges
+from ..meshes.mesh_measures import triangle_cross
+from ..meshes.mesh_topology import CornersByVertex, corner_vertex, next_corner
+
+FREE, LINE, CORNER = 0, 1, 2  # kinds of vertices
+NO_NUMBER = 0x7FFF_FFFF_FFFF_FFFF  # beyond every key
+
+
+@func
+def last_corner(h: int) -> int:
+    """The half-edge before another in its triangle."""
+    return h - 1 if h % 3 > 0 else h + 2
+
+
+@func
+def mixed_key(number: int, i: int) -> int64:
+    """A number above another one that belongs to i alone and is in no order of space: keys of which none are equal."""
+    x = (int64(i) * 0x9E3779B1) & 0xFFFFFFFF
+    return (int64(number) << 32) | x
+
+
+@struct
+class CreasedMesh:
+    """A mesh between two steps.
+
+    Attributes:
+        vertices: vec3 [m].
+        triangles: vec3i [t], none with a vertex twice.
+        creases: uint8 [3 t], 1 for half-edges of creases.
+        fixed: uint8 [m], 1 for vertices that are corners whatever ends there.
+        edges: Its MeshEdges.
+        edge_of: int32 [3 t], the edge of each half-edge.
+        around: The corners by vertex.
+        kinds: uint8 [m].
+        rims: uint8 [m], 1 for vertices of edges with one triangle.
+    """
+
+    vertices: array(dtype=vec3)
+    triangles: array(dtype=vec3i)
+    creases: array(dtype=uint8)
+    fixed: array(dtype=uint8)
+    edges: MeshEdges
+    edge_of: array(dtype=int32)
+    around: CornersByVertex
+    kinds: array(dtype=uint8)
+    rims: array(dtype=uint8)
+
+    def __init__(self, vertices: Points, triangles: Triangles, creases: Bytes, fixed: Bytes) -> None:
+        self.vertices, self.triangles, self.creases, self.fixed = vertices, triangles, creases, fixed
+        device, count = vertices.device, vertices.size
+        self.edges, self.around = MeshEdges(triangles, count), CornersByVertex(triangles, count)  # sync
+        self.edge_of = empty(3 * triangles.size, int32, device)
+        self.rims, ends = zeros(count, uint8, device), zeros(count, int32, device)
+        self.kinds = empty(count, uint8, device)
+        launch(join_creases_kernel, self.edges.count, [self, self.edge_of, self.creases, self.rims, ends])
+        launch(sort_vertices_kernel, count, [ends, fixed, self.kinds])
+
+
+@func
+def is_paired(triangles: array(dtype=vec3i), edges: MeshEdges, e: int) -> int:
+    """1 for an edge with two triangles that run it in opposite ways."""
+    first = edges.starts[e]
+    paired = 0
+    if edges.starts[e + 1] - first == 2:
+        if corner_vertex(triangles, edges.halves[first]) != corner_vertex(triangles, edges.halves[first + 1]):
+            paired = 1
+    return paired
+
+
+@kernel
+def join_creases_kernel(
+    mesh: CreasedMesh,
+    edge_of: array(dtype=int32),
+    creases: array(dtype=uint8),
+    rims: array(dtype=uint8),
+    ends: array(dtype=int32),
+):
+    """Let all half-edges of an edge be creases where one is; count them at vertices, in whole numbers."""
+    e = tid()
+    first = mesh.edges.starts[e]
+    last = mesh.edges.starts[e + 1]
+    crease = 1 - is_paired(mesh.triangles, mesh.edges, e)
+    for j in range(first, last):
+        if creases[mesh.edges.halves[j]] != 0:
+            crease = 1
+    for j in range(first, last):
+        creases[mesh.edges.halves[j]] = uint8(crease)
+        edge_of[mesh.edges.halves[j]] = e
+    if last - first == 1:
+        rims[mesh.edges.lows[e]] = uint8(1)
+        rims[mesh.edges.highs[e]] = uint8(1)
+    if crease == 1:
+        atomic_add(ends, mesh.edges.lows[e], 1)
+        atomic_add(ends, mesh.edges.highs[e], 1)
+
+
+@kernel
+def sort_vertices_kernel(ends: array(dtype=int32), fixed: array(dtype=uint8), kinds: array(dtype=uint8)):
+    """The kind of each vertex by the creases that end there."""
+    i = tid()
+    kind = int(CORNER)
+    if ends[i] == 0:
+        kind = FREE
+    if ends[i] == 2:
+        kind = LINE
+    if fixed[i] != 0:
+        kind = CORNER
+    kinds[i] = uint8(kind)
+
+
+@kernel
+def find_creases_kernel(
+    vertices: array(dtype=vec3),
+    triangles: array(dtype=vec3i),
+    edges: MeshEdges,
+    cosine: float64,
+    creases: array(dtype=uint8),
+):
+    """1 for both half-edges of an edge at which two triangles meet at more than an angle."""
+    e = tid()
+    if is_paired(triangles, edges, e) == 1:
+        g = edges.halves[edges.starts[e]]
+        h = edges.halves[edges.starts[e] + 1]
+        n = triangle_cross(vertices, triangles[g // 3])
+        m = triangle_cross(vertices, triangles[h // 3])
+        size = length(n) * length(m)
+        if size > 0.0 and dot(n, m) < cosine * size:
+            creases[g] = uint8(1)
+            creases[h] = uint8(1)
+
+
+@func
+def line_neighbor(mesh: CreasedMesh, v: int, other: int) -> int:
+    """A vertex at the far end of a crease at v, another than `other`; -1 where there is none. The first by corners."""
+    found = -1
+    for j in range(mesh.around.starts[v], mesh.around.starts[v + 1]):
+        c = mesh.around.corners[j]
+        d = last_corner(c)
+        if mesh.creases[c] != 0 and found < 0:
+            u = corner_vertex(mesh.triangles, next_corner(c))
+            if u != other:
+                found = u
+        if mesh.creases[d] != 0 and found < 0:
+            u = corner_vertex(mesh.triangles, d)
+            if u != other:
+                found = u
+    return found
+
+
+@kernel
+def fix_bends_kernel(mesh: CreasedMesh, cosine: float64, fixed: array(dtype=uint8)):
+    """1 for vertices where a line bends by more than an angle, and corners."""
+    i = tid()
+    kind = int(mesh.kinds[i])
+    value = 0
+    if kind == CORNER:
+        value = 1
+    if kind == LINE:
+        u = line_neighbor(mesh, i, -1)
+        w = line_neighbor(mesh, i, u)
+        if u >= 0 and w >= 0:
+            p = widen(mesh.vertices[i])
+            a = p - widen(mesh.vertices[u])
+            b = widen(mesh.vertices[w]) - p
+            size = length(a) * length(b)
+            if size > 0.0 and dot(a, b) < cosine * size:
+                value = 1
+    fixed[i] = uint8(value)
+
+
+@kernel
+def drop_creases_kernel(
+    mesh: CreasedMesh, sets: array(dtype=int32), chosen: array(dtype=uint8), creases: array(dtype=uint8)
+):
+    """0 for half-edges of creases in sets that are not chosen."""
+    h = tid()
+    if chosen[sets[corner_vertex(mesh.triangles, h)]] == 0:
+        creases[h] = uint8(0)
+
+
+@kernel
+def unite_creases_kernel(mesh: CreasedMesh, rows: array(dtype=int32), sets: array(dtype=int32)):
+    """One set of the vertices that creases join."""
+    i = tid()
+    unite(sets, mesh.edges.lows[rows[i]], mesh.edges.highs[rows[i]])
+
+
+@kernel
+def stretch_sets_kernel(
+    mesh: CreasedMesh, rows: array(dtype=int32), sets: array(dtype=int32), extents: array(dtype=float32, ndim=2)
+):
+    """The box of each set: maxima are the same in any order."""
+    i = tid()
+    a = mesh.edges.lows[rows[i]]
+    b = mesh.edges.highs[rows[i]]
+    root = sets[a]
+    for c in range(3):
+        p = mesh.vertices[a]
+        q = mesh.vertices[b]
+        atomic_max(extents, root, c, max(p[c], q[c]))
+        atomic_max(extents, root, c + 3, max(-p[c], -q[c]))
+
+
+@kernel
+def choose_wide_kernel(extents: array(dtype=float32, ndim=2), least: float64, chosen: array(dtype=uint8)):
+    """1 for sets whose box has a diagonal of at least so much."""
+    i = tid()
+    x = float64(extents[i, 0]) + float64(extents[i, 3])
+    y = float64(extents[i, 1]) + float64(extents[i, 4])
+    z = float64(extents[i, 2]) + float64(extents[i, 5])
+    d = vec3d(x, y, z)
+    chosen[i] = uint8(1 if dot(d, d) >= least * least else 0)
+
+
+def drop_short_creases(mesh: CreasedMesh, least: float) -> Bytes:
+    """The creases of a mesh without those that hang together over less than a length; borders are found again."""
+    device, count = mesh.vertices.device, mesh.vertices.size
+    rows, sets = crease_rows(mesh), positions(count, device)  # sync
+    launch(unite_creases_kernel, rows.size, [mesh, rows, sets])
+    launch(flatten_sets_kernel, count, [sets])
+    extents, chosen = full((count, 6), -math.inf, float32, device), empty(count, uint8, device)
+    launch(stretch_sets_kernel, rows.size, [mesh, rows, sets, extents])
+    launch(choose_wide_kernel, count, [extents, least, chosen])
+    launch(drop_creases_kernel, mesh.creases.size, [mesh, sets, chosen, mesh.creases])
+    return mesh.creases
+
+
+def find_features(vertices: Points, triangles: Triangles, angle: float, least: float) -> tuple[Bytes, Bytes]:
+    """(creases, fixed) of a mesh, as CreasedMesh takes them.
+
+    Args:
+        vertices: vec3 [m].
+        triangles: vec3i [t].
+        angle: Between triangles, and between lines [rad]; beyond it an edge is a crease.
+        least: Creases that hang together over less than this are none.
+    """
+    device = vertices.device
+    creases, cosine = zeros(3 * triangles.size, uint8, device), math.cos(angle)
+    edges = MeshEdges(triangles, vertices.size)  # sync
+    launch(find_creases_kernel, edges.count, [vertices, triangles, edges, cosine, creases])
+    free = zeros(vertices.size, uint8, device)
+    creases = drop_short_creases(CreasedMesh(vertices, triangles, creases, free), least)
+    mesh = CreasedMesh(vertices, triangles, creases, free)
+    fixed = empty(vertices.size, uint8, device)
+    launch(fix_bends_kernel, vertices.size, [mesh, cosine, fixed])
+    return mesh.creases, fixed
+
+
+@kernel
+def mark_creased_kernel(mesh: CreasedMesh, mask: array(dtype=uint8)):
+    """1 for the edges that are creases."""
+    e = tid()
+    mask[e] = mesh.creases[mesh.edges.halves[mesh.edges.starts[e]]]
+
+
+@kernel
+def list_segments_kernel(mesh: CreasedMesh, rows: array(dtype=int32), segments: array(dtype=vec3i)):
+    """Edges as triangles without area."""
+    i = tid()
+    a = mesh.edges.lows[rows[i]]
+    b = mesh.edges.highs[rows[i]]
+    segments[i] = vec3i(a, b, b)
+
+
+def crease_rows(mesh: CreasedMesh) -> Indices:
+    """The edges that are creases, int32; one sync."""
+    mask = empty(mesh.edges.count, uint8, mesh.vertices.device)
+    launch(mark_creased_kernel, mask.size, [mesh, mask])
+    return positions_of(mask)
+
+
+def crease_segments(mesh: CreasedMesh) -> Triangles:
+    """The creases as triangles without area, vec3i: a TriangleTree finds places on them."""
+    rows = crease_rows(mesh)  # sync
+    segments = empty(rows.size, vec3i, mesh.vertices.device)
+    launch(list_segments_kernel, rows.size, [mesh, rows, segments])
+    return segments

@@ -1,0 +1,147 @@
+"""Edges flipped where that brings the numbers of triangles around vertices nearer to six, four at borders.
+
+An edge flips that is no crease, whose quadrilateral is convex and as good as flat, and whose other diagonal is no edge.
+Of these flip those whose key, the gain above a mixed number, is the least at all four vertices.
+"""
+
+from ..algebra.transform import widen
+from ..arrays.prefix_sum import sum_counts
+from ..lang import (
+    array,
+    atomic_min,
+    cross,
+    dot,
+    float64,
+    func,
+    int32,
+    int64,
+    kernel,
+    launch,
+    length,
+    tid,
+    uint8,
+    vec3,
+    vec3d,
+    vec3i,
+)
+from ..memory import clone, full, zeros
+from ..meshes.mesh_topology import corner_vertex, next_corner
+from .creased_mesh import NO_NUMBER, CreasedMesh, last_corner, mixed_key
+from .short_edges import LEAST_COSINE, is_next_to
+
+MOST_GAIN = 1 << 20  # beyond all gains
+
+
+@func
+def excess(mesh: CreasedMesh, v: int, change: int) -> int:
+    """The square of what a vertex has beyond the triangles that it should have, after some are added."""
+    count = mesh.around.starts[v + 1] - mesh.around.starts[v] + change
+    wanted = 6
+    if mesh.rims[v] != 0:
+        wanted = 3  # triangles: one less than edges
+    return (count - wanted) * (count - wanted)
+
+
+@func
+def normal_of(a: vec3, b: vec3, c: vec3) -> vec3d:
+    """Twice the area of a triangle along its normal."""
+    p = widen(a)
+    return cross(widen(b) - p, widen(c) - p)
+
+
+@func
+def agrees(n: vec3d, m: vec3d) -> int:
+    """1 where two normals are within 60 degrees."""
+    return 1 if dot(n, m) > float64(LEAST_COSINE) * length(n) * length(m) else 0
+
+
+@func
+def flip_gain(mesh: CreasedMesh, e: int) -> int:
+    """By how much the squares become less where an edge flips; 0 where it may not."""
+    gain = 0
+    g = mesh.edges.halves[mesh.edges.starts[e]]
+    if mesh.creases[g] == 0:
+        h = mesh.edges.halves[mesh.edges.starts[e] + 1]
+        a = corner_vertex(mesh.triangles, g)
+        b = corner_vertex(mesh.triangles, next_corner(g))
+        c = corner_vertex(mesh.triangles, last_corner(g))
+        d = corner_vertex(mesh.triangles, last_corner(h))
+        before = excess(mesh, a, 0) + excess(mesh, b, 0) + excess(mesh, c, 0) + excess(mesh, d, 0)
+        after = excess(mesh, a, -1) + excess(mesh, b, -1) + excess(mesh, c, 1) + excess(mesh, d, 1)
+        if after < before and c != d:
+            pa = mesh.vertices[a]
+            pb = mesh.vertices[b]
+            pc = mesh.vertices[c]
+            pd = mesh.vertices[d]
+            n = normal_of(pa, pb, pc)
+            m = normal_of(pb, pa, pd)
+            q = normal_of(pa, pd, pc)
+            r = normal_of(pd, pb, pc)
+            fits = agrees(n, q) * agrees(n, r) * agrees(m, q) * agrees(m, r)
+            if fits == 1:
+                fits = 1 - is_next_to(mesh, c, d)
+            if fits == 1:
+                gain = before - after
+    return gain
+
+
+@kernel
+def price_flips_kernel(mesh: CreasedMesh, keys: array(dtype=int64), lowest: array(dtype=int64)):
+    """The key of each edge that may flip, and the least at each vertex: a minimum is the same in any order."""
+    e = tid()
+    keys[e] = int64(NO_NUMBER)
+    gain = flip_gain(mesh, e)
+    if gain > 0:
+        g = mesh.edges.halves[mesh.edges.starts[e]]
+        h = mesh.edges.halves[mesh.edges.starts[e] + 1]
+        key = mixed_key(MOST_GAIN - gain, e)
+        keys[e] = key
+        atomic_min(lowest, corner_vertex(mesh.triangles, g), key)
+        atomic_min(lowest, corner_vertex(mesh.triangles, next_corner(g)), key)
+        atomic_min(lowest, corner_vertex(mesh.triangles, last_corner(g)), key)
+        atomic_min(lowest, corner_vertex(mesh.triangles, last_corner(h)), key)
+
+
+@kernel
+def flip_kernel(
+    mesh: CreasedMesh,
+    keys: array(dtype=int64),
+    lowest: array(dtype=int64),
+    triangles: array(dtype=vec3i),
+    creases: array(dtype=uint8),
+    count: array(dtype=int32),
+):
+    """Give two triangles the other diagonal."""
+    e = tid()
+    key = keys[e]
+    if key == int64(NO_NUMBER):
+        return
+    g = mesh.edges.halves[mesh.edges.starts[e]]
+    h = mesh.edges.halves[mesh.edges.starts[e] + 1]
+    a = corner_vertex(mesh.triangles, g)
+    b = corner_vertex(mesh.triangles, next_corner(g))
+    c = corner_vertex(mesh.triangles, last_corner(g))
+    d = corner_vertex(mesh.triangles, last_corner(h))
+    if lowest[a] == key and lowest[b] == key and lowest[c] == key and lowest[d] == key:
+        count[e] = 1
+        i = g // 3
+        j = h // 3
+        triangles[i] = vec3i(a, d, c)
+        triangles[j] = vec3i(d, b, c)
+        creases[3 * i] = mesh.creases[next_corner(h)]
+        creases[3 * i + 1] = uint8(0)
+        creases[3 * i + 2] = mesh.creases[last_corner(g)]
+        creases[3 * j] = mesh.creases[last_corner(h)]
+        creases[3 * j + 1] = mesh.creases[next_corner(g)]
+        creases[3 * j + 2] = uint8(0)
+
+
+def flip_edges(mesh: CreasedMesh) -> tuple[CreasedMesh, int]:
+    """(the mesh after one round, how many edges flipped)."""
+    device, edges = mesh.vertices.device, mesh.edges.count
+    keys, lowest = full(edges, NO_NUMBER, int64, device), full(mesh.vertices.size, NO_NUMBER, int64, device)
+    launch(price_flips_kernel, edges, [mesh, keys, lowest])
+    triangles, creases, marks = clone(mesh.triangles), clone(mesh.creases), zeros(edges, int32, device)
+    launch(flip_kernel, edges, [mesh, keys, lowest, triangles, creases, marks])
+    flipped = sum_counts(marks)  # sync
+    return (CreasedMesh(mesh.vertices, triangles, creases, mesh.fixed), flipped) if flipped else (mesh, 0)

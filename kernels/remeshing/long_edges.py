@@ -1,0 +1,123 @@
+"""Edges longer than a length split in their middle, all at once.
+
+A triangle with one such edge becomes two, with two three, with all four. The vertex on an edge is shared by all its
+triangles, so nothing opens; parts of a crease are creases. New vertices follow the old ones in the order of their
+edges, triangles that of their first ones.
+"""
+
+from ..algebra.transform import narrow, widen
+from ..arrays.prefix_sum import exclusive_scan
+from ..lang import array, dot, float64, func, int32, kernel, launch, tid, uint8, vec3, vec3i
+from ..memory import copy, empty, zeros
+from ..meshes.mesh_topology import corner_vertex, next_corner
+from .creased_mesh import CreasedMesh
+
+
+@kernel
+def mark_long_kernel(mesh: CreasedMesh, most: float64, marks: array(dtype=int32)):
+    """1 for edges longer than the root of `most`."""
+    e = tid()
+    d = widen(mesh.vertices[mesh.edges.highs[e]]) - widen(mesh.vertices[mesh.edges.lows[e]])
+    marks[e] = 1 if dot(d, d) > most else 0
+
+
+@kernel
+def place_middles_kernel(
+    mesh: CreasedMesh, marks: array(dtype=int32), places: array(dtype=int32), first: int, vertices: array(dtype=vec3)
+):
+    """The middles of edges that split."""
+    e = tid()
+    if marks[e] == 1:
+        middle = 0.5 * (widen(mesh.vertices[mesh.edges.lows[e]]) + widen(mesh.vertices[mesh.edges.highs[e]]))
+        vertices[first + places[e]] = narrow(middle)
+
+
+@kernel
+def count_parts_kernel(mesh: CreasedMesh, marks: array(dtype=int32), counts: array(dtype=int32)):
+    """The triangles that each one becomes."""
+    i = tid()
+    counts[i] = 1 + marks[mesh.edge_of[3 * i]] + marks[mesh.edge_of[3 * i + 1]] + marks[mesh.edge_of[3 * i + 2]]
+
+
+@func
+def put_part(place: int, t: vec3i, flags: vec3i, triangles: array(dtype=vec3i), creases: array(dtype=uint8)):
+    """Write a triangle and the flags of its half-edges."""
+    triangles[place] = t
+    creases[3 * place] = uint8(flags[0])
+    creases[3 * place + 1] = uint8(flags[1])
+    creases[3 * place + 2] = uint8(flags[2])
+
+
+@kernel
+def write_parts_kernel(
+    mesh: CreasedMesh,
+    marks: array(dtype=int32),
+    places: array(dtype=int32),
+    first_new: int,
+    offsets: array(dtype=int32),
+    vertices: array(dtype=vec3),
+    triangles: array(dtype=vec3i),
+    creases: array(dtype=uint8),
+):
+    """The parts of a triangle: corners that are cut off, and what is left, parted along its shorter diagonal."""
+    i = tid()
+    at = offsets[i]
+    count = offsets[i + 1] - at
+    # Begin where the corner is between the two edges that split, or with the one edge that does.
+    h = 3 * i
+    for k in range(3):
+        after = marks[mesh.edge_of[3 * i + k]]
+        before = marks[mesh.edge_of[3 * i + (k + 2) % 3]]
+        if (count == 3 and after == 1 and before == 1) or (count == 2 and after == 1):
+            h = 3 * i + k
+    h1 = next_corner(h)
+    h2 = next_corner(h1)
+    a = corner_vertex(mesh.triangles, h)
+    b = corner_vertex(mesh.triangles, h1)
+    c = corner_vertex(mesh.triangles, h2)
+    ab = first_new + places[mesh.edge_of[h]]
+    bc = first_new + places[mesh.edge_of[h1]]
+    ca = first_new + places[mesh.edge_of[h2]]
+    f = int(mesh.creases[h])
+    f1 = int(mesh.creases[h1])
+    f2 = int(mesh.creases[h2])
+    if count == 1:
+        put_part(at, vec3i(a, b, c), vec3i(f, f1, f2), triangles, creases)
+    if count == 2:
+        put_part(at, vec3i(a, ab, c), vec3i(f, 0, f2), triangles, creases)
+        put_part(at + 1, vec3i(ab, b, c), vec3i(f, f1, 0), triangles, creases)
+    if count >= 3:
+        put_part(at, vec3i(a, ab, ca), vec3i(f, 0, f2), triangles, creases)
+    if count == 3:
+        p = widen(vertices[ab]) - widen(vertices[c])
+        q = widen(vertices[b]) - widen(vertices[ca])
+        if dot(p, p) < dot(q, q) or (dot(p, p) == dot(q, q) and ab + c < b + ca):
+            put_part(at + 1, vec3i(ab, b, c), vec3i(f, f1, 0), triangles, creases)
+            put_part(at + 2, vec3i(ab, c, ca), vec3i(0, f2, 0), triangles, creases)
+        else:
+            put_part(at + 1, vec3i(ab, b, ca), vec3i(f, 0, 0), triangles, creases)
+            put_part(at + 2, vec3i(b, c, ca), vec3i(f1, f2, 0), triangles, creases)
+    if count == 4:
+        put_part(at + 1, vec3i(ab, b, bc), vec3i(f, f1, 0), triangles, creases)
+        put_part(at + 2, vec3i(bc, c, ca), vec3i(f1, f2, 0), triangles, creases)
+        put_part(at + 3, vec3i(ab, bc, ca), vec3i(0, 0, 0), triangles, creases)
+
+
+def split_long_edges(mesh: CreasedMesh, longest: float) -> tuple[CreasedMesh, int]:
+    """(the mesh with edges longer than `longest` split once, how many were)."""
+    device, count = mesh.vertices.device, mesh.vertices.size
+    marks = empty(mesh.edges.count, int32, device)
+    launch(mark_long_kernel, marks.size, [mesh, longest * longest, marks])
+    places, split = exclusive_scan(marks)  # sync
+    if not split:
+        return mesh, 0
+    vertices, fixed = empty(count + split, vec3, device), zeros(count + split, uint8, device)
+    copy(vertices, mesh.vertices, count=count)
+    copy(fixed, mesh.fixed, count=count)
+    launch(place_middles_kernel, marks.size, [mesh, marks, places, count, vertices])
+    counts = empty(mesh.triangles.size, int32, device)
+    launch(count_parts_kernel, counts.size, [mesh, marks, counts])
+    offsets, total = exclusive_scan(counts)  # sync
+    triangles, creases = empty(total, vec3i, device), empty(3 * total, uint8, device)
+    launch(write_parts_kernel, counts.size, [mesh, marks, places, count, offsets, vertices, triangles, creases])
+    return CreasedMesh(vertices, triangles, creases, fixed), split

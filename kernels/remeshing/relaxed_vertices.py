@@ -1,0 +1,129 @@
+"""Vertices moved along the surface to where their triangles become alike, and back where a triangle would turn.
+
+A free vertex goes to the mean of the middles of its triangles, weighted by their areas, and stays in the plane across
+its normal; one of a line goes to the middle between its neighbours, along the way between them.
+"""
+
+from ..algebra.transform import narrow, widen
+from ..array_types import Points
+from ..arrays.prefix_sum import sum_counts
+from ..lang import array, dot, float64, int32, kernel, launch, length, tid, uint8, vec3, vec3d
+from ..memory import empty, zeros
+from ..meshes.mesh_measures import triangle_cross
+from .creased_mesh import FREE, LINE, CreasedMesh, line_neighbor
+from .flipped_edges import agrees
+
+
+@kernel
+def relax_kernel(mesh: CreasedMesh, moved: array(dtype=vec3)):
+    """Where each vertex goes; corners, and those without a way, stay."""
+    i = tid()
+    p = widen(mesh.vertices[i])
+    x = mesh.vertices[i]
+    kind = int(mesh.kinds[i])
+    if kind == FREE:
+        n = vec3d(0.0, 0.0, 0.0)
+        q = vec3d(0.0, 0.0, 0.0)
+        total = float64(0.0)
+        for j in range(mesh.around.starts[i], mesh.around.starts[i + 1]):
+            t = mesh.triangles[mesh.around.corners[j] // 3]
+            m = triangle_cross(mesh.vertices, t)
+            area = length(m)
+            middle = (widen(mesh.vertices[t[0]]) + widen(mesh.vertices[t[1]]) + widen(mesh.vertices[t[2]])) / 3.0
+            n = n + m
+            q = q + area * (middle - p)
+            total += area
+        size = length(n)
+        if total > 0.0 and size > 0.0:
+            n = n / size
+            q = q / total
+            x = narrow(p + (q - dot(n, q) * n))
+    if kind == LINE:
+        u = line_neighbor(mesh, i, -1)
+        w = line_neighbor(mesh, i, u)
+        if u >= 0 and w >= 0:
+            a = widen(mesh.vertices[u])
+            b = widen(mesh.vertices[w])
+            way = b - a
+            size = dot(way, way)
+            if size > 0.0:
+                x = narrow(p + (dot(way, 0.5 * (a + b) - p) / size) * way)
+    moved[i] = x
+
+
+@kernel
+def mark_turned_kernel(
+    mesh: CreasedMesh, moved: array(dtype=vec3), back: array(dtype=uint8), turned: array(dtype=int32)
+):
+    """1 for triangles that turn, and for their vertices; threads that meet write the same."""
+    i = tid()
+    t = mesh.triangles[i]
+    n = triangle_cross(mesh.vertices, t)
+    m = triangle_cross(moved, t)
+    wrong = 0
+    if length(n) > 0.0:
+        wrong = 1 - agrees(n, m)
+    for k in range(3):
+        if wrong == 1:
+            back[t[k]] = uint8(1)
+    turned[i] = wrong
+
+
+@kernel
+def take_back_kernel(
+    before: array(dtype=vec3), back: array(dtype=uint8), moved: array(dtype=vec3), taken: array(dtype=int32)
+):
+    """Marked vertices where they were; how many of them had moved, as whole numbers."""
+    i = tid()
+    taken[i] = 0
+    if back[i] != 0:
+        p = before[i]
+        q = moved[i]
+        if p[0] != q[0] or p[1] != q[1] or p[2] != q[2]:
+            taken[i] = 1
+        moved[i] = p
+
+
+@kernel
+def choose_places_kernel(
+    kinds: array(dtype=uint8),
+    before: array(dtype=vec3),
+    on_surface: array(dtype=vec3),
+    on_lines: array(dtype=vec3),
+    chosen: array(dtype=vec3),
+):
+    """For each kind of vertex its place."""
+    i = tid()
+    x = before[i]
+    if int(kinds[i]) == FREE:
+        x = on_surface[i]
+    if int(kinds[i]) == LINE:
+        x = on_lines[i]
+    chosen[i] = x
+
+
+def relaxed(mesh: CreasedMesh) -> Points:
+    """Where the vertices go, vec3 [m]."""
+    moved = empty(mesh.vertices.size, vec3, mesh.vertices.device)
+    launch(relax_kernel, moved.size, [mesh, moved])
+    return moved
+
+
+def choose_places(mesh: CreasedMesh, on_surface: Points, on_lines: Points) -> Points:
+    """Places of free vertices from one array, of those of lines from another; corners stay."""
+    chosen = empty(mesh.vertices.size, vec3, mesh.vertices.device)
+    launch(choose_places_kernel, chosen.size, [mesh.kinds, mesh.vertices, on_surface, on_lines, chosen])
+    return chosen
+
+
+def move_where_nothing_turns(mesh: CreasedMesh, moved: Points) -> None:
+    """Give a mesh other places, but for the vertices of triangles that would turn there by more than 60 degrees."""
+    device = moved.device
+    turned, taken = empty(mesh.triangles.size, int32, device), empty(moved.size, int32, device)
+    while True:  # each turn takes a vertex back that had moved
+        back = zeros(moved.size, uint8, device)
+        launch(mark_turned_kernel, turned.size, [mesh, moved, back, turned])
+        launch(take_back_kernel, moved.size, [mesh.vertices, back, moved, taken])
+        if not sum_counts(taken):  # sync
+            break
+    mesh.vertices = moved

@@ -1,0 +1,251 @@
+"""Edges shorter than a length collapse, many at once, where the surface stays what it is.
+
+A free vertex goes to the other end where that lies on a crease, two free ones and two of one line to their middle, a
+line's vertex to its corner. An edge stays where that would join what it does not border (the link condition; Dey et al.
+1999), turn a triangle by more than 60 degrees, or make an edge longer than a length. Of the rest those collapse whose
+key, the length above a mixed number, is the least at all vertices around both ends: no two of them share a triangle.
+"""
+
+from ..algebra.transform import narrow, widen
+from ..arrays.prefix_sum import sum_counts
+from ..arrays.select import positions_of
+from ..lang import (
+    array,
+    atomic_min,
+    cross,
+    dot,
+    float64,
+    float_bits,
+    func,
+    int32,
+    int64,
+    kernel,
+    launch,
+    length,
+    tid,
+    uint8,
+    vec3,
+    vec3d,
+    vec3i,
+)
+from ..memory import clone, empty, full, zeros
+from ..meshes.mesh_edges import opposite_vertex
+from ..meshes.mesh_edits import gather_triangles
+from .creased_mesh import FREE, LINE, NO_NUMBER, CreasedMesh, is_paired, mixed_key
+
+LEAST_COSINE = 0.5  # between the normals of a triangle before and after
+
+
+@func
+def is_next_to(mesh: CreasedMesh, u: int, v: int) -> int:
+    """1 where an edge joins two vertices."""
+    found = 0
+    for j in range(mesh.around.starts[v], mesh.around.starts[v + 1]):
+        t = mesh.triangles[mesh.around.corners[j] // 3]
+        if t[0] == u or t[1] == u or t[2] == u:
+            found = 1
+    return found
+
+
+@func
+def breaks_link(mesh: CreasedMesh, a: int, b: int, c: int, d: int) -> int:
+    """1 where a vertex other than c and d is next to both a and b."""
+    broken = 0
+    for j in range(mesh.around.starts[a], mesh.around.starts[a + 1]):
+        t = mesh.triangles[mesh.around.corners[j] // 3]
+        for k in range(3):
+            u = t[k]
+            if u != a and u != b and u != c and u != d and broken == 0:
+                broken = is_next_to(mesh, u, b)
+    return broken
+
+
+@func
+def has_too_few(mesh: CreasedMesh, v: int) -> int:
+    """1 for a vertex that would be left with too few triangles if one went."""
+    count = mesh.around.starts[v + 1] - mesh.around.starts[v]
+    least = 4
+    if mesh.rims[v] != 0:
+        least = 2
+    return 1 if count < least else 0
+
+
+@func
+def turns_around(mesh: CreasedMesh, a: int, b: int, x: vec3d, most: float64) -> int:
+    """1 where a triangle at a without b turns, or gets an edge longer than the root of `most`, if a goes to x."""
+    wrong = 0
+    for j in range(mesh.around.starts[a], mesh.around.starts[a + 1]):
+        t = mesh.triangles[mesh.around.corners[j] // 3]
+        if t[0] != b and t[1] != b and t[2] != b:
+            p = widen(mesh.vertices[t[0]])
+            q = widen(mesh.vertices[t[1]])
+            r = widen(mesh.vertices[t[2]])
+            n = cross(q - p, r - p)
+            if t[0] == a:
+                p = x + vec3d(0.0, 0.0, 0.0)
+            if t[1] == a:
+                q = x + vec3d(0.0, 0.0, 0.0)
+            if t[2] == a:
+                r = x + vec3d(0.0, 0.0, 0.0)
+            m = cross(q - p, r - p)
+            if not dot(n, m) > float64(LEAST_COSINE) * length(n) * length(m):
+                wrong = 1
+            longest = max(dot(q - p, q - p), max(dot(r - q, r - q), dot(p - r, p - r)))
+            if longest > most:
+                wrong = 1
+    return wrong
+
+
+@func
+def goal(mesh: CreasedMesh, e: int) -> int:
+    """Where an edge collapses to: 0 nowhere, 1 the lower vertex, 2 the higher one, 3 the middle."""
+    a = int(mesh.kinds[mesh.edges.lows[e]])
+    b = int(mesh.kinds[mesh.edges.highs[e]])
+    crease = int(mesh.creases[mesh.edges.halves[mesh.edges.starts[e]]])
+    way = 0
+    if a == FREE and b == FREE:
+        way = 3
+    elif a == FREE:
+        way = 2
+    elif b == FREE:
+        way = 1
+    elif crease == 1:
+        if a == LINE and b == LINE:
+            way = 3
+        elif a == LINE:
+            way = 2
+        elif b == LINE:
+            way = 1
+    return way
+
+
+@func
+def goal_place(mesh: CreasedMesh, e: int, way: int) -> vec3d:
+    """The place of that."""
+    a = widen(mesh.vertices[mesh.edges.lows[e]])
+    b = widen(mesh.vertices[mesh.edges.highs[e]])
+    x = 0.5 * (a + b)
+    if way == 1:
+        x = a + vec3d(0.0, 0.0, 0.0)
+    if way == 2:
+        x = b + vec3d(0.0, 0.0, 0.0)
+    return widen(narrow(x))
+
+
+@kernel
+def price_short_kernel(
+    mesh: CreasedMesh, least: float64, most: float64, keys: array(dtype=int64), lowest: array(dtype=int64)
+):
+    """The key of each edge that may collapse, and the least at each vertex: a minimum is the same in any order."""
+    e = tid()
+    keys[e] = int64(NO_NUMBER)
+    a = mesh.edges.lows[e]
+    b = mesh.edges.highs[e]
+    gap = widen(mesh.vertices[b]) - widen(mesh.vertices[a])
+    sqdist = dot(gap, gap)
+    if not sqdist < least:
+        return
+    count = mesh.edges.starts[e + 1] - mesh.edges.starts[e]
+    way = goal(mesh, e)
+    paired = is_paired(mesh.triangles, mesh.edges, e)
+    if way == 0 or (count != 1 and paired == 0):
+        return
+    g = mesh.edges.halves[mesh.edges.starts[e]]
+    h = mesh.edges.halves[mesh.edges.starts[e] + count - 1]
+    c = opposite_vertex(mesh.triangles[g // 3], a, b)
+    d = opposite_vertex(mesh.triangles[h // 3], a, b)
+    x = goal_place(mesh, e, way)
+    refused = has_too_few(mesh, c)
+    if has_too_few(mesh, d) == 1:
+        refused = 1
+    if count == 2 and c == d:
+        refused = 1
+    if refused == 0:
+        refused = breaks_link(mesh, a, b, c, d)
+    if refused == 0:
+        refused = turns_around(mesh, a, b, x, most)
+    if refused == 0:
+        refused = turns_around(mesh, b, a, x, most)
+    if refused == 0:
+        key = mixed_key(float_bits(float(sqdist)), e)
+        keys[e] = key
+        atomic_min(lowest, a, key)
+        atomic_min(lowest, b, key)
+
+
+@func
+def is_lowest_around(mesh: CreasedMesh, v: int, key: int64, lowest: array(dtype=int64)) -> int:
+    """1 where no vertex of a triangle at v has a lower key."""
+    found = 1
+    for j in range(mesh.around.starts[v], mesh.around.starts[v + 1]):
+        t = mesh.triangles[mesh.around.corners[j] // 3]
+        if lowest[t[0]] < key or lowest[t[1]] < key or lowest[t[2]] < key:
+            found = 0
+    return found
+
+
+@kernel
+def collapse_short_kernel(
+    mesh: CreasedMesh,
+    keys: array(dtype=int64),
+    lowest: array(dtype=int64),
+    vertices: array(dtype=vec3),
+    triangles: array(dtype=vec3i),
+    kept: array(dtype=uint8),
+    fixed: array(dtype=uint8),
+    count: array(dtype=int32),
+):
+    """Move one end, give it the other's triangles, and drop those of the edge; `count` is a sum of whole numbers."""
+    e = tid()
+    key = keys[e]
+    if key == int64(NO_NUMBER):
+        return
+    a = mesh.edges.lows[e]
+    b = mesh.edges.highs[e]
+    first = is_lowest_around(mesh, a, key, lowest)
+    if first == 1:
+        first = is_lowest_around(mesh, b, key, lowest)
+    if first == 1:
+        count[e] = 1
+        vertices[a] = narrow(goal_place(mesh, e, goal(mesh, e)))
+        fixed[a] = uint8(max(int(mesh.fixed[a]), int(mesh.fixed[b])))
+        for j in range(mesh.around.starts[b], mesh.around.starts[b + 1]):
+            i = mesh.around.corners[j] // 3
+            t = mesh.triangles[i]
+            if t[0] == a or t[1] == a or t[2] == a:
+                kept[i] = uint8(0)
+            else:
+                triangles[i] = vec3i(a if t[0] == b else t[0], a if t[1] == b else t[1], a if t[2] == b else t[2])
+
+
+@kernel
+def gather_creases_kernel(creases: array(dtype=uint8), rows: array(dtype=int32), gathered: array(dtype=uint8)):
+    """The flags of some triangles' half-edges."""
+    i = tid()
+    gathered[i] = creases[3 * rows[i // 3] + i % 3]
+
+
+def collapse_short_edges(mesh: CreasedMesh, shortest: float, longest: float) -> tuple[CreasedMesh, int]:
+    """One round.
+
+    Args:
+        mesh: The mesh.
+        shortest: Edges shorter than this collapse.
+        longest: Where no edge gets longer than this.
+
+    Returns:
+        (the mesh, how many edges collapsed); vertices without triangles stay.
+    """
+    device, edges = mesh.vertices.device, mesh.edges.count
+    keys, lowest = full(edges, NO_NUMBER, int64, device), full(mesh.vertices.size, NO_NUMBER, int64, device)
+    launch(price_short_kernel, edges, [mesh, shortest * shortest, longest * longest, keys, lowest])
+    vertices, triangles, fixed = clone(mesh.vertices), clone(mesh.triangles), clone(mesh.fixed)
+    kept, marks = full(triangles.size, 1, uint8, device), zeros(edges, int32, device)
+    launch(collapse_short_kernel, edges, [mesh, keys, lowest, vertices, triangles, kept, fixed, marks])
+    collapsed = sum_counts(marks)  # sync
+    if not collapsed:
+        return mesh, 0
+    rows = positions_of(kept)  # sync
+    creases = empty(3 * rows.size, uint8, device)
+    launch(gather_creases_kernel, creases.size, [mesh.creases, rows, creases])
+    return CreasedMesh(vertices, gather_triangles(triangles, rows), creases, fixed), collapsed

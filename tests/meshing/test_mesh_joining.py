@@ -1,0 +1,180 @@
+"""Meshes put together, bounded, swept along lines and about axes; polygons filled."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from pointloom import PointCloud, TriangleMesh
+
+FAR = np.array([5.0e5, 5.4e6, 100.0])
+TRIANGLE = ([[1, 1, 0], [0.7, 1, 0], [1, 0.7, 0]], [[0, 1, 2]])
+
+
+def dressed(device=None) -> TriangleMesh:
+    box = (
+        TriangleMesh.create_box(create_uv_map=True, device=device)
+        .compute_vertex_normals()
+        .paint_uniform_color([1, 0, 0])
+    )
+    box.textures = [np.zeros((4, 4, 3), np.uint8)]
+    box.vertex_attributes["a"], box.triangle_attributes["b"] = np.arange(8), np.arange(24.0).reshape(12, 2)
+    return box
+
+
+# ------------------------------------------------------------------------------------------------ joining
+
+
+def test_a_sum_has_the_triangles_of_both_and_all_that_belongs_to_them(device):
+    box = dressed(device)
+    both = box + box.translate(FAR)
+    np.testing.assert_array_equal(both.vertices, np.r_[box.vertices, box.vertices + FAR])
+    np.testing.assert_array_equal(both.triangles, np.r_[box.triangles, box.triangles + 8])
+    for name in ("vertex_normals", "vertex_colors", "triangle_uvs"):
+        np.testing.assert_array_equal(getattr(both, name), np.tile(getattr(box, name), (2, 1)))
+    assert both.triangle_material_ids.tolist() == [0] * 12 + [1] * 12 and len(both.textures) == 2
+    assert both.vertex_attributes["a"].tolist() == [*range(8)] * 2
+    np.testing.assert_array_equal(both.triangle_attributes["b"][12:], box.triangle_attributes["b"])
+
+
+def test_sums_of_many_and_of_none(device):
+    box = dressed(device)
+    assert len(sum([box] * 3)) == 36 and len(TriangleMesh(device=device) + box) == 12
+    box += box
+    assert len(box) == 24 and len(TriangleMesh(device=device) + TriangleMesh(device=device)) == 0
+    with pytest.raises(ValueError, match="at least one"):
+        TriangleMesh.concatenate([])
+    with pytest.raises(TypeError):
+        box + 1
+
+
+def test_what_not_all_meshes_have_is_left_out():
+    with pytest.warns(UserWarning, match="textures: left out, as not all meshes have them"):
+        both = dressed() + TriangleMesh.create_box()
+    assert not both.has_vertex_normals and not both.has_triangle_uvs and not both.vertex_attributes
+    other = TriangleMesh.create_box()
+    other.vertex_attributes["a"] = np.zeros(8, np.float32)
+    bare = dressed().with_arrays(triangle_uvs=None)
+    with pytest.raises(TypeError, match="a: the meshes have it in int64 and float32"):
+        bare + other
+
+
+# ------------------------------------------------------------------------------------------------ boxes and hulls
+
+
+def test_boxes_and_hulls_are_those_of_the_vertices(device):
+    mesh = TriangleMesh.create_torus(2, 0.5, 12, 8).rotate(np.linalg.qr(np.ones((3, 3)) + np.eye(3))[0]).to(device)
+    cloud = PointCloud(mesh.vertices)
+    low, high = mesh.get_axis_aligned_bounding_box()
+    np.testing.assert_array_equal([low, high], [mesh.get_min_bound(), mesh.get_max_bound()])
+    np.testing.assert_array_equal([low, high], [mesh.vertices.min(0), mesh.vertices.max(0)])
+    for name in ("get_oriented_bounding_box", "get_minimal_oriented_bounding_box"):
+        assert getattr(mesh, name)().volume() == pytest.approx(getattr(cloud, name)().volume(), rel=1e-6)
+    hull, indices = mesh.compute_convex_hull()
+    assert hull.is_watertight() and hull.get_volume() == pytest.approx(cloud.compute_convex_hull()[0].volume, rel=1e-6)
+    np.testing.assert_allclose(hull.vertices, mesh.vertices[indices])
+
+
+def test_open3ds_questions_are_answered():
+    mesh = dressed()
+    held = ("vertices", "triangles", "vertex_normals", "vertex_colors", "triangle_uvs", "textures")
+    assert all(getattr(mesh, f"has_{name}")() and not getattr(TriangleMesh(), f"has_{name}") for name in held)
+    assert TriangleMesh().is_empty() and not mesh.is_empty and mesh.has_textures()
+    doubled = mesh.with_arrays()
+    doubled.vertex_normals = 2 * mesh.vertex_normals
+    np.testing.assert_allclose(doubled.normalize_normals().vertex_normals, mesh.vertex_normals, atol=1e-7)
+    top = mesh.select_faces_by_mask(mesh.compute_triangle_normals()[:, 2] > 0.5)
+    assert top.vertices[:, 2].tolist() == [1] * 4 and len(top.triangle_attributes["b"]) == 2
+
+
+def test_isosurfaces_are_those_of_open3d():
+    o3d = pytest.importorskip("open3d", exc_type=ImportError)
+    grid = np.stack(np.meshgrid(*(np.linspace(-1, 1, n) for n in (12, 14, 16)), indexing="ij"), -1)
+    volume = (0.7 - np.linalg.norm(grid, axis=-1)).astype(np.float32)
+    ours = TriangleMesh.create_isosurfaces(volume, [0, 0.2])
+    peer = o3d.t.geometry.TriangleMesh.create_isosurfaces(volume, [0, 0.2])
+    assert ours.vertices.shape == tuple(peer.vertex.positions.shape)
+    np.testing.assert_allclose(ours.get_min_bound(), peer.get_min_bound().numpy(), atol=1e-5)
+    assert ours.get_volume() > 0  # it faces to where the field is below; Open3D's as well
+
+
+# ------------------------------------------------------------------------------------------------ sweeps
+
+
+@settings(max_examples=25, deadline=None)
+@given(
+    way=st.tuples(*[st.integers(-3, 3)] * 2, st.sampled_from([-2, -1, 1, 2])),
+    turned=st.booleans(),
+    is_far=st.booleans(),
+)
+def test_a_prism_is_closed_and_has_its_volume(way, turned, is_far):
+    outline = np.array([[0, 0], [4, 0], [4, 4], [2, 1], [0, 4]])
+    base = TriangleMesh.from_polygon(outline[::-1] if turned else outline, [[[1, 0.5], [2, 0.5], [1.5, 0.75]]])
+    base = base.translate(FAR) if is_far else base
+    prism = base.extrude_linear(way)
+    assert prism.is_watertight()
+    assert prism.get_volume() == pytest.approx(base.get_surface_area() * abs(way[2]), rel=1e-6)
+    assert prism._signed_volume() > 0
+
+
+def test_a_spring_is_that_of_open3ds_example():
+    spring = TriangleMesh(*TRIANGLE).extrude_rotation(3 * 360, [0, 1, 0], resolution=3 * 16, translation=2)
+    assert (len(spring.vertices), len(spring)) == (147, 290) and spring.is_watertight()
+
+
+@pytest.mark.parametrize("angle", [360, -360, 90, -90])
+def test_a_half_disc_turns_into_a_ball(angle):
+    corners = [[np.cos(a), np.sin(a)] for a in np.linspace(-np.pi / 2, np.pi / 2, 33)]
+    half = TriangleMesh.from_polygon(corners).rotate([[1, 0, 0], [0, 0, -1], [0, 1, 0]])
+    ball = half.extrude_rotation(angle, [0, 0, 1], resolution=abs(angle) // 5)
+    assert ball.is_watertight() and ball.get_volume() == pytest.approx(4 / 3 * np.pi * abs(angle) / 360, rel=0.01)
+
+
+def test_sweeps_take_colours_and_attributes_along(device):
+    plane = TriangleMesh.create_plane(device=device).paint_uniform_color([0, 1, 0]).compute_vertex_normals()
+    plane.vertex_attributes["a"], plane.triangle_attributes["b"] = np.arange(4), np.array([7, 8])
+    block = plane.extrude_linear([0, 0, 1])
+    assert block.vertex_attributes["a"].tolist() == [0, 1, 2, 3] * 2 and block.vertex_colors.tolist() == [[0, 1, 0]] * 8
+    assert sorted(block.triangle_attributes["b"].tolist()) == [7] * 6 + [8] * 6
+    assert block.vertex_normals[0].tolist() == pytest.approx([-(3**-0.5)] * 3, abs=0.3)
+    assert len(plane.extrude_linear([0, 0, 1], capping=False)) == 8
+
+
+def test_profiles_turn_about_the_axis():
+    assert TriangleMesh.revolve([[0, 0], [1, 0], [1, 2], [0, 2]], resolution=256).get_volume() == pytest.approx(
+        2 * np.pi, rel=1e-3
+    )
+    ring = TriangleMesh.revolve([[2, 0], [3, 0], [3, 1], [2, 1], [2, 0]], resolution=256)
+    assert ring.get_volume() == pytest.approx(5 * np.pi, rel=1e-3) and ring.euler_poincare_characteristic() == 0
+    assert len(TriangleMesh.revolve([[1, 0], [1, 1]], 90, 4).get_boundary_edges()) == 10
+
+
+# ------------------------------------------------------------------------------------------------ polygons
+
+
+def test_polygons_use_all_their_corners_and_no_others():
+    outline = [[0, 0], [1, 0], [2, 0], [3, 0], [3, 3], [0, 3], [0, 0]]  # corners on a line, the first one again
+    holes = [[[1, 1], [2, 1], [2, 2], [1, 2]], [[1, 2], [0.5, 2.5], [1, 2.5]]]  # two that touch
+    mesh = TriangleMesh.from_polygon(outline, holes)
+    assert len(mesh.vertices) == 13 and mesh.get_surface_area() == pytest.approx(8 - 0.125)
+    assert set(mesh.triangles.ravel().tolist()) == set(range(13))
+    assert len(mesh.get_boundary_edges()) == 13 and (mesh.compute_triangle_normals()[:, 2] > 0).all()
+    tilted = TriangleMesh.from_polygon(np.array([[0, 0, 0], [0, 1, 1], [0, 1, 0]]) + FAR)
+    assert tilted.compute_triangle_normals()[0].tolist() == pytest.approx([-1, 0, 0], abs=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("outline", "message"),
+    [
+        ([[0, 0], [1, 1], [1, 0], [0, 1]], "cross"),
+        ([[0, 0], [1, 0], [2, 0]], "cross"),
+        ([[0, 0], [1, 0]], "three corners"),
+        ([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0.1]], "off their plane"),
+        ([[0, 0], [np.nan, 0], [1, 1]], "finite"),
+    ],
+)
+def test_what_is_no_polygon_is_refused(outline, message):
+    with pytest.raises(ValueError, match=message):
+        TriangleMesh.from_polygon(outline)
