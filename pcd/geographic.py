@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 
 from ..core.checks import check_count
 from ..core.coordinates import quiet
+from ..core.units import METRE
 from .point_arrays import check_cloud
 
 if TYPE_CHECKING:
@@ -101,7 +102,7 @@ def project_to_utm(cloud: PointCloud, *, epsg: int | None = None) -> PointCloud:
     points[:, 0] = _EASTING + _SCALE * easting
     points[:, 1] = _SCALE * northing + (_SOUTHERN_NORTHING if code > _SOUTHERN else 0)
     projected = cloud.copy()
-    projected.points = points
+    projected.points, projected.unit = points, METRE
     return projected
 
 

@@ -6,6 +6,7 @@ import os
 from collections.abc import Callable
 from pathlib import Path
 
+from ..points.header_units import PLY, in_metres, is_metric, tells_unit, unit_comment, warn_of_lost_unit
 from ..points.ply import read_ply_mesh, write_ply_mesh
 from ..table import MeshTable
 from .glb import read_glb
@@ -15,7 +16,7 @@ from .off import read_off, write_off
 from .stl import read_stl, write_stl
 
 MESH_READERS: dict[str, Callable[..., MeshTable]] = {
-    ".ply": read_ply_mesh, ".obj": read_obj, ".stl": read_stl, ".off": read_off, ".glb": read_glb,
+    ".ply": tells_unit(PLY)(read_ply_mesh), ".obj": read_obj, ".stl": read_stl, ".off": read_off, ".glb": is_metric(read_glb),
 }  # fmt: skip
 
 _WRITERS: dict[str, Callable[..., None]] = {
@@ -31,6 +32,10 @@ def write_mesh(path: str | os.PathLike[str], mesh: MeshTable, *, ascii: bool, ov
     """
     suffix = Path(path).suffix.lower()
     if suffix == ".ply":
-        write_ply_mesh(path, mesh, ascii=ascii, overwrite=overwrite)
+        write_ply_mesh(path, mesh, ascii=ascii, overwrite=overwrite, comments=unit_comment(mesh))
     else:
+        if suffix == ".glb":
+            mesh = in_metres(path, mesh, "glTF")
+        else:
+            warn_of_lost_unit(path, mesh)
         _WRITERS[suffix](path, mesh, overwrite=overwrite)

@@ -14,6 +14,7 @@ from ...core.checks import check_count
 from ...core.coordinates import FLOAT32_MAX, choose_origin, finite_box, quiet
 from ...core.devices import resolve_device
 from ...core.errors import FileError
+from ...core.units import LengthUnit, warn_of_units
 from ...kernels.memory import download
 from ...pcd.cloud import PointCloud
 from ...pcd.point_arrays import VECTORS, check_cloud
@@ -129,6 +130,8 @@ def _chunks(file: LasFile, chunk_size: int, device: Any) -> Iterator[PointCloud]
     for table in iterate_las(file, chunk_size):
         if origin is None:
             origin = _common_origin(file, table)
+        else:
+            table.unit_doubt = None  # which the first part has told
         yield cloud_of(table, file.path, device=device, origin=origin)
 
 
@@ -152,8 +155,15 @@ def cloud_of(
         if name in VECTORS:
             raise FileError(path, f"attribute {name!r} has the name of a cloud's own {name}", remedy="Rename it")
         cloud[name] = values
-    cloud.grid = table.grid
+    cloud.grid, cloud.unit = table.grid, unit_told(table, path)
     return cloud
+
+
+def unit_told(table: PointTable, path: str | os.PathLike[str]) -> LengthUnit | None:
+    """The unit that a file tells of its coordinates; warns where the file itself speaks against it."""
+    if table.unit_doubt is not None:
+        warn_of_units(f"{path}: {table.unit_doubt}")
+    return table.unit
 
 
 def origin_of(table: PointTable, path: str | os.PathLike[str], *, stacklevel: int = 3) -> NDArray[np.float64]:
@@ -227,6 +237,7 @@ def table_of(cloud: PointCloud) -> PointTable:
         colors=cloud.colors if cloud.has_colors else None,
         attributes=dict(cloud.attributes),
         grid=cloud.grid,
+        unit=cloud.unit,
     )
 
 

@@ -124,7 +124,9 @@ class AlphaShapes(MeshArrays):
         arrays = {name: cloud.device_arrays[given] for name, given in names.items() if given in cloud.device_arrays}
         corners, kept = drop_unreferenced(triangles, len(cloud), list(arrays.values()))
         rows = dict(zip(arrays, kept, strict=True))
-        return cls.from_device_arrays(triangles=corners, **rows, origin=cloud.origin, library=cloud.array_library)
+        mesh = cls.from_device_arrays(triangles=corners, **rows, origin=cloud.origin, library=cloud.array_library)
+        mesh.unit = cloud.unit
+        return mesh
 
 
 def _used_rows(triangles: wp.array) -> NDArray[np.int32]:

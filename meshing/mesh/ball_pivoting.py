@@ -83,7 +83,7 @@ class BallPivoting(MeshArrays):
             _check_size(sizes, extent)
         triangles = ball.roll(sizes, len(cloud), _check_work)
         colors = cloud.device_array("colors") if cloud.has_colors else None
-        return cls.from_device_arrays(
+        mesh = cls.from_device_arrays(
             points,
             triangles,
             vertex_normals=normals,
@@ -91,6 +91,8 @@ class BallPivoting(MeshArrays):
             origin=cloud.origin,
             library=cloud.array_library,
         )
+        mesh.unit = cloud.unit
+        return mesh
 
 
 def _check_radii(radii: Any) -> list[float]:

@@ -109,6 +109,7 @@ def create_surface(
     points, normals = _with_normals(plain, method, bool(new_normals))
     say(method, 0, 0)
     made = _make(points, method, settings) if len(points) else _Made(TriangleMesh(device=cloud.device))
+    made.mesh.unit = cloud.unit
     say("check", 0, 0)
     return SurfaceResult(
         mesh=made.mesh.to(made.mesh.device, arrays=cloud.array_library),

@@ -19,6 +19,7 @@ from ...kernels.lang import int32, vec2, vec3, vec3i
 from ...kernels.memory import clone, download, move, upload
 from ...kernels.meshes.mesh_edits import gather_corners, gather_triangles
 from ...pcd.point_arrays import read_only
+from ...pcd.units import InUnit
 
 PER_VERTEX = {"vertices": vec3, "vertex_normals": vec3, "vertex_colors": vec3}
 PER_TRIANGLE = {"triangles": vec3i, "triangle_uvs": vec2, "triangle_material_ids": int32}
@@ -26,7 +27,7 @@ TEXTURE = ("triangle_uvs", "triangle_material_ids")
 CORNERS = ("triangle_uvs",)  # three rows a triangle
 
 
-class MeshArrays(KnownNames):
+class MeshArrays(InUnit, KnownNames):
     """The arrays of a mesh by name, checked where they are assigned; TriangleMesh adds the operations."""
 
     _device: Any
@@ -92,7 +93,9 @@ class MeshArrays(KnownNames):
         kept: dict[str, Any] = {name: values for name, values in merged.items() if values is not None}
         place = self._origin if origin is None else origin
         textures = self._textures if "triangle_uvs" in kept else ()
-        return self.from_device_arrays(**kept, textures=textures, origin=place, library=self._library)
+        mesh = self.from_device_arrays(**kept, textures=textures, origin=place, library=self._library)
+        mesh._unit = self._unit
+        return mesh
 
     @property
     def device_arrays(self) -> dict[str, wp.array]:
@@ -293,7 +296,7 @@ class MeshArrays(KnownNames):
     def __getstate__(self) -> dict[str, Any]:
         """The mesh as NumPy arrays and the name of its device, for pickle."""
         state = {"arrays": pickled(self._arrays), "origin": self._origin, "device": str(self._device)}
-        return state | {"textures": self._textures, "library": self._library}
+        return state | {"textures": self._textures, "library": self._library, "unit": self._unit}
 
     def __setstate__(self, state: dict[str, Any]) -> None:
         """The mesh on the device that it was on; on the first GPU where there is another number of them.
@@ -303,7 +306,7 @@ class MeshArrays(KnownNames):
         """
         self._device, self._origin = device_like("mesh", state["device"]), state["origin"]
         self._arrays, self._textures = unpickled(state["arrays"], self._device), state["textures"]
-        self._library = state["library"]
+        self._library, self._unit = state["library"], state.get("unit")
 
 
 def _kind_and_count(name: str, counts: dict[str, int]) -> tuple[Any, int]:

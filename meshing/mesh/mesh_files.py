@@ -43,7 +43,7 @@ def read_triangle_mesh(path: str | os.PathLike[str], *, device: Any = None) -> T
     if suffix not in MESH_READERS:
         raise FileError(path, f"meshes are read from {', '.join(MESH_READERS)}, not from {suffix or 'no extension'}")
     table = MESH_READERS[suffix](path)
-    return TriangleMesh(
+    mesh = TriangleMesh(
         table.vertices,
         table.triangles,
         vertex_normals=table.vertex_normals,
@@ -53,6 +53,8 @@ def read_triangle_mesh(path: str | os.PathLike[str], *, device: Any = None) -> T
         textures=table.textures,
         device=device,
     )
+    mesh.unit = table.unit
+    return mesh
 
 
 def write_triangle_mesh(
@@ -121,4 +123,5 @@ def mesh_table(mesh: TriangleMesh) -> MeshTable:
         triangle_uvs=mesh.triangle_uvs,
         triangle_material_ids=mesh.triangle_material_ids,
         textures=mesh.textures,
+        unit=mesh.unit,
     )

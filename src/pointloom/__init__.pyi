@@ -85,6 +85,8 @@ from .files.frames.datasets import open_dataset as open_dataset
 from .files.frames.datasets import open_frames as open_frames
 from .files.pictures.image_files import read_color as read_color
 from .files.pictures.image_files import read_depth as read_depth
+from .core.units import LengthUnit as LengthUnit
+from .core.units import UnitWarning as UnitWarning
 from .files.points.las_crs import GeographicWarning as GeographicWarning
 from .files.frames.latest_frames import LatestFrames as LatestFrames
 from .files.models.metashape import read_metashape_cameras as read_metashape_cameras
