@@ -73,6 +73,16 @@ class LengthUnit:
     def __str__(self) -> str:
         return self.name
 
+    def to_json(self) -> str:
+        """Its name, in reports for programs."""
+        return self.name
+
+    def in_words(self) -> str:
+        """Its name, and what one of it is."""
+        if self.metres is None:
+            return f"{self.name}, of longitude and latitude"
+        return self.name if self.metres == 1 else f"{self.name} ({self.metres:.12g} m)"
+
     def __eq__(self, other: object) -> bool:
         if isinstance(other, LengthUnit):
             return (self.name, self.metres) == (other.name, other.metres)

@@ -72,7 +72,7 @@ class MeshTable:
         vertex_normals: As stored, float32 [m, 3], or None.
         vertex_colors: In 0..1, float32 [m, 3], or None.
         attributes: Every other per-vertex value by name, in its own type, shape [m] or [m, c].
-        triangle_attributes: The same for triangles, shape [t] or [t, c]; "colors" are in 0..1, float32 [t, 3] or [t, 4].
+        triangle_attributes: The same for triangles, shape [t] or [t, c]; "colors": 0..1, float32 [t, 3] or [t, 4].
         triangle_uvs: Texture coordinates of corners, float32 [3 t, 2], (0, 0) the lower left corner; or None.
         triangle_material_ids: Which of the textures each triangle has, int32 [t]; None where all have the first.
         textures: Pictures, uint8 [height, width, 3 or 4], top row first.

@@ -9,8 +9,8 @@ from numpy.typing import ArrayLike
 
 from ..core.checks import check_color, check_list
 from ..core.devices import check_same_device
-from ..core.units import common_unit
 from ..core.dropped_results import returns_new
+from ..core.units import common_unit
 from ..kernels.arrays.concatenation import concatenate_points, concatenate_rows
 from ..kernels.lang import vec3
 from ..kernels.memory import full

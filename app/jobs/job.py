@@ -16,6 +16,7 @@ from ...core.errors import FilePath
 from ...core.progress import ReportProgress
 from ...core.reports import Fields, Report, values_of
 from ...core.timing import Clock
+from ...core.units import LengthUnit, symbol_of
 from ...core.wording import plain
 from ...files.meshes import tables
 from ...files.points.formats import WRITTEN
@@ -60,6 +61,7 @@ class Done:
         left_out: Names of what the outputs cannot hold.
         files: What was written.
         poor: Why the result is poor, or None.
+        unit: Of the source's coordinates, where that is known: lengths that are given and told are in it.
     """
 
     command: str
@@ -68,6 +70,11 @@ class Done:
     left_out: tuple[str, ...]
     files: tuple[str, ...]
     poor: str | None
+    unit: LengthUnit | None = None
+
+    def to_json(self) -> dict[str, Any]:
+        """All of it by name, without the unit where that is not known."""
+        return {name: value for name, value in values_of(self).items() if name != "unit" or value is not None}
 
 
 @dataclass(frozen=True)
@@ -88,7 +95,12 @@ class JobReport(Report):
     def to_json(self) -> dict[str, Any]:
         """All of it in JSON's types, on one level."""
         own = {name: value for name, value in values_of(self).items() if name != "done"}
-        return plain(values_of(self.done) | own)
+        return plain(self.done.to_json() | own)
+
+    @property
+    def m(self) -> str:
+        """What stands behind lengths: "m" where the unit is not known."""
+        return symbol_of(self.done.unit)
 
     def title(self, source: str) -> str:
         """What stands above the fields; `source` is what the user calls the file."""
@@ -124,6 +136,7 @@ class Job:
         clock: The seconds of the stages.
         left_out: Names of what the outputs cannot hold.
         files: What was written.
+        unit: Of the source's coordinates, once it was read and where it is known.
         form: Options of the functions that write files.
     """
 
@@ -142,6 +155,7 @@ class Job:
         self.form: Form = {"as_text": as_text, "overwrite": overwrite}
         self.left_out: list[str] = []
         self.files: list[str] = []
+        self.unit: LengthUnit | None = None
 
     @cached_property
     def device(self) -> Any:
@@ -173,6 +187,7 @@ class Job:
     def read_points(self) -> PointTable:
         """The points of the source as its file has them; of a mesh the vertices, which leaves its triangles out."""
         table = tables.read_table(self.source)
+        self.unit = table.unit
         if isinstance(table, MeshTable):
             self.left_out.append("triangles")
             return tables.points_of(table)
@@ -192,7 +207,9 @@ class Job:
 
         where = self.device
         with self.stage("read"):
-            return read_triangle_mesh(self.source, device=where)
+            mesh = read_triangle_mesh(self.source, device=where)
+        self.unit = mesh.unit
+        return mesh
 
     def write_points(self, table: PointTable, output: FilePath) -> None:
         """Write points, whole or not at all; in LAS with the source's steps where it is such a file."""
@@ -223,4 +240,4 @@ class Job:
     def done(self, poor: str | None = None) -> Done:
         """What was done so far."""
         seconds, source = dict(self.clock.seconds), os.fspath(self.source)
-        return Done(self._command, source, seconds, tuple(self.left_out), tuple(self.files), poor)
+        return Done(self._command, source, seconds, tuple(self.left_out), tuple(self.files), poor, self.unit)

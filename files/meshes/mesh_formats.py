@@ -16,7 +16,8 @@ from .off import read_off, write_off
 from .stl import read_stl, write_stl
 
 MESH_READERS: dict[str, Callable[..., MeshTable]] = {
-    ".ply": tells_unit(PLY)(read_ply_mesh), ".obj": read_obj, ".stl": read_stl, ".off": read_off, ".glb": is_metric(read_glb),
+    ".ply": tells_unit(PLY)(read_ply_mesh), ".obj": read_obj, ".stl": read_stl, ".off": read_off,
+    ".glb": is_metric(read_glb),
 }  # fmt: skip
 
 _WRITERS: dict[str, Callable[..., None]] = {

@@ -1,7 +1,8 @@
 """Writing E57 files; reading is e57.py's matter.
 
-Positions are float or double as the table has them, in metres, without a pose; one scan for each value of `scan_index`, or one.
-Colours take 8 bits, normals are the extension "nor". Attributes other than those that e57.py reads cannot be stored.
+Positions are float or double as the table has them, in metres, without a pose; one scan for each value of `scan_index`,
+or one. Colours take 8 bits, normals are the extension "nor". Attributes other than those that e57.py reads cannot be
+stored.
 
 Source: ASTM E2807-11; the extension "nor" of libe57.org.
 """

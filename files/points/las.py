@@ -1,13 +1,13 @@
 """LAS and LAZ files of points, versions 1.0 to 1.4, point formats 0 to 10; the packages laspy and lazrs read them.
 
-Reading: positions are X * scale + offset in float64, in the file's own unit (metres or feet, which
-las_units.py tells: nothing is converted) and coordinate system (las_crs.py tells its name). Every other dimension is an attribute by laspy's name and in the file's
-type: intensity, return_number, number_of_returns, classification, synthetic, key_point, withheld, scan_angle_rank
-(whole degrees, formats 0 to 5) or scan_angle (steps of 0.006 degrees, formats 6 to 10), user_data, point_source_id,
-gps_time, nir, and so on, and each extra dimension by its own name, scaled where it says so. Red, green and blue are
-colours in 0..1: of 65535, or of 255 where no value in the file exceeds that, as many writers store 8 bits in the
-16-bit fields (a file of 16-bit colours darker than 1/257 throughout would come out too bright). Extra dimensions
-NormalX, NormalY and NormalZ are normals. Waveforms are not read.
+Reading: positions are X * scale + offset in float64, in the file's own unit (metres or feet, which las_units.py tells:
+nothing is converted) and coordinate system (las_crs.py tells its name). Every other dimension is an attribute by
+laspy's name and in the file's type: intensity, return_number, number_of_returns, classification, synthetic, key_point,
+withheld, scan_angle_rank (whole degrees, formats 0 to 5) or scan_angle (steps of 0.006 degrees, formats 6 to 10),
+user_data, point_source_id, gps_time, nir, and so on, and each extra dimension by its own name, scaled where it says so.
+Red, green and blue are colours in 0..1: of 65535, or of 255 where no value in the file exceeds that, as many writers
+store 8 bits in the 16-bit fields (a file of 16-bit colours darker than 1/257 throughout would come out too bright).
+Extra dimensions NormalX, NormalY and NormalZ are normals. Waveforms are not read.
 
 The file is held to its header by las_header.py and laszip.py before memory is taken.
 

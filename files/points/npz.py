@@ -2,8 +2,9 @@
 
 Members: `points` [n, 3] (float32 or float64), `normals` and `colors` [n, 3] where there are any, `grid` (height, width)
 for an organised cloud, `unit`, the unit of lengths as text such as "foot", where it is known; every other member is an
-attribute of shape [n] or [n, c], so is a `unit` of numbers. Objects (pickles) are never loaded. The sizes in the archive's directory and in each array's header are held against each other and against what the stored
-bytes can unpack to before an array is allocated.
+attribute of shape [n] or [n, c], so is a `unit` of numbers. Objects (pickles) are never loaded. The sizes in the
+archive's directory and in each array's header are held against each other and against what the stored bytes can unpack
+to before an array is allocated.
 
 Source: NumPy Enhancement Proposal 1 (the .npy format); PKWARE's APPNOTE for ZIP.
 """

@@ -207,4 +207,5 @@ def _find_off(points: PointCloud, mesh: TriangleMesh) -> PointsOff:
     probes = PointCloud(points.points[:: max(1, len(points) // POINT_SAMPLES)], device=points.device)
     tree = TriangleTree(mesh.device_arrays["vertices"], mesh.device_arrays["triangles"])
     distances = distances_to(points_about(probes.device_arrays["points"], probes.origin, mesh.origin), tree)
-    return PointsOff(float(np.median(download(distances))), math.dist(points.get_min_bound(), points.get_max_bound()))
+    size = math.dist(points.get_min_bound(), points.get_max_bound())
+    return PointsOff(float(np.median(download(distances))), size, points.unit)
