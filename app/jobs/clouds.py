@@ -78,7 +78,6 @@ def convert_file(
     job.check(output, allowed, what="clouds and meshes")
     with job.stage("read"):
         table = tables.read_table(source)
-    job.unit = table.unit
     suffix = Path(output).suffix.lower()
     if isinstance(table, MeshTable) and suffix in tables.MESHES:
         with job.stage("write"):

@@ -98,6 +98,14 @@ class JobReport(Report):
         return plain(self.done.to_json() | own)
 
     @property
+    def note(self) -> str | None:
+        """That lengths are in another unit than metres, where they are."""
+        unit = self.done.unit
+        if unit is None or unit.metres == 1:
+            return None
+        return f"the unit of {self.done.source} is {unit.in_words()}: lengths that are given and told are in it"
+
+    @property
     def m(self) -> str:
         """What stands behind lengths: "m" where the unit is not known."""
         return symbol_of(self.done.unit)
