@@ -94,10 +94,13 @@ def units_of(header: LasHeader) -> LasUnits:
 
 def _doubt_of(units: LasUnits) -> str | None:
     plane, height = units.plane, units.height
-    if plane is None or height is None or plane.metres is None or height.metres is None or is_same(plane, height):
+    if plane is None or height is None or height.metres is None:
         return None
-    factor = height.metres / plane.metres
-    remedy = f"points = cloud.points.copy(); points[:, 2] *= {factor:.10g}; cloud.points = points"
+    factor = height.metres / (plane.metres or 1.0)  # degrees become metres
+    if is_same(plane, height) or factor == 1:
+        return None
+    first = "" if plane.metres else "cloud = project_to_utm(cloud); "
+    remedy = f"{first}points = cloud.points.copy(); points[:, 2] *= {factor:.10g}; cloud.points = points"
     return f"x and y are in {plane}, z is in {height}, so that no length is right; to mend it: {remedy}"
 
 
