@@ -68,11 +68,9 @@ def test_a_unit_survives_text_pickles_and_copies(unit):
     assert unit == unit.name and unit != "ell" and unit != 3
 
 
-@pytest.mark.parametrize(
-    "text", ["feet", "mm", "foot  = 0.3048 m", "x = 1 ft", "x = m", "x = nan m", "of the scan", ""]
-)
+@pytest.mark.parametrize("text", ["feet", "mm", "metre = 0.3048 m", "x = 1 ft", "x = m", "x = nan m", "of a scan", ""])
 def test_other_text_is_no_unit(text):
-    assert unit_of_text(text) is None or unit_of_text(text) == "foot"
+    assert unit_of_text(text) is None
 
 
 def test_one_unit_is_common_and_two_are_a_warning_at_the_users_line():

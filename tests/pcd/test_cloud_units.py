@@ -15,29 +15,40 @@ import pointloom as loom
 @pytest.fixture
 def feet(rng):
     """A cloud in feet, far from zero, with all that operations ask for."""
-    points = rng.random((200, 3)) + [2_500_000, 700_000, 400]
-    cloud = loom.PointCloud(
-        points, normals=rng.normal(size=(200, 3)), colors=rng.random((200, 3)), unit="foot", ring=range(200)
-    )
-    return cloud
+    points, normals = rng.random((200, 3)) + np.array([2_500_000, 700_000, 400]), rng.normal(size=(200, 3))
+    return loom.PointCloud(points, normals=normals, colors=rng.random((200, 3)), unit="foot", ring=range(200))
 
 
 @pytest.mark.parametrize(
     "operation",
     [
-        copy.copy, copy.deepcopy, lambda c: pickle.loads(pickle.dumps(c)), lambda c: c.copy(), lambda c: c.to("cpu", arrays="warp"),
-        lambda c: c.voxel_down_sample(0.3), lambda c: c.random_down_sample(0.5), lambda c: c.select_by_index([1, 2]),
-        lambda c: c.crop(loom.AxisAlignedBoundingBox([0, 0, 0], [3e6] * 3)), lambda c: c.without("ring"),
-        lambda c: c.estimate_normals(max_nn=5), lambda c: c.paint_uniform_color([1, 0, 0]), lambda c: c.translate([1, 2, 3]),
-        lambda c: c.rotate(np.diag([1.0, -1, -1])), lambda c: c.transform(np.eye(4)), lambda c: c + loom.PointCloud([[0, 0, 0]]),
-        lambda c: sum([c, c]), lambda c: c.remove_statistical_outlier(5, 2.0)[0], lambda c: c.smooth_laplacian(1, knn=4),
-        lambda c: c.remove_non_finite_points(), lambda c: c.farthest_point_down_sample(5),
+        copy.copy,
+        copy.deepcopy,
+        lambda c: pickle.loads(pickle.dumps(c)),
+        lambda c: c.copy(),
+        lambda c: c.to("cpu", arrays="warp"),
+        lambda c: c.voxel_down_sample(0.3),
+        lambda c: c.random_down_sample(0.5),
+        lambda c: c.select_by_index([1, 2]),
+        lambda c: c.crop(loom.AxisAlignedBoundingBox([0, 0, 0], [3e6] * 3)),
+        lambda c: c.without("ring"),
+        lambda c: c.estimate_normals(max_nn=5),
+        lambda c: c.paint_uniform_color([1, 0, 0]),
+        lambda c: c.translate([1, 2, 3]),
+        lambda c: c.rotate(np.diag([1.0, -1, -1])),
+        lambda c: c.transform(np.eye(4)),
+        lambda c: c + loom.PointCloud([[0, 0, 0]]),
+        lambda c: sum([c, c]),
+        lambda c: c.remove_statistical_outlier(5, 2.0)[0],
+        lambda c: c.smooth_laplacian(1, knn=4),
+        lambda c: c.remove_non_finite_points(),
+        lambda c: c.farthest_point_down_sample(5),
         lambda c: loom.PointCloud.concatenate([loom.PointCloud(), c]),
         lambda c: loom.TriangleMesh.from_point_cloud_ball_pivoting(c, [0.2]),
         lambda c: loom.TriangleMesh.from_point_cloud_alpha_shape(c, 0.5),
         lambda c: loom.TriangleMesh.from_point_cloud_alpha_shape(c, 0.5).sample_points_uniformly(9),
     ],
-)  # fmt: skip
+)
 def test_operations_keep_the_unit(operation, feet):
     assert operation(feet).unit == "foot"
 
@@ -57,7 +68,7 @@ def test_a_unit_is_assigned_by_name_and_moves_no_point():
     assert cloud.unit == "foot" and cloud.points.tolist() == [[1, 2, 3]]
     cloud.unit = None
     assert cloud.unit is None
-    with pytest.raises(ValueError, match="expected one of metre, foot, .*, got 'ell'"):
+    with pytest.raises(ValueError, match=r"expected one of metre, foot, .*, got 'ell'"):
         cloud.unit = "ell"
     with pytest.raises(TypeError, match="unit"):
         cloud.unit = 0.3048

@@ -80,6 +80,7 @@ class MeasureTool(Tool):
         for place in places:
             stage.mark(view, place)
         stage.lines(places)
+        stage.show([])
         unit = stage.unit(found.name for found in self._picks)
         for a, b in itertools.pairwise(places if unit is None or unit.metres is not None else []):
             stage.label((a + b) / 2, length_text(float(np.linalg.norm(b - a)), unit))

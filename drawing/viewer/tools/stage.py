@@ -135,7 +135,7 @@ class Stage:
         known = [g.unit for g in geometries if isinstance(g, InUnit) and g.unit is not None]
         for other in known[1:]:
             if not is_same(known[0], other):
-                raise ValueError(f"one is in {known[0]}, the other in {other}: nothing between them is a length")
+                raise ValueError(f"one is in {known[0]}, the other in {other}, so nothing between them is a length")
         return known[0] if known else None
 
     def pose_of(self, item: Item) -> Matrix | None:
