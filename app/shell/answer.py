@@ -6,18 +6,13 @@ from typing import Any, Protocol
 
 import click
 
-from ...core.reports import Fields
+from ...core.reports import Fields, Report
 from .console import print_fields, print_json
 from .group import poor_result
 
 
 class CommandReport(Protocol):
     """What a command says of what it did."""
-
-    @property
-    def note(self) -> str | None:
-        """What to tell people besides, or None."""
-        ...
 
     @property
     def poor(self) -> str | None:
@@ -39,6 +34,6 @@ def answer_with(report: CommandReport, title: str, as_json: bool, *, err: bool =
         print_json(report.to_json())
     else:
         print_fields(report.fields(), title=title, err=err)
-        if report.note:
+        if isinstance(report, Report) and report.note:
             click.echo(f"note: {report.note}", err=True)
     return poor_result(report.poor)
