@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from ...core.checks import check_count, check_finite, check_name, check_positive, check_rigid, check_shape
 from ...pcd.cloud import PointCloud
-from ..render.geometries import Named, check_units, named_geometries
+from ..render.geometries import Named, named_geometries
 from ..render.open3d_views import OPEN3D_KEYS
 from ..render.view import View
 from .detail_tree import DetailTree
@@ -124,8 +124,7 @@ class Viewer(Scene):
         """Add several geometries at once, as of `named_geometries`, some perhaps with levels of detail by name."""
         with self.lock:
             self._check_open()
-            new = {name: geometry for name, geometry, _ in named}
-            check_units([*(item.geometry for name, item in self.items.items() if name not in new), *new.values()])
+            self._check_units(named)
             made = []
             for name, geometry, style in named:
                 made.append(make_item(name, self._next_number, geometry, style, trees.get(name)))

@@ -38,7 +38,8 @@ def read_point_cloud(
     in 0..255), and attributes by any other name. Without names three columns are x y z, and more are refused: give
     `columns`. A .bin is a scan of KITTI, float32 x, y, z, intensity.
 
-    LAS and LAZ come in the file's own unit and coordinate system, which may be feet; their dimensions are attributes by
+    LAS and LAZ come in the file's own unit and coordinate system, which may be feet: `cloud.unit` says so where the
+    file does (docs/units.md). Their dimensions are attributes by
     laspy's names (intensity, classification, gps_time and so on). Where the file says that they are longitude and
     latitude, a GeographicWarning says so: they are kept to the file's steps, but a radius or a voxel of degrees is no
     length, so that `project_to_utm` should come next. The scans of an E57 file lie where their poses place them, in
@@ -189,7 +190,8 @@ def write_point_cloud(
 
     Coordinates of a cloud whose origin is zero are written in float32 as they are held; those of a moved origin in
     float64, so that nothing is lost. LAS and LAZ alone round them, to multiples of `scale` about the cloud's origin.
-    A cloud knows no coordinate system: `like` takes it over from the file that the cloud came from.
+    A cloud knows no coordinate system: `like` takes it over from the file that the cloud came from. Its unit is written
+    where the format has a place for it; E57 holds metres, so that coordinates in another unit are multiplied.
 
     Args:
         path: The file: .ply .pcd .npz .xyz .xyzn .xyzrgb .pts .las .laz .e57.
@@ -203,9 +205,13 @@ def write_point_cloud(
             given, scale are taken over, for a cloud in the same system.
 
     Raises:
-        FileError: The file cannot be made, or the format cannot hold an attribute or a point that is not finite.
+        FileError: The file cannot be made, or the format cannot hold an attribute, a point that is not finite or, of
+            E57, degrees.
         TypeError: No cloud.
         ValueError: A scale that is not above 0; `scale` or `like` for another format.
+
+    Warns:
+        UnitWarning: The cloud's unit is not that of `like`, not the format's, or one that the format cannot tell.
 
     Example:
         >>> import pointloom as loom
