@@ -39,11 +39,11 @@ def read_point_cloud(
     `columns`. A .bin is a scan of KITTI, float32 x, y, z, intensity.
 
     LAS and LAZ come in the file's own unit and coordinate system, which may be feet: `cloud.unit` says so where the
-    file does (docs/units.md). Their dimensions are attributes by
-    laspy's names (intensity, classification, gps_time and so on). Where the file says that they are longitude and
-    latitude, a GeographicWarning says so: they are kept to the file's steps, but a radius or a voxel of degrees is no
-    length, so that `project_to_utm` should come next. The scans of an E57 file lie where their poses place them, in
-    metres. Both need an extra: `pip install "pointloom[las]"`, `pip install "pointloom[e57]"`.
+    file does (docs/units.md). Their dimensions are attributes by laspy's names (intensity, classification, gps_time and
+    so on). Where the file says that they are longitude and latitude, a GeographicWarning says so: they are kept to the
+    file's steps, but a radius or a voxel of degrees is no length, so that `project_to_utm` should come next. The scans
+    of an E57 file lie where their poses place them, in metres. Both need an extra: `pip install "pointloom[las]"`,
+    `pip install "pointloom[e57]"`.
 
     Args:
         path: The file.
@@ -57,6 +57,10 @@ def read_point_cloud(
         IndexError: There is no such scan.
         ValueError: A scan of a file that is no .e57, columns of one that is no table of text, or columns without x, y
             and z.
+
+    Warns:
+        GeographicWarning: x and y are degrees.
+        UnitWarning: z is in another unit than x and y, or the file tells two units.
 
     Example:
         >>> import pointloom as loom

@@ -246,7 +246,6 @@ def register_pair(
     tell("rate", 0, 0)
     score = min(believed, rate_registration(source, target, result.transformation, RATED_WITHIN * size))
     estimated = tuple(role for role in estimation.needs_normals if not clouds[role].has_normals)
-    rotation, shift = _motion(source, result.transformation)
     return PairRegistration(
         result,
         score,
@@ -259,8 +258,7 @@ def register_pair(
         limits[-1],
         estimated,
         NORMAL_RADIUS * size if estimated else None,
-        rotation,
-        shift,
+        *_motion(source, result.transformation),
         "" if doubt == "converged" else doubt,
         source.unit or target.unit,
     )
