@@ -147,3 +147,11 @@ def test_a_sum_of_two_units_has_none(feet):
 def test_lidar_odometry_counts_in_metres(feet):
     with pytest.warns(loom.UnitWarning, match="LidarOdometry, which counts in metres"):
         loom.registration.LidarOdometry().register(feet)
+
+
+def test_ground_by_lengths_in_metres_is_a_warning_in_feet(feet):
+    with pytest.warns(loom.UnitWarning, match="is in foot, and the default lengths are metres") as told:
+        loom.classify_ground(feet, cell_size=3.3)
+    assert told[0].filename == __file__
+    loom.classify_ground(feet, cell_size=3.3, max_window=59.1, elevation_threshold=1.64, scaling=4.1)
+    loom.classify_ground(feet.to_unit("metre"))
