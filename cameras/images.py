@@ -15,7 +15,7 @@ from ..core.gpu_arrays import INTEGERS, device_for, take_numbers
 from ..core.known_names import ToldNames
 from ..core.pickled_arrays import device_like, pickled, unpickled
 from ..core.told_arguments import told_arguments
-from ..core.units import warn_of_unit
+from ..core.units import warn_of_units
 from ..kernels.arrays.row_numbers import limits_of
 from ..kernels.images.depth import decode_depth, intensity_of, metric_depth
 from ..kernels.lang import float32, float64, int8, int64, uint8, uint16
@@ -47,7 +47,7 @@ class RGBDImage(ToldNames):
         TypeError: Wrong element types; depth of 8 bits, which is a picture of it.
 
     Warns:
-        UnitsWarning: A scale or limit leaves no depth, of an array on the host.
+        UnitWarning: A scale or limit leaves no depth, of an array on the host.
 
     Attributes:
         depth_array: The depth on its device, float32 [h * w] [m], 0 where there is none.
@@ -284,7 +284,7 @@ def _check_scale(depth: NDArray[Any], depth_scale: float, depth_trunc: float) ->
     if measured.size:
         given = f"{measured.size:,} of {measured.dtype} {measured.min()}..{measured.max()}"
         scale = "metres" if depth.dtype.kind == "f" else f"{depth_scale:g} units a metre"
-        warn_of_unit(
+        warn_of_units(
             f"depth_scale, depth_trunc: no depth is left: {given}, taken for {scale}, lie beyond {depth_trunc:g} m; "
             "integers in millimetres want depth_scale=1000, floats in millimetres are divided by 1000 first"
         )

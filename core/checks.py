@@ -15,6 +15,7 @@ from .verbosity import LoggedProgress
 MOST_SEED = 2**31 - 1
 MOST_COUNT = 2**31 - 1  # device code counts in 32 bits
 LARGEST_NUMBER = 1e100  # no length in pixels or metres is larger; beyond it products of three numbers overflow
+RIGID_TOLERANCE = 0.02  # of R R^T - I: rotations of real data sets were rounded to a few digits
 SHOWN = 80  # characters of a value that a message quotes
 DLPACK_GPUS = (2, 13)  # kDLCUDA, kDLCUDAManaged
 
@@ -299,7 +300,7 @@ def check_seed(seed: Any) -> int:
     return check_count("seed", seed, minimum=0, maximum=MOST_SEED)
 
 
-def check_rigid(name: str, matrix: Any, *, tolerance: float = 0.02) -> NDArray[np.float64]:
+def check_rigid(name: str, matrix: Any, *, tolerance: float = RIGID_TOLERANCE) -> NDArray[np.float64]:
     """A 4x4 rigid motion in float64, its rotation within `tolerance` of orthonormal.
 
     The tolerance admits the poses of real data sets, whose rotations were rounded to a few digits; a matrix with

@@ -24,6 +24,11 @@ class Report:
         """Labels and values, in the order in which people read them."""
         raise NotImplementedError
 
+    @property
+    def note(self) -> str | None:
+        """What to tell people besides, on a line of its own; None for nothing."""
+        return None
+
     def to_json(self) -> dict[str, Any]:
         """The same in JSON's types."""
         return {name: plain(value) for name, value in values_of(self).items()}

@@ -1,26 +1,214 @@
-"""A length in another unit than the data: told where it leaves nothing, which a caller would take for an answer."""
+"""The unit of lengths: what one of it is in metres, and how it is written.
+
+A cloud of unknown unit is taken for one in metres, as every docstring's [m] says; docs/adr/0029-lengths-have-units.md
+says why.
+
+Source: EPSG register, units 9001 (metre), 9002 (foot), 9003 (US survey foot), 9102 (degree).
+"""
 
 from __future__ import annotations
 
+import dataclasses
+import math
 import sys
 import warnings
+from collections.abc import Iterable
+from typing import Any
 
-PACKAGE = __name__.partition(".")[0]
+from .checks import check_positive, shown
+
+SAME_SHARE = 1e-7  # by which a length may be rounded and still is that of a known unit: the two feet differ by 2e-6
+_NEAR_SHARE = 1e-5  # by which a length of few digits may differ from that of the unit which the same place names
 
 
-class UnitsWarning(UserWarning):
-    """A radius, scale or limit leaves nothing of the data: most likely it is in another unit.
+_PASSED_OVER = ("pointloom.", "numpy.", "contextlib")  # modules in which no warning is the user's
+
+
+class UnitWarning(UserWarning):
+    """Lengths of two units meet, such as those of a cloud in feet and of one in metres; or most likely do, since a
+    radius, a scale or a limit leaves nothing of the data.
 
     Example:
         >>> import warnings, pointloom as loom
         >>> with warnings.catch_warnings():
-        ...     warnings.simplefilter("error", loom.UnitsWarning)  # make it an error
+        ...     warnings.simplefilter("error", loom.UnitWarning)  # make it an error
     """
 
 
-def warn_of_unit(message: str) -> None:
-    """Warn at the line outside of the library that called it."""
-    frame, level = sys._getframe(1), 2
-    while frame.f_back is not None and frame.f_globals.get("__name__", "").partition(".")[0] == PACKAGE:
-        frame, level = frame.f_back, level + 1
-    warnings.warn(message, UnitsWarning, stacklevel=level)
+@dataclasses.dataclass(frozen=True, eq=False)
+class LengthUnit:
+    """The unit of coordinates. It is equal to its name: `cloud.unit == "foot"`.
+
+    Attributes:
+        name: Such as "foot".
+        symbol: What stands behind numbers.
+        metres: Of one unit [m]; None of degrees of longitude and latitude, which are no lengths.
+
+    Raises:
+        TypeError: The name or the symbol is no text, or the length no number.
+        ValueError: The name or the symbol is empty, or no line of ASCII, or the length is not above zero.
+
+    Example:
+        >>> import pointloom as loom
+        >>> cloud = loom.PointCloud([[0, 0, 0], [0, 0, 10]], unit="foot")
+        >>> cloud.unit
+        LengthUnit(name='foot', symbol='ft', metres=0.3048)
+        >>> link = loom.LengthUnit("Gunter's link", "li", 0.201168)  # a unit that is not known by name
+        >>> loom.PointCloud([[0, 0, 10]], unit=link).to_unit("metre").points.round(5).tolist()
+        [[0.0, 0.0, 2.01168]]
+    """
+
+    name: str
+    symbol: str
+    metres: float | None
+
+    def __post_init__(self) -> None:
+        for what, text in (("name", self.name), ("symbol", self.symbol)):
+            if not isinstance(text, str):
+                raise TypeError(f"{what}: expected text, got {type(text).__name__}")
+            if not text.strip() or not (text.isprintable() and text.isascii()):
+                raise ValueError(f"{what}: expected a line of ASCII, got {shown(text)}")
+        if self.metres is not None:
+            object.__setattr__(self, "metres", check_positive("metres", self.metres))
+
+    def __str__(self) -> str:
+        return self.name
+
+    def to_json(self) -> str:
+        """Its name, in reports for programs."""
+        return self.name
+
+    def in_words(self) -> str:
+        """Its name, and what one of it is."""
+        if self.metres is None:
+            return f"{self.name}, of longitude and latitude"
+        return self.name if self.metres == 1 else f"{self.name} ({self.metres:.12g} m)"
+
+    def __eq__(self, other: object) -> bool:
+        if isinstance(other, LengthUnit):
+            return (self.name, self.metres) == (other.name, other.metres)
+        return self.name == other if isinstance(other, str) else NotImplemented
+
+    def __hash__(self) -> int:
+        return hash(self.name)
+
+
+METRE = LengthUnit("metre", "m", 1.0)
+FOOT = LengthUnit("foot", "ft", 0.3048)
+US_FOOT = LengthUnit("US survey foot", "US ft", 1200 / 3937)
+DEGREE = LengthUnit("degree", "deg", None)
+KNOWN = (
+    METRE, FOOT, US_FOOT, DEGREE, LengthUnit("kilometre", "km", 1000.0), LengthUnit("centimetre", "cm", 0.01),
+    LengthUnit("millimetre", "mm", 0.001), LengthUnit("inch", "in", 0.0254), LengthUnit("yard", "yd", 0.9144),
+)  # fmt: skip
+
+# Other names, as people and files of coordinate systems write them, in small letters without `_` and `-`.
+_OTHER_NAMES = {
+    "meter": "metre", "meters": "metre", "metres": "metre", "kilometer": "kilometre", "centimeter": "centimetre",
+    "millimeter": "millimetre", "feet": "foot", "international foot": "foot", "foot intl": "foot",
+    "us foot": "US survey foot", "us feet": "US survey foot", "us survey feet": "US survey foot",
+    "foot us": "US survey foot", "foot survey us": "US survey foot", "survey foot": "US survey foot",
+    "inches": "inch", "yards": "yard", "degrees": "degree",
+}  # fmt: skip
+_BY_NAME = {**{u.name.lower(): u for u in KNOWN}, **{u.symbol.lower(): u for u in KNOWN}}
+_BY_NAME |= {other: _BY_NAME[name.lower()] for other, name in _OTHER_NAMES.items()}
+
+
+def unit_by_name(name: str) -> LengthUnit | None:
+    """The known unit with this name or symbol, in any spelling that is in use; None without."""
+    return _BY_NAME.get(" ".join(name.lower().replace("_", " ").replace("-", " ").split()))
+
+
+def check_unit(name: str, value: Any) -> LengthUnit | None:
+    """A unit from its name, or None for an unknown one.
+
+    Raises:
+        TypeError: Neither text, nor a unit, nor None.
+        ValueError: No unit has this name.
+    """
+    if value is None or isinstance(value, LengthUnit):
+        return value
+    if not isinstance(value, str):
+        raise TypeError(f"{name}: expected the name of a unit, such as 'foot', got {type(value).__name__}")
+    found = unit_by_name(value)
+    if found is None:
+        known = ", ".join(unit.name for unit in KNOWN)
+        raise ValueError(f"{name}: expected one of {known}, got {shown(value)}; others are LengthUnit(name, symbol, m)")
+    return found
+
+
+def unit_by_length(name: str, metres: float) -> LengthUnit | None:
+    """The unit that a file describes by its name and its length [m]; None where these two contradict each other."""
+    if not (math.isfinite(metres) and metres > 0):
+        return None
+    named = unit_by_name(name)
+    if named is not None and (named.metres is None or abs(metres / named.metres - 1) > _NEAR_SHARE):
+        return None
+    for unit in KNOWN:
+        if unit.metres is not None and abs(metres / unit.metres - 1) <= SAME_SHARE:
+            return unit
+    if named is not None:  # of few digits
+        return named
+    if not (name.strip() and name.isprintable() and name.isascii()):
+        name = f"unit of {metres:.9g} m"
+    return LengthUnit(name, name, metres)
+
+
+def text_of(unit: LengthUnit) -> str:
+    """A unit in one line of a file: its name, and behind it its length where that is not known by name."""
+    is_known = unit.metres is None or unit_by_name(unit.name) == unit
+    return unit.name if is_known else f"{unit.name} = {unit.metres!r} m"
+
+
+def unit_of_text(text: str) -> LengthUnit | None:
+    """What `text_of` has written; None of any other text."""
+    name, is_told, length = text.strip().rpartition(" = ")
+    if not is_told:
+        unit = unit_by_name(text)
+        return unit if unit == text.strip() else None
+    number, _, metre = length.partition(" ")
+    try:
+        return unit_by_length(name, float(number)) if metre == "m" else None
+    except ValueError:
+        return None
+
+
+def is_same(a: LengthUnit | None, b: LengthUnit | None) -> bool:
+    """Whether lengths in the two may meet: they are one unit, or one of them is unknown."""
+    return a is None or b is None or a.metres == b.metres
+
+
+def symbol_of(unit: LengthUnit | None) -> str:
+    """What stands behind lengths: "m" where the unit is not known."""
+    return "m" if unit is None else unit.symbol
+
+
+def common_unit(name: str, units: Iterable[LengthUnit | None]) -> LengthUnit | None:
+    """The unit of things that meet: that of those whose unit is known; None, with a warning, where these differ.
+
+    Args:
+        name: What meets, for the warning.
+        units: Theirs; one that is unknown is taken for that of the others.
+    """
+    known = [unit for unit in units if unit is not None]
+    other = next((unit for unit in known if not is_same(unit, known[0])), None)
+    if other is None:
+        return known[0] if known else None
+    remedy = 'to_unit("metre") converts a cloud; where a unit is told wrongly, set cloud.unit'
+    if None in (known[0].metres, other.metres):
+        remedy = "project_to_utm(cloud) makes metres of degrees; where a unit is told wrongly, set cloud.unit"
+    warn_of_units(f"{name}: lengths in {known[0]} and in {other} meet: {remedy}")
+    return None
+
+
+def warn_of_units(message: str) -> None:
+    """Warn, at the line of the user's that led here."""
+    warnings.warn(message, UnitWarning, stacklevel=_user_level())
+
+
+def _user_level() -> int:
+    """The level in the stack of `warn_of_units` at which the user's own code stands."""
+    level, frame = 2, sys._getframe(2)
+    while frame.f_back is not None and frame.f_globals.get("__name__", "").startswith(_PASSED_OVER):
+        level, frame = level + 1, frame.f_back
+    return level

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..core.checks import check_numeric, check_rows, check_textures
+from ..core.units import LengthUnit
 
 
 @dataclass
@@ -23,6 +24,8 @@ class PointTable:
         grid: (height, width) of an organised cloud, whose points then run row by row; None otherwise.
         steps: Steps of the coordinates where the file holds whole multiples of such, float64 [3]; None otherwise.
         is_geographic: Whether the file says that x and y are longitude and latitude.
+        unit: Of the coordinates, where the file tells it.
+        unit_doubt: What the file says against that unit, in a sentence, or None.
     """
 
     points: NDArray[Any]
@@ -32,6 +35,8 @@ class PointTable:
     grid: tuple[int, int] | None = None
     steps: NDArray[np.float64] | None = None
     is_geographic: bool = False
+    unit: LengthUnit | None = None
+    unit_doubt: str | None = None
 
     def checked(self) -> PointTable:
         """The same table with every array checked, as the writers need it.
@@ -52,6 +57,8 @@ class PointTable:
             self.grid,
             self.steps,
             self.is_geographic,
+            self.unit,
+            self.unit_doubt,
         )
 
 
@@ -65,10 +72,11 @@ class MeshTable:
         vertex_normals: As stored, float32 [m, 3], or None.
         vertex_colors: In 0..1, float32 [m, 3], or None.
         attributes: Every other per-vertex value by name, in its own type, shape [m] or [m, c].
-        triangle_attributes: The same for triangles, shape [t] or [t, c]; "colors" in 0..1, float32 [t, 3] or [t, 4].
+        triangle_attributes: The same for triangles, shape [t] or [t, c]; "colors": 0..1, float32 [t, 3] or [t, 4].
         triangle_uvs: Texture coordinates of corners, float32 [3 t, 2], (0, 0) the lower left corner; or None.
         triangle_material_ids: Which of the textures each triangle has, int32 [t]; None where all have the first.
         textures: Pictures, uint8 [height, width, 3 or 4], top row first.
+        unit: Of the positions, where the file tells it.
     """
 
     vertices: NDArray[Any]
@@ -80,6 +88,7 @@ class MeshTable:
     triangle_uvs: NDArray[Any] | None = None
     triangle_material_ids: NDArray[Any] | None = None
     textures: tuple[NDArray[np.uint8], ...] = ()
+    unit: LengthUnit | None = field(default=None, kw_only=True)
 
     def checked(self) -> MeshTable:
         """The same mesh with every array checked, as the writers need it.
@@ -108,6 +117,7 @@ class MeshTable:
             _material_ids(self.triangle_material_ids, len(triangles), len(self.textures)),
             check_textures("textures", self.textures),
             triangle_attributes=_checked_attributes(self.triangle_attributes, len(triangles)),
+            unit=self.unit,
         )
 
     def without_texture(self) -> MeshTable:

@@ -14,6 +14,7 @@ from ..core.array_libraries import library_of
 from ..core.checks import check_finite, check_shape, is_on_gpu, shown
 from ..core.devices import resolve_device
 from ..core.told_arguments import told_arguments
+from ..core.units import LengthUnit, check_unit
 from ..kernels.memory import move
 from .clusters import Clusters
 from .depth_clouds import DepthClouds
@@ -54,10 +55,11 @@ class PointCloud(
         colors: Shape [n, 3], 0..1; uint8 is divided by 255.
         device: "cpu", "cuda:0", "auto"; None for the GPU that the points lie on, else the CPU.
         origin: Where the float32 coordinates start [m], shape [3]; chosen where not given.
+        unit: Of the coordinates, such as "foot"; None for an unknown one, which counts as metres.
         **attributes: Further arrays of shape [n] or [n, c], such as intensity, ring, label.
 
     Raises:
-        ValueError: Wrong shapes or lengths, colours out of range.
+        ValueError: Wrong shapes or lengths, colours out of range, a unit that is not known.
         TypeError: Not numeric.
         DeviceError: No such device.
 
@@ -78,6 +80,7 @@ class PointCloud(
         colors: ArrayLike | None = None,
         device: Any = None,
         origin: ArrayLike | None = None,
+        unit: str | LengthUnit | None = None,
         **attributes: ArrayLike,
     ):
         if isinstance(points, PointCloud):
@@ -88,7 +91,7 @@ class PointCloud(
             )
         where = resolve_device(device)
         start = None if origin is None else check_finite("origin", check_shape("origin", origin, (3,)))
-        self._arrays, self._library, self.grid = {}, library_of(points), None
+        self._arrays, self._library, self.grid, self._unit = {}, library_of(points), None, check_unit("unit", unit)
         self._place(points, start, None if is_on_gpu(points) else where)
         if normals is not None:
             self._set("normals", normals)

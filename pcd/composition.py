@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike
 from ..core.checks import check_color, check_list
 from ..core.devices import check_same_device
 from ..core.dropped_results import returns_new
+from ..core.units import common_unit
 from ..kernels.arrays.concatenation import concatenate_points, concatenate_rows
 from ..kernels.lang import vec3
 from ..kernels.memory import full
@@ -43,7 +44,8 @@ class Composition(PointArrays):
 
         Of normals, colours and further attributes those are kept that all clouds have, as Open3D's `+` does; clouds
         without points have no say. The result takes the origin of the largest cloud, where most points lie, and the
-        others are brought to it in float64. O(total) time and memory; a sum of many clouds copies again and again.
+        others are brought to it in float64. It has the unit of those whose unit is known; where these differ, a
+        UnitWarning says so, and it has none. O(total) time and memory; a sum of many clouds copies again and again.
 
         Args:
             clouds: At least one, all on one device.
@@ -71,6 +73,7 @@ class Composition(PointArrays):
         total = sum(map(len, parts))
         if total > MAX_POINTS:
             raise ValueError(f"clouds: {total:,} points are more than 2^31 - 1; keep them in several clouds")
+        unit = common_unit("clouds", (part.unit for part in parts))
         largest = max(parts, key=len)
         shifts = [part.origin - largest.origin for part in parts]
         arrays = {"points": concatenate_points([part.device_array("points") for part in parts], shifts)}
@@ -80,7 +83,9 @@ class Composition(PointArrays):
             rows = [part.array(name) for part in parts]
             _check_alike(name, rows)
             arrays[name] = concatenate_rows(rows)
-        return cls.from_device_arrays(arrays, largest.origin, parts[0].array_library)
+        whole = cls.from_device_arrays(arrays, largest.origin, parts[0].array_library)
+        whole.unit = unit
+        return whole
 
     @returns_new
     def paint_uniform_color(self, color: ArrayLike) -> Self:

@@ -9,6 +9,7 @@ import warp as wp
 from numpy.typing import NDArray
 
 from ..core.devices import check_same_device
+from ..core.units import common_unit
 from ..kernels.extent.mean_covariance import mahalanobis_distances, mean_and_covariance
 from ..kernels.search.neighbor_distances import nearest_distances
 from .point_arrays import PointArrays, check_cloud
@@ -90,4 +91,5 @@ class Distances(Selection):
 def measure_to(source: PointArrays, target: PointArrays) -> wp.array:
     """The distance of each point of a cloud to the nearest of another, a float64 device array."""
     check_same_device("queries", source.device, target.device)
+    common_unit("source, target", (source.unit, target.unit))
     return nearest_distances(target.search_tree(), source.points_about(target.origin))

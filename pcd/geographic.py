@@ -19,6 +19,7 @@ from numpy.typing import NDArray
 
 from ..core.checks import check_count
 from ..core.gpu_arrays import take_points
+from ..core.units import METRE
 from ..kernels.algebra.transverse_mercator import Mercator, project_degrees, split_degrees, turn_degrees
 from ..kernels.arrays.bounds import bound_points
 from ..kernels.arrays.origins import add_origin
@@ -110,7 +111,7 @@ def project_to_utm(cloud: PointCloud, *, epsg: int | None = None) -> PointCloud:
     projection = mercator(6.0 * zone - 183.0, _RADIUS, _FLATTENING, scale=_SCALE, start=start)
     points, origin = take_points("cloud", project_degrees(degrees, projection), None)
     projected = cloud.with_arrays({**cloud.device_arrays, "points": points}, grid=cloud.grid)
-    projected._origin = origin
+    projected._origin, projected._unit = origin, METRE
     return projected
 
 

@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..core.checks import check_positive
+from ..core.units import METRE, is_same, warn_of_units
 from ..kernels.arrays.bounds import bound_points
 from ..kernels.lang import uint8
 from ..kernels.memory import zeros
@@ -17,13 +18,16 @@ MOST_CELLS = 2**28  # 7 GB of grids
 MOST_RADIUS = 512  # cells: as many windows, and some 80,000 reads a cell for all of them
 
 
+CELL, WINDOW, THRESHOLD, SCALING = 1.0, 18.0, 0.5, 1.25  # [m] the paper's
+
+
 def classify_ground(
     cloud: PointCloud,
-    cell_size: float = 1.0,
+    cell_size: float = CELL,
     slope: float = 0.15,
-    max_window: float = 18.0,
-    elevation_threshold: float = 0.5,
-    scaling: float = 1.25,
+    max_window: float = WINDOW,
+    elevation_threshold: float = THRESHOLD,
+    scaling: float = SCALING,
 ) -> NDArray[np.bool_]:
     """Tell the ground from what stands on it, in a scan whose z axis points up.
 
@@ -46,6 +50,9 @@ def classify_ground(
         TypeError: No PointCloud.
         ValueError: An argument out of range, or a grid of more than 2^28 cells, as one stray point far away makes.
 
+    Warns:
+        UnitWarning: The cloud is in another unit than metres, and a length is the default, which is metres.
+
     Notes:
         Pingel, Clarke and McBride, ISPRS Journal 77, 2013 (SMRF), with octagons for disks. 28 B of memory a cell; the
         same bits from run to run. There are `max_window / cell_size` windows.
@@ -66,6 +73,7 @@ def classify_ground(
     window = check_positive("max_window", max_window)
     threshold = check_positive("elevation_threshold", elevation_threshold, allow_zero=True)
     share = check_positive("scaling", scaling, allow_zero=True)
+    _warn_of_defaults(cloud, cell == CELL or window == WINDOW or threshold == THRESHOLD or share == SCALING)
     points = cloud.device_array("points")
     low, high, finite = bound_points(points)
     if not finite:
@@ -87,3 +95,9 @@ def classify_ground(
     grid = HeightGrid(points, corner, cell, int(counts[0]), int(counts[1]))
     grid.uncover(steepest, window)
     return cloud.handed_out(grid.near(threshold, share), dtype=bool)
+
+
+def _warn_of_defaults(cloud: PointCloud, has_default: bool) -> None:
+    if has_default and not is_same(cloud.unit, METRE):
+        remedy = 'give all four lengths in its unit, or cloud.to_unit("metre")'
+        warn_of_units(f"cloud: is in {cloud.unit}, and the default lengths are metres: {remedy}")

@@ -163,7 +163,7 @@ class Interop(Selection):
     def __getstate__(self) -> dict[str, Any]:
         """The cloud as NumPy arrays and the name of its device."""
         state = {"origin": self._origin, "grid": self.grid, "device": str(self.device), "library": self._library}
-        return {"arrays": pickled(self._arrays), **state}
+        return {"arrays": pickled(self._arrays), "unit": self._unit, **state}
 
     def __setstate__(self, state: dict[str, Any]) -> None:
         """The cloud on the device that it was on.
@@ -174,6 +174,7 @@ class Interop(Selection):
         self._arrays = unpickled(state["arrays"], device_like("cloud", state["device"]))
         self._kept = KeptTree(self._arrays["points"])
         self._origin, self.grid, self._library = state["origin"], state["grid"], state["library"]
+        self._unit = state.get("unit")  # which older pickles lack
 
     def __copy__(self) -> Self:
         return self.copy()

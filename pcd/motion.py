@@ -14,6 +14,7 @@ from ..core.known_names import ToldNames
 from ..kernels.algebra.transform import transform_covariances, transform_directions, transform_points
 from ..kernels.lang import float32
 from .bounding import Bounding
+from .units import unit_under
 
 
 class Movable(ToldNames):
@@ -64,6 +65,8 @@ class Movable(ToldNames):
     def scale(self, scale: float, center: ArrayLike | None = None) -> Self:
         """Scaled about a point [m], about its middle (`get_center`) if none is given; normals stay.
 
+        A cloud or mesh made so has no known unit; `to_unit` converts lengths.
+
         Raises:
             ValueError: The factor is not above zero, or the centre not three finite numbers.
         """
@@ -81,7 +84,8 @@ class Motion(Bounding, Movable):
     def transform(self, transformation: ArrayLike) -> Self:
         """The cloud under a 4x4 affine map, computed in float64; normals are turned, and keep their lengths.
 
-        Covariances C become A C A^T, with A the map's 3x3 part (Open3D's are right for rotations alone).
+        Covariances C become A C A^T, with A the map's 3x3 part (Open3D's are right for rotations alone). A map that
+        changes lengths by more than rounding of a rotation may (1 %) leaves the cloud without a known unit.
 
         Raises:
             ValueError: Not finite, not invertible, or the last row is not (0, 0, 0, 1).
@@ -103,8 +107,20 @@ class Motion(Bounding, Movable):
         carried = np.round(A @ self._origin + t)  # near most of the points still, whatever a stray one does to the box
         if origin.any() and np.abs(corners - carried).max() < FLOAT32_MAX:
             origin = carried
+        cloud = self._under(A, A @ self._origin + t - origin, origin)
+        cloud._unit = unit_under(self._unit, A)
+        return cloud
+
+    def _enlarged(self, factor: float) -> Self:
+        reach = np.abs(np.array(self.device_bounds()) - self._origin).max() * factor
+        if not reach <= FLOAT32_MAX:
+            raise ValueError(f"unit: takes points {reach:.3g} from their origin, farther than float32 holds")
+        return self._under(factor * np.eye(3), np.zeros(3), self._origin * factor)
+
+    def _under(self, A: NDArray[np.float64], shift: NDArray[np.float64], origin: NDArray[np.float64]) -> Self:
+        """The cloud about another origin, its arrays under a map from the old one to the new one."""
         arrays = dict(self._arrays)
-        arrays["points"] = transform_points(arrays["points"], A, A @ self._origin + t - origin)
+        arrays["points"] = transform_points(arrays["points"], A, shift)
         if self.has_normals:
             arrays["normals"] = transform_directions(arrays["normals"], np.linalg.inv(A).T)
         if (

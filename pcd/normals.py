@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..core.checks import check_count, check_finite, check_numeric, check_positive, check_search, check_shape
 from ..core.dropped_results import returns_new
-from ..core.units import warn_of_unit
+from ..core.units import warn_of_units
 from ..kernels.arrays.select import gather_rows
 from ..kernels.arrays.sort import positions
 from ..kernels.extent.masks import usable_rows
@@ -50,7 +50,7 @@ class Normals(PointArrays):
             ValueError: Neither limit given, or one out of range.
 
         Warns:
-            UnitsWarning: The radius finds hardly any point another one: it is in another unit.
+            UnitWarning: The radius finds hardly any point another one: it is in another unit.
 
         Notes:
             O(n) memory. Same bits from run to run. Hoppe et al. 1992, section 3.1. Covariances are centred, so
@@ -272,7 +272,7 @@ def _check_radius(tree: PointTree, radius: float | None) -> None:
         return
     found = count_around(tree, positions(tree.count, tree.device), radius)
     if found < ALONE:
-        warn_of_unit(
+        warn_of_units(
             f"radius: {radius:g} m finds {found - 1:.2g} other points on average, so that normals are (0, 0, 1); the "
             f"cloud's {tree.count:,} points span {extent:.3g} m: take the radius in its unit, some {2 * usual:.2g} m"
         )

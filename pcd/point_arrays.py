@@ -23,9 +23,10 @@ from ..kernels.search.point_tree import PointTree
 from .attributes import VECTORS, Attributes
 from .cloud_questions import CloudQuestions
 from .kept_tree import KeptTree
+from .units import InUnit
 
 
-class PointArrays(CloudQuestions):
+class PointArrays(InUnit, CloudQuestions):
     """The arrays of a cloud by name, checked where they are assigned; PointCloud adds the operations.
 
     What is read is a copy that cannot be written to, so that no change is lost in silence: change a `.copy()` of it and
@@ -270,7 +271,7 @@ class PointArrays(CloudQuestions):
     def with_arrays(self, arrays: dict[str, wp.array], *, grid: tuple[int, int] | None = None) -> Self:
         """A cloud over other device arrays about the same origin; where the points are the same, so is their tree."""
         cloud = self.from_device_arrays(arrays, self._origin, self._library)
-        cloud.grid = grid
+        cloud.grid, cloud._unit = grid, self._unit
         if arrays["points"] is self._arrays["points"]:
             cloud._kept = self._kept
         return cloud

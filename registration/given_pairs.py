@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from ..core.checks import check_numeric, check_rows, is_on_gpu
 from ..core.devices import check_same_device
 from ..core.gpu_arrays import take_pairs
+from ..core.units import common_unit
 from ..kernels.features.feature_matching import pair_features
 from ..kernels.lang import int32
 from ..kernels.memory import empty, upload
@@ -22,7 +23,7 @@ from .result import Pairs
 
 
 def check_clouds(source: PointCloud, target: PointCloud) -> None:
-    """Refuse what is no cloud, and clouds on two devices.
+    """Refuse what is no cloud, and clouds on two devices; warn of clouds in two units.
 
     Raises:
         TypeError: Not a PointCloud.
@@ -31,6 +32,7 @@ def check_clouds(source: PointCloud, target: PointCloud) -> None:
     check_cloud("source", source)
     check_cloud("target", target)
     check_same_device("source, target", source.device, target.device)
+    common_unit("source, target", (source.unit, target.unit))
 
 
 def check_pairs(corres: Any, source: PointCloud, target: PointCloud) -> Pairs:

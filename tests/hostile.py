@@ -164,7 +164,7 @@ def faults_of(
         with warnings.catch_warnings(record=True) as caught:
             warnings.simplefilter("always")
             warnings.simplefilter("ignore", loom.NormalsWarning)
-            warnings.simplefilter("ignore", loom.UnitsWarning)  # which is right of the least float
+            warnings.simplefilter("ignore", loom.UnitWarning)  # which is right of the least float
             try:
                 result = call(**(arguments | {name: value}))
                 if inspect.isgenerator(result):

@@ -11,6 +11,7 @@ import numpy as np
 
 from ...core.errors import FileError, FilePath
 from ...core.reports import Fields
+from ...core.units import symbol_of
 from ...core.wording import format_share
 from ...pcd.cloud import PointCloud
 from ...pcd.probes import distance_of_nearest, probe_points, rounded_up
@@ -125,8 +126,9 @@ def _radius_hint(before: PointCloud, after: PointCloud, *, radius: float, min_ne
     count, gone = len(before), len(before) - len(after)
     if gone <= _MOST_BY_RADIUS * count:
         return None
-    lonely = f"{format_share(gone / count)} of the points have fewer than {min_neighbors} others within {radius:g} m"
+    m = symbol_of(before.unit)
+    lonely = f"{format_share(gone / count)} of the points have fewer than {min_neighbors} others within {radius:g} {m}"
     distance = distance_of_nearest(NearestNeighborSearch(before), probe_points(before), min_neighbors + 1)
     if distance is None or distance < radius:  # too few points, or a sample that is not like the whole
         return f"{lonely}; take a larger --radius or fewer --min-neighbors"
-    return f"{lonely}; half of them have as many within {rounded_up(distance):g} m: take a larger --radius"
+    return f"{lonely}; half of them have as many within {rounded_up(distance):g} {m}: take a larger --radius"

@@ -13,6 +13,7 @@ import numpy as np
 
 from ...core.errors import FileError, FilePath
 from ...core.reports import Fields
+from ...core.units import symbol_of
 from ...core.wording import format_share
 from ...files.meshes import tables
 from ...files.points.formats import WRITTEN
@@ -109,7 +110,7 @@ class DownsampleReport(JobReport):
 
     def fields(self) -> Fields:
         """The counts."""
-        count = f"{self.points:,} of {self.points_in:,}, one a voxel of {self.voxel_size:g} m"
+        count = f"{self.points:,} of {self.points_in:,}, one a voxel of {self.voxel_size:g} {self.m}"
         return [("points", count), *self.closing(self.device)]
 
 
@@ -216,9 +217,10 @@ def _why_poor(cloud: PointCloud, radius: float) -> str | None:
     lonely = float(np.mean(search.hybrid_search(probes, radius, 3).counts < 3))
     if lonely <= 0.5:
         return None
-    few = f"{format_share(lonely)} of the points have fewer than 3 neighbours within {radius:g} m"
+    m = symbol_of(cloud.unit)
+    few = f"{format_share(lonely)} of the points have fewer than 3 neighbours within {radius:g} {m}"
     reason = f"{few}, so their normals say nothing"
     third = distance_of_nearest(search, probes, 3)
     if third is None:
         return f"{reason}; the cloud has not so many"
-    return f"{reason}; half of them have 3 within {rounded_up(third):g} m: take a larger --radius"
+    return f"{reason}; half of them have 3 within {rounded_up(third):g} {m}: take a larger --radius"

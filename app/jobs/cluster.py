@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from ...core.errors import FilePath
 from ...core.reports import Fields
+from ...core.units import symbol_of
 from ...core.wording import format_share
 from ...drawing.render.colormaps import PALETTE
 from ...files.points.formats import WRITTEN
@@ -59,7 +60,7 @@ class ClusterReport(RowsReport):
         total = self.points_in
         sizes = ", ".join(f"{cluster.points:,} (label {cluster.label})" for cluster in self.largest)
         fields = [
-            ("clusters", f"{self.clusters:,}, eps {self.eps:g} m, min points {self.min_points}"),
+            ("clusters", f"{self.clusters:,}, eps {self.eps:g} {self.m}, min points {self.min_points}"),
             ("largest", sizes or "none"),
             ("noise", f"{self.noise:,} of {total:,} points, {format_share(self.noise / max(total, 1))}"),
         ]
@@ -147,13 +148,14 @@ def _why_poor(cloud: PointCloud, sizes: NDArray[Any], eps: float, min_points: in
         return "no point is finite, so none is in a cluster"
     if len(sizes) > 1 or (len(sizes) == 1 and sizes[0] < finite):
         return None
+    m = symbol_of(cloud.unit)
     search, probes = NearestNeighborSearch(cloud), probe_points(cloud)
     if len(sizes):
         distance = distance_of_nearest(search, probes, min_points, share=0.9)
         hint = f"one cluster holds all {finite:,} finite points; take a smaller --radius"
         return f"{hint}, such as {rounded_up(distance):g}" if distance and rounded_up(distance) < eps else hint
     distance = distance_of_nearest(search, probes, min_points)
-    lonely = f"all points are noise: none has {min_points} within {eps:g} m, itself included"
+    lonely = f"all points are noise: none has {min_points} within {eps:g} {m}, itself included"
     if distance is None:
         return f"{lonely}; take a larger --radius or fewer --neighbors"
-    return f"{lonely}; half of them have as many within {rounded_up(distance):g} m: take a larger --radius"
+    return f"{lonely}; half of them have as many within {rounded_up(distance):g} {m}: take a larger --radius"

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import Any, ClassVar
 
 from ...core.reports import Fields, Report, values_of
+from ...core.units import LengthUnit
 from ...core.wording import format_bounds, format_share, format_triple, plain
 
 Bounds = dict[str, list[float]] | None  # of `describe_bounds`
@@ -47,6 +48,8 @@ class Facts(Report):
 def _format(name: str, value: Any) -> str:
     if isinstance(value, str):
         return value
+    if isinstance(value, LengthUnit):
+        return value.in_words()
     if name.endswith("bounds"):
         return format_bounds(value)
     if name in ("origin", "position", "offset"):
@@ -75,7 +78,7 @@ class Table(Facts):
         coordinates: NumPy's type of them.
         attributes: The types of all else that points have, by name.
         not_finite: Points that are not.
-        bounds: The box around the others [m]; None without any.
+        bounds: The box around the others; None without any.
         origin: The point that positions are counted from in float32.
     """
 
@@ -107,15 +110,17 @@ class Cloud(Shape):
     Attributes:
         points: How many.
         grid: Rows and columns, of a scan that has them.
+        unit: Of its coordinates, where the file tells it.
         table: The rest.
         scans: Of an E57 file, each in words.
     """
 
     KIND = "point cloud"
-    SPARE = ("grid", "scans")
+    SPARE = ("grid", "unit", "scans")
 
     points: int
     grid: str | None
+    unit: LengthUnit | None
     table: Table
     scans: list[str] | None = None
 
@@ -137,15 +142,17 @@ class Mesh(Shape):
     Attributes:
         vertices, triangles: How many.
         textures: Their sizes, where there are any.
+        unit: Of its coordinates, where the file tells it.
         table: The rest.
     """
 
     KIND = "mesh"
-    SPARE = ("textures",)
+    SPARE = ("textures", "unit")
 
     vertices: int
     triangles: int
     textures: str | None
+    unit: LengthUnit | None
     table: Table
 
     @property
@@ -161,7 +168,7 @@ class Mesh(Shape):
 
 @dataclass(frozen=True)
 class Las(Shape):
-    """A cloud in LAS or LAZ, as its header tells; lengths are in the unit of its coordinate system.
+    """A cloud in LAS or LAZ, as its header tells; lengths are in its unit.
 
     Attributes:
         points: How many.
@@ -170,12 +177,15 @@ class Las(Shape):
         coordinates: How they are stored.
         scale, offset: What they are stored by.
         coordinate_system: Its name, where one is told.
+        unit: Of the coordinates, where one is told.
+        unit_doubt: What the file says against it, such as another unit of z; or None.
         attributes: The types of all else that points have, by name.
         bounds: The box around the points; None without any.
         software: What wrote the file, where that is told.
     """
 
     KIND = "point cloud"
+    SPARE = ("unit_doubt",)
 
     points: int
     version: str
@@ -184,6 +194,8 @@ class Las(Shape):
     scale: list[float]
     offset: list[float]
     coordinate_system: str | None
+    unit: LengthUnit | None
+    unit_doubt: str | None
     attributes: dict[str, str]
     bounds: Bounds
     software: str | None

@@ -30,6 +30,7 @@ from ...files.pictures.image_files import read_color, read_depth, read_picture_h
 from ...files.points.e57 import describe_e57
 from ...files.points.las import attribute_types, open_las
 from ...files.points.las_crs import crs_name
+from ...files.points.las_units import units_of
 from ...files.points.scan_files import natural_key
 from ...files.table import MeshTable
 from .facts import (
@@ -179,10 +180,10 @@ def _describe_table(path: Path) -> Cloud | Mesh:
         named = {"normals": table.vertex_normals, "colors": table.vertex_colors, **table.attributes}
         named["texture_coordinates"] = table.triangle_uvs
         textures = ", ".join(f"{p.shape[1]} x {p.shape[0]}" for p in table.textures) or None
-        return Mesh(len(table.vertices), len(table.triangles), textures, _table_of(table.vertices, named))
+        return Mesh(len(table.vertices), len(table.triangles), textures, table.unit, _table_of(table.vertices, named))
     named = {"normals": table.normals, "colors": table.colors, **table.attributes}
     grid = f"{table.grid[0]} rows of {table.grid[1]}" if table.grid else None
-    return Cloud(len(table.points), grid, _table_of(table.points, named))
+    return Cloud(len(table.points), grid, table.unit, _table_of(table.points, named))
 
 
 def _table_of(points: NDArray[Any], named: Mapping[str, NDArray[Any] | None]) -> Table:
@@ -199,6 +200,7 @@ def _describe_las(path: Path) -> Las:
     """What the header says, which was held against the file; the points are not read."""
     file = open_las(path)
     header, (low, high) = file.header, file.header.bounds
+    units = units_of(header)
     is_box = header.point_count > 0 and bool(np.isfinite([low, high]).all())
     return Las(
         points=header.point_count,
@@ -208,6 +210,8 @@ def _describe_las(path: Path) -> Las:
         scale=[*header.scales],
         offset=[offset + 0.0 for offset in header.offsets],  # some writers store minus zero
         coordinate_system=crs_name(header),
+        unit=units.plane,
+        unit_doubt=units.doubt,
         attributes=attribute_types(file),
         bounds={"min": [*low], "max": [*high]} if is_box else None,
         software=header.software or None,

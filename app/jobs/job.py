@@ -17,6 +17,7 @@ from ...core.errors import FilePath
 from ...core.progress import ReportProgress
 from ...core.reports import Fields, Report, values_of
 from ...core.timing import Clock
+from ...core.units import LengthUnit, symbol_of
 from ...core.wording import plain
 from ...files.meshes import tables
 from ...files.meshes.mesh_formats import UPRIGHT, turned_up
@@ -64,6 +65,7 @@ class Done:
         left_out: Names of what the outputs cannot hold.
         files: What was written.
         poor: Why the result is poor, or None.
+        unit: Of the source's coordinates, where that is known: lengths that are given and told are in it.
     """
 
     command: str
@@ -72,6 +74,11 @@ class Done:
     left_out: tuple[str, ...]
     files: tuple[str, ...]
     poor: str | None
+    unit: LengthUnit | None = None
+
+    def to_json(self) -> dict[str, Any]:
+        """All of it by name, without the unit where that is not known."""
+        return {name: value for name, value in values_of(self).items() if name != "unit" or value is not None}
 
 
 @dataclass(frozen=True)
@@ -92,7 +99,20 @@ class JobReport(Report):
     def to_json(self) -> dict[str, Any]:
         """All of it in JSON's types, on one level."""
         own = {name: value for name, value in values_of(self).items() if name != "done"}
-        return plain(values_of(self.done) | own)
+        return plain(self.done.to_json() | own)
+
+    @property
+    def note(self) -> str | None:
+        """That lengths are in another unit than metres, where they are."""
+        unit = self.done.unit
+        if unit is None or unit.metres == 1:
+            return None
+        return f"the unit of {self.done.source} is {unit.in_words()}: lengths that are given and told are in it"
+
+    @property
+    def m(self) -> str:
+        """What stands behind lengths: "m" where the unit is not known."""
+        return symbol_of(self.done.unit)
 
     def title(self, source: str) -> str:
         """What stands above the fields; `source` is what the user calls the file."""
@@ -129,6 +149,7 @@ class Job:
         clock: The seconds of the stages.
         left_out: Names of what the outputs cannot hold.
         files: What was written.
+        unit: Of the source's coordinates, once it was read and where it is known.
         form: Options of the functions that write files.
     """
 
@@ -148,6 +169,7 @@ class Job:
         self.form: Form = {"as_text": as_text, "overwrite": overwrite}
         self.left_out: list[str] = []
         self.files: list[str] = []
+        self.unit: LengthUnit | None = None
 
     @cached_property
     def device(self) -> Any:
@@ -193,6 +215,7 @@ class Job:
     def read_points(self) -> PointTable:
         """The points of the source as its file has them; of a mesh the vertices, which leaves its triangles out."""
         table = self.read_table()
+        self.unit = table.unit
         if isinstance(table, MeshTable):
             self.left_out.append("triangles")
             return tables.points_of(table)
@@ -212,7 +235,9 @@ class Job:
 
         where = self.device
         with self.stage("read"):
-            return read_triangle_mesh(self.source, device=where, up=self.up_of(self.source))
+            mesh = read_triangle_mesh(self.source, device=where, up=self.up_of(self.source))
+        self.unit = mesh.unit
+        return mesh
 
     def write_points(self, table: PointTable, output: FilePath) -> None:
         """Write points, whole or not at all; in LAS with the source's steps where it is such a file."""
@@ -243,4 +268,4 @@ class Job:
     def done(self, poor: str | None = None) -> Done:
         """What was done so far."""
         seconds, source = dict(self.clock.seconds), os.fspath(self.source)
-        return Done(self._command, source, seconds, tuple(self.left_out), tuple(self.files), poor)
+        return Done(self._command, source, seconds, tuple(self.left_out), tuple(self.files), poor, self.unit)

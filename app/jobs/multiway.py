@@ -13,6 +13,7 @@ from ...cameras.pose_files import FORMATS, write_poses
 from ...core.errors import FileError, FilePath
 from ...core.progress import ReportProgress
 from ...core.reports import Fields
+from ...core.units import common_unit
 from ...files.meshes import tables
 from ...files.points.point_cloud import table_of
 from ...files.points.scan_files import list_scans
@@ -59,7 +60,7 @@ class MultiwayReport(JobReport):
         chosen = "" if self.voxel_size_given else ", chosen from the clouds"
         return [
             ("clouds", f"{placed}, {self.points:,} points"),
-            ("voxels", f"{self.voxel_size:g} m{chosen}"),
+            ("voxels", f"{self.voxel_size:g} {self.m}{chosen}"),
             ("pairs", pairs),
             ("frame", f"that of {self.clouds[self.found.reference]}"),
             *self.closing(self.device),
@@ -109,6 +110,7 @@ def register_folder(
             job.tell("read", done, len(paths))
             clouds.append(read_cloud(path, where))
         job.tell("read", len(paths), len(paths))
+    job.unit = common_unit("clouds", (cloud.unit for cloud in clouds))
     with job.stage("voxels", told=False):
         size = choose_voxel_size(*clouds) if voxel_size is None else voxel_size
     with job.stage("register", told=False):

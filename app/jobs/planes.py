@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from ...core.errors import FilePath
 from ...core.reports import Fields
+from ...core.units import symbol_of
 from ...core.wording import format_share
 from .job import Job, Settings
 from .rows import LABELLED, Rows, RowsReport, label_rows, read_rows
@@ -171,18 +172,18 @@ def _find(
     finite = len(rows.cloud.remove_non_finite_points())
     counts = np.bincount(labels[labels >= 0], minlength=len(models)).tolist()
     planes = [Plane(tuple(model.tolist()), count, count / finite) for model, count in zip(models, counts, strict=True)]
-    return labels, tuple(planes), _why_poor(planes, finite, distance, min_points)
+    return labels, tuple(planes), _why_poor(planes, finite, f"{distance:g} {symbol_of(rows.cloud.unit)}", min_points)
 
 
-def _why_poor(planes: Sequence[Plane], finite: int, distance: float, min_points: int) -> str | None:
+def _why_poor(planes: Sequence[Plane], finite: int, distance: str, min_points: int) -> str | None:
     if not planes and finite < min_points:
         return f"no plane: of {finite:,} finite points, {min_points:,} would have to lie on it"
     if not planes:
-        reason = f"no plane has {min_points:,} points within {distance:g} m, or all samples lie on lines"
+        reason = f"no plane has {min_points:,} points within {distance}, or all samples lie on lines"
         return f"{reason}; take a larger --distance or more --iterations"
     if planes[0].share >= _LEAST_SHARE:
         return None
     return (
-        f"the largest plane has only {format_share(planes[0].share)} of the points within {distance:g} m; "
+        f"the largest plane has only {format_share(planes[0].share)} of the points within {distance}; "
         "take a larger --distance or more --iterations"
     )

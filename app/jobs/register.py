@@ -16,6 +16,7 @@ from ...cameras.trajectory import read_pose
 from ...core.errors import FileError, FilePath
 from ...core.progress import ReportProgress
 from ...core.reports import Fields
+from ...core.units import common_unit
 from ...drawing.render.pair_picture import draw_pair
 from ...drawing.render.picture_files import check_picture
 from ...files.meshes import tables
@@ -104,6 +105,7 @@ def register_files(
     where, start = job.device, _start(init)
     with job.stage("read"):
         clouds = read_cloud(source, where), read_cloud(target, where)
+    job.unit = common_unit("source, target", (cloud.unit for cloud in clouds))
     try:
         with AnnouncedStages(job.clock, job.tell, untold=("voxels", "rate")) as tell:
             options: dict[str, Any] = {"method": method, "voxel_size": voxel_size, "distance": distance}

@@ -6,13 +6,13 @@ its way through float32, and attributes take no room on the device.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ...files.points.point_cloud import origin_of
+from ...files.points.point_cloud import origin_of, unit_told
 from ...files.table import PointTable
 from ...pcd.cloud import PointCloud
 from .job import Job, JobReport
@@ -66,6 +66,7 @@ def read_rows(job: Job) -> Rows:
         table = job.read_points()
         rows = np.arange(len(table.points), dtype=np.int32)
         cloud = PointCloud(table.points, device=where, origin=origin_of(table, job.source), row=rows)
+        cloud.unit = unit_told(table, job.source)
     return Rows(table, cloud)
 
 
@@ -73,11 +74,11 @@ def take_rows(table: PointTable, rows: NDArray[Any]) -> PointTable:
     """Some points of a table, which then have no grid."""
     normals = None if table.normals is None else table.normals[rows]
     colors = None if table.colors is None else table.colors[rows]
-    return PointTable(table.points[rows], normals, colors, {n: values[rows] for n, values in table.attributes.items()})
+    attributes = {name: values[rows] for name, values in table.attributes.items()}
+    return PointTable(table.points[rows], normals, colors, attributes, unit=table.unit)
 
 
 def label_rows(table: PointTable, name: str, labels: NDArray[np.int32]) -> tuple[PointTable, list[str]]:
     """A table with labels as an attribute, and the names of what that replaces."""
     attributes = table.attributes | {name: labels}
-    labelled = PointTable(table.points, table.normals, table.colors, attributes, table.grid)
-    return labelled, [name] if name in table.attributes else []
+    return replace(table, attributes=attributes), [name] if name in table.attributes else []

@@ -18,8 +18,8 @@ WAYS = {
     "every": "one in {:,}",
     "ratio": "a share of {:g} at random, seed {seed}",
     "farthest": "the farthest from each other",
-    "voxel": "one a voxel of {:g} m, the mean",
-    "nearest": "one a voxel of {:g} m, the nearest to the mean",
+    "voxel": "one a voxel of {:g} {m}, the mean",
+    "nearest": "one a voxel of {:g} {m}, the nearest to the mean",
 }
 
 
@@ -37,7 +37,7 @@ class SampleReport(RowsReport):
 
     def fields(self) -> Fields:
         """The counts, and the way of choosing."""
-        way = WAYS[self.by].format(self.amount, seed=self.seed)
+        way = WAYS[self.by].format(self.amount, seed=self.seed, m=self.m)
         return [("points", f"{self.points:,} of {self.points_in:,}, {way}"), *self.closing(self.device)]
 
 

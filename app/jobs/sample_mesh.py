@@ -36,8 +36,8 @@ class MeshSamplesReport(JobReport):
         how = "evenly" if self.even else "each by itself"
         spacing = (self.area / self.points) ** 0.5 if self.points else 0.0
         return [
-            ("triangles", f"{self.triangles_in:,}, {self.area:.4g} m^2"),
-            ("points", f"{self.points:,}, drawn {how}, seed {self.seed}; one in {spacing:.3g} m squared"),
+            ("triangles", f"{self.triangles_in:,}, {self.area:.4g} {self.m}^2"),
+            ("points", f"{self.points:,}, drawn {how}, seed {self.seed}; one in {spacing:.3g} {self.m} squared"),
             *self.closing(self.device),
         ]
 

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from typing import Any, Protocol
 
-from ...core.reports import Fields
+import click
+
+from ...core.reports import Fields, Report
 from .console import print_fields, print_json
 from .group import poor_result
 
@@ -32,4 +34,6 @@ def answer_with(report: CommandReport, title: str, as_json: bool, *, err: bool =
         print_json(report.to_json())
     else:
         print_fields(report.fields(), title=title, err=err)
+        if isinstance(report, Report) and report.note:
+            click.echo(f"note: {report.note}", err=True)
     return poor_result(report.poor)

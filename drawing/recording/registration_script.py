@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from ...core.units import symbol_of
 from ...pcd.cloud import PointCloud
 from ..render.pair_picture import BLUE, ORANGE
 from ..render.parts import Matrix
@@ -33,8 +34,9 @@ class Registration(Script):
         """A turn of ICP."""
         if iteration_index == 0 or self._pair is None or self._pair[0] is not source or self._pair[1] is not target:
             self._take(source, target)
-        voxels = f", voxels of {data['voxel_size']:g} m" if data.get("voxel_size") else ""
-        fit = {"fitness": data["fitness"], "inlier rmse [m]": data["inlier_rmse"]}
+        m = symbol_of(source.unit)
+        voxels = f", voxels of {data['voxel_size']:g} {m}" if data.get("voxel_size") else ""
+        fit = {"fitness": data["fitness"], f"inlier rmse [{m}]": data["inlier_rmse"]}
         self._at(data["transformation"], f"ICP{voxels}, iteration {iteration_index}", fit)
 
     def registration(self, source: PointCloud, target: PointCloud, result: Any, **data: Any) -> None:
@@ -44,7 +46,7 @@ class Registration(Script):
         if self._pair is None or self._pair[0] is not source or self._pair[1] is not target:
             self._take(source, target)
             self._at(np.eye(4), "as the clouds lie", {})
-        fit = {"fitness": result.fitness, "inlier rmse [m]": result.inlier_rmse}
+        fit = {"fitness": result.fitness, f"inlier rmse [{symbol_of(source.unit)}]": result.inlier_rmse}
         self._at(result.transformation, f"registered: {result.reason}", fit)
 
     def _take(self, source: PointCloud, target: PointCloud) -> None:

@@ -10,6 +10,7 @@ import warp as wp
 from numpy.typing import NDArray
 
 from ...core.checks import check_finite, check_shape, shown
+from ...core.units import symbol_of
 from ...kernels.arrays.bounds import bound_points
 from ...kernels.drawing import value_colors
 from ...kernels.drawing.value_colors import Ramp, sample_evenly
@@ -141,7 +142,8 @@ def _color_axis(cloud: PointCloud, by: str, colormap: str | None, limits: tuple[
     name = colormap or "viridis"
     ramp = Ramp(colormap_table(name), local, MISSING, points.device)
     colors = value_colors.color_coordinates(points, axis, ramp)
-    title = f"{by} [m]"
+    is_angle = cloud.unit is not None and cloud.unit.metres is None  # which says nothing of heights
+    title = by if is_angle and axis == 2 else f"{by} [{symbol_of(cloud.unit)}]"
     return Coloring(colors, "values", limits, name, title=title, has_missing=_is_raised(ramp.flag))
 
 

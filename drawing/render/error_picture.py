@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from ...core.units import symbol_of
 from ...kernels.drawing.value_colors import Ramp, color_values
 from ...kernels.lang import float32
 from ...kernels.memory import download, upload
@@ -52,7 +53,8 @@ def draw_errors(
     left = Canvas.blank(_MESH + _BAR, _HEIGHT, BACKDROP, place)
     left.image(image, 0, 0)
     coloring = Coloring(colors, "values", limits, COLORMAP, has_missing=len(finite) < len(distances))
-    draw_color_bar(left, coloring, "distance [m]")
+    label = f"distance [{symbol_of(mesh.unit)}]"
+    draw_color_bar(left, coloring, label)
     canvas = Canvas.blank(_WIDTH, _HEIGHT, device=place)
     canvas.image(left.to_numpy(), 0, 0)
     area = Area(left.width, 0, _WIDTH - left.width, _HEIGHT)
@@ -62,7 +64,7 @@ def draw_errors(
         area,
         distances,
         title=title,
-        labels=("distance [m]", "vertices"),
+        labels=(label, "vertices"),
         colormap=COLORMAP,
         color_limits=limits,
         marks=marks,

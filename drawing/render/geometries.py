@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from ...cameras.trajectory import Trajectory
 from ...core.checks import check_color, check_name, check_positive, check_rigid, check_rows, is_on_gpu
 from ...core.devices import resolve_device
+from ...core.units import common_unit
 from ...kernels.arrays.bounds import bound_points
 from ...kernels.lang import vec3
 from ...kernels.memory import empty, move, upload
@@ -24,6 +25,7 @@ from ...pcd.cloud import PointCloud
 from ...pcd.convex_hull import ConvexHull
 from ...pcd.line_set import LineSet
 from ...pcd.polygon_volume import SelectionPolygonVolume
+from ...pcd.units import InUnit
 from . import outlines
 from .coloring import color_cloud
 from .frustum import CameraFrustum
@@ -134,6 +136,11 @@ def named_geometries(geometries: Any) -> list[Named]:
         name = _free_name(name or kind, {taken for taken, _, _ in found})
         found.append((name, geometry, style))
     return _told_apart(found)
+
+
+def check_units(geometries: Iterable[Any]) -> None:
+    """Warn of geometries in different units: they lie where nothing is to scale."""
+    common_unit("geometries", (geometry.unit for geometry in geometries if isinstance(geometry, InUnit)))
 
 
 def _read_entry(entry: Mapping[Any, Any], name: str | None) -> tuple[str | None, Any, Style]:

@@ -21,7 +21,7 @@ from ...kernels.memory import download, empty
 from ...kernels.meshes.mesh_measures import vertex_normals
 from .canvas import Canvas
 from .coloring import Coloring
-from .geometries import Named, Style, named_geometries, parts_of
+from .geometries import Named, Style, check_units, named_geometries, parts_of
 from .legends import draw_color_bar, draw_labels, draw_legend
 from .open3d_views import OPEN3D_KEYS, read_view
 from .parts import Lines, Part, Points, Triangles, Triple
@@ -115,6 +115,7 @@ def render(
     if shading is not None and (not isinstance(shading, str) or shading not in SHADINGS):
         raise ValueError(f"shading: expected one of {', '.join(SHADINGS)} or None, got {shown(shading)}")
     named = named_geometries(geometries)
+    check_units(geometry for _, geometry, _ in named)
     place = _device_of(named, device)
     for_all = Style(point_size=point_size, wireframe=mesh_show_wireframe or None, back_faces=mesh_show_back_face)
     texts = _check_labels(labels)

@@ -42,7 +42,7 @@ def sample_file(path: str | os.PathLike[str], count: int) -> PointCloud | None:
     if file is None:
         return None
     table = file.sample(count)
-    return PointCloud(table.points, colors=table.colors, device="cpu", origin=file.origin())
+    return PointCloud(table.points, colors=table.colors, device="cpu", origin=file.origin(), unit=file.unit)
 
 
 @quiet()

@@ -14,6 +14,7 @@ from ...core.checks import check_name
 from ...core.errors import PointloomError
 from ...core.known_names import nearest_name
 from ...core.open3d_names import row_of, told
+from ..render.geometries import Named, check_units
 from ..render.parts import Triangles
 from ..render.view import View, fit_view
 from .camera import camera_of, diagonal, read_parameters, set_first_camera, set_reach
@@ -170,6 +171,11 @@ class Scene:
     def _check_open(self) -> None:
         if self.closed:
             raise PointloomError("the viewer is closed; open another one")
+
+    def _check_units(self, named: list[Named]) -> None:
+        """Warn where the scene will have lengths in two units once these are in it."""
+        there = {name: item.geometry for name, item in self.items.items()}
+        check_units((there | {name: geometry for name, geometry, _ in named}).values())
 
     def _show(self, item: Item) -> None:
         """Send a geometry to all pages."""

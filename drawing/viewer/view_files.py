@@ -59,7 +59,7 @@ def read_scene(
         if tree is None:
             entries[name] = read_geometry(path, device=device)
         else:
-            entries[name], trees[name] = _cloud_of(tree), tree
+            entries[name], trees[name] = _cloud_of(tree, path), tree
     if len(entries) > 1:  # several clouds without colours get different ones
         named = named_geometries([{"geometry": geometry, "name": name, **style} for name, geometry in entries.items()])
     else:
@@ -144,13 +144,15 @@ def _read_large(
     return DetailTree.from_file(path, attributes=kept, progress=progress, device=device)
 
 
-def _cloud_of(tree: DetailTree) -> PointCloud:
-    """The cloud whose levels these are, in the same memory; its colours stay with the tree."""
+def _cloud_of(tree: DetailTree, path: Path) -> PointCloud:
+    """The cloud of a file whose levels these are, in the same memory; its colours stay with the tree."""
     place = resolve_device("cpu")
     arrays = {"points": upload(tree.positions, vec3, place, copied=False)}
     cloud = PointCloud.from_device_arrays(arrays, tree.origin)
     for name, values in tree.attributes.items():
         cloud[name] = values
+    file = open_in_parts(path)
+    cloud.unit = None if file is None else file.unit
     return cloud
 
 

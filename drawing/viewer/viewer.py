@@ -124,6 +124,7 @@ class Viewer(Scene):
         """Add several geometries at once, as of `named_geometries`, some perhaps with levels of detail by name."""
         with self.lock:
             self._check_open()
+            self._check_units(named)
             made = []
             for name, geometry, style in named:
                 made.append(make_item(name, self._next_number, geometry, style, trees.get(name)))

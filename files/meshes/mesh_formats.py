@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...core.checks import shown
+from ..points.header_units import PLY, in_metres, is_metric, tells_unit, unit_comment, warn_of_lost_unit
 from ..points.ply import read_ply_mesh, write_ply_mesh
 from ..source import netted
 from ..table import MeshTable
@@ -22,7 +23,8 @@ from .off import held_by_off, read_off, write_off
 from .stl import held_by_stl, read_stl, write_stl
 
 _READERS: dict[str, Callable[..., MeshTable]] = {
-    ".ply": read_ply_mesh, ".obj": read_obj, ".stl": read_stl, ".off": read_off, ".glb": read_glb, ".gltf": read_glb,
+    ".ply": tells_unit(PLY)(read_ply_mesh), ".obj": read_obj, ".stl": read_stl, ".off": read_off,
+    ".glb": is_metric(read_glb), ".gltf": is_metric(read_glb),
 }  # fmt: skip
 
 #: The readers by extension; whatever a file's content makes them raise is a FileError.
@@ -73,8 +75,12 @@ def write_mesh(path: str | os.PathLike[str], mesh: MeshTable, *, ascii: bool, ov
     check_up(path, up)
     mesh = turned_up(mesh, back=True) if up == "z" else mesh
     if suffix == ".ply":
-        write_ply_mesh(path, mesh, ascii=ascii, overwrite=overwrite)
+        write_ply_mesh(path, mesh, ascii=ascii, overwrite=overwrite, comments=unit_comment(mesh))
     else:
+        if suffix in UPRIGHT:
+            mesh = in_metres(path, mesh, "glTF")
+        else:
+            warn_of_lost_unit(path, mesh)
         _WRITERS[suffix](path, mesh, overwrite=overwrite)
 
 

@@ -102,13 +102,13 @@ def write_mesh_table(
 
 def points_of(mesh: MeshTable) -> PointTable:
     """The vertices of a mesh as a cloud."""
-    return PointTable(mesh.vertices, mesh.vertex_normals, mesh.vertex_colors, mesh.attributes)
+    return PointTable(mesh.vertices, mesh.vertex_normals, mesh.vertex_colors, mesh.attributes, unit=mesh.unit)
 
 
 def _without(table: PointTable, left_out: list[str]) -> tuple[PointTable, list[str]]:
     """The table without some of its attributes, and their names."""
     attributes = {name: values for name, values in table.attributes.items() if name not in left_out}
-    return PointTable(table.points, table.normals, table.colors, attributes, table.grid), left_out
+    return replace(table, attributes=attributes), left_out
 
 
 def _as_text_holds(table: PointTable, held: tuple[str, ...]) -> tuple[PointTable, list[str]]:
@@ -120,4 +120,4 @@ def _as_text_holds(table: PointTable, held: tuple[str, ...]) -> tuple[PointTable
         colors, left_out = None, ["colors", *left_out]
     if normals is not None and "normals" not in held:
         normals, left_out = None, ["normals", *left_out]
-    return PointTable(table.points, normals, colors, attributes), left_out
+    return PointTable(table.points, normals, colors, attributes, unit=table.unit), left_out

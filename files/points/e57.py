@@ -23,6 +23,7 @@ from numpy.typing import NDArray
 from ...core.coordinates import quiet
 from ...core.errors import FileError
 from ...core.quaternions import quaternions_to_rotations
+from ...core.units import METRE
 from ..columns import stack_colors, stack_normals
 from ..foreign import foreign_errors, import_for
 from ..growing import GrowingColumns
@@ -157,7 +158,7 @@ def _read_scan(path: Any, image: Any, scan: Any) -> PointTable:
         normals = stack_normals(path, [*(stored @ R.T).T])
     attributes = {ours: columns[name] for name, ours in ATTRIBUTES.items() if name in columns}
     attributes = {name: v.view(np.int64) if v.dtype == np.int64 else v for name, v in attributes.items()}
-    return PointTable(points, normals, colors, attributes)
+    return PointTable(points, normals, colors, attributes, unit=METRE)
 
 
 def _read_columns(path: Any, image: Any, vector: Any, wanted: dict[str, np.dtype[Any]]) -> dict[str, NDArray[Any]]:
@@ -244,4 +245,5 @@ def _merge(tables: list[PointTable]) -> PointTable:
         np.concatenate(normals) if len(normals) == len(tables) else None,
         np.concatenate(colors) if len(colors) == len(tables) else None,
         {name: np.concatenate([table.attributes[name] for table in tables]) for name in names},
+        unit=METRE,
     )

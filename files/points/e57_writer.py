@@ -1,7 +1,8 @@
 """Writing E57 files; reading is e57.py's matter.
 
-Positions are float or double as the table has them, without a pose; one scan for each value of `scan_index`, or one.
-Colours take 8 bits, normals are the extension "nor". Attributes other than those that e57.py reads cannot be stored.
+Positions are float or double as the table has them, in metres, without a pose; one scan for each value of `scan_index`,
+or one. Colours take 8 bits, normals are the extension "nor". Attributes other than those that e57.py reads cannot be
+stored.
 
 Source: ASTM E2807-11; the extension "nor" of libe57.org.
 """
@@ -25,6 +26,7 @@ from ..columns import colors_to_bytes
 from ..foreign import foreign_errors, import_for
 from ..table import PointTable
 from .e57 import ATTRIBUTES, BLOCK, CARTESIAN, COLORS, NARROW, NORMALS, SCAN_INDEX, WIDE
+from .header_units import in_metres
 
 _NORMALS_URI = "http://www.libe57.org/E57_NOR_surface_normals.txt"
 _FLOATS = ("f4", "f8")
@@ -41,11 +43,11 @@ def write_e57(path: str | os.PathLike[str], table: PointTable, *, overwrite: boo
 
     Raises:
         FileError: The place cannot be written, a coordinate is not finite, an attribute cannot be stored, or pye57 is
-            missing.
+            missing; or the table's unit is degrees.
         ValueError: An array of the table has the wrong shape.
     """
     path = check_writable(path, overwrite=overwrite)
-    table, libe57 = table.checked(), import_for(path, "pye57.libe57", "e57")
+    table, libe57 = in_metres(path, table.checked(), "E57"), import_for(path, "pye57.libe57", "e57")
     lost = unstorable_in_e57(table)
     if lost:
         known = ", ".join([*ATTRIBUTES.values(), SCAN_INDEX])

@@ -12,6 +12,7 @@ from ..source import netted
 from ..table import PointTable
 from .e57 import read_e57
 from .e57_writer import write_e57
+from .header_units import PCD, PLY, tells_unit, unit_comment, warn_of_lost_unit
 from .kitti_bin import read_kitti_bin
 from .las import read_las
 from .las_header import LasHeader
@@ -23,7 +24,7 @@ from .text import read_text, write_text
 from .text_table import read_text_table
 
 _READERS: dict[str, Callable[..., PointTable]] = {
-    ".ply": read_ply, ".pcd": read_pcd, ".npz": read_npz,
+    ".ply": tells_unit(PLY)(read_ply), ".pcd": tells_unit(PCD)(read_pcd), ".npz": read_npz,
     ".xyz": read_text, ".xyzn": read_text, ".xyzrgb": read_text, ".pts": read_text,
     ".csv": read_text_table, ".txt": read_text_table, ".bin": read_kitti_bin,
     ".las": read_las, ".laz": read_las, ".e57": read_e57,
@@ -55,7 +56,7 @@ def write_table(
     """
     extension = Path(path).suffix.lower()
     if extension == ".ply":
-        write_ply(path, table, ascii=ascii, overwrite=overwrite)
+        write_ply(path, table, ascii=ascii, overwrite=overwrite, comments=unit_comment(table))
     elif extension == ".pcd":
         write_pcd(path, table, encoding="ascii" if ascii else "binary", overwrite=overwrite)
     elif extension == ".npz":
@@ -65,4 +66,5 @@ def write_table(
     elif extension == ".e57":
         write_e57(path, table, overwrite=overwrite)
     else:
+        warn_of_lost_unit(path, table)
         write_text(path, table, overwrite=overwrite)

@@ -19,10 +19,13 @@ from numpy.typing import NDArray
 
 from ...core.coordinates import choose_origin
 from ...core.paths import path_of
+from ...core.units import LengthUnit
 from ..source import Source, open_source
 from ..table import PointTable
 from . import pcd, ply
+from .header_units import PCD, PLY, unit_in_header
 from .las import LasFile, iterate_las, open_las
+from .las_units import units_of
 from .pcd_header import read_header as read_pcd_header
 from .ply_header import read_header as read_ply_header
 
@@ -41,6 +44,7 @@ class RowsInParts:
     Attributes:
         count: Points.
         is_proven: Whether the file is large enough for them.
+        unit: Of the coordinates, where the file tells it.
     """
 
     is_proven = True
@@ -51,9 +55,10 @@ class RowsInParts:
         source: Source,
         columns: dict[str, NDArray[Any]],
         table_of: Callable[[Path, dict[str, NDArray[Any]]], PointTable],
+        unit: LengthUnit | None,
     ):
         self.path, self.count = path, len(next(iter(columns.values())))
-        self._source, self._columns, self._table_of = source, columns, table_of
+        self._source, self._columns, self._table_of, self.unit = source, columns, table_of, unit
 
     def parts(self, size: int) -> Iterator[PointTable]:
         """The points, `size` at a time, the last part shorter; of a file without points one part of none."""
@@ -70,6 +75,7 @@ class RowsInParts:
 
     def _rows(self, rows: slice) -> PointTable:
         table = self._table_of(self.path, {name: column[rows] for name, column in self._columns.items()})
+        table.unit = self.unit
         _give_back(self._source)
         return table
 
@@ -79,7 +85,7 @@ class LasInParts:
 
     def __init__(self, file: LasFile):
         self.path, self.count, self._file = file.path, file.header.point_count, file
-        self.is_proven = not file.header.is_compressed
+        self.is_proven, self.unit = not file.header.is_compressed, units_of(file.header).plane
 
     def parts(self, size: int) -> Iterator[PointTable]:
         """The points, `size` at a time."""
@@ -118,11 +124,12 @@ def open_in_parts(path: str | os.PathLike[str]) -> RowsInParts | LasInParts | No
         header = read_ply_header(path, source)
         if header.ascii or header.element(path, "vertex").has_lists:
             return None
-        return RowsInParts(path, source, _held(path, ply.vertex_columns(path, source)), ply.table_of)
+        columns = _held(path, ply.vertex_columns(path, source))
+        return RowsInParts(path, source, columns, ply.table_of, unit_in_header(source, PLY))
     if read_pcd_header(path, source).encoding != "binary":
         return None
     fields, _ = pcd.point_fields(path, source)
-    return RowsInParts(path, source, fields, pcd.table_of)
+    return RowsInParts(path, source, fields, pcd.table_of, unit_in_header(source, PCD))
 
 
 def _held(path: Path, columns: dict[str, NDArray[Any]]) -> dict[str, NDArray[Any]]:

@@ -1,13 +1,13 @@
 """LAS and LAZ files of points, versions 1.0 to 1.4, point formats 0 to 10; the packages laspy and lazrs read them.
 
-Reading: positions are X * scale + offset in float64, in the file's own unit (metres or feet: nothing is converted) and
-coordinate system (las_crs.py tells its name). Every other dimension is an attribute by laspy's name and in the file's
-type: intensity, return_number, number_of_returns, classification, synthetic, key_point, withheld, scan_angle_rank
-(whole degrees, formats 0 to 5) or scan_angle (steps of 0.006 degrees, formats 6 to 10), user_data, point_source_id,
-gps_time, nir, and so on, and each extra dimension by its own name, scaled where it says so. Red, green and blue are
-colours in 0..1: of 65535, or of 255 where no value in the file exceeds that, as many writers store 8 bits in the
-16-bit fields (a file of 16-bit colours darker than 1/257 throughout would come out too bright). Extra dimensions
-NormalX, NormalY and NormalZ are normals. Waveforms are not read.
+Reading: positions are X * scale + offset in float64, in the file's own unit (metres or feet, which las_units.py tells:
+nothing is converted) and coordinate system (las_crs.py tells its name). Every other dimension is an attribute by
+laspy's name and in the file's type: intensity, return_number, number_of_returns, classification, synthetic, key_point,
+withheld, scan_angle_rank (whole degrees, formats 0 to 5) or scan_angle (steps of 0.006 degrees, formats 6 to 10),
+user_data, point_source_id, gps_time, nir, and so on, and each extra dimension by its own name, scaled where it says so.
+Red, green and blue are colours in 0..1: of 65535, or of 255 where no value in the file exceeds that, as many writers
+store 8 bits in the 16-bit fields (a file of 16-bit colours darker than 1/257 throughout would come out too bright).
+Extra dimensions NormalX, NormalY and NormalZ are normals. Waveforms are not read.
 
 The file is held to its header by las_header.py and laszip.py before memory is taken.
 
@@ -34,6 +34,7 @@ from ..source import Source, open_source
 from ..table import PointTable
 from .las_crs import is_geographic
 from .las_header import SPEC, LasHeader, parse_las_header
+from .las_units import units_of
 from .laszip import check_laszip, unpack_beginnings, unpack_blocks
 
 # Points decoded at a time: blocks of some 10 MB, in which LAZ's chunks (50,000 points as a rule) keep all cores busy;
@@ -193,8 +194,9 @@ def _table(file: LasFile, arrays: dict[str, NDArray[Any]]) -> PointTable:
     if all(name in attributes and attributes[name].dtype.kind == "f" for name in NORMALS):
         normals = stack_normals(file.path, [attributes.pop(name) for name in NORMALS])
     steps = np.array(file.header.scales, np.float64)
-    colors, is_lonlat = arrays.get("colors"), is_geographic(file.header)
-    return PointTable(arrays["points"], normals, colors, attributes, steps=steps, is_geographic=is_lonlat)
+    told, is_lonlat, units = arrays.get("colors"), is_geographic(file.header), units_of(file.header)
+    how = {"steps": steps, "is_geographic": is_lonlat, "unit": units.plane, "unit_doubt": units.doubt}
+    return PointTable(arrays["points"], normals, told, attributes, **how)
 
 
 def _layout(path: Any, header: LasHeader) -> Any:

@@ -1,7 +1,7 @@
 """What a LAS file's records say of its coordinate system: well-known text, or GeoTIFF keys.
 
-Only the name is read, to be shown, and whether the coordinates are degrees; a cloud keeps neither the system nor its
-unit.
+Only the name is read, to be shown, and whether the coordinates are degrees; las_units.py reads the unit. A cloud keeps
+the unit, and not the system.
 
 Source: OGC 01-009 and 18-010 (well-known text); GeoTIFF 1.0, section 2.7 (keys).
 """
@@ -15,7 +15,8 @@ from typing import Any
 
 from .las_header import PROJECTION, LasHeader
 
-_WKT, _KEYS, _ASCII = 2112, 34735, 34737
+WKT, _KEYS, _ASCII = 2112, 34735, 34737
+NO_NAME = "unknown"  # of a system that is written to tell a unit alone
 _MODEL_TYPE, _GEOGRAPHIC = 1024, 2
 
 # A system of longitude and latitude is named so in both versions of well-known text; a projected one holds such a name
@@ -31,12 +32,12 @@ _USER_DEFINED = 32767
 
 def crs_name(header: LasHeader) -> str | None:
     """The name of the coordinate system, such as "NAD83 / UTM zone 10N" or "EPSG:26910"; None where none is told."""
-    text = header.find(PROJECTION, _WKT)
+    text = header.find(PROJECTION, WKT)
     if text:
         found = re.match(r'\s*\w+\s*\[\s*"([^"]*)"', text.decode("utf-8", "replace"))
-        if found and found[1]:
+        if found and found[1] not in ("", NO_NAME):
             return found[1]
-    keys = _keys(header)
+    keys = find_keys(header)
     letters = (header.find(PROJECTION, _ASCII) or b"").decode("ascii", "replace")
     for key in _CITATIONS:
         place, length, begin = keys.get(key, (0, 0, 0))
@@ -62,10 +63,10 @@ class GeographicWarning(UserWarning):
 
 def is_geographic(header: LasHeader) -> bool:
     """Whether the records say that x and y are longitude and latitude; False where they say nothing."""
-    text = (header.find(PROJECTION, _WKT) or b"").decode("utf-8", "replace")
-    if text.strip("\0 \n"):
+    text = find_text(header)
+    if text:
         return bool(_GEOGRAPHIC_WORDS.search(text)) and not _PROJECTED_WORDS.search(text)
-    place, _, value = _keys(header).get(_MODEL_TYPE, (0, 0, 0))
+    place, _, value = find_keys(header).get(_MODEL_TYPE, (0, 0, 0))
     return place == 0 and value == _GEOGRAPHIC
 
 
@@ -78,7 +79,12 @@ def warn_of_degrees(path: Any, is_lonlat: bool, *, stacklevel: int) -> None:
         warnings.warn(message, GeographicWarning, stacklevel=stacklevel)
 
 
-def _keys(header: LasHeader) -> dict[int, tuple[int, ...]]:
+def find_text(header: LasHeader) -> str:
+    """The well-known text; empty where there is none."""
+    return (header.find(PROJECTION, WKT) or b"").decode("utf-8", "replace").strip("\0 \n")
+
+
+def find_keys(header: LasHeader) -> dict[int, tuple[int, ...]]:
     """GeoTIFF's keys: where each value is, of how many parts, and the value itself or its place there."""
     directory = header.find(PROJECTION, _KEYS) or b""
     numbers = struct.unpack(f"<{len(directory) // 2}H", directory[: len(directory) // 2 * 2])

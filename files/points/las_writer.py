@@ -4,7 +4,8 @@ Coordinates are stored as whole multiples of a scale about an offset, in 32 bits
 attributes: 6, 7 or 8 of LAS 1.4; or 0 to 3 of LAS 1.2 for those that come from such a file, which `scan_angle_rank`
 tells. Attributes with the name of a standard dimension go there, where their values are whole and in its range; others
 become extra dimensions in their own type, one of shape [n, c] as the scalars a_0 .. a_{c-1}. Colours take 16 bits,
-normals are the extra dimensions NormalX, NormalY and NormalZ. The grid of an organised cloud is not stored.
+normals are the extra dimensions NormalX, NormalY and NormalZ. The grid of an organised cloud is not stored. Its unit is
+told by the coordinate system that is taken over, else by one that says nothing but the unit.
 
 Source: ASPRS, LAS Specification 1.4-R15.
 """
@@ -22,11 +23,14 @@ from ...core.atomic import atomic_write, check_writable
 from ...core.checks import check_finite, check_numeric, check_positive, check_shape
 from ...core.coordinates import finite_box, quiet
 from ...core.errors import FileError
+from ...core.units import LengthUnit, is_same, warn_of_units
 from ..columns import stack_colors
 from ..foreign import foreign_errors, import_for
 from ..table import PointTable
 from .las import COLORS, NORMALS
+from .las_crs import NO_NAME, WKT
 from .las_header import PROJECTION, LasHeader, LasRecord
+from .las_units import units_of
 
 # Where no scale is given: a millimetre where the unit is metres, below what scanners measure; finer for an axis along
 # which the points lie within 1000 units, so that objects and degrees keep a millionth of their extent.
@@ -83,12 +87,16 @@ def write_las(
     if table.colors is not None:
         table.colors = stack_colors(path, [*table.colors.T])  # refuses what is outside 0..1
     scales, offsets = _scaling(path, table.points, scale, offset, like)
-    version = "1.4" if _is_new(table) or (like is not None and _is_from_1_4(like)) else "1.2"
+    told = _unit_record(laspy, path, table.unit, like)
+    version = "1.4" if _is_new(table) or told or (like is not None and _is_from_1_4(like)) else "1.2"
     header = laspy.LasHeader(point_format=_point_format(table), version=version)
     extra = _extra_columns(table, {*header.point_format.dimension_names})
     header.add_extra_dims([laspy.ExtraBytesParams(name, values.dtype) for name, values in extra.items()])
     header.scales, header.offsets = scales, offsets
     extended = _take_over(laspy, header, like) if like is not None else []
+    if told:
+        header.global_encoding.value |= _WKT_BIT
+        header.vlrs.append(told)
     compress = path.suffix.lower() == ".laz"
     with (
         atomic_write(path, overwrite=overwrite) as file,
@@ -112,6 +120,24 @@ def _carried(like: LasHeader) -> list[LasRecord]:
     """The records of another file that tell its coordinate system."""
     kinds = ((record, (record.user_id, record.record_id)) for record in like.records)
     return [record for record, kind in kinds if kind[0] == PROJECTION or kind == _LIBLAS_WKT]
+
+
+def _unit_record(laspy: Any, path: Any, unit: LengthUnit | None, like: LasHeader | None) -> Any:
+    """The record that tells a length's unit where no file's system does; warns where such a system has another one."""
+    if like is not None:
+        told = units_of(like).plane
+        if not is_same(unit, told):
+            warn_of_units(
+                f"{path}: coordinates in {unit} are written under the coordinate system of a file in {told}: "
+                f'cloud.to_unit("{told}") converts them'
+            )
+        return None
+    if unit is None or unit.metres is None:
+        return None
+    name = unit.name.replace('"', '""')
+    axes = 'AXIS["Easting",EAST],AXIS["Northing",NORTH]'
+    text = f'LOCAL_CS["{NO_NAME}",LOCAL_DATUM["{NO_NAME}",0],UNIT["{name}",{unit.metres!r}],{axes}]'
+    return laspy.VLR(PROJECTION, WKT, "", text.encode("ascii") + b"\0")
 
 
 def _take_over(laspy: Any, header: Any, like: LasHeader) -> Any:

@@ -1,9 +1,10 @@
 """Points as NPZ, NumPy's archive of arrays: every type, name and shape survives, colours in full precision.
 
 Members: `points` [n, 3] (float32 or float64), `normals` and `colors` [n, 3] where there are any, `grid` (height, width)
-for an organised cloud; every other member is an attribute of shape [n] or [n, c]. Objects (pickles) are never loaded.
-The sizes in the archive's directory and in each array's header are held against each other and against what the stored
-bytes can unpack to before an array is allocated.
+for an organised cloud, `unit`, the unit of lengths as text such as "foot", where it is known; every other member is an
+attribute of shape [n] or [n, c], so is a `unit` of numbers. Objects (pickles) are never loaded. The sizes in the
+archive's directory and in each array's header are held against each other and against what the stored bytes can unpack
+to before an array is allocated.
 
 Source: NumPy Enhancement Proposal 1 (the .npy format); PKWARE's APPNOTE for ZIP.
 """
@@ -21,8 +22,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...core.atomic import atomic_write, check_writable
+from ...core.checks import shown
 from ...core.errors import FileError
 from ...core.paths import path_of
+from ...core.units import KNOWN, LengthUnit, text_of, unit_of_text
 from ..columns import stack_colors, stack_normals
 from ..source import open_source
 from ..table import PointTable
@@ -37,6 +40,8 @@ _END_BYTES = 22
 _TIME_STAMP = (1980, 1, 1, 0, 0, 0)
 
 _TABLE_KEYS = ("points", "normals", "colors", "grid")
+_UNIT = "unit"
+_LONGEST_UNIT = 200  # letters
 _NOT_NUMERIC = "expected real numbers or booleans"
 
 
@@ -98,8 +103,10 @@ def write_npz(path: str | os.PathLike[str], table: PointTable, *, overwrite: boo
         arrays["colors"] = table.colors
     if table.grid is not None:
         arrays["grid"] = np.array(table.grid, np.int64)
+    if table.unit is not None:
+        arrays[_UNIT] = np.array(text_of(table.unit))
     for name, values in table.attributes.items():
-        if name in _TABLE_KEYS:
+        if name in _TABLE_KEYS or name in arrays:
             raise FileError(path, f"attribute {name!r}: the format uses this name itself", remedy="Rename it")
         if not name or not name.isprintable() or "/" in name or "\\" in name:
             reason = f"attribute {name!r} cannot name a member of the archive"
@@ -109,7 +116,7 @@ def write_npz(path: str | os.PathLike[str], table: PointTable, *, overwrite: boo
         for name, values in arrays.items():
             member = zipfile.ZipInfo(f"{name}.npy", _TIME_STAMP)
             with archive.open(member, "w", force_zip64=True) as stream:
-                np.lib.format.write_array(stream, np.ascontiguousarray(values), allow_pickle=False)
+                np.lib.format.write_array(stream, np.asarray(values, order="C"), allow_pickle=False)
 
 
 def read_member(path: Any, archive: zipfile.ZipFile, info: zipfile.ZipInfo, name: str) -> NDArray[Any]:
@@ -122,7 +129,8 @@ def read_member(path: Any, archive: zipfile.ZipFile, info: zipfile.ZipInfo, name
         raise FileError(path, reason, where=f"byte {info.header_offset}")
     with archive.open(info) as stream:
         shape, fortran, dtype = _read_array_header(path, stream, name)
-        if dtype.kind not in "biuf" or dtype.itemsize > 8:
+        is_unit = name == _UNIT and dtype.kind == "U" and shape == () and dtype.itemsize <= 4 * _LONGEST_UNIT
+        if not is_unit and (dtype.kind not in "biuf" or dtype.itemsize > 8):
             raise FileError(path, f"{name}: {_NOT_NUMERIC}, found {dtype}")
         if any(isinstance(extent, bool) for extent in shape):
             raise FileError(path, f"{name}: the array's header is damaged: its shape is {shape}")
@@ -167,6 +175,7 @@ def _table(path: Any, arrays: dict[str, NDArray[Any]]) -> PointTable:
         if values is not None:
             _check_shape(path, name, values, count)
     grid = _grid(path, arrays.pop("grid"), count) if "grid" in arrays else None
+    unit = _unit(path, arrays.pop(_UNIT)) if _UNIT in arrays and arrays[_UNIT].dtype.kind == "U" else None
     for name, values in arrays.items():
         if values.ndim not in (1, 2) or len(values) != count:
             raise FileError(path, f"{name}: expected shape [{count}] or [{count}, c], found {list(values.shape)}")
@@ -176,6 +185,7 @@ def _table(path: Any, arrays: dict[str, NDArray[Any]]) -> PointTable:
         None if colors is None else stack_colors(path, [*colors.T]),
         arrays,
         grid,
+        unit=unit,
     )
 
 
@@ -190,6 +200,23 @@ def _check_shape(path: Any, name: str, values: NDArray[Any], count: int | None) 
         raise FileError(
             path, f"{name}: expected numbers of shape [{expected}, 3], found {values.dtype} {list(values.shape)}"
         )
+
+
+def _unit(path: Any, value: NDArray[Any]) -> LengthUnit:
+    """The unit that the archive names.
+
+    Raises:
+        FileError: It is none that a cloud can have.
+    """
+    try:
+        text = str(value)
+    except ValueError as error:  # no characters
+        raise FileError(path, f"unit: the text is damaged: {error}") from error
+    unit = unit_of_text(text)
+    if unit is None:
+        remedy = f"Use one of {', '.join(unit.name for unit in KNOWN)}, or 'name = 0.3048 m' for another one"
+        raise FileError(path, f"unit: expected the name of a unit, found {shown(text)}", remedy=remedy)
+    return unit
 
 
 def _grid(path: Any, values: NDArray[Any], count: int) -> tuple[int, int]:

@@ -28,6 +28,7 @@ from ..columns import check_name, check_type, colors_to_bytes, own, stack_colors
 from ..source import Source, open_source
 from ..table import PointTable
 from . import lzf
+from .header_units import unit_comment
 from .pcd_header import ENCODINGS, read_header
 from .pcd_payload import read_payload
 
@@ -204,6 +205,7 @@ def _header(table: PointTable, fields: dict[str, NDArray[Any]], encoding: str) -
     return "\n".join(
         [
             "# .PCD v0.7 - Point Cloud Data file format",
+            *(f"# {comment}" for comment in unit_comment(table)),
             "VERSION 0.7",
             "FIELDS " + " ".join(fields),
             "SIZE " + " ".join(str(values.dtype.itemsize) for values in fields.values()),

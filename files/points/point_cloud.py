@@ -15,6 +15,7 @@ from ...core.coordinates import FLOAT32_MAX, choose_origin, finite_box, quiet, w
 from ...core.devices import resolve_device
 from ...core.errors import FileError
 from ...core.paths import path_of
+from ...core.units import LengthUnit, warn_of_units
 from ...kernels.memory import download
 from ...pcd.cloud import PointCloud
 from ...pcd.point_arrays import VECTORS, check_cloud
@@ -37,11 +38,12 @@ def read_point_cloud(
     in 0..255), and attributes by any other name. Without names three columns are x y z, and more are refused: give
     `columns`. A .bin is a scan of KITTI, float32 x, y, z, intensity.
 
-    LAS and LAZ come in the file's own unit and coordinate system, which may be feet; their dimensions are attributes by
-    laspy's names (intensity, classification, gps_time and so on). Where the file says that they are longitude and
-    latitude, a GeographicWarning says so: they are kept to the file's steps, but a radius or a voxel of degrees is no
-    length, so that `project_to_utm` should come next. The scans of an E57 file lie where their poses place them, in
-    metres. Both need an extra: `pip install "pointloom[las]"`, `pip install "pointloom[e57]"`.
+    LAS and LAZ come in the file's own unit and coordinate system, which may be feet: `cloud.unit` says so where the
+    file does (docs/units.md). Their dimensions are attributes by laspy's names (intensity, classification, gps_time and
+    so on). Where the file says that they are longitude and latitude, a GeographicWarning says so: they are kept to the
+    file's steps, but a radius or a voxel of degrees is no length, so that `project_to_utm` should come next. The scans
+    of an E57 file lie where their poses place them, in metres. Both need an extra: `pip install "pointloom[las]"`,
+    `pip install "pointloom[e57]"`.
 
     Args:
         path: The file.
@@ -55,6 +57,10 @@ def read_point_cloud(
         IndexError: There is no such scan.
         ValueError: A scan of a file that is no .e57, columns of one that is no table of text, or columns without x, y
             and z.
+
+    Warns:
+        GeographicWarning: x and y are degrees.
+        UnitWarning: z is in another unit than x and y, or the file tells two units.
 
     Example:
         >>> import pointloom as loom
@@ -129,6 +135,8 @@ def _chunks(file: LasFile, chunk_size: int, device: Any) -> Iterator[PointCloud]
     for table in iterate_las(file, chunk_size):
         if origin is None:
             origin = _common_origin(file, table)
+        else:
+            table.unit_doubt = None  # which the first part has told
         yield cloud_of(table, file.path, device=device, origin=origin)
 
 
@@ -152,8 +160,15 @@ def cloud_of(
         if name in VECTORS:
             raise FileError(path, f"attribute {name!r} has the name of a cloud's own {name}", remedy="Rename it")
         cloud[name] = values
-    cloud.grid = table.grid
+    cloud.grid, cloud.unit = table.grid, unit_told(table, path)
     return cloud
+
+
+def unit_told(table: PointTable, path: str | os.PathLike[str]) -> LengthUnit | None:
+    """The unit that a file tells of its coordinates; warns where the file itself speaks against it."""
+    if table.unit_doubt is not None:
+        warn_of_units(f"{path}: {table.unit_doubt}")
+    return table.unit
 
 
 def origin_of(table: PointTable, path: str | os.PathLike[str], *, stacklevel: int = 3) -> NDArray[np.float64]:
@@ -179,7 +194,8 @@ def write_point_cloud(
 
     Coordinates of a cloud whose origin is zero are written in float32 as they are held; those of a moved origin in
     float64, so that nothing is lost. LAS and LAZ alone round them, to multiples of `scale` about the cloud's origin.
-    A cloud knows no coordinate system: `like` takes it over from the file that the cloud came from.
+    A cloud knows no coordinate system: `like` takes it over from the file that the cloud came from. Its unit is written
+    where the format has a place for it; E57 holds metres, so that coordinates in another unit are multiplied.
 
     Args:
         path: The file: .ply .pcd .npz .xyz .xyzn .xyzrgb .pts .las .laz .e57.
@@ -193,9 +209,13 @@ def write_point_cloud(
             given, scale are taken over, for a cloud in the same system.
 
     Raises:
-        FileError: The file cannot be made, or the format cannot hold an attribute or a point that is not finite.
+        FileError: The file cannot be made, or the format cannot hold an attribute, a point that is not finite or, of
+            E57, degrees.
         TypeError: No cloud.
         ValueError: A scale that is not above 0; `scale` or `like` for another format.
+
+    Warns:
+        UnitWarning: The cloud's unit is not that of `like`, not the format's, or one that the format cannot tell.
 
     Example:
         >>> import pointloom as loom
@@ -227,6 +247,7 @@ def table_of(cloud: PointCloud) -> PointTable:
         colors=cloud.colors if cloud.has_colors else None,
         attributes=dict(cloud.attributes),
         grid=cloud.grid,
+        unit=cloud.unit,
     )
 
 

@@ -10,7 +10,7 @@ import warp as wp
 from numpy.typing import NDArray
 
 from ...core.checks import check_list, check_positive, shown
-from ...core.units import warn_of_unit
+from ...core.units import warn_of_units
 from ...kernels.arrays.select import gather_rows
 from ...kernels.lang import vec3i
 from ...kernels.memory import download, empty
@@ -124,7 +124,7 @@ class AlphaShapes(MeshArrays):
             usual = _choose_alpha(tree, unique.device_arrays["points"])
             if max(bare) < SHORT * usual:
                 told = ", ".join(f"{size:g}" for size in bare)
-                warn_of_unit(f"alpha: nothing is left at {told} m; the points' spacing asks for some {usual:.3g} m")
+                warn_of_units(f"alpha: nothing is left at {told} m; the points' spacing asks for some {usual:.3g} m")
         return answers if is_list else answers[0]
 
     create_from_point_cloud_alpha_shape = from_point_cloud_alpha_shape
@@ -136,7 +136,9 @@ class AlphaShapes(MeshArrays):
         arrays = {name: cloud.device_arrays[given] for name, given in names.items() if given in cloud.device_arrays}
         corners, kept = drop_unreferenced(triangles, len(cloud), list(arrays.values()))
         rows = dict(zip(arrays, kept, strict=True))
-        return cls.from_device_arrays(triangles=corners, **rows, origin=cloud.origin, library=cloud.array_library)
+        mesh = cls.from_device_arrays(triangles=corners, **rows, origin=cloud.origin, library=cloud.array_library)
+        mesh.unit = cloud.unit
+        return mesh
 
 
 def _used_rows(triangles: wp.array) -> NDArray[np.int32]:

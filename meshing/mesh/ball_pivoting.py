@@ -8,7 +8,7 @@ import numpy as np
 
 from ...core.checks import check_list, check_positive, shown
 from ...core.told_arguments import told_arguments
-from ...core.units import warn_of_unit
+from ...core.units import warn_of_units
 from ...kernels.memory import download
 from ...kernels.reconstruction.ball_surface import RollingBall, count_around
 from ...kernels.search.neighbor_distances import nearest_distances
@@ -91,9 +91,9 @@ class BallPivoting(MeshArrays):
             told, usual = (", ".join(f"{r:.3g}" for r in radii) for radii in (given, _default_radii(ball.tree)))
             if max(given) < SHORT * _default_radii(ball.tree)[0]:
                 message = f"radii: balls of {told} m touch no three points; the points' spacing asks for {usual} m"
-                warn_of_unit(message)
+                warn_of_units(message)
         colors = cloud.device_array("colors") if cloud.has_colors else None
-        return cls.from_device_arrays(
+        mesh = cls.from_device_arrays(
             points,
             triangles,
             vertex_normals=normals,
@@ -101,6 +101,8 @@ class BallPivoting(MeshArrays):
             origin=cloud.origin,
             library=cloud.array_library,
         )
+        mesh.unit = cloud.unit
+        return mesh
 
     create_from_point_cloud_ball_pivoting = from_point_cloud_ball_pivoting
 

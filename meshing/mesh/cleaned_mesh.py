@@ -9,6 +9,7 @@ from ...core.audience import Audience, to_caller
 from ...core.checks import check_count, check_positive, check_progress
 from ...core.progress import ReportProgress
 from ...core.reports import Fields
+from ...core.units import symbol_of
 from ...core.wording import format_share, plain
 from .changed_mesh import ChangedMesh, sizes_before
 from .mesh import TriangleMesh
@@ -78,14 +79,14 @@ class CleanedMesh(ChangedMesh):
         """Why the mesh is not to be believed in the words of an audience, or None."""
         if not len(self.mesh):
             return "no triangle is left" + say("", ", and nothing was written")
-        reasons, merge, fill = [], self.merge_distance, self.hole_size
+        reasons, merge, fill, m = [], self.merge_distance, self.hole_size, symbol_of(self.mesh.unit)
         if merge is not None and self.repair.merged_vertices > MOST_MERGED * self.vertices_in:
             share = format_share(self.repair.merged_vertices / self.vertices_in)
             distance = say("merge_distance", "--merge")
-            reasons.append(f"{share} of the vertices were merged: take a smaller {distance} than {merge:g} m")
+            reasons.append(f"{share} of the vertices were merged: take a smaller {distance} than {merge:g} {m}")
         reasons += self._losses(say)
         if fill is not None and self.repair.holes_left:
-            reasons.append(f"{self.repair.holes_left:,} holes of up to {fill:g} m are left open")
+            reasons.append(f"{self.repair.holes_left:,} holes of up to {fill:g} {m} are left open")
         if not self.repair.is_orientable:
             reasons.append("a part has one side only, as a Moebius strip: there is no inside")
         return "; ".join(reasons) or None

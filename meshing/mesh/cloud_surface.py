@@ -110,6 +110,7 @@ def create_surface(
     points, normals = _with_normals(plain, method, bool(new_normals))
     say(method, 0, 0)
     made = _make(points, method, settings) if len(points) else _Made(TriangleMesh(device=cloud.device))
+    made.mesh.unit = cloud.unit
     say("check", 0, 0)
     mesh, made_up = _without_made_up(points, made, method, settings)
     return SurfaceResult(
@@ -225,4 +226,5 @@ def _find_off(points: PointCloud, mesh: TriangleMesh) -> PointsOff:
     probes = PointCloud(points.points[:: max(1, len(points) // POINT_SAMPLES)], device=points.device)
     tree = TriangleTree(mesh.device_arrays["vertices"], mesh.device_arrays["triangles"])
     distances = distances_to(points_about(probes.device_arrays["points"], probes.origin, mesh.origin), tree)
-    return PointsOff(float(np.median(download(distances))), math.dist(points.get_min_bound(), points.get_max_bound()))
+    size = math.dist(points.get_min_bound(), points.get_max_bound())
+    return PointsOff(float(np.median(download(distances))), size, points.unit)

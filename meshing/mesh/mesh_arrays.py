@@ -21,6 +21,7 @@ from ...kernels.lang import int32, vec2, vec3, vec3i
 from ...kernels.memory import clone, download, move, upload
 from ...kernels.meshes.mesh_edits import gather_corners, gather_triangles
 from ...pcd.point_arrays import PointArrays, read_only
+from ...pcd.units import InUnit
 from .mesh_attributes import MeshAttributes, each, rows_of
 from .mesh_questions import MeshQuestions
 
@@ -31,7 +32,7 @@ CORNERS = ("triangle_uvs",)  # three rows a triangle
 ATTRIBUTES = {"vertex_attributes": "vertices", "triangle_attributes": "triangles"}  # and what has one row of each
 
 
-class MeshArrays(MeshQuestions):
+class MeshArrays(InUnit, MeshQuestions):
     """The arrays of a mesh by name, checked where they are assigned; TriangleMesh adds the operations."""
 
     _device: Any
@@ -112,7 +113,9 @@ class MeshArrays(MeshQuestions):
                 warnings.warn(f"{kind} {', '.join(kept.pop(kind))}: left behind, the {of} are others", stacklevel=3)
         place = self._origin if origin is None else origin
         textures = self._textures if "triangle_uvs" in kept else ()
-        return self.from_device_arrays(**kept, textures=textures, origin=place, library=self._library)
+        mesh = self.from_device_arrays(**kept, textures=textures, origin=place, library=self._library)
+        mesh._unit = self._unit
+        return mesh
 
     @property
     def device_arrays(self) -> dict[str, wp.array]:
@@ -386,7 +389,8 @@ class MeshArrays(MeshQuestions):
         """The mesh as NumPy arrays and the name of its device, for pickle."""
         state = {"arrays": pickled(self._arrays), "origin": self._origin, "device": str(self._device)}
         attributes = {kind: pickled(held) for kind, held in self._attributes.items()}
-        return state | {"textures": self._textures, "library": self._library, "attributes": attributes}
+        state |= {"textures": self._textures, "library": self._library, "attributes": attributes}
+        return state | {"unit": self._unit}
 
     def __setstate__(self, state: dict[str, Any]) -> None:
         """The mesh on the device that it was on; on the first GPU where there is another number of them.
@@ -396,7 +400,7 @@ class MeshArrays(MeshQuestions):
         """
         self._device, self._origin = device_like("mesh", state["device"]), state["origin"]
         self._arrays, self._textures = unpickled(state["arrays"], self._device), state["textures"]
-        self._library = state["library"]
+        self._library, self._unit = state["library"], state.get("unit")
         self._attributes = {kind: unpickled(state["attributes"][kind], self._device) for kind in ATTRIBUTES}
 
 

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...core.dropped_results import returns_new
+from ...core.units import common_unit
 from .flat_polygons import LIBRARY, load_manifold
 from .mesh_arrays import MeshArrays
 from .mesh_measures import MeshMeasures
@@ -116,6 +117,7 @@ class MeshBooleans(MeshMeasures):
             device=self._device,
             origin=self._origin,
         )
+        mesh.unit = common_unit(f"{name}: the meshes", (self.unit, other.unit))
         both_have_normals = "vertex_normals" in self._arrays and "vertex_normals" in other.device_arrays
         return mesh.compute_vertex_normals() if both_have_normals else mesh
 

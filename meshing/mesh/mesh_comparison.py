@@ -10,6 +10,7 @@ from typing import Any
 from ...core.audience import Audience, to_caller
 from ...core.checks import check_count, check_numeric, check_positive, check_seed
 from ...core.reports import Fields, Report
+from ...core.units import LengthUnit, symbol_of
 from ...core.wording import format_share, plain
 from .mesh import TriangleMesh
 from .mesh_intersections import check_mesh
@@ -32,6 +33,7 @@ class MeshComparison(Report):
         seed: What chose them.
         limit: The Hausdorff distance [m] that was allowed, or None.
         device: Where it was computed.
+        unit: Of the lengths, where it is known.
         poor: Why the meshes are not alike, with the remedy; None where they are.
 
     Example:
@@ -50,6 +52,7 @@ class MeshComparison(Report):
     seed: int
     limit: float | None
     device: str
+    unit: LengthUnit | None = None
 
     @property
     def poor(self) -> str | None:
@@ -58,12 +61,12 @@ class MeshComparison(Report):
 
     def why_poor(self, say: Audience = to_caller) -> str | None:
         """The same in the words of an audience, which are the same for all."""
-        mean = max(self.metrics.mean)
+        mean, m = max(self.metrics.mean), symbol_of(self.unit)
         if mean > APART * self.diagonal:
             share = format_share(mean / self.diagonal)
             return f"the surfaces lie {share} of their size apart: other units, or other frames? Register them first"
         if self.limit is not None and self.metrics.hausdorff > self.limit:
-            return f"the surfaces lie up to {self.metrics.hausdorff:.4g} m apart, more than {self.limit:g} m"
+            return f"the surfaces lie up to {self.metrics.hausdorff:.4g} {m} apart, more than {self.limit:g} {m}"
         return None
 
     def to_json(self) -> dict[str, Any]:
@@ -74,19 +77,20 @@ class MeshComparison(Report):
         farthest = {"hausdorff": found.hausdorff, "hausdorff_bound": found.hausdorff_bound, "fscore": scores}
         both_ways = {"mean": found.mean, "rms": found.rms, "max": found.max}
         tail = {"samples": self.samples, "seed": self.seed, "device": self.device, "poor": self.poor}
-        return plain(head | farthest | both_ways | tail)
+        unit = {} if self.unit is None else {"unit": self.unit}
+        return plain(head | farthest | both_ways | tail | unit)
 
     def fields(self) -> Fields:
         """The figures as labels and values."""
-        found = self.metrics
+        found, m = self.metrics, symbol_of(self.unit)
         scores = zip(self.thresholds, found.fscore.tolist(), strict=True)
         return [
             ("triangles", " and ".join(f"{count:,}" for count in self.triangles)),
-            ("chamfer", f"{found.chamfer:.4g} m"),
-            ("mean", _there_and_back(found.mean)),
-            ("rms", _there_and_back(found.rms)),
-            ("Hausdorff", f"{found.hausdorff:.4g} m, at most {found.hausdorff_bound:.4g}"),
-            ("F-score", ", ".join(f"{score:.1f} % within {radius:.3g} m" for radius, score in scores)),
+            ("chamfer", f"{found.chamfer:.4g} {m}"),
+            ("mean", _there_and_back(found.mean, m)),
+            ("rms", _there_and_back(found.rms, m)),
+            ("Hausdorff", f"{found.hausdorff:.4g} {m}, at most {found.hausdorff_bound:.4g}"),
+            ("F-score", ", ".join(f"{score:.1f} % within {radius:.3g} {m}" for radius, score in scores)),
         ]
 
 
@@ -149,8 +153,9 @@ def compare_meshes(
         seed=chosen,
         limit=most,
         device=str(first.device),
+        unit=first.unit or second.unit,
     )
 
 
-def _there_and_back(values: tuple[float, float]) -> str:
-    return f"{values[0]:.4g} m from A to B, {values[1]:.4g} m back"
+def _there_and_back(values: tuple[float, float], m: str) -> str:
+    return f"{values[0]:.4g} {m} from A to B, {values[1]:.4g} {m} back"

@@ -56,7 +56,7 @@ def read_triangle_mesh(
     where = resolve_device(device)
     table = read_mesh(path, up=up, outside_files=outside_files)
     with content_errors(path):  # vertices too far apart for float32
-        return TriangleMesh(
+        mesh = TriangleMesh(
             table.vertices,
             table.triangles,
             vertex_normals=table.vertex_normals,
@@ -68,6 +68,8 @@ def read_triangle_mesh(
             triangle_attributes=table.triangle_attributes,
             device=where,
         )
+    mesh.unit = table.unit
+    return mesh
 
 
 def write_triangle_mesh(
@@ -143,4 +145,5 @@ def mesh_table(mesh: TriangleMesh) -> MeshTable:
         textures=mesh.textures,
         attributes=dict(mesh.vertex_attributes),
         triangle_attributes=dict(mesh.triangle_attributes),
+        unit=mesh.unit,
     )

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from ...core.checks import check_count, check_numeric, check_positive, check_seed
 from ...core.devices import check_same_device
 from ...core.dropped_results import returns_new
+from ...core.units import common_unit
 from ...kernels.arrays.concatenation import concatenate_points
 from ...kernels.extent.distance_sums import summarize_distances
 from ...kernels.memory import download
@@ -96,6 +97,7 @@ class MeshMetrics(MeshSampling):
         """
         check_mesh("mesh2", mesh2)
         check_same_device("mesh2", self._device, mesh2.device)
+        common_unit("mesh, mesh2", (self.unit, mesh2.unit))
         given = check_numeric("fscore_radius", fscore_radius).reshape(-1).tolist()
         radii = [check_positive("fscore_radius", radius) for radius in given]
         count, seed = check_count("n_sampled_points", n_sampled_points), check_seed(seed)
@@ -145,6 +147,7 @@ class MeshMetrics(MeshSampling):
         """
         check_mesh("mesh2", mesh2)
         check_same_device("mesh2", self._device, mesh2.device)
+        common_unit("mesh, mesh2", (self.unit, mesh2.unit))
         largest = None if max_distance is None else check_positive("max_distance", max_distance)
         points = points_about(self._arrays["vertices"], self._origin, mesh2.origin)
         tree = TriangleTree(mesh2.device_arrays["vertices"], mesh2.device_arrays["triangles"])

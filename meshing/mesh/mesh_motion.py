@@ -16,6 +16,7 @@ from ...kernels.lang import vec3
 from ...kernels.memory import full
 from ...kernels.meshes import mesh_edits
 from ...pcd.motion import Movable
+from ...pcd.units import unit_under
 from .mesh_arrays import MeshArrays
 
 
@@ -52,7 +53,13 @@ class MeshMotion(MeshArrays, Movable):
             arrays["triangles"] = mesh_edits.flip_triangles(self._arrays["triangles"])
             if "triangle_uvs" in self._arrays:
                 arrays["triangle_uvs"] = mesh_edits.flip_corners(self._arrays["triangle_uvs"])
-        return self.with_arrays(origin=origin, **arrays)
+        mesh = self.with_arrays(origin=origin, **arrays)
+        mesh._unit = unit_under(self._unit, A)
+        return mesh
+
+    def _enlarged(self, factor: float) -> Self:
+        vertices = transform_points(self._arrays["vertices"], factor * np.eye(3), np.zeros(3))
+        return self.with_arrays(origin=self._origin * factor, vertices=vertices)
 
     def get_center(self) -> NDArray[np.float64]:
         """The mean of the vertices [m], shape [3]; zeros where there is none."""

@@ -144,7 +144,9 @@ class MeshSampling(MeshArrays):
             arrays["normals"] = surface.mix(self._arrays["vertex_normals"], unit=True)
         if "vertex_colors" in self._arrays:
             arrays["colors"] = surface.mix(self._arrays["vertex_colors"])
-        return PointCloud.from_device_arrays(arrays, self._origin.copy(), self._library)
+        cloud = PointCloud.from_device_arrays(arrays, self._origin.copy(), self._library)
+        cloud.unit = self._unit
+        return cloud
 
 
 def _spread(start: PointCloud, count: int, area: float, name: str, advice: str) -> PointCloud:

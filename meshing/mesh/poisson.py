@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from ...core.checks import check_count, check_positive, check_progress
 from ...core.devices import check_same_device
 from ...core.told_arguments import told_arguments
+from ...core.units import common_unit
 from ...kernels.algebra.transform import transform_points
 from ...kernels.arrays.bounds import bound_points
 from ...kernels.arrays.select import gather_rows
@@ -152,6 +153,7 @@ class Poisson(MeshArrays):
             origin=cloud.origin,
             library=cloud.array_library,
         )
+        mesh.unit = cloud.unit
         return mesh, mesh.handed_out(surface.densities)
 
     create_from_point_cloud_poisson = from_point_cloud_poisson
@@ -214,6 +216,7 @@ def _check_envelope(envelope: Any, cloud: PointCloud) -> Envelope:
     if not isinstance(envelope, MeshMeasures):
         raise TypeError(f"envelope: expected a TriangleMesh, got {type(envelope).__name__}")
     check_same_device("envelope", cloud.device, envelope.device)
+    common_unit("cloud, envelope", (cloud.unit, envelope.unit))
     if len(envelope) > MAX_ENVELOPE:
         raise ValueError(
             f"envelope: expected up to {MAX_ENVELOPE:,} triangles, got {len(envelope):,}; take a coarser mesh"

@@ -10,6 +10,7 @@ from ...core.audience import Audience, to_caller
 from ...core.checks import check_count, check_positive, check_progress, check_share
 from ...core.progress import ReportProgress
 from ...core.reports import Fields
+from ...core.units import symbol_of
 from ...core.wording import plain
 from .changed_mesh import ChangedMesh, sizes_before
 from .mesh import TriangleMesh
@@ -19,7 +20,7 @@ MISSED = 1.05  # times the triangles wanted: more, and the target is missed
 FAR = 0.01  # of the box's diagonal: a root mean square distance above this is another surface
 SAMPLES = 20_000
 
-_WAYS = {"triangles": "to {:,.0f} triangles", "ratio": "to a share of {:g}", "voxel": "one vertex a voxel of {:g} m"}
+_WAYS = {"triangles": "to {:,.0f} triangles", "ratio": "to a share of {:g}", "voxel": "one vertex a voxel of {:g} {m}"}
 
 
 @dataclass(frozen=True)
@@ -87,10 +88,10 @@ class SimplifiedMesh(ChangedMesh):
 
     def fields(self) -> Fields:
         """What was done as labels and values."""
-        distance = "none measured"
+        distance, m = "none measured", symbol_of(self.mesh.unit)
         if self.errors is not None:
-            distance = f"{self.errors.rms:.3g} m rms, {self.errors.max:.3g} m at most"
-        return [("simplified", _WAYS[self.by].format(self.amount)), *self.size_fields(), ("distance", distance)]
+            distance = f"{self.errors.rms:.3g} {m} rms, {self.errors.max:.3g} {m} at most"
+        return [("simplified", _WAYS[self.by].format(self.amount, m=m)), *self.size_fields(), ("distance", distance)]
 
 
 def simplify_mesh(

@@ -11,6 +11,7 @@ import numpy as np
 from ...core.audience import Audience, to_caller
 from ...core.checks import check_count, check_name, check_number
 from ...core.reports import Fields
+from ...core.units import symbol_of
 from ...core.wording import format_share, plain
 from .changed_mesh import ChangedMesh, sizes_before
 from .mesh import TriangleMesh
@@ -86,14 +87,14 @@ class SmoothedMesh(ChangedMesh):
 
     def fields(self) -> Fields:
         """What was done as labels and values."""
-        moved = "no vertex is finite"
+        moved, m = "no vertex is finite", symbol_of(self.mesh.unit)
         if self.moved is not None:
-            moved = f"{self.moved.mean:.3g} m mean, {self.moved.max:.3g} m at most"
+            moved = f"{self.moved.mean:.3g} {m} mean, {self.moved.max:.3g} {m} at most"
         return [
             ("method", f"{self.method}, {self.iterations:,} times"),
             *self.size_fields()[1:],
             ("moved", moved),
-            ("area", f"{self.area:.4g} of {self.area_in:.4g} m^2"),
+            ("area", f"{self.area:.4g} of {self.area_in:.4g} {m}^2"),
         ]
 
 

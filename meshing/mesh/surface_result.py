@@ -7,6 +7,7 @@ from typing import Any
 
 from ...core.audience import Audience, to_caller
 from ...core.reports import Fields, Report
+from ...core.units import LengthUnit, symbol_of
 from ...core.wording import format_bounds, format_share, plain
 from .mesh import TriangleMesh
 from .mesh_summary import SurfaceSummary
@@ -77,10 +78,12 @@ class PointsOff:
     Attributes:
         median: Of their distances [m]; None where there is no surface.
         size: The diagonal of their box [m].
+        unit: Of these, where it is known.
     """
 
     median: float | None = None
     size: float = 0.0
+    unit: LengthUnit | None = None
 
     @property
     def why_poor(self) -> str | None:
@@ -88,8 +91,9 @@ class PointsOff:
         if self.median is None or self.median <= OFF * self.size:
             return None
         share = format_share(self.median / self.size)
+        distance = f"{self.median:.3g} {symbol_of(self.unit)}"
         return (
-            f"half of the points lie farther than {self.median:.3g} m from it ({share} of their size): they are noise, "
+            f"half of the points lie farther than {distance} from it ({share} of their size): they are noise, "
             "or it leaves much of them out; clean or smooth them first, or choose other settings"
         )
 
@@ -160,11 +164,12 @@ class SurfaceResult(Report):
         if found.parts > 1:
             parts += f", the largest {format_share(found.largest_share)} of the area"
         made_up, lacking = self.made_up.share, ", ".join(self.not_carried)
+        area = f"{found.area:.4g} {symbol_of(self.mesh.unit)}^2"
         return [
             ("method", f"{self.method}, {settings}"),
             ("points", f"{self.points:,}" + (f", {lost:,} not finite left out" if lost else "")),
             ("normals", normals),
-            ("mesh", f"{found.vertices:,} vertices, {found.triangles:,} triangles, {found.area:.4g} m^2"),
+            ("mesh", f"{found.vertices:,} vertices, {found.triangles:,} triangles, {area}"),
             ("parts", parts),
             ("edges", edges),
             *([("made up", f"{format_share(made_up)} of the area")] if made_up else []),
@@ -196,8 +201,9 @@ class SurfaceResult(Report):
             remedy = f"{quantile} {better:g}" if better else f"a larger {quantile}"
             if self.method == "alpha":
                 remedy = f"{say('a smaller alpha', 'a smaller --alpha')} or more points"
+            away = f"{far:.3g} {symbol_of(self.mesh.unit)}"
             reasons.append(
-                f"{format_share(made_up)} of the area lie farther than {far:.3g} m from all points, "
+                f"{format_share(made_up)} of the area lie farther than {away} from all points, "
                 f"made up to close the surface; take {remedy}"
             )
         if 1 - found.largest_share > ISLANDS:

@@ -15,6 +15,7 @@ from ...core.checks import LARGEST_NUMBER, check_count, check_list, check_positi
 from ...core.devices import check_same_device
 from ...core.progress import ReportProgress
 from ...core.quaternions import nearest_rotations
+from ...core.units import common_unit
 from ...files.points.point_cloud import read_point_cloud
 from ...kernels.arrays.concatenation import concatenate_rows
 from ...kernels.lang import launch, mat44d
@@ -290,6 +291,7 @@ def _prepare(given: Sequence[Any], voxel_size: float) -> tuple[list[PointCloud],
         if voxel_size or "normals" not in cloud:
             cloud = cloud.estimate_normals(max_nn=NORMAL_NEIGHBORS)
         clouds.append(cloud)
+    common_unit("fragments", (cloud.unit for cloud in clouds))
     return clouds, sided
 
 

@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from ...core.checks import LARGEST_NUMBER, check_positive, check_progress, shown
 from ...core.progress import ReportProgress
 from ...core.reports import Fields, Report
+from ...core.units import LengthUnit, symbol_of
 from ...core.wording import format_share, plain
 from ...pcd.cloud import PointCloud
 from ..given_pairs import check_clouds
@@ -86,6 +87,7 @@ class PairRegistration(Report):
         rotation_deg: The angle of the motion [degrees].
         shift_m: How far it moves the middle of the source [m].
         doubt: What the search says of the start that it found; "" where nothing speaks against it.
+        unit: That of the clouds, in which all lengths then are; None where it is not known.
     """
 
     result: RegistrationResult
@@ -102,6 +104,7 @@ class PairRegistration(Report):
     rotation_deg: float
     shift_m: float
     doubt: str = ""
+    unit: LengthUnit | None = None
 
     @property
     def transformation(self) -> Matrix:
@@ -125,8 +128,10 @@ class PairRegistration(Report):
     def to_json(self) -> dict[str, Any]:
         """All of it, the pose as rows, in JSON's types."""
         result = self.result
+        unit = {} if self.unit is None else {"unit": self.unit}
         return plain(
-            {
+            unit
+            | {
                 "init": self.init,
                 "method": self.method,
                 "voxel_size": self.voxel_size,
@@ -151,11 +156,12 @@ class PairRegistration(Report):
     def fields(self) -> Fields:
         """How the pose came about, how good it is, and the pose."""
         result = self.result
-        voxels = f"{self.voxel_size:g} m{'' if self.voxel_size_given else ', chosen from the clouds'}"
-        method = f"{self.method} within {self.distance:g} m"
+        m = symbol_of(self.unit)
+        voxels = f"{self.voxel_size:g} {m}{'' if self.voxel_size_given else ', chosen from the clouds'}"
+        method = f"{self.method} within {self.distance:g} {m}"
         if self.normals_estimated:
             whose = " and ".join(self.normals_estimated)
-            method += f"; normals of the {whose} estimated, radius {self.normal_radius:g} m"
+            method += f"; normals of the {whose} estimated, radius {self.normal_radius:g} {m}"
         fit = f"fitness {format_share(result.fitness)}, rmse {result.inlier_rmse:.4g} m, score {self.score:.2f}"
         open_motions = len(result.degenerate_directions)
         return [
@@ -165,7 +171,7 @@ class PairRegistration(Report):
             ("method", method),
             ("result", f"{fit}; {result.iterations} iterations, {result.reason}"),
             *([("open", f"{open_motions} of 6 motions, which the clouds do not determine")] if open_motions else []),
-            ("motion", f"{self.rotation_deg:.3f} degrees, {self.shift_m:.4g} m at the middle of the source"),
+            ("motion", f"{self.rotation_deg:.3f} degrees, {self.shift_m:.4g} {m} at the middle of the source"),
             ("pose", "\n".join("".join(f"{value:17.9f}" for value in row) for row in result.transformation)),
         ]
 
@@ -240,7 +246,6 @@ def register_pair(
     tell("rate", 0, 0)
     score = min(believed, rate_registration(source, target, result.transformation, RATED_WITHIN * size))
     estimated = tuple(role for role in estimation.needs_normals if not clouds[role].has_normals)
-    rotation, shift = _motion(source, result.transformation)
     return PairRegistration(
         result,
         score,
@@ -253,9 +258,9 @@ def register_pair(
         limits[-1],
         estimated,
         NORMAL_RADIUS * size if estimated else None,
-        rotation,
-        shift,
+        *_motion(source, result.transformation),
         "" if doubt == "converged" else doubt,
+        source.unit or target.unit,
     )
 
 
@@ -279,7 +284,8 @@ def _count_voxels(clouds: dict[str, PointCloud], size: float) -> tuple[int, int]
         counts[role] = count = len(cloud.voxel_down_sample(size))
         if count < FEWEST_VOXELS:
             plural = "" if count == 1 else "s"
-            reason = f"has points in {count} voxel{plural} of {size:g} m, and {FEWEST_VOXELS} are needed"
+            edge = f"{size:g} {symbol_of(cloud.unit)}"
+            reason = f"has points in {count} voxel{plural} of {edge}, and {FEWEST_VOXELS} are needed"
             raise UnfitCloudError(role, "voxels", reason, "Take a smaller voxel_size, or a cloud with more points")
     return counts["source"], counts["target"]
 

@@ -20,6 +20,7 @@ from ...core.checks import (
     check_transformation,
 )
 from ...core.told_arguments import told_arguments
+from ...core.units import common_unit
 from ...core.watching import report, watched
 from ...pcd.cloud import PointCloud
 from ..given_pairs import check_cloud, check_clouds
@@ -342,4 +343,6 @@ def _jobs_of(
         for i, cloud in enumerate(clouds):
             check_cloud(f"{name}[{i}]", cloud)
     spread = [values * count if len(values) == 1 else values for values in (left, right)]
+    for source, target in zip(*spread, strict=True):
+        common_unit("sources, targets", (source.unit, target.unit))
     return *spread, np.repeat(poses, count, axis=0) if len(poses) == 1 else poses  # type: ignore[return-value]

@@ -15,6 +15,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ...core.checks import check_count, check_positive, check_rigid
 from ...core.devices import check_same_device, resolve_device
+from ...core.units import METRE, common_unit
 from ...core.watching import report
 from ...kernels.odometry.odometry_sampling import first_in_voxels
 from ...kernels.odometry.voxel_map import VoxelMap
@@ -187,6 +188,7 @@ class LidarOdometry:
         """
         check_cloud("scan", scan)
         check_same_device("scan", scan.device, self.device or scan.device)
+        common_unit("scan, LidarOdometry, which counts in metres", (scan.unit, METRE))
         motion = None if prior is None else check_rigid("prior", prior)
         self._settle()
         known = self._known

@@ -23,6 +23,7 @@ from ...core.checks import (
 from ...core.devices import check_same_device
 from ...core.progress import ReportProgress
 from ...core.reports import Fields, Report
+from ...core.units import common_unit
 from ...core.watching import report
 from ...core.wording import plain
 from ...pcd.cloud import PointCloud
@@ -195,10 +196,10 @@ def register_fragments(
     for i, cloud in enumerate(clouds):
         check_cloud(f"clouds[{i}]", cloud)
         check_same_device(f"clouds[{i}]", clouds[0].device, cloud.device)
+    common_unit("clouds", (cloud.unit for cloud in clouds))
     count, tell = len(clouds), check_progress(progress)
-    span = count if count <= ALL_PAIRS else NEARBY
-    if neighbors is not None:
-        span = check_count("neighbors", neighbors)
+    nearby = count if count <= ALL_PAIRS else NEARBY
+    span = nearby if neighbors is None else check_count("neighbors", neighbors)
     pairs = _check_known(known, count)
     given = {frozenset((pair.source, pair.target)) for pair in pairs}
     described = [describe(cloud, size) for cloud in clouds]

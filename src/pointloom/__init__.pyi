@@ -71,7 +71,6 @@ from .core.errors import FileError as FileError
 from .core.errors import PointloomError as PointloomError
 from .core.threads import get_num_threads as get_num_threads
 from .core.threads import set_num_threads as set_num_threads
-from .core.units import UnitsWarning as UnitsWarning
 from .core.verbosity import VerbosityContextManager as VerbosityContextManager
 from .core.verbosity import VerbosityLevel as VerbosityLevel
 from .core.verbosity import get_verbosity_level as get_verbosity_level
@@ -92,6 +91,8 @@ from .files.frames.datasets import open_dataset as open_dataset
 from .files.frames.datasets import open_frames as open_frames
 from .files.pictures.image_files import read_color as read_color
 from .files.pictures.image_files import read_depth as read_depth
+from .core.units import LengthUnit as LengthUnit
+from .core.units import UnitWarning as UnitWarning
 from .files.points.las_crs import GeographicWarning as GeographicWarning
 from .files.frames.latest_frames import LatestFrames as LatestFrames
 from .files.models.metashape import read_metashape_cameras as read_metashape_cameras

@@ -29,12 +29,14 @@ def test_info_tells_what_the_header_says(autzen, data):
     assert first["coordinate_system"] == "NAD_1983_HARN_Lambert_Conformal_Conic"
     assert first["bounds"]["min"] == pytest.approx(low)
     assert first["bounds"]["max"] == pytest.approx(high)
+    assert (first["unit"], second["unit"]) == ("foot", "metre")
     assert first["attributes"]["gps_time"] == "float64"
     assert first["attributes"]["colors"] == "float32 x 3"
     assert second["version"] == "LAS 1.2"
     shown = run("info", autzen).stdout
     assert f"[{low[0]:.4f}, {low[1]:.4f}, {low[2]:.4f}] to" in shown
     assert "[0.01, 0.01, 0.01]" in shown
+    assert "  foot (0.3048 m)\n" in shown
     assert f"{count:,}" in shown and count >= 5000
 
 

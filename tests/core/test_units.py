@@ -1,79 +1,91 @@
-"""A length in another unit is told where it leaves nothing, and one that leaves something is not."""
+"""Units of length: what names and lengths mean, what files may write, where the user is warned."""
 
-from __future__ import annotations
-
+import copy
+import pickle
 import warnings
 
-import numpy as np
 import pytest
 
 import pointloom as loom
+from pointloom.core.units import (
+    DEGREE,
+    FOOT,
+    KNOWN,
+    METRE,
+    US_FOOT,
+    common_unit,
+    symbol_of,
+    text_of,
+    unit_by_length,
+    unit_by_name,
+    unit_of_text,
+)
 
-
-@pytest.fixture
-def ball(rng, device):
-    points = rng.normal(size=(800, 3))
-    points /= np.linalg.norm(points, axis=1, keepdims=True)
-    return loom.PointCloud(points, normals=points, device=device)
-
-
-def test_a_radius_that_finds_nobody_is_told(ball):
-    with pytest.warns(
-        loom.UnitsWarning, match=r"radius: 0\.0001 m finds 0 other points on average.* span 2 m"
-    ) as caught:
-        found = ball.estimate_normals(radius=1e-4)
-    assert caught[0].filename == __file__ and (found.normals[:, 2] ** 2 == 1).all()
-    with warnings.catch_warnings():
-        warnings.simplefilter("error")
-        assert ball.estimate_normals(radius=0.2).has_normals
-        crowded = loom.PointCloud(np.repeat(ball.points, 3, axis=0), device=ball.device)
-        assert crowded.estimate_normals(radius=1e-4).has_normals  # of few points at one place
-        assert loom.PointCloud([[0, 0, 0], [1, 0, 0]], device=ball.device).estimate_normals(radius=1e-4).has_normals
+LINK = loom.LengthUnit("Gunter's link", "li", 0.201168)
 
 
 @pytest.mark.parametrize(
-    ("depth", "options", "told"),
+    ("name", "unit"),
     [
-        (np.full((48, 64), 1500, np.uint16), {"depth_scale": 1.0}, "3,072 of uint16 .* taken for 1 units a metre"),
-        (np.full((48, 64), 1500.0, np.float32), {}, "taken for metres, lie beyond 3 m"),
-        (np.full((48, 64), 1500, np.uint16), {"depth_trunc": 1.0}, "lie beyond 1 m"),
+        ("metre", METRE), ("Meter", METRE), ("m", METRE), ("foot", FOOT), ("FEET", FOOT), ("ft", FOOT),
+        ("US survey foot", US_FOOT), ("Foot_US", US_FOOT), ("foot_survey_us", US_FOOT), ("US ft", US_FOOT),
+        ("us-ft", US_FOOT), ("International Foot", FOOT), ("deg", DEGREE), ("furlong", None), ("", None),
+    ],
+)  # fmt: skip
+def test_units_go_by_the_names_that_are_in_use(name, unit):
+    assert unit_by_name(name) is unit
+
+
+@pytest.mark.parametrize(
+    ("name", "metres", "unit"),
+    [
+        ("metre", 1.0, METRE),
+        ("foot", 0.3048, FOOT),
+        ("foot", 0.30480060960121924, US_FOOT),  # many files call the survey foot so; its length is what counts
+        ("US survey foot", 0.304801, US_FOOT),  # of few digits
+        ("whatever", 0.3048, FOOT),
+        ("metre", 0.3048, None),  # the two contradict each other
+        ("foot", 1.0, None),
+        ("degree", 0.0174532925199433, None),
+        ("metre", float("nan"), None),
+        ("metre", 0.0, None),
     ],
 )
-def test_a_scale_that_cuts_all_is_told(depth, options, told):
-    color = np.zeros((48, 64, 3), np.uint8)
-    with pytest.warns(loom.UnitsWarning, match=told) as caught:
-        loom.RGBDImage.from_color_and_depth(color, depth, **options)
-    assert caught[0].filename == __file__
-    depth[5, 5] = 1  # a pixel that the first look does not see
+def test_a_unit_is_its_length_unless_its_name_says_otherwise(name, metres, unit):
+    assert unit_by_length(name, metres) is unit
+
+
+def test_an_unknown_name_with_a_length_is_a_unit_of_its_own():
+    found = unit_by_length("Clarke's link", 0.201166195164)
+    assert (found.name, found.symbol, found.metres) == ("Clarke's link", "Clarke's link", 0.201166195164)
+    assert unit_by_length("pied\u00e9", 0.3249).name == "unit of 0.3249 m"  # which no header in ASCII could hold
+
+
+@pytest.mark.parametrize("unit", [*KNOWN, LINK], ids=str)
+def test_a_unit_survives_text_pickles_and_copies(unit):
+    for back in (unit_of_text(text_of(unit)), pickle.loads(pickle.dumps(unit)), copy.deepcopy(unit)):
+        assert back == unit and hash(back) == hash(unit) and back.metres == unit.metres
+    assert unit == unit.name and unit != "ell" and unit != 3
+
+
+@pytest.mark.parametrize("text", ["feet", "mm", "metre = 0.3048 m", "x = 1 ft", "x = m", "x = nan m", "of a scan", ""])
+def test_other_text_is_no_unit(text):
+    assert unit_of_text(text) is None
+
+
+def test_one_unit_is_common_and_two_are_a_warning_at_the_users_line():
     with warnings.catch_warnings():
         warnings.simplefilter("error")
-        loom.RGBDImage.from_color_and_depth(color, depth, **options)
-        loom.RGBDImage.from_color_and_depth(color, 0 * depth, **options)
+        assert common_unit("clouds", [None, FOOT, None, FOOT]) is FOOT
+        assert common_unit("clouds", [None, None]) is None
+    with pytest.warns(loom.UnitWarning, match=r"lengths in metre and in foot meet: to_unit") as told:
+        assert common_unit("clouds", [METRE, None, FOOT]) is None
+    assert told[0].filename == __file__
+    with pytest.warns(loom.UnitWarning, match="project_to_utm"):
+        common_unit("clouds", [METRE, DEGREE])
+    with pytest.warns(loom.UnitWarning, match="US survey foot"):  # 2e-6 apart: 1.3 m at a state plane's 2,000,000 ft
+        common_unit("clouds", [US_FOOT, FOOT])
 
 
-def test_balls_and_alphas_that_touch_nothing_are_told(ball):
-    with pytest.warns(
-        loom.UnitsWarning, match=r"radii: balls of 1e-06 m touch no three points; .* asks for 0\.0"
-    ) as caught:
-        assert len(loom.TriangleMesh.from_point_cloud_ball_pivoting(ball, [1e-6])) == 0
-    assert caught[0].filename == __file__
-    with pytest.warns(loom.UnitsWarning, match=r"alpha: nothing is left at 1e-06 m; .* asks for some 0\.") as caught:
-        assert len(loom.TriangleMesh.from_point_cloud_alpha_shape(ball, 1e-6)) == 0
-    assert caught[0].filename == __file__
-    flat = loom.PointCloud(ball.points * [1, 1, 0], normals=np.tile([0.0, 0, 1], (800, 1)), device=ball.device)
-    with warnings.catch_warnings():
-        warnings.simplefilter("error")
-        assert len(loom.TriangleMesh.from_point_cloud_alpha_shape(flat, 2.0)) == 0  # no unit gives a plane a volume
-
-
-def test_icp_without_correspondences_says_where_both_are(ball):
-    far = loom.PointCloud(ball.points * 1000, device=ball.device)
-    result = loom.registration.registration_icp(far, ball, 0.05)
-    assert result.reason == "no correspondences"
-    assert "no correspondences: the source spans 2e+03 x " in repr(result) and "the target spans 2 x " in repr(result)
-    assert repr(result).endswith("within 0.05 m; in another unit?)")
-    moved = loom.registration.registration_icp(ball.translate([100, 0, 0]), ball, 0.05)
-    assert "their middles 100 m apart, within 0.05 m)" in repr(moved)
-    assert loom.registration.registration_icp(ball, ball, 0.05).hint == ""
-    empty = loom.PointCloud(device=ball.device)
-    assert loom.registration.registration_icp(empty, ball, 0.05).hint == "the source has no points"
+def test_lengths_of_an_unknown_unit_are_said_in_metres():
+    assert [symbol_of(unit) for unit in (None, METRE, US_FOOT, LINK)] == ["m", "m", "US ft", "li"]

@@ -22,7 +22,7 @@ from ..hostile import calls_of_clouds, faults_of, faults_of_clouds, missing_from
 
 # One line a call: what is called, and a good value of each of its arguments, as expressions over `things()`.
 CALLS = """
-loom.PointCloud(points=points, normals=normals, colors=colors, device="cpu", origin=three, label=row)
+loom.PointCloud(points=points, normals=normals, colors=colors, device="cpu", origin=three, unit="foot", label=row)
 loom.PointCloud.concatenate(clouds=[cloud, cloud])
 loom.PointCloud.from_depth_image(depth=depth, intrinsic=camera, extrinsic=pose, depth_scale=1000.0, depth_trunc=5.0, stride=1, device="cpu")
 loom.PointCloud.from_dlpack(points=points32, normals=points32, colors=points32, origin=three)
@@ -60,6 +60,7 @@ cloud.smooth_laplacian(iterations=2, lambda_=0.5, knn=5)
 cloud.smooth_mls(radius=0.5, max_nn=10)
 cloud.smooth_taubin(iterations=2, lambda_=0.5, mu=-0.53, knn=5)
 cloud.to(device="cpu", arrays="numpy")
+cloud.to_unit(unit="foot")
 cloud.transform(transformation=pose)
 cloud.translate(translation=three)
 cloud.uniform_down_sample(every_k_points=2)
@@ -69,6 +70,7 @@ loom.NearestNeighborSearch(cloud=cloud, device="cpu")
 search.knn_search(queries=points, k=3)
 search.hybrid_search(queries=points, radius=0.3, max_nn=3)
 search.radius_search(queries=points, radius=0.3)
+loom.LengthUnit(name="ell", symbol="ell", metres=1.143)
 loom.AxisAlignedBoundingBox(min_bound=three, max_bound=three)
 loom.AxisAlignedBoundingBox.create_from_points(points=points)
 box.get_point_indices_within_bounding_box(points=points)
@@ -171,6 +173,7 @@ mesh.to(device="cpu", arrays="numpy")
 mesh.paint_uniform_color(color=three)
 mesh.rotate(R=turn, center=three)
 mesh.scale(scale=2.0, center=three)
+mesh.to_unit(unit="foot")
 mesh.transform(transformation=pose)
 mesh.translate(translation=three)
 mesh.compute_geodesic_distances(sources=[0, 1])
@@ -258,10 +261,12 @@ def things() -> dict[str, Any]:
     rng = np.random.default_rng(0)
     points, row = rng.random((60, 3)), np.arange(60)
     colors, depth = rng.random((60, 3)), 1 + rng.random((12, 16))
-    cloud = loom.PointCloud(points, colors=colors, label=row.astype(np.int32)).estimate_normals(max_nn=10)
+    cloud = loom.PointCloud(points, colors=colors, label=row.astype(np.int32), unit="metre").estimate_normals(max_nn=10)
     camera = loom.PinholeCameraIntrinsic(16, 12, 10.0, 10.0, 8.0, 6.0)
     color = rng.integers(0, 255, (12, 16, 3)).astype(np.uint8)
     triangles = np.array([[0, 1, 2], [2, 3, 4]])
+    mesh = loom.TriangleMesh(points, triangles)
+    mesh.unit = "metre"
 
     def tsdf() -> Any:
         return loom.TSDFVolume(voxel_size=0.1)
@@ -291,7 +296,7 @@ def things() -> dict[str, Any]:
         mask=row < 20, box=loom.AxisAlignedBoundingBox([0.1] * 3, [0.9] * 3),
         turned=loom.OrientedBoundingBox([0.5] * 3, np.eye(3), [1.0] * 3), search=loom.NearestNeighborSearch(cloud),
         rgbd=loom.RGBDImage(color, depth), volume=loom.SelectionPolygonVolume(corners, "Z", 0.0, 1.0), tsdf=tsdf,
-        tsdf_filled=filled, mapped=mapped, mesh=loom.TriangleMesh(points, triangles), triangles=triangles,
+        tsdf_filled=filled, mapped=mapped, mesh=mesh, triangles=triangles,
         corner_uvs=np.zeros((3 * len(triangles), 2)), material_ids=np.zeros(len(triangles), int),
         picture=np.zeros((4, 4, 3), np.uint8), painted=painted,
         shell=loom.TriangleMesh(
@@ -317,7 +322,7 @@ HOMES = {
 LEFT_OUT = {"ConvexHull", "VisibleSurface", "DatasetError", "FileError", "DeviceError", "PointloomError"} | {
     "DroppedResultWarning", "MeshRepairReport", "AxisAlignedBoundingBox.mask_points", "OrientedBoundingBox.mask_points",
     "VoxelGrid", "RGBDSource", "CameraError", "SurfaceResult",
-    "CleanedMesh", "SimplifiedMesh", "SmoothedMesh", "MeshComparison",
+    "CleanedMesh", "SimplifiedMesh", "SmoothedMesh", "MeshComparison", "UnitWarning",
 }  # fmt: skip
 LEFT_OUT |= {"draw", "draw_geometries", "Viewer", "DetailTree", "sample_file"}  # tests/drawing/viewer has them
 # tests/core has them

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ....core.checks import check_finite, check_rows, check_shape
+from ....core.units import LengthUnit, symbol_of
 
 
 @dataclasses.dataclass(frozen=True)
@@ -67,29 +68,34 @@ def angle_at(a: Any, b: Any, c: Any) -> float:
     return math.degrees(math.atan2(float(np.linalg.norm(np.cross(u, v))), float(u @ v)))
 
 
-def measurements(points: NDArray[np.float64]) -> list[tuple[str, str]]:
+def measurements(points: NDArray[np.float64], unit: LengthUnit | None = None) -> list[tuple[str, str]]:
     """What points clicked one after the other measure, as labels and values.
 
     Of two the distance, its parts along the axes and its slope; of three or more the length of the way and the angle
-    at the last corner, too.
+    at the last corner, too. Between degrees of longitude and latitude there are but the parts along the axes.
+
+    Args:
+        points: Shape [n, 3].
+        unit: Of their coordinates; None for an unknown one, which counts as metres.
     """
     rows: list[tuple[str, str]] = []
+    is_length = unit is None or unit.metres is not None
     if len(points) >= 2:
         last = distance_between(points[-2], points[-1])
-        rows += [("distance", length_text(last.length))]
-        rows += [
-            (f"d{axis}", length_text(value)) for axis, value in zip("xyz", (last.dx, last.dy, last.dz), strict=True)
-        ]
-        rows += [("slope", angle_text(last.slope))]
-    if len(points) >= 3:
-        rows += [("path", f"{length_text(path_length(points))} over {len(points) - 1} parts")]
+        rows += [("distance", length_text(last.length, unit))] if is_length else []
+        rows += [("dx", length_text(last.dx, unit)), ("dy", length_text(last.dy, unit))]
+        rows += [("dz", length_text(last.dz, unit) if is_length else f"{last.dz:.4f}")]
+        rows += [("slope", angle_text(last.slope))] if is_length else []
+    if len(points) >= 3 and is_length:
+        rows += [("path", f"{length_text(path_length(points), unit)} over {len(points) - 1} parts")]
         rows += [("angle", angle_text(angle_at(*points[-3:])))]
     return rows
 
 
-def length_text(value: float) -> str:
-    """A length with four digits behind the comma where it is of ordinary size, else to six digits."""
-    return f"{value:.4f} m" if value == 0 or 1e-2 <= abs(value) < 1e6 else f"{value:.6g} m"
+def length_text(value: float, unit: LengthUnit | None = None) -> str:
+    """A length with four digits behind the comma where it is of ordinary size, else to six digits; with its unit."""
+    number = f"{value:.4f}" if value == 0 or 1e-2 <= abs(value) < 1e6 else f"{value:.6g}"
+    return f"{number} {symbol_of(unit)}"
 
 
 def angle_text(value: float) -> str:

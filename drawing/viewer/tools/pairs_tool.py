@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ....core.units import LengthUnit
 from ....registration.rigid import invert_pose
 from ...render.view import View
 from .measuring import length_text
@@ -49,7 +50,7 @@ class PairsTool(Tool):
         self._target = gui.add_dropdown("target", names, initial_value=names[1])
         self._alone = gui.add_checkbox("show one at a time", False)
         self._refine = gui.add_checkbox("refine by ICP", True)
-        self._distance = gui.add_number("distance [m], 0: chosen", 0.0, min=0.0)
+        self._distance = gui.add_number("distance, 0: chosen", 0.0, min=0.0, hint="in the clouds' unit, else in metres")
         self._file = gui.add_text("file", "pairs.json", hint=f"written to {self._folder}, with the pose as .txt")
         buttons = (
             ("Register (Enter)", self.finish),
@@ -96,6 +97,7 @@ class PairsTool(Tool):
         places = self._places(moving, fixed)
         base = stage.pose_of(target)
         before = source.pose
+        unit = stage.unit((self._source.value, self._target.value))
         stage.say("Registering…")
         found = register_from_pairs(
             moving,
@@ -111,7 +113,7 @@ class PairsTool(Tool):
             self._was = source.name, before
         self._found = found
         self._show(stage.view())
-        stage.show(_rows(found))
+        stage.show(_rows(found, unit))
         note = f" {found.note[0].upper()}{found.note[1:]}." if found.note else ""
         stage.say(f"{source.name} lies on {target.name} now.{note}")
 
@@ -207,16 +209,16 @@ class PairsTool(Tool):
                     stream.set_visible(item.visible and name in (None, choice.value))
 
 
-def _rows(found: PairRegistration) -> list[tuple[str, str]]:
+def _rows(found: PairRegistration, unit: LengthUnit | None) -> list[tuple[str, str]]:
     """What a registration is worth, as labels and values."""
     return [
-        ("rms of the pairs", length_text(found.fit.rms)),
+        ("rms of the pairs", length_text(found.fit.rms, unit)),
         (
             "worst pair",
-            f"{int(found.fit.residuals.argmax()) + 1}, off by {length_text(float(found.fit.residuals.max()))}",
+            f"{int(found.fit.residuals.argmax()) + 1}, off by {length_text(float(found.fit.residuals.max()), unit)}",
         ),
         ("fitness", f"{100 * found.fitness:.1f} %"),
-        ("inlier rmse", length_text(found.inlier_rmse)),
-        ("within", length_text(found.distance)),
+        ("inlier rmse", length_text(found.inlier_rmse, unit)),
+        ("within", length_text(found.distance, unit)),
         ("refined by ICP", "yes" if found.refined else "no"),
     ]

@@ -80,7 +80,9 @@ class MeasureTool(Tool):
         for place in places:
             stage.mark(view, place)
         stage.lines(places)
-        for a, b in itertools.pairwise(places):
-            stage.label((a + b) / 2, length_text(float(np.linalg.norm(b - a))))
-        stage.show(measurements(places))
+        stage.show([])
+        unit = stage.unit(found.name for found in self._picks)
+        for a, b in itertools.pairwise(places if unit is None or unit.metres is not None else []):
+            stage.label((a + b) / 2, length_text(float(np.linalg.norm(b - a)), unit))
+        stage.show(measurements(places, unit))
         stage.say(self.hint)

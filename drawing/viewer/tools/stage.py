@@ -13,9 +13,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ....core.units import LengthUnit, is_same
 from ....kernels.memory import download
 from ....meshing.scene.raycasting_scene import RaycastingScene
 from ....pcd.cloud import PointCloud
+from ....pcd.units import InUnit
 from ...render.parts import Triangles
 from ...render.view import View
 from ..camera import diagonal, set_reach
@@ -120,6 +122,21 @@ class Stage:
         if item.cloud is None:
             raise ValueError(f"{name} is no cloud any more")
         return item, item.cloud
+
+    def unit(self, names: Iterable[str]) -> LengthUnit | None:
+        """The unit of what lies between points of some items; None where it is not known.
+
+        Raises:
+            ValueError: They are in different units, so that nothing between them is a length.
+        """
+        wanted = {*names}
+        with self.viewer.lock:
+            geometries = [item.geometry for name, item in self.viewer.items.items() if name in wanted]
+        known = [g.unit for g in geometries if isinstance(g, InUnit) and g.unit is not None]
+        for other in known[1:]:
+            if not is_same(known[0], other):
+                raise ValueError(f"one is in {known[0]}, the other in {other}, so nothing between them is a length")
+        return known[0] if known else None
 
     def pose_of(self, item: Item) -> Matrix | None:
         """Where a cloud stands in the world."""

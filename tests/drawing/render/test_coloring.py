@@ -193,3 +193,11 @@ def test_colours_are_the_same_bits_everywhere(device):
     for by in ("height", "v", "normal"):
         digest.update(color_cloud(cloud, by, colormap="turbo").colors.numpy().tobytes())
     assert digest.hexdigest() == "291c5aced75ae7e0ce03f575694d2f23909a22992e838de1e1e7122116921e61"
+
+
+def test_a_colour_bar_names_the_unit_of_the_cloud():
+    points = [[0, 0, 0], [1, 2, 3]]
+    for unit, title in ((None, "height [m]"), ("metre", "height [m]"), ("US survey foot", "height [US ft]")):
+        assert color_cloud(loom.PointCloud(points, unit=unit), "height").title == title
+    degrees = loom.PointCloud(points, unit="degree")  # which says nothing of heights
+    assert [color_cloud(degrees, by).title for by in "xyz"] == ["x [deg]", "y [deg]", "z"]

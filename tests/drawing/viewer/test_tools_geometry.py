@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 import pointloom as loom
+from pointloom.core.units import DEGREE, FOOT
 from pointloom.drawing.viewer.tools.clip_planes import Clip, clip_mesh, hidden_points
 from pointloom.drawing.viewer.tools.correspondences import fit_pairs, register_from_pairs, save_pairs, save_pose
 from pointloom.drawing.viewer.tools.measuring import angle_at, distance_between, length_text, measurements, path_length
@@ -55,6 +56,9 @@ def test_clicks_measure_more_the_more_there_are():
     two, three = dict(measurements(points[:2])), dict(measurements(points))
     assert two == {"distance": "3.0000 m", "dx": "3.0000 m", "dy": "0.0000 m", "dz": "0.0000 m", "slope": "0.00°"}
     assert three["distance"] == "4.0000 m" and three["path"] == "7.0000 m over 2 parts" and three["angle"] == "90.00°"
+    feet = dict(measurements(points, FOOT))
+    assert feet["distance"] == "4.0000 ft" and feet["path"] == "7.0000 ft over 2 parts" and feet["dz"] == "0.0000 ft"
+    assert dict(measurements(points, DEGREE)) == {"dx": "0.0000 deg", "dy": "4.0000 deg", "dz": "0.0000"}
     assert length_text(1.5e-7) == "1.5e-07 m" and length_text(2.5e9) == "2.5e+09 m"
 
 

@@ -68,6 +68,21 @@ def test_clicks_measure_and_backspace_takes_one_back(page):
     assert page.table == "" and page.client.nodes == []
 
 
+def test_lengths_are_measured_in_the_unit_of_what_is_clicked_on(tmp_path):
+    cloud = loom.PointCloud(waves(), unit="foot")
+    other = loom.PointCloud(waves() + np.array([10, 0, 0]))
+    page = StandIn(tmp_path, waves=cloud, other=other)
+    page.press("Measure")
+    for index in (500, 820):
+        click_on(page, waves()[index])
+    length = np.linalg.norm(waves()[820] - waves()[500])
+    assert f"| distance | {length:.4f} ft |" in page.table and " m " not in page.table
+    other.unit = "metre"
+    click_on(page, waves()[500] + np.array([10, 0, 0]))
+    assert "one is in foot, the other in metre, so nothing between them is a length" in page.told and page.table == ""
+    page.box.close()
+
+
 def test_a_polygon_is_drawn_saved_cropped_and_undone(page, tmp_path):
     before = page.now
     page.press("Crop by polygon")

@@ -1,0 +1,91 @@
+"""The unit of lengths in files that have no place of their own for it: a comment in the headers of PLY and PCD.
+
+`comment unit foot` in PLY and `# unit foot` in PCD, with the name as `text_of` writes it; other programs pass comments
+over. Anything else behind `unit`, such as "mm" or a sentence, says nothing, and so do two lines that differ.
+"""
+
+from __future__ import annotations
+
+import functools
+import os
+from collections.abc import Callable
+from dataclasses import replace
+from typing import Any, TypeVar
+
+from ...core.errors import FileError
+from ...core.units import METRE, LengthUnit, is_same, text_of, unit_of_text, warn_of_units
+from ..source import MAX_HEADER_BYTES, Source, open_source
+from ..table import MeshTable, PointTable
+
+T = TypeVar("T", PointTable, MeshTable)
+
+PLY, PCD = ("comment", "end_header"), ("#", "DATA")  # what comments begin with, and the line that ends the header
+
+
+def unit_comment(table: PointTable | MeshTable) -> list[str]:
+    """The text of the comment that tells a table's unit; none where that is not known."""
+    return [] if table.unit is None else [f"unit {text_of(table.unit)}"]
+
+
+def tells_unit(form: tuple[str, str]) -> Callable[[Callable[..., T]], Callable[..., T]]:
+    """Make a reader of tables look for the unit in the file's header, too."""
+
+    def decorate(reader: Callable[..., T]) -> Callable[..., T]:
+        @functools.wraps(reader)
+        def read(path: str | os.PathLike[str], **options: Any) -> T:
+            table = reader(path, **options)
+            return replace(table, unit=unit_in_header(open_source(path), form))
+
+        return read
+
+    return decorate
+
+
+def is_metric(reader: Callable[..., T]) -> Callable[..., T]:
+    """Make a reader of tables say that lengths are metres, for a format whose standard does."""
+
+    @functools.wraps(reader)
+    def read(path: str | os.PathLike[str], **options: Any) -> T:
+        return replace(reader(path, **options), unit=METRE)
+
+    return read
+
+
+def unit_in_header(source: Source, form: tuple[str, str]) -> LengthUnit | None:
+    """The unit that a header's comments tell, PLY or PCD; None where they tell none."""
+    mark, end = form
+    head = bytes(source[:MAX_HEADER_BYTES])
+    stop = head.find(f"\n{end}".encode())
+    told = set()
+    for line in head[: stop if stop >= 0 else head.find(end.encode())].decode("utf-8", "replace").splitlines():
+        words = line.removeprefix(mark).strip() if line.startswith(mark) else ""
+        if words.startswith("unit "):
+            told.add(words.removeprefix("unit ").strip())
+    return unit_of_text(told.pop()) if len(told) == 1 else None
+
+
+def warn_of_lost_unit(path: Any, table: PointTable | MeshTable) -> None:
+    """Say of a file that has no place for the unit that it does not tell one other than metres."""
+    if not is_same(table.unit, METRE):
+        warn_of_units(f"{path}: has no place for the unit, so it does not tell that coordinates are in {table.unit}")
+
+
+def in_metres(path: Any, table: T, format: str) -> T:
+    """A table for a format whose lengths are metres by its standard: multiplied where its unit is another one.
+
+    Raises:
+        FileError: Its unit is degrees.
+    """
+    if is_same(table.unit, METRE) or table.unit is None:
+        return table
+    if table.unit.metres is None:
+        reason = f"lengths in {format} are metres by its standard, and x and y are degrees"
+        raise FileError(path, reason, remedy="Write project_to_utm(cloud), or set cloud.unit if it is told wrongly")
+    factor = table.unit.metres
+    warn_of_units(
+        f"{path}: lengths in {format} are metres by its standard, so coordinates in {table.unit} are written times "
+        f"{factor:.10g}; .to_unit('metre') does so beforehand"
+    )
+    if isinstance(table, MeshTable):
+        return replace(table, vertices=table.vertices * factor, unit=METRE)
+    return replace(table, points=table.points * factor, unit=METRE)

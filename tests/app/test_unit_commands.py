@@ -1,0 +1,87 @@
+"""What commands say of lengths in a file whose unit is another one than metres."""
+
+import re
+
+import numpy as np
+import pytest
+
+import pointloom as loom
+
+from .commands import answer, run
+
+
+@pytest.fixture
+def feet(tmp_path, rng):
+    """A patch of points in feet, as a .ply that tells so."""
+    path = tmp_path / "feet.ply"
+    points = np.column_stack([rng.random((2000, 2)) * 10, 0.001 * rng.normal(size=2000)])
+    loom.write_point_cloud(path, loom.PointCloud(points, unit="foot"))
+    return path
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (["downsample", "--voxel", 1], "one a voxel of 1 ft"),
+        (["sample", "--voxel", 1], "one a voxel of 1 ft"),
+        (["cluster", "--eps", 0.001], "eps 0.001 ft"),
+        (["cluster", "--eps", 0.001], "none has 10 within 0.001 ft"),
+        (["normals", "--radius", 0.001], r"within 0.001 ft, .* have 3 within \S+ ft:"),
+        (["clean", "--radius", 0.001, "--min-neighbors", 5], r"within 0.001 ft; .* within \S+ ft:"),
+        (["mesh", "--method", "alpha", "--alpha", 1], "ft^2"),
+    ],
+)
+def test_lengths_are_said_in_the_unit_of_the_file(words, said, feet, tmp_path):
+    result = run(words[0], feet, tmp_path / "out.ply", *words[1:], "--device", "cpu")
+    assert re.search(said.replace("^", r"\^"), result.stdout + result.stderr), result.stdout + result.stderr
+    note = f"note: the unit of {feet} is foot (0.3048 m): lengths that are given and told are in it\n"
+    assert note in result.stderr
+    if (tmp_path / "out.ply").exists():
+        (report,) = answer("info", tmp_path / "out.ply")["files"]
+        assert report["unit"] == "foot"
+
+
+def test_programs_are_told_the_unit_too(feet, tmp_path):
+    report = answer("downsample", feet, tmp_path / "out.npz", "--voxel", 1, "--device", "cpu")
+    assert report["unit"] == "foot"
+    result = run("downsample", feet, tmp_path / "out.npz", "--voxel", 1, "--json", "--force", "--device", "cpu")
+    assert result.stderr == ""
+
+
+def test_a_file_in_metres_or_of_unknown_unit_is_spoken_of_as_ever(tmp_path):
+    for unit in (None, "metre"):
+        loom.write_point_cloud(tmp_path / "a.npz", loom.PointCloud(np.eye(3), unit=unit))
+        result = run("downsample", tmp_path / "a.npz", tmp_path / "b.ply", "--voxel", 1, "--force", "--device", "cpu")
+        assert "one a voxel of 1 m\n" in result.stdout and "note" not in result.stderr
+        (report,) = answer("info", tmp_path / "a.npz")["files"]
+        assert report.get("unit") == unit
+
+
+@pytest.mark.filterwarnings("always::pointloom.UnitWarning")
+def test_two_files_in_two_units_are_a_warning(feet, tmp_path):
+    other = tmp_path / "metres.ply"
+    cloud = loom.read_point_cloud(feet)
+    loom.write_point_cloud(other, cloud.to_unit("metre"))
+    result = run("register", feet, other, "--init", "identity", "--voxel", 1, "--device", "cpu")
+    assert "warning: source, target: lengths in foot and in metre meet" in result.stderr
+    result = run("register", feet, feet, "--init", "identity", "--voxel", 1, "--device", "cpu")
+    assert "warning" not in result.stderr
+    assert "one a voxel of 1 ft" in result.stdout and " ft at the middle of the source" in result.stdout
+
+
+@pytest.mark.filterwarnings("always::pointloom.UnitWarning")
+def test_a_file_that_cannot_tell_the_unit_is_said_to(feet, tmp_path):
+    result = run("convert", feet, tmp_path / "a.xyz")
+    assert result.exit_code == 0 and "does not tell that coordinates are in foot" in result.stderr
+    result = run("convert", feet, tmp_path / "a.e57")
+    assert result.exit_code == 0 and "metres by its standard" in result.stderr
+    assert loom.read_point_cloud(tmp_path / "a.e57").points.max() < 3.05
+
+
+def test_meshes_are_compared_in_their_unit(tmp_path):
+    for name, size in (("a.ply", 1.0), ("b.ply", 1.1)):
+        mesh = loom.TriangleMesh.create_box(size, size, size)
+        mesh.unit = "US survey foot"
+        loom.write_triangle_mesh(tmp_path / name, mesh)
+    result = run("compare-meshes", tmp_path / "a.ply", tmp_path / "b.ply", "--samples", 500, "--device", "cpu")
+    assert re.search(r"chamfer +0\.\d+ US ft\n", result.stdout) and " US ft from A to B" in result.stdout

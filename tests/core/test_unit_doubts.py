@@ -1,0 +1,79 @@
+"""A length in another unit is told where it leaves nothing, and one that leaves something is not."""
+
+from __future__ import annotations
+
+import warnings
+
+import numpy as np
+import pytest
+
+import pointloom as loom
+
+
+@pytest.fixture
+def ball(rng, device):
+    points = rng.normal(size=(800, 3))
+    points /= np.linalg.norm(points, axis=1, keepdims=True)
+    return loom.PointCloud(points, normals=points, device=device)
+
+
+def test_a_radius_that_finds_nobody_is_told(ball):
+    with pytest.warns(
+        loom.UnitWarning, match=r"radius: 0\.0001 m finds 0 other points on average.* span 2 m"
+    ) as caught:
+        found = ball.estimate_normals(radius=1e-4)
+    assert caught[0].filename == __file__ and (found.normals[:, 2] ** 2 == 1).all()
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        assert ball.estimate_normals(radius=0.2).has_normals
+        crowded = loom.PointCloud(np.repeat(ball.points, 3, axis=0), device=ball.device)
+        assert crowded.estimate_normals(radius=1e-4).has_normals  # of few points at one place
+        assert loom.PointCloud([[0, 0, 0], [1, 0, 0]], device=ball.device).estimate_normals(radius=1e-4).has_normals
+
+
+@pytest.mark.parametrize(
+    ("depth", "options", "told"),
+    [
+        (np.full((48, 64), 1500, np.uint16), {"depth_scale": 1.0}, "3,072 of uint16 .* taken for 1 units a metre"),
+        (np.full((48, 64), 1500.0, np.float32), {}, "taken for metres, lie beyond 3 m"),
+        (np.full((48, 64), 1500, np.uint16), {"depth_trunc": 1.0}, "lie beyond 1 m"),
+    ],
+)
+def test_a_scale_that_cuts_all_is_told(depth, options, told):
+    color = np.zeros((48, 64, 3), np.uint8)
+    with pytest.warns(loom.UnitWarning, match=told) as caught:
+        loom.RGBDImage.from_color_and_depth(color, depth, **options)
+    assert caught[0].filename == __file__
+    depth[5, 5] = 1  # a pixel that the first look does not see
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        loom.RGBDImage.from_color_and_depth(color, depth, **options)
+        loom.RGBDImage.from_color_and_depth(color, 0 * depth, **options)
+
+
+def test_balls_and_alphas_that_touch_nothing_are_told(ball):
+    with pytest.warns(
+        loom.UnitWarning, match=r"radii: balls of 1e-06 m touch no three points; .* asks for 0\.0"
+    ) as caught:
+        assert len(loom.TriangleMesh.from_point_cloud_ball_pivoting(ball, [1e-6])) == 0
+    assert caught[0].filename == __file__
+    with pytest.warns(loom.UnitWarning, match=r"alpha: nothing is left at 1e-06 m; .* asks for some 0\.") as caught:
+        assert len(loom.TriangleMesh.from_point_cloud_alpha_shape(ball, 1e-6)) == 0
+    assert caught[0].filename == __file__
+    flat = loom.PointCloud(ball.points * [1, 1, 0], normals=np.tile([0.0, 0, 1], (800, 1)), device=ball.device)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        assert len(loom.TriangleMesh.from_point_cloud_alpha_shape(flat, 2.0)) == 0  # no unit gives a plane a volume
+
+
+def test_icp_without_correspondences_says_where_both_are(ball):
+    far = loom.PointCloud(ball.points * 1000, device=ball.device)
+    result = loom.registration.registration_icp(far, ball, 0.05)
+    assert result.reason == "no correspondences"
+    assert "no correspondences: the source spans 2e+03 x " in repr(result) and "the target spans 2 x " in repr(result)
+    assert repr(result).endswith("within 0.05 m; in another unit?)")
+    moved = loom.registration.registration_icp(ball.translate([100, 0, 0]), ball, 0.05)
+    assert "their middles 100 m apart, within 0.05 m)" in repr(moved)
+    assert loom.registration.registration_icp(ball, ball, 0.05).hint == ""
+    empty = loom.PointCloud(device=ball.device)
+    assert loom.registration.registration_icp(empty, ball, 0.05).hint == "the source has no points"

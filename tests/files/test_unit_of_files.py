@@ -1,0 +1,111 @@
+"""The unit of lengths in files that have a place for it, in those whose standard fixes it, and in the others."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import pointloom as loom
+
+TRIANGLE = [[0, 0, 0], [10, 0, 0], [0, 10, 0]], [[0, 1, 2]]
+LINK = loom.LengthUnit("Gunter's link", "li", 0.201168)
+
+
+@pytest.mark.parametrize("unit", [None, "foot", "metre", "degree", LINK], ids=str)
+@pytest.mark.parametrize("ascii", [False, True])
+@pytest.mark.parametrize("suffix", [".ply", ".pcd", ".npz"])
+def test_the_unit_survives(suffix, ascii, unit, tmp_path):
+    cloud = loom.PointCloud([[0, 0, 0], [1, 2, 3]], unit=unit, ring=np.int32([1, 2]))
+    path = tmp_path / f"a{suffix}"
+    loom.write_point_cloud(path, cloud, ascii=ascii)
+    back = loom.read_point_cloud(path)
+    assert (
+        back.unit == cloud.unit and back.points.tolist() == cloud.points.tolist() and list(back.attributes) == ["ring"]
+    )
+
+
+def test_a_file_without_a_unit_is_what_it_was(tmp_path):
+    loom.write_point_cloud(tmp_path / "a.ply", loom.PointCloud([[0, 0, 0]]), ascii=True)
+    assert "comment" not in (tmp_path / "a.ply").read_text()
+    loom.write_point_cloud(tmp_path / "a.pcd", loom.PointCloud([[0, 0, 0]]), ascii=True)
+    assert "unit" not in (tmp_path / "a.pcd").read_text()
+    loom.write_point_cloud(tmp_path / "a.npz", loom.PointCloud([[0, 0, 0]]))
+    assert np.load(tmp_path / "a.npz").files == ["points"]
+
+
+@pytest.mark.parametrize(
+    "comments",
+    ["unit mm", "unit of the scan", "units foot", "unit foot\ncomment unit metre", "Unit foot", "unit x = 0 m"],
+)
+def test_other_comments_say_nothing(comments, tmp_path):
+    path = tmp_path / "a.ply"
+    loom.write_point_cloud(path, loom.PointCloud([[0, 0, 0]], unit="foot"), ascii=True)
+    path.write_text(path.read_text().replace("unit foot", comments))
+    assert loom.read_point_cloud(path).unit is None
+
+
+def test_a_comment_behind_the_header_says_nothing(tmp_path):
+    points = np.frombuffer(b"\ncomment unit foot\n".ljust(24), "<f4").reshape(2, 3)
+    loom.write_point_cloud(tmp_path / "a.ply", loom.PointCloud(points, origin=[0, 0, 0]))
+    assert b"unit foot" in (tmp_path / "a.ply").read_bytes()
+    assert loom.read_point_cloud(tmp_path / "a.ply").unit is None
+
+
+def test_an_npz_names_its_unit_as_text(tmp_path):
+    path = tmp_path / "a.npz"
+    loom.write_point_cloud(path, loom.PointCloud([[0, 0, 0]], unit="foot"))
+    assert str(np.load(path)["unit"]) == "foot"
+    np.savez(path, points=np.zeros((2, 3)), unit=[3, 4])  # an attribute of that name
+    cloud = loom.read_point_cloud(path)
+    assert cloud.unit is None and cloud["unit"].tolist() == [3, 4]
+    cloud.unit = "foot"
+    with pytest.raises(loom.FileError, match="attribute 'unit': the format uses this name"):
+        loom.write_point_cloud(path, cloud)
+    for wrong in ("ell", "", "x" * 300, np.array(["foot"])):
+        np.savez(path, points=np.zeros((2, 3)), unit=wrong)
+        with pytest.raises(loom.FileError, match=r"unit|archive"):
+            loom.read_point_cloud(path)
+
+
+def test_an_e57_is_in_metres(tmp_path):
+    path = tmp_path / "a.e57"
+    loom.write_point_cloud(path, loom.PointCloud([[0, 0, 0], [1, 2, 3]]))
+    cloud = loom.read_point_cloud(path)
+    assert cloud.unit == "metre" and cloud.points[1].tolist() == [1, 2, 3]
+    assert loom.read_point_cloud(path, scan=0).unit == "metre"
+    with pytest.warns(loom.UnitWarning, match="coordinates in foot are written times 0.3048"):
+        loom.write_point_cloud(path, loom.PointCloud([[0, 0, 0], [0, 0, 1000]], unit="ft"))
+    assert loom.read_point_cloud(path).points[1, 2] == pytest.approx(304.8)
+    with pytest.raises(loom.FileError, match=r"degrees.*project_to_utm"):
+        loom.write_point_cloud(path, loom.PointCloud([[8, 48, 0]], unit="degree"))
+
+
+def test_meshes_keep_the_unit_where_their_format_has_a_place(tmp_path):
+    mesh = loom.TriangleMesh(*TRIANGLE)
+    mesh.unit = "foot"
+    loom.write_triangle_mesh(tmp_path / "a.ply", mesh)
+    assert loom.read_triangle_mesh(tmp_path / "a.ply").unit == "foot"
+    assert loom.read_point_cloud(tmp_path / "a.ply").unit == "foot"
+    with pytest.warns(loom.UnitWarning, match=r"glTF are metres by its standard"):
+        loom.write_triangle_mesh(tmp_path / "a.glb", mesh)
+    back = loom.read_triangle_mesh(tmp_path / "a.glb")
+    assert back.unit == "metre" and back.vertices.max() == pytest.approx(3.048)
+
+
+@pytest.mark.parametrize("suffix", [".obj", ".stl", ".off", ".xyz"])
+def test_a_format_without_a_place_for_the_unit_says_so(suffix, tmp_path):
+    path = tmp_path / f"a{suffix}"
+    for unit, count in (("foot", 1), ("metre", 0), (None, 0)):
+        mesh = loom.TriangleMesh(*TRIANGLE)
+        mesh.unit = unit
+        cloud = loom.PointCloud(TRIANGLE[0], unit=unit)
+        write = (
+            (lambda c=cloud: loom.write_point_cloud(path, c))
+            if suffix == ".xyz"
+            else (lambda m=mesh: loom.write_triangle_mesh(path, m))
+        )
+        if count:
+            with pytest.warns(loom.UnitWarning, match="does not tell that coordinates are in foot"):
+                write()
+        else:
+            write()
