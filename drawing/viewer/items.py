@@ -202,7 +202,9 @@ def _bounds(parts: list[Part]) -> Bounds | None:
 def _cloud_of(part: Points) -> PointCloud:
     """The cloud of points that came as an array or a plain object."""
     held = {"normals": part.normals, "colors": part.colors}
-    rows = {name: np.nan_to_num(download(values)).reshape(-1, 3) for name, values in held.items() if values.size}
+    rows: dict[str, Any] = {
+        name: np.nan_to_num(download(values)).reshape(-1, 3) for name, values in held.items() if values.size
+    }
     if "colors" in rows:
         rows["colors"] = np.clip(rows["colors"], 0, 1)
     return PointCloud(download(part.positions).reshape(-1, 3) + part.origin, **rows)

@@ -9,9 +9,11 @@ from numpy.typing import NDArray
 
 from ...kernels.array_types import Indices
 from ...kernels.arrays.select import gather_rows
-from ...kernels.lang import int32, vec2, vec3i
-from ...kernels.memory import download, upload
+from ...kernels.lang import float64, int32, vec2, vec3i
+from ...kernels.memory import download, full, upload
 from ...kernels.meshes.corner_vertices import find_doubled_edges
+from ...kernels.meshes.mixed_rows import with_vertices_on_edges
+from .mesh_attributes import each
 from .mesh_cleaning import MeshCleaning
 
 MeshType = TypeVar("MeshType", bound=MeshCleaning)
@@ -75,6 +77,10 @@ def _with_pieces(
                 size = np.linalg.norm(middle, axis=1, keepdims=True)
                 middle = np.where(size > 0, middle / np.where(size > 0, size, 1), one)
         arrays[name] = upload(np.concatenate([own, middle.astype(own.dtype)]), values.dtype, device)
+    old = mesh.array("vertices").size
+    numbers = upload(np.arange(old, old + len(ends), dtype=np.int32), int32, device)
+    middles = with_vertices_on_edges(old, numbers, lower, upper, full(len(ends), 0.5, float64, device))
+    arrays["vertex_attributes"] = each(mesh._attributes["vertex_attributes"], middles.of)
     places = [[row] + [-1] * (len(piece) - 1) for row, piece in zip(rows.tolist(), pieces, strict=True)]
     flat = np.concatenate(places)
     flat[flat < 0] = count + np.arange((flat < 0).sum())

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from ...core.checks import check_positive
 from ...core.dropped_results import returns_new
 from ...kernels.array_types import Mask
-from ...kernels.arrays.select import gather_rows, positions_of
+from ...kernels.arrays.select import positions_of
 from ...kernels.arrays.sort import positions
 from ...kernels.memory import download
 from ...kernels.meshes import clean_triangles
@@ -210,8 +210,7 @@ class MeshRepair(MeshTopology, MeshSelection):
         """
         triangles, count = self._arrays["triangles"], self._vertex_count
         split, rows = split_fans(triangles, count)
-        arrays: dict[str, Any] = {name: gather_rows(values, rows) for name, values in self._per_vertex().items()}
-        return self.with_arrays(triangles=split, **arrays)
+        return self.with_arrays(triangles=split, **self.vertices_at(rows))
 
     def _fill(self, hole_size: float) -> tuple[Self, int, int]:
         """(the mesh with its holes filled, how many were, how many of this size were not)."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, Generic, TypeVar
+from typing import Generic, TypeVar
 
 from ...kernels.array_types import Array, Indices
 from ...kernels.arrays.select import gather_rows, positions_of
@@ -20,7 +20,8 @@ class Sewn(Generic[MeshType]):
     """A mesh with one vertex a place of its surface, and which of its vertices each one of another mesh has become.
 
     Files keep two vertices at one place where a texture or a shade has a seam; what moves them on their own tears the
-    surface. Normals and colours of such vertices are their means here, texture stays at its corners.
+    surface. Normals and colours of such vertices are their means here, attributes those of the first; texture stays at
+    its corners.
 
     Attributes:
         mesh: The sewn mesh; the one that was given where it has no seam.
@@ -43,7 +44,7 @@ def sew(mesh: MeshType) -> Sewn[MeshType]:
         return Sewn(mesh, None)
     numbers, count = merge_vertices.number_owners(owners)  # sync
     kept = positions_of(merge_vertices.mask_owners(owners))  # sync
-    rows: dict[str, Any] = {name: gather_rows(values, kept) for name, values in mesh._per_vertex().items()}
+    rows = mesh.vertices_at(kept)
     means = {name: values for name, values in mesh._per_vertex().items() if values.dtype == vec3}
     unit = [name == "vertex_normals" for name in means]
     rows |= dict(zip(means, merge_vertices.average_members(means.values(), unit, owners, numbers, count), strict=True))

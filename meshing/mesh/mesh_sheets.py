@@ -90,8 +90,7 @@ def _sew(mesh: MeshType, placed: Triangles, loose: Mask, folded: Indices, repeat
     clean = clean.with_arrays(**clean.triangles_at(kept))
     used = count_referenced(clean.device_arrays["triangles"], vertices.size)
     found = CornerVertices(clean.device_arrays["triangles"], vertices.size, sets)
-    rows: dict[str, Any] = {name: gather_rows(values, found.rows) for name, values in clean._per_vertex().items()}
-    sewn = clean.with_arrays(triangles=found.triangles, **rows)
+    sewn = clean.with_arrays(triangles=found.triangles, **clean.vertices_at(found.rows))
     whole = part_doubled_edges(sewn, twins)
     return Stitched(
         mesh=whole,

@@ -98,12 +98,30 @@ def test_a_surface_that_touches_itself_along_an_edge_is_parted_there(device):
     mesh.vertex_colors = np.linspace(0, 1, 3 * len(mesh.vertices)).reshape(-1, 3)
     mesh.triangle_uvs = np.random.default_rng(0).random((3 * len(mesh), 2))
     mesh.textures = [PICTURE]
+    mesh.vertex_attributes["place"] = mesh.vertices
+    mesh.triangle_attributes["label"] = np.arange(len(mesh))
     mended, report = mesh.repair()
+    np.testing.assert_allclose(mended.vertex_attributes["place"], mended.vertices)
+    assert len(mended.triangle_attributes["label"]) == len(mended)
     assert mended.is_watertight() and mended.is_vertex_manifold() and report.added_triangles == 2
     assert mended.get_volume() == pytest.approx(8) and len(mended.triangle_uvs) == 3 * len(mended)
     np.testing.assert_array_equal(mended.vertices[-1], [1, 1, 1.5])
     np.testing.assert_array_equal(mended.vertices[:-1], mesh.vertices)
     assert report.split_vertices == 1 and len(mended.vertex_colors) == len(mesh.vertices) + 1
+
+
+@pytest.mark.parametrize("change", ["repair", "split_non_manifold_vertices", "filter_smooth_taubin", "subdivide_loop"])
+def test_attributes_follow_where_vertices_are_split_and_sewn(change):
+    ball = TriangleMesh.create_sphere(1.0, 8)
+    soup = TriangleMesh(ball.vertices[ball.triangles.ravel()], np.arange(3 * len(ball)).reshape(-1, 3))
+    touching = TriangleMesh([[0, 0, 0], [1, 0, 0], [0, 1, 0], [-1, 0, 0], [0, -1, 0]], [[0, 1, 2], [0, 3, 4]])
+    for mesh in (soup, touching):
+        mesh.vertex_attributes["number"] = np.arange(len(mesh.vertices))
+        mesh.triangle_attributes["label"] = np.arange(len(mesh))
+        changed = getattr(mesh, change)()
+        changed = changed[0] if isinstance(changed, tuple) else changed
+        assert len(changed.vertex_attributes["number"]) == len(changed.vertices)
+        assert set(changed.triangle_attributes["label"]) == set(range(len(mesh)))
 
 
 def test_a_moebius_strip_stays_one(device):

@@ -14,7 +14,7 @@ def model_of(centers, seen, pixels=None):
     """Cameras at places on the x axis, each of which sees so many of the first points."""
     poses = np.tile(np.eye(4), (len(centers), 1, 1))
     poses[:, 0, 3] = np.negative(centers)
-    points = np.random.default_rng(0).uniform(-1, 1, (max(seen), 3)) + [0, 0, 5]
+    points = np.random.default_rng(0).uniform([-1, -1, 4], [1, 1, 6], (max(seen), 3))
     observations = np.array([[picture, k] for picture, count in enumerate(seen) for k in range(count)])
     if pixels is None:
         pixels = np.zeros((len(observations), 2))
