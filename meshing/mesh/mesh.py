@@ -22,7 +22,6 @@ from .alpha_shape import AlphaShapes
 from .ball_pivoting import BallPivoting
 from .isosurfaces import Isosurfaces
 from .mesh_albedo import MeshAlbedo
-from .mesh_arrays import ATTRIBUTES
 from .mesh_atlas import MeshAtlas
 from .mesh_attributes import assign_all
 from .mesh_booleans import MeshBooleans
@@ -37,6 +36,7 @@ from .mesh_metrics import MeshMetrics
 from .mesh_remeshing import MeshRemeshing
 from .mesh_repair import MeshRepair
 from .mesh_round_shapes import MeshRoundShapes
+from .mesh_rows import ATTRIBUTES
 from .mesh_sampling import MeshSampling
 from .mesh_simplification import MeshSimplification
 from .mesh_smoothing import MeshSmoothing
@@ -127,10 +127,7 @@ class TriangleMesh(
         device: Any = None,
         origin: Any = None,
     ):
-        if isinstance(vertices, str | os.PathLike):
-            raise TypeError(
-                f"vertices: expected real numbers, got {shown(vertices)}; loom.read_triangle_mesh(path) reads a file"
-            )
+        _refuse_path(vertices)
         self._library = library_of(vertices)
         anchor = None if origin is None else check_shape("origin", origin, (3,))
         if is_on_gpu(vertices):
@@ -163,3 +160,9 @@ class TriangleMesh(
         if device is not None and resolve_device(device) != self._device:  # arrays that lay on a GPU
             moved = self.to(resolve_device(device))
             self._device, self._arrays, self._attributes = moved._device, moved._arrays, moved._attributes
+
+
+def _refuse_path(vertices: Any) -> None:
+    if isinstance(vertices, str | os.PathLike):
+        remedy = "loom.read_triangle_mesh(path) reads a file"
+        raise TypeError(f"vertices: expected real numbers, got {shown(vertices)}; {remedy}")

@@ -17,19 +17,14 @@ from ...core.dropped_results import returns_new
 from ...core.gpu_arrays import take_vectors
 from ...core.pickled_arrays import device_like, pickled, unpickled
 from ...kernels.arrays.select import gather_rows
-from ...kernels.lang import int32, vec2, vec3, vec3i
+from ...kernels.lang import int32, vec2, vec3
 from ...kernels.memory import clone, download, move, upload
 from ...kernels.meshes.mesh_edits import gather_corners, gather_triangles
 from ...pcd.point_arrays import PointArrays, read_only
 from ...pcd.units import InUnit
 from .mesh_attributes import MeshAttributes, each, rows_of
 from .mesh_questions import MeshQuestions
-
-PER_VERTEX = {"vertices": vec3, "vertex_normals": vec3, "vertex_colors": vec3}
-PER_TRIANGLE = {"triangles": vec3i, "triangle_uvs": vec2, "triangle_material_ids": int32}
-TEXTURE = ("triangle_uvs", "triangle_material_ids")
-CORNERS = ("triangle_uvs",)  # three rows a triangle
-ATTRIBUTES = {"vertex_attributes": "vertices", "triangle_attributes": "triangles"}  # and what has one row of each
+from .mesh_rows import ATTRIBUTES, PER_TRIANGLE, PER_VERTEX, TEXTURE, as_triples, check_attributes, kind_and_count
 
 
 class MeshArrays(InUnit, MeshQuestions):
@@ -73,7 +68,7 @@ class MeshArrays(InUnit, MeshQuestions):
         """
         given = {
             "vertices": vertices,
-            "triangles": _as_triples(triangles),
+            "triangles": as_triples(triangles),
             "vertex_normals": vertex_normals,
             "vertex_colors": vertex_colors,
             "triangle_uvs": triangle_uvs,
@@ -83,7 +78,7 @@ class MeshArrays(InUnit, MeshQuestions):
         counts = {"vertices": vertices.size, "triangles": arrays["triangles"].size}
         for name, values in arrays.items():
             check_same_device(name, vertices.device, values.device)
-            kind, count = _kind_and_count(name, counts)
+            kind, count = kind_and_count(name, counts)
             if values.dtype != kind or values.shape != (count,):
                 raise ValueError(f"{name}: expected {kind.__name__} [{count}], got {values}")
         attributes = {
@@ -91,7 +86,7 @@ class MeshArrays(InUnit, MeshQuestions):
             "triangle_attributes": dict(triangle_attributes or {}),
         }
         for kind, of in ATTRIBUTES.items():
-            _check_attributes(attributes[kind], counts[of], vertices.device)
+            check_attributes(attributes[kind], counts[of], vertices.device)
         mesh = cls.__new__(cls)
         mesh._device, mesh._arrays, mesh._textures = vertices.device, arrays, tuple(textures)
         mesh._attributes = attributes
@@ -402,31 +397,3 @@ class MeshArrays(InUnit, MeshQuestions):
         self._arrays, self._textures = unpickled(state["arrays"], self._device), state["textures"]
         self._library, self._unit = state["library"], state.get("unit")
         self._attributes = {kind: unpickled(state["attributes"][kind], self._device) for kind in ATTRIBUTES}
-
-
-def _kind_and_count(name: str, counts: dict[str, int]) -> tuple[Any, int]:
-    """The type of an array and how many rows it has in a mesh."""
-    if name in PER_VERTEX:
-        return PER_VERTEX[name], counts["vertices"]
-    return PER_TRIANGLE[name], counts["triangles"] * (3 if name in CORNERS else 1)
-
-
-def _check_attributes(attributes: dict[str, wp.array], count: int, device: Any) -> None:
-    for name, values in attributes.items():
-        check_same_device(name, device, values.device)
-        if values.ndim not in (1, 2) or values.shape[0] != count:
-            raise ValueError(f"{name}: expected scalars [{count}] or [{count}, c], got {values}")
-
-
-def _as_triples(triangles: wp.array) -> wp.array:
-    """Triangles as vec3i [t], over the same memory."""
-    if triangles.dtype == vec3i and triangles.ndim == 1:
-        return triangles
-    is_table = triangles.ndim == 2 and triangles.shape[1] == 3
-    is_flat = triangles.ndim == 1 and triangles.size % 3 == 0
-    if triangles.dtype != wp.int32 or not (is_table or is_flat) or not triangles.is_contiguous:
-        raise ValueError(f"triangles: expected vec3i [t], or int32 [3 t] or [t, 3] without gaps, got {triangles}")
-    count = triangles.size // 3
-    view = wp.array(ptr=triangles.ptr, dtype=vec3i, shape=(count,), device=triangles.device, copy=False)
-    view._ref = triangles  # keeps the memory alive
-    return view

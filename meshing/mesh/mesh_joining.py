@@ -12,7 +12,8 @@ from ...kernels.arrays.concatenation import concatenate_points, concatenate_rows
 from ...kernels.lang import int32
 from ...kernels.memory import zeros
 from ...kernels.meshes.mesh_edits import raise_numbers, shift_triangles
-from .mesh_arrays import ATTRIBUTES, MeshArrays
+from .mesh_arrays import MeshArrays
+from .mesh_rows import ATTRIBUTES
 
 MOST = 2**31 - 1  # vertices and triangles are counted in 32 bits
 

@@ -20,8 +20,8 @@ from ...kernels.remeshing.flipped_edges import flip_edges
 from ...kernels.remeshing.long_edges import split_long_edges
 from ...kernels.remeshing.relaxed_vertices import choose_places, move_where_nothing_turns, relaxed
 from ...kernels.remeshing.short_edges import collapse_short_edges
-from .mesh_arrays import TEXTURE
 from .mesh_cleaning import MeshCleaning
+from .mesh_rows import TEXTURE
 from .surface_values import with_attributes_of, with_vectors_of
 
 MOST_TRIANGLES = 2**29  # half-edges and what they become are counted in 32 bits

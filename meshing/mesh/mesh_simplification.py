@@ -11,8 +11,8 @@ from ...core.checks import check_count, check_name, check_positive
 from ...core.dropped_results import returns_new
 from ...kernels.remeshing.decimation import Decimation
 from ...kernels.remeshing.vertex_clustering import cluster_vertices
-from .mesh_arrays import TEXTURE
 from .mesh_edits import MeshEdits
+from .mesh_rows import TEXTURE
 from .surface_values import with_attributes_of
 
 CONTRACTIONS = ("average", "quadric")

@@ -8,7 +8,8 @@ from ...core.checks import check_count, check_number, shown
 from ...core.dropped_results import returns_new
 from ...kernels.remeshing.mesh_filters import approach_mean_kernel, average_kernel, filter_values, sharpen_kernel
 from ...kernels.remeshing.vertex_values import narrow_directions, narrow_rows, widen_rows
-from .mesh_arrays import PER_VERTEX, MeshArrays
+from .mesh_arrays import MeshArrays
+from .mesh_rows import PER_VERTEX
 from .mesh_seams import sew
 
 MOST_PASSES = 10_000
