@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..core.checks import check_count, check_finite, check_numeric, check_positive, check_search, check_shape
 from ..core.dropped_results import returns_new
-from ..core.units import warn_of_units
+from ..core.units import LengthUnit, symbol_of, warn_of_units
 from ..kernels.arrays.select import gather_rows
 from ..kernels.arrays.sort import positions
 from ..kernels.extent.masks import usable_rows
@@ -65,7 +65,7 @@ class Normals(PointArrays):
         reach, count = check_search(radius, max_nn)
         points = self._arrays["points"]
         tree = self.search_tree()
-        _check_radius(tree, radius)
+        _check_radius(tree, radius, self.unit)
         normals = estimate_normals(tree, points, count, reach)
         if self.has_normals:
             align_normals(normals, self._arrays["normals"])
@@ -262,7 +262,7 @@ class Normals(PointArrays):
         return self.with_arrays(self._arrays | {"normals": oriented}, grid=self.grid)
 
 
-def _check_radius(tree: PointTree, radius: float | None) -> None:
+def _check_radius(tree: PointTree, radius: float | None, unit: LengthUnit | None) -> None:
     """Warn where a radius finds nobody; points are only counted where it is short for a surface as large as theirs."""
     if radius is None or tree.count <= FEW:
         return
@@ -272,7 +272,8 @@ def _check_radius(tree: PointTree, radius: float | None) -> None:
         return
     found = count_around(tree, positions(tree.count, tree.device), radius)
     if found < ALONE:
+        m = symbol_of(unit)
         warn_of_units(
-            f"radius: {radius:g} m finds {found - 1:.2g} other points on average, so that normals are (0, 0, 1); the "
-            f"cloud's {tree.count:,} points span {extent:.3g} m: take the radius in its unit, some {2 * usual:.2g} m"
+            f"radius: {radius:g} {m} finds {found - 1:.2g} other points on average, so that normals are (0, 0, 1); the "
+            f"cloud's {tree.count:,} points span {extent:.3g} {m}: take the radius in its unit, some {2 * usual:.2g} {m}"
         )

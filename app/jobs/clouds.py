@@ -5,6 +5,7 @@ Each checks its output before the work and returns what was done; `poor` says wh
 
 from __future__ import annotations
 
+import warnings
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Unpack
@@ -13,7 +14,7 @@ import numpy as np
 
 from ...core.errors import FileError, FilePath
 from ...core.reports import Fields
-from ...core.units import symbol_of
+from ...core.units import UnitWarning, symbol_of
 from ...core.wording import format_share
 from ...files.meshes import tables
 from ...files.points.formats import WRITTEN
@@ -195,7 +196,9 @@ def estimate_normals_of_file(
     job.check(output, WITH_NORMALS, what="normals")
     cloud = job.read_cloud()
     with job.stage("normals"):
-        with_normals = cloud.estimate_normals(radius=radius, max_nn=max_nn)
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", UnitWarning)  # the verdict says so
+            with_normals = cloud.estimate_normals(radius=radius, max_nn=max_nn)
         if towards is not None:
             with_normals = with_normals.orient_normals_towards_camera_location(towards)
         if direction is not None:

@@ -90,7 +90,7 @@ def check_up(path: str | os.PathLike[str], up: Any) -> None:
     Raises:
         ValueError: Another axis, or z of a format that does not say which axis is up.
     """
-    if up not in UPS:
+    if not isinstance(up, str) or up not in UPS:
         raise ValueError(f"up: expected one of {', '.join(UPS)}, got {shown(up)}")
     suffix = Path(path).suffix.lower()
     if up == "z" and suffix not in UPRIGHT:

@@ -8,7 +8,7 @@ import numpy as np
 import warp as wp
 from numpy.typing import ArrayLike, NDArray
 
-from ...core.checks import check_finite, check_number, check_numeric, check_positive, check_shape
+from ...core.checks import check_finite, check_number, check_numeric, check_positive, check_shape, shown
 from ...core.coordinates import ORIGIN_LIMIT
 from ...core.devices import check_same_device, resolve_device
 from ...kernels.language.device_lock import lock
@@ -49,7 +49,14 @@ class Isosurfaces(MeshJoining):
             (True, [4.0, 4.0, 4.0])
         """
         levels = check_finite("contour_values", np.atleast_1d(check_numeric("contour_values", contour_values)))
+        if levels.ndim != 1 or not levels.size or levels.dtype == np.bool_:
+            raise ValueError(f"contour_values: expected numbers, shape [k], got {shown(contour_values)}")
+        if np.abs(levels).max() > _FLOAT_MAX:
+            raise ValueError(f"contour_values: expected numbers within float32, got {shown(contour_values)}")
         field = np.asarray(check_numeric("volume", volume)).T
+        if field.ndim != 3 or min(field.shape) < 2:
+            found = list(field.shape[::-1])
+            raise ValueError(f"volume: expected shape [nz, ny, nx] with at least 2 along each axis, got {found}")
         parts = []
         for level in levels.tolist():
             vertices, triangles, origin = extract_level(field, level, (1.0,) * 3, (0.0,) * 3, device)

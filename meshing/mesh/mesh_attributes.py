@@ -9,7 +9,7 @@ import warp as wp
 from numpy.typing import ArrayLike, NDArray
 
 from ...core.array_libraries import NUMPY, library_of
-from ...core.checks import check_name, check_numeric, is_on_gpu
+from ...core.checks import check_name, check_numeric, is_on_gpu, shown
 from ...core.gpu_arrays import take_column
 from ...kernels.arrays.select import gather_rows
 from ...kernels.memory import download, upload
@@ -55,6 +55,11 @@ class MeshAttributes(MutableMapping[str, NDArray[Any]]):
         return "{" + ", ".join(f"{name!r}: {values.dtype} {list(values.shape)}" for name, values in self.items()) + "}"
 
     @property
+    def name(self) -> str:
+        """What the mesh calls it: "vertex_attributes" or "triangle_attributes"."""
+        return "vertex_attributes" if self._of == "vertices" else "triangle_attributes"
+
+    @property
     def arrays(self) -> Arrays:
         """The device arrays by name."""
         return dict(self._arrays)
@@ -81,7 +86,13 @@ class MeshAttributes(MutableMapping[str, NDArray[Any]]):
 
 
 def assign_all(attributes: MeshAttributes, given: Mapping[str, Any] | None) -> None:
-    """Set what was given; nothing where that is None."""
+    """Set what was given; nothing where that is None.
+
+    Raises:
+        TypeError: It is no mapping.
+    """
+    if given is not None and not isinstance(given, Mapping):
+        raise TypeError(f"{attributes.name}: expected arrays by name, got {shown(given)}")
     for name, values in (given or {}).items():
         attributes[name] = values
 

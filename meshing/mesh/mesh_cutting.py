@@ -9,7 +9,7 @@ import numpy as np
 import warp as wp
 from numpy.typing import ArrayLike, NDArray
 
-from ...core.checks import check_finite, check_numeric, check_shape
+from ...core.checks import check_finite, check_numeric, check_shape, shown
 from ...core.dropped_results import returns_new
 from ...kernels.arrays.bounds import bound_points
 from ...kernels.arrays.concatenation import concatenate_rows
@@ -124,7 +124,9 @@ class MeshCutting(MeshTrim, MeshCleaning):
             LineSet(200 points, 200 lines)
         """
         if cap is not None:
-            return self.clip_plane(point, normal, cap=cap)
+            if not isinstance(cap, bool | np.bool_):
+                raise TypeError(f"cap: expected True, False or None, got {shown(cap)}")
+            return self.clip_plane(point, normal, cap=bool(cap))
         heights = check_finite("contour_values", np.atleast_1d(check_numeric("contour_values", contour_values)))
         if heights.ndim != 1:
             raise ValueError(f"contour_values: expected shape [k], got {list(heights.shape)}")

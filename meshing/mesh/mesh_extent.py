@@ -45,6 +45,7 @@ class MeshExtent(MeshMeasures, MeshSelection):
         """
         return self._corner_cloud().get_minimal_oriented_bounding_box(robust)
 
+    @returns_new
     def compute_convex_hull(self, joggle_inputs: bool = False) -> tuple[Self, NDArray[np.int64]]:
         """The convex hull of the finite vertices, as `PointCloud.compute_convex_hull`.
 
@@ -83,6 +84,7 @@ class MeshExtent(MeshMeasures, MeshSelection):
             return self.copy()
         return self.with_arrays(vertex_normals=turn_normals(self._arrays["vertex_normals"], np.eye(3)))
 
+    @returns_new
     def select_faces_by_mask(self, mask: ArrayLike) -> Self:
         """The triangles where a mask is set, with the vertices that they use.
 

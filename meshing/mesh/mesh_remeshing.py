@@ -7,10 +7,11 @@ from typing import Self
 
 import numpy as np
 
-from ...core.checks import check_count, check_number, check_positive
+from ...core.checks import LARGEST_NUMBER, check_count, check_number, check_positive
 from ...core.dropped_results import returns_new
 from ...kernels.array_types import Points, Triangles
 from ...kernels.arrays.bounds import bound_points
+from ...kernels.memory import check_room
 from ...kernels.meshes import clean_triangles
 from ...kernels.meshes.mesh_measures import measure
 from ...kernels.rays.surface_places import SurfacePlaces
@@ -28,6 +29,8 @@ MOST_TRIANGLES = 2**29  # half-edges and what they become are counted in 32 bits
 LONG, SHORT = 4 / 3, 4 / 5  # of the length asked for: edges beyond are split or collapse (Botsch and Kobbelt 2004)
 ROUNDS = 3  # of collapses and of flips in an iteration; each is a set of edges of which none is next to another
 LEAST_CREASE = 3.0  # of the length asked for: what hangs together over less is roughness
+MOST_ITERATIONS = 1000
+TRIANGLE_BYTES = 400  # while it works
 FEW = 0.002  # of all edges: where a round changes fewer, it is the last
 
 
@@ -56,8 +59,9 @@ class MeshRemeshing(MeshCleaning):
             Triangles that repeat another, name a vertex twice or are not finite go first.
 
         Raises:
-            ValueError: No length above 0, one so small that there would be more than 2^29 triangles, a negative count,
-                or no angle from 0 to 180.
+            ValueError: No length above 0, one so small that there would be more than 2^29 triangles, a count below 0
+                or above 1000, or no angle from 0 to 180.
+            MemoryError: There is no room for so many triangles.
             TypeError: No numbers.
 
         Notes:
@@ -71,7 +75,10 @@ class MeshRemeshing(MeshCleaning):
             >>> box.is_watertight(), round(box.get_volume(), 6), round(box.get_surface_area(), 6)
             (True, 1.0, 6.0)
         """
-        target, count = check_positive("edge_length", edge_length), check_count("iterations", iterations, minimum=0)
+        target = check_positive("edge_length", edge_length, maximum=LARGEST_NUMBER)
+        count = check_count(
+            "iterations", iterations, minimum=0, maximum=MOST_ITERATIONS, because="ten bring most of it"
+        )
         angle = check_number("feature_angle", feature_angle)
         if not 0 <= angle <= 180:
             raise ValueError(f"feature_angle: expected 0 to 180 degrees, got {angle:g}")
@@ -86,6 +93,8 @@ class MeshRemeshing(MeshCleaning):
             raise ValueError(
                 f"edge_length: {target:g} m is too small for a mesh of {area:g} m2 that reaches {span:g} m"
             )
+        expected = area / (0.43 * target**2)  # of equilateral triangles
+        check_room(self._device, int(TRIANGLE_BYTES * expected), f"some {expected:,.0f} triangles")
         mesh = _remesh(vertices, triangles, target, count, math.radians(angle))
         bare = source._bare().with_arrays(vertex_normals=None, vertex_colors=None, **dict.fromkeys(TEXTURE))
         made = bare.with_arrays(vertices=mesh.vertices, triangles=mesh.triangles).remove_unreferenced_vertices()

@@ -11,7 +11,7 @@ from typing import Any, Self
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ...core.checks import check_count, check_finite, check_number, check_rows, check_shape
+from ...core.checks import check_count, check_finite, check_number, check_numeric, check_rows, check_shape, shown
 from ...core.coordinates import split_origin
 from ...core.dropped_results import returns_new
 from ...kernels.lang import int32, vec3, vec3i
@@ -22,6 +22,9 @@ from .mesh_shapes import MeshShapes, check_vertex_count
 from .shape_arrays import Shape
 
 SAME_AREA = 1e-6  # of a polygon's area: what its triangles may be off
+
+
+LARGEST_STEP = 1e30  # [m] or times: float32 ends at 3e38
 
 
 class MeshSweeps(MeshShapes, MeshMeasures):
@@ -52,7 +55,7 @@ class MeshSweeps(MeshShapes, MeshMeasures):
             >>> wedge.is_watertight(), wedge.get_volume(), len(wedge)
             (True, 0.5, 8)
         """
-        way = check_finite("vector", check_shape("vector", vector, (3,))) * check_number("scale", scale)
+        way = check_finite("vector", check_shape("vector", vector, (3,))) * _check_length("scale", scale)
         if not way.any():
             raise ValueError("vector: expected a way of some length, got none")
         corners = self.vertices
@@ -92,7 +95,7 @@ class MeshSweeps(MeshShapes, MeshMeasures):
             raise ValueError("axis: expected a direction, got zero")
         way = way / np.abs(way).max()
         way = way / np.linalg.norm(way)
-        whole, rise = np.radians(check_number("angle", angle)), check_number("translation", translation)
+        whole, rise = np.radians(_check_length("angle", angle)), _check_length("translation", translation)
         if not whole:
             raise ValueError("angle: expected one other than zero")
         steps = check_count("resolution", resolution, minimum=1)
@@ -141,6 +144,12 @@ class MeshSweeps(MeshShapes, MeshMeasures):
             >>> frame.get_surface_area(), frame.extrude_linear([0, 0, 2]).get_volume()
             (8.0, 16.0)
         """
+        if (
+            not isinstance(holes, Sequence | np.ndarray)
+            or isinstance(holes, str | bytes)
+            or getattr(holes, "ndim", 1) == 0
+        ):
+            raise TypeError(f"holes: expected a list of outlines, got {shown(holes)}")
         loops = [_open_ring("outline", outline), *(_open_ring("holes", hole) for hole in holes)]
         if len({loop.shape[1] for loop in loops}) > 1:
             raise ValueError("holes: expected as many coordinates as those of the outline")
@@ -237,6 +246,14 @@ class MeshSweeps(MeshShapes, MeshMeasures):
         return swept.compute_vertex_normals() if "vertex_normals" in self._arrays else swept
 
 
+def _check_length(name: str, value: Any) -> float:
+    """A number that places can be multiplied by or moved by, and stay within float32 about their middle."""
+    number = check_number(name, value)
+    if abs(number) > LARGEST_STEP:
+        raise ValueError(f"{name}: expected a number up to {LARGEST_STEP:g}, got {number:g}")
+    return number
+
+
 def _ring_numbers(rings: NDArray[np.float64], is_closed: bool) -> NDArray[np.int64]:
     """The number of each vertex at each place, [k, m]; those that stay where they are have one."""
     count, width = rings.shape[:2]
@@ -281,7 +298,7 @@ def _volume(places: NDArray[np.float64], triangles: NDArray[np.int64]) -> float:
 
 def _open_ring(name: str, points: ArrayLike) -> NDArray[np.float64]:
     """The points of an outline, without the first one again at its end."""
-    given = np.asarray(points)
+    given = check_numeric(name, points)
     width = 3 if given.ndim == 2 and given.shape[1] == 3 else 2
     ring = check_finite(name, check_rows(name, points, width, dtype=np.float64))
     if len(ring) > 1 and (ring[0] == ring[-1]).all():

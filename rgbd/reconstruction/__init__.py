@@ -11,4 +11,4 @@ Example:
 
 from ...public_names import attach  # pyright: ignore[reportMissingImports]
 
-__getattr__, __dir__, __all__ = attach(__name__)
+__getattr__, __dir__ = attach(__name__)

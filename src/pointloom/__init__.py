@@ -8,4 +8,4 @@ Operations return what they make and change nothing in place: `cloud = cloud.est
 from .public_names import attach
 
 __version__ = "0.1.0"
-__getattr__, __dir__, __all__ = attach(__name__)
+__getattr__, __dir__ = attach(__name__)

@@ -2,22 +2,31 @@
 
 from __future__ import annotations
 
-import ast
 import importlib
-import pkgutil
 import sys
-from collections.abc import Callable, Iterable
-from typing import Any
 
+TYPE_CHECKING = False  # `typing` would take as long as all the rest
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterable
+    from typing import Any
+
+_homes: dict[str, dict[str, str]] = {}  # what `_read` has read
 
 SHORT_NAME = "loom"  # what users import the package as
 
 
-def attach(package: str) -> tuple[Callable[[str], Any], Callable[[], list[str]], list[str]]:
-    """`__getattr__`, `__dir__` and `__all__` of a package, from the imports in its stub."""
-    homes = _read(package)
+def attach(package: str) -> tuple[Callable[[str], Any], Callable[[], list[str]]]:
+    """`__getattr__`, which knows `__all__` too, and `__dir__` of a package, from the imports in its stub.
+
+    The stub is read when the first name is asked for, so that importing the package takes a millisecond.
+    """
 
     def load(name: str) -> Any:
+        if name.startswith("__") and name != "__all__":  # Python's own, which a package need not have
+            raise AttributeError(f"module {package!r} has no attribute {name!r}")
+        homes = _read(package)
+        if name == "__all__":
+            return sorted(homes)
         if name not in homes:
             raise AttributeError(_no_name(package, name, homes))
         module = importlib.import_module(homes[name])
@@ -28,9 +37,9 @@ def attach(package: str) -> tuple[Callable[[str], Any], Callable[[], list[str]],
         return value
 
     def names() -> list[str]:
-        return sorted({*vars(sys.modules[package]), *homes})
+        return sorted({*vars(sys.modules[package]), *_read(package)})
 
-    return load, names, sorted(homes)
+    return load, names
 
 
 def _no_name(package: str, name: str, known: Iterable[str]) -> str:
@@ -58,6 +67,8 @@ def _elsewhere(package: str, name: str) -> str:
 
 def _package_of(module: str, home: str) -> str:
     """The package that a public name is, if it has public names of its own; else nothing."""
+    import pkgutil
+
     for whole in (home, f"{home}.{module}"):
         try:
             if whole.endswith(f".{module}") and pkgutil.get_data(whole, "__init__.pyi"):
@@ -69,6 +80,11 @@ def _package_of(module: str, home: str) -> str:
 
 def _read(package: str) -> dict[str, str]:
     """The module of each public name; of a module, itself."""
+    if package in _homes:
+        return _homes[package]
+    import ast
+    import pkgutil
+
     stub = pkgutil.get_data(package, "__init__.pyi")
     assert stub is not None
     homes = {}
@@ -77,4 +93,5 @@ def _read(package: str) -> dict[str, str]:
             base = package.rsplit(".", node.level - 1)[0]
             for alias in node.names:
                 homes[alias.name] = f"{base}.{node.module or alias.name}"
+    _homes[package] = homes
     return homes

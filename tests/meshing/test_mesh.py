@@ -363,7 +363,7 @@ def test_open3d_reads_what_we_write(tmp_path, suffix):
 
 def test_unknown_formats_and_existing_files_are_refused(tmp_path):
     mesh = TriangleMesh(*TETRAHEDRON)
-    with pytest.raises(FileError, match=r"written to \.ply, \.obj, \.stl, \.off, \.glb, not to \.fbx"):
+    with pytest.raises(FileError, match=r"written to \.ply, \.obj, \.stl, \.off, \.glb, \.gltf, not to \.fbx"):
         write_triangle_mesh(tmp_path / "mesh.fbx", mesh)
     with pytest.raises(FileError, match=r"read from \.ply, \.obj, \.stl, \.off, \.glb, not from no extension"):
         read_triangle_mesh(tmp_path / "mesh")

@@ -277,7 +277,7 @@ def test_labels_are_the_callers_own_and_the_cloud_stays_as_it_was(device, rng, c
     points = rng.random((300, 3)) + np.array([5e5, 5.4e6, 100])
     cloud = loom.PointCloud(points, intensity=np.arange(300), device=device)
     before = cloud.points
-    labels = cloud.cluster_dbscan(0.2, 3, True)
+    labels = cloud.cluster_dbscan(0.2, 3)
     assert capsys.readouterr() == ("", "")
     assert labels.flags.writeable and labels.flags.owndata
     cloud["label"] = labels

@@ -63,7 +63,7 @@ def test_questions_may_be_called(shapes):
 def test_the_makers_have_open3d_names():
     for kind in (loom.PointCloud, loom.TriangleMesh, loom.RGBDImage):
         makers = [name for name in dir(kind) if name.startswith("from_")]
-        ours = {"from_dlpack", "from_open3d", "from_device_arrays", "from_device_depth"}
+        ours = {"from_dlpack", "from_open3d", "from_device_arrays", "from_device_depth", "from_polygon"}
         assert {name for name in makers if not hasattr(kind, f"create_{name}")} <= ours
     rgbd = loom.RGBDImage.create_from_color_and_depth(COLOR, DEPTH)
     assert len(loom.PointCloud.create_from_rgbd_image(rgbd, CAMERA)) == 48

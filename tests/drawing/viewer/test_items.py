@@ -162,6 +162,7 @@ def read_back(data, tmp_path):
     return read_triangle_mesh(tmp_path / "sent.glb")
 
 
+@pytest.mark.filterwarnings("ignore:.*what the extension KHR_materials")
 def test_a_mesh_is_sent_whole(tmp_path, device):
     mesh = loom.TriangleMesh(np.array(SQUARE) + UTM, FACES, device=device).compute_vertex_normals()
     (part,) = make_item("mesh", 0, mesh, Style()).parts
@@ -195,6 +196,7 @@ def test_light_falls_on_all_but_photographs():
     assert b'"doubleSided":false' in to_glb(part_of(plain, back_faces=False))
 
 
+@pytest.mark.filterwarnings("ignore:.*what the extension KHR_materials")
 def test_a_texture_goes_along(tmp_path):
     texture = np.arange(4 * 4 * 3, dtype=np.uint8).reshape(4, 4, 3)
     uvs = np.array([[0, 0], [1, 0], [1, 1], [0, 0], [1, 1], [0, 1]], np.float32)
