@@ -273,7 +273,8 @@ def _check_radius(tree: PointTree, radius: float | None, unit: LengthUnit | None
     found = count_around(tree, positions(tree.count, tree.device), radius)
     if found < ALONE:
         m = symbol_of(unit)
+        others = f"{found - 1:.2g} other points on average"
         warn_of_units(
-            f"radius: {radius:g} {m} finds {found - 1:.2g} other points on average, so that normals are (0, 0, 1); the "
-            f"cloud's {tree.count:,} points span {extent:.3g} {m}: take the radius in its unit, some {2 * usual:.2g} {m}"
+            f"radius: {radius:g} {m} finds {others}, so that normals are (0, 0, 1); the cloud's {tree.count:,} points "
+            f"span {extent:.3g} {m}: take the radius in its unit, some {2 * usual:.2g} {m}"
         )

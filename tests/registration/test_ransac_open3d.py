@@ -25,6 +25,7 @@ def kitchen(kitchen_pair):
     for name in ("source", "target"):
         cloud = loom.PointCloud(getattr(kitchen_pair, name)).voxel_down_sample(VOXEL)
         cloud = cloud.estimate_normals(radius=2 * VOXEL, max_nn=30)
+        cloud = cloud.orient_normals_towards_camera_location(cloud.get_center())  # a side that turns with the cloud
         feature = loom.compute_fpfh_feature(cloud, radius=5 * VOXEL, max_nn=100)
         setattr(found, name, SimpleNamespace(points=cloud.points, normals=cloud.normals, feature=feature.copy()))
     return found
