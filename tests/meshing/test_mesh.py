@@ -365,7 +365,7 @@ def test_unknown_formats_and_existing_files_are_refused(tmp_path):
     mesh = TriangleMesh(*TETRAHEDRON)
     with pytest.raises(FileError, match=r"written to \.ply, \.obj, \.stl, \.off, \.glb, \.gltf, not to \.fbx"):
         write_triangle_mesh(tmp_path / "mesh.fbx", mesh)
-    with pytest.raises(FileError, match=r"read from \.ply, \.obj, \.stl, \.off, \.glb, not from no extension"):
+    with pytest.raises(FileError, match=r"read from \.ply, \.obj, \.stl, \.off, \.glb, \.gltf, not from no extension"):
         read_triangle_mesh(tmp_path / "mesh")
     write_triangle_mesh(tmp_path / "mesh.ply", mesh)
     with pytest.raises(FileError):
