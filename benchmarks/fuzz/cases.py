@@ -18,6 +18,7 @@ from typing import Any
 import mutations
 import numpy as np
 import oracles
+import other_cases
 import ply_oracle
 
 from pointloom.files.meshes.obj import read_obj, write_obj
@@ -210,6 +211,7 @@ def _some_corners(rng: random.Random, data: bytes) -> bytes:
 
 
 CASES = [
+    *(Case(*other) for other in other_cases.OTHERS),
     Case("OBJ", ".obj", _obj, mutations.text, read_obj, oracles.obj),
     Case("OBJ corners", ".obj", _obj, _some_corners, read_obj, oracles.obj),
     Case("OFF", ".off", _off, mutations.text, read_off, oracles.off),
