@@ -187,6 +187,23 @@ class LineSet(Movable):
         """A set without points and lines: `lines = lines.clear()`."""
         return LineSet(np.zeros((0, 3)), np.zeros((0, 2), np.int32))
 
+    def __add__(self, other: LineSet) -> LineSet:
+        """Both sets as one; colours stay where both have some.
+
+        Example:
+            >>> import pointloom as loom
+            >>> line = loom.LineSet([[0, 0, 0], [1, 0, 0]], [[0, 1]])
+            >>> (line + line).lines.tolist()
+            [[0, 1], [2, 3]]
+        """
+        if not isinstance(other, LineSet):
+            return NotImplemented
+        colors = None
+        if self.colors is not None and other.colors is not None:
+            colors = np.concatenate([self.colors, other.colors])
+        lines = np.concatenate([self.lines, other.lines + len(self.points)])
+        return LineSet(np.concatenate([self.points, other.points]), lines, colors)
+
     def get_line_coordinate(self, line_index: int) -> tuple[Rows, Rows]:
         """The two ends of a line, shape [3] each [m]."""
         if check_count("line_index", line_index, minimum=0) >= len(self.lines):

@@ -115,7 +115,8 @@ def cameras() -> list[bytes]:
 
 def metashapes() -> list[bytes]:
     """Two cameras of one sensor."""
-    camera = b'<camera id="%d" sensor_id="0" label="p%d.jpg"><transform>1 0 0 %d 0 1 0 0 0 0 1 2 0 0 0 1</transform></camera>'
+    pose = b"<transform>1 0 0 %d 0 1 0 0 0 0 1 2 0 0 0 1</transform>"
+    camera = b'<camera id="%d" sensor_id="0" label="p%d.jpg">' + pose + b"</camera>"
     sensor = (
         b'<sensor id="0" label="s" type="frame"><resolution width="640" height="480"/><calibration type="frame" '
         b'class="adjusted"><resolution width="640" height="480"/><f>525</f><cx>1</cx><cy>-2</cy><k1>0.01</k1>'

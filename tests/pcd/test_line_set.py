@@ -91,3 +91,13 @@ def test_lines_between_points_that_do_not_exist_are_refused(lines, message):
 def test_points_that_are_not_finite_are_refused():
     with pytest.raises(ValueError, match="points: expected finite coordinates, got 1 points without"):
         loom.LineSet([[0, 0, 0], [np.nan, 1, 1]], [[0, 1]])
+
+
+def test_two_sets_are_one_and_colours_stay_where_both_have_some():
+    plain = loom.LineSet([[0, 0, 0], [1, 0, 0]], [[0, 1]])
+    red = plain.paint_uniform_color([1, 0, 0])
+    both = red + red
+    assert both.lines.tolist() == [[0, 1], [2, 3]] and both.colors.tolist() == [[1, 0, 0]] * 2
+    assert (red + plain).colors is None and len((plain + plain).points) == 4
+    with pytest.raises(TypeError):
+        plain + [1, 2, 3]
