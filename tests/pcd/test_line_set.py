@@ -100,4 +100,4 @@ def test_two_sets_are_one_and_colours_stay_where_both_have_some():
     assert both.lines.tolist() == [[0, 1], [2, 3]] and both.colors.tolist() == [[1, 0, 0]] * 2
     assert (red + plain).colors is None and len((plain + plain).points) == 4
     with pytest.raises(TypeError):
-        plain + [1, 2, 3]
+        plain + red.points
