@@ -2,7 +2,7 @@
 
 What is compiled for the first time on a machine, and how far a call is that takes long, are records at level INFO.
 Where nobody has configured Python's logging they are shown on stderr, which a notebook shows below its cell; where
-somebody has, they are his, and nothing is printed besides.
+somebody has, they are his, and nothing is printed besides. POINTLOOM_VERBOSITY=warning silences a process from outside.
 """
 
 from __future__ import annotations
@@ -10,6 +10,7 @@ from __future__ import annotations
 import contextlib
 import enum
 import logging
+import os
 import sys
 import time
 from collections.abc import Iterator
@@ -42,6 +43,10 @@ LEVELS = {
 }
 
 
+VARIABLE = "POINTLOOM_VERBOSITY"  # error, warning, info or debug: for a process whose script says nothing of it
+_BY_NAME = {level.name.lower(): number for level, number in LEVELS.items()}
+
+
 class Lines(logging.Handler):
     """Lines on stderr, where no other handler would show them."""
 
@@ -69,7 +74,7 @@ def start() -> None:
     if _lines not in LOGGER.handlers:
         LOGGER.addHandler(_lines)
         if LOGGER.level == logging.NOTSET and not logging.root.handlers:
-            LOGGER.setLevel(logging.INFO)
+            LOGGER.setLevel(_BY_NAME.get(os.environ.get(VARIABLE, "").lower(), logging.INFO))
 
 
 def set_verbosity_level(verbosity_level: VerbosityLevel) -> None:

@@ -8,6 +8,7 @@ first GPU where there is one. Without a GPU its runs there are left out, and one
 from __future__ import annotations
 
 import importlib.util
+import logging
 import os
 import sys
 import textwrap
@@ -23,6 +24,10 @@ import pytest
 from . import choice
 from .cpu_seconds import CpuSeconds
 from .emulated_cuda import plugin as emulated_cuda
+
+# Of processes that tests start, whose first use of a kernel is told on stderr otherwise; here it is as users have it.
+os.environ.setdefault("POINTLOOM_VERBOSITY", "warning")
+logging.getLogger("pointloom").setLevel(logging.INFO)
 
 asked_for_device = False
 

@@ -263,7 +263,7 @@ def test_normals_turn_to_the_side_asked_for(tmp_path, rng, device, options, side
 def test_a_radius_without_neighbours_is_a_poor_result(cloud, tmp_path):
     result = run("normals", cloud, tmp_path / "out.ply", "--radius", "0.0001")
     assert result.exit_code == 3
-    assert "take a larger --radius" in result.stderr and "radius: 0.0001 m finds 0 other points" in result.stderr
+    assert "take a larger --radius" in result.stderr and "warning" not in result.stderr  # once is enough
     assert "out.ply" in result.stdout
 
 

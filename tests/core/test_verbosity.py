@@ -1,6 +1,7 @@
 """What the library says is seen where nobody has configured logging, and is the program's own where somebody has."""
 
 import logging
+import os
 import subprocess
 import sys
 
@@ -24,7 +25,9 @@ logging.getLogger("pointloom").debug("details")
 
 
 def said_by(begin):
-    run = subprocess.run([sys.executable, "-c", SCRIPT.format(begin=begin)], capture_output=True, text=True, check=True)
+    command = [sys.executable, "-c", SCRIPT.format(begin=begin)]
+    settings = {name: value for name, value in os.environ.items() if name != "POINTLOOM_VERBOSITY"}
+    run = subprocess.run(command, capture_output=True, text=True, check=True, env=settings)
     assert run.stdout == ""
     return run.stderr
 
@@ -97,3 +100,11 @@ def test_a_closed_stderr_is_nobody_to_tell(monkeypatch, capsys):
     monkeypatch.setattr(verbosity.sys, "stderr", None)
     cloud.cluster_dbscan(2.0, 2, print_progress=True)
     assert capsys.readouterr().out == ""
+
+
+@pytest.mark.parametrize(("given", "level"), [("error", "Error"), ("DEBUG", "Debug"), ("loud", "Info"), ("", "Info")])
+def test_the_environment_says_how_much_is_said(given, level):
+    program = "import pointloom as loom; loom.PointCloud([[0, 0, 0]]); print(loom.get_verbosity_level().name)"
+    command = [sys.executable, "-c", "from pointloom.core import verbosity; verbosity.start(); " + program]
+    settings = os.environ | {"POINTLOOM_VERBOSITY": given}
+    assert subprocess.run(command, capture_output=True, text=True, check=True, env=settings).stdout.strip() == level

@@ -363,6 +363,7 @@ MAY_BE_INFINITE = {"invalid_fill"}
 ALSO = {
     "NearestNeighborSearch": "points",
     "PointCloud.array": "the cloud has no",
+    "TriangleMesh": "one row a triangle",
     "TriangleMesh.array": "this mesh has",
     "RaycastingScene.add_triangles": "points",
 }

@@ -55,7 +55,7 @@ def start(program, cache, **settings):
 def finished(process):
     out, err = process.communicate(timeout=300)
     assert process.returncode == 0, err[-2000:]
-    assert err == ""
+    assert not [line for line in err.splitlines() if not line.startswith("pointloom: compil")]  # which a script is told
     return json.loads(out)
 
 

@@ -193,7 +193,8 @@ def test_kernels_compile_in_whatever_thread_asks_for_them_first(run):
         assert len(done) == 4
         """
     )
-    assert (done.returncode, done.stderr) == (0, "")
+    said = [line for line in done.stderr.splitlines() if not line.startswith("pointloom: compil")]
+    assert (done.returncode, said) == (0, [])
 
 
 @pytest.mark.slow
