@@ -9,6 +9,7 @@ from __future__ import annotations
 import base64
 import contextlib
 import json
+import re
 import tempfile
 import warnings
 from collections.abc import Callable
@@ -136,6 +137,8 @@ def sound_mesh(path: Path, mesh: MeshTable) -> str | None:
         return "triangles that name no vertex"
     if mesh.triangle_uvs is not None and np.shape(mesh.triangle_uvs) != (3 * len(triangles), 2):
         return "texture coordinates of another number"
+    if re.search(rb'"mode"\s*:\s*[56]\b', path.read_bytes()):  # strips and fans, which trimesh has its own way with
+        return None
     theirs = _by_trimesh(path)
     if theirs is None or len(theirs) == 0:
         return None
