@@ -44,7 +44,8 @@ class Visitor:
     def __init__(self, viewer: Viewer, open_page: Callable[..., Any], color: tuple[int, int, int] = BLUE):
         known = set(viewer.sessions)
         self.page = open_page(viewer.url, width=1280, height=800)
-        self.picture = wait_for_picture(self.page, lambda image: count_pixels(image, color) > 1000)
+        wait_for_picture(self.page, lambda image: count_pixels(image, color) > 1000)
+        self.picture = wait_until_still(self.page)  # the first may come before the camera has its place
         (self.session,) = (session for number, session in viewer.sessions.items() if number not in known)
         self.box = self.session._toolbox
 
