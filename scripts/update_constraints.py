@@ -9,8 +9,8 @@ takes the package index from its own settings). Versions that the files hold alr
 upgrade is asked for. Only hashes of wheels that these machines can install are kept, and no address of an index.
 
 The files build on each other: runtime.txt (with the build backend, for the editable install), test.txt (tests, lint,
-types), bench.txt (the peers that the benchmarks compare with). The Makefile installs them as they stand, without pip's
-resolver, and then has `pip check` look for what they lack.
+types, the site), bench.txt (the peers that the benchmarks compare with). The Makefile installs them as they stand,
+without pip's resolver, and then has `pip check` look for what they lack.
 """
 
 from __future__ import annotations
@@ -35,10 +35,10 @@ PYTHONS = ((3, 11), (3, 12), (3, 13), (3, 14))
 GLIBC_MINOR = 35  # glibc 2.35 is Ubuntu 22.04's; Debian 12 has 2.36
 
 # file -> the dependency groups that it adds to the file before it
-LAYERS = {"runtime": (), "test": ("test", "lint"), "bench": ("bench",)}
+LAYERS = {"runtime": (), "test": ("test", "lint", "docs"), "bench": ("bench",)}
 TITLES = {
     "runtime": "What pointloom runs on, and the build backend that installs it from a checkout.",
-    "test": "Tests, lint and types.",
+    "test": "Tests, lint, types and the site.",
     "bench": "The libraries that the benchmarks compare with.",
 }
 
