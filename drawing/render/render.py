@@ -15,6 +15,7 @@ from ...core.array_libraries import view_as
 from ...core.checks import check_color, check_list, check_name, check_shape, shown
 from ...core.devices import resolve_device
 from ...core.told_arguments import told_arguments
+from ...core.units import asked_by_user, warn_of_units
 from ...kernels.drawing.placing import make_normal_lines
 from ...kernels.lang import vec3, vec3i
 from ...kernels.memory import download, empty
@@ -127,6 +128,9 @@ def render(
             for parts, (_, _, style) in zip(groups, named, strict=True)
         ]
     parts = [part for group in groups for part in group]
+    if asked_by_user() and not any(part.positions.size for part in parts):
+        has = "a geometry without points or faces" if named else "an empty list"
+        warn_of_units(f"geometries: nothing to draw in {has}, so that the picture is empty", UserWarning)
     if point_show_normal:
         parts += _normals_of(parts)
     scene = Scene(parts, place)

@@ -119,7 +119,8 @@ class Poisson(MeshArrays):
             (True, True)
         """
         check_cloud("cloud", cloud)
-        points, normals = cloud.device_array("points"), cloud.required_array("normals", "call estimate_normals() first")
+        normals = cloud.required_array("normals", "call cloud = cloud.estimate_normals()")
+        points = cloud.device_array("points")
         deepest = check_count("depth", depth, minimum=MIN_DEPTH, maximum=MAX_DEPTH, because="codes of cells end there")
         edge, cell = check_positive("scale", scale), check_positive("width", width, allow_zero=True)
         pull = check_positive("point_weight", point_weight, allow_zero=True, maximum=MAX_POINT_WEIGHT)
