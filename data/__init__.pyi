@@ -5,4 +5,5 @@ from .made.results import PosedScans as PosedScans
 from .made.room import room_cloud as room_cloud
 from .made.room import room_frames as room_frames
 from .made.room import room_mesh as room_mesh
+from .made.street import street_scans as street_scans
 from .scenes.room import RoomFrame as RoomFrame
