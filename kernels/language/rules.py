@@ -58,11 +58,12 @@ PYTHON_NAMES = {"range", "min", "max", "abs", "int", "float", "bool", "True", "F
 RESERVED = {"ti", "wp"}
 # Words of C++ that are names in Python: Warp's C++ has the parameters of a kernel under their own names.
 CPP_WORDS = frozenset(
-    "alignas alignof and_eq asm auto bitand bitor case catch char16_t char32_t compl concept const consteval constexpr "
-    "constinit const_cast decltype default delete do double dynamic_cast enum explicit export extern friend goto inline "
-    "long mutable namespace new noexcept not_eq operator or_eq private protected public register reinterpret_cast "
-    "requires short signed sizeof static static_assert static_cast struct switch template this thread_local throw "
-    "typedef typeid typename union unsigned using virtual void volatile wchar_t xor xor_eq char float int bool".split()
+    "alignas alignof and_eq asm auto bitand bitor case catch char16_t char32_t compl concept const consteval "
+    "constexpr constinit const_cast decltype default delete do double dynamic_cast enum explicit export extern friend "
+    "goto inline long mutable namespace new noexcept not_eq operator or_eq private protected public register "
+    "reinterpret_cast requires short signed sizeof static static_assert static_cast struct switch template this "
+    "thread_local throw typedef typeid typename union unsigned using virtual void volatile wchar_t xor xor_eq char "
+    "float int bool".split()
 )
 
 
