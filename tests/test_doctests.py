@@ -10,20 +10,8 @@ import pytest
 
 PACKAGE = Path(__file__).parents[1]
 FOLDERS = (
-    *(
-        "core",
-        "cameras",
-        "pcd",
-        "files",
-        "registration",
-        "meshing",
-        "rgbd",
-        "drawing",
-        "photos",
-        "data",
-        "app",
-        "bridge",
-    ),
+    *("core", "cameras", "pcd", "files", "registration", "meshing", "rgbd", "drawing", "photos"),
+    *("data", "app", "bridge"),
 )
 IMPORTED = {"bridge": "open3d"}  # houses that are imported by another name
 MODULES = sorted(
