@@ -24,7 +24,8 @@ FLOORS = [
     ["registration", "meshing"],
     ["rgbd", "drawing"],
     ["photos"],
-    ["app"],
+    ["data"],
+    ["app", "bridge"],
 ]
 HOUSES = [house for floor in FLOORS for house in floor]
 MAY_IMPORT = {
@@ -47,7 +48,9 @@ ROOMS = {
     "rgbd": ["odometry", "slam", "fusion", "reconstruction"],
     "drawing": ["render", "recording", "viewer"],
     "photos": ["sfm", "mvs", "depth", "video"],
-    "app": ["scenes", "jobs", "demos", "shell"],
+    "data": ["scenes", "made"],
+    "app": ["jobs", "demos", "shell"],
+    "bridge": ["utility", "camera", "geometry"],
 }
 
 # lang.py and memory.py hand on what rooms below all others hold; check_cuda.py and cuda_cache.py look at every room.
