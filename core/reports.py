@@ -6,6 +6,7 @@ import dataclasses
 from collections.abc import Iterable
 from typing import Any
 
+from .html_tables import html_table
 from .wording import plain
 
 # Labels and values, as people read them; a value may have several lines.
@@ -35,6 +36,11 @@ class Report:
 
     def __str__(self) -> str:
         return in_columns(self.fields())
+
+    def _repr_html_(self) -> str:
+        """The report in a notebook: its labels and values in a table."""
+        rows = self.fields()
+        return html_table(type(self).__name__, rows if self.note is None else [*rows, ("note", self.note)])
 
 
 def values_of(report: Any) -> dict[str, Any]:

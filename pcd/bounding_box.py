@@ -10,6 +10,7 @@ from ..core.array_libraries import hand_out, hand_out_host, library_of
 from ..core.checks import check_rows, check_shape, is_on_gpu
 from ..core.devices import resolve_device
 from ..core.gpu_arrays import take_points
+from ..core.html_tables import html_table
 from ..core.known_names import KnownNames
 from ..kernels.arrays.select import positions_of
 from .point_arrays import PointArrays, read_only
@@ -20,6 +21,19 @@ class BoundingBox(KnownNames):
 
     def __init__(self, color: ArrayLike):
         self.color = color
+
+    def _repr_html_(self) -> str:
+        """The box in a notebook: where it lies and how long its sides are."""
+        sides = {"center [m]": self.get_center(), "sides [m]": self.get_extent()}
+        return html_table(type(self).__name__, ((name, np.round(row, 6).tolist()) for name, row in sides.items()))
+
+    def get_center(self) -> NDArray[np.float64]:
+        """The middle [m], shape [3]."""
+        raise NotImplementedError
+
+    def get_extent(self) -> NDArray[np.float64]:
+        """Lengths of the sides [m], shape [3]."""
+        raise NotImplementedError
 
     @property
     def color(self) -> NDArray[np.float64]:

@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 from ..cameras.camera import PinholeCameraIntrinsic
 from ..core.checks import check_count, check_positive, check_rigid, check_rows, check_shape, check_transformation
 from ..core.dropped_results import returns_new
+from ..core.html_tables import array_type, html_table
 from ..core.yes_or_no import YesOrNo
 from .boxes import AxisAlignedBoundingBox, OrientedBoundingBox
 from .motion import Movable
@@ -158,6 +159,11 @@ class LineSet(Movable):
 
     def __repr__(self) -> str:
         return f"LineSet({len(self.points)} points, {len(self.lines)} lines)"
+
+    def _repr_html_(self) -> str:
+        """The lines in a notebook: what they hold, a row each."""
+        held = {"points": self.points, "lines": self.lines, "colors": self.colors}
+        return html_table(repr(self), ((n, array_type(np.asarray(v))) for n, v in held.items() if v is not None))
 
     def __len__(self) -> int:
         return len(self.lines)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterator
-from html import escape
 from typing import Any, Self
 
 import numpy as np
@@ -17,6 +16,7 @@ from ..core.coordinates import quiet, split_origin
 from ..core.devices import resolve_device
 from ..core.dropped_results import returns_new
 from ..core.gpu_arrays import take_colors, take_column, take_points, take_vectors
+from ..core.html_tables import array_type, html_table
 from ..kernels.lang import vec3
 from ..kernels.language.device_lock import turn_on
 from ..kernels.memory import download, move, upload
@@ -50,8 +50,7 @@ class PointArrays(InUnit, CloudQuestions):
 
     def _repr_html_(self) -> str:
         """The cloud in a notebook: what it holds, a row each."""
-        rows = [f"<tr><td>{escape(n)}</td><td>{_type_of(a)}</td></tr>" for n, a in self._arrays.items()]
-        return f"<table><caption>{escape(repr(self))}</caption>{''.join(rows)}</table>"
+        return html_table(repr(self), ((name, array_type(values)) for name, values in self._arrays.items()))
 
     @property
     def device(self) -> Any:
@@ -385,8 +384,3 @@ def read_only(array: NDArray[Any]) -> NDArray[Any]:
     """The array, which cannot be written to from now on."""
     array.flags.writeable = False
     return array
-
-
-def _type_of(array: wp.array) -> str:
-    kind = wp.dtype_to_numpy(getattr(array.dtype, "_wp_scalar_type_", array.dtype))
-    return f"{np.dtype(kind)} {[*array.shape, *getattr(array.dtype, '_shape_', ())]}"

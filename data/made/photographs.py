@@ -14,6 +14,7 @@ from ...kernels.memory import download, upload
 from ...kernels.scenes.color_noise import measure_colors
 from ...kernels.scenes.value_noise import grain_pixels
 from ...meshing.mesh.mesh import TriangleMesh
+from ...meshing.scene.raycasting_scene import RaycastingScene
 from ..kept import Arrays, kept
 from .objects import object_mesh
 from .results import PosedPictures
@@ -27,6 +28,7 @@ GRAIN_SCALE = 10.0  # the grain of rooms, 12 cm to 15 mm, becomes 12 to 1.5 mm
 COLOR_NOISE = 1.0  # [of 255] standard deviation, as of a photograph in good light
 LIGHT = np.array([0.45, -0.55, 0.7]) / np.linalg.norm([0.45, -0.55, 0.7])
 AMBIENT = 0.55
+ABOVE = 0.0008  # [m] off the surface begin the rays that look for the light
 
 
 def photographs(count: int = 12, *, seed: int = 0) -> PosedPictures:
@@ -63,7 +65,7 @@ def photographs(count: int = 12, *, seed: int = 0) -> PosedPictures:
         stage = _stage()
         scene = scene_of(stage)
         views = [view_mesh(stage, scene, CAMERA, T) for T in poses]
-        pictures = [_picture(view, T, seed, k) for k, (view, T) in enumerate(zip(views, poses, strict=True))]
+        pictures = [_picture(view, scene, T, seed, k) for k, (view, T) in enumerate(zip(views, poses, strict=True))]
         return {"pictures": np.array(pictures), "depths": np.array([view.depth for view in views], np.float32)}
 
     found = kept("photographs", {"count": count, "seed": seed}, make)
@@ -84,9 +86,14 @@ def _stage() -> TriangleMesh:
     return figure + cloth
 
 
-def _picture(view: MeshView, T: NDArray[np.float64], seed: int, frame: int) -> NDArray[np.uint8]:
-    """What the sensor measures: colour by light and grain, with noise."""
-    light = AMBIENT + (1 - AMBIENT) * np.clip(view.normals @ LIGHT, 0, 1)
+def _picture(
+    view: MeshView, scene: RaycastingScene, T: NDArray[np.float64], seed: int, frame: int
+) -> NDArray[np.uint8]:
+    """What the sensor measures: colour by light, shadow and grain, with noise."""
+    off = view.points + ABOVE * view.normals
+    rays = np.concatenate([off, np.broadcast_to(LIGHT, off.shape)], axis=-1)
+    lit = ~scene.test_occlusions(rays)
+    light = AMBIENT + (1 - AMBIENT) * np.clip(view.normals @ LIGHT, 0, 1) * lit
     colors = np.where(view.depth[..., None] > 0, view.colors * light[..., None], (0.80, 0.82, 0.85))
     flat = upload(np.rint(255 * np.clip(colors, 0, 1)).astype(np.uint8).reshape(-1), uint8, "cpu")
     depth = upload((GRAIN_SCALE * view.depth).astype(np.float32).reshape(-1), float32, "cpu")

@@ -25,7 +25,8 @@ from ..scenes.room_paths import film_pose, look_along, room_pose, round_pose
 FRAMES_OF_A_ROUND = 120  # of `room_frames`: 3 degrees and some 7 cm apart
 FIRST_FRAME = 44  # of the round: looks at the sofa
 GRAIN = 0.25  # share of the surfaces' full grain: enough to match pictures by, and walls still look painted
-VIEWS = 96  # of the cloud and the mesh
+VIEWS = 100  # of the cloud and the mesh
+CORNERS = ((4.5, 3.6), (4.6, 0.5), (0.4, 0.7), (0.4, 3.6))  # [m] x and y of views down from near the corners
 VIEW_SIZE = (320, 240)  # [px]
 FARTHEST = 6.0  # [m] no two walls are farther apart
 SCAN_NOISE = 0.0015  # [m] standard deviation of the cloud's points before they are thinned
@@ -170,13 +171,22 @@ def _views() -> Iterator[RoomFrame]:
 
 
 def _survey_pose(index: int) -> NDArray[np.float64]:
-    share, kind = index / VIEWS, index % 4
+    """Five ways by turns: two walks, near the ceiling and near the floor all round, and from the corners down."""
+    share, kind = index / VIEWS, index % 5
     if kind < 2:
         return (room_pose, round_pose)[kind](share)
-    yaw = 4 * math.pi * share
-    height, pitch = ((2.35, -0.75), (0.5, 0.1))[kind - 2]
-    eye = np.array([SIZE[0] / 2 - 1.6 * math.cos(yaw), SIZE[1] / 2 - 1.2 * math.sin(yaw), height])
-    return look_along(eye, (math.cos(yaw) * math.cos(pitch), math.sin(yaw) * math.cos(pitch), math.sin(pitch)))
+    if kind == 4:
+        x, y = CORNERS[index // 5 % 4]
+        turn = (index // 20 % 5 - 2) * 0.3
+        yaw, height, pitch = math.atan2(SIZE[1] / 2 - y, SIZE[0] / 2 - x) + turn, 2.25, -0.75
+    else:
+        yaw, (wide, deep, height, pitch) = (
+            4 * math.pi * share,
+            ((1.6, 1.2, 2.35, -0.75), (0.9, 0.8, 0.6, 0.05))[kind - 2],
+        )
+        x, y = SIZE[0] / 2 - wide * math.cos(yaw), SIZE[1] / 2 - deep * math.sin(yaw)
+    way = (math.cos(yaw) * math.cos(pitch), math.sin(yaw) * math.cos(pitch), math.sin(pitch))
+    return look_along(np.array([x, y, height]), way)
 
 
 def _seen_points(frame: RoomFrame) -> PointCloud:

@@ -23,12 +23,14 @@ class MeshView:
         colors: Of the mesh there, 0 to 1, float64 [h, w, 3].
         normals: Of the triangle, in the world, float64 [h, w, 3].
         cosine: Between view and normal, float64 [h, w].
+        points: In the world [m], float64 [h, w, 3]; the camera's place where there is nothing.
     """
 
     depth: NDArray[np.float64]
     colors: NDArray[np.float64]
     normals: NDArray[np.float64]
     cosine: NDArray[np.float64]
+    points: NDArray[np.float64]
 
 
 def scene_of(mesh: TriangleMesh) -> RaycastingScene:
@@ -71,4 +73,6 @@ def view_mesh(
     colors = (mesh.vertex_colors[corners] * weights).sum(axis=-2) * seen[..., None]
     normals = met["primitive_normals"].astype(np.float64)
     cosine = np.abs((ways * normals).sum(axis=-1)) / np.linalg.norm(ways, axis=-1)
-    return MeshView(np.where(seen, met["t_hit"], 0.0), colors, normals, cosine)
+    depth = np.where(seen, met["t_hit"], 0.0)
+    points = T_world_camera[:3, 3] + ways * depth[..., None]
+    return MeshView(depth, colors, normals, cosine, points)

@@ -117,7 +117,7 @@ def render(
         raise ValueError(f"shading: expected one of {', '.join(SHADINGS)} or None, got {shown(shading)}")
     named = named_geometries(geometries)
     check_units(geometry for _, geometry, _ in named)
-    place = _device_of(named, device)
+    place = device_of(named, device)
     for_all = Style(point_size=point_size, wireframe=mesh_show_wireframe or None, back_faces=mesh_show_back_face)
     texts = _check_labels(labels)
     entries = _check_legend(legend)
@@ -207,7 +207,8 @@ def _shaded(part: Part, shading: str) -> Part:
     return dataclasses.replace(part, normals=normals, lit=True)
 
 
-def _device_of(named: Sequence[Named], device: Any) -> Any:
+def device_of(named: Sequence[Named], device: Any) -> Any:
+    """The device to draw on: the one given, else that of the first geometry that lies on one."""
     if device is None:
         held = (getattr(geometry, "device", None) for _, geometry, _ in named)
         device = next((each for each in held if hasattr(each, "is_cuda")), None)

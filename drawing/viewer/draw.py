@@ -12,7 +12,8 @@ from ...core.checks import check_count
 from ...core.errors import PointloomError
 from ...core.told_arguments import told_arguments
 from ..render.geometries import Named, named_geometries
-from .notebook import StillPicture, in_notebook
+from .inline import InlinePage, inline_page, wants_inline
+from .notebook import in_notebook
 from .viewer import MOST_POINTS, Viewer
 
 
@@ -38,12 +39,13 @@ def draw(
     max_points: int = MOST_POINTS,
     block: bool | None = None,
     open_browser: bool = True,
-) -> Viewer | StillPicture:
+    inline: bool | None = None,
+) -> Viewer | InlinePage:
     """Show geometries in the browser, on this machine or over SSH on another one, or in a notebook.
 
     From a script it says on stderr where the page is, opens a browser where there is a display, and returns when the
     last page has been closed for five seconds, or with Ctrl-C. In a notebook it returns at once and the cell shows the
-    page.
+    page: live where the browser can reach a server of this machine, else as a page of its own inside the notebook.
 
     Args:
         geometries: One, a list, a mapping of names to geometries, or dictionaries as Open3D's `draw` takes; all that
@@ -59,14 +61,18 @@ def draw(
         max_points: Of all clouds together in a page.
         block: Whether to wait; None waits but in a notebook.
         open_browser: Open a browser where there is a display.
+        inline: Put the scene itself into the notebook, in at most 4 MB (clouds sampled, meshes simplified; what is
+            shown says so), and start no server: it can be turned and zoomed wherever the notebook is read. None does
+            that in a notebook on Colab, Kaggle, JupyterHub, Binder, Databricks, in VS Code or reached over SSH, unless
+            the environment variable POINTLOOM_INLINE says 1 (always) or 0 (never).
 
     Returns:
-        The viewer, closed where `draw` waited. In a notebook where no server can run, a still picture.
+        The viewer, closed where `draw` waited. Inline, and in a notebook where no server can run, an `InlinePage`.
 
     Raises:
         TypeError: A geometry of no known kind; says what is accepted.
         ValueError: A parameter out of range.
-        PointloomError: The extra is not installed (but in a notebook), with the line that installs it.
+        PointloomError: The extra is not installed (but in a notebook and inline), with the line that installs it.
 
     Example:
         >>> import pointloom as loom
@@ -78,12 +84,15 @@ def draw(
     size = (check_count("width", width), check_count("height", height))
     view = {"zoom": zoom, "front": front, "lookat": lookat, "up": up, "field_of_view": field_of_view}
     notebook = in_notebook()
+    reason = wants_inline(inline, notebook=notebook and not block)
+    if reason is not None:
+        return inline_page(named, view, size, window_name, max_points, reason)
     try:
         viewer = Viewer(port=port, host=host, title=window_name, max_points=max_points, size=size)
     except PointloomError as error:
         if not notebook:
             raise
-        return _still(named, view, size, str(error))
+        return inline_page(named, view, size, window_name, max_points, str(error))
     try:
         if any(value is not None for value in view.values()):
             viewer.set_view({name: value for name, value in view.items() if value is not None})
@@ -147,12 +156,3 @@ def _with_back_faces(named: list[Named], shown: bool) -> list[Named]:
         (name, geometry, style if style.back_faces is not None else dataclasses.replace(style, back_faces=shown))
         for name, geometry, style in named
     ]
-
-
-def _still(named: list[Named], view: dict[str, Any], size: tuple[int, int], reason: str) -> StillPicture:
-    """The picture that the viewer would have begun with."""
-    from ..render.render import render
-    from .stills import as_entry
-
-    camera = {name: value for name, value in view.items() if value is not None} or None
-    return StillPicture(render([as_entry(one) for one in named], camera=camera, size=size), reason)

@@ -5,7 +5,6 @@ from __future__ import annotations
 import base64
 import html
 import sys
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,6 +18,24 @@ def in_notebook() -> bool:
     """Whether this runs in the kernel of a notebook, which shows what a cell ends with."""
     shell = getattr(sys.modules.get("IPython"), "get_ipython", lambda: None)()
     return type(shell).__name__ == "ZMQInteractiveShell" or getattr(shell, "kernel", None) is not None
+
+
+def page_frame_html(page: str, notes: list[str], picture: NDArray[np.uint8], height: int) -> str:
+    """A frame that holds a whole page, what is to be said of it below, and a still picture of it.
+
+    The page is sealed off from the notebook: it may run its own script and nothing else.
+    """
+    words = "".join(f"<p><small>{html.escape(note)}</small></p>" for note in notes)
+    return (
+        f'<iframe srcdoc="{html.escape(page, quote=True)}" sandbox="allow-scripts" width="100%" '
+        f'height="{int(height)}" style="border:0" allow="fullscreen"></iframe>'
+        f"{words}<details><summary>{_STILL}</summary>{_image(picture)}</details>"
+    )
+
+
+def still_html(picture: NDArray[np.uint8], notes: list[str]) -> str:
+    """A picture, and what is to be said of it below."""
+    return _image(picture) + "".join(f"<p><small>{html.escape(note)}</small></p>" for note in notes)
 
 
 def frame_html(url: str, ssh_line: str, picture: NDArray[np.uint8] | None, height: int) -> str:
@@ -35,23 +52,3 @@ def frame_html(url: str, ssh_line: str, picture: NDArray[np.uint8] | None, heigh
 def _image(picture: NDArray[np.uint8]) -> str:
     data = base64.b64encode(encode_png(picture)).decode()
     return f'<img alt="" style="max-width:100%" src="data:image/png;base64,{data}">'
-
-
-class StillPicture:
-    """What `draw` gives a notebook where no server can run: the picture that the viewer would begin with.
-
-    Attributes:
-        picture: Shape [h, w, 3], uint8.
-        reason: Why there is no viewer.
-    """
-
-    def __init__(self, picture: NDArray[np.uint8], reason: str):
-        self.picture, self.reason = picture, reason
-
-    def __repr__(self) -> str:
-        return f"StillPicture({self.picture.shape[1]} x {self.picture.shape[0]}; {self.reason})"
-
-    def _repr_mimebundle_(self, include: Any = None, exclude: Any = None) -> dict[str, Any]:
-        note = f"<p><small>{html.escape(self.reason)}</small></p>"
-        encoded = base64.b64encode(encode_png(self.picture)).decode()
-        return {"text/plain": repr(self), "image/png": encoded, "text/html": _image(self.picture) + note}

@@ -69,7 +69,7 @@ def write_geometries(
     background: Any = (1.0, 1.0, 1.0),
     title: str = "pointloom",
     overwrite: bool = True,
-) -> None:
+) -> dict[str, tuple[int, int]]:
     """Geometries as one page that needs no server.
 
     Args:
@@ -80,6 +80,9 @@ def write_geometries(
         background: Red, green and blue, 0 to 1.
         title: Of the page.
         overwrite: Replace a file that exists.
+
+    Returns:
+        Of each name how many points and vertices the page holds, and how many there are.
 
     Raises:
         FileError: The place cannot be written.
@@ -102,6 +105,7 @@ def write_geometries(
         shown[name] = Placed(numbers, pose_about(drawn.pose, drawn.origin, origin))
     timeline = Timeline(origin, store.shapes, [Frame(shown)], title=title)
     write_page(path, timeline, view=view, background=tuple(background), overwrite=overwrite)
+    return {name: (drawn.drawn, drawn.total) for name, drawn in sketches.items()}
 
 
 def as_entry(named: Named) -> dict[str, Any]:

@@ -6,6 +6,7 @@ import numpy as np
 import warp as wp
 from numpy.typing import NDArray
 
+from ...core.html_tables import array_type, html_table
 from ...core.known_names import KnownNames
 from ...core.yes_or_no import YesOrNo
 
@@ -14,10 +15,18 @@ class MeshQuestions(KnownNames):
     """Questions that are answered with and without a call: `mesh.has_textures`, `mesh.has_textures()`."""
 
     _arrays: dict[str, wp.array]
+    _attributes: dict[str, dict[str, wp.array]]
     _textures: tuple[NDArray[np.uint8], ...]
 
     def __len__(self) -> int:
         return self._arrays["triangles"].size
+
+    def _repr_html_(self) -> str:
+        """The mesh in a notebook: what it holds, a row each."""
+        arrays = [*self._arrays.items()]
+        arrays += [(f"{kind}[{name!r}]", held) for kind, of in self._attributes.items() for name, held in of.items()]
+        arrays += [(f"textures[{number}]", picture) for number, picture in enumerate(self._textures)]
+        return html_table(repr(self), ((name, array_type(values)) for name, values in arrays))
 
     @property
     def has_vertices(self) -> YesOrNo:

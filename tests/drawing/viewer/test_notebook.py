@@ -1,7 +1,8 @@
-"""The viewer in a notebook: shown at once, with a still picture for where no server can run."""
+"""The viewer in a notebook: shown at once, and as a page inside it where no server can run or be reached."""
 
 import base64
 import builtins
+import html
 import io
 import sys
 import types
@@ -12,8 +13,18 @@ from PIL import Image
 
 import pointloom as loom
 from pointloom.drawing.viewer import draw as drawing
-from pointloom.drawing.viewer.notebook import StillPicture, frame_html, in_notebook
+from pointloom.drawing.viewer import inline as inline_module
+from pointloom.drawing.viewer.inline import MOST_BYTES, PLACES, VARIABLE, InlinePage, wants_inline
+from pointloom.drawing.viewer.notebook import frame_html, in_notebook, page_frame_html
 from pointloom.drawing.viewer.server import ViewerError, ViewerExtraError
+
+
+@pytest.fixture(autouse=True)
+def at_home(monkeypatch):
+    """A kernel on the machine of its browser, whatever runs the tests."""
+    for variable, _ in PLACES:
+        monkeypatch.delenv(variable, raising=False)
+    monkeypatch.delenv(VARIABLE, raising=False)
 
 
 @pytest.fixture
@@ -64,14 +75,52 @@ def test_a_notebook_goes_on_at_once_and_shows_the_page(notebook, cloud, capfd):
     assert viewer._repr_mimebundle_() == {"text/plain": repr(viewer)}  # once it is closed
 
 
-def test_a_still_picture_comes_where_the_extra_is_missing(notebook, without_viser, cloud):
-    still = loom.draw([cloud], width=320, height=240, front=[1, 0, 0], up=[0, 0, 1])
-    assert isinstance(still, StillPicture)
-    assert still.picture.shape == (240, 320, 3)
-    shown = still._repr_mimebundle_()
-    assert (pixels_of(shown["image/png"]) == still.picture).all()
-    assert "pip install" in shown["text/html"]
-    assert "<iframe" not in shown["text/html"]
+def page_in(shown):
+    """The page that a frame holds."""
+    inner = shown.partition('srcdoc="')[2].partition('"')[0]
+    return html.unescape(inner)
+
+
+def test_a_page_inside_comes_where_the_extra_is_missing(notebook, without_viser, cloud):
+    page = loom.draw([cloud], width=320, height=240, front=[1, 0, 0], up=[0, 0, 1])
+    assert isinstance(page, InlinePage)
+    shown = page._repr_mimebundle_()
+    assert (pixels_of(shown["image/png"]) == page.picture).all() and page.picture.shape == (240, 320, 3)
+    assert "pip install" in shown["text/html"] and page_in(shown["text/html"]) == page.html
+    assert 'sandbox="allow-scripts"' in shown["text/html"] and "http" not in shown["text/html"].partition("<iframe")[0]
+
+
+@pytest.mark.parametrize("variable", [variable for variable, _ in PLACES])
+def test_where_no_server_is_reached_the_page_lies_inside(notebook, cloud, monkeypatch, variable):
+    monkeypatch.setenv(variable, "1")
+    assert wants_inline(None, notebook=True) and wants_inline(False, notebook=True) is None
+    assert wants_inline(None, notebook=False) is None
+    monkeypatch.setenv(VARIABLE, "0")
+    assert wants_inline(None, notebook=True) is None
+
+
+def test_colab_and_a_wish_put_it_inside_too(notebook, monkeypatch):
+    assert wants_inline(None, notebook=True) is None
+    monkeypatch.setenv(VARIABLE, "1")
+    assert wants_inline(None, notebook=True) and wants_inline(None, notebook=False) is None
+    monkeypatch.setenv(VARIABLE, "yes")
+    with pytest.raises(ValueError, match="POINTLOOM_INLINE: expected 0 or 1, got 'yes'"):
+        wants_inline(None, notebook=True)
+    monkeypatch.delenv(VARIABLE)
+    monkeypatch.setitem(sys.modules, "google.colab", types.ModuleType("google.colab"))
+    assert "Colab" in (wants_inline(None, notebook=True) or "")
+
+
+def test_a_page_inside_is_bounded_and_says_what_it_left_out(cloud, monkeypatch, rng):
+    monkeypatch.setattr(inline_module, "MOST_BYTES", 250_000)
+    many = loom.PointCloud(rng.random((60_000, 3)), colors=rng.random((60_000, 3)))
+    page = loom.draw({"many": many, "few": cloud}, inline=True, width=160, height=120)
+    assert page.html is not None and 100_000 < len(page.html) <= 250_000
+    assert "of 60,000 points" in repr(page) and "MB of this notebook" in repr(page)
+    monkeypatch.setattr(inline_module, "MOST_BYTES", 10_000)  # less than the player
+    page = loom.draw(many, inline=True, width=160, height=120)
+    assert page.html is None and "<iframe" not in page._repr_mimebundle_()["text/html"]
+    assert MOST_BYTES == 4 * 2**20
 
 
 def test_a_script_is_told_what_to_install(without_viser, cloud):
@@ -80,16 +129,33 @@ def test_a_script_is_told_what_to_install(without_viser, cloud):
     assert isinstance(raised.value, ImportError)
 
 
-def test_a_still_picture_comes_where_no_port_is_free(notebook, cloud, monkeypatch):
+def test_a_page_inside_comes_where_no_port_is_free(notebook, cloud, monkeypatch):
     def refuse(**_):
         raise ViewerError("ports 8080 to 8099: all taken")
 
     monkeypatch.setattr(drawing, "Viewer", refuse)
-    still = loom.draw([cloud])
-    assert "all taken" in repr(still)
+    assert "all taken" in repr(loom.draw([cloud], width=160, height=120))
 
 
 def test_what_stands_in_the_frame_is_escaped():
     shown = frame_html('http://x"><script>', "<b>", None, 100)
     assert "<script>" not in shown
     assert "<b>" not in shown
+    inside = page_frame_html('<p title="&quot;">', ["<b>"], np.zeros((2, 2, 3), np.uint8), 100)
+    assert page_in(inside) == '<p title="&quot;">' and "<b>" not in inside
+
+
+def test_printing_costs_a_small_table_and_no_picture(monkeypatch, cloud):
+    def refuse(*_, **__):
+        raise AssertionError("drawn")
+
+    monkeypatch.setattr("pointloom.drawing.render.render.render", refuse)
+    mesh = loom.TriangleMesh.create_box()
+    lines = loom.LineSet.create_from_triangle_mesh(mesh)
+    box = mesh.get_axis_aligned_bounding_box()
+    summary = loom.compare_meshes(mesh, mesh)
+    for shown in (cloud, mesh, lines, box, mesh.get_oriented_bounding_box(), summary):
+        text = shown._repr_html_()
+        assert text.startswith("<table><caption>" + type(shown).__name__) and len(text) < 3000
+    assert "<td>triangles</td><td>int32 [12, 3]</td>" in mesh._repr_html_()
+    assert "<td>sides [m]</td><td>[1.0, 1.0, 1.0]</td>" in box._repr_html_()

@@ -1,0 +1,45 @@
+"""Objects in a notebook as small tables: what they hold, without computing, drawing or copying anything of it.
+
+Printing is what notebooks do unasked, so it must cost nothing: no picture, no wait for a device. `draw` and `render`
+show.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from html import escape
+from typing import Any
+
+MOST_ROWS = 40  # of a table
+MOST_CHARACTERS = 300  # of a value
+
+
+def html_table(caption: str, rows: Iterable[tuple[str, Any]]) -> str:
+    """Names and values as an HTML table of at most 40 rows, escaped.
+
+    Example:
+        >>> html_table("a < b", [("points", "float32 [2, 3]")])
+        '<table><caption>a &lt; b</caption><tr><td>points</td><td>float32 [2, 3]</td></tr></table>'
+    """
+    pairs = [(str(name), str(value)) for name, value in rows]
+    if len(pairs) > MOST_ROWS:
+        pairs = [*pairs[:MOST_ROWS], ("...", f"{len(pairs) - MOST_ROWS} more")]
+    body = "".join(f"<tr><td>{_cell(name)}</td><td>{_cell(value)}</td></tr>" for name, value in pairs)
+    return f"<table><caption>{_cell(caption)}</caption>{body}</table>"
+
+
+def _cell(text: str) -> str:
+    short = text if len(text) <= MOST_CHARACTERS else f"{text[: MOST_CHARACTERS - 3]}..."
+    return escape(short).replace("\n", "<br>")
+
+
+def array_type(array: Any) -> str:
+    """The element type and the shape of a NumPy or Warp array in words."""
+    import numpy as np
+
+    if isinstance(array, np.ndarray):
+        return f"{array.dtype} {list(array.shape)}"
+    import warp as wp
+
+    kind = wp.dtype_to_numpy(getattr(array.dtype, "_wp_scalar_type_", array.dtype))
+    return f"{np.dtype(kind)} {[*array.shape, *getattr(array.dtype, '_shape_', ())]}"

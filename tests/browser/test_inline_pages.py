@@ -1,0 +1,40 @@
+"""The page that a notebook holds, taken out of its cell: it draws and turns in Chromium, and asks for nothing."""
+
+import numpy as np
+
+import pointloom as loom
+
+from .pixels import count_pixels
+
+SETTLED = "html[data-settled='true']"
+
+BRICK = (204, 64, 51)
+
+
+def test_a_page_inside_a_notebook_draws_without_a_server_and_asks_for_nothing(open_page, tmp_path):
+    cloud = loom.PointCloud(np.random.default_rng(0).random((20_000, 3)))
+    held = loom.draw({"geometry": cloud, "color": np.array(BRICK) / 255, "name": "cloud"}, inline=True, width=480)
+    output = tmp_path / "cell.html"
+    output.write_text("<!doctype html><title>a cell</title>" + held._repr_mimebundle_()["text/html"])
+    page = open_page(output.as_uri(), width=640, height=800, offline=True)
+    inside = page.wait_for_selector("iframe").content_frame()
+    inside.wait_for_selector(SETTLED)
+    assert inside.text_content("#count") == "20,000 points drawn"
+    before = picture_of(page)
+    assert count_pixels(before, BRICK, 60) > 3000
+    page.mouse.move(200, 200)
+    page.mouse.down()
+    page.mouse.move(320, 240, steps=4)
+    page.mouse.up()
+    inside.wait_for_selector(SETTLED)
+    assert (np.abs(picture_of(page).astype(int) - before) > 40).any(axis=-1).sum() > 1000
+    assert [url for url in page.visit.requests if not url.startswith(("file:", "data:", "about:"))] == []
+
+
+def picture_of(page):
+    """The window's pixels, uint8 [h, w, 3]."""
+    import io
+
+    from PIL import Image
+
+    return np.asarray(Image.open(io.BytesIO(page.screenshot())).convert("RGB"))
