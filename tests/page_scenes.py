@@ -18,8 +18,8 @@ from .files.sfm_models import ring_model
 from .registration.bent_fragments import BentRoom
 
 SLOW = {
-    "docs/reconstruction.md", "docs/logging.md", "docs/slam.md", "docs/submaps.md", "docs/frames.md",
-    "docs/surfaces.md", "docs/models.md", "docs/slac.md", "docs/recordings.md", "docs/pictures.md", "README.md",
+    "app/shell/SKILL.md", "docs/frames.md", "docs/logging.md", "docs/meshes.md", "docs/reconstruction.md",
+    "docs/recordings.md", "docs/slac.md", "docs/slam.md", "docs/submaps.md", "docs/surfaces.md",
 }  # fmt: skip
 FRAMES = 12
 
@@ -137,8 +137,14 @@ def bent_fragments() -> dict[str, Any]:
     }  # fmt: skip
 
 
+def scans_and_frames() -> dict[str, Any]:
+    walk("frames")()
+    return two_scans()
+
+
 SCENES: dict[str, Callable[[], dict[str, Any]]] = {
     "README.md": two_scans,
+    "app/shell/SKILL.md": scans_and_frames,
     "docs/frames.md": walk("kitchen"),
     "docs/large-clouds.md": survey,
     "docs/logging.md": parts_and_walk,
