@@ -348,17 +348,6 @@ def check_angle(name: str, value: Any, *, allow_zero: bool = False) -> float:
     return angle
 
 
-def check_order(count_name: str, count: Any, length_name: str, length: Any) -> None:
-    """Refuse a count and a length that were swapped.
-
-    Raises:
-        TypeError: The count is a number with a point, and the length a whole one.
-    """
-    if isinstance(count, float) and isinstance(length, int) and not isinstance(length, bool):
-        given = f"{count_name}={length}, {length_name}={count}"
-        raise TypeError(f"{count_name}: expected a whole number, got {count!r}; swapped? write {given}")
-
-
 def check_seed(seed: Any) -> int:
     """A whole number from 0 to 2^31 - 1, as counter-based random numbers take it."""
     if isinstance(seed, int) and seed > MOST_SEED:

@@ -7,13 +7,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..core.checks import check_count, check_order, check_positive
+from ..core.checks import check_count, check_positive
 from ..core.told_arguments import told_arguments
 from ..core.verbosity import told_time
 from ..core.watching import report
 from ..kernels.segmentation.cluster_labels import rank_by_size
 from ..kernels.segmentation.dbscan import cluster_points
-from .length_doubts import warn_of_long, warn_of_short
+from .length_doubts import check_order, warn_of_long, warn_of_short
 from .selection import Selection
 
 MAX_SIZE = 2**31 - 2  # more points than a cloud holds

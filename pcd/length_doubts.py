@@ -1,4 +1,5 @@
-"""Lengths that hardly fit a cloud, such as one in another unit: a radius that finds nobody, a voxel that holds all."""
+"""Lengths that hardly fit a cloud, such as one in another unit: a radius that finds nobody, a voxel that holds all, a
+length that was swapped with a count."""
 
 from __future__ import annotations
 
@@ -16,6 +17,17 @@ MANY = 100  # points that one voxel, cluster or plane is too little for
 SHORT = 0.25  # of the spacing of a surface: a radius below it is looked at
 ALONE = 1.1  # points within a radius on average, the point itself among them: nine in ten have nobody
 FAR = 1000.0  # times the longer of two spans, between two things that have nothing to do with each other
+
+
+def check_order(count_name: str, count: Any, length_name: str, length: Any) -> None:
+    """Refuse a count and a length that were swapped.
+
+    Raises:
+        TypeError: The count is a number with a point, and the length a whole one.
+    """
+    if isinstance(count, float) and isinstance(length, int) and not isinstance(length, bool):
+        given = f"{count_name}={length}, {length_name}={count}"
+        raise TypeError(f"{count_name}: expected a whole number, got {count!r}; swapped? write {given}")
 
 
 def warn_of_short(name: str, tree: PointTree, radius: float | None, unit: LengthUnit | None, so: str) -> None:

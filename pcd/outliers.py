@@ -8,13 +8,13 @@ import numpy as np
 import warp as wp
 from numpy.typing import NDArray
 
-from ..core.checks import check_count, check_order, check_positive
+from ..core.checks import check_count, check_positive
 from ..core.dropped_results import returns_new
 from ..core.verbosity import told_time
 from ..kernels.arrays.select import positions_of
 from ..kernels.search.neighbor_distances import average_distances, mask_up_to, mean_and_deviation
 from ..kernels.segmentation.neighbor_counts import mask_crowded
-from .length_doubts import warn_of_short
+from .length_doubts import check_order, warn_of_short
 from .selection import Selection
 
 ROUNDING = 1 + 1e-12  # where all distances are equal, their mean may round to less

@@ -67,7 +67,9 @@ def test_the_wheel_holds_every_module_of_the_tree(wheel):
 
 def test_the_wheel_holds_nothing_outside_the_package(wheel):
     dist_info = f"pointloom-{PROJECT['project']['version']}.dist-info"
-    assert {name.split("/")[0] for name in wheel.namelist()} == {"pointloom", dist_info}
+    data = dist_info.replace(".dist-info", ".data")
+    assert {name.split("/")[0] for name in wheel.namelist()} == {"pointloom", dist_info, data}
+    assert [name for name in wheel.namelist() if name.startswith(data)] == [f"{data}/data/share/man/man1/pointloom.1"]
     assert {"pointloom/py.typed", "pointloom/__init__.pyi", "pointloom/registration/__init__.pyi"} <= set(
         wheel.namelist()
     )
@@ -93,6 +95,10 @@ def test_every_other_file_of_the_wheel_lies_in_one_of_the_folders(wheel):
 def test_the_wheel_holds_the_letters_of_pictures_with_their_licence(wheel):
     letters = {"pointloom/drawing/render/glyphs.npz", "pointloom/drawing/render/glyphs.md"}
     assert letters <= set(wheel.namelist())
+
+
+def test_the_wheel_holds_the_guide_for_assistants_and_the_list_of_chapters(wheel):
+    assert {"pointloom/app/shell/SKILL.md", "pointloom/app/shell/chapters.toml"} <= set(wheel.namelist())
 
 
 def test_the_wheel_names_its_version_and_its_command(wheel):

@@ -5,6 +5,7 @@ Nothing heavy is imported here: `pointloom --help` and each `COMMAND --help` ans
 
 from __future__ import annotations
 
+import os
 import signal
 from pathlib import Path
 from types import FrameType
@@ -16,6 +17,7 @@ from ... import __version__  # pyright: ignore[reportMissingImports]
 from . import (
     depth_command,
     frame_commands,
+    help_commands,
     mesh_command,
     mesh_toolbox,
     registration_commands,
@@ -28,6 +30,7 @@ from .answer import answer_with
 from .cloud_command import Answer, from_cloud_to_cloud
 from .console import Progress, print_fields, print_json
 from .group import ERROR, INTERRUPTED, TERMINATED, CommandLine, report_error
+from .help_commands import VARIABLE
 from .options import FILE, LENGTH, Renamed, device_option, force_option, json_option, refuse
 from .pipes import from_option, open_pipes
 
@@ -91,6 +94,7 @@ for command in (
     *depth_command.COMMANDS,
     *registration_commands.COMMANDS,
     *view.COMMANDS,
+    *help_commands.COMMANDS,
 ):
     cli.add_command(command)
 
@@ -305,6 +309,8 @@ def main() -> None:
         if signal.getsignal(signal.SIGINT) is not signal.SIG_IGN:  # as it is where a script starts the command with &
             signal.signal(signal.SIGINT, signal.default_int_handler)
         signal.signal(signal.SIGTERM, _terminate)
+        if os.environ.get(VARIABLE):
+            from . import completion as completion  # its shells are known to click from then on
         cli()
     except KeyboardInterrupt:  # between two commands of click, which tells all others
         click.echo("interrupted", err=True)

@@ -86,9 +86,20 @@ class Renamed(click.Option):
             self.opts = shown
 
 
+class CompletedPath(click.Path):
+    """A path, which the tab key completes by the files that the parameter's metavar speaks of."""
+
+    def shell_complete(self, ctx: click.Context, param: click.Parameter, incomplete: str) -> list[Any]:
+        """The files and folders that suit."""
+        from .completion import complete_path
+
+        metavar = getattr(param, "metavar", None)
+        return complete_path(metavar, incomplete)
+
+
 LENGTH = Length()
 SCALE = Scale()
-FILE = click.Path(path_type=Path)
+FILE = CompletedPath(path_type=Path)
 POSES = "The poses: .txt or .tum (TUM), .log (Open3D)."  # one format an extension, in all commands
 
 

@@ -1,0 +1,77 @@
+"""The chapters of the documentation, and which of them speak of a word: what `pointloom docs` shows."""
+
+from __future__ import annotations
+
+import dataclasses
+import functools
+import importlib.metadata
+import tomllib
+from pathlib import Path
+
+PACKAGE = Path(__file__).resolve().parents[2]  # the checkout, or the installed package
+SKILL = Path(__file__).with_name("SKILL.md")
+
+
+@dataclasses.dataclass(frozen=True)
+class Chapter:
+    """A chapter.
+
+    Attributes:
+        number: From 1.
+        slug: The end of its script's name, docs/examples/chapters/plot_<slug>.py, and of its page's.
+        title: In words.
+        names: What to call, under `loom`.
+        commands: Which commands of the shell do the like.
+        words: Others by which it is found.
+    """
+
+    number: int
+    slug: str
+    title: str
+    names: tuple[str, ...]
+    commands: tuple[str, ...]
+    words: str
+
+    def speaks_of(self, words: tuple[str, ...]) -> bool:
+        """Whether each of the words stands somewhere in it; a number is the chapter's own."""
+        text = " ".join([self.title, self.slug, *self.names, *self.commands, self.words]).lower()
+        return all(word.lower() in text if not word.isdigit() else int(word) == self.number for word in words)
+
+    def lines(self, page: str | None) -> list[str]:
+        """What to call, what to type, what to read."""
+        said = ["loom." + ", loom.".join(self.names)]
+        if self.commands:
+            said.append("pointloom " + ", pointloom ".join(self.commands))
+        return [*said, page] if page else said
+
+    def as_row(self) -> dict[str, object]:
+        """Its attributes by name."""
+        return dataclasses.asdict(self)
+
+
+@functools.cache
+def chapters() -> tuple[Chapter, ...]:
+    """All of them, in order."""
+    rows = tomllib.loads(Path(__file__).with_name("chapters.toml").read_text(encoding="utf-8"))["chapter"]
+    return tuple(Chapter(**{key: tuple(v) if isinstance(v, list) else v for key, v in row.items()}) for row in rows)
+
+
+def place_of_docs() -> str | None:
+    """Where the pages are: those built in this checkout, else the project's address; None where there is neither."""
+    built = PACKAGE / "build" / "docs" / "html"
+    if (built / "index.html").is_file():
+        return built.as_uri()
+    try:
+        addresses = importlib.metadata.metadata("pointloom").get_all("Project-URL") or []
+    except importlib.metadata.PackageNotFoundError:
+        return None
+    named = dict(address.split(", ", 1) for address in addresses)
+    return named.get("Documentation")
+
+
+def page_of(chapter: Chapter, place: str | None) -> str | None:
+    """Where a chapter's page is, or its script where only that is there; None where neither is."""
+    if place is not None and place.startswith("file:"):
+        return f"{place}/chapters/plot_{chapter.slug}.html"
+    script = PACKAGE / "docs" / "examples" / "chapters" / f"plot_{chapter.slug}.py"
+    return str(script) if script.is_file() else place

@@ -1,0 +1,86 @@
+"""Completion in bash, zsh and fish: click's, with files by what their extension says of them.
+
+Loaded where a shell asks, or for `pointloom completion`.
+"""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+from click.shell_completion import (
+    BashComplete,
+    CompletionItem,
+    FishComplete,
+    ShellComplete,
+    ZshComplete,
+    add_completion_class,
+)
+
+PATH = "path"  # the kind of an item that is a file or a folder, which shells show by its last part
+_PLAIN = "[[ $type == 'plain' ]]"
+
+CLOUDS = (".ply", ".pcd", ".npz", ".xyz", ".xyzn", ".xyzrgb", ".pts", ".csv", ".txt", ".bin", ".las", ".laz", ".e57")
+MESHES = (".ply", ".obj", ".stl", ".off", ".glb", ".gltf")
+POSES = (".txt", ".tum", ".log", ".kitti", ".json")
+# What a parameter's metavar, which its help shows, says of its files; folders are shown beside them.
+EXTENSIONS = {
+    "IN": CLOUDS + MESHES, "OUT": CLOUDS + MESHES, "A": CLOUDS + MESHES, "B": CLOUDS + MESHES, "MESH": MESHES,
+    "POSES": POSES, "TRUTH": POSES, "JSON": (".json",), "PNG": (".png",), "HTML": (".html",), "ONNX": (".onnx",),
+    "NPY": (".npy",), "TXT": (".txt",), "PICTURE": (".png", ".jpg", ".jpeg"), "DIR": (), "FOLDER": (), "FRAMES": (),
+}  # fmt: skip
+
+
+def complete_path(metavar: str | None, incomplete: str) -> list[CompletionItem]:
+    """The files that suit a parameter and the folders on the way to them; any file where none does."""
+    extensions = EXTENSIONS.get(metavar or "")
+    found: list[CompletionItem] = []
+    if extensions is not None:
+        folder, prefix = os.path.split(incomplete)
+        begin = incomplete.removesuffix(prefix) if prefix else incomplete
+        try:
+            entries = sorted(os.scandir(Path(folder or ".").expanduser()), key=lambda entry: entry.name)
+        except OSError:
+            entries = []
+        for entry in entries:
+            suits = entry.is_dir() or entry.name.lower().endswith(extensions)
+            if suits and entry.name.startswith(prefix) and (prefix or not entry.name.startswith(".")):
+                slash = "/" if entry.is_dir() else ""
+                found.append(CompletionItem(begin + entry.name + slash, type=PATH))
+    return found or [CompletionItem(incomplete, type="file" if extensions != () else "dir")]
+
+
+class _Bash(BashComplete):
+    """Files as files: a folder is not the end of a word."""
+
+    source_template = BashComplete.source_template.replace(
+        f"elif {_PLAIN}; then",
+        f"elif [[ $type == '{PATH}' ]]; then\n            compopt -o filenames\n            "
+        f'COMPREPLY+=("${{value%%/}}")\n        elif {_PLAIN}; then',
+    )
+
+    @staticmethod
+    def _check_version() -> None:
+        """Nothing: it would start bash each time; what an older one than 4.4 lacks, it says itself."""
+
+
+class _Zsh(ZshComplete):
+    source_template = ZshComplete.source_template.replace(
+        'elif [[ "$type" == "dir" ]]; then',
+        f'elif [[ "$type" == "{PATH}" ]]; then\n            if [[ "$key" == */ ]]; then\n                '
+        'compadd -U -S "" -- "$key"\n            else\n                compadd -U -- "$key"\n            fi\n'
+        '        elif [[ "$type" == "dir" ]]; then',
+    )
+
+
+class _Fish(FishComplete):
+    source_template = FishComplete.source_template.replace(
+        'else if test $metadata[1] = "plain";',
+        f'else if test $metadata[1] = "{PATH}";\n            echo $metadata[2];\n        '
+        'else if test $metadata[1] = "plain";',
+    )
+
+
+SHELLS: dict[str, type[ShellComplete]] = {"bash": _Bash, "zsh": _Zsh, "fish": _Fish}
+for _name, _class in SHELLS.items():
+    add_completion_class(_class, _name)

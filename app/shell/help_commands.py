@@ -1,0 +1,93 @@
+"""Commands that help with the others: what the tab key completes, and where it is written how something is done."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+import click
+
+from .console import print_json
+from .options import json_option, refuse
+
+VARIABLE = "_POINTLOOM_COMPLETE"  # how a shell asks for completions
+BUILD = "`make docs` in a checkout builds them"
+
+
+@click.command(short_help="Print what makes the tab key complete commands.")
+@click.argument("shell", required=False, type=click.Choice(["bash", "zsh", "fish"]), metavar="[bash|zsh|fish]")
+def completion(shell: str | None) -> int:
+    """Print a script that makes the tab key complete commands, options, their choices, and files by their extension.
+
+    Without a name it is that of the shell that you are in ($SHELL). In its start-up file:
+
+    \b
+    bash    eval "$(pointloom completion bash)"      # in ~/.bashrc; from bash 4.4
+    zsh     eval "$(pointloom completion zsh)"       # in ~/.zshrc
+    fish    pointloom completion fish | source       # in ~/.config/fish/config.fish
+    """
+    from .completion import SHELLS
+
+    name = shell or Path(os.environ.get("SHELL", "")).name
+    if name not in SHELLS:
+        refuse(f"the shell here is {name or 'not known'}; name one of {', '.join(SHELLS)}")
+    root = click.get_current_context().find_root()
+    click.echo(SHELLS[name](root.command, {}, "pointloom", VARIABLE).source())
+    return 0
+
+
+@click.command(short_help="Say where it is written how something is done.")
+@click.argument("words", nargs=-1, metavar="[WORDS]...")
+@click.option("--open", "opens", is_flag=True, help="Show the first page found in the browser, where one is known.")
+@click.option("--skill", is_flag=True, help="Print the guide for coding assistants, which is in the package.")
+@json_option()
+def docs(words: tuple[str, ...], opens: bool, skill: bool, as_json: bool) -> int:
+    """Name the chapters that speak of all WORDS, or have that number; all of them without words.
+
+    Of each: what to call in Python (`help(loom.NAME)` says the rest, with an example), the commands that do the like,
+    and its page. Pages are those that `make docs` built in this checkout, else the project's address, where it has one.
+
+    \b
+    pointloom docs icp
+    pointloom docs 11
+    pointloom docs --skill > .claude/skills/pointloom/SKILL.md
+    """
+    from .chapters import SKILL, chapters, page_of, place_of_docs
+
+    if skill:
+        if words or opens or as_json:
+            refuse("--skill prints one text; give nothing beside it")
+        click.echo(SKILL.read_text(encoding="utf-8"), nl=False)
+        return 0
+    found = [chapter for chapter in chapters() if chapter.speaks_of(words)]
+    if not found:
+        known = ", ".join(f"{chapter.number} {chapter.title}" for chapter in chapters())
+        refuse(f"no chapter speaks of {' '.join(words)}; they are {known}")
+    place = place_of_docs()
+    pages = [page_of(chapter, place) for chapter in found]
+    if opens:
+        _open(pages[0] if words else place)
+    if as_json:
+        rows = [chapter.as_row() | {"page": page} for chapter, page in zip(found, pages, strict=True)]
+        print_json({"command": "docs", "place": place, "chapters": rows})
+        return 0
+    for chapter, page in zip(found, pages, strict=True):
+        click.echo(f"{chapter.number:>2}  {chapter.title}")
+        if words:
+            click.echo("    " + "\n    ".join(chapter.lines(page)))
+    if not words:
+        click.echo("\npointloom docs WORDS says what to call, and which commands do the like.")
+        click.echo(
+            f"The pages: {place}" if place else "No pages are known here: `make docs` in a checkout builds them."
+        )
+    return 0
+
+
+def _open(page: str | None) -> None:
+    """Show a page in the browser; a wrong call where there is none."""
+    if page is None or not page.startswith(("file:", "http")):
+        refuse(f"no page is known here to open: {BUILD}")
+    click.launch(page)
+
+
+COMMANDS = (completion, docs)

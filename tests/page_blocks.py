@@ -1,0 +1,116 @@
+"""The code blocks of pages: what language they are in, and why some of them cannot run anywhere."""
+
+from __future__ import annotations
+
+import dataclasses
+import doctest
+import re
+import shlex
+import tomllib
+
+from .test_imports import ROOT
+
+PAGES = ["README.md", *sorted(path.relative_to(ROOT).as_posix() for path in ROOT.glob("docs/*.md"))]
+PAGES += [path.relative_to(ROOT).as_posix() for path in ROOT.glob("app/shell/*.md")]
+NOT_RUN = re.compile(r"<!-- not run: (.+) -->")
+LANGUAGES = ("python", "sh", "text", "json")
+
+
+@dataclasses.dataclass(frozen=True)
+class Block:
+    """A block of code.
+
+    Attributes:
+        page: Where it stands, from the root.
+        line: Of its fence, from 1.
+        language: As its fence says.
+        code: What it holds.
+        reason: Why it is not run; None where it is.
+    """
+
+    page: str
+    line: int
+    language: str
+    code: str
+    reason: str | None
+
+    def source(self) -> str:
+        """The code as Python compiles it, at the line where it stands; of a session what is typed."""
+        code = self.code
+        if code.startswith(">>>"):
+            code = "".join(example.source for example in doctest.DocTestParser().get_examples(code))
+        return "\n" * self.line + code
+
+
+def blocks_of(page: str) -> list[Block]:
+    """The blocks of a page, in order."""
+    found, lines = [], (ROOT / page).read_text().splitlines()
+    start = None
+    for number, line in enumerate(lines):
+        if not line.lstrip().startswith("```"):
+            continue
+        if start is None:
+            start = number
+            continue
+        before = next((text for text in reversed(lines[:start]) if text.strip()), "")
+        said = NOT_RUN.fullmatch(before.strip())
+        code = "\n".join(lines[start + 1 : number]) + "\n"
+        found.append(Block(page, start + 1, lines[start].strip().strip("`"), code, said[1] if said else None))
+        start = None
+    assert start is None, f"{page}: the block of line {start} has no end"
+    return found
+
+
+EXTRAS = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]["optional-dependencies"]
+TARGETS = set(re.findall(r"^([\w-]+):", (ROOT / "Makefile").read_text(), flags=re.MULTILINE))
+
+
+def commands_in(code: str) -> list[list[str]]:
+    """The commands of a shell block in words, the parts of a pipe apart, without settings of the environment."""
+    found = []
+    for line in code.replace("\\\n", " ").splitlines():
+        words = shlex.split(line, comments=True)
+        part: list[str] = []
+        for word in [*words, "|"]:
+            if word in ("|", "&&", ">"):
+                found += [part] if part else []
+                part = []
+            elif part or not re.fullmatch(r"[A-Z_]+=.*", word):
+                part.append(word)
+    return found
+
+
+def fault_of(words: list[str]) -> str | None:
+    """What is wrong with a command that a page shows; None where a reader could type it."""
+    import click
+
+    from pointloom.app.shell.cli import cli
+
+    name, *rest = words
+    if name == "pointloom":
+        try:
+            if not rest:  # shows the help
+                return None
+            with cli.make_context(name, list(rest)) as context:
+                left = [*context._protected_args, *context.args]
+                command_name, command, given = cli.resolve_command(context, left)
+                if command is not None:
+                    command.make_context(command_name, given, parent=context)
+        except click.exceptions.Exit:  # --help, --version
+            return None
+        except click.ClickException as error:
+            return error.format_message()
+        return None
+    if name == "make":
+        wrong = [word for word in rest if "=" not in word and not word.startswith("-") and word not in TARGETS]
+        return f"no such target of the Makefile: {wrong}" if wrong else None
+    if name == "pip":
+        asked = [extra for word in rest for extra in re.findall(r"pointloom\[(.+)\]", word)]
+        wrong = [extra for listed in asked for extra in listed.split(",") if extra not in EXTRAS]
+        return f"no such extra: {wrong}" if wrong else None
+    if name == "python":
+        return None if (ROOT / rest[0]).is_file() else f"no such script: {rest[0]}"
+    return None if name in KNOWN else f"{name}: a command that nobody checks"
+
+
+KNOWN = ("ssh", "eval", "source", "zcat", "cat", "man")  # of every system

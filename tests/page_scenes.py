@@ -1,0 +1,161 @@
+"""The small files and names that the examples of a page begin with: what a reader would bring."""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from PIL import Image
+from scipy.spatial.transform import Rotation
+
+import pointloom as loom
+from pointloom.data.scenes.room import room_sequence, write_room_sequence
+
+from .files.sfm_models import ring_model
+from .registration.bent_fragments import BentRoom
+
+SLOW = {
+    "app/shell/SKILL.md", "docs/frames.md", "docs/logging.md", "docs/meshes.md", "docs/reconstruction.md",
+    "docs/recordings.md", "docs/slac.md", "docs/slam.md", "docs/submaps.md", "docs/surfaces.md",
+}  # fmt: skip
+FRAMES = 12
+
+
+def room(count: int = 20_000, seed: int = 0) -> loom.PointCloud:
+    """Some furniture on a floor before two walls."""
+    parts = [
+        ((3.0, 2.5, 0.02), (0, 0, 0)), ((3.0, 0.02, 2.0), (0, 0, 0)), ((0.02, 2.5, 2.0), (0, 0, 0)),
+        ((0.8, 0.5, 0.7), (0.3, 0.4, 0.05)), ((0.4, 0.9, 0.4), (1.8, 1.2, 0.05)), ((0.3, 0.3, 1.4), (2.4, 0.2, 0.05)),
+    ]  # fmt: skip
+    boxes = [loom.TriangleMesh.create_box(*size).translate(place) for size, place in parts]
+    ball = loom.TriangleMesh.create_sphere(0.3).translate([1.2, 1.7, 0.4])
+    whole = sum([*boxes[1:], ball], boxes[0])
+    return whole.sample_points_uniformly(count, seed=seed)
+
+
+def turned() -> np.ndarray:
+    T = np.eye(4)
+    T[:3, :3], T[:3, 3] = Rotation.from_euler("z", 20, degrees=True).as_matrix(), [0.3, -0.2, 0.1]
+    return T
+
+
+def two_scans() -> dict[str, Any]:
+    loom.write_point_cloud("scan.ply", room())
+    loom.write_point_cloud("scan2.ply", room(seed=1).transform(turned()))
+    return {}
+
+
+def source_and_target() -> dict[str, Any]:
+    return {"target": room(), "source": room(seed=1).transform(turned())}
+
+
+def pair_nearby() -> dict[str, Any]:
+    method = loom.registration.TransformationEstimationPointToPoint()
+    one_iteration = loom.registration.ICPConvergenceCriteria(max_iteration=1)
+    target, source = room(3000), room(3000, seed=1).translate([0.02, 0.01, 0])
+    return {
+        "np": np, "loom": loom, "source": source, "target": target, "method": method, "one_iteration": one_iteration
+    }  # fmt: skip
+
+
+def walk(folder: str) -> Callable[[], dict[str, Any]]:
+    """A folder of frames of a room with their poses, as 7-Scenes stores them."""
+
+    def make() -> dict[str, Any]:
+        write_room_sequence(folder, frame_count=FRAMES, width=320, height=240)
+        return {"loom": loom, "frames": loom.open_dataset(folder)}
+
+    return make
+
+
+def two_frames() -> dict[str, Any]:
+    walk = room_sequence(120)
+    return {"frames": [walk.read(0), walk.read(1)]}
+
+
+def posed_frames() -> dict[str, Any]:
+    frames = room_sequence(8, width=160, height=120)
+    return {
+        "loom": loom, "camera": frames.intrinsic, "frames": [(f.depth, f.color, f.T_world_camera) for f in frames]
+    }  # fmt: skip
+
+
+def parts_and_walk() -> dict[str, Any]:
+    """Three parts of a room that overlap, each in coordinates of its own, and frames."""
+    whole = room(40_000)
+    x = whole.points[:, 0]
+    parts = [whole.select_by_mask((x > low) & (x < low + 2.0)) for low in (0.0, 0.5, 1.0)]
+    return walk("kitchen")() | {"clouds": [part.transform(turned()) for part in parts]}
+
+
+def bunny() -> dict[str, Any]:
+    """A small mesh by a name that everybody knows."""
+    loom.write_triangle_mesh("bun_zipper.ply", loom.TriangleMesh.create_torus(0.06, 0.03, 100, 60))
+    return {}
+
+
+def surfaces() -> dict[str, Any]:
+    loom.write_point_cloud("scan.ply", room(8000))
+    Path("redkitchen").mkdir()
+    frames = walk("redkitchen/seq-01")()["frames"]
+    return bunny() | {"room": loom.fuse(frames, voxel_size=0.05).mesh}
+
+
+def survey() -> dict[str, Any]:
+    """An airborne scan, or so, and somebody who looks at it."""
+    cloud = room()
+    cloud["intensity"] = np.arange(len(cloud), dtype=np.uint16)
+    loom.write_point_cloud("survey.laz", cloud)
+    return {"view": loom.fit_view(cloud.points)}
+
+
+def colmap_project() -> dict[str, Any]:
+    """COLMAP's model of a few pictures, the pictures, and where they were taken by a receiver of satellites."""
+    ring = ring_model(8)
+    names = [f"IMG_{number}.jpg" for number in range(1, len(ring.names) + 1)]
+    model = dataclasses.replace(ring, names=names)
+    loom.write_colmap_model("project", model)
+    Path("project/images").mkdir()
+    camera = model.cameras[0]
+    picture = np.full((camera.height, camera.width, 3), 128, np.uint8)
+    Image.fromarray(picture).save(f"project/images/{names[0]}")
+    centers = -np.einsum("nij,ni->nj", model.T_camera_world[:, :3, :3], model.T_camera_world[:, :3, 3])
+    rows = [f"{name} {x:.6f} {y:.6f} {z:.6f}" for name, (x, y, z) in zip(names, 3 * centers, strict=True)]
+    Path("gps.txt").write_text("\n".join(rows) + "\n")
+    return {"picture": picture}
+
+
+def bent_fragments() -> dict[str, Any]:
+    bent = BentRoom(bend=0.01)
+    camera = loom.PinholeCameraIntrinsic(64, 48, 52.5, 52.5, 31.5, 23.5)
+    return {
+        "clouds": bent.clouds, "graph": bent.graph, "volume": loom.TSDFVolume(voxel_size=0.05, color=False),
+        "depth": np.full((48, 64), 1.5, np.float32), "intrinsic": camera, "T_fragment_camera": np.eye(4),
+    }  # fmt: skip
+
+
+def scans_and_frames() -> dict[str, Any]:
+    walk("frames")()
+    return two_scans()
+
+
+SCENES: dict[str, Callable[[], dict[str, Any]]] = {
+    "README.md": two_scans,
+    "app/shell/SKILL.md": scans_and_frames,
+    "docs/frames.md": walk("kitchen"),
+    "docs/large-clouds.md": survey,
+    "docs/logging.md": parts_and_walk,
+    "docs/meshes.md": bunny,
+    "docs/models.md": colmap_project,
+    "docs/odometry.md": two_frames,
+    "docs/reconstruction.md": walk("kitchen"),
+    "docs/recordings.md": pair_nearby,
+    "docs/registration.md": source_and_target,
+    "docs/slac.md": bent_fragments,
+    "docs/slam.md": walk("folder"),
+    "docs/submaps.md": posed_frames,
+    "docs/surfaces.md": surfaces,
+}
