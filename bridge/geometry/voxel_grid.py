@@ -71,7 +71,7 @@ class VoxelGrid(Geometry):
         """The voxels of `voxel_down_sample`, in their mean colours."""
         if pooling_mode is not VoxelPoolingMode.AVG:
             raise ValueError(
-                f"pooling_mode: expected AVG, got {pooling_mode.name}; colours are the mean of a voxel's points"
+                f"pooling_mode: expected AVG, got {pooling_mode.name}: a voxel has its points' mean colour"
             )
         cloud = ours(input, PointCloud, "input")
         means = cloud.voxel_down_sample(voxel_size)
