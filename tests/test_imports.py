@@ -24,7 +24,7 @@ FLOORS = [
     ["registration", "meshing"],
     ["rgbd", "drawing"],
     ["photos"],
-    ["app"],
+    ["app", "bridge"],
 ]
 HOUSES = [house for floor in FLOORS for house in floor]
 MAY_IMPORT = {
@@ -48,6 +48,7 @@ ROOMS = {
     "drawing": ["render", "recording", "viewer"],
     "photos": ["sfm", "mvs", "depth", "video"],
     "app": ["scenes", "jobs", "demos", "shell"],
+    "bridge": ["utility", "camera", "geometry"],
 }
 
 # lang.py and memory.py hand on what rooms below all others hold; check_cuda.py and cuda_cache.py look at every room.
