@@ -24,6 +24,7 @@ FLOORS = [
     ["registration", "meshing"],
     ["rgbd", "drawing"],
     ["photos"],
+    ["data"],
     ["app", "bridge"],
 ]
 HOUSES = [house for floor in FLOORS for house in floor]
@@ -47,7 +48,8 @@ ROOMS = {
     "rgbd": ["odometry", "slam", "fusion", "reconstruction"],
     "drawing": ["render", "recording", "viewer"],
     "photos": ["sfm", "mvs", "depth", "video"],
-    "app": ["scenes", "jobs", "demos", "shell"],
+    "data": ["scenes", "made"],
+    "app": ["jobs", "demos", "shell"],
     "bridge": ["utility", "camera", "geometry", "pipelines", "io"],
 }
 
