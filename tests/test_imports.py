@@ -48,7 +48,7 @@ ROOMS = {
     "drawing": ["render", "recording", "viewer"],
     "photos": ["sfm", "mvs", "depth", "video"],
     "app": ["scenes", "jobs", "demos", "shell"],
-    "bridge": ["utility", "camera", "geometry"],
+    "bridge": ["utility", "camera", "geometry", "io"],
 }
 
 # lang.py and memory.py hand on what rooms below all others hold; check_cuda.py and cuda_cache.py look at every room.
