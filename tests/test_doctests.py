@@ -9,7 +9,10 @@ from pathlib import Path
 import pytest
 
 PACKAGE = Path(__file__).parents[1]
-FOLDERS = ("core", "cameras", "pcd", "files", "registration", "meshing", "rgbd", "drawing", "photos", "app", "bridge")
+FOLDERS = (
+    *("core", "cameras", "pcd", "files", "registration", "meshing", "rgbd", "drawing", "photos"),
+    *("data", "app", "bridge"),
+)
 IMPORTED = {"bridge": "open3d"}  # houses that are imported by another name
 MODULES = sorted(
     ".".join(

@@ -8,6 +8,10 @@ from .cameras import write_pinhole_camera_parameters as write_pinhole_camera_par
 from .cameras import write_pinhole_camera_trajectory as write_pinhole_camera_trajectory
 from .images import read_image as read_image
 from .images import write_image as write_image
+from .registration import read_feature as read_feature
+from .registration import read_pose_graph as read_pose_graph
+from .registration import write_feature as write_feature
+from .registration import write_pose_graph as write_pose_graph
 from .shapes import read_point_cloud as read_point_cloud
 from .shapes import read_triangle_mesh as read_triangle_mesh
 from .shapes import write_point_cloud as write_point_cloud

@@ -13,15 +13,19 @@ from ...files.pictures import image_files
 from ..geometry.image import Image, pixels_of
 
 FilePath = str | os.PathLike[str]
+ALPHA = {2: (0, 3), 4: (0, 1, 2, 3)}  # what of red, green, blue and alpha a picture with so many channels has
 
 
 def read_image(filename: FilePath) -> Image:
-    """A PNG or JPEG as it is stored: 8 or 16 bits, grey or colours; transparency is dropped."""
+    """A PNG or JPEG as it is stored: 8 or 16 bits, grey or colours, with its transparency."""
     header = image_files.read_picture_header(filename)
     if header.channels == 1 and header.bits == 16:
         return Image(image_files.read_depth(filename))
+    if header.channels in ALPHA and header.bits == 8:
+        pixels = image_files.decode_texture(filename, Path(filename).read_bytes())
+        return Image(pixels[..., ALPHA[header.channels]])
     pixels = image_files.read_color(filename)
-    return Image(pixels[..., 0] if header.channels < 3 and _is_grey(filename) else pixels)
+    return Image(pixels[..., 0] if header.channels == 1 and _is_grey(filename) else pixels)
 
 
 def write_image(filename: FilePath, image: Any, quality: int = -1) -> bool:
@@ -38,4 +42,4 @@ def write_image(filename: FilePath, image: Any, quality: int = -1) -> bool:
 def _is_grey(filename: FilePath) -> bool:
     """Whether pixels are grey, and no numbers of a palette."""
     with PIL.Image.open(filename) as picture:
-        return picture.mode in ("L", "LA", "1")
+        return picture.mode in ("L", "1")
