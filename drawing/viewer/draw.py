@@ -45,6 +45,9 @@ def draw(
     last page has been closed for five seconds, or with Ctrl-C. In a notebook it returns at once and the cell shows the
     page.
 
+    Where the environment variable POINTLOOM_DRAW is "picture", so that a script runs unattended, nothing is opened and
+    nothing waits: what would wait returns the picture that the page would begin with.
+
     Args:
         geometries: One, a list, a mapping of names to geometries, or dictionaries as Open3D's `draw` takes; all that
             `loom.render` draws.
@@ -61,7 +64,7 @@ def draw(
         open_browser: Open a browser where there is a display.
 
     Returns:
-        The viewer, closed where `draw` waited. In a notebook where no server can run, a still picture.
+        The viewer, closed where `draw` waited. In a notebook where no server can run, and unattended, a still picture.
 
     Raises:
         TypeError: A geometry of no known kind; says what is accepted.
@@ -78,19 +81,21 @@ def draw(
     size = (check_count("width", width), check_count("height", height))
     view = {"zoom": zoom, "front": front, "lookat": lookat, "up": up, "field_of_view": field_of_view}
     notebook = in_notebook()
+    if unattended() and (block or (block is None and not notebook)):
+        return _still(named, view, size, "unattended", point_show_normal, mesh_show_wireframe)
     try:
         viewer = Viewer(port=port, host=host, title=window_name, max_points=max_points, size=size)
     except PointloomError as error:
         if not notebook:
             raise
-        return _still(named, view, size, str(error))
+        return _still(named, view, size, str(error), point_show_normal, mesh_show_wireframe)
     try:
         if any(value is not None for value in view.values()):
             viewer.set_view({name: value for name, value in view.items() if value is not None})
         with viewer.lock:  # a page may load meanwhile, and comes in when all is there
             if not notebook or block:
                 announce(viewer)
-                if open_browser:
+                if open_browser and not unattended():
                     open_page(viewer)
             viewer.add_all(named)
             viewer.show_normals(point_show_normal)
@@ -106,6 +111,18 @@ def draw(
 
 
 draw_geometries = draw  # for those who come from Open3D
+
+
+def unattended() -> bool:
+    """Whether the environment says that nobody is there to look: POINTLOOM_DRAW=picture.
+
+    Raises:
+        ValueError: The variable is neither "page" nor "picture".
+    """
+    mode = os.environ.get("POINTLOOM_DRAW") or "page"
+    if mode not in ("page", "picture"):
+        raise ValueError(f"POINTLOOM_DRAW: expected 'page' or 'picture', got {mode!r}")
+    return mode == "picture"
 
 
 def wait_for_pages(viewer: Viewer) -> None:
@@ -149,10 +166,13 @@ def _with_back_faces(named: list[Named], shown: bool) -> list[Named]:
     ]
 
 
-def _still(named: list[Named], view: dict[str, Any], size: tuple[int, int], reason: str) -> StillPicture:
+def _still(
+    named: list[Named], view: dict[str, Any], size: tuple[int, int], reason: str, normals: bool, wireframe: bool
+) -> StillPicture:
     """The picture that the viewer would have begun with."""
     from ..render.render import render
     from .stills import as_entry
 
     camera = {name: value for name, value in view.items() if value is not None} or None
-    return StillPicture(render([as_entry(one) for one in named], camera=camera, size=size), reason)
+    shown = {"point_show_normal": normals, "mesh_show_wireframe": wireframe}
+    return StillPicture(render([as_entry(one) for one in named], camera=camera, size=size, **shown), reason)
