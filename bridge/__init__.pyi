@@ -3,6 +3,8 @@
 from . import camera as camera
 from . import geometry as geometry
 from . import io as io
+from . import pipelines as pipelines
 from . import utility as utility
+from . import visualization as visualization
 
 __version__: str

@@ -1,5 +1,6 @@
 """The names of `open3d.geometry`."""
 
+from . import keypoint as keypoint
 from .boxes import AxisAlignedBoundingBox as AxisAlignedBoundingBox
 from .boxes import OrientedBoundingBox as OrientedBoundingBox
 from .enums import DeformAsRigidAsPossibleEnergy as DeformAsRigidAsPossibleEnergy
@@ -27,4 +28,7 @@ from .search_param import KDTreeSearchParam as KDTreeSearchParam
 from .search_param import KDTreeSearchParamHybrid as KDTreeSearchParamHybrid
 from .search_param import KDTreeSearchParamKNN as KDTreeSearchParamKNN
 from .search_param import KDTreeSearchParamRadius as KDTreeSearchParamRadius
+from .tetra_mesh import TetraMesh as TetraMesh
 from .triangle_mesh import TriangleMesh as TriangleMesh
+from .voxel_grid import Voxel as Voxel
+from .voxel_grid import VoxelGrid as VoxelGrid

@@ -48,7 +48,7 @@ class RGBDImage(Geometry2D):
         convert_rgb_to_intensity: bool = True,
     ) -> Self:
         """An image; depth of any type is divided by `depth_scale`, and 0 from `depth_trunc` on."""
-        pixels, metres = pixels_of(color, "color"), metres_of(depth, depth_scale)
+        pixels, metres = pixels_of(color, "color"), metres_of(depth, depth_scale, bytes_too=True)
         is_grey = pixels.dtype == np.float32 and convert_rgb_to_intensity  # already, or colours that become so
         taken = np.zeros(metres.shape, np.uint8) if is_grey else pixels
         made = images.RGBDImage.create_from_color_and_depth(

@@ -55,6 +55,15 @@ class Actions:
         if session is not None:
             session.client.add_notification("pointloom", text, auto_close_seconds=8.0)
 
+    def calling(self, callback: Callable[[int], None]) -> Callable[[int | None], None]:
+        """A program's function as an action."""
+
+        @told_to_page
+        def call(_: Actions, client: int) -> None:
+            callback(client)
+
+        return functools.partial(call, self)
+
     @told_to_page
     def reset_view(self, client: int) -> None:
         """Look from where the page began."""

@@ -12,6 +12,7 @@ from ...core.checks import check_count
 from ...core.errors import PointloomError
 from ...core.told_arguments import told_arguments
 from ..render.geometries import Named, named_geometries
+from ..render.picture import Picture
 from .inline import InlinePage, inline_page, wants_inline
 from .notebook import in_notebook
 from .viewer import MOST_POINTS, Viewer
@@ -40,12 +41,15 @@ def draw(
     block: bool | None = None,
     open_browser: bool = True,
     inline: bool | None = None,
-) -> Viewer | InlinePage:
+) -> Viewer | InlinePage | Picture:
     """Show geometries in the browser, on this machine or over SSH on another one, or in a notebook.
 
     From a script it says on stderr where the page is, opens a browser where there is a display, and returns when the
     last page has been closed for five seconds, or with Ctrl-C. In a notebook it returns at once and the cell shows the
     page: live where the browser can reach a server of this machine, else as a page of its own inside the notebook.
+
+    Where the environment variable POINTLOOM_DRAW is "picture", so that a script runs unattended, nothing is opened and
+    nothing waits: what would wait returns the picture that the page would begin with.
 
     Args:
         geometries: One, a list, a mapping of names to geometries, or dictionaries as Open3D's `draw` takes; all that
@@ -68,6 +72,7 @@ def draw(
 
     Returns:
         The viewer, closed where `draw` waited. Inline, and in a notebook where no server can run, an `InlinePage`.
+        Unattended, the picture.
 
     Raises:
         TypeError: A geometry of no known kind; says what is accepted.
@@ -87,6 +92,8 @@ def draw(
     reason = wants_inline(inline, notebook=notebook and not block)
     if reason is not None:
         return inline_page(named, view, size, window_name, max_points, reason)
+    if unattended() and (block or (block is None and not notebook)):
+        return _picture(named, view, size, point_show_normal, mesh_show_wireframe)
     try:
         viewer = Viewer(port=port, host=host, title=window_name, max_points=max_points, size=size)
     except PointloomError as error:
@@ -99,7 +106,7 @@ def draw(
         with viewer.lock:  # a page may load meanwhile, and comes in when all is there
             if not notebook or block:
                 announce(viewer)
-                if open_browser:
+                if open_browser and not unattended():
                     open_page(viewer)
             viewer.add_all(named)
             viewer.show_normals(point_show_normal)
@@ -115,6 +122,18 @@ def draw(
 
 
 draw_geometries = draw  # for those who come from Open3D
+
+
+def unattended() -> bool:
+    """Whether the environment says that nobody is there to look: POINTLOOM_DRAW=picture.
+
+    Raises:
+        ValueError: The variable is neither "page" nor "picture".
+    """
+    mode = os.environ.get("POINTLOOM_DRAW") or "page"
+    if mode not in ("page", "picture"):
+        raise ValueError(f"POINTLOOM_DRAW: expected 'page' or 'picture', got {mode!r}")
+    return mode == "picture"
 
 
 def wait_for_pages(viewer: Viewer) -> None:
@@ -156,3 +175,15 @@ def _with_back_faces(named: list[Named], shown: bool) -> list[Named]:
         (name, geometry, style if style.back_faces is not None else dataclasses.replace(style, back_faces=shown))
         for name, geometry, style in named
     ]
+
+
+def _picture(
+    named: list[Named], view: dict[str, Any], size: tuple[int, int], normals: bool, wireframe: bool
+) -> Picture:
+    """The picture that the viewer would have begun with."""
+    from ..render.render import render
+    from .stills import as_entry
+
+    camera = {name: value for name, value in view.items() if value is not None} or None
+    shown = {"point_show_normal": normals, "mesh_show_wireframe": wireframe}
+    return render([as_entry(one) for one in named], camera=camera, size=size, **shown)

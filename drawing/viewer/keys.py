@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import string
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
@@ -11,6 +12,11 @@ if TYPE_CHECKING:
 
     from .panel import Panel
 
+HOTKEYS = (
+    *string.ascii_uppercase, *string.digits,
+    "space", "enter", "escape", "tab", "backspace", "delete", "insert", "home", "end", "pageup", "pagedown",
+    "arrowup", "arrowdown", "arrowleft", "arrowright",
+)  # fmt: skip  # viser's names of keys
 STEP = 1.25  # by which a key changes the size of points
 
 
@@ -57,8 +63,24 @@ def bind_keys(server: viser.ViserServer, panel: Panel) -> list[Any]:
     commands = []
     for key in KEYS:
         action: Callable[[Any], None] = getattr(panel.actions, key.action)
-        for hotkey in key.hotkeys:
-            command = server.gui.add_command(key.label, hotkey=hotkey)  # type: ignore[arg-type]
-            command.on_trigger(lambda event, act=action: act(event.client_id))
-            commands.append(command)
+        commands += [add_key(server, hotkey, key.label, action) for hotkey in key.hotkeys]
     return commands
+
+
+def add_key(server: viser.ViserServer, hotkey: str, label: str, action: Callable[[Any], None]) -> Any:
+    """Have every page know a key that calls with the number of the page; viser's handle of the command."""
+    command = server.gui.add_command(label, hotkey=hotkey)  # type: ignore[arg-type]
+    command.on_trigger(lambda event: action(event.client_id))
+    return command
+
+
+def check_hotkey(key: str) -> str:
+    """A key as viser names it; letters of either case.
+
+    Raises:
+        ValueError: No such key.
+    """
+    hotkey = key.upper() if isinstance(key, str) and len(key) == 1 else key
+    if hotkey not in HOTKEYS:
+        raise ValueError(f"key: no key {key!r}; there are A to Z, 0 to 9, {', '.join(HOTKEYS[36:])}")
+    return hotkey

@@ -6,6 +6,7 @@ Names and labels reach the page as plain text of its controls, never as HTML or 
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -18,7 +19,7 @@ from ..render.legends import cut_text, draw_legend
 from ..render.ticks import choose_ticks
 from .actions import Actions
 from .coloring_choice import COLORMAPS, choices_of, shown_coloring
-from .keys import KEYS, bind_keys
+from .keys import KEYS, add_key, bind_keys
 from .tools.toolbox import Toolbox
 
 if TYPE_CHECKING:
@@ -51,6 +52,13 @@ class Panel:
         self._scene = gui.add_folder("Scene", order=4)
         self._tools = gui.add_folder("Tools", order=5, expand_by_default=False)
         self._commands = bind_keys(viewer.server.viser, self)
+
+    def bind_key(self, key: str, label: str, callback: Callable[[int], None]) -> None:
+        """Have a key call a program, and nothing else."""
+        for command in [command for command in self._commands if command.hotkey == key]:
+            self._commands.remove(command)
+            command.remove()
+        self._commands.append(add_key(self._viewer.server.viser, key, label, self.actions.calling(callback)))
 
     # -- pages --------------------------------------------------------------------------------------------------------
 

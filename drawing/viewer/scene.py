@@ -5,12 +5,13 @@ from __future__ import annotations
 import logging
 import threading
 import time
+from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ...core.checks import check_name
+from ...core.checks import check_finite, check_name, check_positive, check_shape
 from ...core.errors import PointloomError
 from ...core.known_names import nearest_name
 from ...core.open3d_names import row_of, told
@@ -21,6 +22,7 @@ from .camera import camera_of, diagonal, read_parameters, set_first_camera, set_
 from .coloring_choice import ColoringChoice
 from .detail_tree import DetailTree
 from .items import Bounds, Frame, Item
+from .keys import check_hotkey
 from .lights import light_evenly
 from .nodes import NORMAL_LENGTH, ItemNodes
 from .panel import Panel
@@ -33,6 +35,7 @@ if TYPE_CHECKING:
 
 log = logging.getLogger("pointloom.viewer")
 
+SMALLEST_POINT, LARGEST_POINT = 0.5, 40.0  # [px]
 _NOTHING: Bounds = (np.full(3, -1.0), np.full(3, 1.0))  # what is looked at where there is nothing
 
 
@@ -117,6 +120,24 @@ class Scene:
         with self.lock:
             nodes = self._nodes.get(name)
             return [] if nodes is None else nodes.surfaces()
+
+    def on_key(self, key: str, callback: Callable[[int], None], label: str = "") -> None:
+        """Call back when a key is pressed in a page, in place of what it did there.
+
+        Args:
+            key: "A" to "Z", "0" to "9", "space", "enter", "escape", "tab", "backspace", "delete", "insert", "home",
+                "end", "pageup", "pagedown", "arrowup", "arrowdown", "arrowleft" or "arrowright".
+            callback: Called with the number of the page, in a thread of the pages; what it raises is shown there.
+            label: What the key does, for the list that Ctrl+K opens; "" for its name.
+
+        Raises:
+            ValueError: No such key.
+            TypeError: No function.
+        """
+        if not callable(callback):
+            raise TypeError(f"callback: expected a function, got {type(callback).__name__}")
+        with self.lock:
+            self.panel.bind_key(check_hotkey(key), check_name("label", label or key), callback)
 
     def take_lock(self) -> bool:
         """Take `lock`, for threads that `close` waits for, perhaps holding it; false once the viewer is closed."""
@@ -327,3 +348,13 @@ class Scene:
     def _paint_background(self) -> None:
         color = np.rint(self._background * 255).astype(np.uint8)
         self.server.viser.scene.set_background_image(np.broadcast_to(color, (1, 1, 3)).copy(), format="png")
+
+
+def check_color(color: Any) -> NDArray[np.float64]:
+    """A background's red, green and blue, cut to 0 to 1."""
+    return np.clip(check_finite("background", check_shape("background", color, (3,))), 0, 1)
+
+
+def check_size(size: Any) -> float:
+    """A size of points [px], cut to what can be seen."""
+    return min(max(check_positive("point_size", size), SMALLEST_POINT), LARGEST_POINT)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import os
 import time
 from collections.abc import Mapping
@@ -11,18 +12,17 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ...core.checks import check_count, check_finite, check_name, check_positive, check_rigid, check_shape
+from ...core.checks import check_count, check_name, check_positive, check_rigid
 from ...pcd.cloud import PointCloud
 from ..render.geometries import Named, named_geometries
 from ..render.open3d_views import OPEN3D_KEYS
 from ..render.view import View
 from .detail_tree import DetailTree
 from .items import Frame, make_item
-from .scene import Scene
+from .scene import Scene, check_color, check_size
 from .sessions import POINT_SIZE
 
 MOST_POINTS = 2_000_000
-SMALLEST_POINT, LARGEST_POINT = 0.5, 40.0  # [px]
 LEFT_ALONE = 5.0  # [s] after the last page has gone until `wait` ends: time enough to load it again
 
 
@@ -79,8 +79,8 @@ class Viewer(Scene):
             host,
             title,
             check_count("max_points", max_points),
-            _check_size(point_size),
-            _check_color(background),
+            check_size(point_size),
+            check_color(background),
             (check_count("width", size[0]), check_count("height", size[1])),
         )
 
@@ -313,7 +313,7 @@ class Viewer(Scene):
     @point_size.setter
     def point_size(self, size: float) -> None:
         with self.lock:
-            self._point_size, self.has_own_point_size = _check_size(size), True
+            self._point_size, self.has_own_point_size = check_size(size), True
             for session in self._open_sessions():
                 with session.as_it_lasts():
                     session.resize_points()
@@ -327,7 +327,7 @@ class Viewer(Scene):
     @background.setter
     def background(self, color: Any) -> None:
         with self.lock:
-            self._background = _check_color(color)
+            self._background = check_color(color)
             self._paint_background()
             self.panel.show_state()
 
@@ -372,16 +372,22 @@ class Viewer(Scene):
 
     # -- its end ------------------------------------------------------------------------------------------------------
 
-    def wait(self) -> None:
+    def wait(self, seconds: float | None = None) -> bool:
         """Wait until the last page has been gone for five seconds, after one was there, or the viewer is closed.
+
+        Args:
+            seconds: At most so long, and then the answer is False; None has no end, and the answer is True.
 
         Raises:
             KeyboardInterrupt: Ctrl-C.
         """
-        while not self._ended.wait(0.2):
+        end = math.inf if seconds is None else time.monotonic() + check_positive("seconds", seconds, allow_zero=True)
+        while not self._ended.wait(min(0.2, max(end - time.monotonic(), 0.0))):
             gone = self._last_seen
-            if not self.sessions and gone is not None and time.monotonic() - gone > LEFT_ALONE:
-                return
+            left = not self.sessions and gone is not None and time.monotonic() - gone > LEFT_ALONE
+            if left or time.monotonic() >= end:
+                return left
+        return True
 
     def close(self) -> None:
         """Free port, threads and memory; the pages say that the viewer is gone. Twice is no error."""
@@ -390,11 +396,3 @@ class Viewer(Scene):
         self.server.close()
         for thread in threads:
             thread.join()
-
-
-def _check_color(color: Any) -> NDArray[np.float64]:
-    return np.clip(check_finite("background", check_shape("background", color, (3,))), 0, 1)
-
-
-def _check_size(size: Any) -> float:
-    return min(max(check_positive("point_size", size), SMALLEST_POINT), LARGEST_POINT)

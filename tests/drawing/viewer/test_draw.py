@@ -51,6 +51,20 @@ def test_draw_says_where_the_page_is_on_stderr_alone(cloud, capfd):
     assert err == f"viewer: {viewer.url} (Ctrl-C ends it)\n"
 
 
+def test_unattended_draw_is_a_picture_and_waits_for_nobody(cloud, capfd, monkeypatch):
+    monkeypatch.setenv("POINTLOOM_DRAW", "picture")
+    monkeypatch.setattr(drawing.webbrowser, "open", lambda url: pytest.fail("a browser was opened"))
+    still = loom.draw_geometries([cloud], width=64, height=48, zoom=0.5, front=[0, 0, 1])
+    drawn = loom.render(cloud, {"zoom": 0.5, "front": [0, 0, 1]}, (64, 48), mesh_show_back_face=False)
+    assert np.array_equal(still, drawn)
+    assert capfd.readouterr() == ("", "")
+    with loom.draw(cloud, port=0, block=False) as viewer:  # what does not wait is a viewer all the same
+        assert list(viewer.items) == ["cloud"]
+    monkeypatch.setenv("POINTLOOM_DRAW", "window")
+    with pytest.raises(ValueError, match="POINTLOOM_DRAW: expected 'page' or 'picture', got 'window'"):
+        loom.draw(cloud)
+
+
 def test_draw_says_how_to_come_through_ssh(cloud, capfd, monkeypatch):
     monkeypatch.setenv("SSH_CONNECTION", "10.0.0.1 50000 10.0.0.2 22")
     with draw([cloud]) as viewer:

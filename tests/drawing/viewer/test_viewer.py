@@ -614,6 +614,37 @@ def test_wait_ends_a_while_after_the_last_page_has_gone(shown, monkeypatch):
     assert done.wait(3)
 
 
+def test_wait_for_some_seconds_says_whether_it_is_over(shown):
+    assert not shown.wait(0)
+    assert not shown.wait(0.01)
+    with pytest.raises(ValueError, match="seconds"):
+        shown.wait(-1)
+    shown.close()
+    assert shown.wait(0)
+
+
+def press(shown, page, key):
+    """Press a key: what every command of that key does."""
+    for command in [command for command in shown.panel._commands if command.hotkey == key]:
+        say(page, {"type": "CommandTriggerMessage", "uuid": command._impl.uuid})
+
+
+def test_a_key_calls_a_program_in_place_of_what_it_did(shown, page):
+    pressed = []
+    shown.on_key("w", pressed.append, "Say so")
+    shown.on_key("arrowup", lambda client: pressed.append("up"))
+    press(shown, page, "W")
+    press(shown, page, "arrowup")
+    wait_until(lambda: len(pressed) == 2)
+    assert pressed == [session_of(shown).client.client_id, "up"]
+    assert not shown.wireframe
+    shown.on_key("W", lambda client: pressed.append("again"))
+    press(shown, page, "W")
+    wait_until(lambda: pressed[2:] == ["again"])
+    with pytest.raises(ValueError, match="no key 'F13'; there are A to Z, 0 to 9, space"):
+        shown.on_key("F13", print)
+
+
 def test_a_program_can_use_a_viewer_in_a_block(rng):
     with Viewer(port=0) as shown:
         shown.add("cloud", cloud_of(rng.random((5, 3))))

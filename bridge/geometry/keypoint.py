@@ -1,0 +1,22 @@
+"""Open3D's module `open3d.geometry.keypoint`."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from ...pcd import keypoints
+from ..held import ours
+from .point_cloud import PointCloud
+
+
+def compute_iss_keypoints(
+    input: Any,
+    salient_radius: float = 0.0,
+    non_max_radius: float = 0.0,
+    gamma_21: float = 0.975,
+    gamma_32: float = 0.975,
+    min_neighbors: int = 5,
+) -> PointCloud:
+    """As `loom.compute_iss_keypoints`."""
+    limits = salient_radius, non_max_radius, gamma_21, gamma_32, min_neighbors
+    return PointCloud._of(keypoints.compute_iss_keypoints(ours(input, PointCloud, "input"), *limits))

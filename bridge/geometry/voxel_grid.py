@@ -1,0 +1,148 @@
+"""VoxelGrid: the voxels that a mesh or a cloud touches; grids are made and asked, not carved."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ...core.known_names import KnownNames
+from ...meshing.mesh import voxel_grid
+from ..held import as_array, ours
+from ..vectors import Vector3dVector
+from .boxes import AxisAlignedBoundingBox
+from .enums import VoxelPoolingMode
+from .geometry import Geometry
+from .point_cloud import PointCloud
+from .triangle_mesh import TriangleMesh
+
+CORNERS = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0], [0, 0, 1], [1, 0, 1], [0, 1, 1], [1, 1, 1]])
+
+
+class Voxel(KnownNames):
+    """A voxel of a grid: `grid_index` and `color`."""
+
+    grid_index: NDArray[np.int32]
+    color: NDArray[np.float64]
+
+    def __init__(self, grid_index: ArrayLike = (0, 0, 0), color: ArrayLike = (0.0, 0.0, 0.0)):
+        self.grid_index, self.color = np.array(grid_index, np.int32), np.array(color, np.float64)
+
+    def __repr__(self) -> str:
+        index, color = (", ".join(f"{value:g}" for value in row) for row in (self.grid_index, self.color))
+        return f"Voxel with grid_index: ({index}), color: ({color})"
+
+
+class VoxelGrid(Geometry):
+    """Occupied voxels, with colours where they come from a coloured cloud; voxel (0, 0, 0) begins at `origin`."""
+
+    VoxelPoolingMode = VoxelPoolingMode
+    _kind = voxel_grid.VoxelGrid
+    _colors: NDArray[np.float64]
+
+    def __init__(self, grid: VoxelGrid | None = None):
+        empty = voxel_grid.VoxelGrid(np.zeros(3), 0.0, (0, 0, 0), np.zeros((0, 3), np.int32))
+        self._held, self._out = empty if grid is None else grid._held, {}
+        self._colors = np.zeros((0, 3)) if grid is None else grid._colors
+
+    @classmethod
+    def _around(cls, grid: voxel_grid.VoxelGrid, colors: NDArray[np.float64] | None = None) -> VoxelGrid:
+        made = cls._of(grid)
+        made._colors = np.zeros((len(grid), 3)) if colors is None else colors
+        return made
+
+    @classmethod
+    def create_from_triangle_mesh(cls, input: Any, voxel_size: float) -> VoxelGrid:
+        """The voxels that a mesh touches."""
+        return cls._around(ours(input, TriangleMesh, "input").voxelize(voxel_size))
+
+    @classmethod
+    def create_from_triangle_mesh_within_bounds(
+        cls, input: Any, voxel_size: float, min_bound: ArrayLike, max_bound: ArrayLike
+    ) -> VoxelGrid:
+        """The voxels between two corners that a mesh touches."""
+        return cls._around(ours(input, TriangleMesh, "input").voxelize(voxel_size, min_bound, max_bound))
+
+    @classmethod
+    def create_from_point_cloud(
+        cls, input: Any, voxel_size: float, pooling_mode: VoxelPoolingMode = VoxelPoolingMode.AVG
+    ) -> VoxelGrid:
+        """The voxels of `voxel_down_sample`, in their mean colours."""
+        if pooling_mode is not VoxelPoolingMode.AVG:
+            raise ValueError(
+                f"pooling_mode: expected AVG, got {pooling_mode.name}: a voxel has its points' mean colour"
+            )
+        cloud = ours(input, PointCloud, "input")
+        means = cloud.voxel_down_sample(voxel_size)
+        origin = cloud.get_min_bound() - voxel_size / 2
+        cells = np.floor((means.points - origin) / voxel_size).astype(np.int32)
+        counts = tuple((cells.max(axis=0) + 1).tolist()) if len(cells) else (0, 0, 0)
+        order = np.lexsort(cells.T[::-1])
+        colors = means.colors.astype(np.float64)[order] if means.has_colors else None
+        return cls._around(voxel_grid.VoxelGrid(origin, voxel_size, counts, cells[order]), colors)
+
+    @property
+    def origin(self) -> NDArray[np.float64]:
+        """Where voxel (0, 0, 0) begins."""
+        return self._held.origin
+
+    @property
+    def voxel_size(self) -> float:
+        """The edge of a voxel."""
+        return float(self._held.voxel_size)
+
+    def get_voxels(self) -> list[Voxel]:
+        """The occupied voxels."""
+        return [Voxel(*both) for both in zip(self._held.coordinates, self._colors, strict=True)]
+
+    def get_voxel(self, point: ArrayLike) -> NDArray[np.int32]:
+        """The index of the voxel of a point, occupied or not."""
+        return self._held.get_voxel(point).astype(np.int32)
+
+    def get_voxel_center_coordinate(self, idx: ArrayLike) -> NDArray[np.float64]:
+        """The middle of an occupied voxel; zero of another one."""
+        index = np.asarray(idx)
+        is_there = bool((self._held.coordinates == index).all(axis=1).any())
+        return self.origin + (index + 0.5) * self.voxel_size if is_there else np.zeros(3)
+
+    def get_voxel_bounding_points(self, index: ArrayLike) -> Vector3dVector:
+        """The corners of a voxel."""
+        return Vector3dVector(self.origin + (np.asarray(index) + CORNERS) * self.voxel_size)
+
+    def check_if_included(self, queries: Any) -> list[bool]:
+        """Which points of a vector lie in occupied voxels."""
+        return self._held.check_if_included(as_array(queries)).tolist()
+
+    def has_voxels(self) -> bool:
+        """Whether there are any."""
+        return len(self._held) > 0
+
+    def has_colors(self) -> bool:
+        """True, as in Open3D: voxels without colours are black."""
+        return True
+
+    def is_empty(self) -> bool:
+        """Whether there are none."""
+        return not self.has_voxels()
+
+    def get_min_bound(self) -> NDArray[np.float64]:
+        """The lowest coordinates of voxels."""
+        low = self._held.coordinates.min(axis=0) if self.has_voxels() else 0
+        return self.origin + low * self.voxel_size
+
+    def get_max_bound(self) -> NDArray[np.float64]:
+        """The highest coordinates of voxels."""
+        high = self._held.coordinates.max(axis=0) + 1 if self.has_voxels() else 0
+        return self.origin + high * self.voxel_size
+
+    def get_center(self) -> NDArray[np.float64]:
+        """The mean of the voxels' middles."""
+        return self._held.centers.mean(axis=0) if self.has_voxels() else np.zeros(3)
+
+    def get_axis_aligned_bounding_box(self) -> AxisAlignedBoundingBox:
+        """The box around the voxels."""
+        return AxisAlignedBoundingBox(self.get_min_bound(), self.get_max_bound())
+
+    def __repr__(self) -> str:
+        return f"VoxelGrid with {len(self._held)} voxels."

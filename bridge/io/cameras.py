@@ -1,0 +1,92 @@
+"""Files of cameras and trajectories; extrinsics are world to camera in memory, as in Open3D."""
+
+from __future__ import annotations
+
+import json
+import os
+from pathlib import Path
+from typing import Any
+
+from ...cameras import camera, trajectory
+from ...core.atomic import atomic_write
+from ...core.errors import FileError
+from ...core.json_files import check_keys, read_json_object
+from ..camera.intrinsic import PinholeCameraIntrinsic
+from ..camera.parameters import PinholeCameraParameters, PinholeCameraTrajectory
+from ..held import ours
+
+FilePath = str | os.PathLike[str]
+VERSION = {"version_major": 1, "version_minor": 0}
+
+
+def read_pinhole_camera_intrinsic(filename: FilePath) -> PinholeCameraIntrinsic:
+    """As `loom.read_pinhole_camera_intrinsic`."""
+    return PinholeCameraIntrinsic._of(camera.read_pinhole_camera_intrinsic(filename))
+
+
+def write_pinhole_camera_intrinsic(filename: FilePath, intrinsic: Any) -> bool:
+    """As `loom.write_pinhole_camera_intrinsic`."""
+    camera.write_pinhole_camera_intrinsic(filename, ours(intrinsic, PinholeCameraIntrinsic, "intrinsic"))
+    return True
+
+
+def read_pinhole_camera_parameters(filename: FilePath) -> PinholeCameraParameters:
+    """A camera and its extrinsic, from JSON."""
+    content = read_json_object(filename)
+    check_keys(filename, content, required={"intrinsic", "extrinsic"}, optional={"class_name", *VERSION})
+    made = PinholeCameraParameters()
+    made.intrinsic = camera.read_pinhole_camera_intrinsic(filename)
+    made.extrinsic = camera.read_json_matrix(filename, content["extrinsic"], 4, where="key extrinsic")
+    return made
+
+
+def write_pinhole_camera_parameters(filename: FilePath, parameters: PinholeCameraParameters) -> bool:
+    """A camera and its extrinsic, as JSON."""
+    return _write_json(filename, _parameters_to_json(parameters))
+
+
+def read_pinhole_camera_trajectory(filename: FilePath) -> PinholeCameraTrajectory:
+    """The cameras of a .json file, or the poses of .log and .txt (TUM) with PrimeSense's camera, as in Open3D."""
+    poses = trajectory.read_trajectory(filename)
+    made = PinholeCameraTrajectory._of(poses, camera.PinholeCameraIntrinsic.prime_sense_default())
+    if Path(filename).suffix.lower() == ".json":
+        for i, (one, content) in enumerate(zip(made.parameters, read_json_object(filename)["parameters"], strict=True)):
+            one.intrinsic = _intrinsic_of(filename, content, f"key parameters[{i}].intrinsic")
+    return made
+
+
+def write_pinhole_camera_trajectory(filename: FilePath, trajectory: PinholeCameraTrajectory) -> bool:
+    """As .json, with cameras; or the poses alone as .log or .txt (TUM)."""
+    if Path(filename).suffix.lower() == ".json":
+        parameters = [_parameters_to_json(one) for one in trajectory.parameters]
+        return _write_json(filename, {"class_name": "PinholeCameraTrajectory", "parameters": parameters, **VERSION})
+    return _write_poses(filename, trajectory)
+
+
+def _write_poses(filename: FilePath, cameras: PinholeCameraTrajectory) -> bool:
+    format = "tum" if Path(filename).suffix.lower() == ".txt" else None
+    trajectory.write_trajectory(filename, cameras._ours, format=format)
+    return True
+
+
+def _intrinsic_of(filename: FilePath, content: dict[str, Any], where: str) -> PinholeCameraIntrinsic:
+    found = content.get("intrinsic")
+    if not isinstance(found, dict) or not {"width", "height", "intrinsic_matrix"} <= found.keys():
+        raise FileError(filename, "expected width, height and intrinsic_matrix", where=where)
+    K = camera.read_json_matrix(filename, found["intrinsic_matrix"], 3, where=where)
+    return PinholeCameraIntrinsic(found["width"], found["height"], K)
+
+
+def _parameters_to_json(parameters: PinholeCameraParameters) -> dict[str, Any]:
+    return {
+        "class_name": "PinholeCameraParameters",
+        "extrinsic": parameters.extrinsic.T.ravel().tolist(),
+        "intrinsic": camera.intrinsic_to_json(ours(parameters.intrinsic)),
+        **VERSION,
+    }
+
+
+def _write_json(filename: FilePath, content: dict[str, Any]) -> bool:
+    with atomic_write(filename) as file:
+        file.write(json.dumps(content, indent=4).encode() + b"\n")
+    return True

@@ -1,0 +1,51 @@
+"""Files of features and of pose graphs."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from ...core.atomic import atomic_write
+from ...core.errors import FileError
+from ...registration.pose_graphs import pose_graph_files
+from ..held import ours
+from ..pipelines.registration import Feature, PoseGraph
+
+FilePath = str | os.PathLike[str]
+HEAD = 8  # bytes: two int32, dimension and points
+
+
+def read_feature(filename: FilePath) -> Feature:
+    """Open3D's .bin: the dimension and the number of points, int32, then a column a point, float64."""
+    try:
+        data = Path(filename).read_bytes()
+    except OSError as error:
+        raise FileError(filename, f"cannot be read: {error.strerror or error}") from error
+    dimension, count = np.frombuffer(data[:HEAD], "<i4") if len(data) >= HEAD else (-1, -1)
+    if min(dimension, count) < 0 or len(data) != HEAD + 8 * int(dimension) * int(count):
+        raise FileError(filename, f"{len(data)} bytes are no features of {dimension} numbers of {count} points")
+    made = Feature()
+    made.data = np.frombuffer(data[HEAD:], "<f8").reshape(count, dimension).T
+    return made
+
+
+def write_feature(filename: FilePath, feature: Any) -> bool:
+    """Open3D's .bin."""
+    if not isinstance(feature, Feature):
+        raise TypeError(f"feature: expected a Feature, got {type(feature).__name__}")
+    with atomic_write(filename) as file:
+        file.write(np.array(feature.data.shape, "<i4").tobytes() + feature.data.T.astype("<f8").tobytes())
+    return True
+
+
+def read_pose_graph(filename: FilePath) -> PoseGraph:
+    """As `loom.registration.read_pose_graph`."""
+    return PoseGraph._of(pose_graph_files.read_pose_graph(filename))
+
+
+def write_pose_graph(filename: FilePath, pose_graph: Any) -> None:
+    """As `loom.registration.write_pose_graph`."""
+    pose_graph_files.write_pose_graph(filename, ours(pose_graph, PoseGraph, "pose_graph"))

@@ -1,0 +1,5 @@
+"""Registration, odometry, fusion and colour maps, under Open3D's names."""
+
+from ...public_names import attach  # pyright: ignore[reportMissingImports]
+
+__getattr__, __dir__ = attach(__name__)

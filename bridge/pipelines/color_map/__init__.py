@@ -1,0 +1,5 @@
+"""Colours of a mesh from pictures, under Open3D's names."""
+
+from ....public_names import attach  # pyright: ignore[reportMissingImports]
+
+__getattr__, __dir__ = attach(__name__)

@@ -1,0 +1,95 @@
+"""Colours of a mesh from posed RGB-D images."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from ....cameras.trajectory import Trajectory
+from ....meshing.color_map import optimizers, options
+from ...camera import PinholeCameraParameters, PinholeCameraTrajectory
+from ...geometry import RGBDImage, TriangleMesh
+from ...held import ours
+from ...settings import Settings
+
+
+@dataclass(eq=False, repr=False)
+class RigidOptimizerOption(Settings):
+    """How `run_rigid_optimizer` works; nothing is written to `debug_output_dir`."""
+
+    _kind = options.RigidOptimizerOption
+    maximum_iteration: Any = 0
+    maximum_allowable_depth: float = 2.5
+    depth_threshold_for_visibility_check: float = 0.03
+    depth_threshold_for_discontinuity_check: float = 0.1
+    half_dilation_kernel_size_for_discontinuity_map: int = 3
+    image_boundary_margin: int = 10
+    invisible_vertex_color_knn: int = 3
+    debug_output_dir: str = ""
+
+    def _keywords(self) -> dict[str, Any]:
+        values = super()._keywords()
+        if values.pop("debug_output_dir"):
+            raise ValueError("debug_output_dir: nothing is written between the steps; leave it empty")
+        return values
+
+
+@dataclass(eq=False, repr=False, init=False)
+class NonRigidOptimizerOption(RigidOptimizerOption):
+    """How `run_non_rigid_optimizer` works."""
+
+    _kind = options.NonRigidOptimizerOption
+    number_of_vertical_anchors: int = 16
+    non_rigid_anchor_point_weight: float = 0.316
+
+    def __init__(
+        self,
+        number_of_vertical_anchors: int = 16,
+        non_rigid_anchor_point_weight: float = 0.316,
+        maximum_iteration: int = 0,
+        *others: Any,
+        **named: Any,
+    ):
+        self.number_of_vertical_anchors = number_of_vertical_anchors
+        self.non_rigid_anchor_point_weight = non_rigid_anchor_point_weight
+        super().__init__(maximum_iteration, *others, **named)
+
+
+def run_rigid_optimizer(
+    mesh: Any, images_rgbd: Any, camera_trajectory: Any, option: Any
+) -> tuple[TriangleMesh, PinholeCameraTrajectory]:
+    """Colour a mesh, with the poses moved so that the pictures agree: the coloured mesh and the cameras."""
+    chosen = ours(option, RigidOptimizerOption, "option")
+    return _run(optimizers.run_rigid_optimizer, mesh, images_rgbd, camera_trajectory, chosen)
+
+
+def run_non_rigid_optimizer(
+    mesh: Any, images_rgbd: Any, camera_trajectory: Any, option: Any
+) -> tuple[TriangleMesh, PinholeCameraTrajectory]:
+    """As `run_rigid_optimizer`, with each picture bent besides."""
+    chosen = ours(option, NonRigidOptimizerOption, "option")
+    return _run(optimizers.run_non_rigid_optimizer, mesh, images_rgbd, camera_trajectory, chosen)
+
+
+def _run(
+    run: Callable[..., Any], mesh: Any, images: Any, cameras: Any, option: Any
+) -> tuple[TriangleMesh, PinholeCameraTrajectory]:
+    parameters = list(cameras.parameters)
+    poses = Trajectory(np.array([np.linalg.inv(one.extrinsic) for one in parameters]).reshape(-1, 4, 4))
+    pictures = [ours(image, RGBDImage, f"images_rgbd[{i}]") for i, image in enumerate(images)]
+    intrinsics = [ours(one.intrinsic) for one in parameters]
+    colored, moved = run(ours(mesh, TriangleMesh, "mesh"), pictures, poses, option, intrinsic=intrinsics)
+    found = PinholeCameraTrajectory()
+    found.parameters = [
+        _parameters(one, np.linalg.inv(pose)) for one, pose in zip(parameters, moved.poses, strict=True)
+    ]
+    return TriangleMesh._of(colored), found
+
+
+def _parameters(given: PinholeCameraParameters, extrinsic: Any) -> PinholeCameraParameters:
+    made = PinholeCameraParameters()
+    made.intrinsic, made.extrinsic = given.intrinsic, extrinsic
+    return made

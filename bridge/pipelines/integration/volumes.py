@@ -1,0 +1,134 @@
+"""TSDF volumes under Open3D's names: surfaces are made wherever a voxel was seen at all, as there."""
+
+from __future__ import annotations
+
+import copy
+import enum
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from ....core.checks import check_count, check_positive, check_shape
+from ....meshing.volume import tsdf
+from ....pcd import boxes
+from ...camera import PinholeCameraIntrinsic
+from ...geometry import PointCloud, RGBDImage, TriangleMesh
+from ...held import Held, ours
+
+SEEN = 0.0  # a voxel that one frame saw makes surface
+
+
+class TSDFVolumeColorType(enum.Enum):
+    """What a volume keeps of colours."""
+
+    NoColor = 0
+    RGB8 = 1
+    Gray32 = 2
+
+
+class TSDFVolume(Held):
+    """A surface fused from posed depth images; one of the two below."""
+
+    _kind = tsdf.TSDFVolume
+
+    def __init__(self, voxel_length: float, sdf_trunc: float, color_type: TSDFVolumeColorType):
+        if not isinstance(color_type, TSDFVolumeColorType):
+            raise TypeError(f"color_type: expected a TSDFVolumeColorType, got {type(color_type).__name__}")
+        if color_type is TSDFVolumeColorType.Gray32:
+            raise ValueError("color_type: brightness is not kept; take TSDFVolumeColorType.RGB8 or NoColor")
+        self._color_type, self._sdf_trunc = color_type, check_positive("sdf_trunc", sdf_trunc)
+        self._voxel_length = check_positive("voxel_length", voxel_length)
+        self._out = {}
+        self.reset()
+
+    color_type = property(lambda self: self._color_type, doc="What it keeps of colours.")
+    sdf_trunc = property(lambda self: self._sdf_trunc, doc="Distance at which signed distances are cut [m].")
+    voxel_length = property(lambda self: self._voxel_length, doc="Edge of a voxel [m].")
+
+    def reset(self) -> None:
+        """Forget all frames."""
+        colored = self._color_type is TSDFVolumeColorType.RGB8
+        self._held = tsdf.TSDFVolume(voxel_size=self._voxel_length, truncation=self._sdf_trunc, color=colored)
+
+    def integrate(self, image: Any, intrinsic: Any, extrinsic: ArrayLike) -> None:
+        """Fold in an RGBDImage; `extrinsic` is world to camera."""
+        frame = ours(image, RGBDImage, "image"), ours(intrinsic, PinholeCameraIntrinsic, "intrinsic")
+        self._held.integrate(*frame, extrinsic)
+
+    def extract_triangle_mesh(self) -> TriangleMesh:
+        """The surface as a mesh."""
+        return TriangleMesh._of(self._held.extract_triangle_mesh(SEEN))
+
+    def extract_point_cloud(self) -> PointCloud:
+        """The surface as points with normals."""
+        return PointCloud._of(self._held.extract_point_cloud(SEEN))
+
+    def __copy__(self) -> Any:
+        made = type(self).__new__(type(self))
+        for name, value in vars(self).items():
+            object.__setattr__(made, name, copy.copy(value))
+        return made
+
+    def __getstate__(self) -> dict[str, Any]:
+        return dict(vars(self))
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        vars(self).update(state)
+
+    def __repr__(self) -> str:
+        return (
+            f"{type(self).__name__} {'without' if self._color_type is TSDFVolumeColorType.NoColor else 'with'} color."
+        )
+
+
+class ScalableTSDFVolume(TSDFVolume):
+    """A volume that grows where there is depth. How it is parted and how densely depth is looked at are our own."""
+
+    def __init__(
+        self,
+        voxel_length: Any,
+        sdf_trunc: float = 0.0,
+        color_type: Any = None,
+        volume_unit_resolution: int = 16,
+        depth_sampling_stride: int = 4,
+    ):
+        if isinstance(voxel_length, ScalableTSDFVolume):
+            vars(self).update(vars(voxel_length.__copy__()))
+            return
+        check_count("volume_unit_resolution", volume_unit_resolution)
+        check_count("depth_sampling_stride", depth_sampling_stride)
+        super().__init__(voxel_length, sdf_trunc, color_type)
+
+
+class UniformTSDFVolume(TSDFVolume):
+    """A cube of `resolution` voxels an edge: what lies outside is cut off."""
+
+    def __init__(
+        self,
+        length: Any,
+        resolution: int = 0,
+        sdf_trunc: float = 0.0,
+        color_type: Any = None,
+        origin: ArrayLike = (0.0, 0.0, 0.0),
+    ):
+        if isinstance(length, UniformTSDFVolume):
+            vars(self).update(vars(length.__copy__()))
+            return
+        self._length, self._resolution = check_positive("length", length), check_count("resolution", resolution)
+        self._corner = check_shape("origin", origin, (3,)).copy()
+        super().__init__(self._length / self._resolution, sdf_trunc, color_type)
+
+    length = property(lambda self: self._length, doc="Edge of the cube [m].")
+    resolution = property(lambda self: self._resolution, doc="Voxels an edge.")
+
+    def extract_triangle_mesh(self) -> TriangleMesh:
+        """The surface as a mesh, of triangles in the cube."""
+        return TriangleMesh._of(self._held.extract_triangle_mesh(SEEN).crop(self._cube()))
+
+    def extract_point_cloud(self) -> PointCloud:
+        """The surface as points with normals."""
+        return PointCloud._of(self._held.extract_point_cloud(SEEN).crop(self._cube()))
+
+    def _cube(self) -> boxes.AxisAlignedBoundingBox:
+        return boxes.AxisAlignedBoundingBox(self._corner, self._corner + np.full(3, self._length))

@@ -1,0 +1,5 @@
+"""The motion between RGB-D images, under Open3D's names."""
+
+from ....public_names import attach  # pyright: ignore[reportMissingImports]
+
+__getattr__, __dir__ = attach(__name__)

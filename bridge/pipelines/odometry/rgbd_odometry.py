@@ -1,0 +1,90 @@
+"""Open3D's odometry of RGB-D images, by its own weights."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ....rgbd.odometry import options, rgbd_odometry
+from ...camera import PinholeCameraIntrinsic
+from ...geometry import RGBDImage
+from ...held import ours
+from ...settings import Settings
+from ...vectors import IntVector
+
+IDENTITY = np.eye(4)
+
+
+@dataclass(eq=False, repr=False)
+class OdometryOption(Settings):
+    """How `compute_rgbd_odometry` works."""
+
+    _kind = options.OdometryOption
+    iteration_number_per_pyramid_level: Any = field(default_factory=lambda: IntVector([20, 10, 5]))
+    depth_diff_max: float = 0.03
+    depth_min: float = 0.0
+    depth_max: float = 4.0
+
+    def __setattr__(self, name: str, value: Any) -> None:
+        steps = name == "iteration_number_per_pyramid_level" and not isinstance(value, OdometryOption)
+        super().__setattr__(name, IntVector(value) if steps else value)
+
+    def _keywords(self) -> dict[str, Any]:
+        steps = list(self.iteration_number_per_pyramid_level)
+        return super()._keywords() | {"iteration_number_per_pyramid_level": steps}
+
+    def __repr__(self) -> str:
+        values = self._keywords()
+        steps = "".join(f"{step}, " for step in values.pop("iteration_number_per_pyramid_level"))
+        limits = "".join(f"{name}={value:g},\n" for name, value in values.items())
+        return f"OdometryOption(\niteration_number_per_pyramid_level=[ {steps}] ,\n{limits})"
+
+
+class RGBDOdometryJacobian(Settings):
+    """What two images are compared by; one of the two below."""
+
+
+@dataclass(eq=False, repr=False)
+class RGBDOdometryJacobianFromColorTerm(RGBDOdometryJacobian):
+    """Brightness alone."""
+
+    _kind = options.RGBDOdometryJacobianFromColorTerm
+
+
+@dataclass(eq=False, repr=False)
+class RGBDOdometryJacobianFromHybridTerm(RGBDOdometryJacobian):
+    """Brightness and depth."""
+
+    _kind = options.RGBDOdometryJacobianFromHybridTerm
+
+
+def compute_rgbd_odometry(
+    rgbd_source: Any,
+    rgbd_target: Any,
+    pinhole_camera_intrinsic: Any = None,
+    odo_init: ArrayLike = IDENTITY,
+    jacobian: Any = None,
+    option: Any = None,
+) -> tuple[bool, NDArray[np.float64], NDArray[np.float64]]:
+    """The motion between two images: (success, T_target_source, information).
+
+    By Open3D's weights and without a verdict; `loom.odometry.compute_rgbd_odometry` weighs by the noise, and says where
+    it failed.
+    """
+    camera = PinholeCameraIntrinsic() if pinhole_camera_intrinsic is None else pinhole_camera_intrinsic
+    term = RGBDOdometryJacobianFromHybridTerm() if jacobian is None else jacobian
+    chosen = OdometryOption() if option is None else option
+    return tuple(
+        rgbd_odometry.compute_rgbd_odometry(
+            ours(rgbd_source, RGBDImage, "rgbd_source"),
+            ours(rgbd_target, RGBDImage, "rgbd_target"),
+            ours(camera, PinholeCameraIntrinsic, "pinhole_camera_intrinsic"),
+            odo_init,
+            ours(term, RGBDOdometryJacobian, "jacobian"),
+            ours(chosen, OdometryOption, "option"),
+            weights="open3d",
+        )
+    )

@@ -1,0 +1,5 @@
+"""What brings clouds together, under Open3D's names."""
+
+from ....public_names import attach  # pyright: ignore[reportMissingImports]
+
+__getattr__, __dir__ = attach(__name__)

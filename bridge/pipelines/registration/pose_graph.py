@@ -1,0 +1,232 @@
+"""Pose graphs: lists of nodes and edges that are appended to, and optimised in place."""
+
+from __future__ import annotations
+
+import copy
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+from typing import Any, ClassVar, SupportsIndex
+
+import numpy as np
+
+from ....registration.pose_graphs import pose_graph, pose_graph_files, pose_graph_optimization
+from ...held import Held, ours
+from ...settings import Settings
+
+
+@dataclass(eq=False, repr=False)
+class PoseGraphNode(Settings):
+    """A place: `pose` is T_world_node, shape [4, 4]."""
+
+    _kind = pose_graph.PoseGraphNode
+    pose: Any = field(default_factory=lambda: np.eye(4))
+
+    def __repr__(self) -> str:
+        return "PoseGraphNode, access pose to get its current pose."
+
+
+@dataclass(eq=False, repr=False)
+class PoseGraphEdge(Settings):
+    """A measured motion between two nodes, T_target_source, and its information [6, 6]."""
+
+    _kind = pose_graph.PoseGraphEdge
+    source_node_id: Any = -1
+    target_node_id: int = -1
+    transformation: Any = field(default_factory=lambda: np.eye(4))
+    information: Any = field(default_factory=lambda: np.eye(6))
+    uncertain: bool = False
+    confidence: float = 1.0
+
+    def __repr__(self) -> str:
+        between = f"from nodes {self.source_node_id} to {self.target_node_id}"
+        return f"PoseGraphEdge {between}, access transformation to get relative transformation"
+
+
+class _CopyingList(list[Any]):
+    """A list that keeps copies of what is put into it, as Open3D's vectors do."""
+
+    _element: ClassVar[type[Settings]]
+
+    def __init__(self, values: Iterable[Any] = ()):
+        super().__init__(map(self._taken, values))
+
+    def _taken(self, value: Any) -> Any:
+        if not isinstance(value, self._element):
+            raise TypeError(f"{type(self).__name__}: expected a {self._element.__name__}, got {type(value).__name__}")
+        return copy.copy(value)
+
+    def append(self, x: Any) -> None:
+        """Add one at the end."""
+        super().append(self._taken(x))
+
+    def extend(self, L: Iterable[Any]) -> None:
+        """Add some at the end."""
+        super().extend(map(self._taken, L))
+
+    def insert(self, i: SupportsIndex, x: Any) -> None:
+        """Put one before another."""
+        super().insert(i, self._taken(x))
+
+    def __setitem__(self, index: Any, value: Any) -> None:
+        super().__setitem__(index, list(map(self._taken, value)) if isinstance(index, slice) else self._taken(value))
+
+
+class PoseGraphNodeVector(_CopyingList):
+    """The nodes of a graph."""
+
+    _element = PoseGraphNode
+
+
+class PoseGraphEdgeVector(_CopyingList):
+    """The edges of a graph."""
+
+    _element = PoseGraphEdge
+
+
+class PoseGraph(Held):
+    """Nodes, and edges between them: `graph.nodes.append(node)`, `graph.edges.append(edge)`."""
+
+    _kind = pose_graph.PoseGraph
+    _nodes: PoseGraphNodeVector
+    _edges: PoseGraphEdgeVector
+
+    def __init__(self, other: Any = None):
+        self._take(pose_graph.PoseGraph() if other is None else ours(other, PoseGraph, "arg0"))
+
+    @classmethod
+    def _of(cls, ours: Any) -> PoseGraph:
+        made = cls.__new__(cls)
+        made._take(ours)
+        return made
+
+    def _take(self, graph: pose_graph.PoseGraph) -> None:
+        self._nodes = PoseGraphNodeVector(map(PoseGraphNode._of, graph.nodes))
+        self._edges = PoseGraphEdgeVector(map(PoseGraphEdge._of, graph.edges))
+
+    @property
+    def _ours(self) -> pose_graph.PoseGraph:
+        return pose_graph.PoseGraph(ours(list(self._nodes)), ours(list(self._edges)))
+
+    @property
+    def nodes(self) -> PoseGraphNodeVector:
+        """The places; assign others."""
+        return self._nodes
+
+    @nodes.setter
+    def nodes(self, nodes: Iterable[PoseGraphNode]) -> None:
+        self._nodes[:] = list(nodes)
+
+    @property
+    def edges(self) -> PoseGraphEdgeVector:
+        """The measured motions; assign others."""
+        return self._edges
+
+    @edges.setter
+    def edges(self, edges: Iterable[PoseGraphEdge]) -> None:
+        self._edges[:] = list(edges)
+
+    def __copy__(self) -> PoseGraph:
+        return PoseGraph(self)
+
+    def __getstate__(self) -> dict[str, Any]:
+        return {"ours": self._ours}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        self._take(state["ours"])
+
+    def __repr__(self) -> str:
+        return f"PoseGraph with {len(self._nodes)} nodes and {len(self._edges)} edges."
+
+
+@dataclass(eq=False, repr=False)
+class GlobalOptimizationOption(Settings):
+    """What is optimised. As in Open3D the distance is 0.075 where nothing is given, and 0.03 where anything is."""
+
+    _kind = pose_graph_optimization.GlobalOptimizationOption
+    max_correspondence_distance: Any = None
+    edge_prune_threshold: float | None = None
+    preference_loop_closure: float | None = None
+    reference_node: int | None = None
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        alone = all(value is None for value in self._keywords().values())
+        defaults = {"max_correspondence_distance": 0.075 if alone else 0.03, "edge_prune_threshold": 0.25}
+        for name, value in (defaults | {"preference_loop_closure": 1.0, "reference_node": -1}).items():
+            if getattr(self, name) is None:
+                setattr(self, name, value)
+
+    def __repr__(self) -> str:
+        return _listed(self)
+
+
+@dataclass(eq=False, repr=False)
+class GlobalOptimizationConvergenceCriteria(Settings):
+    """When the optimisation stops."""
+
+    _kind = pose_graph_optimization.GlobalOptimizationConvergenceCriteria
+    max_iteration: Any = 100
+    min_relative_increment: float = 1e-6
+    min_relative_residual_increment: float = 1e-6
+    min_right_term: float = 1e-6
+    min_residual: float = 1e-6
+    max_iteration_lm: int = 20
+    upper_scale_factor: float = 2 / 3
+    lower_scale_factor: float = 1 / 3
+
+    def __repr__(self) -> str:
+        return _listed(self)
+
+
+class GlobalOptimizationMethod(Settings):
+    """How steps are taken; one of the two below."""
+
+    _kind = pose_graph_optimization.GlobalOptimizationMethod
+
+    def OptimizePoseGraph(self, pose_graph: PoseGraph, criteria: Any, option: Any) -> None:
+        """`global_optimization` by this method."""
+        global_optimization(pose_graph, self, criteria, option)
+
+
+@dataclass(eq=False, repr=False)
+class GlobalOptimizationGaussNewton(GlobalOptimizationMethod):
+    """Full steps."""
+
+    _kind = pose_graph_optimization.GlobalOptimizationGaussNewton
+
+
+@dataclass(eq=False, repr=False)
+class GlobalOptimizationLevenbergMarquardt(GlobalOptimizationMethod):
+    """Steps that are damped until they lower the residual."""
+
+    _kind = pose_graph_optimization.GlobalOptimizationLevenbergMarquardt
+
+
+def global_optimization(pose_graph: PoseGraph, method: Any, criteria: Any, option: Any) -> None:
+    """Move the nodes of a graph so that they fit its edges best; drop edges that contradict the rest. In place."""
+    solved = pose_graph_optimization.global_optimization(
+        ours(pose_graph, PoseGraph, "pose_graph"),
+        ours(method, GlobalOptimizationMethod, "method"),
+        ours(criteria, GlobalOptimizationConvergenceCriteria, "criteria"),
+        ours(option, GlobalOptimizationOption, "option"),
+    )
+    for node, moved in zip(pose_graph.nodes, solved.nodes, strict=True):
+        node.pose = moved.pose
+    pose_graph.edges = map(PoseGraphEdge._of, solved.edges)
+
+
+def read_pose_graph(filename: Any) -> PoseGraph:
+    """Read a graph from JSON."""
+    return PoseGraph._of(pose_graph_files.read_pose_graph(filename))
+
+
+def write_pose_graph(filename: Any, pose_graph: PoseGraph) -> bool:
+    """Write a graph as JSON."""
+    pose_graph_files.write_pose_graph(filename, ours(pose_graph, PoseGraph, "pose_graph"))
+    return True
+
+
+def _listed(settings: Settings) -> str:
+    values = settings._keywords().items()
+    shown = [f"> {name} : {value if isinstance(value, int) else f'{value:f}'}" for name, value in values]
+    return "\n".join([type(settings).__name__, *shown])

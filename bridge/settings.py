@@ -1,0 +1,58 @@
+"""Options of Open3D, whose numbers are assigned one by one, over our frozen ones."""
+
+from __future__ import annotations
+
+import copy
+import dataclasses
+from typing import Any, Self
+
+import numpy as np
+
+from .held import Held, ours
+
+
+@dataclasses.dataclass(eq=False, repr=False)
+class Settings(Held):
+    """A `Held` of plain fields: ours is made of them, and checks them, each time that it is needed.
+
+    A class names ours in `_kind` and is a dataclass of Open3D's fields and defaults; the fields have the same names in
+    ours. Another object of the class in the place of the first field is copied.
+    """
+
+    def __post_init__(self) -> None:
+        first = next(iter(dataclasses.fields(self)), None)
+        other = getattr(self, first.name) if first else None
+        if isinstance(other, type(self)):
+            for field in dataclasses.fields(self):
+                setattr(self, field.name, copy.copy(getattr(other, field.name)))
+
+    def __setattr__(self, name: str, value: Any) -> None:
+        super().__setattr__(name, value.copy() if isinstance(value, np.ndarray) else value)
+
+    @property
+    def _ours(self) -> Any:
+        return self._kind(**self._keywords())
+
+    def _keywords(self) -> dict[str, Any]:
+        """The arguments of ours."""
+        return {field.name: ours(getattr(self, field.name)) for field in dataclasses.fields(self)}
+
+    @classmethod
+    def _of(cls, ours: Any) -> Self:
+        return cls(**{field.name: getattr(ours, field.name) for field in dataclasses.fields(cls)})
+
+    def __copy__(self) -> Self:
+        return dataclasses.replace(self)
+
+    def __deepcopy__(self, memo: dict[int, Any]) -> Self:
+        return type(self)(**{f.name: copy.deepcopy(getattr(self, f.name), memo) for f in dataclasses.fields(self)})
+
+    def __getstate__(self) -> dict[str, Any]:
+        return {field.name: getattr(self, field.name) for field in dataclasses.fields(self)}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        for name, value in state.items():
+            setattr(self, name, value)
+
+    def __repr__(self) -> str:
+        return type(self).__name__

@@ -1,0 +1,62 @@
+"""SelectionPolygonVolume, whose polygon and heights are assigned."""
+
+from __future__ import annotations
+
+import os
+from typing import Any
+
+from ...core.known_names import KnownNames
+from ...pcd import polygon_volume
+from ..geometry import PointCloud, TriangleMesh
+from ..held import as_array, ours
+from ..vectors import Vector3dVector
+
+
+class SelectionPolygonVolume(KnownNames):
+    """A polygon swept along `orthogonal_axis` from `axis_min` to `axis_max`."""
+
+    orthogonal_axis: str
+    axis_min: float
+    axis_max: float
+    _polygon: Vector3dVector
+
+    def __init__(self, other: Any = None):
+        self.orthogonal_axis = "" if other is None else other.orthogonal_axis
+        self.axis_min = 0.0 if other is None else other.axis_min
+        self.axis_max = 0.0 if other is None else other.axis_max
+        self._polygon = Vector3dVector(() if other is None else as_array(other.bounding_polygon))
+
+    @property
+    def bounding_polygon(self) -> Vector3dVector:
+        """The corners; assign others."""
+        return self._polygon
+
+    @bounding_polygon.setter
+    def bounding_polygon(self, corners: Any) -> None:
+        self._polygon = Vector3dVector(corners)
+
+    @property
+    def _ours(self) -> polygon_volume.SelectionPolygonVolume:
+        corners = as_array(self._polygon)
+        return polygon_volume.SelectionPolygonVolume(corners, self.orthogonal_axis, self.axis_min, self.axis_max)
+
+    def crop_point_cloud(self, input: Any) -> PointCloud:
+        """The points inside."""
+        return PointCloud._of(ours(input, PointCloud, "input").crop(self._ours))
+
+    def crop_triangle_mesh(self, input: Any) -> TriangleMesh:
+        """The vertices inside and the triangles between them."""
+        return TriangleMesh._of(ours(input, TriangleMesh, "input").crop(self._ours))
+
+    def crop_in_polygon(self, input: Any) -> list[int]:
+        """The numbers of the points inside."""
+        return self._ours.crop_in_polygon(ours(input, PointCloud, "input")).tolist()
+
+    def __repr__(self) -> str:
+        members = "orthogonal_axis, bounding_polygon, axis_min, axis_max"
+        return f"SelectionPolygonVolume, access its members:\n{members}"
+
+
+def read_selection_polygon_volume(filename: str | os.PathLike[str]) -> SelectionPolygonVolume:
+    """Read `cropped.json`."""
+    return SelectionPolygonVolume(polygon_volume.SelectionPolygonVolume.from_json(filename))

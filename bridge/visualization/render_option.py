@@ -1,0 +1,116 @@
+"""RenderOption: how a window draws, assigned number by number."""
+
+from __future__ import annotations
+
+import enum
+import json
+import os
+from dataclasses import dataclass, field, fields
+from typing import Any
+
+import numpy as np
+
+from ...core.atomic import atomic_write
+from ...core.checks import check_color
+from ...core.errors import FileError
+from ...core.json_files import read_json_object
+from ...core.known_names import KnownNames
+
+
+class PointColorOption(enum.Enum):
+    """What points are coloured by."""
+
+    Default = 0
+    Color = 1
+    XCoordinate = 2
+    YCoordinate = 3
+    ZCoordinate = 4
+    Normal = 9
+
+
+class MeshColorOption(enum.Enum):
+    """What meshes are coloured by; by coordinates and normals they are drawn in their own colours."""
+
+    Default = 0
+    Color = 1
+    XCoordinate = 2
+    YCoordinate = 3
+    ZCoordinate = 4
+    Normal = 9
+
+
+class MeshShadeOption(enum.Enum):
+    """Whether light falls on faces (Default) or on vertices (Color)."""
+
+    Default = 0
+    Color = 1
+
+
+COLOR_BY = {  # what `color_by` of ours is
+    PointColorOption.Color: "rgb",
+    PointColorOption.XCoordinate: "x",
+    PointColorOption.YCoordinate: "y",
+    PointColorOption.ZCoordinate: "height",
+    PointColorOption.Normal: "normal",
+}
+ENUMS = {
+    "point_color_option": PointColorOption,
+    "mesh_color_option": MeshColorOption,
+    "mesh_shade_option": MeshShadeOption,
+}
+VERSION = {"class_name": "RenderOption", "version_major": 1, "version_minor": 0}
+
+
+@dataclass(eq=False, repr=False)
+class RenderOption(KnownNames):
+    """How a window draws: colours, sizes, what is shown."""
+
+    background_color: Any = field(default_factory=lambda: np.ones(3))
+    point_size: float = 5.0
+    line_width: float = 1.0
+    light_on: bool = True
+    point_show_normal: bool = False
+    mesh_show_wireframe: bool = False
+    mesh_show_back_face: bool = False
+    show_coordinate_frame: bool = False
+    point_color_option: PointColorOption = PointColorOption.Default
+    mesh_color_option: MeshColorOption = MeshColorOption.Color
+    mesh_shade_option: MeshShadeOption = MeshShadeOption.Default
+
+    def __setattr__(self, name: str, value: Any) -> None:
+        if name == "background_color":
+            value = check_color(name, value).copy()
+        elif name in ENUMS and not isinstance(value, ENUMS[name]):
+            raise TypeError(f"{name}: expected a {ENUMS[name].__name__}, got {type(value).__name__}")
+        super().__setattr__(name, value)
+
+    def load_from_json(self, filename: str | os.PathLike[str]) -> None:
+        """Take what a file of `save_to_json`, or of Open3D's, says; its lights are not looked at.
+
+        Raises:
+            FileError: Unreadable, or no RenderOption.
+        """
+        content = read_json_object(filename)
+        if content.get("class_name") != VERSION["class_name"]:
+            raise FileError(filename, f"expected 'RenderOption', got {str(content.get('class_name'))[:40]!r}")
+        for name in (one.name for one in fields(self) if one.name in content):
+            try:
+                value = ENUMS[name](content[name]) if name in ENUMS else content[name]
+                setattr(self, name, value if isinstance(value, list) else type(getattr(self, name))(value))
+            except (TypeError, ValueError) as error:
+                raise FileError(filename, str(error), where=f"key {name}") from error
+
+    def save_to_json(self, filename: str | os.PathLike[str]) -> None:
+        """Write what `load_from_json` reads."""
+        content: dict[str, Any] = {one.name: getattr(self, one.name) for one in fields(self)}
+        content |= {name: content[name].value for name in ENUMS}
+        content |= {"background_color": content["background_color"].tolist(), **VERSION}
+        with atomic_write(filename) as file:
+            file.write(json.dumps(content, indent="\t", sort_keys=True).encode() + b"\n")
+
+    def __repr__(self) -> str:
+        return "RenderOption"
+
+    def _state(self) -> tuple[Any, ...]:
+        """All of it, to see whether it changed."""
+        return tuple(map(str, (getattr(self, one.name) for one in fields(self))))

@@ -1,0 +1,70 @@
+"""What windows show: geometries of Open3D's kind as entries of our drawing."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from ...meshing.mesh.mesh import TriangleMesh
+from ..geometry import Geometry, Image, RGBDImage
+from ..held import Held, ours
+
+Entry = dict[str, Any]
+
+
+def drawn(geometry: Any) -> Any:
+    """What is drawn of a geometry: ours, and of pictures a surface with them on it.
+
+    Raises:
+        TypeError: Nothing that windows show.
+    """
+    if isinstance(geometry, RGBDImage):
+        geometry = geometry.color
+    if isinstance(geometry, Image):
+        return _picture_on_a_surface(np.asarray(geometry))
+    if not isinstance(geometry, Held) and type(geometry).__module__.startswith("open3d."):
+        raise TypeError(f"geometry: expected one of pointloom.open3d's, got Open3D's own {type(geometry).__name__}")
+    return ours(geometry)
+
+
+def checked(geometry_list: Any) -> list[Any]:
+    """A list of geometries, as Open3D takes it.
+
+    Raises:
+        TypeError: A geometry alone.
+    """
+    if isinstance(geometry_list, Geometry | Image):
+        kind = type(geometry_list).__name__
+        raise TypeError(f"geometry_list: expected a list of geometries, got a {kind}; put it into brackets")
+    return list(geometry_list)
+
+
+def bounds_of(geometries: list[Any]) -> tuple[Any, Any] | None:
+    """The lowest and highest corner of all; None of nothing."""
+    corners = []
+    for geometry in geometries:
+        shape = drawn(geometry)
+        points = shape.vertices if isinstance(shape, TriangleMesh) else None
+        if points is not None and not len(points):
+            continue
+        if points is None and getattr(shape, "is_empty", lambda: False)():
+            continue
+        corners += [shape.get_min_bound(), shape.get_max_bound()]
+    return (np.min(corners, axis=0), np.max(corners, axis=0)) if corners else None
+
+
+def _picture_on_a_surface(pixels: Any) -> TriangleMesh:
+    """A rectangle of a picture's size [px] with the picture on it; numbers beyond bytes from black to white."""
+    if pixels.dtype != np.uint8:
+        values = np.nan_to_num(pixels.astype(np.float64), posinf=0.0)
+        pixels = (255 * np.clip(values / (values.max(initial=0.0) or 1.0), 0, 1)).astype(np.uint8)
+    if pixels.ndim == 2:
+        pixels = np.repeat(pixels[..., None], 3, axis=2)
+    height, width = pixels.shape[:2]
+    corners = np.array([[0, 0], [1, 0], [1, 1], [0, 1]], np.float64)
+    faces = np.array([[0, 1, 2], [0, 2, 3]])
+    mesh = TriangleMesh(np.column_stack([corners * (width, height), np.zeros(4)]), faces)
+    mesh.triangle_uvs = corners[faces.ravel()]
+    mesh.textures = [pixels]
+    return mesh

@@ -1,0 +1,202 @@
+"""docs/open3d-names.md from the installed Open3D: each of its names, what it is here, whether the bridge has it.
+
+`scripts/write_open3d_names.py` writes it; a test compares it with what would be written.
+"""
+
+from __future__ import annotations
+
+import importlib
+import inspect
+from collections.abc import Iterator
+from types import ModuleType
+from typing import Any, NamedTuple
+
+import pointloom as loom
+from pointloom.core.open3d_names import SHAPES, row_of
+
+HOMES = {  # where the names of a module of Open3D are here, first
+    "geometry": loom, "geometry.keypoint": loom, "io": loom, "io.rpc": loom, "camera": loom, "utility": loom,
+    "utility.random": loom, "visualization": loom, "visualization.app": loom, "visualization.gui": loom,
+    "visualization.rendering": loom, "visualization.webrtc_server": loom,
+    "pipelines.registration": loom.registration, "pipelines.odometry": loom.odometry, "pipelines.integration": loom,
+    "pipelines.color_map": loom.color_map, "t.geometry": loom, "t.io": loom,
+    "t.pipelines.registration": loom.registration, "t.pipelines.registration.robust_kernel": loom.registration,
+    "t.pipelines.odometry": loom.odometry, "t.pipelines.slac": loom.reconstruction, "t.pipelines.slam": loom.slam,
+}  # fmt: skip
+CLASSES = {  # what has the members of a class of Open3D; None where rows alone tell
+    "geometry.PointCloud": loom.PointCloud, "geometry.TriangleMesh": loom.TriangleMesh,
+    "geometry.LineSet": loom.LineSet, "geometry.AxisAlignedBoundingBox": loom.AxisAlignedBoundingBox,
+    "geometry.OrientedBoundingBox": loom.OrientedBoundingBox, "geometry.Image": None,
+    "geometry.RGBDImage": loom.RGBDImage, "geometry.VoxelGrid": loom.VoxelGrid,
+    "geometry.KDTreeFlann": loom.NearestNeighborSearch, "camera.PinholeCameraIntrinsic": loom.PinholeCameraIntrinsic,
+    "camera.PinholeCameraTrajectory": loom.Trajectory,
+    "pipelines.registration.RegistrationResult": loom.registration.RegistrationResult,
+    "pipelines.registration.FastGlobalRegistrationOption": loom.registration.FastGlobalRegistrationOption,
+    "pipelines.registration.PoseGraph": loom.registration.PoseGraph,
+    "pipelines.registration.PoseGraphEdge": loom.registration.PoseGraphEdge,
+    "pipelines.registration.GlobalOptimizationOption": loom.registration.GlobalOptimizationOption,
+    "pipelines.registration.GlobalOptimizationConvergenceCriteria":
+        loom.registration.GlobalOptimizationConvergenceCriteria,
+    "pipelines.odometry.OdometryOption": loom.odometry.OdometryOption,
+    "pipelines.integration.ScalableTSDFVolume": loom.TSDFVolume,
+    "pipelines.integration.UniformTSDFVolume": loom.TSDFVolume,
+    "visualization.Visualizer": loom.Viewer, "visualization.VisualizerWithKeyCallback": loom.Viewer,
+    "visualization.RenderOption": None, "visualization.ViewControl": None,
+    "visualization.SelectionPolygonVolume": loom.SelectionPolygonVolume,
+    "t.geometry.PointCloud": loom.PointCloud, "t.geometry.TriangleMesh": loom.TriangleMesh,
+    "t.geometry.LineSet": loom.LineSet, "t.geometry.AxisAlignedBoundingBox": loom.AxisAlignedBoundingBox,
+    "t.geometry.OrientedBoundingBox": loom.OrientedBoundingBox, "t.geometry.RGBDImage": loom.RGBDImage,
+    "t.geometry.RaycastingScene": loom.RaycastingScene, "t.geometry.VoxelBlockGrid": loom.TSDFVolume,
+    "t.pipelines.slam.Model": loom.slam.Model,
+}  # fmt: skip
+KINDS = {"Visualizer": ("Visualizer",), "VisualizerWithKeyCallback": ("Visualizer",)}  # rows of other classes
+NO_NAMES = {"m", "n", "capsule", "open3d", "name", "value"}  # what its bindings leave behind
+GUI = ("visualization.gui", "visualization.rendering", "visualization.app", "visualization.webrtc_server", "io.rpc")
+IN_T = "; one class, on any device"
+HEAD = """# Every name of Open3D
+
+Made from Open3D {version} by `.venv/bin/python scripts/write_open3d_names.py`. What differs in what is called the same
+stands in [open3d.md](open3d.md).
+
+- *here* is what to write with `import pointloom as loom`: "same" where it is called the same, what it is called
+  where it is called otherwise, or "not here", with the reason or what to take in its place.
+- *bridge* says whether `import pointloom.open3d as o3d` has the name as it is in Open3D, so that a script runs with
+  its import changed.
+- Open3D has each geometry twice, the second time as `t.geometry` on a chosen device. Here there is one `PointCloud`
+  and one `TriangleMesh`, on any device; the bridge has no `t`.
+
+{counts}
+"""
+
+
+class Told(NamedTuple):
+    """What a name of Open3D is here."""
+
+    name: str
+    here: str
+    in_bridge: bool
+
+    @property
+    def kind(self) -> str:
+        """One of "same", "other", "not here"."""
+        if self.here.startswith("same"):
+            return "same"
+        return "not here" if self.here.startswith("not here") else "other"
+
+
+def public(owner: Any) -> list[str]:
+    """The public names of one of Open3D's modules or classes, without its own modules."""
+    names = [name for name in dir(owner) if not name.startswith("_") and name not in NO_NAMES]
+    return [name for name in names if not isinstance(getattr(owner, name), ModuleType)]
+
+
+def of_path(root: Any, path: str) -> Any:
+    """What lies under a dotted path; None where there is nothing."""
+    for part in path.split("."):
+        root = getattr(root, part, None)
+    return root
+
+
+def members(kind: type | None) -> set[str]:
+    """The members of one of our classes, those that only its objects have too."""
+    if kind is None:
+        return set()
+    annotated = {name for base in kind.__mro__ for name in getattr(base, "__annotations__", {})}
+    return {*dir(kind), *annotated, *inspect.signature(kind).parameters, *_documented(kind)}
+
+
+def _documented(kind: type) -> Iterator[str]:
+    """The names under "Attributes:" of a class' docstring."""
+    _, _, rest = (inspect.getdoc(kind) or "").partition("Attributes:\n")
+    for line in rest.splitlines():
+        if not line.startswith("    "):
+            return
+        if not line.startswith("     ") and ":" in line:
+            yield from line.strip().partition(":")[0].split(", ")
+
+
+def names_of(open3d: Any, path: str) -> list[Told]:
+    """What each name of a module of Open3D is here."""
+    bridge, told = _bridge(), []
+    for name in public(of_path(open3d, path)):
+        place = next((owner for owner in (HOMES[path], loom) if hasattr(owner, name)), None)
+        row = row_of(name)
+        if path in GUI:
+            here = row or "not here"
+        elif place is not None:
+            here = "same" if place is HOMES[path] else f"same, in `{_called(place)}`"
+            here += IN_T if path == "t.geometry" else ""
+        else:
+            here = row or ""
+        told.append(Told(name, here, hasattr(of_path(bridge, path), name)))
+    return told
+
+
+def members_of(open3d: Any, path: str) -> list[Told]:
+    """What each member of a class of Open3D is here."""
+    ours, name = CLASSES[path], path.rpartition(".")[2]
+    known, bridge = members(ours), of_path(_bridge(), path)
+    sections = [*KINDS.get(name, ()), *(base.__name__ for base in (ours.__mro__ if ours else ())), name, SHAPES]
+    told = []
+    for member in public(of_path(open3d, path)):
+        here = "same" if member in known else row_of(member, sections) or ""
+        told.append(Told(member, here, bridge is not None and member in members(bridge)))
+    return told
+
+
+def page() -> str:
+    """The whole page.
+
+    Raises:
+        ModuleNotFoundError: Open3D is not installed.
+    """
+    open3d = importlib.import_module("open3d")
+    modules = {path: names_of(open3d, path) for path in HOMES}
+    classes = {path: members_of(open3d, path) for path in CLASSES}
+    parts = [HEAD.format(version=open3d.__version__, counts=_counts(modules, classes))]
+    for title, tables in (("Modules", modules), ("Members of the main classes", classes)):
+        parts.append(f"## {title}\n")
+        for path, told in tables.items():
+            parts.append(f"### open3d.{path}\n\n{_where(path)}\n")
+            rows = [f"| `{one.name}` | {_cell(one.here)} | {'yes' if one.in_bridge else ''} |" for one in told]
+            parts.append("\n".join(["| Open3D | here | bridge |", "|---|---|---|", *rows]) + "\n")
+    return "\n".join(parts)
+
+
+def _where(path: str) -> str:
+    if path in GUI:
+        return (
+            "Open3D's own windows and wires: `loom.draw` and `loom.Viewer` show a page, `loom.render` makes pictures."
+        )
+    if path in CLASSES:
+        ours = CLASSES[path]
+        return f"Here `{_called(ours)}`." if ours else f"Here {row_of(path.rpartition('.')[2])}."
+    return f"Here `{_called(HOMES[path])}`."
+
+
+def _counts(*tables: dict[str, list[Told]]) -> str:
+    rows = ["| | names | same | other name or place | not here | in the bridge |", "|---|---|---|---|---|---|"]
+    for title, table in zip(("modules", "members"), tables, strict=True):
+        all_told = [one for told in table.values() for one in told]
+        kinds = [sum(one.kind == kind for one in all_told) for kind in ("same", "other", "not here")]
+        bridged = sum(one.in_bridge for one in all_told)
+        rows.append(f"| {title} | {len(all_told)} | {' | '.join(map(str, kinds))} | {bridged} |")
+    return "\n".join(rows)
+
+
+def _cell(text: str) -> str:
+    return text.replace("|", "\\|").replace("*", "\\*")
+
+
+def _called(ours: Any) -> str:
+    """How one of our modules or classes is written."""
+    if ours is loom:
+        return "loom"
+    if isinstance(ours, ModuleType):
+        return f"loom.{ours.__name__.rpartition('.')[2]}"
+    module = next((m for m in (loom, loom.registration, loom.odometry, loom.slam) if hasattr(m, ours.__name__)), loom)
+    return f"{_called(module)}.{ours.__name__}"
+
+
+def _bridge() -> Any:
+    return importlib.import_module("pointloom.open3d")
