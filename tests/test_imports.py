@@ -50,7 +50,7 @@ ROOMS = {
     "photos": ["sfm", "mvs", "depth", "video"],
     "data": ["scenes", "made"],
     "app": ["jobs", "demos", "shell"],
-    "bridge": ["utility", "camera", "geometry", "pipelines", "io"],
+    "bridge": ["utility", "camera", "geometry", "pipelines", "io", "visualization"],
 }
 
 # lang.py and memory.py hand on what rooms below all others hold; check_cuda.py and cuda_cache.py look at every room.
