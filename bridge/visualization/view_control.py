@@ -9,9 +9,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ...core.checks import check_number, check_shape
+from ...core.checks import check_direction, check_number, check_shape
 from ...core.known_names import ToldNames
-from ...drawing.render.open3d_parameters import FIELD_OF_VIEW, LEAST_ZOOM, MOST_ZOOM, ZOOM, unit
+from ...drawing.render.open3d_parameters import FIELD_OF_VIEW, LEAST_ZOOM, MOST_ZOOM, ZOOM
 from ...drawing.render.view import View
 from ..camera import PinholeCameraIntrinsic, PinholeCameraParameters
 from ..held import ours
@@ -61,17 +61,17 @@ class ViewControl(ToldNames):
 
     def _axes(self) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
         """Right, up and front at right angles."""
-        front = unit("front", self._front)
-        right = unit("up", np.cross(unit("up", self._up), front))
+        front = check_direction("front", self._front)
+        right = check_direction("up", np.cross(check_direction("up", self._up), front))
         return right, np.cross(front, right), front
 
     def rotate(self, x: float, y: float, xo: float = 0.0, yo: float = 0.0) -> None:
         """Turn about `lookat` as a drag of the mouse by so many pixels does."""
         right, up, front = self._axes()
         a, b = TURN * x, TURN * y
-        front = unit("front", front * math.cos(a) - right * math.sin(a))
-        right = unit("up", np.cross(up, front))
-        self._front = unit("front", front * math.cos(b) + up * math.sin(b))
+        front = check_direction("front", front * math.cos(a) - right * math.sin(a))
+        right = check_direction("up", np.cross(up, front))
+        self._front = check_direction("front", front * math.cos(b) + up * math.sin(b))
         self._up = np.cross(self._front, right)
         self._changed()
 
@@ -103,12 +103,12 @@ class ViewControl(ToldNames):
 
     def set_front(self, front: ArrayLike) -> None:
         """From `lookat` to the camera."""
-        self._front = unit("front", check_shape("front", front, (3,)).tolist())
+        self._front = check_direction("front", check_shape("front", front, (3,)).tolist())
         self._changed()
 
     def set_up(self, up: ArrayLike) -> None:
         """What is up."""
-        self._up = unit("up", check_shape("up", up, (3,)).tolist())
+        self._up = check_direction("up", check_shape("up", up, (3,)).tolist())
         self._changed()
 
     def set_lookat(self, lookat: ArrayLike) -> None:

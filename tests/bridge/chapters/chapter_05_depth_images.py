@@ -1,0 +1,26 @@
+import numpy as np
+import open3d as o3d
+
+color_raw = o3d.io.read_image("./color/0.jpg")
+depth_raw = o3d.io.read_image("./depth/0.png")
+found = {"files": f"{color_raw} {depth_raw}", "raw": [np.asarray(color_raw).max(), np.asarray(depth_raw).max()]}
+rgbd_image = o3d.geometry.RGBDImage.create_from_color_and_depth(
+    color_raw, depth_raw, depth_scale=1000.0, depth_trunc=10, convert_rgb_to_intensity=False
+)
+found["said"] = str(rgbd_image)
+found["largest"] = [np.max(np.asarray(rgbd_image.color)), np.max(np.asarray(rgbd_image.depth))]
+prime_sense = o3d.camera.PinholeCameraIntrinsicParameters.PrimeSenseDefault
+pcd = o3d.geometry.PointCloud.create_from_rgbd_image(rgbd_image, o3d.camera.PinholeCameraIntrinsic(prime_sense))
+pcd.transform([[1, 0, 0, 0], [0, -1, 0, 0], [0, 0, -1, 0], [0, 0, 0, 1]])
+found["points"] = np.asarray(pcd.points)
+found["colors"] = np.asarray(pcd.colors)
+o3d.visualization.draw_geometries([pcd])
+
+# The formats of other data sets, and depth of 8 bits, which is a picture of it.
+for name in ("redwood", "tum", "sun", "nyu"):
+    make = getattr(o3d.geometry.RGBDImage, f"create_from_{name}_format")
+    found[name] = np.asarray(make(color_raw, depth_raw).depth)
+eight = o3d.geometry.Image((np.asarray(depth_raw) >> 5).astype(np.uint8))
+grey = o3d.geometry.RGBDImage.create_from_color_and_depth(color_raw, eight, depth_scale=10, depth_trunc=10)
+found["8 bits"] = np.asarray(grey.depth)
+found["grey"] = np.asarray(grey.color)

@@ -1,0 +1,68 @@
+import copy
+
+import numpy as np
+import open3d as o3d
+
+
+def preprocess_point_cloud(pcd, voxel_size):
+    pcd_down = pcd.voxel_down_sample(voxel_size)
+    pcd_down.estimate_normals(o3d.geometry.KDTreeSearchParamHybrid(radius=voxel_size * 2, max_nn=30))
+    pcd_down.orient_normals_towards_camera_location()
+    pcd_fpfh = o3d.pipelines.registration.compute_fpfh_feature(
+        pcd_down, o3d.geometry.KDTreeSearchParamHybrid(radius=voxel_size * 5, max_nn=100)
+    )
+    return pcd_down, pcd_fpfh
+
+
+def off(transformation):
+    return np.abs(transformation @ truth - np.eye(4)).max()
+
+
+voxel_size = 0.12
+target = o3d.io.read_point_cloud("0.pcd")
+source = copy.deepcopy(target)
+turn = o3d.geometry.get_rotation_matrix_from_xyz((0.3, -0.4, 0.5))
+truth = np.eye(4)
+truth[:3, :3], truth[:3, 3] = turn, [0.5, -0.2, 0.3]
+source.transform(truth)
+target_down, target_fpfh = preprocess_point_cloud(target, voxel_size)
+found = {"features": [target_fpfh.dimension(), target_fpfh.num()]}
+points = np.asarray(target_down.points)
+found["histograms"] = target_fpfh.data[:, np.lexsort(np.round(points, 4).T)]
+source_down = copy.deepcopy(target_down).transform(truth)
+source_fpfh = o3d.pipelines.registration.compute_fpfh_feature(
+    source_down, o3d.geometry.KDTreeSearchParamHybrid(radius=voxel_size * 5, max_nn=100)
+)
+o3d.utility.random.seed(3)
+distance_threshold = voxel_size * 1.5
+registration = o3d.pipelines.registration
+result_ransac = registration.registration_ransac_based_on_feature_matching(
+    source_down,
+    target_down,
+    source_fpfh,
+    target_fpfh,
+    True,
+    distance_threshold,
+    registration.TransformationEstimationPointToPoint(False),
+    3,
+    [
+        registration.CorrespondenceCheckerBasedOnEdgeLength(0.9),
+        registration.CorrespondenceCheckerBasedOnDistance(distance_threshold),
+    ],
+    registration.RANSACConvergenceCriteria(10000),
+)
+found["RANSAC finds the pose"] = bool(off(result_ransac.transformation) < 0.1)
+result_icp = registration.registration_icp(
+    source_down,
+    target_down,
+    0.1,
+    result_ransac.transformation,
+    registration.TransformationEstimationPointToPoint(),
+    registration.ICPConvergenceCriteria(max_iteration=100),
+)
+found["refined"] = bool(off(result_icp.transformation) < 1e-3 and result_icp.fitness > 0.99)
+option = registration.FastGlobalRegistrationOption(maximum_correspondence_distance=voxel_size * 0.5)
+result_fast = registration.registration_fgr_based_on_feature_matching(
+    source_down, target_down, source_fpfh, target_fpfh, option
+)
+found["fast finds the pose"] = bool(off(result_fast.transformation) < 0.02)

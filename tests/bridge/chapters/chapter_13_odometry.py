@@ -1,0 +1,38 @@
+import numpy as np
+import open3d as o3d
+
+pinhole_camera_intrinsic = o3d.camera.PinholeCameraIntrinsic(
+    o3d.camera.PinholeCameraIntrinsicParameters.PrimeSenseDefault
+)
+source_color = o3d.io.read_image("color/0.jpg")
+source_depth = o3d.io.read_image("depth/0.png")
+target_color = o3d.io.read_image("color/1.jpg")
+target_depth = o3d.io.read_image("depth/1.png")
+make = o3d.geometry.RGBDImage.create_from_color_and_depth
+source_rgbd_image = make(source_color, source_depth, depth_scale=1000.0)
+target_rgbd_image = make(target_color, target_depth, depth_scale=1000.0)
+source_pcd = o3d.geometry.PointCloud.create_from_rgbd_image(source_rgbd_image, pinhole_camera_intrinsic)
+target_pcd = o3d.geometry.PointCloud.create_from_rgbd_image(target_rgbd_image, pinhole_camera_intrinsic)
+option = o3d.pipelines.odometry.OdometryOption()
+odo_init = np.identity(4)
+[success_color_term, trans_color_term, info] = o3d.pipelines.odometry.compute_rgbd_odometry(
+    source_rgbd_image,
+    target_rgbd_image,
+    pinhole_camera_intrinsic,
+    odo_init,
+    o3d.pipelines.odometry.RGBDOdometryJacobianFromColorTerm(),
+    option,
+)
+[success_hybrid_term, trans_hybrid_term, info] = o3d.pipelines.odometry.compute_rgbd_odometry(
+    source_rgbd_image,
+    target_rgbd_image,
+    pinhole_camera_intrinsic,
+    odo_init,
+    o3d.pipelines.odometry.RGBDOdometryJacobianFromHybridTerm(),
+    option,
+)
+found = {"both succeed": bool(success_color_term and success_hybrid_term)}
+found["color"], found["hybrid"], found["option"] = trans_color_term, trans_hybrid_term, str(option)
+found["points"] = [len(source_pcd.points), len(target_pcd.points)]
+source_pcd.transform(trans_hybrid_term)
+o3d.visualization.draw_geometries([source_pcd, target_pcd])
