@@ -36,7 +36,9 @@ def tutorial_files(tmp_path_factory: pytest.TempPathFactory) -> Path:
             loom.write_point_cloud(folder / f"{i}.pcd", cloud.uniform_down_sample(23))
     loom.write_trajectory(folder / "trajectory.log", loom.Trajectory(np.array(poses)))
     fragment = loom.read_point_cloud(folder / "0.pcd")
-    loom.write_point_cloud(folder / "fragment.ply", fragment.estimate_normals().orient_normals_towards_camera_location())
+    loom.write_point_cloud(
+        folder / "fragment.ply", fragment.estimate_normals().orient_normals_towards_camera_location()
+    )
     volume = {"axis_max": 4.0, "axis_min": -4.0, "bounding_polygon": POLYGON, "class_name": "SelectionPolygonVolume"}
     volume |= {"orthogonal_axis": "Y", "version_major": 1, "version_minor": 0}
     (folder / "cropped.json").write_text(json.dumps(volume))

@@ -14,6 +14,7 @@ TOLERANCES: dict[str, dict[str, float]] = {}
 @pytest.mark.parametrize("chapter", sorted(path.stem for path in CHAPTERS.glob("*.py")))
 def test_a_script_runs_with_its_import_line_changed(chapter, tutorial_files, monkeypatch):
     import open3d
+
     import pointloom.open3d
 
     shown = [draw_nothing(monkeypatch, module) for module in (open3d, pointloom.open3d)]

@@ -3,7 +3,7 @@
 import numpy as np
 import open3d as o3d
 
-voxel_size = 0.05
+voxel_size = 0.047  # no multiple of two millimetres, on which depths lie: voxels' faces go between them
 camera = o3d.io.read_pinhole_camera_intrinsic("camera.json")
 
 
@@ -76,7 +76,7 @@ def full_registration(pcds, max_correspondence_distance_coarse, max_corresponden
 max_correspondence_distance_coarse = voxel_size * 15
 max_correspondence_distance_fine = voxel_size * 1.5
 pose_graph = full_registration(pcds_down, max_correspondence_distance_coarse, max_correspondence_distance_fine)
-before = [node.pose for node in pose_graph.nodes]
+before = [np.array(node.pose) for node in pose_graph.nodes]
 found = {"graph": str(pose_graph), "edges": [edge.transformation for edge in pose_graph.edges]}
 
 print("Optimizing PoseGraph ...")

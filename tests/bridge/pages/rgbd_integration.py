@@ -15,7 +15,7 @@ class CameraPose:
 
 def read_trajectory(filename):
     traj = []
-    with open(filename, "r") as f:
+    with open(filename) as f:
         metastr = f.readline()
         while metastr:
             metadata = list(map(int, metastr.split()))
@@ -29,31 +29,36 @@ def read_trajectory(filename):
 
 
 camera_poses = read_trajectory("trajectory.log")
-volume = o3d.pipelines.integration.ScalableTSDFVolume(
-    voxel_length=0.02, sdf_trunc=0.08, color_type=o3d.pipelines.integration.TSDFVolumeColorType.RGB8
+intrinsic = o3d.io.read_pinhole_camera_intrinsic("camera.json")
+rgb8 = o3d.pipelines.integration.TSDFVolumeColorType.RGB8
+volume = o3d.pipelines.integration.ScalableTSDFVolume(voxel_length=0.05, sdf_trunc=0.15, color_type=rgb8)
+cube = o3d.pipelines.integration.UniformTSDFVolume(
+    length=6.4, resolution=128, sdf_trunc=0.15, color_type=rgb8, origin=np.array([-3.2, -3.2, 0.0])
 )
 for i in range(len(camera_poses)):
-    print("Integrate {:d}-th image into the volume.".format(i))
-    color = o3d.io.read_image("color/{}.jpg".format(i))
-    depth = o3d.io.read_image("depth/{}.png".format(i))
+    print(f"Integrate {i:d}-th image into the volume.")
+    color = o3d.io.read_image(f"color/{i}.jpg")
+    depth = o3d.io.read_image(f"depth/{i}.png")
     rgbd = o3d.geometry.RGBDImage.create_from_color_and_depth(
         color, depth, depth_trunc=4.0, convert_rgb_to_intensity=False
     )
-    volume.integrate(rgbd, o3d.io.read_pinhole_camera_intrinsic("camera.json"), np.linalg.inv(camera_poses[i].pose))
+    volume.integrate(rgbd, intrinsic, np.linalg.inv(camera_poses[i].pose))
+    cube.integrate(rgbd, intrinsic, np.linalg.inv(camera_poses[i].pose))
 
 print("Extract a triangle mesh from the volume and visualize it.")
-mesh = volume.extract_triangle_mesh()
+mesh = cube.extract_triangle_mesh()
 mesh.compute_vertex_normals()
 o3d.visualization.draw_geometries([mesh])
-cloud = volume.extract_point_cloud()
+cloud = cube.extract_point_cloud()
 
 found = {
     "volume": f"{volume} {volume.voxel_length} {volume.sdf_trunc} {volume.color_type}",
-    "lowest": mesh.get_min_bound(),
-    "highest": mesh.get_max_bound(),
+    "cube": f"{cube} {cube.voxel_length} {cube.length} {cube.resolution}",
     "has colors": mesh.has_vertex_colors(),
-    "has normals": cloud.has_normals(),
+    "has normals": cloud.has_normals() and mesh.has_vertex_normals(),
     "mean color": np.asarray(mesh.vertex_colors).mean(axis=0),
+    "area": mesh.get_surface_area(),
+    "surface": (np.asarray(mesh.vertices), np.asarray(mesh.triangles)),
+    "cloud": np.asarray(cloud.points),
+    "scalable": np.asarray(volume.extract_triangle_mesh().vertices),
 }
-surface = {"mesh": np.asarray(mesh.vertices), "cloud": np.asarray(cloud.points)}
-area = mesh.get_surface_area()

@@ -39,7 +39,7 @@ def prepare_dataset(voxel_size):
     return source, target, source_down, target_down, source_fpfh, target_fpfh, trans_init
 
 
-voxel_size = 0.1
+voxel_size = 0.099  # no multiple of two millimetres, on which depths lie: voxels' faces go between them
 source, target, source_down, target_down, source_fpfh, target_fpfh, moved = prepare_dataset(voxel_size)
 
 
@@ -109,5 +109,5 @@ found = {
     "dimension": source_fpfh.dimension(),
     "features": source_fpfh.num(),
     "matches": len(np.asarray(matches)),
+    "poses": {"ransac": result_ransac.transformation @ moved, "fast": result_fast.transformation @ moved},
 }
-poses = {"ransac": result_ransac.transformation @ moved, "fast": result_fast.transformation @ moved}

@@ -34,7 +34,9 @@ for scale in range(3):
         radius,
         current_transformation,
         o3d.pipelines.registration.TransformationEstimationForColoredICP(),
-        o3d.pipelines.registration.ICPConvergenceCriteria(relative_fitness=1e-6, relative_rmse=1e-6, max_iteration=iter),
+        o3d.pipelines.registration.ICPConvergenceCriteria(
+            relative_fitness=1e-6, relative_rmse=1e-6, max_iteration=iter
+        ),
     )
     current_transformation = result_icp.transformation
     print(result_icp)

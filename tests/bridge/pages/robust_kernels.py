@@ -38,7 +38,7 @@ losses = {
     "l1": o3d.pipelines.registration.L1Loss(),
 }
 for name, loss in losses.items():
-    print("Robust point-to-plane ICP, threshold={}:".format(threshold), loss)
+    print(f"Robust point-to-plane ICP, threshold={threshold}:", loss)
     if loss is not None:
         p2l = o3d.pipelines.registration.TransformationEstimationPointToPlane(loss)
         found[f"{name} weight"] = loss.weight(0.07)

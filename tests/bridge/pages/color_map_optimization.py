@@ -38,4 +38,3 @@ found = {
     "size": trajectory_rigid.parameters[0].intrinsic.width,
     "count": len(trajectory_bent.parameters),
 }
-poses = [np.linalg.inv(parameter.extrinsic) for parameter in trajectory_rigid.parameters]
