@@ -135,8 +135,8 @@ def said() -> str:
     count, methods = len(all_names()), [f"{n}.{m}" for n in all_names() if _is_class(n) for m in members_of(n)]
     seen = sum(name in users() for name in methods)
     return (
-        f"{count} public names: {count - len(without)} with an example in their docstring, "
-        f"{count - len(unseen)} in one of {len(examples())} pages of the gallery; {seen} of {len(methods)} methods and properties there"
+        f"{count} public names: {count - len(without)} with an example in their docstring, {count - len(unseen)} in "
+        f"one of {len(examples())} pages of the gallery; {seen} of {len(methods)} methods and properties there"
     )
 
 
