@@ -72,7 +72,8 @@ html_title = f"pointloom {release}"
 html_short_title = "Point clouds, scans, RGB-D frames and photographs to registered clouds and meshes, on CUDA and CPU"
 html_static_path = ["static", "made"]
 html_css_files = ["site.css"]
-html_js_files = [("site.js", {"priority": 100})]
+html_js_files = [("site.js", {"priority": 900})]
+html_context = {"default_mode": "auto"}
 html_favicon = "static/logo.svg"
 html_baseurl = f"{SITE}/stable/" if SITE else ""
 html_copy_source = False
@@ -120,6 +121,11 @@ def add_examples(app: Any, what: str, name: str, thing: Any, options: Any, lines
     lines += reference.examples_of(name)
 
 
+def short_signature(app: Any, what: str, name: str, thing: Any, options: Any, given: Any, result: Any) -> Any:
+    """Hints as they are written: `ArrayLike`, and not what it stands for."""
+    return reference.signature_of(what, name, thing)
+
+
 def find_public_name(app: Any, env: Any, node: Any, content: Any) -> Any:
     """A link to where a type is defined, as hints give it, leads to its public name."""
     name = by_home().get(node.get("reftarget", ""))
@@ -135,6 +141,7 @@ def setup(app: Any) -> dict[str, Any]:
     app.connect("builder-inited", make_gallery_index, priority=900)
     app.connect("source-read", rewrite_links)
     app.connect("autodoc-process-docstring", add_examples, priority=900)
+    app.connect("autodoc-process-signature", short_signature)
     app.connect("missing-reference", find_public_name)
     app.connect("build-finished", whole.write_lists)
     return {"parallel_read_safe": True, "parallel_write_safe": True}

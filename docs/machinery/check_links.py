@@ -13,6 +13,7 @@ from pathlib import Path
 from urllib.parse import unquote, urlsplit
 
 LOADS = {"script": "src", "img": "src", "iframe": "src", "source": "src", "video": "src", "link": "href"}
+TEMPLATE = "webpack-macros.html"  # a part of the theme that comes along, no page
 NO_LOAD = {"canonical", "next", "prev", "index", "search", "alternate", "author", "copyright"}
 
 
@@ -41,7 +42,8 @@ class Page(HTMLParser):
 
 def faults_of(site: Path) -> tuple[list[str], list[str]]:
     """What is wrong with a built site, and the addresses elsewhere that it links to."""
-    pages = {path: Page(path.read_text(encoding="utf-8")) for path in sorted(site.rglob("*.html"))}
+    paths = [path for path in sorted(site.rglob("*.html")) if path.name != TEMPLATE]
+    pages = {path: Page(path.read_text(encoding="utf-8")) for path in paths}
     faults, elsewhere = [], set()
     for path, page in pages.items():
         name = path.relative_to(site)
@@ -70,9 +72,8 @@ def main() -> int:
     (site.parent / "external-links.txt").write_text("\n".join(elsewhere) + "\n", encoding="utf-8")
     for fault in faults:
         print(fault)
-    print(
-        f"{site}: {len(list(site.rglob('*.html')))} pages, {len(faults)} faults, {len(elsewhere)} addresses elsewhere"
-    )
+    count = len(list(site.rglob("*.html")))
+    print(f"{site}: {count} pages, {len(faults)} faults, {len(elsewhere)} addresses elsewhere")
     return 1 if faults else 0
 
 

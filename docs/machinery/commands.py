@@ -38,7 +38,7 @@ def page_of(name: str, command: click.Command) -> str:
     """The page of a command: how it is called, what it does, its options."""
     context = click.Context(command, info_name=f"pointloom {name}")
     usage = " ".join([context.info_name or name, *command.collect_usage_pieces(context)])
-    text = titled(f"pointloom {name}") + f".. code-block:: console\n\n   $ {usage}\n\n{described(command)}"
+    text = titled(f"pointloom {name}") + f".. code-block:: bash\n\n   {usage}\n\n{described(command)}"
     options = [param for param in command.get_params(context) if isinstance(param, click.Option) and not param.hidden]
     if options:
         text += titled("Options", "-") + f".. program:: pointloom {name}\n\n"
@@ -63,6 +63,6 @@ def described(command: click.Command) -> str:
             parts.append(plain(" ".join(paragraph.split())))
             continue
         lines = inspect.cleandoc("\n" + paragraph.removeprefix("\b").lstrip("\n")).splitlines()
-        kind = "console" if any(line.startswith("pointloom ") for line in lines) else "text"
+        kind = "bash" if any(line.startswith("pointloom ") for line in lines) else "text"
         parts.append(f".. code-block:: {kind}\n\n" + indented("\n".join(lines)))
     return "\n\n".join(parts) + "\n\n"

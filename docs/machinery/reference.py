@@ -2,7 +2,12 @@
 
 from __future__ import annotations
 
+import inspect
 from pathlib import Path
+from typing import Any
+
+from sphinx.util.inspect import stringify_signature
+from sphinx.util.typing import stringify_annotation
 
 from .public import (
     ORDER,
@@ -120,6 +125,26 @@ def examples_of(name: str) -> list[str]:
     links = ", ".join(f":doc:`{plain(example.title)} </{example.page}>`" for example in found[:SHOWN])
     more = f" and {len(found) - SHOWN} more" if len(found) > SHOWN else ""
     return ["", ".. rst-class:: used-in", "", f"**Seen in** {links}{more}", ""]
+
+
+def signature_of(what: str, name: str, thing: Any) -> tuple[str, str] | None:
+    """Parameters and result of a function, method or class with their hints as they are written; None for all else."""
+    if what not in {"function", "method", "class", "exception"}:
+        return None
+    try:
+        signature = inspect.signature(thing)
+    except (TypeError, ValueError):
+        return None
+    if what == "method":
+        owner, _, member = name.rpartition(".")
+        found = all_names().get(owner)
+        is_static = found is not None and isinstance(inspect.getattr_static(found.value, member), staticmethod)
+        if inspect.isfunction(thing) and not is_static:
+            signature = signature.replace(parameters=list(signature.parameters.values())[1:])
+    is_class = what in {"class", "exception"}
+    written = stringify_signature(signature, show_return_annotation=False, unqualified_typehints=True)
+    result = signature.return_annotation
+    return written, "" if is_class or result is inspect.Signature.empty else stringify_annotation(result, "smart")
 
 
 def missing() -> tuple[list[str], list[str]]:
