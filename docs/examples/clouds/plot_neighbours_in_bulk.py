@@ -32,7 +32,7 @@ by_hand = np.sort(((room.points - place) ** 2).sum(axis=1))[:5]
 assert np.allclose(np.ravel(row.sqdists), by_hand, rtol=1e-4)
 
 # %%
-# **All within a radius** differ in number, so rows are laid end to end and ``row_splits``-like counts say whose is whose.
+# **All within a radius** differ in number, so they lie end to end, and ``counts`` says how many belong to each place.
 # **Hybrid** takes at most k of them: rows of equal length again, -1 where there are fewer. It is the quickest where
 # the density varies, and what ``estimate_normals(radius=..., max_nn=...)`` uses.
 within = search.radius_search(room.points[:1000], 0.1)
