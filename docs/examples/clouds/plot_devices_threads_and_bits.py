@@ -79,11 +79,13 @@ else:
 # Pictures are results too: drawn on either device they have the same bits.
 labels = pipeline(room)[2]
 thin = room.voxel_down_sample(0.05)
-thin["label"] = labels
+palette = np.array([(0.9, 0.35, 0.2), (0.2, 0.55, 0.85), (0.3, 0.7, 0.35), (0.95, 0.7, 0.15), (0.6, 0.35, 0.75),
+                    (0.2, 0.7, 0.7), (0.82, 0.82, 0.8)])  # fmt: skip
+thin.colors = palette[labels]
 low, high = room.get_min_bound(), room.get_max_bound()
 shown = thin.crop(loom.AxisAlignedBoundingBox([low[0], low[1] + 0.1, low[2]], [high[0] - 0.1, high[1], low[2] + 2.2]))
 view = loom.fit_view(shown.points, direction=(-0.5, 0.62, -0.8), width=960, height=640)
-picture = loom.render({"geometry": shown, "color_by": "label"}, view)
-again = loom.render({"geometry": shown.to(devices[-1]), "color_by": "label"}, view)
+picture = loom.render(shown, view)
+again = loom.render(shown.to(devices[-1]), view)
 print("picture", digest([picture]), "on", devices[-1], digest([again]))
 assert np.array_equal(picture, again)
