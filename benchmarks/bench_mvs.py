@@ -25,8 +25,8 @@ BLOCK = 5  # [px] of SGBM
 def room_pair(width: int) -> Scene:
     """Two pictures of the textured room side by side."""
     import pointloom as loom
-    from pointloom.app.scenes.room import room_views
-    from pointloom.app.scenes.room_paths import room_pose
+    from pointloom.data.scenes.room import room_views
+    from pointloom.data.scenes.room_paths import room_pose
 
     focal = 525.0 * width / 640
     height = width * 3 // 4

@@ -100,7 +100,7 @@ def tracked_walk(d: Any) -> Any:
     """The path and the surface of a camera that is carried, covered, and found again."""
     from types import SimpleNamespace
 
-    from pointloom.app.scenes.room import room_loop_sequence
+    from pointloom.data.scenes.room import room_loop_sequence
 
     room = room_loop_sequence(300, width=80, height=60, covered=(5, 6))
     slam = loom().slam.DenseSLAM(room.intrinsic, voxel_size=0.04, submap_frames=4, device=d.device)
@@ -114,7 +114,7 @@ def tracked_walk(d: Any) -> Any:
 
 def filmed_room(d: Any) -> Any:
     """A picture of the textured room with the noise of a sensor, and its depth."""
-    from pointloom.app.scenes.room_video import room_video_frames
+    from pointloom.data.scenes.room_video import room_video_frames
 
     frame = room_video_frames(30, width=80, height=60, seed=1, device=d.device).read(7)
     return [frame.color, frame.depth]

@@ -52,7 +52,7 @@ def room(frames: int, width: int = 320, *, texture: bool = True) -> Scene:
     30 frames go once round; 12 are neighbours on the walk, 6 to 8 degrees and 8 cm apart.
     """
     import pointloom as loom
-    from pointloom.app.scenes.room import room_sequence
+    from pointloom.data.scenes.room import room_sequence
 
     count, size = 120 if frames > 12 else 240, {"width": width, "height": width * 3 // 4}
     sequence = room_sequence(count, **size, noise=False, texture=texture, color_noise=2.0)

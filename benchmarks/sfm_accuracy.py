@@ -59,7 +59,7 @@ def camera_errors(model: loom.SfmModel, truth: dict[str, np.ndarray]) -> dict[st
 
 def room(work: Path, data: Path | None) -> tuple[Path, dict[str, np.ndarray], dict, dict]:
     """30 pictures of one round, 12 degrees and 10 cm from one to the next."""
-    from pointloom.app.scenes.room_video import room_video_frames, room_video_poses, write_room_video
+    from pointloom.data.scenes.room_video import room_video_frames, room_video_poses, write_room_video
 
     write_room_video(work / "pictures", room_video_frames(ROOM_FRAMES))
     names = sorted(path.name for path in (work / "pictures").iterdir())
@@ -68,7 +68,7 @@ def room(work: Path, data: Path | None) -> tuple[Path, dict[str, np.ndarray], di
 
 def room_video(work: Path, data: Path | None) -> tuple[Path, dict[str, np.ndarray], dict, dict]:
     """The same round as a video of 120 frames, from which frames are chosen."""
-    from pointloom.app.scenes.room_video import room_video_poses, write_room_video
+    from pointloom.data.scenes.room_video import room_video_poses, write_room_video
 
     write_room_video(work / "room.mp4")
     choice = loom.sfm.choose_frames(work / "room.mp4", work / "pictures")

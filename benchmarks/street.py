@@ -10,11 +10,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-TURN = 0.1  # [s] of one scan
-SENSOR_HEIGHT = 1.8  # [m]
+from pointloom.data.scenes.drive import TURN, in_world, pose_at, road, sensor_pose, turning_rays
+
 MAX_RANGE = 80.0  # [m]
 POLE_HEIGHT = 6.0  # [m]
-SWAY_LENGTH = 40.0  # [m] from one look to the left to the next
 
 
 @dataclass(frozen=True)
@@ -56,19 +55,6 @@ def make_street(length: float, seed: int = 0) -> Street:
             poles.append([along + width + 1.5, side * 4.8 + road(along + width), 0.15])
             along += width + rng.uniform(2, 6)
     return Street(np.array(low), np.array(high), np.array(poles))
-
-
-def road(x: float) -> float:
-    """The road's middle: y over x [m]."""
-    return 12 * np.sin(x / 60)
-
-
-def pose_at(s: np.ndarray, sway: float) -> tuple[np.ndarray, np.ndarray]:
-    """Places [n, 3] and headings [n] of the sensor at x = s; it looks up to `sway` [rad] to the left and the right."""
-    places = np.stack([s, 12 * np.sin(s / 60), np.full_like(s, SENSOR_HEIGHT)], axis=-1)
-    growing = np.clip(s / SWAY_LENGTH, 0, 1)
-    turned = sway * growing * np.sin(s * (2 * np.pi / SWAY_LENGTH))
-    return places, np.arctan2(12 / 60 * np.cos(s / 60), 1) + turned
 
 
 def cast_rays(street: Street, origins: np.ndarray, directions: np.ndarray) -> np.ndarray:
@@ -123,26 +109,16 @@ def drive(
     seed: int = 0,
 ) -> Drive:
     """Scans of a drive along the road at a speed [m/s]; the scanner turns once in 0.1 s, from straight behind."""
-    rng = np.random.default_rng(seed)
+    rng, rise = np.random.default_rng(seed), np.radians(np.linspace(-22, 4, beams))
     street = make_street(speed * TURN * scan_count, seed)
-    share, rise = np.arange(1, azimuths + 1) / azimuths, np.radians(np.linspace(-22, 4, beams))
-    share, rise = np.repeat(share, beams), np.tile(rise, azimuths)
     scans, times, poses = [], [], []
     for k in range(scan_count):
-        # no scanner meets the same directions at each turn: a fixed raster would be matched instead of the street
-        turn = 2 * np.pi * (share - rng.random() / azimuths) - np.pi
-        rays = np.stack([np.cos(rise) * np.cos(turn), np.cos(rise) * np.sin(turn), np.sin(rise)], axis=1)
+        rays, share = turning_rays(rise, azimuths, rng)
         places, headings = pose_at((k + share - 1) * speed * TURN, sway)
-        c, s = np.cos(headings), np.sin(headings)
-        directions = np.stack([c * rays[:, 0] - s * rays[:, 1], s * rays[:, 0] + c * rays[:, 1], rays[:, 2]], axis=1)
-        t = cast_rays(street, places, directions)
+        t = cast_rays(street, places, in_world(rays, headings))
         seen = np.isfinite(t)
         reach = t[seen] + rng.normal(0, noise, seen.sum())
         scans.append((rays[seen] * reach[:, None]).astype(np.float32))
         times.append((k + share[seen]) * TURN)
-        place, heading = pose_at(np.array(k * speed * TURN), sway)
-        T = np.eye(4)
-        T[:2, :2] = [[np.cos(heading), -np.sin(heading)], [np.sin(heading), np.cos(heading)]]
-        T[:3, 3] = place
-        poses.append(T)
+        poses.append(sensor_pose(k * speed * TURN, sway))
     return Drive(scans, times, np.array(poses))

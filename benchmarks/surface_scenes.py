@@ -13,9 +13,9 @@ from real_data import DataMissingError, real_data
 
 import pointloom as loom
 from pointloom.app.demos.demo_object import scan_sofa
-from pointloom.app.scenes.furniture import sofa
-from pointloom.app.scenes.room import room_sequence, surface_errors
 from pointloom.core.devices import resolve_device
+from pointloom.data.scenes.furniture import sofa
+from pointloom.data.scenes.room import room_sequence, surface_errors
 from pointloom.kernels.lang import vec3d
 from pointloom.kernels.memory import download, upload
 from pointloom.kernels.scenes.primitives import distance_to_solids

@@ -14,7 +14,7 @@ import numpy as np
 from PIL import Image
 
 import pointloom as loom
-from pointloom.app.scenes.room import room_sequence
+from pointloom.data.scenes.room import room_sequence
 from pointloom.drawing.render.canvas import Canvas
 
 ORANGE, BLUE = (1.0, 0.706, 0.0), (0.0, 0.651, 0.929)

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 PACKAGE = Path(__file__).parents[1]
-FOLDERS = ("core", "cameras", "pcd", "files", "registration", "meshing", "rgbd", "drawing", "photos", "app")
+FOLDERS = ("core", "cameras", "pcd", "files", "registration", "meshing", "rgbd", "drawing", "photos", "data", "app")
 MODULES = sorted(
     ".".join(("pointloom", *path.relative_to(PACKAGE).with_suffix("").parts)).removesuffix(".__init__")
     for folder in FOLDERS

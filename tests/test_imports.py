@@ -24,6 +24,7 @@ FLOORS = [
     ["registration", "meshing"],
     ["rgbd", "drawing"],
     ["photos"],
+    ["data"],
     ["app"],
 ]
 HOUSES = [house for floor in FLOORS for house in floor]
@@ -47,7 +48,8 @@ ROOMS = {
     "rgbd": ["odometry", "slam", "fusion", "reconstruction"],
     "drawing": ["render", "recording", "viewer"],
     "photos": ["sfm", "mvs", "depth", "video"],
-    "app": ["scenes", "jobs", "demos", "shell"],
+    "data": ["scenes", "made"],
+    "app": ["jobs", "demos", "shell"],
 }
 
 # lang.py and memory.py hand on what rooms below all others hold; check_cuda.py and cuda_cache.py look at every room.

@@ -16,8 +16,9 @@ from packaging.requirements import Requirement
 from packaging.utils import canonicalize_name
 
 ROOT = Path(__file__).resolve().parents[1]
-FOLDERS = tuple(
-    ["kernels", "core", "cameras", "pcd", "files", "registration", "meshing", "rgbd", "drawing", "photos", "app"]
+FOLDERS = (
+    *("kernels", "core", "cameras", "pcd", "files", "registration", "meshing", "rgbd", "drawing", "photos", "data"),
+    "app",
 )
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text())
 

@@ -10,6 +10,7 @@ from typing import Any
 
 from ...core.reports import Fields, all_of
 from ...core.timing import Clock, peak_bytes
+from ...data.scenes.room import room_sequence, surface_errors
 from ...drawing.render.picture_files import save_picture
 from ...drawing.render.render import render
 from ...drawing.render.scene_view import as_photographed
@@ -19,7 +20,6 @@ from ...meshing.mesh.mesh_files import write_triangle_mesh
 from ...rgbd.fusion.fuse import fuse
 from ...rgbd.fusion.results import FusionResult
 from ..jobs.fuse import fusion_fields
-from ..scenes.room import room_sequence, surface_errors
 from .demo_object import SofaFigures, make_sofa
 from .demo_results import SurfaceErrors, error_table
 from .trial import REPORT, Cost, Place, Trial, text_of

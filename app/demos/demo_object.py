@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...core.timing import Clock
+from ...data.scenes.furniture import sofa
 from ...kernels.lang import vec3d
 from ...kernels.memory import download, upload
 from ...kernels.scenes.primitives import Solids, distance_to_solids
@@ -20,7 +21,6 @@ from ...meshing.mesh.isosurface import marching_cubes
 from ...meshing.mesh.mesh import TriangleMesh
 from ...meshing.mesh.mesh_summary import SurfaceSummary, describe_surface
 from ...pcd.cloud import PointCloud
-from ..scenes.furniture import sofa
 
 POINTS = 60_000  # 1 cm apart
 NOISE = 0.003  # [m] standard deviation in each direction: of structured light at 1.5 m

@@ -17,6 +17,7 @@ from ...cameras.trajectory import Trajectory
 from ...core.reports import Fields, all_of
 from ...core.timing import peak_bytes
 from ...core.wording import plain
+from ...data.scenes.room import room_loop_sequence, surface_errors
 from ...drawing.render.picture_files import save_picture
 from ...drawing.render.render import render
 from ...drawing.render.scene_view import as_photographed
@@ -29,7 +30,6 @@ from ...rgbd.slam.looped_model import SlamAccount, model_by_slam
 from ...rgbd.slam.paths import error_against_truth
 from ..jobs.frame_folder import with_camera
 from ..jobs.track import rate_of
-from ..scenes.room import room_loop_sequence, surface_errors
 from .demo_results import SurfaceErrors, error_table
 from .trial import REPORT, Cost, Place, Trial, text_of
 

@@ -22,6 +22,10 @@ from ...core.atomic import check_writable
 from ...core.reports import Fields, all_of
 from ...core.timing import peak_bytes
 from ...core.wording import format_seconds, format_share
+from ...data.scenes.error_figures import CameraErrors, DepthErrors, MeshErrors
+from ...data.scenes.room import RoomSequence, room_views
+from ...data.scenes.room_errors import camera_errors, depth_errors, room_mesh_errors
+from ...data.scenes.room_video import FRAMES, LOG, room_video_frames, write_room_video
 from ...files.models.colmap import read_colmap_model
 from ...meshing.mesh.mesh import TriangleMesh
 from ...photos.mvs import DepthMaps
@@ -31,10 +35,6 @@ from ...photos.video.result import VideoResult
 from ...photos.video.settings import Settings
 from ...photos.video.surface import MAPS, SPARSE
 from ...photos.video.units import Units
-from ..scenes.error_figures import CameraErrors, DepthErrors, MeshErrors
-from ..scenes.room import RoomSequence, room_views
-from ..scenes.room_errors import camera_errors, depth_errors, room_mesh_errors
-from ..scenes.room_video import FRAMES, LOG, room_video_frames, write_room_video
 from .trial import REPORT, Cost, Place, Trial, text_of
 
 Matrix = NDArray[np.float64]

@@ -10,8 +10,8 @@ import numpy as np
 from PIL import Image
 
 import pointloom as loom
-from pointloom.app.scenes.room import room_views
-from pointloom.app.scenes.room_paths import film_pose, look_along
+from pointloom.data.scenes.room import room_views
+from pointloom.data.scenes.room_paths import film_pose, look_along
 
 SIZE = (640, 480)
 FOCAL = 525.0

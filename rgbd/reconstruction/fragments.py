@@ -137,7 +137,7 @@ def make_fragments(
 
     Example:
         >>> import pointloom as loom
-        >>> from pointloom.app.scenes.room import room_sequence
+        >>> from pointloom.data.scenes.room import room_sequence
         >>> frames = room_sequence(300, width=80, height=60)
         >>> config = loom.reconstruction.ReconstructionConfig(n_frames_per_fragment=6, depth_max=4.0)
         >>> class First:

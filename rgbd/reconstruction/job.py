@@ -71,7 +71,7 @@ def run_system(
 
     Example:
         >>> import pointloom as loom
-        >>> from pointloom.app.scenes.room import room_sequence
+        >>> from pointloom.data.scenes.room import room_sequence
         >>> frames = room_sequence(300, width=80, height=60)
         >>> class First:
         ...     intrinsic, depth_scale, read = frames.intrinsic, frames.depth_scale, frames.read

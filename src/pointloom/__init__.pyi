@@ -1,5 +1,6 @@
 """The public names of pointloom: the one list of them, for type checkers and for `public_names`."""
 
+from . import data as data
 from . import registration as registration
 from .photos import mvs as mvs
 from .rgbd import reconstruction as reconstruction

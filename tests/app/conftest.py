@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 import pointloom as loom
-from pointloom.app.scenes.room import room_loop_sequence, write_room_sequence
 from pointloom.app.shell import console
+from pointloom.data.scenes.room import room_loop_sequence, write_room_sequence
 from pointloom.files.frames.recordings import record_frames
 from pointloom.kernels.language import notices
 

@@ -11,9 +11,9 @@ from pointloom.app.demos import demo_object
 from pointloom.app.demos.demo import LARGEST_RMSE, FuseTrial, _why_poor
 from pointloom.app.demos.demo_results import SurfaceErrors
 from pointloom.app.demos.trial import run_trial
-from pointloom.app.scenes.room import surface_errors
 from pointloom.app.shell.cli import cli
 from pointloom.core.errors import DeviceError, FileError
+from pointloom.data.scenes.room import surface_errors
 from pointloom.meshing.mesh.mesh_files import read_triangle_mesh
 
 from .commands import names_in

@@ -4,9 +4,9 @@ import numpy as np
 
 from pointloom.app.demos import demo_object
 from pointloom.app.demos.demo_object import LARGEST_RMSE, SofaFigures, make_sofa, scan_sofa
-from pointloom.app.scenes.furniture import furnished_room, sofa
 from pointloom.core.devices import resolve_device
 from pointloom.core.timing import Clock
+from pointloom.data.scenes.furniture import furnished_room, sofa
 
 
 def test_points_lie_off_the_surface_by_the_noise_and_not_without(device, monkeypatch):

@@ -10,9 +10,9 @@ from pointloom.app.demos import demo_reconstruct
 from pointloom.app.demos.demo_reconstruct import LARGEST_ATE, LARGEST_MEDIAN, OUTPUTS, ReconstructTrial, _why_poor
 from pointloom.app.demos.demo_results import SurfaceErrors
 from pointloom.app.demos.trial import run_trial
-from pointloom.app.scenes.room import surface_errors
 from pointloom.cameras.trajectory import read_trajectory
 from pointloom.core.wording import to_json
+from pointloom.data.scenes.room import surface_errors
 from pointloom.meshing.mesh.mesh_files import read_triangle_mesh
 
 from .commands import answer, names_in, refusal, run

@@ -12,11 +12,11 @@ import pointloom as loom
 from pointloom.app.demos import demo_video
 from pointloom.app.demos.demo_video import OUTPUTS, Judgement, VideoTrial, seen_points
 from pointloom.app.demos.trial import run_trial
-from pointloom.app.scenes.error_figures import CameraErrors, DepthErrors, ErrorFigures, MeshErrors
-from pointloom.app.scenes.room import surface_errors
-from pointloom.app.scenes.room_video import room_video_frames
 from pointloom.cameras.trajectory import read_trajectory
 from pointloom.core.wording import to_json
+from pointloom.data.scenes.error_figures import CameraErrors, DepthErrors, ErrorFigures, MeshErrors
+from pointloom.data.scenes.room import surface_errors
+from pointloom.data.scenes.room_video import room_video_frames
 from pointloom.meshing.mesh.mesh_files import read_triangle_mesh
 from pointloom.photos.sfm.verdict import Verdict
 from pointloom.photos.video.result import StageReport, VideoFigures, VideoResult

@@ -10,8 +10,8 @@ import pointloom as loom
 from pointloom.app.jobs.frame_folder import FolderOptions
 from pointloom.app.jobs.fuse import fuse_folder
 from pointloom.app.jobs.model_outputs import ModelOutputs
-from pointloom.app.scenes.room import write_room_sequence
 from pointloom.core.errors import FileError
+from pointloom.data.scenes.room import write_room_sequence
 from pointloom.drawing.render.scene_view import level_up, view_scene
 
 from ..rgbd.fusion.walls import Wall

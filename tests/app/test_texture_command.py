@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 import pointloom as loom
-from pointloom.app.scenes.room import write_room_sequence
 from pointloom.core.wording import to_json
+from pointloom.data.scenes.room import write_room_sequence
 from pointloom.files.frames.datasets import open_dataset
 from pointloom.files.pictures.image_files import read_color
 

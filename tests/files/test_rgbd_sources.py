@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import pointloom as loom
-from pointloom.app.scenes.room import room_loop_sequence
+from pointloom.data.scenes.room import room_loop_sequence
 from pointloom.files.frames import recordings
 from pointloom.files.frames.dataset_layouts import FRAME_TIMES
 from pointloom.files.frames.datasets import Frame

@@ -5,7 +5,7 @@ import pytest
 from PIL import Image, ImageOps
 
 import pointloom as loom
-from pointloom.app.scenes.room import room_views
+from pointloom.data.scenes.room import room_views
 
 from .video_makers import (
     arc_poses,

@@ -13,9 +13,9 @@ import numpy as np
 from PIL import Image
 
 import pointloom as loom
-from pointloom.app.scenes.room import room_views
-from pointloom.app.scenes.room_paths import look_along
-from pointloom.app.scenes.room_video import room_video_poses
+from pointloom.data.scenes.room import room_views
+from pointloom.data.scenes.room_paths import look_along
+from pointloom.data.scenes.room_video import room_video_poses
 from pointloom.drawing.recording.video import write_mp4
 from pointloom.files.pictures.image_files import write_png
 

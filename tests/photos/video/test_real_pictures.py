@@ -7,10 +7,10 @@ import pytest
 from PIL import Image
 
 import pointloom as loom
-from pointloom.app.scenes.room import room_views
-from pointloom.app.scenes.room_errors import camera_errors, room_mesh_errors
-from pointloom.app.scenes.room_paths import look_along
 from pointloom.cameras.camera import PinholeCameraIntrinsic
+from pointloom.data.scenes.room import room_views
+from pointloom.data.scenes.room_errors import camera_errors, room_mesh_errors
+from pointloom.data.scenes.room_paths import look_along
 
 from ...app.commands import answer
 

@@ -12,9 +12,9 @@ import numpy as np
 import pytest
 
 import pointloom as loom
-from pointloom.app.scenes.room import surface_errors
 from pointloom.core.errors import FileError
 from pointloom.core.wording import to_json
+from pointloom.data.scenes.room import surface_errors
 from pointloom.files.frames.datasets import Frame
 
 from .walks import Walk, blank, config, frame_at

@@ -6,8 +6,8 @@ from functools import cache
 import numpy as np
 
 import pointloom as loom
-from pointloom.app.scenes.room import room_sequence, surface_errors
 from pointloom.cameras.trajectory import Trajectory
+from pointloom.data.scenes.room import room_sequence, surface_errors
 from pointloom.registration.rigid import invert_pose, pose_of
 from pointloom.rgbd.slam.submaps import SubmapRecorder
 

@@ -3,10 +3,10 @@
 import numpy as np
 import pytest
 
-from pointloom.app.scenes.room import room_loop_sequence
 from pointloom.cameras.camera import PinholeCameraIntrinsic
 from pointloom.cameras.trajectory import Trajectory
 from pointloom.core.errors import FileError
+from pointloom.data.scenes.room import room_loop_sequence
 from pointloom.rgbd.slam.focal_check import TURN, check_focal, turned_pairs
 
 from ..sequences import Part

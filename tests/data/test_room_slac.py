@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import pointloom as loom
-from pointloom.app.scenes.room import room_sequence, surface_errors
+from pointloom.data.scenes.room import room_sequence, surface_errors
 from pointloom.registration import PoseGraph, PoseGraphEdge, PoseGraphNode
 from pointloom.registration.rigid import fit_pose, invert_pose
 

@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
-from pointloom.app.scenes.furniture import SIZE, furnished_room
-from pointloom.app.scenes.room import room_pose, room_sequence, surface_errors, write_room_sequence
 from pointloom.core.errors import FileError
+from pointloom.data.scenes.furniture import SIZE, furnished_room
+from pointloom.data.scenes.room import room_pose, room_sequence, surface_errors, write_room_sequence
 from pointloom.files.frames.datasets import open_dataset
 from pointloom.kernels.scenes.primitives import CYLINDER
 

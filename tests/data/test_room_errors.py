@@ -5,9 +5,9 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 import pointloom as loom
-from pointloom.app.scenes.room import room_views
-from pointloom.app.scenes.room_errors import camera_errors, depth_errors, room_mesh_errors
-from pointloom.app.scenes.room_video import room_video_poses
+from pointloom.data.scenes.room import room_views
+from pointloom.data.scenes.room_errors import camera_errors, depth_errors, room_mesh_errors
+from pointloom.data.scenes.room_video import room_video_poses
 
 
 def moved(poses, scale, turn, shift):

@@ -7,15 +7,15 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from pointloom.app.scenes import room_video
-from pointloom.app.scenes.room import surface_errors
-from pointloom.app.scenes.room_video import room_video_frames, room_video_poses, write_room_video
 from pointloom.cameras.camera import read_pinhole_camera_intrinsic
 from pointloom.cameras.trajectory import read_trajectory
 from pointloom.core.errors import FileError
+from pointloom.data.scenes import room_video
+from pointloom.data.scenes.room import surface_errors
+from pointloom.data.scenes.room_video import room_video_frames, room_video_poses, write_room_video
 from pointloom.drawing.recording import video
 
-from .commands import names_in
+from ..app.commands import names_in
 
 SMALL = {"width": 64, "height": 48}
 needs_ffmpeg = pytest.mark.skipif(shutil.which("ffmpeg") is None, reason="ffmpeg is not on the path")

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from pointloom.app.scenes.room import room_loop_sequence, room_sequence
+from pointloom.data.scenes.room import room_loop_sequence, room_sequence
 
 SMALL = {"width": 160, "height": 120}
 

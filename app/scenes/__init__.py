@@ -1,1 +1,0 @@
-"""Made-up scenes with known truth: the room."""

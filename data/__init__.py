@@ -1,0 +1,14 @@
+"""Data to learn and to measure with: scenes made here whose truth is known, and public sets by name.
+
+Each public name is loaded when it is first used, as in `pointloom` itself.
+
+Example:
+    >>> import pointloom as loom
+    >>> frame = loom.data.room_frames(1, width=32, height=24)[0]
+    >>> frame.color.shape, frame.depth.shape
+    ((24, 32, 3), (24, 32))
+"""
+
+from ..public_names import attach  # pyright: ignore[reportMissingImports]
+
+__getattr__, __dir__ = attach(__name__)

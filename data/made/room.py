@@ -1,0 +1,211 @@
+"""The furnished room (scenes/room.py) as frames of a depth camera, as one cloud and as one mesh."""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+from collections.abc import Iterator
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...cameras.camera import PinholeCameraIntrinsic
+from ...cameras.images import RGBDImage
+from ...core.checks import check_count, check_positive, check_seed
+from ...kernels.lang import vec3d
+from ...kernels.memory import download, upload
+from ...kernels.scenes.primitives import distance_to_solids
+from ...meshing.mesh.mesh import TriangleMesh
+from ...meshing.volume.tsdf import TSDFVolume
+from ...pcd.cloud import PointCloud
+from ..kept import Arrays, kept
+from ..scenes.furniture import SIZE, furnished_room
+from ..scenes.room import COLOR_NOISE, DEPTH_SCALE, RoomFrame, room_views
+from ..scenes.room_paths import film_pose, look_along, room_pose, round_pose
+
+FRAMES_OF_A_ROUND = 120  # of `room_frames`: 3 degrees and some 7 cm apart
+FIRST_FRAME = 44  # of the round: looks at the sofa
+GRAIN = 0.25  # share of the surfaces' full grain: enough to match pictures by, and walls still look painted
+VIEWS = 96  # of the cloud and the mesh
+VIEW_SIZE = (320, 240)  # [px]
+FARTHEST = 6.0  # [m] no two walls are farther apart
+SCAN_NOISE = 0.0015  # [m] standard deviation of the cloud's points before they are thinned
+NEAR = 1e-3  # [m] on either side of a surface, where its normal is measured
+MESH_VOXEL = 0.02  # [m]
+MESH_TRIANGLES = 250_000
+
+
+def room_frames(
+    count: int = 24, *, width: int = 320, height: int = 240, noise: bool = True, seed: int = 0
+) -> list[RoomFrame]:
+    """RGB-D frames of a camera that is carried through a furnished room, each with its true pose.
+
+    The room is 5 x 4 x 2.6 m: x along the long wall, y into the room, z up, its corner at the origin. Frames are 3
+    degrees and some 5 cm apart; 120 are a whole round, more go round again.
+
+    Args:
+        count: Frames; of more, the first are the same.
+        width: Columns [px].
+        height: Rows [px]; the focal length is 525 px at 640 columns.
+        noise: Depth as of a structured-light camera: 1.2 mm of noise near and 14 mm at 3 m, nothing at grazing angles,
+            whole millimetres; colour with a noise of 2 of 255. Without it both are exact.
+        seed: Chooses the noise.
+
+    Returns:
+        Frozen records with `color` uint8 [h, w, 3], `depth` float32 [h, w] [m] along the optical axis, 0 where nothing
+        was measured, `intrinsic`, and the truth: `T_world_camera` float64 [4, 4] [m], camera to world, x right, y
+        down, z forward in the camera.
+
+    Raises:
+        TypeError: Counts that are not whole numbers.
+        ValueError: Counts below 1.
+
+    Notes:
+        The same bits each time. Kept in the user's cache folder where making them took long.
+
+    Example:
+        >>> import numpy as np, pointloom as loom
+        >>> frame = loom.data.room_frames(2, width=64, height=48)[1]
+        >>> image = loom.RGBDImage(frame.color, frame.depth)
+        >>> cloud = loom.PointCloud.from_rgbd_image(image, frame.intrinsic, np.linalg.inv(frame.T_world_camera))
+        >>> bool((cloud.points[:, 2] < 2.7).all())
+        True
+    """
+    count, width, height = check_count("count", count), check_count("width", width), check_count("height", height)
+    noise, seed = bool(noise), check_seed(seed)
+    parameters = {"count": count, "width": width, "height": height, "noise": noise, "seed": seed}
+    camera = _camera(width, height)
+    poses = [film_pose((FIRST_FRAME + i) % FRAMES_OF_A_ROUND / FRAMES_OF_A_ROUND) for i in range(count)]
+
+    def make() -> Arrays:
+        frames = list(room_pictures(poses, camera, seed=seed, noise=noise))
+        return {"depth": np.array([f.depth for f in frames]), "color": np.array([f.color for f in frames])}
+
+    found = kept("room_frames", parameters, make)
+    return [
+        RoomFrame(depth=_metres(depth), color=color, T_world_camera=pose, intrinsic=camera, name=f"frame-{index:06d}")
+        for index, (depth, color, pose) in enumerate(zip(found["depth"], found["color"], poses, strict=True))
+    ]
+
+
+def room_cloud(*, voxel_size: float = 0.02, seed: int = 0) -> PointCloud:
+    """The furnished room as one coloured cloud with normals, as a scanner gives it from all sides.
+
+    What no camera in the middle of the room sees (behind the bookcase, below the sofa) is not in it.
+
+    Args:
+        voxel_size: Edge of the cubes that points are thinned by [m]: about one point each.
+        seed: Chooses the noise: 1.5 mm of each measurement, before points of a cube are averaged.
+
+    Returns:
+        Points [m] in the frame of `room_frames`, `colors`, and true unit `normals` that point into the room.
+
+    Raises:
+        TypeError, ValueError: No positive size.
+
+    Notes:
+        The same bits each time. Kept in the user's cache folder where making it took long.
+
+    Example:
+        >>> import pointloom as loom
+        >>> cloud = loom.data.room_cloud(voxel_size=0.1)
+        >>> cloud.points.max(axis=0).round(0).tolist(), cloud.has_normals()
+        ([5.0, 4.0, 3.0], True)
+    """
+    voxel_size, seed = check_positive("voxel_size", voxel_size), check_seed(seed)
+
+    def make() -> Arrays:
+        parts = [_seen_points(frame) for frame in _views()]
+        points = np.concatenate([part.points for part in parts])
+        points += np.random.default_rng(seed).normal(0.0, SCAN_NOISE, points.shape)
+        whole = PointCloud(points, colors=np.concatenate([part.colors for part in parts]))
+        thin = whole.voxel_down_sample(voxel_size)
+        return {"points": thin.points, "colors": thin.colors, "normals": _true_normals(thin.points)}
+
+    return PointCloud(**kept("room_cloud", {"voxel_size": voxel_size, "seed": seed}, make))
+
+
+def room_mesh() -> TriangleMesh:
+    """The furnished room as a coloured mesh, fused of exact views at 2 cm.
+
+    Returns:
+        Vertices [m] in the frame of `room_frames`, with colours and normals; open where no camera saw.
+
+    Notes:
+        The same bits each time. Kept in the user's cache folder where making it took long.
+
+    Example:
+        >>> import pointloom as loom
+        >>> mesh = loom.data.room_mesh()
+        >>> mesh.has_vertex_colors(), len(mesh) > 100_000
+        (True, True)
+    """
+
+    def make() -> Arrays:
+        volume = TSDFVolume(voxel_size=MESH_VOXEL, truncation=3 * MESH_VOXEL)
+        for frame in _views():
+            T = np.linalg.inv(frame.T_world_camera)
+            volume.integrate(frame.depth, frame.intrinsic, T, frame.color, depth_scale=1.0, depth_max=FARTHEST)
+        mesh = volume.extract_triangle_mesh(weight_threshold=0.0)
+        mesh = mesh.simplify_quadric_decimation(MESH_TRIANGLES).compute_vertex_normals()
+        names = ("vertices", "triangles", "vertex_colors", "vertex_normals")
+        return {name: getattr(mesh, name) for name in names}
+
+    return TriangleMesh(**kept("room_mesh", {}, make))
+
+
+def _camera(width: int, height: int) -> PinholeCameraIntrinsic:
+    focal = 525.0 * width / 640
+    return PinholeCameraIntrinsic(width, height, focal, focal, (width - 1) / 2, (height - 1) / 2)
+
+
+def _metres(depth: NDArray[np.uint16] | NDArray[np.float32]) -> NDArray[np.float32]:
+    return (depth / np.float32(DEPTH_SCALE)).astype(np.float32) if depth.dtype == np.uint16 else depth
+
+
+def room_pictures(
+    poses: list[NDArray[np.float64]], camera: PinholeCameraIntrinsic, *, seed: int = 0, noise: bool = False
+) -> Iterator[RoomFrame]:
+    """Frames of the room from these places, its surfaces with a slight grain; depth as `room_views` has it."""
+    plain, grained = (
+        room_views(poses, camera, seed=seed, noise=noise, texture=texture, color_noise=COLOR_NOISE if noise else 0.0)
+        for texture in (False, True)
+    )
+    for one, other in zip(plain, grained, strict=True):
+        assert one.color is not None and other.color is not None
+        mixed = one.color * np.float32(1 - GRAIN) + other.color * np.float32(GRAIN)
+        yield dataclasses.replace(one, color=np.rint(mixed).astype(np.uint8))
+
+
+def _views() -> Iterator[RoomFrame]:
+    """Exact frames from all sides: round the middle, along the walls and from below the ceiling down."""
+    return room_pictures([_survey_pose(i) for i in range(VIEWS)], _camera(*VIEW_SIZE))
+
+
+def _survey_pose(index: int) -> NDArray[np.float64]:
+    share, kind = index / VIEWS, index % 4
+    if kind < 2:
+        return (room_pose, round_pose)[kind](share)
+    yaw = 4 * math.pi * share
+    height, pitch = ((2.35, -0.75), (0.5, 0.1))[kind - 2]
+    eye = np.array([SIZE[0] / 2 - 1.6 * math.cos(yaw), SIZE[1] / 2 - 1.2 * math.sin(yaw), height])
+    return look_along(eye, (math.cos(yaw) * math.cos(pitch), math.sin(yaw) * math.cos(pitch), math.sin(pitch)))
+
+
+def _seen_points(frame: RoomFrame) -> PointCloud:
+    """What an exact frame shows, in the room."""
+    image = RGBDImage(frame.color, frame.depth, depth_scale=1.0, depth_trunc=FARTHEST)
+    return PointCloud.from_rgbd_image(image, frame.intrinsic, np.linalg.inv(frame.T_world_camera))
+
+
+def _true_normals(points: NDArray[np.float64]) -> NDArray[np.float32]:
+    """The direction in which the distance from the room's surface grows, from inside to outside of it, [n, 3]."""
+    solids, slopes = furnished_room().solids("cpu"), []
+    for step in NEAR * np.eye(3):
+        ahead, behind = (
+            download(distance_to_solids(upload(points + side, vec3d, "cpu"), solids)) for side in (step, -step)
+        )
+        slopes.append(ahead - behind)
+    normals = np.stack(slopes, axis=1)
+    lengths = np.linalg.norm(normals, axis=1, keepdims=True)
+    return (normals / np.where(lengths > 0, lengths, 1)).astype(np.float32)

@@ -1,0 +1,74 @@
+"""What a camera sees of a coloured mesh, by casting a ray a pixel."""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ...cameras.camera import PinholeCameraIntrinsic
+from ...meshing.mesh.mesh import TriangleMesh
+from ...meshing.scene.raycasting_scene import RaycastingScene
+from ..scenes.room_paths import look_along
+
+
+@dataclasses.dataclass(frozen=True, eq=False)
+class MeshView:
+    """A view, row by row: what is nothing has depth 0.
+
+    Attributes:
+        depth: Along the optical axis [m], float64 [h, w].
+        colors: Of the mesh there, 0 to 1, float64 [h, w, 3].
+        normals: Of the triangle, in the world, float64 [h, w, 3].
+        cosine: Between view and normal, float64 [h, w].
+    """
+
+    depth: NDArray[np.float64]
+    colors: NDArray[np.float64]
+    normals: NDArray[np.float64]
+    cosine: NDArray[np.float64]
+
+
+def scene_of(mesh: TriangleMesh) -> RaycastingScene:
+    """A mesh to cast rays at."""
+    scene = RaycastingScene()
+    scene.add_triangles(mesh.vertices.astype(np.float32), mesh.triangles)
+    return scene
+
+
+def look_at(eye: ArrayLike, target: ArrayLike = (0, 0, 0)) -> NDArray[np.float64]:
+    """T_world_camera of an upright camera at `eye` [m] that looks at a place."""
+    at = np.asarray(eye, np.float64)
+    x, y, z = np.asarray(target) - at
+    return look_along(at, (x, y, z))
+
+
+def ring(count: int, distance: float, heights: tuple[float, ...], *, start: float = 0.0) -> NDArray[np.float64]:
+    """Cameras all round that look at zero, [n, 4, 4]: their angles of elevation [rad] take turns."""
+    poses = []
+    for k in range(count):
+        turn, rise = start + 2 * math.pi * k / count, heights[k % len(heights)]
+        away = (math.cos(turn) * math.cos(rise), math.sin(turn) * math.cos(rise), math.sin(rise))
+        poses.append(look_at(distance * np.array(away)))
+    return np.array(poses)
+
+
+def view_mesh(
+    mesh: TriangleMesh, scene: RaycastingScene, camera: PinholeCameraIntrinsic, T_world_camera: NDArray[np.float64]
+) -> MeshView:
+    """What a camera sees of a mesh with vertex colours; the colours are those between a triangle's corners."""
+    fx, fy, cx, cy = camera.fx, camera.fy, camera.cx, camera.cy
+    v, u = np.mgrid[: camera.height, : camera.width]
+    ways = np.stack([(u - cx) / fx, (v - cy) / fy, np.ones(u.shape)], axis=-1) @ T_world_camera[:3, :3].T
+    rays = np.concatenate([np.broadcast_to(T_world_camera[:3, 3], ways.shape), ways], axis=-1)
+    met = scene.cast_rays(rays)
+    seen = np.isfinite(met["t_hit"])
+    corners = mesh.triangles[np.where(seen, met["primitive_ids"], 0).astype(np.int64)]
+    second, third = met["primitive_uvs"][..., :1], met["primitive_uvs"][..., 1:]
+    weights = np.stack([1 - second - third, second, third], axis=-2)
+    colors = (mesh.vertex_colors[corners] * weights).sum(axis=-2) * seen[..., None]
+    normals = met["primitive_normals"].astype(np.float64)
+    cosine = np.abs((ways * normals).sum(axis=-1)) / np.linalg.norm(ways, axis=-1)
+    return MeshView(np.where(seen, met["t_hit"], 0.0), colors, normals, cosine)

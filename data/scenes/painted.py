@@ -1,0 +1,102 @@
+"""Triangles put together by hand, each with a colour and a label, for scanners that cast rays at them."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ...meshing.mesh.mesh import TriangleMesh
+from ...meshing.scene.raycasting_scene import RaycastingScene
+
+Color = tuple[float, float, float]
+
+_FACES = np.array([[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]])
+
+
+class PaintedParts:
+    """Collects triangles; `place` sets the frame in which the following parts are given.
+
+    Attributes:
+        label: What the following parts are.
+    """
+
+    def __init__(self) -> None:
+        self._vertices: list[NDArray[np.float64]] = []
+        self._triangles: list[NDArray[np.int64]] = []
+        self._colors: list[NDArray[np.float64]] = []
+        self._labels: list[NDArray[np.uint8]] = []
+        self._count, self.label = 0, 0
+        self.place(0, 0)
+
+    def place(self, x: float, y: float, z: float = 0.0, *, turn: float = 0.0) -> None:
+        """Move the frame to a place [m], turned by an angle [rad] about z."""
+        c, s = math.cos(turn), math.sin(turn)
+        self._R, self._t = np.array([[c, -s, 0], [s, c, 0], [0, 0, 1]]), np.array([x, y, z])
+
+    def add(self, vertices: ArrayLike, triangles: ArrayLike, color: ArrayLike) -> None:
+        """Triangles with one colour, or one each."""
+        faces = np.asarray(triangles, np.int64)
+        self._vertices.append(np.asarray(vertices, np.float64) @ self._R.T + self._t)
+        self._triangles.append(faces + self._count)
+        self._colors.append(np.broadcast_to(np.asarray(color, np.float64), (len(faces), 3)))
+        self._labels.append(np.full(len(faces), self.label, np.uint8))
+        self._count += len(self._vertices[-1])
+
+    def box(self, center: ArrayLike, size: ArrayLike, color: Color, *, taper: float = 1.0) -> None:
+        """A box of this full size [m]; `taper` is the share of its length and width that its top has."""
+        corners = np.array([[i & 1, i >> 1 & 1, i >> 2 & 1] for i in range(8)]) - 0.5
+        corners[4:, :2] *= taper
+        quads = _FACES
+        faces = np.concatenate([quads[:, [0, 1, 2]], quads[:, [0, 2, 3]]])
+        self.add(corners * np.asarray(size) + np.asarray(center), faces, color)
+
+    def gable(self, center: ArrayLike, size: ArrayLike, color: Color, walls: Color) -> None:
+        """A roof whose ridge runs along x: its base's centre, and length, width and height [m]; with its two ends."""
+        x, y, z = np.asarray(size) * [0.5, 0.5, 1.0]
+        corners = [[-x, -y, 0], [x, -y, 0], [x, y, 0], [-x, y, 0], [-x, 0, z], [x, 0, z]]
+        at = np.array(corners) + np.asarray(center)
+        self.add(at, [[0, 1, 5], [0, 5, 4], [2, 3, 4], [2, 4, 5]], color)
+        self.add(at, [[1, 2, 5], [3, 0, 4]], walls)
+
+    def cylinder(
+        self, center: ArrayLike, radius: float, height: float, color: Color, *, axis: int = 2, resolution: int = 12
+    ) -> None:
+        """A cylinder of this full height [m] along an axis."""
+        mesh = TriangleMesh.create_cylinder(radius, height, resolution, split=1)
+        self.add(np.roll(mesh.vertices, axis - 2, axis=1) + np.asarray(center), mesh.triangles, color)
+
+    def crown(self, center: ArrayLike, radii: ArrayLike, color: Color, rng: np.random.Generator) -> None:
+        """Leaves: an uneven ball, its triangles in shades of a colour."""
+        mesh = TriangleMesh.create_sphere(1.0, 10)
+        bumps = 1 + 0.16 * rng.standard_normal(len(mesh.vertices))[:, None]
+        shades = np.asarray(color) * rng.uniform(0.7, 1.25, (len(mesh), 1))
+        self.add(mesh.vertices * bumps * np.asarray(radii) + np.asarray(center), mesh.triangles, np.clip(shades, 0, 1))
+
+    @property
+    def colors(self) -> NDArray[np.float32]:
+        """Of each triangle, in 0..1, [t, 3]."""
+        return np.concatenate(self._colors).astype(np.float32)
+
+    @property
+    def labels(self) -> NDArray[np.uint8]:
+        """Of each triangle, [t]."""
+        return np.concatenate(self._labels)
+
+    @property
+    def vertices(self) -> NDArray[np.float64]:
+        """[n, 3] [m]."""
+        return np.concatenate(self._vertices)
+
+    @property
+    def triangles(self) -> NDArray[np.int64]:
+        """[t, 3]."""
+        return np.concatenate(self._triangles)
+
+    def scene(self, device: Any = "cpu") -> RaycastingScene:
+        """All of it as one geometry to cast rays at; a triangle's number is its row in `colors` and `labels`."""
+        scene = RaycastingScene(device)
+        scene.add_triangles(self.vertices.astype(np.float32), self.triangles)
+        return scene
