@@ -22,7 +22,7 @@ public_modules()  # so that each can be imported by its public name
 
 project, author, release, version = "pointloom", "the authors of pointloom", __version__, __version__
 copyright = author
-language = "en_GB"
+language = "en"  # search fails in languages without words of its own for "found so many pages"
 # Where the newest release's pages lie; empty, there are no canonical links, no sitemap and no banner on older versions.
 SITE = pages.PLACE["documentation"].rstrip("/")
 
@@ -117,8 +117,8 @@ def rewrite_links(app: Any, page: str, source: list[str]) -> None:
 
 
 def add_examples(app: Any, what: str, name: str, thing: Any, options: Any, lines: list[str]) -> None:
-    """The pages of the gallery that use a name, below its docstring."""
-    lines += reference.examples_of(name)
+    """The pages of the gallery that use a name, below its docstring; pages that it names become links."""
+    lines[:] = [reference.linked(line) for line in lines] + reference.examples_of(name)
 
 
 def short_signature(app: Any, what: str, name: str, thing: Any, options: Any, given: Any, result: Any) -> Any:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import inspect
+import re
 from pathlib import Path
 from typing import Any
 
@@ -37,6 +38,8 @@ ROOMS = {
     "trajectories": "Paths",
     "robust_kernels": "Robust kernels",
 }
+DOCS = Path(__file__).parents[1]
+PAGE = re.compile(r"(?<!`)docs/([\w-]+)\.md(?!`)")
 SHOWN = 12  # examples that a page names
 
 
@@ -145,6 +148,11 @@ def signature_of(what: str, name: str, thing: Any) -> tuple[str, str] | None:
     written = stringify_signature(signature, show_return_annotation=False, unqualified_typehints=True)
     result = signature.return_annotation
     return written, "" if is_class or result is inspect.Signature.empty else stringify_annotation(result, "smart")
+
+
+def linked(line: str) -> str:
+    """A line of a docstring whose mentions of pages, "docs/arrays.md", are links to them."""
+    return PAGE.sub(lambda found: f":doc:`/{found[1]}`" if (DOCS / f"{found[1]}.md").exists() else found[0], line)
 
 
 def missing() -> tuple[list[str], list[str]]:
