@@ -48,7 +48,7 @@ ROOMS = {
     "rgbd": ["odometry", "slam", "fusion", "reconstruction"],
     "drawing": ["render", "recording", "viewer"],
     "photos": ["sfm", "mvs", "depth", "video"],
-    "data": ["scenes", "made"],
+    "data": ["scenes", "made", "public"],
     "app": ["jobs", "demos", "shell"],
 }
 
