@@ -68,5 +68,5 @@ print(f"cube {cube.get_volume() * 1e6:.0f} cm^3, by midpoints {same.get_volume()
 shown = [part, even.translate([0.15, 0, 0]), cube.translate([0.3, 0.01, 0]), cube.subdivide_loop(2).translate([0.39, 0.01, 0])]
 colors = [(0.85, 0.6, 0.45), (0.55, 0.7, 0.82), (0.85, 0.6, 0.45), (0.55, 0.7, 0.82)]
 scene = [{"geometry": mesh, "color": color, "wireframe": True} for mesh, color in zip(shown, colors)]
-view = {"front": [0.15, -1, 1.1], "up": [0, 0, 1], "field_of_view": 25, "zoom": 0.52}
+view = {"front": [0.15, -1, 1.1], "up": [0, 0, 1], "field_of_view": 25, "zoom": 0.37}
 picture = loom.render(scene, view, (960, 640), shading="flat")
