@@ -90,6 +90,16 @@ def check_finite(name: str, array: NDArray[Any]) -> NDArray[Any]:
     return array
 
 
+def check_direction(name: str, direction: Any) -> NDArray[np.float64]:
+    """A direction as a unit vector [3], of any length that is not zero."""
+    vector = check_finite(name, check_shape(name, direction, (3,)))
+    size = np.abs(vector).max()
+    if not size > 0:
+        raise ValueError(f"{name}: expected a direction, got {vector.tolist()}")
+    vector = vector / size  # whose square does not overflow
+    return vector / np.linalg.norm(vector)
+
+
 def check_color(name: str, color: Any) -> NDArray[np.float64]:
     """Red, green and blue, each 0 to 1."""
     rgb = check_shape(name, color, (3,))
