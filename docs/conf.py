@@ -143,5 +143,5 @@ def setup(app: Any) -> dict[str, Any]:
     app.connect("autodoc-process-docstring", add_examples, priority=900)
     app.connect("autodoc-process-signature", short_signature)
     app.connect("missing-reference", find_public_name)
-    app.connect("build-finished", whole.write_lists)
+    app.connect("build-finished", whole.write_lists, priority=100)
     return {"parallel_read_safe": True, "parallel_write_safe": True}
