@@ -31,7 +31,7 @@ import pointloom as loom
 
 SIDE = 384  # MiDaS looks at 384 x 384 pixels, whatever the picture's shape
 
-frame = loom.data.room_frames(24, noise=False)[14]
+frame = loom.data.room_frames(24, noise=False)[20]
 truth = frame.depth  # metres, exact: what nobody has in life, and what we measure errors with
 
 
@@ -105,7 +105,7 @@ print("unit:", measured.unit, f" references that agree: {measured.inlier_share:.
 # Or a depth camera that looked at the same view, however coarse and however full of holes; or a sparse model of COLMAP
 # (chapter 9).
 
-sensor = loom.data.room_frames(24)[14].depth
+sensor = loom.data.room_frames(24)[20].depth
 rng = np.random.default_rng(0)
 sparse = np.where(rng.random(sensor.shape) < 0.02, sensor, 0.0).astype(np.float32)
 fitted = loom.estimate_depth(frame.color, model, intrinsic=frame.intrinsic, align=sparse)
@@ -191,7 +191,7 @@ assert "preset" in message
 # the same view it is near 1; well below that, ask whether both show the same. A wall that is seen from the front tells
 # nothing either way. Where near and far change places, or nearly nothing agrees, it is an error.
 
-elsewhere = loom.data.room_frames(24)[20].depth
+elsewhere = loom.data.room_frames(24)[2].depth
 try:
     share = loom.estimate_depth(frame.color, model, intrinsic=frame.intrinsic, align=elsewhere).inlier_share
 except ValueError as error:

@@ -48,8 +48,8 @@ def turned(degrees: float, step: tuple[float, float, float]) -> np.ndarray:
     return T
 
 
-source, target = scan(14), scan(15)
-truth = np.linalg.inv(frames[15].T_world_camera) @ frames[14].T_world_camera
+source, target = scan(6), scan(10)
+truth = np.linalg.inv(frames[10].T_world_camera) @ frames[6].T_world_camera
 start = truth @ turned(5.0, (0.06, -0.04, 0.05))
 print(source, target)
 print("the start is {:.1f} degrees and {:.2f} m off".format(*off(start, truth)))
@@ -190,7 +190,7 @@ far = reg.registration_icp(source, target, distance, truth @ turned(35.0, (0.2, 
                            reg.TransformationEstimationPointToPlane())  # fmt: skip
 print(far)
 print("off by {:.0f} degrees, {:.2f} m".format(*off(far.transformation, truth)))
-assert off(far.transformation, truth)[0] > 10
+assert max(off(far.transformation, truth)[0] / 10, off(far.transformation, truth)[1] / 0.5) > 1
 assert far.fitness < plane.fitness
 
 # %%
@@ -202,7 +202,7 @@ assert far.fitness < plane.fitness
 # ------
 # - ``TransformationEstimationForGeneralizedICP()`` in place of point to plane: is it more exact?
 # - Begin 20, 30, 40 degrees off. From where on does it fail?
-# - Take frames 14 and 18, which share less. What helps: ``overlap=None``?
+# - Take frames 0 and 23, which share less. What helps: ``overlap=None``?
 #
 # Where to go next
 # ----------------
