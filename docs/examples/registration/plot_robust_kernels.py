@@ -41,10 +41,10 @@ def off(T):
 # %%
 # The kernels. ``k`` is in metres here: the distance from the plane beyond which a pair begins to count less, some three times the
 # noise. L2 is least squares; Huber and L1 count far pairs less; Cauchy, GM and Tukey hardly or not at all. The
-# generalised loss is all of them by one number.
+# generalised loss is all of them by one number. Geman and McClure's k is a squared length, here as in Open3D.
 k = 0.02
 kernels = {"L2 (least squares)": reg.L2Loss(), "L1": reg.L1Loss(), "Huber": reg.HuberLoss(k), "Cauchy": reg.CauchyLoss(k),
-           "Geman-McClure": reg.GMLoss(k), "Tukey": reg.TukeyLoss(3 * k), "generalised, -2": reg.GeneralizedLoss(-2.0, k)}  # fmt: skip
+           "Geman-McClure": reg.GMLoss(k**2), "Tukey": reg.TukeyLoss(3 * k), "generalised, -2": reg.GeneralizedLoss(k, shape=-2.0)}  # fmt: skip
 criteria = reg.ICPConvergenceCriteria(max_iteration=80)
 error, poses = {}, {}
 for name, kernel in kernels.items():
