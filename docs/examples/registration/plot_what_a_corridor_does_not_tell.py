@@ -62,7 +62,7 @@ assert bare.poor is not None and len(bare.undetermined) > 10 and "x" in bare.ope
 
 # %%
 # **The cure**: tell it the motion from elsewhere. ``prior`` is the motion since the scan before; here wheels that measure 5 % too much. In the bare
-# corridor the path keeps the wheels' error, and says that the scans did not tell; in the furnished one the scans mend it.
+# corridor the path keeps some of the wheels' error, and most scans say that they did not tell; in the furnished one the scans mend it.
 wheels = np.eye(4)
 wheels[0, 3] = 0.3 * 1.05
 ends, poses, told = {}, {}, {}
@@ -74,16 +74,23 @@ for name, scans in {"bare": bare_scans, "furnished": furnished_scans}.items():
     ends[name] = poses[name][-1][:3, 3]
     told[name] = sum(not step.undetermined for step in odometry.steps[1:])
     print(f"{name:9}: ends at {ends[name].round(3)} m, the truth is [3.9, 0, 0]; {told[name]} of 13 scans told the motion")
-assert abs(ends["bare"][0] - 3.9 * 1.05) < 0.1
-assert abs(ends["furnished"][0] - 3.9) < 0.05
+error = {name: np.linalg.norm(end - [3.9, 0, 0]) for name, end in ends.items()}
+assert error["furnished"] < 0.02 < error["bare"] < 0.25
 assert told["bare"] < 7 and told["furnished"] > 10
 
 # %%
-# ICP between two such scans says the same: motions that the pairs do not determine are left out and reported.
-source, target = (scan.voxel_down_sample(0.1).estimate_normals(max_nn=15) for scan in bare_scans[1::-1])
-found = reg.registration_icp(source, target, 0.5, np.eye(4), reg.TransformationEstimationPointToPlane())
-print(f"ICP: fitness {found.fitness:.2f}, {len(found.degenerate_directions)} undetermined:", found.degenerate_directions.round(2).tolist())
-assert len(found.degenerate_directions) >= 1 and np.abs(found.degenerate_directions[:, 3]).max() > 0.9
+# ICP between two such scans alone is perfect and wrong: every point has a partner, and the motion of 30 cm is not found. Its
+# ``degenerate_directions`` name motions that the pairs do not determine at all, as on one wall; the corridor's edges, where normals
+# are rounded, are enough to hide it. Fitness is no verdict.
+target, source = (scan.voxel_down_sample(0.1).estimate_normals(max_nn=15) for scan in bare_scans[:2])
+plane = reg.TransformationEstimationPointToPlane()
+found = reg.registration_icp(source, target, 0.5, np.eye(4), plane)
+print(f"corridor: fitness {found.fitness:.3f}, {found.transformation[0, 3]:.3f} m along x, {len(found.degenerate_directions)} motions open")
+assert found.fitness > 0.98 and abs(found.transformation[0, 3] - 0.3) > 0.1
+wall = target.select_by_mask((target.points[:, 1] > 1.05) & (np.abs(target.normals[:, 1]) > 0.99))
+found = reg.registration_icp(wall, wall, 0.5, np.eye(4), plane)
+print(f"one wall: fitness {found.fitness:.3f}, {len(found.degenerate_directions)} motions open")
+assert len(found.degenerate_directions) == 3  # two ways along the wall, and the turn in it
 
 # %%
 # Both corridors, cut open, with the path that each gave.
