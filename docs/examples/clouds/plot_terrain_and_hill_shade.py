@@ -2,8 +2,8 @@
 A terrain model with hill shade and contour lines
 =================================================
 
-From a scan to a map: the ground on a regular grid, gaps under houses closed, shaded by a sun in the north-west as maps are, with
-contour lines. The grid is NumPy's, so that any other program of maps can go on with it.
+From a scan to a map: the ground on a regular grid, gaps under houses closed, shaded by a sun in the north-west as
+maps are, with contour lines. The grid is NumPy's, so that any other program of maps can go on with it.
 """
 
 import numpy as np
@@ -18,8 +18,9 @@ low, high = cloud.get_min_bound(), cloud.get_max_bound()
 print(f"{len(ground):,} of {len(cloud):,} points are ground")
 
 # %%
-# **The grid**: cells of 1 m. Each node takes the inverse-distance mean of the 6 ground points nearest in plan, so that nothing
-# stays empty: under a roof it is bridged. 1 m suits some points a square metre; take the spacing of your own ground points.
+# **The grid**: cells of 1 m. Each node takes the inverse-distance mean of the 6 ground points nearest in plan, so
+# that nothing stays empty: under a roof it is bridged. 1 m suits some points a square metre; take the spacing of your
+# own ground points.
 cell = 1.0
 east = np.arange(low[0] + 1, high[0] - 1, cell)
 north = np.arange(low[1] + 1, high[1] - 1, cell)
@@ -32,7 +33,8 @@ z = (weights * ground.points[np.asarray(nearest.indices), 2]).sum(axis=1).reshap
 print(f"grid of {z.shape[1]} x {z.shape[0]} nodes, {z.min():.1f} to {z.max():.1f} m")
 
 # %%
-# How good is it? Ground points that the classification knows to be ground (the truth of this scan) against the grid at their place.
+# How good is it? Ground points that the classification knows to be ground (the truth of this scan) against the grid
+# at their place.
 true_ground = cloud.points[cloud["classification"] == 2]
 columns = np.rint((true_ground[:, 0] - east[0]) / cell).astype(int)
 rows = np.rint((true_ground[:, 1] - north[0]) / cell).astype(int)
@@ -67,7 +69,8 @@ print(f"{area:.0f} m2 of ground on {flat_area:.0f} m2 of map")
 assert area > flat_area
 
 # %%
-# **Contour lines** every metre: where an edge of a cell crosses a height. Between two crossings of a cell goes a line.
+# **Contour lines** every metre: where an edge of a cell crosses a height. Between two crossings of a cell goes a
+# line.
 segments = []
 for level in np.arange(np.ceil(z.min()), z.max(), 1.0):
     for u, v, w in ((a, b, c), (a, c, d)):
@@ -86,13 +89,20 @@ for level in np.arange(np.ceil(z.min()), z.max(), 1.0):
         segments.append(np.stack([first[has], second[has]], axis=1))
 lines = np.concatenate(segments)
 assert np.abs(lines[..., 2] - np.rint(lines[..., 2])).max() < 1e-6  # each lies on a whole metre
-contours = loom.LineSet(lines.reshape(-1, 3) + [0, 0, 0.1], np.arange(2 * len(lines)).reshape(-1, 2).astype(np.int32))
+contours = loom.LineSet(
+    lines.reshape(-1, 3) + np.array([0, 0, 0.1]), np.arange(2 * len(lines)).reshape(-1, 2).astype(np.int32)
+)
 print(contours)
 
 view = loom.fit_view(surface.vertices, direction=(0.25, 0.7, -0.6), width=960, height=640)
-relief = loom.render([{"geometry": surface, "shaded": False}, {"geometry": contours, "color": (0.35, 0.25, 0.15), "line_width": 1}], view)
+relief = loom.render(
+    [{"geometry": surface, "shaded": False}, {"geometry": contours, "color": (0.35, 0.25, 0.15), "line_width": 1}], view
+)
 
 # %%
 # From straight above: the map.
 above = loom.fit_view(surface.vertices, direction=(0, 0.001, -1), up=(0, 1, 0), width=960, height=900)
-plan = loom.render([{"geometry": surface, "shaded": False}, {"geometry": contours, "color": (0.35, 0.25, 0.15), "line_width": 1}], above)
+plan = loom.render(
+    [{"geometry": surface, "shaded": False}, {"geometry": contours, "color": (0.35, 0.25, 0.15), "line_width": 1}],
+    above,
+)

@@ -2,8 +2,9 @@
 A LiDAR drive becomes a path and a map
 ======================================
 
-A car drives through a street, its scanner turns ten times a second: from the scans alone come the path, the map, and a verdict
-whether to believe both. Scans are straightened on the way, since the car moves while the scanner turns.
+A car drives through a street, its scanner turns ten times a second: from the scans alone come the path, the map,
+and a verdict whether to believe both. Scans are straightened on the way, since the car moves while the scanner
+turns.
 """
 
 import tempfile
@@ -16,8 +17,8 @@ import pointloom as loom
 reg = loom.registration
 
 # %%
-# Thirty scans, three seconds at 10 m/s, each in the scanner's own frame, with the time of each point. The true poses are used to
-# judge alone.
+# Thirty scans, three seconds at 10 m/s, each in the scanner's own frame, with the time of each point. The true poses
+# are used to judge alone.
 drive = loom.data.street_scans(30)
 print(drive.scans[0])
 
@@ -53,8 +54,8 @@ with tempfile.TemporaryDirectory() as folder:
 print("read back:", back.poses.shape, f"to {np.abs(back.poses - path.poses).max():.1e}")
 
 # %%
-# **The map**: each scan at its pose, straightened by the motion during its turn, and thinned. The colours are heights; the line is
-# the path.
+# **The map**: each scan at its pose, straightened by the motion during its turn, and thinned. The colours are
+# heights; the line is the path.
 placed = []
 for index, (scan, pose) in enumerate(zip(drive.scans, path.poses, strict=True)):
     motion = np.linalg.inv(path.poses[index - 1]) @ pose if index else np.linalg.inv(pose) @ path.poses[1]
@@ -70,12 +71,17 @@ style = {"line_width": 6, "color": (0.9, 0.1, 0.1)}
 street_map = loom.render([{"geometry": near, "point_size": 3}, {"geometry": line} | style], view)
 
 # %%
-# By kind: what straightening does. The same wall point was measured in several scans; straightened, they lie on each other.
+# By kind: what straightening does. The same wall point was measured in several scans; straightened, they lie on each
+# other.
 raw = loom.PointCloud.concatenate([scan.transform(pose) for scan, pose in zip(drive.scans, path.poses, strict=True)])
-truly = loom.PointCloud.concatenate([scan.transform(pose) for scan, pose in zip(placed, np.tile(np.eye(4), (30, 1, 1)), strict=True)])
+truly = loom.PointCloud.concatenate(
+    [scan.transform(pose) for scan, pose in zip(placed, np.tile(np.eye(4), (30, 1, 1)), strict=True)]
+)
 blur = {}
 for name, whole in {"as measured": raw, "straightened": truly}.items():
-    poles = whole.select_by_mask(np.isin(whole["label"], [4, 7]) & (np.abs(whole.points - centre) < [15, 20, 20]).all(axis=1))
+    poles = whole.select_by_mask(
+        np.isin(whole["label"], [4, 7]) & (np.abs(whole.points - centre) < [15, 20, 20]).all(axis=1)
+    )
     shapes = loom.compute_eigen_features(poles, radius=0.4, max_nn=60)
     blur[name] = float(np.nanmedian(shapes["curvature"]))
     print(f"{name}: houses and poles are {blur[name]:.4f} rough")

@@ -2,8 +2,9 @@
 An object from ten scans, without a turntable
 =============================================
 
-Ten scans of an object from all round, in no order and from no known place, become one cloud: every pair is tried, those that are
-believed make a graph, and the graph is balanced. What could not be placed is said. At the end stands a surface.
+Ten scans of an object from all round, in no order and from no known place, become one cloud: every pair is tried,
+those that are believed make a graph, and the graph is balanced. What could not be placed is said. At the end stands
+a surface.
 """
 
 import tempfile
@@ -25,7 +26,10 @@ print(len(views.scans), "scans,", views.scans[0])
 result = reg.register_fragments(views.scans, voxel_size=0.004)
 print(result)
 assert result.placed.all()
-print(f"{len(result.pairs)} of 45 pairs were believed; the least score {min(pair.score for pair in result.pairs if np.isfinite(pair.score)):.2f}")
+print(
+    f"{len(result.pairs)} of 45 pairs were believed; the least score "
+    f"{min(pair.score for pair in result.pairs if np.isfinite(pair.score)):.2f}"
+)
 
 # %%
 # Against the truth, once the frame of the reference scan is taken out of both.
@@ -42,7 +46,9 @@ with tempfile.TemporaryDirectory() as folder:
     reg.write_pose_graph(path, result.pose_graph)
     graph = reg.read_pose_graph(path)
 certain = sum(not edge.uncertain for edge in graph.edges)
-print(f"{len(graph.nodes)} nodes, {len(graph.edges)} edges, {certain} of them certain;", result.pose_graph.report.reason)
+print(
+    f"{len(graph.nodes)} nodes, {len(graph.edges)} edges, {certain} of them certain;", result.pose_graph.report.reason
+)
 assert len(graph.nodes) == 10
 
 # %%
@@ -51,12 +57,20 @@ placed = []
 for scan, pose in zip(views.scans, result.poses, strict=True):
     seen = scan.estimate_normals(max_nn=20).orient_normals_towards_camera_location([0, 0, 0])
     placed.append(seen.transform(pose))
-whole = loom.PointCloud.concatenate(placed).transform(views.poses[result.reference]).voxel_down_sample(0.0015).normalize_normals()
+whole = (
+    loom.PointCloud.concatenate(placed)
+    .transform(views.poses[result.reference])
+    .voxel_down_sample(0.0015)
+    .normalize_normals()
+)
 scene = loom.RaycastingScene()
 mesh = loom.data.object_mesh()
 scene.add_triangles(mesh.vertices.astype(np.float32), mesh.triangles)
 distance = np.asarray(scene.compute_distance(whole.points.astype(np.float32)))
-print(f"{len(whole):,} points, {1000 * np.median(distance):.2f} mm from the true surface in the median, 95 % within {1000 * np.percentile(distance, 95):.2f} mm")
+print(
+    f"{len(whole):,} points, {1000 * np.median(distance):.2f} mm from the true surface in the median, 95 % "
+    f"within {1000 * np.percentile(distance, 95):.2f} mm"
+)
 assert np.median(distance) < 0.001
 
 # %%
@@ -64,9 +78,14 @@ assert np.median(distance) < 0.001
 palette = np.random.default_rng(5).uniform(0.25, 0.95, (10, 3))
 back = views.poses[result.reference]
 shift = np.array([0.27, 0, 0])
-drawn = [{"geometry": scan.without("normals").transform(back).translate(-shift), "color": tuple(color)} for scan, color in zip(placed, palette, strict=True)]
+drawn = [
+    {"geometry": scan.without("normals").transform(back).translate(-shift), "color": tuple(color)}
+    for scan, color in zip(placed, palette, strict=True)
+]
 drawn.append({"geometry": whole.without("normals"), "point_size": 4})
-view = loom.fit_view(np.vstack([whole.points - shift, whole.points + shift]), direction=(0.15, 1.0, -0.25), width=1120, height=560)
+view = loom.fit_view(
+    np.vstack([whole.points - shift, whole.points + shift]), direction=(0.15, 1.0, -0.25), width=1120, height=560
+)
 
 # %%
 # **The surface**, made by one call with its defaults (the pages on surfaces say what else there is).
