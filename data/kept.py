@@ -2,7 +2,8 @@
 
 A file is named by its maker, the parameters and the sources that it was made by, and holds all three; another version
 makes its own. It is written whole or not at all, and one that is damaged is made anew: the archive has a checksum of
-each array. Where the folder cannot be written to, nothing is kept.
+each array. Where the folder cannot be written to, nothing is kept. What was not used for longest goes when all of it
+passes a gigabyte.
 """
 
 from __future__ import annotations
@@ -11,6 +12,7 @@ import contextlib
 import functools
 import hashlib
 import json
+import os
 import time
 import zipfile
 import zlib
@@ -28,6 +30,7 @@ from ..kernels.language.cache_folders import cache_folder
 LEAST_SECONDS = 0.5  # what is made faster is made again
 SOURCES = ("kernels", "cameras", "pcd", "meshing", "data")  # houses whose code makes the data
 FORM = 1  # of the files
+MOST_BYTES = 1 << 30  # of all that is kept
 
 Arrays = dict[str, NDArray[Any]]
 
@@ -70,12 +73,15 @@ def source_digest() -> str:
 def _read(path: Path, key: str) -> Arrays | None:
     """The arrays of a file; None where there is none, or none that is whole and of this key."""
     try:
-        with np.load(path, allow_pickle=False) as file:
+        with path.open("rb") as held, np.load(held, allow_pickle=False) as file:
             if str(file["key"]) != key:
                 return None
-            return {name: file[name] for name in file.files if name != "key"}
+            found = {name: file[name] for name in file.files if name != "key"}
     except (OSError, ValueError, KeyError, EOFError, zipfile.BadZipFile, zlib.error, NotImplementedError):
         return None
+    with contextlib.suppress(OSError):
+        os.utime(path)  # used now
+    return found
 
 
 def _write(path: Path, key: str, arrays: Arrays) -> None:
@@ -84,3 +90,14 @@ def _write(path: Path, key: str, arrays: Arrays) -> None:
         path.parent.mkdir(parents=True, exist_ok=True)
         with atomic_write(path) as file:
             np.savez_compressed(file, key=np.array(key), **arrays)  # type: ignore[arg-type]
+        _make_room(path)
+
+
+def _make_room(newest: Path) -> None:
+    """Remove what was not used for longest, until the rest is within bounds; the newest stays."""
+    found = sorted(((file.stat().st_mtime, file) for file in newest.parent.glob("*.npz")), reverse=True)
+    total = 0
+    for _, file in found:
+        total += file.stat().st_size
+        if total > MOST_BYTES and file != newest:
+            file.unlink(missing_ok=True)

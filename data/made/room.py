@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import dataclasses
 import math
 from collections.abc import Iterator
 
@@ -78,7 +77,8 @@ def room_frames(
     poses = [film_pose((FIRST_FRAME + i) % FRAMES_OF_A_ROUND / FRAMES_OF_A_ROUND) for i in range(count)]
 
     def make() -> Arrays:
-        frames = list(room_pictures(poses, camera, seed=seed, noise=noise))
+        sigma = COLOR_NOISE if noise else 0.0
+        frames = list(room_views(poses, camera, seed=seed, noise=noise, texture=GRAIN, color_noise=sigma))
         return {"depth": np.array([f.depth for f in frames]), "color": np.array([f.color for f in frames])}
 
     found = kept("room_frames", parameters, make)
@@ -163,23 +163,10 @@ def _metres(depth: NDArray[np.uint16] | NDArray[np.float32]) -> NDArray[np.float
     return (depth / np.float32(DEPTH_SCALE)).astype(np.float32) if depth.dtype == np.uint16 else depth
 
 
-def room_pictures(
-    poses: list[NDArray[np.float64]], camera: PinholeCameraIntrinsic, *, seed: int = 0, noise: bool = False
-) -> Iterator[RoomFrame]:
-    """Frames of the room from these places, its surfaces with a slight grain; depth as `room_views` has it."""
-    plain, grained = (
-        room_views(poses, camera, seed=seed, noise=noise, texture=texture, color_noise=COLOR_NOISE if noise else 0.0)
-        for texture in (False, True)
-    )
-    for one, other in zip(plain, grained, strict=True):
-        assert one.color is not None and other.color is not None
-        mixed = one.color * np.float32(1 - GRAIN) + other.color * np.float32(GRAIN)
-        yield dataclasses.replace(one, color=np.rint(mixed).astype(np.uint8))
-
-
 def _views() -> Iterator[RoomFrame]:
     """Exact frames from all sides: round the middle, along the walls and from below the ceiling down."""
-    return room_pictures([_survey_pose(i) for i in range(VIEWS)], _camera(*VIEW_SIZE))
+    poses = [_survey_pose(i) for i in range(VIEWS)]
+    return iter(room_views(poses, _camera(*VIEW_SIZE), texture=GRAIN, color_noise=0.0))
 
 
 def _survey_pose(index: int) -> NDArray[np.float64]:

@@ -21,7 +21,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...cameras.camera import PinholeCameraIntrinsic, write_pinhole_camera_intrinsic
-from ...core.checks import check_count, check_list, check_name, check_number, check_rigid, check_rows
+from ...core.checks import check_count, check_list, check_name, check_number, check_rigid, check_rows, check_share
 from ...core.devices import resolve_device
 from ...core.errors import FileError
 from ...files.frames.datasets import Frame
@@ -76,7 +76,7 @@ class RoomSequence:
         device: Any,
         path: Callable[[float], NDArray[np.float64]] = room_pose,
         effects: RoomEffects | None = None,
-        texture: bool = False,
+        texture: float = 0.0,
         color_noise: float = 0.0,
     ):
         self.frame_count, self.intrinsic, self.seed, self.noise = frame_count, intrinsic, seed, noise
@@ -128,7 +128,11 @@ class RoomSequence:
         """Depth, incidence and colours of a view, as `Room.render`, with the surfaces' grain where it is asked for."""
         depth, incidence, colors = room.render(self.intrinsic, T_world_camera)
         if self._texture:
-            colors = grain_pixels(self.intrinsic, T_world_camera, depth, colors)
+            plain, colors = colors, grain_pixels(self.intrinsic, T_world_camera, depth, colors)
+            if self._texture < 1:
+                mixed = self._texture * np.array(download(colors), np.float32)  # sync
+                mixed += (1 - self._texture) * np.array(download(plain), np.float32)
+                colors = upload(np.rint(mixed).astype(np.uint8), uint8, self._room.device)
         return depth, incidence, colors
 
     def _with_noise(self, index: int, color: NDArray[np.uint8]) -> NDArray[np.uint8]:
@@ -151,7 +155,7 @@ def room_sequence(
     height: int = 480,
     seed: int = 0,
     noise: bool = True,
-    texture: bool = False,
+    texture: bool | float = False,
     color_noise: float | None = None,
     device: Any = "cpu",
 ) -> RoomSequence:
@@ -165,7 +169,7 @@ def room_sequence(
         noise: Depth as of a structured-light camera (Nguyen et al. 2012: 1.2 mm standard deviation near, 14 mm at 3 m;
             nothing at grazing angles, little beside edges, whole millimetres). Without it depth is exact.
         texture: Surfaces with a grain of three sizes, 12 cm to 15 mm, by which pictures can be matched; else they are
-            plain, or of few colours.
+            plain, or of few colours. A share, 0 to 1, is a grain so much weaker.
         color_noise: Standard deviation of the colour camera's noise [of 255]; None is 2 with texture and 0 without.
         device: Where to render.
 
@@ -182,7 +186,10 @@ def room_sequence(
     """
     frame_count, seed = check_count("frame_count", frame_count), check_count("seed", seed, minimum=0)
     camera, where = _prime_sense(width, height), resolve_device(device)
-    grain: dict[str, Any] = {"texture": bool(texture), "color_noise": _checked_noise(color_noise, texture)}
+    grain: dict[str, Any] = {
+        "texture": check_share("texture", float(texture) if isinstance(texture, bool) else texture),
+        "color_noise": _checked_noise(color_noise, texture),
+    }
     return RoomSequence(frame_count, camera, seed, bool(noise), where, **grain)
 
 
@@ -199,7 +206,7 @@ def room_loop_sequence(
     exposure: float = 0.0,
     covered: tuple[int, int] | None = None,
     person: bool = False,
-    texture: bool = False,
+    texture: bool | float = False,
     color_noise: float | None = None,
     device: Any = "cpu",
 ) -> RoomSequence:
@@ -234,7 +241,10 @@ def room_loop_sequence(
         raise ValueError(f"path: expected one of {tuple(LOOPS)}, got {path!r}")
     effects = RoomEffects.checked(frame_count, seed, color, blur, exposure, covered, person)
     camera, where = _prime_sense(width, height), resolve_device(device)
-    grain: dict[str, Any] = {"texture": bool(texture), "color_noise": _checked_noise(color_noise, texture)}
+    grain: dict[str, Any] = {
+        "texture": check_share("texture", float(texture) if isinstance(texture, bool) else texture),
+        "color_noise": _checked_noise(color_noise, texture),
+    }
     return RoomSequence(frame_count, camera, seed, bool(noise), where, LOOPS[path], effects, **grain)
 
 
@@ -244,7 +254,7 @@ def room_views(
     *,
     seed: int = 0,
     noise: bool = False,
-    texture: bool = True,
+    texture: bool | float = True,
     color_noise: float | None = None,
     device: Any = "cpu",
 ) -> RoomSequence:
@@ -267,12 +277,21 @@ def room_views(
         raise ValueError("poses: expected at least one, got none")
     frame_count = len(places)
     seed, where = check_count("seed", seed, minimum=0), resolve_device(device)
-    grain: dict[str, Any] = {"texture": bool(texture), "color_noise": _checked_noise(color_noise, texture)}
+    grain: dict[str, Any] = {
+        "texture": check_share("texture", float(texture) if isinstance(texture, bool) else texture),
+        "color_noise": _checked_noise(color_noise, texture),
+    }
 
     def path(share: float) -> NDArray[np.float64]:
         return places[min(round(share * frame_count), frame_count - 1)]
 
     return RoomSequence(frame_count, intrinsic, seed, bool(noise), where, path, **grain)
+
+
+def _grain(texture: Any, color_noise: Any) -> dict[str, float]:
+    """The grain of the surfaces and the noise of the colour camera, checked."""
+    share = float(texture) if isinstance(texture, bool | np.bool_) else check_share("texture", texture)
+    return {"texture": share, "color_noise": _checked_noise(color_noise, texture)}
 
 
 def _checked_noise(color_noise: Any, texture: Any) -> float:
