@@ -72,7 +72,7 @@ from_beside = loom.render(
 # ================ ================================================ ================================================
 # data set         what a number d means                            call
 # ================ ================================================ ================================================
-# Redwood, 7-Scenes d / 1000 m (millimetres)                        ``RGBDImage.from_redwood_format(color, depth)``
+# Redwood          d / 1000 m (millimetres); 7-Scenes too           ``RGBDImage.from_redwood_format(color, depth)``
 # TUM              d / 5000 m                                       ``from_tum_format``
 # SUN3D            millimetres, the bits turned left by three       ``from_sun_format``
 # NYU              351.3 / (1092.5 - d) m, the bytes swapped        ``from_nyu_format``

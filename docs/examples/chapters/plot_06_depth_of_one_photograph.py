@@ -115,7 +115,7 @@ assert fitted.is_metric and fitted.inlier_share > 0.9
 # %%
 # How good is it?
 # ---------------
-# ``evaluate_depth`` gives the figures of the papers. ``abs_rel`` is the mean of |z - true z| / true z: 0.05 means that
+# ``evaluate_depth`` gives the figures of the papers. ``abs_rel`` is the mean of ``|z - true z| / true z``: 0.05 means that
 # depth is off by 5 %. ``delta1`` is the share of pixels that are right within a factor of 1.25. They compare with what a
 # **metric** depth should be, so an arbitrary unit scores badly, however good the shapes.
 

@@ -2,8 +2,9 @@
 What changed between two scans
 ==============================
 
-Scan a place twice, and subtract: what is only in the second came, what is only in the first went. The distance from each
-point to the other scan tells it, if the scans lie in one frame and one knows how far apart two scans of the same thing lie.
+Scan a place twice, and subtract: what is only in the second came, what is only in the first went. The distance from
+each point to the other scan tells it, if the scans lie in one frame and one knows how far apart two scans of the
+same thing lie.
 """
 
 import numpy as np
@@ -11,8 +12,8 @@ import numpy as np
 import pointloom as loom
 
 # %%
-# Two scans of a room in one frame, in metres. In the second one a box was put onto the floor, and what stood in a corner was
-# carried away. Both have their own points and 3 mm of noise, as two scans have.
+# Two scans of a room in one frame, in metres. In the second one a box was put onto the floor, and what stood in a
+# corner was carried away. Both have their own points and 3 mm of noise, as two scans have.
 whole = loom.data.room_cloud()
 rng = np.random.default_rng(5)
 low, high = whole.get_min_bound(), whole.get_max_bound()
@@ -22,7 +23,9 @@ first = whole.select_by_mask(is_first).voxel_down_sample(0.03)
 base = whole.select_by_mask(~is_first).voxel_down_sample(0.03)
 
 floor = low[2]
-gone_box = loom.AxisAlignedBoundingBox([0.5 * (low[0] + high[0]), low[1] + 0.3, floor + 0.06], [high[0] - 0.3, 0.5 * (low[1] + high[1]), floor + 1.1])
+gone_box = loom.AxisAlignedBoundingBox(
+    [0.5 * (low[0] + high[0]), low[1] + 0.3, floor + 0.06], [high[0] - 0.3, 0.5 * (low[1] + high[1]), floor + 1.1]
+)
 gone = gone_box.get_point_indices_within_bounding_box(base.points)
 went = base.select_by_index(gone)
 stayed = base.select_by_index(gone, invert=True)
@@ -35,8 +38,8 @@ second = loom.PointCloud(second.points + rng.normal(scale=0.003, size=(len(secon
 print(f"{len(first)} and {len(second)} points; {len(went)} went and {len(came)} came")
 
 # %%
-# How far do two scans of the *same* thing lie apart? About the spacing of the points, 3 cm here: nothing below two spacings
-# is a change that anybody can see. 8 cm is the limit taken.
+# How far do two scans of the *same* thing lie apart? About the spacing of the points, 3 cm here: nothing below two
+# spacings is a change that anybody can see. 8 cm is the limit taken.
 apart = second.compute_point_cloud_distance(first)
 back = first.compute_point_cloud_distance(second)
 limit = 0.08
@@ -59,18 +62,29 @@ assert np.linalg.norm(came_found.get_center() - came.get_center()) < 0.15
 assert len(went_found) > 0.3 * len(went)
 
 # %%
-# What is one number for it? ``compute_metrics`` gives Chamfer distance, Hausdorff distance and F-scores, in metres and percent.
+# What is one number for it? ``compute_metrics`` gives Chamfer distance, Hausdorff distance and F-scores, in metres
+# and percent.
 chamfer, hausdorff, fscore = loom.compute_metrics(first, second, fscore_radius=[0.03, 0.08])
-print(f"Chamfer {chamfer:.4f} m, Hausdorff {hausdorff:.2f} m, F-score within 3 cm {fscore[0]:.1f} %, within 8 cm {fscore[1]:.1f} %")
+print(
+    f"Chamfer {chamfer:.4f} m, Hausdorff {hausdorff:.2f} m, F-score within 3 cm {fscore[0]:.1f} %, within "
+    f"8 cm {fscore[1]:.1f} %"
+)
 assert fscore[1] > fscore[0]
 
 view = loom.fit_view(first.points, direction=(-0.5, 0.62, -0.8), width=960, height=640)
-change = loom.render({"same": {"geometry": second.select_by_mask(~new), "color": (0.78, 0.78, 0.76)},
-                      "came": {"geometry": came_found, "color": (0.1, 0.6, 0.25), "point_size": 6},
-                      "went": {"geometry": went_found, "color": (0.85, 0.2, 0.15), "point_size": 6}},
-                     view, legend=True)  # fmt: skip
+change = loom.render(
+    {
+        "same": {"geometry": second.select_by_mask(~new), "color": (0.78, 0.78, 0.76)},
+        "came": {"geometry": came_found, "color": (0.1, 0.6, 0.25), "point_size": 6},
+        "went": {"geometry": went_found, "color": (0.85, 0.2, 0.15), "point_size": 6},
+    },
+    view,
+    legend=True,
+)
 
 # %%
 # The same numbers as a colour, and their distribution as a plot.
 second["apart [m]"] = apart
-distances = loom.render({"geometry": second, "color_by": "apart [m]", "limits": (0, 0.3), "colormap": "turbo"}, view, color_bar=True)
+distances = loom.render(
+    {"geometry": second, "color_by": "apart [m]", "limits": (0, 0.3), "colormap": "turbo"}, view, color_bar=True
+)

@@ -2,8 +2,8 @@
 Colours that mean something, legends, and the same view again
 =============================================================
 
-A picture of a cloud answers a question when its colours do. Here the ways of colouring, what belongs beside them, plots of the
-numbers, and how a view is kept so that tomorrow's picture is taken from the same place.
+A picture of a cloud answers a question when its colours do. Here the ways of colouring, what belongs beside them,
+plots of the numbers, and how a view is kept so that tomorrow's picture is taken from the same place.
 """
 
 import tempfile
@@ -18,13 +18,17 @@ size = np.linalg.norm(cloud.get_max_bound() - cloud.get_min_bound())
 print(cloud, f"{100 * size:.1f} cm across")
 
 # %%
-# **By what?** "height", "normal", "label", "rgb", or any attribute; ``limits`` fixes what the ends of the map mean, so that
-# two pictures compare. Perceptually even maps (viridis) for amounts, turbo to see small steps.
+# **By what?** "height", "normal", "label", "rgb", or any attribute; ``limits`` fixes what the ends of the map mean,
+# so that two pictures compare. Perceptually even maps (viridis) for amounts, turbo to see small steps.
 cloud = loom.estimate_curvature(cloud, radius=0.03 * size, max_nn=None)
 cloud["side"] = (np.floor(6 * np.arctan2(*cloud.points[:, :2].T) / (2 * np.pi)) % 6).astype(np.int32)
 bend = np.percentile(cloud["curvature"], 98)
-ways = {"rgb": {"color_by": "rgb"}, "height": {"color_by": "height", "colormap": "viridis"},
-        "curvature": {"color_by": "curvature", "colormap": "turbo", "limits": (0, bend)}, "normal": {"color_by": "normal"}}  # fmt: skip
+ways = {
+    "rgb": {"color_by": "rgb"},
+    "height": {"color_by": "height", "colormap": "viridis"},
+    "curvature": {"color_by": "curvature", "colormap": "turbo", "limits": (0, bend)},
+    "normal": {"color_by": "normal"},
+}
 scene, labels = {}, []
 for place, (name, style) in enumerate(ways.items()):
     shift = np.array([0.8 * size * place, 0, 0])
@@ -36,7 +40,9 @@ row = loom.render(scene, loom.fit_view(corners, direction=(0.0, 1.0, -0.3), widt
 # %%
 # **A colour bar** for what the first ``color_by`` means, **a legend** for what is what.
 view = loom.fit_view(cloud.points, direction=(-0.4, 0.8, -0.4), width=960, height=640)
-bar = loom.render({"geometry": cloud, "color_by": "curvature", "limits": (0, bend), "colormap": "turbo"}, view, color_bar=True)
+bar = loom.render(
+    {"geometry": cloud, "color_by": "curvature", "limits": (0, bend), "colormap": "turbo"}, view, color_bar=True
+)
 
 # %%
 # Labels and masks: give the parts names, and the legend makes itself.
@@ -48,8 +54,16 @@ named = loom.render(sides, view, legend=True)
 # %%
 # **The numbers themselves** as a plot, without another library: a histogram with the limit of the colours marked.
 half = float(np.median(cloud["curvature"]))
-plot = loom.plots.histogram(cloud["curvature"], title="How much 40,000 points bend", labels=("curvature", "points"), bins=60,
-                            colormap="turbo", color_limits=(0, bend), marks=[("median", half)], size=(960, 420)).to_numpy()  # fmt: skip
+plot = loom.plots.histogram(
+    cloud["curvature"],
+    title="How much 40,000 points bend",
+    labels=("curvature", "points"),
+    bins=60,
+    colormap="turbo",
+    color_limits=(0, bend),
+    marks=[("median", half)],
+    size=(960, 420),
+).to_numpy()
 print("half of the points bend by less than", round(half, 4))
 
 # %%
@@ -66,8 +80,8 @@ print(f"pictures from the view and from its file differ by {difference:.3f} of 2
 assert difference < 1.0
 
 # %%
-# **Depth of the picture** comes along when asked for: metres along the axis, 0 where nothing is. So places of the picture are
-# places of the scene.
+# **Depth of the picture** comes along when asked for: metres along the axis, 0 where nothing is. So places of the
+# picture are places of the scene.
 shot, depth = loom.render(cloud, view, depth=True)
 row_, column = np.argwhere(depth > 0)[len(np.argwhere(depth > 0)) // 2]
 camera = view.intrinsic.intrinsic_matrix

@@ -2,9 +2,9 @@
 Devices, threads, and the same bits
 ===================================
 
-Where does it run, how many cores does it take, and is the result the same tomorrow? The same call runs on all cores of the CPU
-and on CUDA; results do not depend on the number of threads, and most not on the device. Take this page when a
-script moves to another machine.
+Where does it run, how many cores does it take, and is the result the same tomorrow? The same call runs on all cores
+of the CPU and on CUDA; results do not depend on the number of threads, and most not on the device. Take this page
+when a script moves to another machine.
 """
 
 import hashlib
@@ -66,8 +66,8 @@ if len(devices) == 1:
     print("no GPU here: the calls are the same, with device='cuda:0' or cloud.to('cuda:0')")
 
 # %%
-# A cloud stays where it is, and two clouds of one call lie on one device. A device that is not there is an error that says
-# what there is, and nothing falls back in silence.
+# A cloud stays where it is, and two clouds of one call lie on one device. A device that is not there is an error that
+# says what there is, and nothing falls back in silence.
 try:
     room.to("cuda:7")
 except loom.DeviceError as error:
@@ -79,8 +79,17 @@ else:
 # Pictures are results too: drawn on either device they have the same bits.
 labels = pipeline(room)[2]
 thin = room.voxel_down_sample(0.05)
-palette = np.array([(0.9, 0.35, 0.2), (0.2, 0.55, 0.85), (0.3, 0.7, 0.35), (0.95, 0.7, 0.15), (0.6, 0.35, 0.75),
-                    (0.2, 0.7, 0.7), (0.82, 0.82, 0.8)])  # fmt: skip
+palette = np.array(
+    [
+        (0.9, 0.35, 0.2),
+        (0.2, 0.55, 0.85),
+        (0.3, 0.7, 0.35),
+        (0.95, 0.7, 0.15),
+        (0.6, 0.35, 0.75),
+        (0.2, 0.7, 0.7),
+        (0.82, 0.82, 0.8),
+    ]
+)
 thin.colors = palette[labels]
 low, high = room.get_min_bound(), room.get_max_bound()
 shown = thin.crop(loom.AxisAlignedBoundingBox([low[0], low[1] + 0.1, low[2]], [high[0] - 0.1, high[1], low[2] + 2.2]))

@@ -2,9 +2,9 @@
 Thin a cloud: which way when
 ============================
 
-Most steps want fewer points than a scanner gives, and evenly spread ones. Five ways of thinning are set side by side
-here, each asked for about as many points, and judged by how evenly these lie. Take this page when a cloud is too large
-or lies in clumps.
+Most steps want fewer points than a scanner gives, and evenly spread ones. Five ways of thinning are set side by
+side here, each asked for about as many points, and judged by how evenly these lie. Take this page when a cloud is
+too large or lies in clumps.
 """
 
 import numpy as np
@@ -40,7 +40,9 @@ least, median = {}, {}
 for name, thin in ways.items():
     apart = thin.compute_nearest_neighbor_distance()
     least[name], median[name] = apart.min(), np.median(apart)
-    print(f"{name:16} {len(thin):5} points, {1000 * median[name]:5.1f} mm apart, the nearest {1000 * least[name]:5.2f} mm")
+    print(
+        f"{name:16} {len(thin):5} points, {1000 * median[name]:5.1f} mm apart, the nearest {1000 * least[name]:5.2f} mm"
+    )
 
 assert least["farthest points"] > 0.8 * median["farthest points"]  # nothing crowds
 assert least["Poisson disk"] > 0.5 * median["Poisson disk"]
@@ -53,16 +55,22 @@ scene, labels = {}, []
 for place, (name, thin) in enumerate(ways.items()):
     shift = np.array([0.0, 1.08 * place, 0.0])
     thin["apart [mm]"] = 1000 * thin.compute_nearest_neighbor_distance()
-    scene[name] = {"geometry": thin.translate(shift), "color_by": "apart [mm]", "colormap": "turbo",
-                   "limits": (0, 70), "point_size": 0.022, "metric": True}  # fmt: skip
-    labels.append((name, shift + [0.0, 0.0, 0.62]))
+    scene[name] = {
+        "geometry": thin.translate(shift),
+        "color_by": "apart [mm]",
+        "colormap": "turbo",
+        "limits": (0, 70),
+        "point_size": 0.022,
+        "metric": True,
+    }
+    labels.append((name, shift + np.array([0.0, 0.0, 0.62])))
 corners = [[-0.5, -0.55, -0.5], [0.5, 5.6, 0.75]]
 view = loom.fit_view(corners, direction=(-1.0, 0.0, -0.2), width=1120, height=320)
 side_by_side = loom.render(scene, view, labels=labels, color_bar=True)
 
 # %%
-# A mean is no measured point. ``reduction="nearest"`` keeps the point nearest to it instead, with its own attributes. Classes
-# are whole numbers and are not averaged in either case: between class 2 and class 6 lies no class 4.
+# A mean is no measured point. ``reduction="nearest"`` keeps the point nearest to it instead, with its own attributes.
+# Classes are whole numbers and are not averaged in either case: between class 2 and class 6 lies no class 4.
 cloud["class"] = np.where(cloud.points[:, 2] > 0, 6, 2).astype(np.int32)
 thin = cloud.voxel_down_sample(0.06, reduction="nearest")
 print("classes after thinning:", np.unique(thin["class"]))

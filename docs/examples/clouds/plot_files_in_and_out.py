@@ -2,9 +2,9 @@
 Files of clouds, in and out
 ===========================
 
-Which format keeps what, how large does it get, and what happens with a file that is broken? One cloud with normals, colours and
-two attributes goes through all of them here. The readers are strict: a damaged file is an error that names the byte,
-never a cloud with holes that nobody notices.
+Which format keeps what, how large does it get, and what happens with a file that is broken? One cloud with normals,
+colours and two attributes goes through all of them here. The readers are strict: a damaged file is an error that
+names the byte, never a cloud with holes that nobody notices.
 """
 
 import importlib.util
@@ -25,11 +25,18 @@ folder = Path(tempfile.mkdtemp())
 print(room)
 
 # %%
-# Through each format and back. The extension says which one; what a format cannot hold is an error when it is written, so nothing is lost in
-# silence: ``without`` drops it on purpose. NPZ and PLY keep all; PCD is what PCL reads; LAS and LAZ round to
-# millimetres; E57 wants an extra package; .xyz is for the eye.
-formats = {".ply": (), ".pcd": (), ".npz": (), ".xyz": ("normals", "colors", "intensity", "label"),
-           ".las": ("normals", "label"), ".laz": ("normals", "label"), ".e57": ("normals", "label")}  # fmt: skip
+# Through each format and back. The extension says which one; what a format cannot hold is an error when it is
+# written, so nothing is lost in silence: ``without`` drops it on purpose. NPZ and PLY keep all; PCD is what PCL
+# reads; LAS and LAZ round to millimetres; E57 wants an extra package; .xyz is for the eye.
+formats = {
+    ".ply": (),
+    ".pcd": (),
+    ".npz": (),
+    ".xyz": ("normals", "colors", "intensity", "label"),
+    ".las": ("normals", "label"),
+    ".laz": ("normals", "label"),
+    ".e57": ("normals", "label"),
+}
 for needed, endings in {"laspy": (".las", ".laz"), "pye57": (".e57",)}.items():
     if importlib.util.find_spec(needed) is None:
         print(f"{needed} is not installed: {', '.join(endings)} are left out")
@@ -42,8 +49,13 @@ for ending, dropped in formats.items():
     loom.write_point_cloud(path, given)
     back = loom.read_point_cloud(path)
     error = 1000 * np.abs(back.points - room.points).max()
-    kept = [name for name in ("normals", "colors") if getattr(back, f"has_{name}")] + sorted(set(back.attributes) & {"intensity", "label"})
-    print(f"{ending:5}{path.stat().st_size / 1024:8.0f} KiB, positions to {error:.4f} mm, keeps {', '.join(kept) or 'positions'}")
+    kept = [name for name in ("normals", "colors") if getattr(back, f"has_{name}")] + sorted(
+        set(back.attributes) & {"intensity", "label"}
+    )
+    print(
+        f"{ending:5}{path.stat().st_size / 1024:8.0f} KiB, positions to {error:.4f} mm, keeps "
+        f"{', '.join(kept) or 'positions'}"
+    )
     assert len(back) == len(room) and error < 0.6
     if not dropped:
         assert np.array_equal(back["label"], room["label"]) and np.array_equal(back["intensity"], room["intensity"])

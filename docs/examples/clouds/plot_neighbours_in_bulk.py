@@ -2,9 +2,9 @@
 Neighbours of a million places at once
 ======================================
 
-Which points are near this one? Asked for a whole cloud at once, it is the base of nearly everything that clouds are used for.
-One search structure answers three kinds of question here: the k nearest, all within a radius, and the nearest k
-within a radius. The answers are arrays, to compute with.
+Which points are near this one? Asked for a whole cloud at once, it is the base of nearly everything that clouds are
+used for. One search structure answers three kinds of question here: the k nearest, all within a radius, and the
+nearest k within a radius. The answers are arrays, to compute with.
 """
 
 import numpy as np
@@ -38,12 +38,15 @@ assert np.allclose(np.ravel(row.sqdists), by_hand, rtol=1e-4)
 within = search.radius_search(room.points[:1000], 0.1)
 hybrid = search.hybrid_search(room, 0.1, 12)
 found = np.asarray(hybrid.counts)
-print(f"within 10 cm of the first 1000 points: {len(np.ravel(within.indices))} neighbours; hybrid: {found.mean():.1f} of at most 12")
+print(
+    f"within 10 cm of the first 1000 points: {len(np.ravel(within.indices))} neighbours; hybrid: "
+    f"{found.mean():.1f} of at most 12"
+)
 assert hybrid.indices.shape == (len(room), 12) and (np.asarray(hybrid.indices)[found < 12, -1] == -1).all()
 
 # %%
-# What it is good for, an example: carry a value over from another cloud. The colours of a coarse copy go to the dense one,
-# each point taking the mean of its three nearest, weighted by distance. No loop in Python.
+# What it is good for, an example: carry a value over from another cloud. The colours of a coarse copy go to the dense
+# one, each point taking the mean of its three nearest, weighted by distance. No loop in Python.
 coarse = room.voxel_down_sample(0.10)
 three = loom.NearestNeighborSearch(coarse).knn_search(room, 3)
 weights = 1.0 / (np.asarray(three.sqdists) + 1e-6)
@@ -54,7 +57,8 @@ print(f"colours from {len(coarse)} points on {len(room)}: {255 * error:.1f} of 2
 assert error < 0.1
 
 # %%
-# Another one: how densely was it scanned? Neighbours within 10 cm over the area of that disc, in points a square metre.
+# Another one: how densely was it scanned? Neighbours within 10 cm over the area of that disc, in points a square
+# metre.
 dense = np.asarray(search.radius_search(room, 0.1).counts)
 room["points per m2"] = (dense / (np.pi * 0.1**2)).astype(np.float32)
 low, high = room.get_min_bound(), room.get_max_bound()
@@ -64,5 +68,9 @@ density = loom.render({"geometry": shown, "color_by": "points per m2", "colormap
 
 # %%
 # The colours that were carried over.
-painted = loom.render(loom.PointCloud(room.points, colors=carried.clip(0, 1)).crop(
-    loom.AxisAlignedBoundingBox([low[0], low[1] + 0.1, low[2]], [high[0] - 0.1, high[1], low[2] + 2.2])), view)  # fmt: skip
+painted = loom.render(
+    loom.PointCloud(room.points, colors=carried.clip(0, 1)).crop(
+        loom.AxisAlignedBoundingBox([low[0], low[1] + 0.1, low[2]], [high[0] - 0.1, high[1], low[2] + 2.2])
+    ),
+    view,
+)
