@@ -119,11 +119,7 @@ def color_cloud(
         return Coloring(contiguous(cloud.device_array("colors")), "rgb", title="colour")
     if by in ("normal", "normals"):
         if not cloud.has_normals:
-<<<<<<< HEAD
-            raise ValueError("by: there are no normals; call estimate_normals() first, of a mesh compute_vertex_normals()")
-=======
             raise ValueError("by: the cloud has no normals; call cloud = cloud.estimate_normals()")
->>>>>>> h/cloudex
         colors, flag = value_colors.color_normals(contiguous(cloud.device_array("normals")), MISSING)
         return Coloring(colors, "rgb", title="normal", has_missing=_is_raised(flag))
     if by in _AXES:
