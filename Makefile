@@ -33,7 +33,7 @@ CHECK_NEEDS := { $(PIP) check --quiet || $(PIP) check; }
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
 .NOTPARALLEL:
-.PHONY: help setup setup-runtime test test-all test-cuda-emulated test-cuda-emulated-quick test-browser mutants lint format types check-cuda cuda-cache trust bench demo clean distclean
+.PHONY: help setup setup-runtime test test-all test-cuda-emulated test-cuda-emulated-quick test-browser mutants lint format types check-cuda cuda-cache trust bench docs docs-clean demo clean distclean
 
 help: ## Print the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / {printf "  make %-24s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
@@ -89,10 +89,18 @@ trust: $(TEST) ## How often verdicts are wrong: answers believed, answers refuse
 bench: $(BENCH) ## Run the benchmarks beside the best peers
 	@$(BIN)/python benchmarks/run.py $(ARGS)
 
+# One thread a kernel: scripts of the gallery run side by side.
+docs: $(TEST) ## Build the site in build/docs/html: warnings are errors, links are checked (ten minutes; again, less)
+	@POINTLOOM_CPU_THREADS=1 $(BIN)/python -m sphinx -q -W --keep-going -j auto -b html -d build/docs/doctrees docs build/docs/html
+	@$(BIN)/python docs/machinery/check_links.py build/docs/html
+
+docs-clean: ## Remove the site and all that was made for it
+	@rm -rf build/docs docs/chapters docs/commands docs/gallery docs/made docs/project docs/reference
+
 demo: $(RUNTIME) ## Render a room as RGB-D frames and fuse them; the results go to demo/
 	@$(BIN)/pointloom demo -o demo --force
 
-clean: ## Remove caches and what demo and builds made
+clean: docs-clean ## Remove caches and what demo and builds made
 	@rm -rf demo build dist .pytest_cache .ruff_cache .hypothesis .benchmarks
 	@find . -path ./.venv -prune -o -name __pycache__ -type d -prune -exec rm -rf {} +
 

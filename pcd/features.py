@@ -85,7 +85,7 @@ def compute_eigen_features(cloud: PointCloud, *, radius: float | None = None, ma
     - `linearity`: (l1 - l2) / l1; `planarity`: (l2 - l3) / l1; `sphericity` (scattering): l3 / l1; their sum is 1;
     - `omnivariance`: (e1 e2 e3)^(1/3); `anisotropy`: (l1 - l3) / l1; `eigenentropy`: -sum of e ln e;
     - `curvature` (surface variation): e3, 0 on a plane and 1/3 in a ball;
-    - `verticality`: 1 - |nz| of the normal, 0 on the ground and 1 on a wall.
+    - `verticality`: `1 - |nz|` of the normal, 0 on the ground and 1 on a wall.
 
     Args:
         cloud: Any cloud; normals are not needed.

@@ -164,7 +164,7 @@ class Normals(PointArrays):
         """The cloud with its normals on one side of the surface, as far as neighbours agree on one.
 
         Signs spread from the lowest point (least z), whose normal is made to look down, along the least spanning tree
-        of the graph that joins each point to its k nearest and weighs an edge by 1 - |n . n'|. Parts that the graph
+        of the graph that joins each point to its k nearest and weighs an edge by `1 - |n . n'|`. Parts that the graph
         leaves apart are joined by their shortest bridges.
 
         Args:

@@ -108,7 +108,7 @@ class Smoothing(Selection):
             The cloud with points moved, normals as they were. Points that are not finite stay.
 
         Raises:
-            ValueError: iterations outside 0..10,000, knn < 1, or lambda_ not finite.
+            ValueError: iterations outside 0..10,000, knn < 1, or `lambda_` not finite.
 
         Notes:
             Open3D's smooth_laplacian. O(n) memory, or 4 n (knn + 1) B with fixed neighbourhoods. Same bits from run
@@ -131,7 +131,7 @@ class Smoothing(Selection):
         Args:
             iterations: Pairs of passes.
             lambda_: Share of the way to the mean of the neighbours, > 0.
-            mu: The same of the second pass; below -lambda_, which lets low frequencies through.
+            mu: The same of the second pass; below `-lambda_`, which lets low frequencies through.
             knn: Neighbours, the point itself not included.
             use_fixed_neighborhoods: Keep the neighbours of the first pass; see `smooth_laplacian`.
 

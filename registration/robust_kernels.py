@@ -52,7 +52,7 @@ class Geometry(RobustKernel):
 
 @dataclasses.dataclass(frozen=True)
 class L1Loss(RobustKernel):
-    """Least absolute residuals: 1 / |r|, for residuals below 1e-9 as at 1e-9 (Open3D divides by zero there)."""
+    """Least absolute residuals: `1 / |r|`, for residuals below 1e-9 as at 1e-9 (Open3D divides by zero there)."""
 
     kind = robust_weights.L1
 
@@ -70,7 +70,7 @@ class _Scaled(RobustKernel):
 
 @dataclasses.dataclass(frozen=True)
 class HuberLoss(_Scaled):
-    """k / max(|r|, k): least squares up to k, absolute residuals beyond."""
+    """`k / max(|r|, k)`: least squares up to k, absolute residuals beyond."""
 
     kind = robust_weights.HUBER
 

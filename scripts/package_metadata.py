@@ -24,7 +24,7 @@ class Metadata(MetadataHookInterface):
         repository, branch = self.config["repository"], self.config["branch"]
         text = Path(self.root, "README.md").read_text(encoding="utf-8")
         metadata["readme"] = {"content-type": "text/markdown", "text": absolute_links(text, repository, branch)}
-        metadata["urls"] = project_urls(repository, branch)
+        metadata["urls"] = project_urls(repository, branch, self.config["documentation"])
 
 
 def absolute_links(text: str, repository: str, branch: str) -> str:
@@ -40,14 +40,16 @@ def absolute_links(text: str, repository: str, branch: str) -> str:
     return _LINK.sub(absolute, text)
 
 
-def project_urls(repository: str, branch: str) -> dict[str, str]:
-    """The project's addresses by name; none without a repository."""
+def project_urls(repository: str, branch: str, documentation: str = "") -> dict[str, str]:
+    """The project's addresses by name; none without a repository. Pages are those of the site, where it has a place."""
     if not repository:
         return {}
     base = repository.rstrip("/")
     return {
         "Repository": base,
-        "Documentation": f"{base}/blob/{branch}/docs/README.md",
+        "Documentation": f"{documentation.rstrip('/')}/stable/"
+        if documentation
+        else f"{base}/blob/{branch}/docs/README.md",
         "Changelog": f"{base}/blob/{branch}/CHANGELOG.md",
         "Issues": f"{base}/issues",
     }

@@ -127,7 +127,7 @@ def test_the_readme_of_the_package_is_ours_with_the_links_that_the_address_makes
     readme = (ROOT / "README.md").read_text()
     expected = package_metadata.absolute_links(readme, place["repository"], place["branch"])
     assert metadata.get_payload().strip() == expected.strip()
-    urls = package_metadata.project_urls(place["repository"], place["branch"])
+    urls = package_metadata.project_urls(place["repository"], place["branch"], place["documentation"])
     assert metadata.get_all("Project-URL", []) == [f"{name}, {address}" for name, address in urls.items()]
 
 
@@ -147,6 +147,9 @@ def test_an_address_makes_every_link_of_the_readme_absolute(package_metadata):
     urls = package_metadata.project_urls("https://host.test/owner/pointloom/", "main")
     assert urls["Repository"] == "https://host.test/owner/pointloom"
     assert urls["Changelog"] == "https://host.test/owner/pointloom/blob/main/CHANGELOG.md"
+    assert urls["Documentation"] == "https://host.test/owner/pointloom/blob/main/docs/README.md"
+    urls = package_metadata.project_urls("https://host.test/owner/pointloom", "main", "https://docs.test")
+    assert urls["Documentation"] == "https://docs.test/stable/"
     assert package_metadata.project_urls("", "main") == {}
 
 

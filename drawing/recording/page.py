@@ -94,13 +94,12 @@ def write_page(
 
 def _write(file: IO[bytes], description: dict[str, Any], arrays: list[NDArray[Any]]) -> None:
     """Fill the gaps of player.html; what is put into one is never searched for others."""
-    script = '"use strict";\n(() => {\n' + "\n".join(_source(f"{name}.js") for name in SCRIPTS) + "\n})();\n"
-    style = _source("player.css")
+    script, style = player_script(), player_style()
     texts = {
         "script": script,
-        "script-hash": _hash(script),
+        "script-hash": hash_of(script),
         "style": style,
-        "style-hash": _hash(style),
+        "style-hash": hash_of(style),
         "title": html.escape(description["title"] or "Recording"),
         "theme": "dark" if np.dot(description["background"], (0.299, 0.587, 0.114)) < 0.5 else "light",
         "description": _json_in_html(description),
@@ -116,11 +115,22 @@ def _write(file: IO[bytes], description: dict[str, Any], arrays: list[NDArray[An
             file.write(texts[piece].encode("utf-8", "replace"))
 
 
+def player_script() -> str:
+    """What every page plays by."""
+    return '"use strict";\n(() => {\n' + "\n".join(_source(f"{name}.js") for name in SCRIPTS) + "\n})();\n"
+
+
+def player_style() -> str:
+    """How every page looks."""
+    return _source("player.css")
+
+
 def _source(name: str) -> str:
     return (SOURCES / name).read_text(encoding="utf-8")
 
 
-def _hash(text: str) -> str:
+def hash_of(text: str) -> str:
+    """A text as a page's policy names it."""
     return "sha256-" + base64.b64encode(hashlib.sha256(text.encode()).digest()).decode()
 
 

@@ -20,6 +20,7 @@ from ...kernels.lang import uint8
 from ...kernels.memory import clone, download, empty, upload
 from .clipping import clip_segments
 from .lettering import lettering
+from .picture import Picture
 
 Color = Sequence[float]
 
@@ -68,9 +69,9 @@ class Canvas:
         values = _check_image(image)
         return cls(upload(values.ravel(), uint8, resolve_device(device)), values.shape[1], values.shape[0])
 
-    def to_numpy(self) -> NDArray[np.uint8]:
-        """The picture, shape [h, w, 3] (one sync)."""
-        return download(self.sheet.picture).reshape(self.height, self.width, 3).copy()
+    def to_numpy(self) -> Picture:
+        """The picture, shape [h, w, 3], which notebooks show (one sync)."""
+        return Picture(download(self.sheet.picture).reshape(self.height, self.width, 3).copy())
 
     def copy(self) -> Self:
         """A picture of its own with the same content."""

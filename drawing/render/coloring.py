@@ -115,7 +115,7 @@ def color_cloud(
         return _color_attribute(cloud.device_array(by), by, chosen, ends)
     if by == "rgb":
         if not cloud.has_colors:
-            raise ValueError(f"by: the cloud has no colours; expected {_choices(cloud)}")
+            raise ValueError(f"by: there are no colours; expected {_choices(cloud)}")
         return Coloring(contiguous(cloud.device_array("colors")), "rgb", title="colour")
     if by in ("normal", "normals"):
         if not cloud.has_normals:
@@ -128,7 +128,7 @@ def color_cloud(
         for name in _LABELS:
             if name in cloud.attributes:
                 return _color_attribute(cloud.device_array(name), name, chosen, ends)
-    raise ValueError(f"by: the cloud has no {shown(by)}; expected {_choices(cloud)}")
+    raise ValueError(f"by: there is no {shown(by)}; expected {_choices(cloud)}")
 
 
 def _color_axis(cloud: PointCloud, by: str, colormap: str | None, limits: tuple[float, float] | None) -> Coloring:

@@ -30,7 +30,7 @@ from . import outlines
 from .coloring import color_cloud
 from .frustum import CameraFrustum
 from .parts import Lines, Matrix, Part, Points, Triple
-from .surfaces import mesh_parts, voxel_parts
+from .surfaces import mesh_parts, vertices_of, voxel_parts
 
 ACCEPTED = (
     "PointCloud, TriangleMesh, VoxelGrid, AxisAlignedBoundingBox, OrientedBoundingBox, LineSet, Trajectory, "
@@ -55,7 +55,8 @@ class Style:
 
     Args:
         color: Red, green and blue, 0 to 1, of all of it.
-        color_by: What of a cloud is shown as colour: "rgb", "normal", "height", "label" or any attribute.
+        color_by: What of a cloud, or of a mesh's vertices, is shown as colour: "rgb", "normal", "height", "label" or any
+            attribute.
         colormap: Of values.
         limits: The values at the ends of the colour map.
         point_size: Diameter of points: [px], or [m] where `metric`.
@@ -308,7 +309,11 @@ def _of_mesh(mesh: Any, style: Style, device: Any) -> list[Part]:
         }
         held: dict[str, Any] = {n: upload(values, vec3, device) for n, values in rows.items() if len(values)}
         mesh = made.with_arrays(**held)
-    return mesh_parts(mesh.to(device), _surface_style(style))
+    mesh, chosen = mesh.to(device), _surface_style(style)
+    if style.color_by is not None:
+        coloring = color_cloud(vertices_of(mesh), style.color_by, colormap=style.colormap, limits=style.limits)
+        chosen |= {"colors": coloring.colors, "coloring": coloring}
+    return mesh_parts(mesh, chosen)
 
 
 def _surface_style(style: Style) -> dict[str, Any]:

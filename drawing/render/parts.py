@@ -86,6 +86,7 @@ class Triangles:
         lit: Whether light falls at an angle; None for all but those with a texture, which has the light in it.
         plain: The colour of what has none.
         pose: Moves what is drawn, 4x4.
+        coloring: What the colours mean, for a colour bar; None where they are the mesh's own.
     """
 
     positions: Any
@@ -100,6 +101,7 @@ class Triangles:
     lit: bool | None = None
     plain: Triple = (0.80, 0.78, 0.74)
     pose: Matrix | None = None
+    coloring: Any = None
 
     @property
     def is_textured(self) -> bool:

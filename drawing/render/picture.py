@@ -15,7 +15,8 @@ CHANNELS = 3
 class Picture(np.ndarray[Any, np.dtype[np.uint8]]):
     """A picture: an array of uint8 RGB, shape [h, w, 3], which notebooks show and `save_picture` writes.
 
-    Parts of it (`picture[:100]`) are pictures, too; what is computed of it is a plain array.
+    Parts of it (`picture[:100]`) and what is put beside each other (`np.hstack`) are pictures, too; what is computed of
+    it is a plain array.
 
     Example:
         >>> import pointloom as loom
@@ -25,6 +26,8 @@ class Picture(np.ndarray[Any, np.dtype[np.uint8]]):
         >>> picture
         Picture(64 x 48)
     """
+
+    __array_priority__ = 1.0  # NumPy's own is 0: what is joined of both is a picture
 
     def __new__(cls, pixels: NDArray[np.uint8]) -> Picture:  # noqa: D102
         return np.asarray(pixels).view(cls)

@@ -292,7 +292,7 @@ def _check_bar(color_bar: Any, parts: Sequence[Part]) -> Coloring | None:
         return color_bar or None
     if color_bar is not True:
         raise TypeError(f"color_bar: expected True or a Coloring, got {type(color_bar).__name__}")
-    colorings = [part.coloring for part in parts if isinstance(part, Points) and part.coloring is not None]
+    colorings = [part.coloring for part in parts if not isinstance(part, Lines) and part.coloring is not None]
     if not colorings:
-        raise ValueError('color_bar: no geometry has "color_by"; pass {"geometry": cloud, "color_by": "height"}')
+        raise ValueError('color_bar: no cloud or mesh has "color_by"; pass {"geometry": cloud, "color_by": "height"}')
     return colorings[0]

@@ -12,6 +12,7 @@ from ...kernels.lang import int32, vec2, vec3
 from ...kernels.memory import empty, upload
 from ...meshing.mesh.mesh import TriangleMesh
 from ...meshing.mesh.voxel_grid import VoxelGrid
+from ...pcd.cloud import PointCloud
 from .outlines import Segments, upload_lines
 from .parts import Part, Triangles
 
@@ -31,7 +32,7 @@ def mesh_parts(mesh: TriangleMesh, chosen: dict[str, Any]) -> list[Part]:
 
     Args:
         mesh: The mesh; its arrays are shared.
-        chosen: Fields of `Triangles`; a `plain` colour replaces the mesh's own, textures too.
+        chosen: Fields of `Triangles`; a `plain` colour and a `coloring` replace the mesh's own, textures too.
     """
     arrays, none = mesh.device_arrays, empty(0, vec3, mesh.device)
     held: dict[str, Any] = {
@@ -41,7 +42,7 @@ def mesh_parts(mesh: TriangleMesh, chosen: dict[str, Any]) -> list[Part]:
         "colors": none if "plain" in chosen else arrays.get("vertex_colors", none),
         **chosen,
     }
-    if "triangle_uvs" not in arrays or not mesh.textures or "plain" in chosen:
+    if "triangle_uvs" not in arrays or not mesh.textures or chosen.keys() & {"plain", "coloring"}:
         return [Triangles(indices=_flat(arrays["triangles"]), **held)]
     if "triangle_material_ids" not in arrays:
         uvs, texture = arrays["triangle_uvs"], mesh.textures[0]
@@ -55,6 +56,18 @@ def mesh_parts(mesh: TriangleMesh, chosen: dict[str, Any]) -> list[Part]:
         )
         parts.append(Triangles(indices=_flat(taken["triangles"]), **surface, **held))
     return parts
+
+
+def vertices_of(mesh: TriangleMesh) -> PointCloud:
+    """The vertices of a mesh with what is known of them; normals, colours and attributes follow."""
+    arrays = mesh.device_arrays
+    renamed = {"vertices": "points", "vertex_normals": "normals", "vertex_colors": "colors"}
+    held = {new: arrays[old] for old, new in renamed.items() if old in arrays}
+    cloud = PointCloud.from_device_arrays(held, mesh.origin)
+    for name, values in mesh.vertex_attributes.items():
+        cloud[name] = values
+    cloud.unit = mesh.unit
+    return cloud
 
 
 def _flat(triangles: Any) -> Any:

@@ -35,7 +35,7 @@ from ..lang import (
 from ..memory import empty, full, zeros
 from .mesh_topology import CornersByVertex, corner_vertex
 
-GAIN = 1.0e-12  # a distance shorter by less than this share is the same one, so that rounds end
+GAIN = 1.0e-8  # a distance shorter by less is the same one: float32 vertices tell no more, and slivers would creep for ever
 
 
 @func

@@ -78,12 +78,14 @@ class SceneDistances(SceneGeometries):
 
         Returns:
             Arrays by name, in the leading shape of the queries:
-            points: [..., 3], float32, or float64 where the scene lies far from zero; NaN where there is none.
-            geometry_ids: uint32 [...], as `add_triangles` returned them; INVALID_ID where there is none.
-            primitive_ids: uint32 [...], the triangle's number in its mesh; INVALID_ID likewise.
-            primitive_uvs: float32 [..., 2], the weights of its second and third corner.
-            primitive_normals: float32 [..., 3], its unit normal by the right-hand rule; (0, 0, 1) where it has no
-                area, (0, 0, 0) where there is none.
+
+            - points: [..., 3], float32, or float64 where the scene lies far from zero; NaN where there is none.
+            - geometry_ids: uint32 [...], as `add_triangles` returned them; INVALID_ID where there is none.
+            - primitive_ids: uint32 [...], the triangle's number in its mesh; INVALID_ID likewise.
+            - primitive_uvs: float32 [..., 2], the weights of its second and third corner.
+            - primitive_normals: float32 [..., 3], its unit normal by the right-hand rule; (0, 0, 1) where it has no
+              area, (0, 0, 0) where there is none.
+
             There is none for queries that are not finite or 1.8e19 m away, and in a scene without triangles.
 
         Raises:

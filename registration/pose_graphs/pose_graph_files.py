@@ -65,7 +65,7 @@ def write_pose_graph(path: str | os.PathLike[str], pose_graph: PoseGraph, *, ove
     """Write a pose graph as Open3D's JSON, which Open3D reads; reading it again gives the same numbers.
 
     Args:
-        path: The file, *.json; it appears whole or not at all.
+        path: The file, `*.json`; it appears whole or not at all.
         pose_graph: The graph; its `report` is not written.
         overwrite: Whether an existing file may be replaced.
 

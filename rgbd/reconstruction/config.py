@@ -84,10 +84,8 @@ class ReconstructionConfig:
         seed: Chooses correspondences where there are very many.
         max_iterations, distance_threshold, fitness_threshold, regularizer_weight, method, save_output_as: Of the
             non-rigid refinement (SLAC).
-        folder_fragment, folder_scene, folder_slac, template_fragment_posegraph, template_fragment_posegraph_optimized,
-            template_fragment_pointcloud, template_global_posegraph, template_global_posegraph_optimized,
-            template_refined_posegraph, template_refined_posegraph_optimized, template_global_mesh,
-            template_global_traj, template_optimized_posegraph_slac: Places of the files, within the job's folder.
+        folder_fragment, folder_scene, folder_slac: Places of files, within the job's folder; so are all names that
+            begin with `template_`.
 
     Raises:
         TypeError, ValueError: A value of another type or out of range; names it.

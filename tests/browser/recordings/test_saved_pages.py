@@ -8,6 +8,8 @@ import numpy as np
 import pytest
 
 import pointloom as loom
+from pointloom.drawing.recording.page import write_page
+from pointloom.drawing.recording.shared_player import share_player, write_player
 
 from ..pixels import count_pixels, is_color
 from .scenes import SETTLED, stage, two_clouds, wait_for
@@ -80,3 +82,19 @@ def test_a_recorded_registration_opens_from_disk_and_plays(open_saved, tmp_path)
     wait_for(page, f"recording.statistics().frame === {last} && !recording.statistics().playing")
     assert first > 5000 and (stage(page) < 250).any(axis=-1).sum() < 0.95 * first
     assert page.visit.requests == [(tmp_path / "icp.html").as_uri()]
+
+
+def test_a_page_plays_from_disk_by_the_player_that_lies_beside_it(open_page, tmp_path):
+    (tmp_path / "recordings").mkdir()
+    write_page(tmp_path / "whole.html", two_clouds())
+    write_player(tmp_path)
+    share_player(tmp_path / "whole.html", tmp_path / "recordings" / "page.html", "../")
+    (tmp_path / "site.html").write_text("<link rel=icon href=data:,><iframe src=recordings/page.html></iframe>")
+    for path in ("recordings/page.html", "site.html"):
+        page = open_page((tmp_path / path).as_uri(), offline=True)
+        frame = page.frames[-1]
+        wait_for(frame, SETTLED)
+        assert frame.text_content("#label") == "iteration 0"
+        assert frame.text_content("#count") == "7,200 points drawn"
+        names = {url.rsplit("/", 1)[1] for url in page.visit.requests if url.startswith("file:")}
+        assert names - {"site.html"} == {"page.html", "pointloom-player.js", "pointloom-player.css"}

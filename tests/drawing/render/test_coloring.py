@@ -134,7 +134,7 @@ def test_no_points_have_no_colours(device):
 @pytest.mark.parametrize(
     ("by", "options", "message"),
     [
-        ("heigth", {}, "by: the cloud has no 'heigth'; expected one of 'height', 'x', 'y', 'z'"),
+        ("heigth", {}, "by: there is no 'heigth'; expected one of 'height', 'x', 'y', 'z'"),
         ("rgb", {}, "no colours"),
         ("normal", {}, r"call cloud = cloud.estimate_normals\(\)"),
         ("pair", {}, "'pair' has 2 numbers a point"),

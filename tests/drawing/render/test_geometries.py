@@ -236,3 +236,17 @@ def test_styles_out_of_range_are_refused(keys, kind, message):
 def test_a_frustum_wants_a_camera_where_it_is(arguments, kind, message):
     with pytest.raises(kind, match=message):
         loom.CameraFrustum(*arguments)
+
+
+def test_a_mesh_is_coloured_by_what_its_vertices_hold():
+    mesh = loom.TriangleMesh([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]]).paint_uniform_color((1, 0, 0))
+    mesh.vertex_attributes["bend"] = np.array([-1.0, 0.0, 1.0])
+    [part] = parts_of(mesh, Style(color_by="bend", colormap="gray", limits=(-1, 1)))
+    assert download(part.colors)[[0, 2]].tolist() == [[0, 0, 0], [1, 1, 1]]
+    assert (part.coloring.title, part.coloring.limits) == ("bend", (-1.0, 1.0))
+
+
+def test_a_mesh_is_not_coloured_by_what_is_not_there():
+    mesh = loom.TriangleMesh([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]])
+    with pytest.raises(ValueError, match="there is no 'bend'"):
+        loom.render({"geometry": mesh, "color_by": "bend"}, None, (64, 48))

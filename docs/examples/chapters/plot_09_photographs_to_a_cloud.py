@@ -1,0 +1,175 @@
+"""
+9. Photographs and videos to a cloud
+====================================
+
+No depth camera, only pictures: what several of them show from different places has a depth. You learn what the chain from
+photographs to points consists of, how to run it where the cameras' places are known, the one command for videos where
+nothing is known, and why its unit is arbitrary.
+"""
+
+# %%
+# The chain
+# ---------
+# ================== ======================================================== ==================================
+# step                what it finds                                            call
+# ================== ======================================================== ==================================
+# frames              sharp pictures of a video, where the camera has moved    ``loom.sfm.choose_frames``
+# poses               where each picture was taken, and the lens               ``loom.sfm.reconstruct``
+# sparse points       some thousand corners that several pictures show         ``loom.sfm.triangulate``
+# depth               how far every pixel is                                   ``loom.mvs.estimate_depth_maps``
+# filter              what several pictures say alike                          ``loom.mvs.filter_depth_maps``
+# cloud or mesh       each place once                                          ``loom.mvs.fuse``
+# ================== ======================================================== ==================================
+#
+# For a video all of it is one command, which needs ``pip install "pointloom[sfm]"`` and some minutes:
+#
+# .. code-block:: console
+#
+#    $ pointloom video walk.mp4 -o room.ply --picture room.png
+#
+# Open3D has nothing for pictures alone; its users take COLMAP or Metashape, whose cameras ``loom.read_cameras`` reads.
+# In this chapter the poses are known, as from there, or from a robot's arm, or a turntable.
+
+import tempfile
+from pathlib import Path
+
+import numpy as np
+
+import pointloom as loom
+
+shots = loom.data.photographs(24)
+pictures, intrinsic, poses = shots.pictures[:5], shots.intrinsic, shots.poses[:5]
+height, width = pictures[0].shape[:2]
+print(f"{len(pictures)} pictures of {width} x {height} pixels, {intrinsic}")
+
+# %%
+# Pictures must **overlap and move**: the same place seen from 5 to 30 degrees apart, two thirds of each picture in the
+# next. A camera that only turns on the spot sees no depth.
+
+step = np.degrees(np.arccos(np.clip(np.einsum("ij,ij->i", poses[1:, :3, 2], poses[:-1, :3, 2]), -1, 1)))
+print("from one picture to the next:", step.round(0), "degrees")
+assert (step > 3).all() and (step < 35).all()
+
+# %%
+# Half the size, and the middle columns, are quick and enough to learn on. Whoever changes pictures has to change the camera
+# with them: half the size is half the focal length, and cutting columns off moves the principal point. (The mean of 2 x 2
+# pixels has its centre half a pixel off, which the principal point follows, too.)
+
+LEFT, RIGHT = 75, 245
+
+
+def halved(picture: np.ndarray) -> np.ndarray:
+    """The mean of 2 x 2 pixels, and of that the middle columns."""
+    whole = picture.reshape(height // 2, 2, width // 2, 2, 3).mean(axis=(1, 3))
+    return whole[:, LEFT:RIGHT].round().astype(np.uint8)
+
+
+small = [halved(picture) for picture in pictures]
+camera = loom.PinholeCameraIntrinsic(
+    RIGHT - LEFT, height // 2, intrinsic.fx / 2, intrinsic.fy / 2,
+    (intrinsic.cx - 0.5) / 2 - LEFT, (intrinsic.cy - 0.5) / 2,
+)  # fmt: skip
+
+# %%
+# Multi-view stereo wants world to camera: the **inverse** of the poses. Wrong ones are the commonest mistake; the result is
+# then empty or fog.
+
+cameras = [loom.mvs.PosedCamera(camera, np.linalg.inv(pose)) for pose in poses]
+maps = loom.mvs.estimate_depth_maps(small, cameras)
+kept = loom.mvs.filter_depth_maps(maps)
+share = np.mean([(kept[k].depth > 0).mean() for k in range(len(small))])
+print(f"{share:.0%} of the pixels have a depth that other pictures confirm")
+
+# %%
+# How far off is it? The truth is known here. Confirmed pixels are right to a fraction of a per cent; what nobody
+# confirms (the plain background, edges, what one picture alone sees) is left out rather than guessed.
+
+truth = shots.depths[2][::2, ::2][:, LEFT:RIGHT]
+found = kept[2].depth
+both = (found > 0) & (truth > 0)
+relative = abs(found - truth)[both] / truth[both]
+print(f"half of the pixels within {np.median(relative):.2%} of the true depth, nine tenths within"
+      f" {np.quantile(relative, 0.9):.1%}")  # fmt: skip
+assert np.median(relative) < 0.01
+
+# %%
+# One cloud
+# ---------
+# Pixels of several pictures that show one place become one point, with its colour, its normal, and ``views``: how many
+# pictures agree on it. The grey behind the figure is plain, so nothing tells how far away it is, and what is said of it is
+# not to be believed. The figure is cut out by its place.
+
+cloud = loom.mvs.fuse(kept, small)
+print(cloud, "views from", int(cloud["views"].min()), "to", int(cloud["views"].max()))
+from_axis = np.linalg.norm(cloud.points[:, :2], axis=1)
+figure = cloud.select_by_mask((from_axis < 0.115) | ((cloud.points[:, 2] < -0.13) & (from_axis < 0.35)))
+print(f"{len(cloud) - len(figure)} points of the background are cut off")
+view = {"front": poses[2][:3, 3].tolist(), "up": [0, 0, 1], "zoom": 0.42}
+fused = loom.render(
+    [figure] + [{"geometry": loom.CameraFrustum(camera, pose, 0.08), "color": (0.1, 0.4, 0.9)} for pose in poses],
+    {"front": (poses[2][:3, 3] + [0.1, 0, 0.3]).tolist(), "up": [0, 0, 1], "zoom": 0.4},
+    (960, 640),
+)  # fmt: skip
+close = loom.render(figure, view, (960, 640))
+
+# %%
+# Against the true figure
+# -----------------------
+
+owl = figure.select_by_mask(figure.points[:, 2] > -0.13)
+scene = loom.RaycastingScene()
+scene.add_triangles(loom.data.object_mesh())
+owl["error"] = scene.compute_distance(owl.points.astype(np.float32)) * 1000
+print(f"{len(owl)} points of the figure, half of them within {np.median(owl['error']):.1f} mm of its true surface")
+assert len(owl) > 3000
+assert np.median(owl["error"]) < 2.0
+errors = loom.render(
+    {"geometry": owl, "color_by": "error", "limits": (0.0, 4.0), "colormap": "turbo"}, {**view, "zoom": 0.7}, (960, 640), color_bar=True
+)
+
+# %%
+# To turn, as points:
+
+folder = Path(tempfile.mkdtemp(prefix="pointloom-"))
+with loom.record(folder / "owl.html", automatic=False, max_points=60_000, title="From five photographs") as recording:
+    recording.add("figure", figure)
+    for k, pose in enumerate(poses):
+        recording.add(f"camera {k}", loom.CameraFrustum(camera, pose, 0.06), color=(0.1, 0.4, 0.9))
+    recording.step("points and cameras")
+page = folder / "owl.html"
+
+# %%
+# The unit
+# --------
+# These poses are in metres, so the cloud is. Where poses are found from pictures alone, the unit is **arbitrary**: a doll's
+# house and a house make the same pictures. One known distance settles it: ``--known IMG_0012,IMG_0040,1.5`` says that two
+# pictures were taken 1.5 m apart.
+#
+# What goes wrong
+# ---------------
+# **Poses the wrong way round.** With the poses themselves in place of their inverse nothing agrees:
+
+wrong = [loom.mvs.PosedCamera(camera, pose) for pose in poses[:3]]
+try:
+    mistaken = loom.mvs.filter_depth_maps(loom.mvs.estimate_depth_maps(small[:3], wrong))
+    left = np.mean([(mistaken[k].depth > 0).mean() for k in range(3)])
+except ValueError as error:
+    print(error)
+    left = 0.0
+print(f"confirmed with wrong poses: {left:.0%}, with right ones: {share:.0%}")
+assert left < 0.5 * share
+
+# %%
+# **Plain, shiny and moving things** have nothing that can be recognised, or change from picture to picture: white walls,
+# glass, people. Move closer, add a tablecloth with a pattern, ask people to wait.
+#
+# Try it
+# ------
+# - Take every second picture. What is lost first?
+# - ``loom.mvs.fuse(kept, small, to="tsdf")`` gives a mesh.
+# - Film a thing on a table, once round, and run ``pointloom video``.
+#
+# Where to go next
+# ----------------
+# The page *From a video to a mesh* has the command in full, *Structure from motion* the search for poses, *Photographs with
+# known poses* this chapter's steps with figures.

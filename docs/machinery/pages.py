@@ -1,0 +1,73 @@
+"""Pages of the repository in the site: those beside docs/ are copied into it, links between all of them stay links."""
+
+from __future__ import annotations
+
+import os
+import posixpath
+import re
+import tomllib
+from pathlib import Path
+
+from .texts import titled, write_if_changed
+
+ROOT = Path(__file__).parents[2]
+PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
+PLACE = PROJECT["tool"]["hatch"]["metadata"]["hooks"]["custom"]
+
+# Pages of the repository outside docs/, and where they lie in the site.
+BROUGHT = {
+    "CHANGELOG.md": "project/changelog",
+    "CONTRIBUTING.md": "project/contributing",
+    "kernels/README.md": "project/kernels",
+    "benchmarks/README.md": "project/benchmarks",
+    "tests/emulated_cuda/README.md": "project/emulated-cuda",
+}
+# What the site has in another form.
+REPLACED = {"README.md": "index", "docs/README.md": "guides"}
+PROJECT_PAGES = ("changelog", "contributing", "kernels", "benchmarks", "emulated-cuda")
+
+_LINK = re.compile(r"(!?)\[([^\]]*)\]\((?![a-z]+:|#)([^)\s#]*)(#[^)\s]*)?\)")
+_BLOCK = re.compile(r"(```.*?```)", re.DOTALL)
+
+
+def bring(docs: Path) -> None:
+    """Copy pages into the site's sources, and write the page that lists them."""
+    for source, page in BROUGHT.items():
+        write_if_changed(docs / f"{page}.md", (ROOT / source).read_text(encoding="utf-8"))
+    text = titled("Project") + "How it is built, what changed, what was decided and why.\n\n"
+    text += ".. toctree::\n   :maxdepth: 1\n\n   ../versions\n" + "".join(f"   {name}\n" for name in PROJECT_PAGES)
+    text += "\n.. toctree::\n   :maxdepth: 1\n   :caption: Decisions\n\n   ../adr/README\n"
+    text += "".join(f"   ../adr/{path.stem}\n" for path in sorted((docs / "adr").glob("[0-9]*.md")))
+    write_if_changed(docs / "project" / "index.rst", text)
+
+
+def rewrite_links(page: str, text: str) -> str:
+    """A page's Markdown with its relative links as they are in the site.
+
+    What the site does not hold becomes an address in the repository; where none is set, its text alone.
+
+    Args:
+        page: Its name in the site, without suffix.
+        text: Its Markdown.
+    """
+    origin = {place: source for source, place in BROUGHT.items()}.get(page, f"docs/{page}.md")
+
+    def link(match: re.Match[str]) -> str:
+        bang, words, target, part = match.groups()
+        return _link(page, origin, bang, words, target, part or "")
+
+    return "".join(block if block.startswith("```") else _LINK.sub(link, block) for block in _BLOCK.split(text))
+
+
+def _link(page: str, origin: str, bang: str, words: str, target: str, part: str) -> str:
+    whole = posixpath.normpath(posixpath.join(posixpath.dirname(origin), target))
+    place = {**BROUGHT, **REPLACED}.get(whole)
+    if place is None and whole.startswith("docs/") and (bang or whole.endswith(".md")):
+        place = whole.removeprefix("docs/").removesuffix(".md")
+    if place is not None:
+        suffix = "" if bang else ".md"
+        to = os.path.relpath(place, posixpath.dirname(page) or ".")
+        return f"{bang}[{words}]({to}{suffix}{part})"
+    if PLACE["repository"]:
+        return f"{bang}[{words}]({PLACE['repository'].rstrip('/')}/blob/{PLACE['branch']}/{whole}{part})"
+    return words

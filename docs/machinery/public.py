@@ -1,0 +1,152 @@
+"""The public names of pointloom, as its stubs list them, with what each is and where a user would look for it."""
+
+from __future__ import annotations
+
+import dataclasses
+import enum
+import importlib
+import inspect
+import sys
+import types
+from functools import cache
+from typing import Any
+
+import pointloom
+from pointloom import public_names
+
+# Where the names of `pointloom` itself stand in the reference, by the module that defines them: the longest match.
+GROUPS = {
+    "pcd": "Clouds",
+    "pcd.boxes": "Boxes, hulls, lines, voxels",
+    "pcd.convex_hull": "Boxes, hulls, lines, voxels",
+    "pcd.hulls": "Boxes, hulls, lines, voxels",
+    "pcd.line_set": "Boxes, hulls, lines, voxels",
+    "pcd.polygon_volume": "Boxes, hulls, lines, voxels",
+    "meshing.mesh.voxel_grid": "Boxes, hulls, lines, voxels",
+    "files": "Files",
+    "files.frames": "Frames of depth cameras",
+    "meshing.mesh.mesh_files": "Files",
+    "cameras": "Cameras, poses, depth images",
+    "meshing": "Meshes and surfaces",
+    "meshing.volume": "Frames of depth cameras",
+    "rgbd": "Frames of depth cameras",
+    "registration": "Registration",
+    "photos": "Photographs",
+    "drawing": "Pictures, recordings, the viewer",
+    "core": "Settings, errors, warnings",
+}
+ORDER = list(dict.fromkeys(GROUPS.values()))
+OTHER = "Others"
+
+
+@dataclasses.dataclass(frozen=True)
+class PublicName:
+    """A public class or function.
+
+    Attributes:
+        name: As users write it with the whole package: `pointloom.registration.registration_icp`.
+        module: The public module that has it: `pointloom.registration`.
+        home: The module that defines it.
+        value: Itself.
+    """
+
+    name: str
+    module: str
+    home: str
+    value: Any
+
+    @property
+    def kind(self) -> str:
+        """The directive that documents it."""
+        if inspect.isclass(self.value):
+            return "exception" if issubclass(self.value, BaseException) else "class"
+        return "function" if callable(self.value) else "data"
+
+    @property
+    def group(self) -> str:
+        """The section of the reference that it belongs to; of a module's name, the room that defines it."""
+        place = self.home.removeprefix("pointloom.")
+        fitting = [prefix for prefix in GROUPS if place == prefix or place.startswith(f"{prefix}.")]
+        return GROUPS[max(fitting, key=len)] if fitting else OTHER
+
+
+@cache
+def public_modules() -> dict[str, types.ModuleType]:
+    """The public modules by the name that users write, `pointloom` first; each can be imported by it afterwards."""
+    modules = {"pointloom": pointloom}
+    for name in public_names._read("pointloom"):
+        value = getattr(pointloom, name)
+        if inspect.ismodule(value):
+            modules[f"pointloom.{name}"] = sys.modules.setdefault(f"pointloom.{name}", value)
+    return modules
+
+
+@cache
+def names_of(module: str) -> dict[str, PublicName]:
+    """The public classes and functions of a public module, in the order of its stub, by their short names."""
+    value = public_modules()[module]
+    found = {}
+    for name, home in _homes(module, value).items():
+        thing = getattr(value, name)
+        if not inspect.ismodule(thing):
+            found[name] = PublicName(f"{module}.{name}", module, getattr(thing, "__module__", home), thing)
+    return found
+
+
+def _homes(module: str, value: types.ModuleType) -> dict[str, str]:
+    """The names that a stub gives, or, without one, what the module itself defines."""
+    package = value.__name__
+    try:
+        return public_names._read(package)
+    except (AssertionError, OSError):
+        own = vars(importlib.import_module(package))
+        return {
+            name: package
+            for name, thing in own.items()
+            if not name.startswith("_") and callable(thing) and getattr(thing, "__module__", "") == package
+        }
+
+
+@cache
+def all_names() -> dict[str, PublicName]:
+    """Every public class and function by its whole name."""
+    return {found.name: found for module in public_modules() for found in names_of(module).values()}
+
+
+@cache
+def by_home() -> dict[str, str]:
+    """The public name of what a module defines: `pointloom.pcd.cloud.PointCloud` is `pointloom.PointCloud`."""
+    return {f"{found.home}.{getattr(found.value, '__name__', '')}": name for name, found in all_names().items()}
+
+
+@cache
+def members_of(name: str) -> tuple[str, ...]:
+    """The public methods and properties of a public class that have a docstring of ours, in the order of definition."""
+    value = all_names()[name].value
+    found: list[str] = []
+    for owner in value.__mro__:
+        if not owner.__module__.startswith("pointloom"):
+            continue
+        for key, thing in vars(owner).items():
+            plain = thing.__func__ if isinstance(thing, classmethod | staticmethod) else thing
+            documented = isinstance(plain, types.FunctionType | property) and inspect.getdoc(plain)
+            if not key.startswith("_") and documented and key not in found:
+                found.append(key)
+    return tuple(found)
+
+
+def first_sentence(text: str | None) -> str:
+    """The first sentence of a docstring, in one line."""
+    paragraph = " ".join((text or "").strip().split("\n\n")[0].split())
+    head, dot, _ = paragraph.partition(". ")
+    return f"{head}." if dot else paragraph
+
+
+def has_example(found: PublicName) -> bool:
+    """Whether the docstring holds an example that runs; of an enumeration or error, whether it is used in one."""
+    return ">>>" in (inspect.getdoc(found.value) or "")
+
+
+def is_enumeration(found: PublicName) -> bool:
+    """Whether it is a class of named values."""
+    return inspect.isclass(found.value) and issubclass(found.value, enum.Enum)

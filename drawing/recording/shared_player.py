@@ -1,0 +1,51 @@
+"""Recordings whose player lies beside them, once for all pages of a site: `write_player`, `share_player`."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+from ...core.atomic import atomic_write
+from ...core.errors import FileError
+from .page import hash_of, player_script, player_style
+
+PLAYER = "pointloom-player"  # .js and .css
+
+
+def write_player(folder: str | os.PathLike[str]) -> None:
+    """Write the player of all pages that `share_player` makes: two files.
+
+    Raises:
+        FileError: A place that cannot be written.
+    """
+    for suffix, text in ((".js", player_script()), (".css", player_style())):
+        with atomic_write(Path(folder) / f"{PLAYER}{suffix}", overwrite=True) as file:
+            file.write(text.encode())
+
+
+def share_player(page: str | os.PathLike[str], output: str | os.PathLike[str], folder: str = "") -> None:
+    """Write a page of `record` again without its player, which it takes from a folder beside it.
+
+    Args:
+        page: What `record` wrote, with the player inside.
+        output: The page without it. It plays from disk too: scripts of `file:` are allowed there.
+        folder: Of the two files of `write_player`, as seen from the page: "../".
+
+    Raises:
+        FileError: A page that cannot be read or written, or that another version of the player is in.
+    """
+    text = Path(page).read_text(encoding="utf-8")
+    script, style = player_script(), player_style()
+    place = f"{folder}{PLAYER}"
+    changes = (
+        (f"<script>{script}</script>", f'<script src="{place}.js"></script>'),
+        (f"<style>{style}</style>", f'<link rel="stylesheet" href="{place}.css">'),
+        (f"'{hash_of(script)}'", "'self' file:"),
+        (f"'{hash_of(style)}'", "'self' file:"),
+    )
+    for old, new in changes:
+        if text.count(old) != 1:
+            raise FileError(page, "no recording, or one with another player", remedy="Record it again")
+        text = text.replace(old, new)
+    with atomic_write(output, overwrite=True) as file:
+        file.write(text.encode())

@@ -1,0 +1,49 @@
+"""The built site opens from disk without a network: nothing is asked for elsewhere, search finds, recordings play.
+
+`make docs` builds it; where it is not built these are skipped.
+"""
+
+from pathlib import Path
+
+import pytest
+
+SITE = Path(__file__).resolve().parents[2] / "build" / "docs" / "html"
+PAGES = (
+    "index.html",
+    "guides.html",
+    "chapters/index.html",
+    "gallery/index.html",
+    "reference/pointloom.PointCloud.html",
+)
+WIDTHS = (1280, 390)
+
+pytestmark = pytest.mark.skipif(not (SITE / "index.html").exists(), reason="the site is not built: make docs")
+
+
+@pytest.mark.parametrize("width", WIDTHS)
+@pytest.mark.parametrize("name", PAGES)
+def test_a_page_fits_its_window_and_asks_for_nothing_elsewhere(open_page, name, width):
+    page = open_page((SITE / name).as_uri(), width=width, height=900, offline=True)
+    page.wait_for_load_state()
+    assert page.evaluate("document.documentElement.scrollWidth <= document.documentElement.clientWidth")
+    broken = "[...document.images].filter(i => i.loading !== 'lazy' && i.complete && !i.naturalWidth).map(i => i.src)"
+    assert page.evaluate(broken) == []
+    assert all(url.startswith(("file:", "data:")) for url in page.visit.requests)
+
+
+def test_search_finds_a_method_from_disk(open_page):
+    page = open_page((SITE / "search.html").as_uri() + "?q=voxel_down_sample", width=1280, height=900, offline=True)
+    page.wait_for_selector("#search-results a")
+    found = page.locator("#search-results a").all_text_contents()
+    assert "pointloom.PointCloud.voxel_down_sample" in found
+
+
+def test_a_recording_plays_in_its_page_by_the_sites_one_player(open_page):
+    names = sorted((SITE / "_static" / "recordings").glob("*.html"))
+    if not names:
+        pytest.skip("no page of the gallery has a recording")
+    assert all('<script src="../pointloom-player.js">' in path.read_text(encoding="utf-8") for path in names)
+    page = open_page(names[0].as_uri(), width=640, height=480, offline=True)
+    page.wait_for_selector("#bar:not([hidden])", state="attached")
+    assert page.text_content("#count").endswith("drawn")
+    assert sum(url.endswith("pointloom-player.js") for url in page.visit.requests) == 1
