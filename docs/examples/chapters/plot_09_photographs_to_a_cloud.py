@@ -97,17 +97,18 @@ assert np.median(relative) < 0.01
 # ---------
 # Pixels of several pictures that show one place become one point, with its colour, its normal, and ``views``: how many
 # pictures agree on it. The grey behind the figure is plain, so nothing tells how far away it is, and what is said of it is
-# not to be believed. The figure is cut out by its place.
+# not to be believed. It goes by its colour.
 
 cloud = loom.mvs.fuse(kept, small)
 print(cloud, "views from", int(cloud["views"].min()), "to", int(cloud["views"].max()))
-from_axis = np.linalg.norm(cloud.points[:, :2], axis=1)
-figure = cloud.select_by_mask((from_axis < 0.115) | ((cloud.points[:, 2] < -0.13) & (from_axis < 0.35)))
+grey = np.median(small[2][:20].reshape(-1, 3), axis=0) / 255
+plain = np.linalg.norm(cloud.colors - grey, axis=1) < 0.12
+figure = cloud.select_by_mask(~plain)
 print(f"{len(cloud) - len(figure)} points of the background are cut off")
 view = {"front": poses[2][:3, 3].tolist(), "up": [0, 0, 1], "zoom": 0.42}
 fused = loom.render(
     [figure] + [{"geometry": loom.CameraFrustum(camera, pose, 0.08), "color": (0.1, 0.4, 0.9)} for pose in poses],
-    {"front": (poses[2][:3, 3] + [0.1, 0, 0.3]).tolist(), "up": [0, 0, 1], "zoom": 0.4},
+    {"front": (poses[2][:3, 3] + [0.1, 0, 0.3]).tolist(), "up": [0, 0, 1], "zoom": 0.5},
     (960, 640),
 )  # fmt: skip
 close = loom.render(figure, view, (960, 640))
@@ -116,7 +117,7 @@ close = loom.render(figure, view, (960, 640))
 # Against the true figure
 # -----------------------
 
-owl = figure.select_by_mask(figure.points[:, 2] > -0.13)
+owl = figure.select_by_mask((figure.points[:, 2] > -0.13) & (np.linalg.norm(figure.points[:, :2], axis=1) < 0.12))
 scene = loom.RaycastingScene()
 scene.add_triangles(loom.data.object_mesh())
 owl["error"] = scene.compute_distance(owl.points.astype(np.float32)) * 1000

@@ -94,7 +94,7 @@ with loom.record(folder / "by_hand.html", automatic=False, title="By hand") as r
         recording.step(f"step {k}")
         T = reg.registration_icp(source, target, 0.02, T, reg.TransformationEstimationPointToPlane(), one).transformation
 page = folder / "by_hand.html"
-print("half of the points within", history[0], "mm at first,", history[-1], "mm at last")
+print(f"half of the points within {history[0]:.1f} mm at first, {history[-1]:.1f} mm at last")
 assert history[-1] < 0.5 * history[0]
 
 # %%
