@@ -2,15 +2,17 @@
 15. From frames to a model
 ==========================
 
-The last step: many pictures of a depth camera become one model. You learn to put frames together where their poses are known,
-to fuse them into a surface that averages the noise, to do it where nobody knows the poses, and to ask how good the model is.
+The last step: many pictures of a depth camera become one model. You learn to put frames together where their poses
+are known, to fuse them into a surface that averages the noise, to do it where nobody knows the poses, and to ask how
+good the model is.
 """
 
 # %%
 # Cameras and paths in files
 # --------------------------
-# A camera is a JSON file, a path a file of poses. Open3D's files are read and written as they stand. In Open3D a trajectory
-# holds extrinsics (world to camera); here it holds poses (camera to world): ``np.linalg.inv`` goes from one to the other.
+# A camera is a JSON file, a path a file of poses. Open3D's files are read and written as they stand. In Open3D a
+# trajectory holds extrinsics (world to camera); here it holds poses (camera to world): ``np.linalg.inv`` goes from
+# one to the other.
 
 import tempfile
 from pathlib import Path
@@ -33,8 +35,8 @@ assert loom.read_pinhole_camera_intrinsic(folder / "camera.json") == camera
 # %%
 # Merge clouds
 # ------------
-# The simplest way: a cloud of each frame, moved by its pose, all of them in one, thinned. Every wrong pixel is in it, and
-# surfaces are as thick as the noise.
+# The simplest way: a cloud of each frame, moved by its pose, all of them in one, thinned. Every wrong pixel is in it,
+# and surfaces are as thick as the noise.
 
 clouds = []
 for frame in frames[::3]:
@@ -45,21 +47,21 @@ thin = merged.voxel_down_sample(0.02)
 print(f"{len(merged)} points of {len(clouds)} frames, {len(thin)} after thinning")
 
 
-def inside(geometry):
-    """What is below the ceiling, so that one sees in."""
-    return geometry.crop(loom.AxisAlignedBoundingBox([-1, -1, -1], [6, 6, 2.45]))
+def inside(geometry: loom.PointCloud | loom.TriangleMesh) -> loom.PointCloud | loom.TriangleMesh:
+    """What is below the ceiling and before the window's wall, so that one sees in."""
+    return geometry.crop(loom.AxisAlignedBoundingBox([-1, -1, -1], [6, 3.8, 2.45]))
 
 
-view = {"front": [0.62, 0.62, 0.55], "up": [0, 0, 1], "zoom": 0.5}
+view = {"front": [0.62, 0.62, 0.55], "up": [0, 0, 1], "zoom": 0.54}
 as_points = loom.render(inside(thin), view, (960, 640))
 
 # %%
 # Fuse a surface
 # --------------
-# A **TSDF volume** keeps, for each voxel near a surface, how far the surface is, as the mean over all frames. Noise averages
-# out, and what one frame alone saw is outvoted by the others. The surface is where the distance is 0. Two numbers: the voxel
-# (as fine as the detail you want, 1 to 2 cm for rooms), and the truncation: how far beside the surface is kept, some four
-# voxels, and more than the noise.
+# A **TSDF volume** keeps, for each voxel near a surface, how far the surface is, as the mean over all frames. Noise
+# averages out, and what one frame alone saw is outvoted by the others. The surface is where the distance is 0. Two
+# numbers: the voxel (as fine as the detail you want, 1 to 2 cm for rooms), and the truncation: how far beside the
+# surface is kept, some four voxels, and more than the noise.
 #
 # In Open3D: ``ScalableTSDFVolume(voxel_length, sdf_trunc, color_type)``, ``integrate(rgbd, intrinsic, extrinsic)``.
 
@@ -89,8 +91,8 @@ for name, points in (("points", merged.points), ("surface", mesh.vertices)):
 assert np.median(errors(mesh.vertices)) < np.median(errors(merged.points))
 
 # %%
-# All of it is one call where frames have poses: ``loom.fuse``, with a verdict. Frames come from ``loom.open_dataset(folder)``,
-# a camera, or a list:
+# All of it is one call where frames have poses: ``loom.fuse``, with a verdict. Frames come from
+# ``loom.open_dataset(folder)``, a camera, or a list:
 
 source = loom.frames_from(frames, camera)
 result = loom.fuse(source, voxel_size=0.02)
@@ -100,9 +102,9 @@ assert result.poor is None
 # %%
 # Nobody knows the poses
 # ----------------------
-# That is the usual case. ``loom.reconstruct`` holds each frame against the model of all frames before it, adds it there, and
-# closes loops where the camera comes back to a place. It is told no pose, not even the first, so its world is the first
-# camera's. We give it the frames without their poses:
+# That is the usual case. ``loom.reconstruct`` holds each frame against the model of all frames before it, adds it
+# there, and closes loops where the camera comes back to a place. It is told no pose, not even the first, so its world
+# is the first camera's. We give it the frames without their poses:
 
 blind = loom.frames_from([(frame.color, frame.depth) for frame in frames], camera)
 found = loom.reconstruct(blind, voxel_size=0.02)
@@ -135,9 +137,10 @@ model = loom.render(
 # %%
 # The reconstruction system
 # -------------------------
-# Open3D's system works in stages: fragments of some hundred frames, their registration, its refinement, and the integration
-# of the scene. ``loom.reconstruction`` has them under the same names, reads the same configuration, and goes on where it was
-# interrupted. Take it for long recordings, or where tracking loses the camera: fragments find each other again.
+# Open3D's system works in stages: fragments of some hundred frames, their registration, its refinement, and the
+# integration of the scene. ``loom.reconstruction`` has them under the same names, reads the same configuration, and
+# goes on where it was interrupted. Take it for long recordings, or where tracking loses the camera: fragments find
+# each other again.
 #
 # .. code-block:: python
 #
@@ -162,8 +165,8 @@ assert len(loom.read_triangle_mesh(folder / "room.ply").triangles) == len(found.
 # %%
 # What goes wrong
 # ---------------
-# **Extrinsics and poses mixed up** (chapter 5): the fused room is fog. ``integrate`` takes the extrinsic, trajectories hold
-# poses.
+# **Extrinsics and poses mixed up** (chapter 5): the fused room is fog. ``integrate`` takes the extrinsic,
+# trajectories hold poses.
 #
 # **A voxel in millimetres.** ``voxel_size=20`` makes a room of one voxel; nothing is left of it. ``loom.fuse`` says so:
 
@@ -187,5 +190,5 @@ assert verdict
 #
 # Where to go next
 # ----------------
-# The page *Reconstruction* has the stages, *SLAM* how tracking and loops work, *Surfaces from points* how to sharpen colours.
-# The gallery has some fifty more examples, each about one task.
+# The page *Reconstruction* has the stages, *SLAM* how tracking and loops work, *Surfaces from points* how to sharpen
+# colours. The gallery has some fifty more examples, each about one task.
