@@ -41,7 +41,7 @@ print("colours from", cloud.colors.min().round(2), "to", cloud.colors.max().roun
 print("has normals:", cloud.has_normals(), " has colours:", cloud.has_colors())
 
 assert cloud.points.shape == (len(cloud), 3)
-assert 0 <= cloud.colors.min() and cloud.colors.max() <= 1
+assert cloud.colors.min() >= 0 and cloud.colors.max() <= 1
 
 # %%
 # How large it is
@@ -65,8 +65,8 @@ assert np.allclose(extent, [5.0, 4.2, 2.6], atol=0.25)
 # ``loom.render`` makes a picture without a window or a display. A closed room shows its outside, so we leave out what
 # would hide the inside: the ceiling and the two walls on our side. A box in space says what stays.
 #
-# ``front`` is the direction from the middle of the cloud to the eye, ``up`` is what points upwards in the picture, and a
-# smaller ``zoom`` is nearer. They are Open3D's parameters of ``draw_geometries``.
+# ``front`` is the direction from the middle of the cloud to the eye, ``up`` is what points upwards in the picture,
+# and a smaller ``zoom`` is nearer. They are Open3D's parameters of ``draw_geometries``.
 
 inside = cloud.crop(loom.AxisAlignedBoundingBox([-0.1, 0.06, -0.1], [4.92, 4.3, 2.5]))
 above = {"front": [0.55, -0.75, 0.62], "up": [0, 0, 1], "zoom": 0.6}
@@ -84,10 +84,12 @@ from_within = loom.render(cloud, eye)
 # %%
 # Colour by what you ask
 # ----------------------
-# Colours need not be those of the camera. By height one sees at once what is floor and what stands on it; the bar on the
-# picture tells the metres.
+# Colours need not be those of the camera. By height one sees at once what is floor and what stands on it; the bar on
+# the picture tells the metres.
 
-by_height = loom.render({"geometry": inside, "color_by": "height", "colormap": "turbo"}, above, (960, 640), color_bar=True)
+by_height = loom.render(
+    {"geometry": inside, "color_by": "height", "colormap": "turbo"}, above, (960, 640), color_bar=True
+)
 loom.save_picture(folder / "by_height.png", by_height)
 
 # %%
@@ -118,7 +120,9 @@ assert "rooms.ply" in message
 # extent tells it. Every later number (a voxel of 0.05, a radius of 0.1) would be a thousand times too small.
 
 in_millimetres = cloud.scale(1000.0, center=[0, 0, 0])
-print("extent:", (in_millimetres.get_max_bound() - in_millimetres.get_min_bound()).round(0), "- of a room? Millimetres.")
+print(
+    "extent:", (in_millimetres.get_max_bound() - in_millimetres.get_min_bound()).round(0), "- of a room? Millimetres."
+)
 
 in_millimetres.unit = "millimetre"  # says what the numbers are, and changes none
 metres = in_millimetres.to_unit("metre")
@@ -135,8 +139,9 @@ print("y of the floor before:", from_camera.points[:, 1].max().round(2), " after
 assert np.isclose(upright.points[:, 1].min(), -from_camera.points[:, 1].max())
 
 # %%
-# **A change that is lost.** Operations give a new cloud and leave the old one alone: write ``cloud = cloud.scale(0.001)``.
-# In Open3D ``transform``, ``scale`` and ``estimate_normals`` change the cloud in place. Whoever drops a result is warned.
+# **A change that is lost.** Operations give a new cloud and leave the old one alone: write ``cloud =
+# cloud.scale(0.001)``. In Open3D ``transform``, ``scale`` and ``estimate_normals`` change the cloud in place. Whoever
+# drops a result is warned.
 #
 # Try it
 # ------

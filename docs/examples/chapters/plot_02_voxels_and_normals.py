@@ -32,12 +32,14 @@ for voxel_size in (0.01, 0.03, 0.1, 0.3, 10.0):
     print(f"voxels of {voxel_size:5} m: {len(cloud.voxel_down_sample(voxel_size)):6} points")
 
 # %%
-# Twice the edge leaves about a quarter of the points, as surfaces are flat things: a sheet is cut into squares. The last line is the mistake to know: a voxel larger than the cloud leaves a single point, without an error. It mostly means that
-# the cloud is in millimetres and the voxel in metres, or the other way round.
+# Twice the edge leaves about a quarter of the points, as surfaces are flat things: a sheet is cut into squares. The
+# last line is the mistake to know: a voxel larger than the cloud leaves a single point, without an error. It mostly
+# means that the cloud is in millimetres and the voxel in metres, or the other way round.
 
 halves = [len(cloud.voxel_down_sample(size)) for size in (0.1, 0.2, 0.4)]
-print("0.1, 0.2, 0.4 m:", halves, "ratios", [round(a / b, 1) for a, b in zip(halves, halves[1:], strict=False)])
-assert all(2.5 < a / b < 4.5 for a, b in zip(halves, halves[1:], strict=False))
+ratios = np.divide(halves[:-1], halves[1:])
+print("0.1, 0.2, 0.4 m:", halves, "points, ratios", ratios.round(1))
+assert (ratios > 2.5).all() and (ratios < 4.5).all()
 assert len(cloud.voxel_down_sample(10.0)) <= 8
 
 # %%
@@ -70,8 +72,8 @@ assert crowd(thin)[0] < 1.5 * crowd(thin)[1]
 # point. ``radius`` says how far a neighbour may be, ``max_nn`` how many are taken at most. A radius of two to three
 # voxels is a good start: less, and noise turns the arrows; more, and edges become round.
 #
-# In Open3D this is ``estimate_normals(KDTreeSearchParamHybrid(radius, max_nn))``, which changes the cloud in place. Here
-# the result is a new cloud.
+# In Open3D this is ``estimate_normals(KDTreeSearchParamHybrid(radius, max_nn))``, which changes the cloud in place.
+# Here the result is a new cloud.
 
 thin = thin.estimate_normals(radius=0.12, max_nn=30)
 print(thin)
@@ -85,13 +87,15 @@ thin = thin.orient_normals_towards_camera_location(frame.T_world_camera[:3, 3])
 towards = np.einsum("ij,ij->i", thin.normals, frame.T_world_camera[:3, 3] - thin.points)
 assert (towards >= 0).all()
 
-with_arrows = loom.render({"geometry": thin.voxel_down_sample(0.1), "point_size": 6.0}, aside, (960, 640), point_show_normal=True)
+with_arrows = loom.render(
+    {"geometry": thin.voxel_down_sample(0.1), "point_size": 6.0}, aside, (960, 640), point_show_normal=True
+)
 
 # %%
 # Are they right?
 # ---------------
-# As colours: red, green and blue are x, y and z of the arrow. What is flat has one colour. The floor of a room looks up,
-# so its points can be counted: those with a height below 3 cm should have a normal near (0, 0, 1).
+# As colours: red, green and blue are x, y and z of the arrow. What is flat has one colour. The floor of a room looks
+# up, so its points can be counted: those with a height below 3 cm should have a normal near (0, 0, 1).
 
 by_normal = loom.render({"geometry": thin, "color_by": "normal", "point_size": 0.04, "metric": True}, aside, (960, 640))
 
@@ -103,9 +107,10 @@ assert np.median(tilt) < 8
 # %%
 # What the radius does
 # --------------------
-# This camera was exact; real ones are not. So the points get a noise of 5 mm, and the normals are made again with a small
-# and a large radius. Too small a one has too few neighbours to average the noise; too large a one reaches over edges. Look
-# at the figures for the floor, then at the share of points that seem to lie on a slope, of which a room has few.
+# This camera was exact; real ones are not. So the points get a noise of 5 mm, and the normals are made again with a
+# small and a large radius. Too small a one has too few neighbours to average the noise; too large a one reaches over
+# edges. Look at the figures for the floor, then at the share of points that seem to lie on a slope, of which a room
+# has few.
 
 noise = np.random.default_rng(0).normal(0, 0.005, thin.points.shape)
 noisy = loom.PointCloud(thin.points + noise)

@@ -2,9 +2,9 @@
 3. Take a cloud apart
 =====================
 
-What belongs to the floor, what is one thing and what another, how large is it, how far is this from that, and what can be
-seen from here? You learn the tools with which a cloud becomes things: boxes, colours, distances, hulls, planes, clusters
-and hidden points.
+What belongs to the floor, what is one thing and what another, how large is it, how far is this from that, and what
+can be seen from here? You learn the tools with which a cloud becomes things: boxes, colours, distances, hulls,
+planes, clusters and hidden points.
 """
 
 # %%
@@ -30,10 +30,10 @@ cropped = loom.render(corner, above, (960, 640))
 # %%
 # Take the floor away: planes
 # ---------------------------
-# Things that stand on a floor are joined by it. So the floor goes first. ``segment_plane`` finds the plane with the most
-# points (RANSAC: three points at random make a plane; the plane that most points lie on wins). Three numbers: how far a
-# point may lie off the plane (about twice the noise of the scan, here 2 cm), how many points make a guess (3), how many
-# guesses are made.
+# Things that stand on a floor are joined by it. So the floor goes first. ``segment_plane`` finds the plane with the
+# most points (RANSAC: three points at random make a plane; the plane that most points lie on wins). Three numbers:
+# how far a point may lie off the plane (about twice the noise of the scan, here 2 cm), how many points make a guess
+# (3), how many guesses are made.
 #
 # The plane comes as a, b, c, d with a x + b y + c z + d = 0; (a, b, c) is its normal.
 
@@ -48,25 +48,32 @@ assert abs(d) < 0.02, "and at height 0"
 # %%
 # Which are the things? Clusters
 # ------------------------------
-# DBSCAN joins points that are closer than ``eps``, if they have at least ``min_points`` neighbours within it. With voxels
-# of 2 cm an ``eps`` of 5 cm bridges one missing voxel. Label -1 means: belongs to nothing, mostly noise.
+# DBSCAN joins points that are closer than ``eps``, if they have at least ``min_points`` neighbours within it. With
+# voxels of 2 cm an ``eps`` of 5 cm bridges one missing voxel. Label -1 means: belongs to nothing, mostly noise.
 #
 # In Open3D the same; there ``labels`` is an ``IntVector``, here an array.
 
 labels = np.asarray(things.cluster_dbscan(eps=0.05, min_points=8))
 count = labels.max() + 1
 sizes = np.bincount(labels[labels >= 0])
-print(count, "clusters; the largest have", sorted(sizes.tolist(), reverse=True), "points;", (labels < 0).sum(), "are noise")
+print(
+    count,
+    "clusters; the largest have",
+    sorted(sizes.tolist(), reverse=True),
+    "points;",
+    (labels < 0).sum(),
+    "are noise",
+)
 assert count >= 2
 
 painted = things.copy()
 painted["cluster"] = labels
-clusters_seen = loom.render([{"geometry": painted, "color_by": "cluster"}, floor.paint_uniform_color([0.85, 0.85, 0.85])],
-                            above, (960, 640))  # fmt: skip
+grey = floor.paint_uniform_color([0.85, 0.85, 0.85])
+clusters_seen = loom.render([{"geometry": painted, "color_by": "cluster"}, grey], above, (960, 640))
 
 # %%
-# ``eps`` decides. Too small, and a thing falls to pieces; too large, and all is one. Try it on a scale and take the middle
-# of the range in which the count stays put:
+# ``eps`` decides. Too small, and a thing falls to pieces; too large, and all is one. Try it on a scale and take the
+# middle of the range in which the count stays put:
 
 for eps in (0.02, 0.05, 0.1, 0.3):
     found = np.asarray(things.cluster_dbscan(eps, 8))
@@ -77,9 +84,9 @@ assert np.asarray(things.cluster_dbscan(1.0, 8)).max() == 0, "at one metre all i
 # %%
 # How large is a thing? Boxes and hulls
 # -------------------------------------
-# Of the sofa, the largest cluster: the box along the axes, the smallest box that may be turned, and the convex hull, the
-# shape of a rubber skin pulled over it. The turned box tells length, width and height of a thing that stands askew.
-# (``get_oriented_bounding_box`` turns with the spread of the points, which is quick, and seldom the smallest.)
+# Of the sofa, the largest cluster: the box along the axes, the smallest box that may be turned, and the convex hull,
+# the shape of a rubber skin pulled over it. The turned box tells length, width and height of a thing that stands
+# askew. (``get_oriented_bounding_box`` turns with the spread of the points, which is quick, and seldom the smallest.)
 
 sofa = things.select_by_mask(labels == int(np.argmax(sizes)))
 upright, turned = sofa.get_axis_aligned_bounding_box(), sofa.get_minimal_oriented_bounding_box()
@@ -106,8 +113,8 @@ measured = loom.render(
 # %%
 # Paint, and measure distances
 # ----------------------------
-# ``compute_point_cloud_distance`` gives, for each point of one cloud, how far the nearest point of another is. So what is
-# near the sofa can be shown, or what changed between two scans of a place.
+# ``compute_point_cloud_distance`` gives, for each point of one cloud, how far the nearest point of another is. So
+# what is near the sofa can be shown, or what changed between two scans of a place.
 
 things["distance"] = things.compute_point_cloud_distance(sofa)
 table = things.select_by_mask(labels == int(np.argsort(sizes)[-2]))
@@ -154,14 +161,14 @@ page = folder / "clusters.html"
 # %%
 # What goes wrong
 # ---------------
-# **Radii in the wrong unit.** ``eps=50`` on a cloud in metres makes one cluster, ``eps=0.05`` on millimetres none. Look at
-# the extent, as in chapter 1.
+# **Radii in the wrong unit.** ``eps=50`` on a cloud in metres makes one cluster, ``eps=0.05`` on millimetres none.
+# Look at the extent, as in chapter 1.
 #
 # **The plane is a wall.** The plane with most points need not be the floor. Ask its normal, or take several planes and
 # choose:
 
 labels_of_planes, planes = room.segment_planes(distance_threshold=0.03, num_iterations=500, max_planes=6)
-for k, (nx, ny, nz, offset) in enumerate(planes):
+for k, (nx, ny, nz, _) in enumerate(planes):
     print(f"plane {k}: normal ({nx:5.2f} {ny:5.2f} {nz:5.2f}), {(labels_of_planes == k).sum():6} points")
 
 room["plane"] = np.asarray(labels_of_planes)
@@ -187,5 +194,5 @@ planes_seen = loom.render(
 #
 # Where to go next
 # ----------------
-# Chapter 4 cleans clouds. The page *Ground* has what to take for uneven ground in the open, where no plane fits. The page
-# *Pictures* has all styles of boxes, hulls and labels.
+# Chapter 4 cleans clouds. The page *Ground* has what to take for uneven ground in the open, where no plane fits. The
+# page *Pictures* has all styles of boxes, hulls and labels.

@@ -2,9 +2,9 @@
 4. Thin and clean
 =================
 
-Every scan has points that belong to nothing: rays that hit an edge half, dust, people who walked by. And it has more points
-than you need. You learn four ways of thinning and two ways of cleaning, what their numbers mean, and to check that what
-went was rubbish.
+Every scan has points that belong to nothing: rays that hit an edge half, dust, people who walked by. And it has more
+points than you need. You learn four ways of thinning and two ways of cleaning, what their numbers mean, and to check
+that what went was rubbish.
 """
 
 # %%
@@ -44,7 +44,9 @@ ways = {
 }
 for name, thin in ways.items():
     holes = cloud.compute_point_cloud_distance(thin).max()
-    print(f"{name:11} {len(thin):5} points; no point of the cloud is farther than {holes / size:.1%} of its size from one")
+    print(
+        f"{name:11} {len(thin):5} points; no point of the cloud is farther than {holes / size:.1%} of its size from one"
+    )
 
 step = np.array([1.15 * (figure.get_max_bound() - figure.get_min_bound())[0], 0, 0])
 row = [thin.translate(k * step) for k, thin in enumerate(ways.values())]
@@ -56,13 +58,13 @@ gaps = {name: cloud.compute_point_cloud_distance(thin).max() for name, thin in w
 assert gaps["farthest"] < gaps["voxels"] < gaps["random"], "even samples leave smaller holes"
 
 # %%
-# Farthest points and voxels leave no holes; random ones do, as rain leaves dry spots. ``uniform_down_sample`` depends on
-# the order of the points in the file: on a scan that was written line by line it draws stripes.
+# Farthest points and voxels leave no holes; random ones do, as rain leaves dry spots. ``uniform_down_sample`` depends
+# on the order of the points in the file: on a scan that was written line by line it draws stripes.
 #
 # Rubbish
 # -------
-# Now we make rubbish ourselves, so that we know what it is: points anywhere in the box around the figure, and a crust of
-# points that are a little off the surface.
+# Now we make rubbish ourselves, so that we know what it is: points anywhere in the box around the figure, and a crust
+# of points that are a little off the surface.
 
 rng = np.random.default_rng(0)
 low, high = cloud.get_min_bound(), cloud.get_max_bound()
@@ -112,16 +114,16 @@ cleaned = loom.render(
 # %%
 # Outliers by radius
 # ------------------
-# Points with fewer than ``nb_points`` others within ``radius`` go. Here a length is to be chosen: six times the spacing
-# of the points is a start, which ``compute_nearest_neighbor_distance`` tells. It suits scans that are evenly dense; where
-# a scanner's points thin out with the distance, it eats the far end, and the statistical way is better, or a voxel grid
-# first.
+# Points with fewer than ``nb_points`` others within ``radius`` go. Here a length is to be chosen: six times the
+# spacing of the points is a start, which ``compute_nearest_neighbor_distance`` tells. It suits scans that are evenly
+# dense; where a scanner's points thin out with the distance, it eats the far end, and the statistical way is better,
+# or a voxel grid first.
 
 spacing = float(np.median(noisy.compute_nearest_neighbor_distance()))
 for radius in (1.5 * spacing, 6 * spacing, 20 * spacing):
     _, rows = noisy.remove_radius_outlier(nb_points=6, radius=radius)
     caught, lost = judged(rows)
-    print(f"radius {radius / spacing:4.1f} spacings: {caught:4.0%} of the rubbish went, and {lost:5.1%} of the good points")
+    print(f"radius {radius / spacing:4.1f} spacings: {caught:4.0%} of the rubbish went, {lost:5.1%} of the good points")
 
 _, by_radius = noisy.remove_radius_outlier(nb_points=6, radius=6 * spacing)
 caught, lost = judged(by_radius)
@@ -154,11 +156,11 @@ except TypeError as error:
 assert "nb_points" in message
 
 # %%
-# **Twice is too often.** Each pass of the statistical way finds a new mean, and cuts again: thin but true parts (a cable, a
-# chair's leg) go in the end. Clean once, look, stop.
+# **Twice is too often.** Each pass of the statistical way finds a new mean, and cuts again: thin but true parts (a
+# cable, a chair's leg) go in the end. Clean once, look, stop.
 #
-# **A smooth crust is no outlier.** Noise that lies close to the surface has neighbours. Chapter 11 averages it away by a
-# surface; ``smooth_mls`` moves points onto theirs.
+# **A smooth crust is no outlier.** Noise that lies close to the surface has neighbours. Chapter 11 averages it away
+# by a surface; ``smooth_mls`` moves points onto theirs.
 #
 # Try it
 # ------
@@ -167,5 +169,5 @@ assert "nb_points" in message
 #
 # Where to go next
 # ----------------
-# Chapter 5 makes clouds of depth pictures. The shell does this chapter as ``pointloom clean scan.ply clean.ply``. For scans
-# larger than the memory see the page *Large clouds*.
+# Chapter 5 makes clouds of depth pictures. The shell does this chapter as ``pointloom clean scan.ply clean.ply``. For
+# scans larger than the memory see the page *Large clouds*.

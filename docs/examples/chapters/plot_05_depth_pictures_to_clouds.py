@@ -10,9 +10,9 @@ to world or as extrinsics, y up or y down. Each of them goes wrong without an er
 # %%
 # What a depth picture is
 # -----------------------
-# A frame of the package's own walk through a room: colours as ``uint8`` [h, w, 3], depth as ``float32`` [h, w] in metres,
-# 0 where nothing was measured. Depth is not the distance from the camera: it is measured along the optical axis, so a wall
-# that the camera faces has one depth all over.
+# A frame of the package's own walk through a room: colours as ``uint8`` [h, w, 3], depth as ``float32`` [h, w] in
+# metres, 0 where nothing was measured. Depth is not the distance from the camera: it is measured along the optical
+# axis, so a wall that the camera faces has one depth all over.
 
 import tempfile
 import warnings
@@ -30,8 +30,8 @@ print("depth from", frame.depth[frame.depth > 0].min().round(2), "to", frame.dep
 print(f"{(frame.depth == 0).mean():.1%} of the pixels have no depth")
 
 # %%
-# The camera is four numbers: the focal lengths fx and fy, and where the optical axis meets the picture, cx and cy, all in
-# pixels. With them a pixel becomes a point: x right, y **down**, z away from the camera.
+# The camera is four numbers: the focal lengths fx and fy, and where the optical axis meets the picture, cx and cy,
+# all in pixels. With them a pixel becomes a point: x right, y **down**, z away from the camera.
 
 v, u = np.mgrid[: camera.height, : camera.width]
 z = frame.depth.astype(np.float64)
@@ -42,9 +42,9 @@ print(cloud, "- the greatest difference to the formula:", abs(cloud.points - by_
 assert np.allclose(cloud.points, by_hand, atol=1e-5)
 
 # %%
-# With colours it takes two steps. ``depth_trunc`` drops what is farther, as cheap cameras see badly far away; mind that it
-# is 3 m unless you say otherwise. Open3D: ``RGBDImage.create_from_color_and_depth(..., convert_rgb_to_intensity=False)``,
-# then ``PointCloud.create_from_rgbd_image``; those names work here too.
+# With colours it takes two steps. ``depth_trunc`` drops what is farther, as cheap cameras see badly far away; mind
+# that it is 3 m unless you say otherwise. Open3D: ``RGBDImage.create_from_color_and_depth(...,
+# convert_rgb_to_intensity=False)``, then ``PointCloud.create_from_rgbd_image``; those names work here too.
 
 image = loom.RGBDImage(frame.color, frame.depth, depth_trunc=6.0)
 coloured = loom.PointCloud.from_rgbd_image(image, camera)
@@ -69,16 +69,16 @@ from_beside = loom.render(
 # Files hold whole numbers of 16 bits, and each data set has its own idea of what 1 means. We write our frame in each
 # format, as its camera would, and read it back.
 #
-# ================ ================================================ ================================================
-# data set         what a number d means                            call
-# ================ ================================================ ================================================
-# Redwood          d / 1000 m (millimetres); 7-Scenes too           ``RGBDImage.from_redwood_format(color, depth)``
-# TUM              d / 5000 m                                       ``from_tum_format``
-# SUN3D            millimetres, the bits turned left by three       ``from_sun_format``
-# NYU              351.3 / (1092.5 - d) m, the bytes swapped        ``from_nyu_format``
-# your own         d / ``depth_scale`` m                            ``RGBDImage(color, depth, depth_scale=...)``
-# floats           metres                                           ``RGBDImage(color, depth)``
-# ================ ================================================ ================================================
+# ================= ================================================ ================================================
+# data set          what a number d means                            call
+# ================= ================================================ ================================================
+# Redwood, 7-Scenes d / 1000 m (millimetres)                         ``RGBDImage.from_redwood_format(color, depth)``
+# TUM               d / 5000 m                                       ``from_tum_format``
+# SUN3D             millimetres, the bits turned left by three       ``from_sun_format``
+# NYU               351.3 / (1092.5 - d) m, the bytes swapped        ``from_nyu_format``
+# your own          d / ``depth_scale`` m                            ``RGBDImage(color, depth, depth_scale=...)``
+# floats            metres                                           ``RGBDImage(color, depth)``
+# ================= ================================================ ================================================
 
 millimetres = np.rint(z * 1000).astype(np.uint16)
 with np.errstate(divide="ignore"):
@@ -112,10 +112,10 @@ assert issubclass(told[0].category, loom.UnitWarning)
 # %%
 # Where was the camera? Poses and extrinsics
 # ------------------------------------------
-# A pose says where the camera stands: ``T_world_camera`` takes the camera's coordinates to the world's. An extrinsic says
-# where the world is, seen from the camera: ``T_camera_world``. Each is the inverse of the other, and files hold now this,
-# now that. ``from_rgbd_image`` takes the **extrinsic**, as in Open3D. Trajectories (``.log``, TUM's ``.txt``, ARKit,
-# 7-Scenes) hold **poses**.
+# A pose says where the camera stands: ``T_world_camera`` takes the camera's coordinates to the world's. An extrinsic
+# says where the world is, seen from the camera: ``T_camera_world``. Each is the inverse of the other, and files hold
+# now this, now that. ``from_rgbd_image`` takes the **extrinsic**, as in Open3D. Trajectories (``.log``, TUM's
+# ``.txt``, ARKit, 7-Scenes) hold **poses**.
 
 pose = frame.T_world_camera
 right = loom.PointCloud.from_rgbd_image(image, camera, np.linalg.inv(pose))
@@ -127,8 +127,8 @@ assert right.points[:, 2].min() > -0.2
 assert not np.allclose(right.points, wrong.points, atol=0.5)
 
 # %%
-# How to find out which one you have: put several frames together. With the right one walls fall onto each other; with the
-# wrong one the scene is torn into fans. Five frames, right and wrong:
+# How to find out which one you have: put several frames together. With the right one walls fall onto each other; with
+# the wrong one the scene is torn into fans. Five frames, right and wrong:
 
 
 def together(inverted: bool) -> loom.PointCloud:
@@ -153,9 +153,9 @@ assert np.all(extents[0] < [5.6, 4.8, 3.0]) and np.prod(extents[1]) > 1.5 * np.p
 # %%
 # Which way is up?
 # ----------------
-# Cameras here count y downwards and look along +z, as OpenCV's and Open3D's do. Those of OpenGL, Blender, ARKit and NeRF
-# count y upwards and look along -z. To use their poses, turn two axes of the camera; to show a camera's cloud in a viewer
-# with y up, turn the cloud:
+# Cameras here count y downwards and look along +z, as OpenCV's and Open3D's do. Those of OpenGL, Blender, ARKit and
+# NeRF count y upwards and look along -z. To use their poses, turn two axes of the camera; to show a camera's cloud in
+# a viewer with y up, turn the cloud:
 
 to_opengl = np.diag([1.0, -1.0, -1.0, 1.0])
 pose_of_arkit = pose @ to_opengl  # as ARKit would write it
@@ -166,8 +166,8 @@ assert upright.points[:, 2].max() < 0, "everything lies before the camera, along
 # %%
 # A smaller picture is another camera
 # -----------------------------------
-# Halve a picture and its focal length is half, too. The camera of the whole picture would make a room that is squeezed to
-# a quarter; sizes that disagree are an error:
+# Halve a picture and its focal length is half, too. The camera of the whole picture would make a room that is
+# squeezed to a quarter; sizes that disagree are an error:
 
 half = frame.depth[::2, ::2]
 try:
@@ -203,5 +203,5 @@ page = folder / "frames.html"
 #
 # Where to go next
 # ----------------
-# Chapter 6 gets depth from a plain photograph, chapter 13 finds poses, chapter 15 fuses frames. The page *Frames in* has
-# folders, streams and cameras.
+# Chapter 6 gets depth from a plain photograph, chapter 13 finds poses, chapter 15 fuses frames. The page *Frames in*
+# has folders, streams and cameras.

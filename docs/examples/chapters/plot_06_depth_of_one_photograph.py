@@ -2,18 +2,18 @@
 6. Depth of one photograph
 ==========================
 
-A depth network looks at one picture and guesses how far each pixel is. You learn the steps around such a network: which
-kind it is, what its numbers are worth, how one or two known distances make them metres, how to measure its errors, and how
-a cloud is made of the result. You bring the network as an ONNX file; the package downloads nothing.
+A depth network looks at one picture and guesses how far each pixel is. You learn the steps around such a network:
+which kind it is, what its numbers are worth, how one or two known distances make them metres, how to measure its
+errors, and how a cloud is made of the result. You bring the network as an ONNX file; the package downloads nothing.
 """
 
 # %%
 # A stand-in for the network
 # --------------------------
-# **This chapter has no real network.** Real ones (Depth Anything V2, MiDaS, Metric3D and others) are files of 50 MB and
-# more that their authors publish. So that the chapter runs anywhere we make a stand-in: an ONNX file that holds the answer
-# for one picture, spoilt in the ways in which networks spoil it. It does not look at the picture at all. All that follows
-# is what you do with a real file; the quality of the result says nothing about any network.
+# **This chapter has no real network.** Real ones (Depth Anything V2, MiDaS, Metric3D and others) are files of 50 MB
+# and more that their authors publish. So that the chapter runs anywhere we make a stand-in: an ONNX file that holds
+# the answer for one picture, spoilt in the ways in which networks spoil it. It does not look at the picture at all.
+# All that follows is what you do with a real file; the quality of the result says nothing about any network.
 #
 # The stand-in answers as MiDaS and Depth Anything do, with **relative inverse depth**: near is large, far is small, and
 # 1 / depth = scale x d + shift with a scale and a shift that nobody knows.
@@ -71,9 +71,9 @@ write_stand_in(folder / "stand_in.onnx", answer_of_a_network(truth))
 # %%
 # Ask it
 # ------
-# ``preset`` says which network the file is: the size of its input, how colours are normalised, and what its numbers mean.
-# The page *Depth of one photograph* lists them, with the licences of the weights. Open3D has nothing for this step; its
-# users call OpenCV or PyTorch.
+# ``preset`` says which network the file is: the size of its input, how colours are normalised, and what its numbers
+# mean. The page *Depth of one photograph* lists them, with the licences of the weights. Open3D has nothing for this
+# step; its users call OpenCV or PyTorch.
 
 model = loom.DepthModel(folder / "stand_in.onnx", preset="midas-v2.1-onnx")
 alone = loom.estimate_depth(frame.color, model, intrinsic=frame.intrinsic)
@@ -82,13 +82,14 @@ print("unit:", alone.unit, " in metres:", alone.is_metric, " camera:", alone.int
 assert not alone.is_metric
 
 # %%
-# Without any known distance the unit is **arbitrary**: the nearest pixel is put at 1, the farthest at 10. Such a depth is
-# good for blurring the background of a portrait. Its cloud is bent, since the shift is made up: a wall comes out curved.
+# Without any known distance the unit is **arbitrary**: the nearest pixel is put at 1, the farthest at 10. Such a
+# depth is good for blurring the background of a portrait. Its cloud is bent, since the shift is made up: a wall comes
+# out curved.
 #
 # Known distances make it metres
 # ------------------------------
-# Two distances are enough to find scale and shift: take a tape measure and note column, row and metres. More are better,
-# because two cannot be checked.
+# Two distances are enough to find scale and shift: take a tape measure and note column, row and metres. More are
+# better, because two cannot be checked.
 
 
 def at(column: int, row: int) -> tuple[int, int, float]:
@@ -115,9 +116,9 @@ assert fitted.is_metric and fitted.inlier_share > 0.9
 # %%
 # How good is it?
 # ---------------
-# ``evaluate_depth`` gives the figures of the papers. ``abs_rel`` is the mean of ``|z - true z| / true z``: 0.05 means that
-# depth is off by 5 %. ``delta1`` is the share of pixels that are right within a factor of 1.25. They compare with what a
-# **metric** depth should be, so an arbitrary unit scores badly, however good the shapes.
+# ``evaluate_depth`` gives the figures of the papers. ``abs_rel`` is the mean of ``abs(z - true) / true``: 0.05 means
+# that depth is off by 5 %. ``delta1`` is the share of pixels that are right within a factor of 1.25. They compare
+# with what a **metric** depth should be, so an arbitrary unit scores badly, however good the shapes.
 
 results = {"alone": alone, "with a tape": measured, "with a sensor": fitted}
 for name, found in results.items():
@@ -131,8 +132,8 @@ assert scores["alone"] > 5 * scores["with a sensor"]
 # %%
 # The cloud
 # ---------
-# Between a near and a far thing a network's depth runs from one to the other within some pixels, which would fly between
-# them. ``to_point_cloud`` drops those.
+# Between a near and a far thing a network's depth runs from one to the other within some pixels, which would fly
+# between them. ``to_point_cloud`` drops those.
 
 cloud = fitted.to_point_cloud()
 whole = fitted.to_point_cloud(keep_edges=True)
@@ -175,8 +176,8 @@ page = folder / "depth.html"
 # %%
 # What goes wrong
 # ---------------
-# **The wrong preset.** Files of relative and metric networks look alike. The graph itself tells them apart, so this is an
-# error before anything is computed, and names what to take:
+# **The wrong preset.** Files of relative and metric networks look alike. The graph itself tells them apart, so this
+# is an error before anything is computed, and names what to take:
 
 try:
     loom.DepthModel(folder / "stand_in.onnx", preset="zoedepth")
@@ -186,10 +187,10 @@ except loom.FileError as error:
 assert "preset" in message
 
 # %%
-# **References of another picture.** Rooms resemble each other: floor below, wall behind. So a scale and a shift are often
-# found, and part of the references agree with them by chance. Look at ``inlier_share``. With a depth camera's picture of
-# the same view it is near 1; well below that, ask whether both show the same. A wall that is seen from the front tells
-# nothing either way. Where near and far change places, or nearly nothing agrees, it is an error.
+# **References of another picture.** Rooms resemble each other: floor below, wall behind. So a scale and a shift are
+# often found, and part of the references agree with them by chance. Look at ``inlier_share``. With a depth camera's
+# picture of the same view it is near 1; well below that, ask whether both show the same. A wall that is seen from the
+# front tells nothing either way. Where near and far change places, or nearly nothing agrees, it is an error.
 
 elsewhere = loom.data.room_frames(24)[2].depth
 try:
@@ -207,7 +208,8 @@ assert share < 0.8 and fitted.inlier_share > 0.95
 # Try it
 # ------
 # - Give two distances only, one of them wrong by a metre. What tells you?
-# - With a real file: ``pointloom depth photo.jpg --model depth_anything_v2_vits.onnx -o cloud.ply --picture cloud.png``.
+# - With a real file: ``pointloom depth photo.jpg --model depth_anything_v2_vits.onnx -o cloud.ply --picture
+#   cloud.png``.
 #
 # Where to go next
 # ----------------

@@ -2,17 +2,17 @@
 7. ICP: bring two clouds together
 =================================
 
-Two scans of one place, each in the coordinates of its own scanner: ICP finds the motion that lays one onto the other, if
-you know roughly where to begin. You learn its kinds, its one important number, how to tell whether it worked, and what
-it cannot know.
+Two scans of one place, each in the coordinates of its own scanner: ICP finds the motion that lays one onto the other,
+if you know roughly where to begin. You learn its kinds, its one important number, how to tell whether it worked, and
+what it cannot know.
 """
 
 # %%
 # Two scans and the truth
 # -----------------------
 # Two pictures of a depth camera, a step apart, each a cloud in its camera's own coordinates. The data knows where the
-# cameras stood, so we can measure how wrong a result is. A pose is a 4 x 4 matrix that takes the source's coordinates to
-# the target's: ``T_target_source``.
+# cameras stood, so we can measure how wrong a result is. A pose is a 4 x 4 matrix that takes the source's coordinates
+# to the target's: ``T_target_source``.
 
 import tempfile
 from pathlib import Path
@@ -64,7 +64,10 @@ view = {"front": [0.5, -0.55, -0.8], "up": [0, -1, 0], "zoom": 0.5}
 
 def drawn(T: np.ndarray) -> dict:
     """Both clouds, the source where the pose puts it."""
-    return {"source": {"geometry": source, "pose": T, "color": ORANGE, **SIZE}, "target": {"geometry": target, "color": BLUE, **SIZE}}
+    return {
+        "source": {"geometry": source, "pose": T, "color": ORANGE, **SIZE},
+        "target": {"geometry": target, "color": BLUE, **SIZE},
+    }
 
 
 before = loom.render(drawn(start), view, (960, 640), legend=True)
@@ -72,9 +75,10 @@ before = loom.render(drawn(start), view, (960, 640), legend=True)
 # %%
 # How good is a pose?
 # -------------------
-# Each source point looks for the nearest target point. If that is nearer than ``max_correspondence_distance``, the two are
-# a pair. **Fitness** is the share of source points that have a partner, 0 to 1. **inlier_rmse** is how far the partners
-# are apart, in metres. Neither knows the truth; and both depend on the distance, so compare them at one distance only.
+# Each source point looks for the nearest target point. If that is nearer than ``max_correspondence_distance``, the
+# two are a pair. **Fitness** is the share of source points that have a partner, 0 to 1. **inlier_rmse** is how far
+# the partners are apart, in metres. Neither knows the truth; and both depend on the distance, so compare them at one
+# distance only.
 #
 # In Open3D all names of this chapter are the same, under ``o3d.pipelines.registration``.
 
@@ -98,8 +102,8 @@ print("off by {:.2f} degrees and {:.1f} mm".format(*(np.array(off(point.transfor
 # %%
 # Point to plane
 # --------------
-# Bring each point onto the plane of its partner, along which it may slide. It needs normals of the target (chapter 2), and
-# far fewer steps.
+# Bring each point onto the plane of its partner, along which it may slide. It needs normals of the target (chapter
+# 2), and far fewer steps.
 
 plane = reg.registration_icp(
     source, target, distance, start, reg.TransformationEstimationPointToPlane(),
@@ -115,12 +119,14 @@ assert off(plane.transformation, truth)[0] < 0.7 and off(plane.transformation, t
 after = loom.render(drawn(plane.transformation), view, (960, 640), legend=True)
 
 # %%
-# Coloured by how far each point is from the other scan. What only one camera saw has no partner and stays far; that is no
-# error of the pose.
+# Coloured by how far each point is from the other scan. What only one camera saw has no partner and stays far; that
+# is no error of the pose.
 
 moved = source.transform(plane.transformation)
 moved["apart"] = moved.compute_point_cloud_distance(target)
-apart = loom.render({"geometry": moved, "color_by": "apart", "limits": (0.0, 0.1), **SIZE}, view, (960, 640), color_bar=True)
+apart = loom.render(
+    {"geometry": moved, "color_by": "apart", "limits": (0.0, 0.1), **SIZE}, view, (960, 640), color_bar=True
+)
 print(f"half of the points are within {np.median(moved['apart']) * 1000:.0f} mm of the other scan")
 
 # %%
@@ -139,16 +145,18 @@ narrow = reg.registration_icp(source, target, 0.01, start, reg.TransformationEst
 assert off(narrow.transformation, truth)[0] > off(plane.transformation, truth)[0]
 
 # %%
-# Mind the last line: with 2 m everything has a partner, fitness is near 1, and the pose is the worse for it. A high fitness
-# at a large distance proves nothing.
+# Mind the last line: with 2 m everything has a partner, fitness is near 1, and the pose is the worse for it. A high
+# fitness at a large distance proves nothing.
 #
 # What ICP cannot know
 # --------------------
-# A wall slides along itself and turns in its plane, and every pose fits. ICP leaves such motions out and says so: three of
-# six are not determined. (Open3D's moves along them by what the noise says.)
+# A wall slides along itself and turns in its plane, and every pose fits. ICP leaves such motions out and says so:
+# three of six are not determined. (Open3D's moves along them by what the noise says.)
 
 wall = loom.TriangleMesh.create_plane(2.0, 1.5).compute_vertex_normals().sample_points_uniformly(4000, seed=0)
-on_wall = reg.registration_icp(wall, wall, distance, turned(2, (0.0, 0.0, 0.02)), reg.TransformationEstimationPointToPlane())
+on_wall = reg.registration_icp(
+    wall, wall, distance, turned(2, (0.0, 0.0, 0.02)), reg.TransformationEstimationPointToPlane()
+)
 print(on_wall.reason, "- not determined:", len(on_wall.degenerate_directions), "of 6 motions")
 print("in the room:", len(plane.degenerate_directions))
 assert len(on_wall.degenerate_directions) == 3
@@ -183,8 +191,8 @@ print(lost)
 assert lost.fitness == 0.0
 
 # %%
-# **The start is too far away.** ICP ends somewhere else and calls it converged, as it only looks around itself. Fitness is
-# lower than it should be, but not 0. From 35 degrees off:
+# **The start is too far away.** ICP ends somewhere else and calls it converged, as it only looks around itself.
+# Fitness is lower than it should be, but not 0. From 35 degrees off:
 
 far = reg.registration_icp(source, target, distance, truth @ turned(35.0, (0.2, 0, 0)),
                            reg.TransformationEstimationPointToPlane())  # fmt: skip
@@ -194,9 +202,9 @@ assert max(off(far.transformation, truth)[0] / 10, off(far.transformation, truth
 assert far.fitness < plane.fitness
 
 # %%
-# **The result is dropped.** ``result.transformation`` is a number for you to use: ``source.transform(...)`` gives the moved
-# cloud, and ``source`` stays where it was. **The inverse is used.** The pose takes the source to the target. If clouds
-# move apart, try ``np.linalg.inv``.
+# **The result is dropped.** ``result.transformation`` is a number for you to use: ``source.transform(...)`` gives the
+# moved cloud, and ``source`` stays where it was. **The inverse is used.** The pose takes the source to the target. If
+# clouds move apart, try ``np.linalg.inv``.
 #
 # Try it
 # ------
@@ -206,5 +214,5 @@ assert far.fitness < plane.fitness
 #
 # Where to go next
 # ----------------
-# Chapter 8 needs no start. Chapter 10 uses colours, chapter 12 shows every step, chapter 14 keeps wrong pairs out. The page
-# *Registration* says which method when, and from how far each succeeds.
+# Chapter 8 needs no start. Chapter 10 uses colours, chapter 12 shows every step, chapter 14 keeps wrong pairs out.
+# The page *Registration* says which method when, and from how far each succeeds.

@@ -2,9 +2,9 @@
 8. Register without a start
 ===========================
 
-ICP needs a pose that is nearly right. Where nobody knows one, points are described by what lies around them, and points
-that look alike are matched. You learn features, the two classic methods that work on them, the one call that does it all,
-and to ask the most important question: is the answer to be believed?
+ICP needs a pose that is nearly right. Where nobody knows one, points are described by what lies around them, and
+points that look alike are matched. You learn features, the two classic methods that work on them, the one call that
+does it all, and to ask the most important question: is the answer to be believed?
 """
 
 # %%
@@ -52,12 +52,12 @@ before = loom.render(
 # %%
 # Features
 # --------
-# FPFH describes a point by how the normals around it are turned against each other: 33 numbers that stay the same however
-# the cloud is turned. Thin first, so that both clouds are equally dense. Normals by two voxels, features by five: a feature
-# must see more than a normal does.
+# FPFH describes a point by how the normals around it are turned against each other: 33 numbers that stay the same
+# however the cloud is turned. Thin first, so that both clouds are equally dense. Normals by two voxels, features by
+# five: a feature must see more than a normal does.
 #
-# In Open3D this is ``compute_fpfh_feature(cloud, KDTreeSearchParamHybrid(radius, max_nn))``, whose ``data`` has a column a
-# point; here it is an array with a row a point.
+# In Open3D this is ``compute_fpfh_feature(cloud, KDTreeSearchParamHybrid(radius, max_nn))``, whose ``data`` has a
+# column a point; here it is an array with a row a point.
 
 
 def described(cloud: loom.PointCloud, eye: np.ndarray) -> tuple[loom.PointCloud, np.ndarray]:
@@ -73,8 +73,8 @@ print(thin_source, "features:", source_features.shape)
 assert source_features.shape == (len(thin_source), 33)
 
 # %%
-# Each point is matched with the one whose feature is nearest. Most matches are wrong: a wall looks everywhere alike. With
-# the truth at hand we count the right ones:
+# Each point is matched with the one whose feature is nearest. Most matches are wrong: a wall looks everywhere alike.
+# With the truth at hand we count the right ones:
 
 matches = np.asarray(reg.correspondences_from_features(source_features, target_features, mutual_filter=True))
 gaps = np.linalg.norm(thin_source.transform(truth).points[matches[:, 0]] - thin_target.points[matches[:, 1]], axis=1)
@@ -124,8 +124,8 @@ for name, result in (("RANSAC", ransac), ("FGR", fast)):
 # %%
 # All in one
 # ----------
-# ``register_globally`` thins, describes, matches, searches, refines, and then asks whether the surfaces truly lie on each
-# other. One number is to be chosen, the voxel. There is nothing like it in Open3D.
+# ``register_globally`` thins, describes, matches, searches, refines, and then asks whether the surfaces truly lie on
+# each other. One number is to be chosen, the voxel. There is nothing like it in Open3D.
 
 found = reg.register_globally(source, target, voxel_size=VOXEL)
 print(found)
@@ -154,9 +154,9 @@ after = loom.render(
 # %%
 # Is it to be believed?
 # ---------------------
-# The worst case is a wrong pose that looks like an answer. Two frames that show different parts of the room: every method
-# gives *some* pose. ``fitness`` does not warn, since floors and walls fit anywhere. ``score`` does: below 0.5 do not use the
-# pose, and ``reason`` says why.
+# The worst case is a wrong pose that looks like an answer. Two frames that show different parts of the room: every
+# method gives *some* pose. ``fitness`` does not warn, since floors and walls fit anywhere. ``score`` does: below 0.5
+# do not use the pose, and ``reason`` says why.
 
 stranger = scan(47)
 thin_stranger, stranger_features = described(stranger, np.zeros(3))
@@ -187,8 +187,8 @@ page = folder / "global.html"
 # %%
 # What goes wrong
 # ---------------
-# **The voxel is too large**: with 0.5 m nothing is left of a chair, and planes fit anywhere. **Too small**: normals describe
-# noise. 3,000 to 30,000 voxels a cloud are right; count them:
+# **The voxel is too large**: with 0.5 m nothing is left of a chair, and planes fit anywhere. **Too small**: normals
+# describe noise. 3,000 to 30,000 voxels a cloud are right; count them:
 
 for voxel_size in (0.025, 0.05, 0.1, 0.5):
     tried = reg.register_globally(source, target, voxel_size=voxel_size)
@@ -199,8 +199,8 @@ for voxel_size in (0.025, 0.05, 0.1, 0.5):
         assert tried.score > 0.5 and off(tried.transformation, truth)[0] < 2
 
 # %%
-# The last line is the trap: with 148 voxels there is nothing left by which a pose could be judged, and the score of such a
-# pose is worth nothing, be it high. A score counts where the clouds have thousands of voxels.
+# The last line is the trap: with 148 voxels there is nothing left by which a pose could be judged, and the score of
+# such a pose is worth nothing, be it high. A score counts where the clouds have thousands of voxels.
 
 # %%
 # **Symmetry.** A box fits in four ways. "2 poses fit alike" in ``reason`` says that the scene leaves the choice to you.
@@ -213,5 +213,5 @@ for voxel_size in (0.025, 0.05, 0.1, 0.5):
 #
 # Where to go next
 # ----------------
-# Chapter 10 refines by colours. Chapter 15 joins many frames; the page *Registration* says what each method is good for,
-# with figures.
+# Chapter 10 refines by colours. Chapter 15 joins many frames; the page *Registration* says what each method is good
+# for, with figures.

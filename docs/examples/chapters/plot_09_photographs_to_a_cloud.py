@@ -2,16 +2,16 @@
 9. Photographs and videos to a cloud
 ====================================
 
-No depth camera, only pictures: what several of them show from different places has a depth. You learn what the chain from
-photographs to points consists of, how to run it where the cameras' places are known, the one command for videos where
-nothing is known, and why its unit is arbitrary.
+No depth camera, only pictures: what several of them show from different places has a depth. You learn what the chain
+from photographs to points consists of, how to run it where the cameras' places are known, the one command for videos
+where nothing is known, and why its unit is arbitrary.
 """
 
 # %%
 # The chain
 # ---------
 # ================== ======================================================== ==================================
-# step                what it finds                                            call
+# step               what it finds                                            call
 # ================== ======================================================== ==================================
 # frames              sharp pictures of a video, where the camera has moved    ``loom.sfm.choose_frames``
 # poses               where each picture was taken, and the lens               ``loom.sfm.reconstruct``
@@ -51,9 +51,9 @@ print("from one picture to the next:", step.round(0), "degrees")
 assert (step > 3).all() and (step < 35).all()
 
 # %%
-# Half the size, and the middle columns, are quick and enough to learn on. Whoever changes pictures has to change the camera
-# with them: half the size is half the focal length, and cutting columns off moves the principal point. (The mean of 2 x 2
-# pixels has its centre half a pixel off, which the principal point follows, too.)
+# Half the size, and the middle columns, are quick and enough to learn on. Whoever changes pictures has to change the
+# camera with them: half the size is half the focal length, and cutting columns off moves the principal point. (The
+# mean of 2 x 2 pixels has its centre half a pixel off, which the principal point follows, too.)
 
 LEFT, RIGHT = 75, 245
 
@@ -71,8 +71,8 @@ camera = loom.PinholeCameraIntrinsic(
 )  # fmt: skip
 
 # %%
-# Multi-view stereo wants world to camera: the **inverse** of the poses. Wrong ones are the commonest mistake; the result is
-# then empty or fog.
+# Multi-view stereo wants world to camera: the **inverse** of the poses. Wrong ones are the commonest mistake; the
+# result is then empty or fog.
 
 cameras = [loom.mvs.PosedCamera(camera, np.linalg.inv(pose)) for pose in poses]
 maps = loom.mvs.estimate_depth_maps(small, cameras)
@@ -95,19 +95,20 @@ assert np.median(relative) < 0.01
 # %%
 # One cloud
 # ---------
-# Pixels of several pictures that show one place become one point, with its colour, its normal, and ``views``: how many
-# pictures agree on it. The grey behind the figure is plain, so nothing tells how far away it is, and what is said of it is
-# not to be believed. The figure is cut out by its place.
+# Pixels of several pictures that show one place become one point, with its colour, its normal, and ``views``: how
+# many pictures agree on it. The grey behind the figure is plain, so nothing tells how far away it is, and what is
+# said of it is not to be believed. It goes by its colour.
 
 cloud = loom.mvs.fuse(kept, small)
 print(cloud, "views from", int(cloud["views"].min()), "to", int(cloud["views"].max()))
-from_axis = np.linalg.norm(cloud.points[:, :2], axis=1)
-figure = cloud.select_by_mask((from_axis < 0.115) | ((cloud.points[:, 2] < -0.13) & (from_axis < 0.35)))
+grey = np.median(small[2][:20].reshape(-1, 3), axis=0) / 255
+plain = np.linalg.norm(cloud.colors - grey, axis=1) < 0.12
+figure = cloud.select_by_mask(~plain)
 print(f"{len(cloud) - len(figure)} points of the background are cut off")
 view = {"front": poses[2][:3, 3].tolist(), "up": [0, 0, 1], "zoom": 0.42}
 fused = loom.render(
     [figure] + [{"geometry": loom.CameraFrustum(camera, pose, 0.08), "color": (0.1, 0.4, 0.9)} for pose in poses],
-    {"front": (poses[2][:3, 3] + [0.1, 0, 0.3]).tolist(), "up": [0, 0, 1], "zoom": 0.4},
+    {"front": (poses[2][:3, 3] + [0.1, 0, 0.3]).tolist(), "up": [0, 0, 1], "zoom": 0.55},
     (960, 640),
 )  # fmt: skip
 close = loom.render(figure, view, (960, 640))
@@ -116,7 +117,7 @@ close = loom.render(figure, view, (960, 640))
 # Against the true figure
 # -----------------------
 
-owl = figure.select_by_mask(figure.points[:, 2] > -0.13)
+owl = figure.select_by_mask((figure.points[:, 2] > -0.13) & (np.linalg.norm(figure.points[:, :2], axis=1) < 0.12))
 scene = loom.RaycastingScene()
 scene.add_triangles(loom.data.object_mesh())
 owl["error"] = scene.compute_distance(owl.points.astype(np.float32)) * 1000
@@ -124,7 +125,10 @@ print(f"{len(owl)} points of the figure, half of them within {np.median(owl['err
 assert len(owl) > 3000
 assert np.median(owl["error"]) < 2.0
 errors = loom.render(
-    {"geometry": owl, "color_by": "error", "limits": (0.0, 4.0), "colormap": "turbo"}, {**view, "zoom": 0.7}, (960, 640), color_bar=True
+    {"geometry": owl, "color_by": "error", "limits": (0.0, 4.0), "colormap": "turbo"},
+    {**view, "zoom": 0.7},
+    (960, 640),
+    color_bar=True,
 )
 
 # %%
@@ -141,9 +145,9 @@ page = folder / "owl.html"
 # %%
 # The unit
 # --------
-# These poses are in metres, so the cloud is. Where poses are found from pictures alone, the unit is **arbitrary**: a doll's
-# house and a house make the same pictures. One known distance settles it: ``--known IMG_0012,IMG_0040,1.5`` says that two
-# pictures were taken 1.5 m apart.
+# These poses are in metres, so the cloud is. Where poses are found from pictures alone, the unit is **arbitrary**: a
+# doll's house and a house make the same pictures. One known distance settles it: ``--known IMG_0012,IMG_0040,1.5``
+# says that two pictures were taken 1.5 m apart.
 #
 # What goes wrong
 # ---------------
@@ -160,8 +164,8 @@ print(f"confirmed with wrong poses: {left:.0%}, with right ones: {share:.0%}")
 assert left < 0.5 * share
 
 # %%
-# **Plain, shiny and moving things** have nothing that can be recognised, or change from picture to picture: white walls,
-# glass, people. Move closer, add a tablecloth with a pattern, ask people to wait.
+# **Plain, shiny and moving things** have nothing that can be recognised, or change from picture to picture: white
+# walls, glass, people. Move closer, add a tablecloth with a pattern, ask people to wait.
 #
 # Try it
 # ------
@@ -171,5 +175,5 @@ assert left < 0.5 * share
 #
 # Where to go next
 # ----------------
-# The page *From a video to a mesh* has the command in full, *Structure from motion* the search for poses, *Photographs with
-# known poses* this chapter's steps with figures.
+# The page *From a video to a mesh* has the command in full, *Structure from motion* the search for poses,
+# *Photographs with known poses* this chapter's steps with figures.

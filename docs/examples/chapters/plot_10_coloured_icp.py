@@ -2,8 +2,8 @@
 10. Coloured ICP
 ================
 
-A flat floor slides under ICP: its shape does not say where along itself it lies. Its pattern does. Coloured ICP uses both,
-from coarse to fine. You learn when it is worth it, how to set its scales, and when colours mislead.
+A flat floor slides under ICP: its shape does not say where along itself it lies. Its pattern does. Coloured ICP uses
+both, from coarse to fine. You learn when it is worth it, how to set its scales, and when colours mislead.
 """
 
 # %%
@@ -55,8 +55,8 @@ before = loom.render([source, target], view, (960, 640))
 # %%
 # Shape alone
 # -----------
-# Point to plane brings the two sheets onto one height and stops. It says itself that three motions (two steps and a turn)
-# are not determined: believe it.
+# Point to plane brings the two sheets onto one height and stops. It says itself that three motions (two steps and a
+# turn) are not determined: believe it.
 
 shape = reg.registration_icp(source, target, 0.06, np.eye(4), reg.TransformationEstimationPointToPlane())
 print(shape)
@@ -68,12 +68,13 @@ assert off(shape.transformation, truth)[1] > 30
 # %%
 # Shape and colour, from coarse to fine
 # -------------------------------------
-# Coloured ICP asks for each pair: how far off is the plane, and how far off is the colour, if the source is moved along the
-# plane by the slope of the colours there? ``lambda_geometric`` weighs the two: 0.968, Open3D's default, is nearly all
-# shape; it leaves the motions to colour that shape does not determine.
+# Coloured ICP asks for each pair: how far off is the plane, and how far off is the colour, if the source is moved
+# along the plane by the slope of the colours there? ``lambda_geometric`` weighs the two: 0.968, Open3D's default, is
+# nearly all shape; it leaves the motions to colour that shape does not determine.
 #
-# Colours have a slope over a short way only, so it goes by scales: large voxels blur the pattern and reach far, small ones
-# are exact. Halve the voxel twice; the distance is the voxel; normals by two voxels. It is the loop of Open3D's tutorial:
+# Colours have a slope over a short way only, so it goes by scales: large voxels blur the pattern and reach far, small
+# ones are exact. Halve the voxel twice; the distance is the voxel; normals by two voxels. It is the loop of Open3D's
+# tutorial:
 
 T = np.eye(4)
 for voxel_size, iterations in ((0.08, 50), (0.04, 30), (0.02, 20)):
@@ -110,9 +111,9 @@ assert off(at_once.transformation, truth)[1] < 10
 # %%
 # How far does it reach?
 # ----------------------
-# The squares of the rug repeat every 37 cm. Begin nearer to the next red square than to the right one, and the wrong squares
-# meet. Patterns that repeat are for colours what a wall is for shape. Only the share of points that find a partner tells,
-# since a part of the rug now hangs over the edge.
+# The squares of the rug repeat every 37 cm. Begin nearer to the next red square than to the right one, and the wrong
+# squares meet. Patterns that repeat are for colours what a wall is for shape. Only the share of points that find a
+# partner tells, since a part of the rug now hangs over the edge.
 
 ends, shares = {}, {}
 for push in (0.05, 0.1, 0.3, 0.7):
@@ -160,10 +161,11 @@ except ValueError as error:
 assert "color" in message
 
 # %%
-# **Colours from 0 to 255.** They are 0 to 1 here; ``loom.PointCloud(points, colors=picture / 255)``. Others are refused.
+# **Colours from 0 to 255.** They are 0 to 1 here; ``loom.PointCloud(points, colors=picture / 255)``. Others are
+# refused.
 #
-# **Another light.** One scan by day and one by lamp differ in colour where nothing moved. Then colours mislead; take shape
-# alone, or make the colours comparable first.
+# **Another light.** One scan by day and one by lamp differ in colour where nothing moved. Then colours mislead; take
+# shape alone, or make the colours comparable first.
 #
 # Try it
 # ------
@@ -172,4 +174,5 @@ assert "color" in message
 #
 # Where to go next
 # ----------------
-# Chapter 13 does the same with the pictures themselves, frame after frame. The page *Registration* compares all kinds of ICP.
+# Chapter 13 does the same with the pictures themselves, frame after frame. The page *Registration* compares all kinds
+# of ICP.

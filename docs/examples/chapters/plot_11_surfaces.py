@@ -2,8 +2,9 @@
 11. Surfaces from points
 ========================
 
-Points have no inside, no area, nothing to print or to put a picture on: for these one needs a surface. You learn the three
-classic ways, which one suits which scan, what their one number means, and how to cut away what a method made up.
+Points have no inside, no area, nothing to print or to put a picture on: for these one needs a surface. You learn the
+three classic ways, which one suits which scan, what their one number means, and how to cut away what a method made
+up.
 """
 
 # %%
@@ -48,11 +49,12 @@ def side_by_side(meshes: list, names: list[str]) -> np.ndarray:
 # %%
 # Alpha shapes
 # ------------
-# A ball of radius alpha rolls everywhere around and, where the points let it, between them; what it cannot reach is inside.
-# It needs no normals. Alpha is a length: a bit above the spacing keeps detail and tears holes, a large one fills hollows, an
-# infinite one is the convex hull.
+# A ball of radius alpha rolls everywhere around and, where the points let it, between them; what it cannot reach is
+# inside. It needs no normals. Alpha is a length: a bit above the spacing keeps detail and tears holes, a large one
+# fills hollows, an infinite one is the convex hull.
 #
-# In Open3D: ``TriangleMesh.create_from_point_cloud_alpha_shape(cloud, alpha)``; that name works here too, as do those below.
+# In Open3D: ``TriangleMesh.create_from_point_cloud_alpha_shape(cloud, alpha)``; that name works here too, as do those
+# below.
 
 alphas = [1.5 * spacing, 4 * spacing, 20 * spacing]
 shapes = loom.TriangleMesh.from_point_cloud_alpha_shape(cloud, alphas)
@@ -66,9 +68,9 @@ assert error(shapes[1]) < error(shapes[2]), "a large alpha fills hollows"
 # %%
 # Ball pivoting
 # -------------
-# A ball lies on three points, which become a triangle, and tips over each edge until it meets the next point. It keeps the
-# points themselves, so it keeps their noise, and where points are thin it leaves holes. It needs normals that look
-# outwards. Give two or three radii, from the spacing up; ``None`` chooses them.
+# A ball lies on three points, which become a triangle, and tips over each edge until it meets the next point. It
+# keeps the points themselves, so it keeps their noise, and where points are thin it leaves holes. It needs normals
+# that look outwards. Give two or three radii, from the spacing up; ``None`` chooses them.
 
 ball = loom.TriangleMesh.from_point_cloud_ball_pivoting(cloud, [1.2 * spacing, 2.5 * spacing])
 print(f"ball pivoting: {len(ball.triangles)} triangles, {error(ball):.2f} mm off, closed: {ball.is_watertight()}")
@@ -77,9 +79,9 @@ assert len(ball.vertices) == len(cloud), "its vertices are the points"
 # %%
 # Poisson
 # -------
-# The smoothest closed surface whose normals agree with those of the points. It averages noise and closes holes, also those
-# that should stay open. ``depth`` is its resolution: 2^depth cells along the longest side; 8 for an object, 9 or 10 for
-# detail, each step is four times the triangles.
+# The smoothest closed surface whose normals agree with those of the points. It averages noise and closes holes, also
+# those that should stay open. ``depth`` is its resolution: 2^depth cells along the longest side; 8 for an object, 9
+# or 10 for detail, each step is four times the triangles.
 
 poisson, densities = loom.TriangleMesh.from_point_cloud_poisson(cloud, depth=7)
 cell = float(np.max(figure.get_max_bound() - figure.get_min_bound())) / 2**7 * 1000
@@ -96,8 +98,8 @@ three = side_by_side(
 # %%
 # A real scan: one side only, and noise
 # -------------------------------------
-# Now what a camera gives: two scans from the front, in their true places. No camera saw the back. Normals have to be made;
-# since we know where each camera stood, they are turned towards it.
+# Now what a camera gives: two scans from the front, in their true places. No camera saw the back. Normals have to be
+# made; since we know where each camera stood, they are turned towards it.
 
 scans = loom.data.object_scans(10)
 parts = []
@@ -110,8 +112,9 @@ densities = np.asarray(densities)
 print(f"{len(scan)} points of two sides; Poisson closes the rest: watertight {surface.is_watertight()}")
 
 # %%
-# What is made up? Each vertex has a **density**: how many points speak for it, as a depth of the tree, so that one less
-# means a quarter of the points. Low ones are guesses. Coloured by density, the guess at the back shows, and a mask cuts it:
+# What is made up? Each vertex has a **density**: how many points speak for it, as a depth of the tree, so that one
+# less means a quarter of the points. Low ones are guesses. Coloured by density, the guess at the back shows, and a
+# mask cuts it:
 
 share = (densities - densities.min()) / np.ptp(densities)
 shown = surface.copy()
@@ -123,8 +126,9 @@ print(f"below {low:.1f}: {(densities < low).mean():.0%} of the vertices go")
 
 turned = {"front": [1.0, -0.35, 0.2], "up": [0, 0, 1], "zoom": 0.52}
 along = np.array([0.07, 0.19, 0])
+kept = trimmed.compute_vertex_normals().paint_uniform_color([0.95, 0.75, 0.45])
 masked = loom.render(
-    [shown.translate(-along), trimmed.compute_vertex_normals().paint_uniform_color([0.95, 0.75, 0.45]).translate(along)],
+    [shown.translate(-along), kept.translate(along)],
     turned, (960, 640), labels=[("by density", -along - [0, 0, 0.2]), ("cut", along - [0, 0, 0.2])],
 )  # fmt: skip
 
@@ -163,10 +167,10 @@ page = folder / "surface.html"
 # %%
 # What goes wrong
 # ---------------
-# **Normals on both sides.** ``estimate_normals`` does not know outside from inside: its signs change from patch to patch.
-# Poisson and ball pivoting then make a crumpled thing. ``normal_disagreement`` tells the share of neighbours that look to
-# opposite sides: it should be near 0. From a tenth on Poisson warns; a closed figure may be spoilt below that, so ask.
-# ``orient_normals_consistent_tangent_plane`` mends it.
+# **Normals on both sides.** ``estimate_normals`` does not know outside from inside: its signs change from patch to
+# patch. Poisson and ball pivoting then make a crumpled thing. ``normal_disagreement`` tells the share of neighbours
+# that look to opposite sides: it should be near 0. From a tenth on Poisson warns; a closed figure may be spoilt below
+# that, so ask. ``orient_normals_consistent_tangent_plane`` mends it.
 
 guessed = loom.PointCloud(cloud.points).estimate_normals(max_nn=20)
 oriented = guessed.orient_normals_consistent_tangent_plane(20)
@@ -192,5 +196,5 @@ inside_out = side_by_side([crumpled, mended], ["signs as guessed", "oriented"])
 #
 # Where to go next
 # ----------------
-# Chapter 15 makes surfaces of depth pictures, which is better still where one has them. The page *Surfaces from points* has
-# figures for each method, *Meshes* what to do with a mesh: clean, simplify, smooth, texture.
+# Chapter 15 makes surfaces of depth pictures, which is better still where one has them. The page *Surfaces from
+# points* has figures for each method, *Meshes* what to do with a mesh: clean, simplify, smooth, texture.

@@ -2,18 +2,18 @@
 12. Watch an algorithm work
 ===========================
 
-An algorithm that fails is understood when one sees its steps. You learn to record them: as a page that plays in any browser
-without a server, as an animation for slides, and by hand for a loop of your own.
+An algorithm that fails is understood when one sees its steps. You learn to record them: as a page that plays in any
+browser without a server, as an animation for slides, and by hand for a loop of your own.
 """
 
 # %%
 # By itself
 # ---------
-# What runs inside ``with loom.record(...)`` is recorded: ICP, global registration, fusion, tracking, odometry, clusters,
-# planes. Nothing has to be changed in the code, and results are the same bits.
+# What runs inside ``with loom.record(...)`` is recorded: ICP, global registration, fusion, tracking, odometry,
+# clusters, planes. Nothing has to be changed in the code, and results are the same bits.
 #
-# In Open3D one opens a ``Visualizer`` and calls ``update_geometry``, ``poll_events`` and ``update_renderer`` in a loop, with a
-# window open; here no window is needed.
+# In Open3D one opens a ``Visualizer`` and calls ``update_geometry``, ``poll_events`` and ``update_renderer`` in a
+# loop, with a window open; here no window is needed.
 
 import tempfile
 from pathlib import Path
@@ -51,8 +51,8 @@ unwatched = reg.registration_icp(source, target, 0.02, np.eye(4), reg.Transforma
 assert np.array_equal(result.transformation, unwatched.transformation), "watching changes nothing"
 
 # %%
-# The page is one file: send it by mail, put it on a web site. It plays, stops, goes step by step, turns, and shows fitness
-# and error as plots.
+# The page is one file: send it by mail, put it on a web site. It plays, stops, goes step by step, turns, and shows
+# fitness and error as plots.
 
 page = folder / "icp.html"
 print(f"{page.stat().st_size / 1e6:.1f} MB")
@@ -61,11 +61,16 @@ assert page.stat().st_size < 5e6
 # %%
 # As an animation
 # ---------------
-# The suffix says what is written: ``.html``, ``.gif``, ``.webp``, or ``.mp4`` where the program ffmpeg is installed. For
-# slides a .webp is small and has full colours. Its view is chosen beforehand.
+# The suffix says what is written: ``.html``, ``.gif``, ``.webp``, or ``.mp4`` where the program ffmpeg is installed.
+# For slides a .webp is small and has full colours. Its view is chosen beforehand.
 
 small = loom.View.from_open3d(
-    (target.get_min_bound(), target.get_max_bound()), front=[0.3, -0.3, -1], up=[0, -1, 0], zoom=0.8, width=320, height=240
+    (target.get_min_bound(), target.get_max_bound()),
+    front=[0.3, -0.3, -1],
+    up=[0, -1, 0],
+    zoom=0.8,
+    width=320,
+    height=240,
 )
 with loom.record(folder / "icp.webp", fps=5, size=(320, 240), view=small):
     reg.registration_icp(source, target, 0.02, np.eye(4), reg.TransformationEstimationPointToPlane())
@@ -75,8 +80,9 @@ assert (folder / "icp.webp").stat().st_size > 1000
 # %%
 # By hand
 # -------
-# A loop of your own says what a frame is: ``add`` a shape, ``set_pose`` moves it, ``update`` replaces it, ``plot`` adds a
-# number, ``step`` ends the frame. Here ICP runs one iteration at a time, and the points take the colour of their distance.
+# A loop of your own says what a frame is: ``add`` a shape, ``set_pose`` moves it, ``update`` replaces it, ``plot``
+# adds a number, ``step`` ends the frame. Here ICP runs one iteration at a time, and the points take the colour of
+# their distance.
 
 ORANGE, BLUE = (1.0, 0.706, 0.0), (0.0, 0.55, 0.85)
 one = reg.ICPConvergenceCriteria(max_iteration=1)
@@ -92,14 +98,16 @@ with loom.record(folder / "by_hand.html", automatic=False, title="By hand") as r
         history.append(float(np.median(shown["apart"])))
         recording.plot("half of the points within [mm]", history[-1])
         recording.step(f"step {k}")
-        T = reg.registration_icp(source, target, 0.02, T, reg.TransformationEstimationPointToPlane(), one).transformation
+        T = reg.registration_icp(
+            source, target, 0.02, T, reg.TransformationEstimationPointToPlane(), one
+        ).transformation
 page = folder / "by_hand.html"
-print("half of the points within", history[0], "mm at first,", history[-1], "mm at last")
+print(f"half of the points within {history[0]:.1f} mm at first, {history[-1]:.1f} mm at last")
 assert history[-1] < 0.5 * history[0]
 
 # %%
-# The first and the last step as pictures, and in one picture the way of each step. A picture is an array: put two side by
-# side with NumPy.
+# The first and the last step as pictures, and in one picture the way of each step. A picture is an array: put two
+# side by side with NumPy.
 
 view = {"front": [0.35, -0.35, -1], "up": [0, -1, 0], "zoom": 0.62}
 
@@ -129,8 +137,8 @@ except loom.FileError as error:
 assert "html" in message
 
 # %%
-# **Large clouds.** More than ``max_points`` (200,000) are sampled, which the title says; the page would be slow otherwise.
-# **Ctrl-C** in the middle: what was recorded until then is written.
+# **Large clouds.** More than ``max_points`` (200,000) are sampled, which the title says; the page would be slow
+# otherwise. **Ctrl-C** in the middle: what was recorded until then is written.
 #
 # Try it
 # ------
@@ -139,5 +147,5 @@ assert "html" in message
 #
 # Where to go next
 # ----------------
-# The page *Recordings* lists what records itself. For a window that follows a running program see ``loom.Viewer`` on the
-# page *The viewer*. Chapter 13 follows a camera.
+# The page *Recordings* lists what records itself. For a window that follows a running program see ``loom.Viewer`` on
+# the page *The viewer*. Chapter 13 follows a camera.
