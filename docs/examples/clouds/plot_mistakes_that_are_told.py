@@ -13,7 +13,7 @@ import numpy as np
 
 import pointloom as loom
 
-cloud = loom.PointCloud(np.random.default_rng(0).random((5000, 3)))
+cloud = loom.data.object_mesh().sample_points_uniformly(20_000, seed=0).without("normals")
 
 # %%
 # **Errors.** All that the library raises about the world outside (files, devices, cameras, data sets) are kinds of
@@ -49,7 +49,7 @@ assert issubclass(loom.FileError, loom.PointloomError) and issubclass(loom.Devic
 # is warned.
 with warnings.catch_warnings(record=True) as caught:
     warnings.simplefilter("always")
-    cloud.voxel_down_sample(0.1)  # kept by nobody
+    cloud.voxel_down_sample(0.004)  # kept by nobody
 said = [warning for warning in caught if issubclass(warning.category, loom.DroppedResultWarning)]
 assert len(said) == 1
 print(said[0].message)
@@ -71,7 +71,7 @@ with warnings.catch_warnings():
 before = loom.get_verbosity_level()
 with loom.VerbosityContextManager(loom.VerbosityLevel.Error):
     print("inside:", loom.get_verbosity_level())
-    clusters = cloud.cluster_dbscan(0.05, 5)
+    clusters = cloud.cluster_dbscan(0.004, 5)
 assert loom.get_verbosity_level() == before
 loom.set_verbosity_level(loom.VerbosityLevel.Warning)
 print("now:", loom.get_verbosity_level())
@@ -79,10 +79,9 @@ loom.set_verbosity_level(before)
 
 # %%
 # What was asked for above, done right: kept, with normals, and seen.
-thin = cloud.voxel_down_sample(0.08).estimate_normals(max_nn=12)
-thin["density"] = np.asarray(loom.NearestNeighborSearch(cloud).radius_search(thin, 0.1).counts).astype(np.float32)
-picture = loom.render(
-    {"geometry": thin, "color_by": "density", "colormap": "viridis", "point_size": 9},
-    loom.fit_view(thin.points, width=960, height=640),
-    color_bar=True,
+thin = cloud.voxel_down_sample(0.004).estimate_normals(max_nn=16)
+thin = loom.estimate_curvature(thin, max_nn=30)
+view = loom.fit_view(
+    np.vstack([thin.points, thin.translate([0.24, 0, 0]).points]), direction=(-0.4, 0.8, -0.3), width=960, height=640
 )
+picture = loom.render([thin, {"geometry": thin.translate([0.24, 0, 0]), "color_by": "curvature"}], view, color_bar=True)

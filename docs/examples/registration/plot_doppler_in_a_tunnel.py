@@ -74,7 +74,8 @@ assert np.linalg.norm(found.transformation[:3, 3] - truth[:3, 3]) < 0.05
 # %%
 # The first scan by the speed of its points: blue comes nearer, red goes away, and the mirror between them is where
 # the car is.
-colored = {"geometry": first, "color_by": "dopplers", "colormap": "coolwarm", "limits": (-25, 25), "point_size": 3}
+near = first.select_by_mask(np.abs(first.points[:, 0]) < 22)
+colored = {"geometry": near, "color_by": "dopplers", "colormap": "coolwarm", "limits": (-25, 25), "point_size": 3}
 view = loom.fit_view(
     first.points[np.abs(first.points[:, 0]) < 30], direction=(0.45, 0.85, -0.35), width=960, height=560
 )
