@@ -43,7 +43,7 @@ def off(T):
 # %%
 # **In one call.** ``register_pair`` chooses the voxels, searches, refines and rates. ``poor`` is None, or says why
 # not to use it.
-pair = reg.register_pair(source, target)
+pair: reg.PairRegistration = reg.register_pair(source, target)
 print(pair)
 turn, distance = off(pair.transformation)
 print(f"{turn:.3f} degrees, {1000 * distance:.1f} mm from the truth")

@@ -53,7 +53,7 @@ assert 0.03 < right.mean() < 0.9
 # **Agree.** RANSAC draws triples and counts; the checkers refuse a triple cheaply: edges that differ in length,
 # normals that disagree. FGR minimises over all pairs with a robust kernel that tightens. The robust form looks for
 # pairs that keep their distances; it draws nothing.
-checkers = [
+checkers: list[reg.CorrespondenceChecker] = [
     reg.CorrespondenceCheckerBasedOnEdgeLength(0.9),
     reg.CorrespondenceCheckerBasedOnDistance(1.5 * voxel),
     reg.CorrespondenceCheckerBasedOnNormal(np.radians(40)),

@@ -48,7 +48,7 @@ def off(T):
 # The kinds. Point-to-plane lets surfaces slide along each other, which is why it needs few steps; generalised ICP
 # compares surface with surface; the symmetric one suits curved things; colours help where the shape alone leaves a
 # motion open.
-methods = {
+methods: dict[str, reg.TransformationEstimation] = {
     "point to point": reg.TransformationEstimationPointToPoint(),
     "point to plane": reg.TransformationEstimationPointToPlane(),
     "generalised": reg.TransformationEstimationForGeneralizedICP(),

@@ -26,12 +26,12 @@ print(drive.scans[0])
 # Scan by scan. ``voxel_size`` is the map's [m]: a hundredth of the range as a rule. The first scan is the world.
 odometry = reg.LidarOdometry(max_range=80.0, min_range=1.0)
 poses = [odometry.register(scan) for scan in drive.scans]
-last = odometry.steps[-1]
+last: reg.OdometryStep = odometry.steps[-1]
 print(f"last scan: fitness {last.fitness:.2f}, {last.inliers} inliers, {last.iterations} steps, {last.reason}")
 
 # %%
 # **The verdict** first. ``poor`` is None where nothing speaks against the path; else it says what does, in words.
-summary = odometry.summary
+summary: reg.OdometrySummary = odometry.summary
 print(summary)
 assert summary.poor is None
 
@@ -46,9 +46,12 @@ assert error.segment_translation < 1.0  # percent of the way
 
 # %%
 # The whole run in one call, from a folder of files or a list of clouds; written as a file that other programs read.
-again = reg.run_odometry(drive.scans[:8], max_range=80.0, min_range=1.0)
-assert np.array_equal(again.poses, path.poses[:8])  # the same bits
 with tempfile.TemporaryDirectory() as folder:
+    for k in range(8):
+        loom.write_point_cloud(Path(folder) / f"scan{k}.ply", drive.scans[k])
+    print([file.name for file in reg.list_scans(folder)])
+    again = reg.run_odometry(folder, max_range=80.0, min_range=1.0)
+    assert np.array_equal(again.poses, path.poses[:8])  # the same bits
     loom.write_trajectory(Path(folder) / "path.kitti", path)
     back = loom.read_trajectory(Path(folder) / "path.kitti")
 print("read back:", back.poses.shape, f"to {np.abs(back.poses - path.poses).max():.1e}")

@@ -69,10 +69,10 @@ graph = reg.PoseGraph([reg.PoseGraphNode(T) for T in poses], steps + closures)
 # **Optimise.** ``max_correspondence_distance`` is how far a right closure may miss [m], ``reference_node`` keeps its
 # pose. The result is a new graph; the report says how it went, and which edges it dropped.
 option = reg.GlobalOptimizationOption(max_correspondence_distance=0.3, edge_prune_threshold=0.25, reference_node=0)
-method = reg.GlobalOptimizationLevenbergMarquardt()
+method: reg.GlobalOptimizationMethod = reg.GlobalOptimizationLevenbergMarquardt()
 criteria = reg.GlobalOptimizationConvergenceCriteria(max_iteration=100)
 solved = reg.global_optimization(graph, method, criteria, option)
-report = solved.report
+report: reg.GlobalOptimizationReport = solved.report
 print(f"{report.iterations} steps, residual {report.initial_residual:.1f} to {report.residual:.3f}, {report.reason}")
 print("dropped:", [(graph.edges[k].source_node_id, graph.edges[k].target_node_id) for k in report.pruned_edges])
 after_path = loom.Trajectory(np.array([node.pose for node in solved.nodes]))

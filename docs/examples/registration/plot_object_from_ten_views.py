@@ -23,9 +23,11 @@ print(len(views.scans), "scans,", views.scans[0])
 
 # %%
 # The voxel is a tenth of what there is to recognise: 4 mm on a figure of 30 cm. Poses end up far finer than it.
-result = reg.register_fragments(views.scans, voxel_size=0.004)
+result: reg.FragmentsResult = reg.register_fragments(views.scans, voxel_size=0.004)
 print(result)
 assert result.placed.all()
+best: reg.FragmentPair = max(result.pairs, key=lambda pair: pair.fitness)
+print(f"scans {best.source} and {best.target} share most: {100 * best.fitness:.0f} %")
 print(
     f"{len(result.pairs)} of 45 pairs were believed; the least score "
     f"{min(pair.score for pair in result.pairs if np.isfinite(pair.score)):.2f}"

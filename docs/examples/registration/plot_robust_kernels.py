@@ -47,7 +47,7 @@ def off(T):
 # all. The generalised loss is all of them by one number. Geman and McClure's k is a squared length, here as in
 # Open3D.
 k = 0.02
-kernels = {
+kernels: dict[str, reg.RobustKernel] = {
     "L2 (least squares)": reg.L2Loss(),
     "L1": reg.L1Loss(),
     "Huber": reg.HuberLoss(k),

@@ -11,6 +11,11 @@ from pointloom.drawing.render.lettering import UNKNOWN, Lettering, lettering
 BLACK, RED = (0.0, 0.0, 0.0), (1.0, 0.0, 0.0)
 
 
+def test_a_canvas_becomes_a_picture_that_notebooks_show():
+    picture = Canvas.blank(3, 2, device="cpu").to_numpy()
+    assert picture.shape == (2, 3, 3) and picture._repr_png_().startswith(b"\x89PNG")
+
+
 def darkness(canvas):
     return 255 - canvas.to_numpy().min(axis=2).astype(int)
 
