@@ -33,7 +33,9 @@ corners = corners[~hole]
 turned = random.random(len(corners)) < 0.1
 corners[turned] = corners[turned][:, ::-1]
 twice = corners[random.choice(len(corners), 300, replace=False)]
-crumbs = random.uniform(whole.get_min_bound(), whole.get_max_bound(), (40, 1, 3)) + random.normal(0, 0.01 * size, (40, 3, 3))
+crumbs = random.uniform(whole.get_min_bound(), whole.get_max_bound(), (40, 1, 3)) + random.normal(
+    0, 0.01 * size, (40, 3, 3)
+)
 nothing = np.full((1, 3, 3), np.nan)
 soup = np.concatenate([corners, twice, crumbs, nothing])
 broken = loom.TriangleMesh(soup.reshape(-1, 3), np.arange(len(soup) * 3).reshape(-1, 3))
@@ -57,7 +59,9 @@ print(found)
 
 report = found.repair
 volume = found.mesh.get_volume()
-print(f"merged {report.merged_vertices} vertices, turned {report.flipped_triangles} triangles over, filled {report.filled_holes} holes")
+print(
+    f"merged {report.merged_vertices} vertices, turned {report.flipped_triangles} triangles over, filled {report.filled_holes} holes"
+)
 print(f"verdict: {found.poor or 'whole'}; volume {volume * 1e6:.1f} cm^3, true {whole.get_volume() * 1e6:.1f}")
 assert found.is_watertight and found.mesh.is_orientable() and found.mesh.is_vertex_manifold()
 assert report.removed_non_finite_triangles == 1

@@ -62,5 +62,12 @@ surface = loom.render(shown, view, (640, 640), color_bar=True)
 # How often is it off by how much? Plots are drawn by the same kernels; a canvas's pixels stand beside the picture.
 
 marks = [("median", float(np.median(errors)) * 1e3)]
-plot = loom.plots.histogram(errors * 1e3, labels=("error [mm]", "vertices"), colormap="viridis", color_limits=(0, high), marks=marks, size=(480, 640))
+plot = loom.plots.histogram(
+    errors * 1e3,
+    labels=("error [mm]", "vertices"),
+    colormap="viridis",
+    color_limits=(0, high),
+    marks=marks,
+    size=(480, 640),
+)
 picture = np.hstack([surface, plot.to_numpy()])

@@ -44,7 +44,9 @@ mesh.vertex_attributes["distance from the top [m]"] = mesh.compute_geodesic_dist
 away = mesh.vertex_attributes["distance from the top [m]"]
 straight = np.linalg.norm(mesh.vertices - mesh.vertices[top], axis=1)
 assert away[top] == 0 and (away >= straight - 1e-3).all(), "no way along the surface is shorter than the straight line"
-print(f"farthest from the top: {np.nanmax(away) * 100:.1f} cm along the surface, {straight.max() * 100:.1f} cm straight")
+print(
+    f"farthest from the top: {np.nanmax(away) * 100:.1f} cm along the surface, {straight.max() * 100:.1f} cm straight"
+)
 
 # %%
 # Ridges are red, valleys blue.
@@ -58,4 +60,6 @@ curvature = loom.render(bent, view, (800, 800), color_bar=True)
 # Rings of equal distance from the top, a band every 4 cm.
 
 mesh.vertex_attributes["from the top, in bands [m]"] = 0.04 * np.floor(away / 0.04)
-distances = loom.render({"geometry": mesh, "color_by": "from the top, in bands [m]", "colormap": "turbo"}, view, (800, 800), color_bar=True)
+distances = loom.render(
+    {"geometry": mesh, "color_by": "from the top, in bands [m]", "colormap": "turbo"}, view, (800, 800), color_bar=True
+)

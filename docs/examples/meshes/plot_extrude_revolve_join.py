@@ -87,6 +87,11 @@ assert len(table.triangles) == sum(len(mesh.triangles) for mesh in made)
 
 colors = [(0.55, 0.66, 0.76), (0.83, 0.52, 0.38), (0.62, 0.62, 0.66), (0.87, 0.72, 0.36)]
 scene = [{"geometry": mesh, "color": color} for mesh, color in zip(moved, colors)]
-scene.append({"geometry": loom.TriangleMesh.create_box(0.46, 0.16, 0.004).translate([-0.225, -0.08, -0.0041]), "color": (0.93, 0.93, 0.92)})
+scene.append(
+    {
+        "geometry": loom.TriangleMesh.create_box(0.46, 0.16, 0.004).translate([-0.225, -0.08, -0.0041]),
+        "color": (0.93, 0.93, 0.92),
+    }
+)
 view = {"front": [0.1, -1, 0.75], "up": [0, 0, 1], "field_of_view": 30, "zoom": 0.38}
 picture = loom.render(scene, view, (960, 640))

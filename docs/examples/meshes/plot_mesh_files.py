@@ -76,7 +76,9 @@ assert np.allclose(turned.vertices[:, 1], mesh.vertices[:, 2], atol=1e-6)
 baked = mesh.compute_uvatlas(1024, gutter=4).bake_vertex_colors(1024)
 loom.write_triangle_mesh(folder / "baked.glb", baked)
 textured = loom.read_triangle_mesh(folder / "baked.glb")
-print(f"{len(mesh.vertices)} vertices became {len(textured.vertices)} at the seams, a texture of {textured.textures[0].shape}")
+print(
+    f"{len(mesh.vertices)} vertices became {len(textured.vertices)} at the seams, a texture of {textured.textures[0].shape}"
+)
 assert textured.has_textures and len(textured.vertices) > len(mesh.vertices)
 
 view = {"front": [0.3, -1, 0.25], "up": [0, 0, 1], "field_of_view": 25, "zoom": 0.72}

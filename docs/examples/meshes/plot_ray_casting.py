@@ -34,7 +34,9 @@ second_id = scene.add_instance(owl_id, aside)
 # the direction the first hit is, infinite where there is none. As in Open3D, these rays have the middle of the first pixel at
 # (0.5, 0.5), everything else here at (0, 0): so half a pixel goes to the principal point.
 
-view = loom.fit_view(np.vstack([owl.vertices, owl.vertices + aside[:3, 3]]), direction=(0.35, 1, -0.45), width=960, height=640)
+view = loom.fit_view(
+    np.vstack([owl.vertices, owl.vertices + aside[:3, 3]]), direction=(0.35, 1, -0.45), width=960, height=640
+)
 K = view.intrinsic.intrinsic_matrix + np.array([[0, 0, 0.5], [0, 0, 0.5], [0, 0, 0]])
 rays = scene.create_rays_pinhole(K, np.linalg.inv(view.T_world_camera), 960, 640)
 hits = scene.cast_rays(rays)
@@ -70,7 +72,12 @@ print(f"{100 * dark.mean():.0f} % of what is seen lies in the shade")
 assert 0.05 < dark.mean() < 0.8
 
 light = np.clip((normals * to_lamp).sum(axis=1) / np.linalg.norm(to_lamp, axis=1), 0, 1)
-tint = np.array([{owl_id: (0.85, 0.6, 0.4), second_id: (0.5, 0.65, 0.85), floor_id: (0.93, 0.93, 0.9)}[int(g)] for g in hits["geometry_ids"][seen]])
+tint = np.array(
+    [
+        {owl_id: (0.85, 0.6, 0.4), second_id: (0.5, 0.65, 0.85), floor_id: (0.93, 0.93, 0.9)}[int(g)]
+        for g in hits["geometry_ids"][seen]
+    ]
+)
 lit = loom.PointCloud(places, colors=np.clip(tint * (0.35 + 0.65 * light * ~dark)[:, None], 0, 1))
 picture = loom.render({"geometry": lit, "shaded": False}, view)
 
@@ -99,7 +106,15 @@ field = loom.PointCloud(grid)
 field["signed distance [m]"] = signed
 section = owl.slice_plane([0, 0, 0], [0, 1, 0])
 shown = [
-    {"geometry": field, "color_by": "signed distance [m]", "colormap": "coolwarm", "limits": (-0.08, 0.08), "shaded": False},
+    {
+        "geometry": field,
+        "color_by": "signed distance [m]",
+        "colormap": "coolwarm",
+        "limits": (-0.08, 0.08),
+        "shaded": False,
+    },
     {"geometry": section, "line_width": 3},
 ]
-distances = loom.render(shown, {"front": [0, -1, 0], "up": [0, 0, 1], "field_of_view": 20, "zoom": 0.72}, (960, 640), color_bar=True)
+distances = loom.render(
+    shown, {"front": [0, -1, 0], "up": [0, 0, 1], "field_of_view": 20, "zoom": 0.72}, (960, 640), color_bar=True
+)

@@ -38,7 +38,7 @@ known = loom.SfmModel(names, [lens] * len(names), T_camera_world)
 #
 # Poses stay as they are. The verdict tells if they do not fit the pictures: a wrong lens, another order, mirrored axes.
 
-found = loom.sfm.triangulate(folder, known, max_features=1000)
+found = loom.sfm.triangulate(folder, known, max_size=480, max_features=1000)
 model = found.model
 print(model, "|", found.poor or "the poses fit")
 scene = loom.RaycastingScene()
@@ -69,7 +69,9 @@ for one, depth in zip(kept, shots.depths):
     errors.append(np.abs(found_depth - true)[known_here])
     shares.append(known_here.sum() / (true > 0).sum())
 middle = float(np.median(np.concatenate(errors)))
-print(f"{100 * np.mean(shares):.0f} % of what was photographed is confirmed, {middle * 1e3:.2f} mm off (median) at 0.6 m")
+print(
+    f"{100 * np.mean(shares):.0f} % of what was photographed is confirmed, {middle * 1e3:.2f} mm off (median) at 0.6 m"
+)
 assert np.mean(shares) > 0.3 and middle < 0.003
 
 # %%
@@ -80,14 +82,23 @@ assert np.mean(shares) > 0.3 and middle < 0.003
 
 cloud = loom.mvs.fuse(kept, small)
 mesh = loom.mvs.fuse(kept, small, to="tsdf")
-print(f"{len(cloud)} points, seen by {np.mean(cloud['views']):.1f} pictures in the mean; mesh of {len(mesh.triangles)} triangles")
+print(
+    f"{len(cloud)} points, seen by {np.mean(cloud['views']):.1f} pictures in the mean; mesh of {len(mesh.triangles)} triangles"
+)
 assert len(cloud) > 3000 and len(mesh.triangles) > 5000
 
 # %%
 # One of the photographs, the cameras with the shared points, and the mesh with its colours.
 
 frusta = [loom.CameraFrustum(camera, T, scale=0.08, color=(0.85, 0.35, 0.1)) for T in shots.poses[:count]]
-view = loom.fit_view(shots.poses[:count, :3, 3], direction=(0.3, 1, -0.7), width=640, height=640)
+view = loom.fit_view(
+    np.vstack([shots.poses[:count, :3, 3], loom.data.object_mesh().vertices]),
+    direction=(-0.6, 1, -0.7),
+    width=640,
+    height=640,
+)
 cameras = loom.render([{"geometry": model.point_cloud(), "point_size": 3}, *frusta], view)
-near = loom.fit_view(loom.data.object_mesh().vertices, direction=(-0.3, 1, -0.35), width=640, height=640)
+near = loom.fit_view(
+    loom.data.object_mesh().vertices, direction=tuple(shots.poses[count // 2, :3, 2]), width=640, height=640
+)
 surface = loom.render({"geometry": mesh, "shaded": False}, near)

@@ -30,7 +30,10 @@ scene = {
     "oriented box": {"geometry": box, "color": (0.15, 0.35, 0.65), "line_width": 2},
 }
 height = float((mesh.get_max_bound() - mesh.get_min_bound())[2])
-labels = [(f"{height * 100:.0f} cm", [mesh.get_max_bound()[0], 0, 0]), ("ear", mesh.vertices[mesh.vertices[:, 2].argmax()])]
+labels = [
+    (f"{height * 100:.0f} cm", [mesh.get_max_bound()[0], 0, 0]),
+    ("ear", mesh.vertices[mesh.vertices[:, 2].argmax()]),
+]
 
 # %%
 # The same view each time
@@ -40,7 +43,9 @@ labels = [(f"{height * 100:.0f} cm", [mesh.get_max_bound()[0], 0, 0]), ("ear", m
 # viewer copies with Ctrl+C, so a view that you found there by hand is the figure's.
 
 bounds = mesh.get_min_bound(), mesh.get_max_bound()
-view = loom.View.from_open3d(bounds, zoom=0.75, front=[0.5, -1, 0.35], up=[0, 0, 1], field_of_view=30, width=960, height=640)
+view = loom.View.from_open3d(
+    bounds, zoom=0.75, front=[0.5, -1, 0.35], up=[0, 0, 1], field_of_view=30, width=960, height=640
+)
 loom.write_view(folder / "view.json", view, bounds)
 again = loom.read_view(folder / "view.json", width=960, height=640)
 assert np.allclose(again.T_world_camera, view.T_world_camera, atol=1e-6)
@@ -55,7 +60,9 @@ assert np.array_equal(figure, loom.render(scene, view, legend=True, labels=label
 # `depth=True` gives the depth of each pixel [m] along the optical axis, for a figure of your own or as a sensor.
 
 depth = loom.render(mesh, view, depth=True)[1]
-print(f"the model covers {100 * (depth > 0).mean():.0f} % of the picture, {depth[depth > 0].min():.3f} to {depth.max():.3f} m away")
+print(
+    f"the model covers {100 * (depth > 0).mean():.0f} % of the picture, {depth[depth > 0].min():.3f} to {depth.max():.3f} m away"
+)
 assert (depth > 0).mean() > 0.05
 
 # %%
@@ -81,7 +88,9 @@ errors = loom.render(shown, view, color_bar=True, background=(0.94, 0.95, 0.96))
 # `loom.plots` draws histograms and curves as the pictures are drawn; `to_numpy` gives the pixels. What stands beside a picture by
 # NumPy is a picture.
 
-top = loom.plots.histogram(values, labels=("distance [mm]", "points"), marks=[("median", float(np.median(values)))], size=(480, 320))
+top = loom.plots.histogram(
+    values, labels=("distance [mm]", "points"), marks=[("median", float(np.median(values)))], size=(480, 320)
+)
 order = np.sort(values)
 share = {"scan": np.interp(np.linspace(0, 1, 101), np.arange(len(order)) / (len(order) - 1), order)}
 bottom = loom.plots.curves(share, x=np.arange(101), labels=("share of the points [%]", "within [mm]"), size=(480, 320))

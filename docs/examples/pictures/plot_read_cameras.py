@@ -26,7 +26,9 @@ names = [f"{i:02}.png" for i in range(len(shots))]
 
 points = loom.data.object_mesh().sample_points_poisson_disk(800)
 lens = loom.CameraModel.from_intrinsic(shots.intrinsic)
-model = loom.SfmModel(names, [lens] * len(names), np.linalg.inv(shots.poses), points.points, (points.colors * 255).astype(np.uint8))
+model = loom.SfmModel(
+    names, [lens] * len(names), np.linalg.inv(shots.poses), points.points, (points.colors * 255).astype(np.uint8)
+)
 loom.write_colmap_model(folder / "sparse", model, format="txt")
 back = loom.read_colmap_model(folder / "sparse")
 print(back)

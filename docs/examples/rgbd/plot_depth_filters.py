@@ -68,13 +68,16 @@ assert angles["smoothed"] < 0.7 * angles["measured"]
 # Smaller pictures
 # ----------------
 #
-# A pyramid for coarse-to-fine work: depth is averaged only with depth that lies near, colour with all. The camera of a level is
-# `camera.scaled(0.5)`.
+# A pyramid for coarse-to-fine work: depth is averaged only with depth that lies near, colour with all. Pixel (u, v) of a level lies at
+# (2 u, 2 v) of the one before, so its camera has half of all four numbers. (`camera.scaled(0.5)` is for pictures that were resized by
+# area: their borders keep their place.)
 
 levels = loom.create_depth_pyramid(smooth, 3, depth_scale=1.0)
 color = loom.pyrdown_color(noisy.color)
 assert np.array_equal(levels[1], loom.pyrdown_depth(levels[0], depth_scale=1.0))
-half = camera.scaled(0.5)
+half = loom.PinholeCameraIntrinsic(
+    camera.width // 2, camera.height // 2, *(0.5 * np.array([camera.fx, camera.fy, camera.cx, camera.cy]))
+)
 print([level.shape for level in levels], color.shape, f"focal length {camera.fx:.0f} to {half.fx:.0f} px")
 assert levels[1].shape == color.shape[:2] == (half.height, half.width)
 
@@ -83,7 +86,9 @@ assert levels[1].shape == color.shape[:2] == (half.height, half.width)
 
 halves = []
 for values in (depth, cut):
-    cloud = loom.PointCloud.from_depth_image(values, camera, depth_scale=1.0, depth_trunc=3.5).estimate_normals(radius=0.02, max_nn=12)
+    cloud = loom.PointCloud.from_depth_image(values, camera, depth_scale=1.0, depth_trunc=3.5).estimate_normals(
+        radius=0.02, max_nn=12
+    )
     cloud = cloud.orient_normals_towards_camera_location([0, 0, 0])
     view = loom.fit_view(cloud.points, direction=(0.35, 0.3, 1.0), up=(0, -1, 0), width=640, height=640)
     halves.append(loom.render({"geometry": cloud, "color": (0.8, 0.76, 0.7)}, view, (640, 640), shading="smooth"))

@@ -43,7 +43,11 @@ target = od.OdometryFrame(second.depth, camera, second.color, depth_scale=1.0)
 result = od.align_frames(source, target)
 assert result.success, result.reason
 print(f"fitness {result.fitness:.2f}, inlier rmse {result.inlier_rmse * 1e3:.1f} mm, {result.iterations} iterations")
-for name, method in {"both": od.Method.Hybrid, "surface": od.Method.PointToPlane, "brightness": od.Method.Intensity}.items():
+for name, method in {
+    "both": od.Method.Hybrid,
+    "surface": od.Method.PointToPlane,
+    "brightness": od.Method.Intensity,
+}.items():
     tried = od.align_frames(source, target, method=method)
     print(f"{name:10} off by {difference(tried.transformation)[0]:.3f} degrees, {difference(tried.transformation)[1]:.1f} mm"
           + ("" if tried.success else f"; {tried.reason}"))  # fmt: skip
@@ -68,11 +72,17 @@ assert not refused.success
 # wants of an edge.
 
 pair = [loom.RGBDImage(f.color, f.depth, depth_scale=1.0, depth_trunc=4.0) for f in (first, second)]
-success, T, information = od.compute_rgbd_odometry(*pair, camera, np.eye(4), od.RGBDOdometryJacobianFromHybridTerm(), od.OdometryOption())
+success, T, information = od.compute_rgbd_odometry(
+    *pair, camera, np.eye(4), od.RGBDOdometryJacobianFromHybridTerm(), od.OdometryOption()
+)
 assert success and information.shape == (6, 6)
-multi = od.rgbd_odometry_multi_scale(*pair, camera, depth_scale=1.0, criteria_list=[od.OdometryConvergenceCriteria(n) for n in (10, 5, 3)])
+multi = od.rgbd_odometry_multi_scale(
+    *pair, camera, depth_scale=1.0, criteria_list=[od.OdometryConvergenceCriteria(n) for n in (10, 5, 3)]
+)
 matrix = od.compute_odometry_information_matrix(first.depth, second.depth, camera, T, 0.03, depth_scale=1.0)
-print(f"Open3D's calls: off by {difference(T)[1]:.1f} and {difference(multi.transformation)[1]:.1f} mm; {matrix[5, 5]:.0f} pixels agree")
+print(
+    f"Open3D's calls: off by {difference(T)[1]:.1f} and {difference(multi.transformation)[1]:.1f} mm; {matrix[5, 5]:.0f} pixels agree"
+)
 assert difference(T)[1] < 20 and difference(multi.transformation)[1] < 20
 
 # %%
@@ -87,5 +97,9 @@ view = loom.fit_view(clouds[1].points, direction=(0.15, 0.75, 1.0), up=(0, -1, 0
 halves = []
 for moved in (clouds[0], clouds[0].transform(result.transformation)):
     scene = [{"geometry": cloud, "color": color} for cloud, color in zip((moved, clouds[1]), colors)]
-    halves.append(loom.render(scene, view, (640, 640), legend=[("first frame", colors[0]), ("second frame", colors[1])], point_size=2.5))
+    halves.append(
+        loom.render(
+            scene, view, (640, 640), legend=[("first frame", colors[0]), ("second frame", colors[1])], point_size=2.5
+        )
+    )
 picture = np.hstack(halves)

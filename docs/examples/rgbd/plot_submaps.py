@@ -48,7 +48,10 @@ assert both.frame_count == len(halves[0]) + len(halves[1]) and np.median(error) 
 # It goes on: a joined volume takes more frames, and is kept in a file.
 
 more = frames[5]
-assert both.integrate(more.depth, camera, np.linalg.inv(more.T_world_camera), more.color, depth_scale=1.0, depth_max=4.0) > 0
+assert (
+    both.integrate(more.depth, camera, np.linalg.inv(more.T_world_camera), more.color, depth_scale=1.0, depth_max=4.0)
+    > 0
+)
 
 # %%
 # A run in pieces
@@ -73,10 +76,14 @@ true = np.array([frames[i].T_world_camera for i in numbers])
 
 def worst(found):
     """The largest error of a place [mm], counted from the first frame."""
-    return 1e3 * float(np.linalg.norm(found[:, :3, 3] - true[:, :3, 3] - found[0, :3, 3] + true[0, :3, 3], axis=1).max())
+    return 1e3 * float(
+        np.linalg.norm(found[:, :3, 3] - true[:, :3, 3] - found[0, :3, 3] + true[0, :3, 3], axis=1).max()
+    )
 
 
-print(f"{len(submaps)} submaps, {len(closure.loops)} loops; worst place {worst(np.array(drifted)[numbers]):.0f} mm, corrected {worst(poses):.0f} mm")
+print(
+    f"{len(submaps)} submaps, {len(closure.loops)} loops; worst place {worst(np.array(drifted)[numbers]):.0f} mm, corrected {worst(poses):.0f} mm"
+)
 assert len(closure.loops) > 0 and worst(poses) < worst(np.array(drifted)[numbers])
 model = loom.slam.fuse_submaps(submaps, closure.T_world_submap).extract_triangle_mesh(weight_threshold=3)
 assert len(model.triangles) > 10_000
@@ -89,6 +96,9 @@ T[:3, 3] -= 0.6 * T[:3, 2]
 view = loom.View(loom.PinholeCameraIntrinsic(640, 640, 560.0, 560.0, 319.5, 319.5), T)
 pieces = [volume.extract_triangle_mesh(weight_threshold=3).transform(start) for volume, start in zip(volumes, starts)]
 colors = {"first scan": (0.9, 0.6, 0.25), "second scan": (0.3, 0.55, 0.8)}
-scene = {name: {"geometry": piece, "color": color, "back_faces": False} for piece, (name, color) in zip(pieces, colors.items())}
+scene = {
+    name: {"geometry": piece, "color": color, "back_faces": False}
+    for piece, (name, color) in zip(pieces, colors.items())
+}
 parts = loom.render(scene, view, legend=True)
 joined = loom.render({"geometry": mesh, "shaded": False, "back_faces": False}, view)

@@ -53,7 +53,9 @@ pictures = [loom.RGBDImage(frame.color, frame.depth, depth_scale=1.0, depth_trun
 option = loom.color_map.RigidOptimizerOption(maximum_iteration=10, maximum_allowable_depth=4.0)
 world_to_camera = loom.Trajectory(np.array(poses))
 rigid = loom.color_map.run_rigid_optimizer(mesh, pictures, world_to_camera, option, intrinsic=camera)
-print(f"by Open3D's name: {rigid.residual_before:.4f} before, {rigid.residual:.4f} after; {100 * rigid.seen.mean():.0f} % of the vertices seen")
+print(
+    f"by Open3D's name: {rigid.residual_before:.4f} before, {rigid.residual:.4f} after; {100 * rigid.seen.mean():.0f} % of the vertices seen"
+)
 assert rigid.residual < rigid.residual_before
 
 # %%

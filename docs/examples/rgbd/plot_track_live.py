@@ -55,6 +55,7 @@ assert len(results) + frames.dropped == len(recorded)
 path = loom.track(loom.frames_from(recorded, camera, depth_scale=1.0), voxel_size=0.03)
 print(path)
 error = path.error
+print(f"off the true path by {error.ate.rmse * 1e3:.1f} mm (rms)")
 assert path.poor is None and not path.lost and len(path.trajectory) == len(recorded)
 
 # %%
@@ -69,7 +70,13 @@ assert last.pose is not None
 
 mesh = slam.extract_triangle_mesh()
 poses = [result.pose for result in results if result.pose is not None]
-cameras = [loom.CameraFrustum(camera, T, scale=0.2, color=(0.85, 0.3, 0.1)) for T in poses[::4]]
-view = loom.fit_view(mesh.vertices, direction=(0.3, 1.0, -0.9), width=960, height=640)
-shown = [{"geometry": mesh, "shaded": False, "back_faces": False}, *cameras, {"geometry": slam.trajectory, "color": (0.1, 0.3, 0.8)}]
-picture = loom.render(shown, view, (960, 640))
+cameras = [loom.CameraFrustum(camera, T, scale=0.15, color=(0.85, 0.3, 0.1)) for T in poses[::3]]
+T = poses[len(poses) // 2].copy()
+T[:3, 3] -= 0.7 * T[:3, 2]
+view = loom.View(loom.PinholeCameraIntrinsic(960, 640, 760.0, 760.0, 479.5, 319.5), T)
+shown = [
+    {"geometry": mesh, "shaded": False, "back_faces": False},
+    *cameras,
+    {"geometry": slam.trajectory, "color": (0.1, 0.3, 0.8)},
+]
+picture = loom.render(shown, view)
