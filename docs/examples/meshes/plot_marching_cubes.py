@@ -2,8 +2,8 @@
 A surface from your own function
 ================================
 
-Anything that gives a number for each place has a surface where the number passes a level: formulas, simulations, CT scans, networks.
-`marching_cubes` takes the samples on a grid and gives a mesh with shared vertices.
+Anything that gives a number for each place has a surface where the number passes a level: formulas, simulations, CT
+scans, networks. ``marching_cubes`` takes the samples on a grid and gives a mesh with shared vertices.
 """
 
 import numpy as np
@@ -14,8 +14,8 @@ import pointloom as loom
 # A formula
 # ---------
 #
-# The gyroid, cut by a ball: a body that 3D printers fill parts with. The field is below the level inside. `spacing` [m] is the
-# distance of samples and `origin` where the first one lies.
+# The gyroid, cut by a ball: a body that 3D printers fill parts with. The field is below the level inside. ``spacing``
+# [m] is the distance of samples and ``origin`` where the first one lies.
 
 n, size = 120, 0.1
 step = size / (n - 1)
@@ -38,8 +38,8 @@ assert mesh.is_watertight() and abs(mesh.get_volume() / inside - 1) < 0.02
 # How exact?
 # ----------
 #
-# A distance field is linear across its surface, so vertices lie on it but for the curvature within a cell. Of a ball we know the
-# truth; twice the samples are four times as exact.
+# A distance field is linear across its surface, so vertices lie on it but for the curvature within a cell. Of a ball we
+# know the truth; twice the samples are four times as exact.
 
 for count in (20, 40, 80):
     axis = np.linspace(-1.2, 1.2, count)
@@ -55,7 +55,7 @@ for count in (20, 40, 80):
 # Several levels at once
 # ----------------------
 #
-# `create_isosurfaces` takes a list of values, in units of samples: shells of a simulation, layers of a scan.
+# ``create_isosurfaces`` takes a list of values, in units of samples: shells of a simulation, layers of a scan.
 
 shells = loom.TriangleMesh.create_isosurfaces(radius.astype(np.float32), [0.02, 0.03, 0.04])
 assert len(shells.cluster_connected_triangles()[1]) == 3

@@ -2,8 +2,9 @@
 Photographs with known poses to points, depth and a mesh
 ========================================================
 
-A turntable, a robot or Metashape knows where each photograph was taken. `loom.sfm.triangulate` finds points that they share and checks
-the poses; `loom.mvs` finds the depth of every pixel, keeps what several pictures confirm, and makes a cloud or a mesh.
+A turntable, a robot or Metashape knows where each photograph was taken. ``loom.sfm.triangulate`` finds points that they
+share and checks the poses; ``loom.mvs`` finds the depth of every pixel, keeps what several pictures confirm, and makes
+a cloud or a mesh.
 """
 
 import tempfile
@@ -17,8 +18,8 @@ import pointloom as loom
 # Photographs
 # -----------
 #
-# Made ones, round a figure on a cloth, so that the truth is known. On disk, since the matcher (COLMAP's, of the extra "sfm") reads
-# files. Poses here are camera to world; photogrammetry keeps world to camera.
+# Made ones, round a figure on a cloth, so that the truth is known. On disk, since the matcher (COLMAP's, of the extra
+# "sfm") reads files. Poses here are camera to world; photogrammetry keeps world to camera.
 
 count = 8  # of 24 round the figure: 15 degrees apart
 shots = loom.data.photographs(24)
@@ -26,7 +27,7 @@ camera = shots.intrinsic.scaled(0.25)
 folder = Path(tempfile.mkdtemp()) / "photos"
 folder.mkdir()
 names = [f"{i:02}.png" for i in range(count)]
-for name, taken in zip(names, shots.pictures):
+for name, taken in zip(names, shots.pictures, strict=False):
     loom.save_picture(folder / name, taken)
 T_camera_world = np.linalg.inv(shots.poses[:count])
 lens = loom.CameraModel.from_intrinsic(shots.intrinsic)
@@ -52,8 +53,8 @@ assert found.poor is None and np.median(error) < 0.003
 # Depth of every pixel
 # --------------------
 #
-# A quarter of the size here, for time. Each picture is compared with others that see the same under good angles; then depth that fewer than two
-# others confirm goes.
+# A quarter of the size here, for time. Each picture is compared with others that see the same under good angles; then
+# depth that fewer than two others confirm goes.
 
 posed = [loom.mvs.PosedCamera(camera, T) for T in T_camera_world]
 small = [
@@ -63,7 +64,7 @@ small = [
 maps = loom.mvs.estimate_depth_maps(small, posed, model)
 kept = loom.mvs.filter_depth_maps(maps)
 errors, shares = [], []
-for one, depth in zip(kept, shots.depths):
+for one, depth in zip(kept, shots.depths, strict=False):
     true, found_depth = 0.5 * (depth[1::4, 1::4] + depth[2::4, 2::4]), np.asarray(one.depth)
     known_here = (found_depth > 0) & (true > 0)
     errors.append(np.abs(found_depth - true)[known_here])
@@ -78,12 +79,14 @@ assert np.mean(shares) > 0.3 and middle < 0.003
 # One cloud, or one mesh
 # ----------------------
 #
-# Each place once, with normals, colours, and by how many pictures it was seen. `to="tsdf"` or `to="poisson"` gives a mesh.
+# Each place once, with normals, colours, and by how many pictures it was seen. ``to="tsdf"`` or ``to="poisson"`` gives
+# a mesh.
 
 cloud = loom.mvs.fuse(kept, small)
 mesh = loom.mvs.fuse(kept, small, to="tsdf")
 print(
-    f"{len(cloud)} points, seen by {np.mean(cloud['views']):.1f} pictures in the mean; mesh of {len(mesh.triangles)} triangles"
+    f"{len(cloud)} points, seen by {np.mean(cloud['views']):.1f} "
+    f"pictures in the mean; mesh of {len(mesh.triangles)} triangles"
 )
 assert len(cloud) > 3000 and len(mesh.triangles) > 5000
 

@@ -2,8 +2,8 @@
 A picture for a paper
 =====================
 
-Figures want the same view each time, a legend, labels, a scale and no window. `loom.render` draws without a display or a graphics
-library, on any machine the same bits; views come from Open3D's viewer too; plots stand beside it.
+Figures want the same view each time, a legend, labels, a scale and no window. ``loom.render`` draws without a display
+or a graphics library, on any machine the same bits; views come from Open3D's viewer too; plots stand beside it.
 """
 
 import tempfile
@@ -39,8 +39,8 @@ labels = [
 # The same view each time
 # -----------------------
 #
-# `front`, `up`, `zoom` and `field_of_view` are Open3D's. A `View` is a camera and its pose; it can be kept as the JSON that Open3D's
-# viewer copies with Ctrl+C, so a view that you found there by hand is the figure's.
+# ``front``, ``up``, ``zoom`` and ``field_of_view`` are Open3D's. A ``View`` is a camera and its pose; it can be kept as
+# the JSON that Open3D's viewer copies with Ctrl+C, so a view that you found there by hand is the figure's.
 
 bounds = mesh.get_min_bound(), mesh.get_max_bound()
 view = loom.View.from_open3d(
@@ -57,11 +57,12 @@ assert np.array_equal(figure, loom.render(scene, view, legend=True, labels=label
 # Depth as numbers
 # ----------------
 #
-# `depth=True` gives the depth of each pixel [m] along the optical axis, for a figure of your own or as a sensor.
+# ``depth=True`` gives the depth of each pixel [m] along the optical axis, for a figure of your own or as a sensor.
 
 depth = loom.render(mesh, view, depth=True)[1]
 print(
-    f"the model covers {100 * (depth > 0).mean():.0f} % of the picture, {depth[depth > 0].min():.3f} to {depth.max():.3f} m away"
+    f"the model covers {100 * (depth > 0).mean():.0f} % of the "
+    f"picture, {depth[depth > 0].min():.3f} to {depth.max():.3f} m away"
 )
 assert (depth > 0).mean() > 0.05
 
@@ -69,7 +70,8 @@ assert (depth > 0).mean() > 0.05
 # A value as colour, with its scale
 # ---------------------------------
 #
-# Of clouds and meshes: "height", "normal", "label", or any attribute. Colour maps are viridis, turbo, coolwarm, gray and jet.
+# Of clouds and meshes: "height", "normal", "label", or any attribute. Colour maps are viridis, turbo, coolwarm, gray
+# and jet.
 
 scene = loom.RaycastingScene()
 scene.add_triangles(mesh)
@@ -85,8 +87,8 @@ errors = loom.render(shown, view, color_bar=True, background=(0.94, 0.95, 0.96))
 # Plots
 # -----
 #
-# `loom.plots` draws histograms and curves as the pictures are drawn; `to_numpy` gives the pixels. What stands beside a picture by
-# NumPy is a picture.
+# ``loom.plots`` draws histograms and curves as the pictures are drawn; ``to_numpy`` gives the pixels. What stands
+# beside a picture by NumPy is a picture.
 
 top = loom.plots.histogram(
     values, labels=("distance [mm]", "points"), marks=[("median", float(np.median(values)))], size=(480, 320)

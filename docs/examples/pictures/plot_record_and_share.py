@@ -2,8 +2,8 @@
 Record what an algorithm does, and send it
 ==========================================
 
-A fusion, a registration or a track as one page that plays offline: turn it, scrub it, no server and no install. The same as .gif, .webp
-or .mp4 for slides. And a viewer's scene saved as a page for others.
+A fusion, a registration or a track as one page that plays offline: turn it, scrub it, no server and no install. The
+same as .gif, .webp or .mp4 for slides. And a viewer's scene saved as a page for others.
 """
 
 import tempfile
@@ -19,8 +19,8 @@ folder = Path(tempfile.mkdtemp())
 # Watch a fusion
 # --------------
 #
-# Everything that fuses, registers, tracks or clusters inside the block is recorded; results are the same bits with and without. The
-# suffix says the format.
+# Everything that fuses, registers, tracks or clusters inside the block is recorded; results are the same bits with and
+# without. The suffix says the format.
 
 frames = loom.data.room_frames(16)
 camera = frames[0].intrinsic
@@ -34,7 +34,8 @@ assert page.read_text(encoding="utf-8", errors="ignore").lstrip().lower().starts
 # Steps of your own
 # -----------------
 #
-# `add` shows a geometry, `set_pose` moves it, `plot` adds a number, `step` ends a frame of the recording. Here as an animation file.
+# ``add`` shows a geometry, ``set_pose`` moves it, ``plot`` adds a number, ``step`` ends a frame of the recording. Here
+# as an animation file.
 
 figure = loom.data.object_mesh().simplify_quadric_decimation(6000)
 turning = folder / "turn.gif"
@@ -54,7 +55,8 @@ assert turning.read_bytes()[:4] == b"GIF8"
 # A scene for a colleague
 # -----------------------
 #
-# `loom.Viewer` is the live viewer; `save_html` writes what it shows as one page that opens anywhere. No browser is needed for that.
+# ``loom.Viewer`` is the live viewer; ``save_html`` writes what it shows as one page that opens anywhere. No browser is
+# needed for that.
 
 viewer = loom.Viewer(port=0)
 viewer.add("room", result.mesh)

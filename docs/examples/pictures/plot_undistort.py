@@ -2,8 +2,8 @@
 Straighten a lens
 =================
 
-Wide lenses bend lines. Depth, stereo and fusion want a pinhole: `undistort_picture` gives the straight picture and its camera.
-`CameraModel` knows the lenses of COLMAP, OpenCV and Metashape.
+Wide lenses bend lines. Depth, stereo and fusion want a pinhole: ``undistort_picture`` gives the straight picture and
+its camera. ``CameraModel`` knows the lenses of COLMAP, OpenCV and Metashape.
 """
 
 import numpy as np
@@ -14,8 +14,8 @@ import pointloom as loom
 # A lens
 # ------
 #
-# OpenCV's model: focal lengths, principal point, two radial and two tangential coefficients. The numbers are as COLMAP's files have
-# them; pixels that `project` gives have the middle of the first one at (0, 0).
+# OpenCV's model: focal lengths, principal point, two radial and two tangential coefficients. The numbers are as
+# COLMAP's files have them; pixels that ``project`` gives have the middle of the first one at (0, 0).
 
 lens = loom.CameraModel("OPENCV", 960, 640, [620.0, 620.0, 480.0, 320.0, -0.28, 0.07, 0.0005, -0.0004])
 rays = np.array([[0.0, 0, 1], [0.5, 0.3, 1], [-0.6, 0.35, 1]])
@@ -27,7 +27,8 @@ assert np.allclose(lens.unproject(pixels)[:, :2] / lens.unproject(pixels)[:, 2:]
 # A bent picture
 # --------------
 #
-# What this lens would have taken: we draw the scene with a wide pinhole and look up, for each pixel of the lens, where its ray goes.
+# What this lens would have taken: we draw the scene with a wide pinhole and look up, for each pixel of the lens, where
+# its ray goes.
 
 mesh = loom.data.room_mesh()
 eye = loom.data.room_frames(1)[0].T_world_camera
@@ -48,7 +49,8 @@ del ideal
 # Straight
 # --------
 #
-# `blank_share` 0 keeps the rectangle that is full everywhere, 1 all that the lens saw. The camera that comes with it is a pinhole.
+# ``blank_share`` 0 keeps the rectangle that is full everywhere, 1 all that the lens saw. The camera that comes with it
+# is a pinhole.
 
 straight, camera = loom.undistort_picture(bent, lens, size=(960, 640))
 print(camera)
@@ -67,7 +69,7 @@ print(
 assert difference < 30
 
 # %%
-# Many pictures of one lens: the places are computed once, and `seen` tells which pixels the lens showed.
+# Many pictures of one lens: the places are computed once, and ``seen`` tells which pixels the lens showed.
 
 undistortion = loom.Undistortion(lens, blank_share=1.0)
 whole = undistortion.apply(bent)

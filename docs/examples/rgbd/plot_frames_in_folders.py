@@ -2,8 +2,8 @@
 Frames in and out of folders
 ============================
 
-Record a depth camera, look into the recording, and read data sets in the layouts of others (7-Scenes, Redwood, TUM, plain pictures).
-Whatever gives frames is a source, and every source goes into everything that takes frames.
+Record a depth camera, look into the recording, and read data sets in the layouts of others (7-Scenes, Redwood, TUM,
+plain pictures). Whatever gives frames is a source, and every source goes into everything that takes frames.
 """
 
 import tempfile
@@ -19,8 +19,8 @@ folder = Path(tempfile.mkdtemp())
 # A source of your own
 # --------------------
 #
-# Pairs of colour and depth, from a list, a generator or your camera's loop. Depth is uint16 in units of `depth_scale`, or float32 in
-# metres; 8-bit depth is refused, since it is a picture of depth and holds none.
+# Pairs of colour and depth, from a list, a generator or your camera's loop. Depth is uint16 in units of
+# ``depth_scale``, or float32 in metres; 8-bit depth is refused, since it is a picture of depth and holds none.
 
 frames = loom.data.room_frames(12)
 camera = frames[0].intrinsic
@@ -35,8 +35,8 @@ except TypeError as error:
 # Record it
 # ---------
 #
-# A recording is a folder of PNGs in the layout of 7-Scenes, with the camera and the times. It can be read at any moment, after a full
-# disk too. `FrameRecorder` writes single frames, for a loop that does something else as well.
+# A recording is a folder of PNGs in the layout of 7-Scenes, with the camera and the times. It can be read at any
+# moment, after a full disk too. ``FrameRecorder`` writes single frames, for a loop that does something else as well.
 
 count = loom.record_frames(source, folder / "take-1")
 print(count, "frames,", sorted(path.name for path in (folder / "take-1").iterdir())[:4])
@@ -49,7 +49,7 @@ assert count == 12 and recorder.count == 5
 # Read it back
 # ------------
 #
-# `open_frames` finds the layout by itself; frames are decoded when they come. Depth was rounded to whole millimetres.
+# ``open_frames`` finds the layout by itself; frames are decoded when they come. Depth was rounded to whole millimetres.
 
 recorded = loom.open_frames(folder / "take-1")
 print(recorded.intrinsic, "depth scale", recorded.depth_scale)
@@ -82,7 +82,8 @@ for wrong in (folder, folder / "take-3"):
         print(str(error).replace(str(folder), "..."))
 
 # %%
-# Straight into the rest: the recording as a mesh. Our frames came with poses, so the folder has them; `open_dataset` wants them.
+# Straight into the rest: the recording as a mesh. Our frames came with poses, so the folder has them; ``open_dataset``
+# wants them.
 
 result = loom.fuse(loom.open_dataset(folder / "take-1"), voxel_size=0.03)
 assert result.poor is None and result.frame_count == 12

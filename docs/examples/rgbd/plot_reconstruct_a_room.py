@@ -2,8 +2,8 @@
 Reconstruct a room from frames without poses
 ============================================
 
-A depth camera was carried through a room and nothing else is known. One call tracks it, fuses what it saw and says whether the result
-is to be believed. `check_focal` asks whether the camera's focal length fits its frames.
+A depth camera was carried through a room and nothing else is known. One call tracks it, fuses what it saw and says
+whether the result is to be believed. ``check_focal`` asks whether the camera's focal length fits its frames.
 """
 
 import numpy as np
@@ -14,7 +14,7 @@ import pointloom as loom
 # Frames alone
 # ------------
 #
-# The true poses are taken away, to be compared with at the end. For a folder: `loom.open_frames(folder)`.
+# The true poses are taken away, to be compared with at the end. For a folder: ``loom.open_frames(folder)``.
 
 recorded = loom.data.room_frames(32)
 camera = recorded[0].intrinsic
@@ -24,7 +24,7 @@ source = loom.frames_from([(frame.color, frame.depth) for frame in recorded], ca
 # One call
 # --------
 #
-# `voxel_size` [m]: 3 cm for a quick look, 1 cm for keeps. `print` tells what happened to the frames.
+# ``voxel_size`` [m]: 3 cm for a quick look, 1 cm for keeps. ``print`` tells what happened to the frames.
 
 result = loom.reconstruct(source, voxel_size=0.03)
 print(result)
@@ -33,8 +33,8 @@ print(result)
 # The verdict
 # -----------
 #
-# `poor` is None, or says what speaks against the result: frames that were lost and why, maps that do not belong together, a focal length
-# that does not fit.
+# ``poor`` is None, or says what speaks against the result: frames that were lost and why, maps that do not belong
+# together, a focal length that does not fit.
 
 print("verdict:", result.poor or "believed")
 assert result.poor is None
@@ -51,7 +51,8 @@ true = np.array([frame.T_world_camera for frame in recorded])
 error = np.linalg.norm(poses[:, :3, 3] - true[:, :3, 3], axis=1)
 way = np.linalg.norm(np.diff(true[:, :3, 3], axis=0), axis=1).sum()
 print(
-    f"a way of {way:.1f} m; places off by {np.sqrt((error**2).mean()) * 1e3:.1f} mm (rms), {error.max() * 1e3:.1f} mm at most"
+    f"a way of {way:.1f} m; places off by {np.sqrt((error**2).mean()) * 1e3:.1f} "
+    f"mm (rms), {error.max() * 1e3:.1f} mm at most"
 )
 assert error.max() < 0.05
 
@@ -68,8 +69,8 @@ assert np.median(off) < 0.02
 # Is it the right camera?
 # -----------------------
 #
-# Frames that are a fifth wrong in focal length make a room that looks right and has wrong lengths. `check_focal` turns other
-# frames onto each other and asks which focal length fits best: `factor` 1 means the one given.
+# Frames that are a fifth wrong in focal length make a room that looks right and has wrong lengths. ``check_focal``
+# turns other frames onto each other and asks which focal length fits best: ``factor`` 1 means the one given.
 
 check = loom.check_focal(loom.frames_from(recorded, camera, depth_scale=1.0), result.trajectory)
 print(

@@ -2,8 +2,8 @@
 Join volumes: several scans, one model
 ======================================
 
-Two people scan two halves of a room, or a long scan is kept in pieces that move when a loop closes. `fuse_volumes` makes one volume of
-several, as if all frames had gone into one; submaps do it for a whole run.
+Two people scan two halves of a room, or a long scan is kept in pieces that move when a loop closes. ``fuse_volumes``
+makes one volume of several, as if all frames had gone into one; submaps do it for a whole run.
 """
 
 import numpy as np
@@ -33,7 +33,8 @@ for part in halves:
 # One of both
 # -----------
 #
-# Given where they lie: here by the true poses, else by registration of their clouds (`loom.registration.register_globally`).
+# Given where they lie: here by the true poses, else by registration of their clouds
+# (``loom.registration.register_globally``).
 
 both = loom.fuse_volumes(volumes, starts)
 mesh = both.extract_triangle_mesh(weight_threshold=3)
@@ -57,8 +58,9 @@ assert (
 # A run in pieces
 # ---------------
 #
-# `SubmapRecorder` cuts a run of posed frames into submaps that share their last frames. We add drift: each pose is a little more wrong
-# than the one before. `close_loops` finds submaps that show the same place and moves them; poses follow by `corrected_trajectory`.
+# ``SubmapRecorder`` cuts a run of posed frames into submaps that share their last frames. We add drift: each pose is a
+# little more wrong than the one before. ``close_loops`` finds submaps that show the same place and moves them; poses
+# follow by ``corrected_trajectory``.
 
 drifted = []
 for i, frame in enumerate(frames):
@@ -66,7 +68,7 @@ for i, frame in enumerate(frames):
     T[:3, 3] += 0.002 * i * np.array([1.0, 0.5, 0.0])
     drifted.append(T)
 recorder = loom.slam.SubmapRecorder(camera, voxel_size=0.03, depth_scale=1.0, frames=8, shared=0.25)
-for frame, T in zip(frames, drifted):
+for frame, T in zip(frames, drifted, strict=False):
     recorder.add(frame.depth, T, frame.color)
 submaps = recorder.finish()
 closure = loom.slam.close_loops(submaps)
@@ -82,7 +84,8 @@ def worst(found):
 
 
 print(
-    f"{len(submaps)} submaps, {len(closure.loops)} loops; worst place {worst(np.array(drifted)[numbers]):.0f} mm, corrected {worst(poses):.0f} mm"
+    f"{len(submaps)} submaps, {len(closure.loops)} loops; worst place "
+    f"{worst(np.array(drifted)[numbers]):.0f} mm, corrected {worst(poses):.0f} mm"
 )
 assert len(closure.loops) > 0 and worst(poses) < worst(np.array(drifted)[numbers])
 model = loom.slam.fuse_submaps(submaps, closure.T_world_submap).extract_triangle_mesh(weight_threshold=3)
@@ -94,11 +97,14 @@ assert len(model.triangles) > 10_000
 T = frames[12].T_world_camera.copy()
 T[:3, 3] -= 0.6 * T[:3, 2]
 view = loom.View(loom.PinholeCameraIntrinsic(640, 640, 560.0, 560.0, 319.5, 319.5), T)
-pieces = [volume.extract_triangle_mesh(weight_threshold=3).transform(start) for volume, start in zip(volumes, starts)]
+pieces = [
+    volume.extract_triangle_mesh(weight_threshold=3).transform(start)
+    for volume, start in zip(volumes, starts, strict=False)
+]
 colors = {"first scan": (0.9, 0.6, 0.25), "second scan": (0.3, 0.55, 0.8)}
 scene = {
     name: {"geometry": piece, "color": color, "back_faces": False}
-    for piece, (name, color) in zip(pieces, colors.items())
+    for piece, (name, color) in zip(pieces, colors.items(), strict=False)
 }
 parts = loom.render(scene, view, legend=True)
 joined = loom.render({"geometry": mesh, "shaded": False, "back_faces": False}, view)

@@ -2,9 +2,10 @@
 Track a depth camera live
 =========================
 
-Where is the camera, right now, and what has it seen? `DenseSLAM` finds each frame against a model that grows, and says of each whether
-to believe it. `LatestFrames` keeps up with a camera: it reads in a thread and hands out the newest frame. A list of frames stands in
-for the camera; `loom.RealSenseCamera()` or `loom.AzureKinectCamera()` take its place.
+Where is the camera, right now, and what has it seen? ``DenseSLAM`` finds each frame against a model that grows, and
+says of each whether to believe it. ``LatestFrames`` keeps up with a camera: it reads in a thread and hands out the
+newest frame. A list of frames stands in for the camera; ``loom.RealSenseCamera()`` or ``loom.AzureKinectCamera()`` take
+its place.
 """
 
 import time
@@ -32,9 +33,10 @@ def live(frames, rate):
 # Follow it
 # ---------
 #
-# `step` takes a frame and returns a verdict: tracked, uncertain or lost, with the reason; what is lost is not guessed. Frames that
-# come while we compute are dropped and counted: late ones would be worth nothing. A slow computer sees fewer frames, which are
-# farther apart, and still knows where it is. The thread ends with the `with` block, by an error or Ctrl-C too.
+# ``step`` takes a frame and returns a verdict: tracked, uncertain or lost, with the reason; what is lost is not
+# guessed. Frames that come while we compute are dropped and counted: late ones would be worth nothing. A slow computer
+# sees fewer frames, which are farther apart, and still knows where it is. The thread ends with the ``with`` block, by
+# an error or Ctrl-C too.
 
 start = recorded[0].T_world_camera  # only so that the map stands upright; a camera at home starts where it is
 slam = loom.slam.DenseSLAM(camera, voxel_size=0.04, T_init=start, depth_scale=1.0)
@@ -49,8 +51,8 @@ assert len(results) + frames.dropped == len(recorded)
 # One call for a recording
 # ------------------------
 #
-# Where nothing is live, `track` takes all frames, and compares the path with the true one if the frames bring it: ATE is how far the
-# camera's places are off.
+# Where nothing is live, ``track`` takes all frames, and compares the path with the true one if the frames bring it: ATE
+# is how far the camera's places are off.
 
 path = loom.track(loom.frames_from(recorded, camera, depth_scale=1.0), voxel_size=0.03)
 print(path)
