@@ -55,8 +55,7 @@ class Style:
 
     Args:
         color: Red, green and blue, 0 to 1, of all of it.
-        color_by: What of a cloud, or of a mesh's vertices, is shown as colour: "rgb", "normal", "height", "label" or any
-            attribute.
+        color_by: What of points or vertices is shown as colour: "rgb", "normal", "height", "label" or any attribute.
         colormap: Of values.
         limits: The values at the ends of the colour map.
         point_size: Diameter of points: [px], or [m] where `metric`.

@@ -35,7 +35,9 @@ from ..lang import (
 from ..memory import empty, full, zeros
 from .mesh_topology import CornersByVertex, corner_vertex
 
-GAIN = 1.0e-8  # a distance shorter by less is the same one: float32 vertices tell no more, and slivers would creep for ever
+# A distance shorter by less than this share is the same one: float32 vertices tell no more, and around slivers
+# distances creep down by some 1e-10 a round for ever.
+GAIN = 1.0e-8
 
 
 @func

@@ -2,9 +2,9 @@
 Clean a broken mesh
 ===================
 
-A mesh from a scanner, a CAD export or a game is rarely whole: triangles share no vertex, some are turned inside out, some
-stand there twice, crumbs float about and holes are open. `clean_mesh` mends what it can, and says what it did and what is
-still wrong. Do this before you print, simulate, subtract or measure a volume.
+A mesh from a scanner, a CAD export or a game is rarely whole: triangles share no vertex, some are turned inside out,
+some stand there twice, crumbs float about and holes are open. ``clean_mesh`` mends what it can, and says what it did
+and what is still wrong. Do this before you print, simulate, subtract or measure a volume.
 """
 
 import numpy as np
@@ -15,8 +15,9 @@ import pointloom as loom
 # A whole mesh, broken on purpose
 # -------------------------------
 #
-# We break a figure whose true volume we know in six ways: as an STL file does, each triangle gets three vertices of its own; a
-# tenth of the triangles is turned over; 300 are given twice; one is NaN; a hole is cut; and forty crumbs are scattered.
+# We break a figure whose true volume we know in six ways: as an STL file does, each triangle gets three vertices of its
+# own; a tenth of the triangles is turned over; 300 are given twice; one is NaN; a hole is cut; and forty crumbs are
+# scattered.
 
 whole = loom.data.object_mesh()
 assert whole.is_watertight()
@@ -33,7 +34,9 @@ corners = corners[~hole]
 turned = random.random(len(corners)) < 0.1
 corners[turned] = corners[turned][:, ::-1]
 twice = corners[random.choice(len(corners), 300, replace=False)]
-crumbs = random.uniform(whole.get_min_bound(), whole.get_max_bound(), (40, 1, 3)) + random.normal(0, 0.01 * size, (40, 3, 3))
+crumbs = random.uniform(whole.get_min_bound(), whole.get_max_bound(), (40, 1, 3)) + random.normal(
+    0, 0.01 * size, (40, 3, 3)
+)
 nothing = np.full((1, 3, 3), np.nan)
 soup = np.concatenate([corners, twice, crumbs, nothing])
 broken = loom.TriangleMesh(soup.reshape(-1, 3), np.arange(len(soup) * 3).reshape(-1, 3))
@@ -45,19 +48,23 @@ print(f"broken: {len(broken.triangles)} triangles in {len(parts)} parts, waterti
 # Mend it
 # -------
 #
-# `hole_size` [m] is the largest hole that may be closed: the radius of the ball around its border. Larger ones stay, since a
-# hole of that size may be the bottom of the scan. `min_triangles` drops parts with fewer triangles: the crumbs.
+# ``hole_size`` [m] is the largest hole that may be closed: the radius of the ball around its border. Larger ones stay,
+# since a hole of that size may be the bottom of the scan. ``min_triangles`` drops parts with fewer triangles: the
+# crumbs.
 
 found = loom.clean_mesh(broken, hole_size=0.1 * size, min_triangles=100)
 print(found)
 
 # %%
-# The result is a record, not only a mesh. `repair` counts what was done, and `poor` is the verdict: `None`, or a sentence that
-# says why the mesh is not to be believed. We also hold it against the truth.
+# The result is a record, not only a mesh. ``repair`` counts what was done, and ``poor`` is the verdict: ``None``, or a
+# sentence that says why the mesh is not to be believed. We also hold it against the truth.
 
 report = found.repair
 volume = found.mesh.get_volume()
-print(f"merged {report.merged_vertices} vertices, turned {report.flipped_triangles} triangles over, filled {report.filled_holes} holes")
+print(
+    f"merged {report.merged_vertices} vertices, turned {report.flipped_triangles} "
+    f"triangles over, filled {report.filled_holes} holes"
+)
 print(f"verdict: {found.poor or 'whole'}; volume {volume * 1e6:.1f} cm^3, true {whole.get_volume() * 1e6:.1f}")
 assert found.is_watertight and found.mesh.is_orientable() and found.mesh.is_vertex_manifold()
 assert report.removed_non_finite_triangles == 1

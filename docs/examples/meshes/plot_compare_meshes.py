@@ -2,8 +2,8 @@
 Compare two meshes: distances, F-score, error map
 =================================================
 
-Is the printed part like the drawing, the cheap scan like the good one? `compare_meshes` measures distances between two surfaces in
-both directions, exactly from points to triangles, and says when the two are not alike at all.
+Is the printed part like the drawing, the cheap scan like the good one? ``compare_meshes`` measures distances between
+two surfaces in both directions, exactly from points to triangles, and says when the two are not alike at all.
 """
 
 import numpy as np
@@ -26,13 +26,13 @@ made = loom.create_surface(scan, depth=7).mesh
 # Figures
 # -------
 #
-# An F-score is the share of both surfaces that have the other one within a threshold (harmonic mean, percent). The Hausdorff
-# distance is the worst place of all. `limit` [m] is what you allow: beyond it `poor` says so.
+# An F-score is the share of both surfaces that have the other one within a threshold (harmonic mean, percent). The
+# Hausdorff distance is the worst place of all. ``limit`` [m] is what you allow: beyond it ``poor`` says so.
 
 found = loom.compare_meshes(made, truth, thresholds=[0.0005, 0.001, 0.002], limit=0.02)
 print(found)
 figures = found.metrics
-print("F-scores:", {f"{t * 1e3:g} mm": f"{f:.1f} %" for t, f in zip(found.thresholds, figures.fscore)})
+print("F-scores:", {f"{t * 1e3:g} mm": f"{f:.1f} %" for t, f in zip(found.thresholds, figures.fscore, strict=False)})
 assert found.poor is None, found.poor
 assert max(figures.mean) < 0.001, "half a millimetre of noise is averaged by the surface"
 assert np.all(np.diff(figures.fscore) >= 0) and figures.fscore[-1] > 95
@@ -48,8 +48,8 @@ assert wrong.poor is not None and "unit" in wrong.poor
 # Where is it off?
 # ----------------
 #
-# `compute_error_map` gives the distance of each vertex from the other surface. As an attribute it can be drawn with its scale: the
-# last colour is what 98 of 100 vertices stay below.
+# ``compute_error_map`` gives the distance of each vertex from the other surface. As an attribute it can be drawn with
+# its scale: the last colour is what 98 of 100 vertices stay below.
 
 _, errors = made.compute_error_map(truth)
 made.vertex_attributes["error [mm]"] = errors * 1e3
@@ -62,5 +62,12 @@ surface = loom.render(shown, view, (640, 640), color_bar=True)
 # How often is it off by how much? Plots are drawn by the same kernels; a canvas's pixels stand beside the picture.
 
 marks = [("median", float(np.median(errors)) * 1e3)]
-plot = loom.plots.histogram(errors * 1e3, labels=("error [mm]", "vertices"), colormap="viridis", color_limits=(0, high), marks=marks, size=(480, 640))
+plot = loom.plots.histogram(
+    errors * 1e3,
+    labels=("error [mm]", "vertices"),
+    colormap="viridis",
+    color_limits=(0, high),
+    marks=marks,
+    size=(480, 640),
+)
 picture = np.hstack([surface, plot.to_numpy()])

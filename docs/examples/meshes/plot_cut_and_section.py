@@ -2,8 +2,9 @@
 Cut a mesh, and take sections
 =============================
 
-Half of an object with a lid shows its inside and can be printed; the line in which a plane meets a mesh is a floor plan, a
-profile, a girth. `clip_plane` cuts, `slice_plane` gives lines for any number of planes at once, `section_loops` ordered loops.
+Half of an object with a lid shows its inside and can be printed; the line in which a plane meets a mesh is a floor
+plan, a profile, a girth. ``clip_plane`` cuts, ``slice_plane`` gives lines for any number of planes at once,
+``section_loops`` ordered loops.
 """
 
 import numpy as np
@@ -14,8 +15,8 @@ import pointloom as loom
 # Half of it, closed again
 # ------------------------
 #
-# What lies on the side to which the normal points stays. `cap=True` closes what it opens (by manifold3d, the extra "mesh"), so
-# the half is watertight and has a volume. Both halves together have that of the whole.
+# What lies on the side to which the normal points stays. ``cap=True`` closes what it opens (by manifold3d, the extra
+# "mesh"), so the half is watertight and has a volume. Both halves together have that of the whole.
 
 mesh = loom.data.object_mesh()
 low, high = mesh.get_axis_aligned_bounding_box()
@@ -30,7 +31,7 @@ assert np.isclose(kept.get_volume() + other.get_volume(), mesh.get_volume(), rto
 # Loops
 # -----
 #
-# `section_loops` joins the lines of a section: [k, 3] places a loop, [m]. Their length is the girth at that height.
+# ``section_loops`` joins the lines of a section: [k, 3] places a loop, [m]. Their length is the girth at that height.
 
 loops = mesh.section_loops(middle, [0, 0, 1])
 lengths = [float(np.linalg.norm(np.diff(np.vstack([loop, loop[:1]]), axis=0), axis=1).sum()) for loop in loops]
@@ -41,7 +42,7 @@ assert all(np.allclose(loop[:, 2], middle[2], atol=1e-6) for loop in loops)
 # Contours
 # --------
 #
-# Twenty planes at once, each at a height above the first point. The lines come as a `LineSet`.
+# Twenty planes at once, each at a height above the first point. The lines come as a ``LineSet``.
 
 heights = np.linspace(low[2], high[2], 22)[1:-1]
 contours = mesh.slice_plane([0, 0, 0], [0, 0, 1], contour_values=heights)

@@ -2,8 +2,8 @@
 Make solids: extrude, revolve, join
 ===================================
 
-Brackets, vases, room plans: many solids are an outline that was pushed or turned. Here are all the ways to make one, and how to
-join, cut and intersect what comes out. Volumes are checked against formulas.
+Brackets, vases, room plans: many solids are an outline that was pushed or turned. Here are all the ways to make one,
+and how to join, cut and intersect what comes out. Volumes are checked against formulas.
 """
 
 import numpy as np
@@ -14,7 +14,8 @@ import pointloom as loom
 # An outline with holes, pushed
 # -----------------------------
 #
-# A plate with two drill holes: a polygon in the plane z = 0, counterclockwise, and its holes. Lengths are metres throughout.
+# A plate with two drill holes: a polygon in the plane z = 0, counterclockwise, and its holes. Lengths are metres
+# throughout.
 
 angles = np.linspace(0, 2 * np.pi, 48, endpoint=False)
 circle = np.column_stack([np.cos(angles), np.sin(angles)])
@@ -31,7 +32,8 @@ assert plate.is_watertight() and np.isclose(plate.get_volume(), (area - drilled)
 # A line, turned
 # --------------
 #
-# `revolve` turns a profile of radius and height about z. The finer `resolution` is, the nearer the volume comes to the true one.
+# ``revolve`` turns a profile of radius and height about z. The finer ``resolution`` is, the nearer the volume comes to
+# the true one.
 
 heights = np.linspace(0.0, 0.1, 40)
 radii = 0.025 + 0.01 * np.sin(45 * heights)
@@ -45,7 +47,7 @@ assert vase.is_watertight() and abs(vase.get_volume() / true - 1) < 0.01
 # A profile that turns and rises
 # ------------------------------
 #
-# `extrude_rotation` sweeps a mesh about an axis; with `translation` it climbs: a spring of three turns.
+# ``extrude_rotation`` sweeps a mesh about an axis; with ``translation`` it climbs: a spring of three turns.
 
 section = loom.TriangleMesh.from_polygon(0.004 * circle[::4]).rotate(
     np.array([[1.0, 0, 0], [0, 0, -1], [0, 1, 0]]), [0, 0, 0]
@@ -58,8 +60,8 @@ print(f"spring: {len(spring.triangles)} triangles, {spring.get_volume() * 1e6:.2
 # Solids of solids
 # ----------------
 #
-# Booleans want closed meshes and the extra "mesh" (`pip install "pointloom[mesh]"`, manifold3d). A ball, less three drilled
-# bores, less what sticks out of a cube.
+# Booleans want closed meshes and the extra "mesh" (``pip install "pointloom[mesh]"``, manifold3d). A ball, less three
+# drilled bores, less what sticks out of a cube.
 
 ball = loom.TriangleMesh.create_sphere(0.05, resolution=48)
 cube = loom.TriangleMesh.create_box(0.076, 0.076, 0.076).translate([0, 0, 0], relative=False)
@@ -77,16 +79,23 @@ assert np.isclose(removed, rounded.boolean_intersection(together).get_volume(), 
 print(f"cube: {part.get_volume() * 1e6:.1f} cm^3, {removed * 1e6:.1f} drilled out")
 
 # %%
-# `a + b` puts the triangles of two meshes into one mesh and cuts nothing; `concatenate` takes any number.
+# ``a + b`` puts the triangles of two meshes into one mesh and cuts nothing; ``concatenate`` takes any number.
 
 places = [[-0.16, 0.02, 0], [-0.02, 0, 0], [0.07, 0, 0], [0.19, 0, 0.038]]
 made = [plate, vase, spring, part]
-moved = [mesh.translate(np.subtract(place, mesh.get_center() * [1, 1, 0])) for mesh, place in zip(made, places)]
+moved = [
+    mesh.translate(np.subtract(place, mesh.get_center() * [1, 1, 0])) for mesh, place in zip(made, places, strict=False)
+]
 table = loom.TriangleMesh.concatenate(moved)
 assert len(table.triangles) == sum(len(mesh.triangles) for mesh in made)
 
 colors = [(0.55, 0.66, 0.76), (0.83, 0.52, 0.38), (0.62, 0.62, 0.66), (0.87, 0.72, 0.36)]
-scene = [{"geometry": mesh, "color": color} for mesh, color in zip(moved, colors)]
-scene.append({"geometry": loom.TriangleMesh.create_box(0.46, 0.16, 0.004).translate([-0.225, -0.08, -0.0041]), "color": (0.93, 0.93, 0.92)})
+scene = [{"geometry": mesh, "color": color} for mesh, color in zip(moved, colors, strict=False)]
+scene.append(
+    {
+        "geometry": loom.TriangleMesh.create_box(0.46, 0.16, 0.004).translate([-0.225, -0.08, -0.0041]),
+        "color": (0.93, 0.93, 0.92),
+    }
+)
 view = {"front": [0.1, -1, 0.75], "up": [0, 0, 1], "field_of_view": 30, "zoom": 0.38}
 picture = loom.render(scene, view, (960, 640))

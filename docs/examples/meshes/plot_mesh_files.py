@@ -2,8 +2,8 @@
 Meshes in files: GLB, PLY, OBJ, STL
 ===================================
 
-Which format keeps what? A mesh with colours and values of its own goes out and comes back, and what a format cannot hold is told by
-a warning, never dropped in silence.
+Which format keeps what? A mesh with colours and values of its own goes out and comes back, and what a format cannot
+hold is told by a warning, never dropped in silence.
 """
 
 import tempfile
@@ -58,7 +58,8 @@ assert loom.read_triangle_mesh(folder / "owl.stl").is_watertight() == mesh.is_wa
 # Which way is up
 # ---------------
 #
-# glTF has y up, most scans z. `up="z"` turns on writing and back on reading; without it coordinates are taken as they are.
+# glTF has y up, most scans z. ``up="z"`` turns on writing and back on reading; without it coordinates are taken as they
+# are.
 
 del mesh.triangle_attributes["label"]  # which glTF cannot hold
 loom.write_triangle_mesh(folder / "up.glb", mesh, up="z")
@@ -70,13 +71,17 @@ assert np.allclose(turned.vertices[:, 1], mesh.vertices[:, 2], atol=1e-6)
 # Colours for programs that know textures alone
 # ---------------------------------------------
 #
-# `compute_uvatlas` unwraps the mesh (xatlas, of the extra "mesh"), `bake_vertex_colors` draws its colours into a picture. Where the atlas has a
-# seam a GLB needs two vertices at one place; smoothing and subdivision here know that they are one.
+# ``compute_uvatlas`` unwraps the mesh (xatlas, of the extra "mesh"), ``bake_vertex_colors`` draws its colours into a
+# picture. Where the atlas has a seam a GLB needs two vertices at one place; smoothing and subdivision here know that
+# they are one.
 
 baked = mesh.compute_uvatlas(1024, gutter=4).bake_vertex_colors(1024)
 loom.write_triangle_mesh(folder / "baked.glb", baked)
 textured = loom.read_triangle_mesh(folder / "baked.glb")
-print(f"{len(mesh.vertices)} vertices became {len(textured.vertices)} at the seams, a texture of {textured.textures[0].shape}")
+print(
+    f"{len(mesh.vertices)} vertices became {len(textured.vertices)} "
+    f"at the seams, a texture of {textured.textures[0].shape}"
+)
 assert textured.has_textures and len(textured.vertices) > len(mesh.vertices)
 
 view = {"front": [0.3, -1, 0.25], "up": [0, 0, 1], "field_of_view": 25, "zoom": 0.72}

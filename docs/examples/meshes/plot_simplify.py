@@ -2,8 +2,9 @@
 Simplify a mesh, with its error
 ===============================
 
-Fewer triangles load, draw and simulate faster. What matters is how far the surface moved, so `simplify_mesh` measures that, both
-ways, and says so. Collapsing edges keeps corners and borders; merging the vertices of each voxel is quick and blunt.
+Fewer triangles load, draw and simulate faster. What matters is how far the surface moved, so ``simplify_mesh`` measures
+that, both ways, and says so. Collapsing edges keeps corners and borders; merging the vertices of each voxel is quick
+and blunt.
 """
 
 import numpy as np
@@ -14,8 +15,9 @@ import pointloom as loom
 # A tenth, a hundredth
 # --------------------
 #
-# Give one of `ratio`, `triangles` and `voxel_size`. `max_error` [m] ends a simplification early, where the next collapse would
-# move the surface further. The errors are distances [m] between the old and the new surface, measured from samples of either.
+# Give one of ``ratio``, ``triangles`` and ``voxel_size``. ``max_error`` [m] ends a simplification early, where the next
+# collapse would move the surface further. The errors are distances [m] between the old and the new surface, measured
+# from samples of either.
 
 mesh = loom.data.object_mesh()
 tenth = loom.simplify_mesh(mesh, ratio=0.1)
@@ -26,7 +28,8 @@ print(tenth)
 # Edges or voxels?
 # ----------------
 #
-# Merging the vertices of voxels is quicker on very large meshes. With a voxel that leaves about as many triangles it is farther off.
+# Merging the vertices of voxels is quicker on very large meshes. With a voxel that leaves about as many triangles it is
+# farther off.
 
 voxel = float(np.sqrt(2.0 * mesh.get_surface_area() / len(tenth.mesh.triangles)))
 blunt = loom.simplify_mesh(mesh, voxel_size=voxel)
@@ -38,8 +41,8 @@ assert tenth.errors.rms < min(hundredth.errors.rms, blunt.errors.rms)
 assert tenth.mesh.is_watertight() and tenth.poor is None
 
 # %%
-# `errors` is `None` where nothing could be measured, and `poor` says when a result is not to be believed. The record goes into a
-# report by `to_json()`.
+# ``errors`` is ``None`` where nothing could be measured, and ``poor`` says when a result is not to be believed. The
+# record goes into a report by ``to_json()``.
 
 print({key: value for key, value in tenth.to_json().items() if not isinstance(value, (dict, list))})
 

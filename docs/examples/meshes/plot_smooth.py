@@ -2,9 +2,9 @@
 Smooth a mesh without shrinking it
 ==================================
 
-Scans are noisy. Moving each vertex to the mean of its neighbours (Laplacian) takes the noise away and the volume with it: thin
-parts melt. Taubin's filter goes one step in and one step out, so the size stays. We add known noise and see which one comes
-nearer to the truth.
+Scans are noisy. Moving each vertex to the mean of its neighbours (Laplacian) takes the noise away and the volume with
+it: thin parts melt. Taubin's filter goes one step in and one step out, so the size stays. We add known noise and see
+which one comes nearer to the truth.
 """
 
 import numpy as np
@@ -27,8 +27,8 @@ print(f"{len(truth.vertices)} vertices, {size:.3f} m across, noise of {sigma * 1
 # Two filters
 # -----------
 #
-# `smooth_mesh` tells how far vertices moved and how the area changed. More iterations smooth more; with "laplacian" each of them
-# shrinks the figure as well.
+# ``smooth_mesh`` tells how far vertices moved and how the area changed. More iterations smooth more; with "laplacian"
+# each of them shrinks the figure as well.
 
 results = {name: loom.smooth_mesh(noisy, name, 30) for name in ("laplacian", "taubin")}
 print(results["taubin"])
@@ -47,8 +47,8 @@ assert errors["taubin"] < 0.7 * errors["noisy"], "Taubin's filter takes noise aw
 assert errors["taubin"] < errors["laplacian"] and abs(shrunk["taubin"]) < 0.2 * shrunk["laplacian"]
 
 # %%
-# `filter_sharpen` goes the other way: it makes edges stand out, and noise too, so smooth first. All filters leave colours, texture
-# and attributes where they are.
+# ``filter_sharpen`` goes the other way: it makes edges stand out, and noise too, so smooth first. All filters leave
+# colours, texture and attributes where they are.
 
 sharp = results["taubin"].mesh.filter_sharpen(1, 0.5)
 assert len(sharp.vertices) == len(noisy.vertices)

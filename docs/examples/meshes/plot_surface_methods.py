@@ -2,8 +2,8 @@
 Points to a surface: which method when
 ======================================
 
-Poisson averages noise and closes holes, but makes up what no point saw. Ball pivoting joins the points that are there and leaves
-holes. Alpha shapes want no normals. The same noisy scan goes through all three, against the true surface.
+Poisson averages noise and closes holes, but makes up what no point saw. Ball pivoting joins the points that are there
+and leaves holes. Alpha shapes want no normals. The same noisy scan goes through all three, against the true surface.
 """
 
 import warnings
@@ -29,8 +29,9 @@ print(f"{len(scan)} points, {np.linalg.norm(high - low):.3f} m across")
 # One call each
 # -------------
 #
-# `create_surface` makes normals where there are none, chooses radii and alpha by the spacing of the points, and reports: how much
-# area lies far from all points, how many edges are open, and `poor`, why the surface is not to be believed.
+# ``create_surface`` makes normals where there are none, chooses radii and alpha by the spacing of the points, and
+# reports: how much area lies far from all points, how many edges are open, and ``poor``, why the surface is not to be
+# believed.
 
 results = {name: loom.create_surface(scan, name) for name in ("poisson", "ball", "alpha")}
 for name, result in results.items():
@@ -48,9 +49,9 @@ assert not any(result.normals.given for result in results.values()), "normals we
 # What Poisson made up
 # --------------------
 #
-# The methods alone are class methods of `TriangleMesh`. Poisson gives a density for each vertex: how many points bear it out.
-# Left whole, the surface bulges out below, where nothing was seen; `trim` cuts along a smooth line where few points are, and drops islands. Normals have to
-# look to one side: a `NormalsWarning` tells when they do not.
+# The methods alone are class methods of ``TriangleMesh``. Poisson gives a density for each vertex: how many points bear
+# it out. Left whole, the surface bulges out below, where nothing was seen; ``trim`` cuts along a smooth line where few
+# points are, and drops islands. Normals have to look to one side: a ``NormalsWarning`` tells when they do not.
 
 scan = scan.estimate_normals(radius=0.008, max_nn=30)
 with warnings.catch_warnings(record=True) as caught:

@@ -2,8 +2,8 @@
 Depth filters and normal maps
 =============================
 
-A depth picture is noisy, has flying pixels at edges and holes. Smooth it without rounding edges, cut the edges away, make it smaller
-without mixing near and far, and see its normals.
+A depth picture is noisy, has flying pixels at edges and holes. Smooth it without rounding edges, cut the edges away,
+make it smaller without mixing near and far, and see its normals.
 """
 
 import numpy as np
@@ -14,7 +14,8 @@ import pointloom as loom
 # A frame with noise, and the same without
 # ----------------------------------------
 #
-# Depth is float32 in metres here; uint16 is taken with its `depth_scale` (1000 for millimetres). 0 means nothing was measured.
+# Depth is float32 in metres here; uint16 is taken with its ``depth_scale`` (1000 for millimetres). 0 means nothing was
+# measured.
 
 noisy = loom.data.room_frames(4, width=640, height=480)[3]
 exact = loom.data.room_frames(4, width=640, height=480, noise=False)[3].depth
@@ -30,7 +31,7 @@ def rmse(found, inner):
 # Smooth, but not across edges
 # ----------------------------
 #
-# Neighbours whose depth differs by more than about `value_sigma` [m] count little.
+# Neighbours whose depth differs by more than about ``value_sigma`` [m] count little.
 
 smooth = loom.filter_depth_bilateral(depth, kernel_size=7, value_sigma=0.05, dist_sigma=3.0, depth_scale=1.0)
 inner = loom.erode_depth_edges(exact, radius=4, depth_threshold=0.1, depth_scale=1.0) > 0
@@ -42,7 +43,8 @@ assert rmse(smooth, inner) < 0.8 * rmse(depth, inner)
 # Cut edges away
 # --------------
 #
-# Between a near and a far surface sensors measure places that are neither. `erode_depth_edges` blanks pixels within `radius` of a jump.
+# Between a near and a far surface sensors measure places that are neither. ``erode_depth_edges`` blanks pixels within
+# ``radius`` of a jump.
 
 cut = loom.erode_depth_edges(smooth, radius=2, depth_threshold=0.1, depth_scale=1.0)
 print(f"{100 * (smooth > 0).mean():.1f} % of the pixels have depth, {100 * (cut > 0).mean():.1f} % without edges")
@@ -68,13 +70,16 @@ assert angles["smoothed"] < 0.7 * angles["measured"]
 # Smaller pictures
 # ----------------
 #
-# A pyramid for coarse-to-fine work: depth is averaged only with depth that lies near, colour with all. The camera of a level is
-# `camera.scaled(0.5)`.
+# A pyramid for coarse-to-fine work: depth is averaged only with depth that lies near, colour with all. Pixel (u, v) of
+# a level lies at (2 u, 2 v) of the one before, so its camera has half of all four numbers. (``camera.scaled(0.5)`` is
+# for pictures that were resized by area: their borders keep their place.)
 
 levels = loom.create_depth_pyramid(smooth, 3, depth_scale=1.0)
 color = loom.pyrdown_color(noisy.color)
 assert np.array_equal(levels[1], loom.pyrdown_depth(levels[0], depth_scale=1.0))
-half = camera.scaled(0.5)
+half = loom.PinholeCameraIntrinsic(
+    camera.width // 2, camera.height // 2, *(0.5 * np.array([camera.fx, camera.fy, camera.cx, camera.cy]))
+)
 print([level.shape for level in levels], color.shape, f"focal length {camera.fx:.0f} to {half.fx:.0f} px")
 assert levels[1].shape == color.shape[:2] == (half.height, half.width)
 
@@ -83,7 +88,9 @@ assert levels[1].shape == color.shape[:2] == (half.height, half.width)
 
 halves = []
 for values in (depth, cut):
-    cloud = loom.PointCloud.from_depth_image(values, camera, depth_scale=1.0, depth_trunc=3.5).estimate_normals(radius=0.02, max_nn=12)
+    cloud = loom.PointCloud.from_depth_image(values, camera, depth_scale=1.0, depth_trunc=3.5).estimate_normals(
+        radius=0.02, max_nn=12
+    )
     cloud = cloud.orient_normals_towards_camera_location([0, 0, 0])
     view = loom.fit_view(cloud.points, direction=(0.35, 0.3, 1.0), up=(0, -1, 0), width=640, height=640)
     halves.append(loom.render({"geometry": cloud, "color": (0.8, 0.76, 0.7)}, view, (640, 640), shading="smooth"))

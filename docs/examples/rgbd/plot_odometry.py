@@ -2,8 +2,8 @@
 The motion between two depth frames
 ===================================
 
-RGB-D odometry: two pictures of one camera, and where it went in between. With a verdict, since two frames that do not show the same
-place have no motion between them.
+RGB-D odometry: two pictures of one camera, and where it went in between. With a verdict, since two frames that do not
+show the same place have no motion between them.
 """
 
 import numpy as np
@@ -35,18 +35,22 @@ print(f"the camera turned by {still[0]:.1f} degrees and went {still[1] / 10:.1f}
 # Align
 # -----
 #
-# An `OdometryFrame` is a pyramid on the device, made once and used in each pair. `hybrid` compares surfaces and brightness, so a wall
-# without shape or a floor without colour is enough.
+# An ``OdometryFrame`` is a pyramid on the device, made once and used in each pair. ``hybrid`` compares surfaces and
+# brightness, so a wall without shape or a floor without colour is enough.
 
 source = od.OdometryFrame(first.depth, camera, first.color, depth_scale=1.0)
 target = od.OdometryFrame(second.depth, camera, second.color, depth_scale=1.0)
 result = od.align_frames(source, target)
 assert result.success, result.reason
 print(f"fitness {result.fitness:.2f}, inlier rmse {result.inlier_rmse * 1e3:.1f} mm, {result.iterations} iterations")
-for name, method in {"both": od.Method.Hybrid, "surface": od.Method.PointToPlane, "brightness": od.Method.Intensity}.items():
+for name, method in {
+    "both": od.Method.Hybrid,
+    "surface": od.Method.PointToPlane,
+    "brightness": od.Method.Intensity,
+}.items():
     tried = od.align_frames(source, target, method=method)
-    print(f"{name:10} off by {difference(tried.transformation)[0]:.3f} degrees, {difference(tried.transformation)[1]:.1f} mm"
-          + ("" if tried.success else f"; {tried.reason}"))  # fmt: skip
+    turned, moved = difference(tried.transformation)
+    print(f"{name:10} off by {turned:.3f} degrees, {moved:.1f} mm {tried.reason}")
 assert difference(result.transformation)[0] < 0.5 and difference(result.transformation)[1] < 15
 
 # %%
@@ -64,28 +68,40 @@ assert not refused.success
 # As Open3D has it
 # ----------------
 #
-# The functions and options of Open3D are there as well; the result unpacks as theirs. The information matrix is what a pose graph
-# wants of an edge.
+# The functions and options of Open3D are there as well; the result unpacks as theirs. The information matrix is what a
+# pose graph wants of an edge.
 
 pair = [loom.RGBDImage(f.color, f.depth, depth_scale=1.0, depth_trunc=4.0) for f in (first, second)]
-success, T, information = od.compute_rgbd_odometry(*pair, camera, np.eye(4), od.RGBDOdometryJacobianFromHybridTerm(), od.OdometryOption())
+success, T, information = od.compute_rgbd_odometry(
+    *pair, camera, np.eye(4), od.RGBDOdometryJacobianFromHybridTerm(), od.OdometryOption()
+)
 assert success and information.shape == (6, 6)
-multi = od.rgbd_odometry_multi_scale(*pair, camera, depth_scale=1.0, criteria_list=[od.OdometryConvergenceCriteria(n) for n in (10, 5, 3)])
+multi = od.rgbd_odometry_multi_scale(
+    *pair, camera, depth_scale=1.0, criteria_list=[od.OdometryConvergenceCriteria(n) for n in (10, 5, 3)]
+)
 matrix = od.compute_odometry_information_matrix(first.depth, second.depth, camera, T, 0.03, depth_scale=1.0)
-print(f"Open3D's calls: off by {difference(T)[1]:.1f} and {difference(multi.transformation)[1]:.1f} mm; {matrix[5, 5]:.0f} pixels agree")
+print(
+    f"Open3D's calls: off by {difference(T)[1]:.1f} and "
+    f"{difference(multi.transformation)[1]:.1f} mm; {matrix[5, 5]:.0f} pixels agree"
+)
 assert difference(T)[1] < 20 and difference(multi.transformation)[1] < 20
 
 # %%
 # Before and after
 # ----------------
 #
-# The first frame in orange, the second in blue, from above: as if the camera had not moved, and with the motion that was found.
+# The first frame in orange, the second in blue, from above: as if the camera had not moved, and with the motion that
+# was found.
 
 clouds = [loom.PointCloud.from_rgbd_image(image, camera) for image in pair]
 colors = [(0.95, 0.6, 0.1), (0.1, 0.5, 0.85)]
 view = loom.fit_view(clouds[1].points, direction=(0.15, 0.75, 1.0), up=(0, -1, 0), width=640, height=640)
 halves = []
 for moved in (clouds[0], clouds[0].transform(result.transformation)):
-    scene = [{"geometry": cloud, "color": color} for cloud, color in zip((moved, clouds[1]), colors)]
-    halves.append(loom.render(scene, view, (640, 640), legend=[("first frame", colors[0]), ("second frame", colors[1])], point_size=2.5))
+    scene = [{"geometry": cloud, "color": color} for cloud, color in zip((moved, clouds[1]), colors, strict=False)]
+    halves.append(
+        loom.render(
+            scene, view, (640, 640), legend=[("first frame", colors[0]), ("second frame", colors[1])], point_size=2.5
+        )
+    )
 picture = np.hstack(halves)

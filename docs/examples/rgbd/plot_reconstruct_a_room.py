@@ -2,8 +2,8 @@
 Reconstruct a room from frames without poses
 ============================================
 
-A depth camera was carried through a room and nothing else is known. One call tracks it, fuses what it saw and says whether the result
-is to be believed. `check_focal` asks whether the camera's focal length fits its frames.
+A depth camera was carried through a room and nothing else is known. One call tracks it, fuses what it saw and says
+whether the result is to be believed. ``check_focal`` asks whether the camera's focal length fits its frames.
 """
 
 import numpy as np
@@ -14,7 +14,7 @@ import pointloom as loom
 # Frames alone
 # ------------
 #
-# The true poses are taken away, to be compared with at the end. For a folder: `loom.open_frames(folder)`.
+# The true poses are taken away, to be compared with at the end. For a folder: ``loom.open_frames(folder)``.
 
 recorded = loom.data.room_frames(32)
 camera = recorded[0].intrinsic
@@ -24,7 +24,7 @@ source = loom.frames_from([(frame.color, frame.depth) for frame in recorded], ca
 # One call
 # --------
 #
-# `voxel_size` [m]: 3 cm for a quick look, 1 cm for keeps. `print` tells what happened to the frames.
+# ``voxel_size`` [m]: 3 cm for a quick look, 1 cm for keeps. ``print`` tells what happened to the frames.
 
 result = loom.reconstruct(source, voxel_size=0.03)
 print(result)
@@ -33,8 +33,8 @@ print(result)
 # The verdict
 # -----------
 #
-# `poor` is None, or says what speaks against the result: frames that were lost and why, maps that do not belong together, a focal length
-# that does not fit.
+# ``poor`` is None, or says what speaks against the result: frames that were lost and why, maps that do not belong
+# together, a focal length that does not fit.
 
 print("verdict:", result.poor or "believed")
 assert result.poor is None
@@ -50,30 +50,46 @@ poses = recorded[0].T_world_camera @ result.trajectory.poses
 true = np.array([frame.T_world_camera for frame in recorded])
 error = np.linalg.norm(poses[:, :3, 3] - true[:, :3, 3], axis=1)
 way = np.linalg.norm(np.diff(true[:, :3, 3], axis=0), axis=1).sum()
-print(f"a way of {way:.1f} m; places off by {np.sqrt((error**2).mean()) * 1e3:.1f} mm (rms), {error.max() * 1e3:.1f} mm at most")
+print(
+    f"a way of {way:.1f} m; places off by {np.sqrt((error**2).mean()) * 1e3:.1f} "
+    f"mm (rms), {error.max() * 1e3:.1f} mm at most"
+)
 assert error.max() < 0.05
 
 mesh = result.mesh.transform(recorded[0].T_world_camera)
 scene = loom.RaycastingScene()
 scene.add_triangles(loom.data.room_mesh())
 off = scene.compute_distance(mesh.vertices)
-print(f"surface off by {np.median(off) * 1e3:.1f} mm (median), 9 of 10 places within {np.quantile(off, 0.9) * 1e3:.0f} mm")
+print(
+    f"surface off by {np.median(off) * 1e3:.1f} mm (median), 9 of 10 places within {np.quantile(off, 0.9) * 1e3:.0f} mm"
+)
 assert np.median(off) < 0.02
 
 # %%
 # Is it the right camera?
 # -----------------------
 #
-# Frames that are a fifth wrong in focal length make a room that looks right and has wrong lengths. `check_focal` turns other
-# frames onto each other and asks which focal length fits best: `factor` 1 means the one given.
+# Frames that are a fifth wrong in focal length make a room that looks right and has wrong lengths. ``check_focal``
+# turns other frames onto each other and asks which focal length fits best: ``factor`` 1 means the one given.
 
 check = loom.check_focal(loom.frames_from(recorded, camera, depth_scale=1.0), result.trajectory)
-print("focal length:", "nothing to tell it by" if check is None else f"factor {check.factor:.2f}; {check.doubt or 'no doubt'}")
+print(
+    "focal length:",
+    "nothing to tell it by" if check is None else f"factor {check.factor:.2f}; {check.doubt or 'no doubt'}",
+)
 assert check is None or not check.doubt
 
 # %%
-# The room from above, its near walls left out.
+# The room as the camera saw it, from behind its path.
 
 path = loom.Trajectory(poses)
-view = loom.fit_view(mesh.vertices, direction=(0.3, 1.0, -0.9), width=960, height=640)
-picture = loom.render([{"geometry": mesh, "shaded": False, "back_faces": False}, {"geometry": path, "color": (0.1, 0.3, 0.8), "line_width": 3}], view, (960, 640))
+T = poses[16].copy()
+T[:3, 3] -= 0.7 * T[:3, 2]
+view = loom.View(loom.PinholeCameraIntrinsic(960, 640, 760.0, 760.0, 479.5, 319.5), T)
+picture = loom.render(
+    [
+        {"geometry": mesh, "shaded": False, "back_faces": False},
+        {"geometry": path, "color": (0.1, 0.3, 0.8), "line_width": 3},
+    ],
+    view,
+)

@@ -1,0 +1,100 @@
+"""
+A picture for a paper
+=====================
+
+Figures want the same view each time, a legend, labels, a scale and no window. ``loom.render`` draws without a display
+or a graphics library, on any machine the same bits; views come from Open3D's viewer too; plots stand beside it.
+"""
+
+import tempfile
+from pathlib import Path
+
+import numpy as np
+
+import pointloom as loom
+
+folder = Path(tempfile.mkdtemp())
+
+# %%
+# What is drawn
+# -------------
+#
+# A mapping from names to geometries, each with its style. The names make the legend.
+
+mesh = loom.data.object_mesh()
+scan = loom.data.object_scans(3).in_world(0)
+box = mesh.get_oriented_bounding_box()
+scene = {
+    "model": {"geometry": mesh, "color": (0.8, 0.77, 0.72)},
+    "scan": {"geometry": scan, "color": (0.85, 0.3, 0.15), "point_size": 3},
+    "oriented box": {"geometry": box, "color": (0.15, 0.35, 0.65), "line_width": 2},
+}
+height = float((mesh.get_max_bound() - mesh.get_min_bound())[2])
+labels = [
+    (f"{height * 100:.0f} cm", [mesh.get_max_bound()[0], 0, 0]),
+    ("ear", mesh.vertices[mesh.vertices[:, 2].argmax()]),
+]
+
+# %%
+# The same view each time
+# -----------------------
+#
+# ``front``, ``up``, ``zoom`` and ``field_of_view`` are Open3D's. A ``View`` is a camera and its pose; it can be kept as
+# the JSON that Open3D's viewer copies with Ctrl+C, so a view that you found there by hand is the figure's.
+
+bounds = mesh.get_min_bound(), mesh.get_max_bound()
+view = loom.View.from_open3d(
+    bounds, zoom=0.75, front=[0.5, -1, 0.35], up=[0, 0, 1], field_of_view=30, width=960, height=640
+)
+loom.write_view(folder / "view.json", view, bounds)
+again = loom.read_view(folder / "view.json", width=960, height=640)
+assert np.allclose(again.T_world_camera, view.T_world_camera, atol=1e-6)
+
+figure = loom.render(scene, view, legend=True, labels=labels)
+assert np.array_equal(figure, loom.render(scene, view, legend=True, labels=labels)), "the same bits each time"
+
+# %%
+# Depth as numbers
+# ----------------
+#
+# ``depth=True`` gives the depth of each pixel [m] along the optical axis, for a figure of your own or as a sensor.
+
+depth = loom.render(mesh, view, depth=True)[1]
+print(
+    f"the model covers {100 * (depth > 0).mean():.0f} % of the "
+    f"picture, {depth[depth > 0].min():.3f} to {depth.max():.3f} m away"
+)
+assert (depth > 0).mean() > 0.05
+
+# %%
+# A value as colour, with its scale
+# ---------------------------------
+#
+# Of clouds and meshes: "height", "normal", "label", or any attribute. Colour maps are viridis, turbo, coolwarm, gray
+# and jet.
+
+scene = loom.RaycastingScene()
+scene.add_triangles(mesh)
+scan["distance from the model [mm]"] = 1e3 * scene.compute_distance(scan.points)
+values = scan["distance from the model [mm]"]
+print(f"the scan lies {np.median(values):.2f} mm from the model (median)")
+assert np.median(values) < 2
+
+shown = {"geometry": scan, "color_by": "distance from the model [mm]", "colormap": "turbo", "point_size": 4}
+errors = loom.render(shown, view, color_bar=True, background=(0.94, 0.95, 0.96))
+
+# %%
+# Plots
+# -----
+#
+# ``loom.plots`` draws histograms and curves as the pictures are drawn; ``to_numpy`` gives the pixels. What stands
+# beside a picture by NumPy is a picture.
+
+top = loom.plots.histogram(
+    values, labels=("distance [mm]", "points"), marks=[("median", float(np.median(values)))], size=(480, 320)
+)
+order = np.sort(values)
+share = {"scan": np.interp(np.linspace(0, 1, 101), np.arange(len(order)) / (len(order) - 1), order)}
+bottom = loom.plots.curves(share, x=np.arange(101), labels=("share of the points [%]", "within [mm]"), size=(480, 320))
+panel = np.hstack([errors[:, 240:720], np.vstack([top.to_numpy(), bottom.to_numpy()])])
+loom.save_picture(folder / "figure.png", panel)
