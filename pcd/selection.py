@@ -83,7 +83,7 @@ class Selection(Composition):
             remedy = "loom.AxisAlignedBoundingBox(min_bound, max_bound) is one"
             raise TypeError(f"bounding_box: expected a bounding box, got {type(bounding_box).__name__}; {remedy}")
         kept = self._select_mask(mask, invert)
-        if len(self) and not len(kept) and isinstance(bounding_box, BoundingBox) and not invert:
+        if len(self) and not len(kept) and not invert and not isinstance(bounding_box, SelectionPolygonVolume):
             self._doubt_box(bounding_box)
         return kept
 
@@ -115,7 +115,7 @@ class Selection(Composition):
         """The points of these rows, in their order: `select_by_index` for a device array of int32, unchecked."""
         return self.with_arrays({name: gather_rows(values, rows) for name, values in self._arrays.items()})
 
-    def _doubt_box(self, box: BoundingBox) -> None:
+    def _doubt_box(self, box: AxisAlignedBoundingBox | OrientedBoundingBox) -> None:
         """Warn where a box that holds no point is of other coordinates than the cloud."""
         low, high, finite = bound_points(self._arrays["points"])
         if finite:

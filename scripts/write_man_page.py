@@ -55,6 +55,7 @@ def of_command(name: str, command: click.Command, parent: click.Context) -> list
 
 def man_page() -> str:
     """The whole page."""
+    sys.path.insert(0, str(ROOT / "src"))  # this checkout's commands
     from pointloom import __version__
     from pointloom.app.shell.cli import cli
 

@@ -53,7 +53,7 @@ class Chapter:
 def chapters() -> tuple[Chapter, ...]:
     """All of them, in order."""
     rows = tomllib.loads(Path(__file__).with_name("chapters.toml").read_text(encoding="utf-8"))["chapter"]
-    return tuple(Chapter(**{key: tuple(v) if isinstance(v, list) else v for key, v in row.items()}) for row in rows)
+    return tuple(Chapter(**row | {"names": tuple(row["names"]), "commands": tuple(row["commands"])}) for row in rows)
 
 
 def place_of_docs() -> str | None:

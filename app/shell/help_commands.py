@@ -16,7 +16,8 @@ BUILD = "`make docs` in a checkout builds them"
 
 @click.command(short_help="Print what makes the tab key complete commands.")
 @click.argument("shell", required=False, type=click.Choice(["bash", "zsh", "fish"]), metavar="[bash|zsh|fish]")
-def completion(shell: str | None) -> int:
+@json_option()
+def completion(shell: str | None, as_json: bool) -> int:
     """Print a script that makes the tab key complete commands, options, their choices, and files by their extension.
 
     Without a name it is that of the shell that you are in ($SHELL). In its start-up file:
@@ -25,6 +26,9 @@ def completion(shell: str | None) -> int:
     bash    eval "$(pointloom completion bash)"      # in ~/.bashrc; from bash 4.4
     zsh     eval "$(pointloom completion zsh)"       # in ~/.zshrc
     fish    pointloom completion fish | source       # in ~/.config/fish/config.fish
+
+    \b
+    pointloom completion > ~/.pointloom-completion   # to source it, which does not start Python each time
     """
     from .completion import SHELLS
 
@@ -32,7 +36,11 @@ def completion(shell: str | None) -> int:
     if name not in SHELLS:
         refuse(f"the shell here is {name or 'not known'}; name one of {', '.join(SHELLS)}")
     root = click.get_current_context().find_root()
-    click.echo(SHELLS[name](root.command, {}, "pointloom", VARIABLE).source())
+    script = SHELLS[name](root.command, {}, "pointloom", VARIABLE).source()
+    if as_json:
+        print_json({"command": "completion", "shell": name, "script": script})
+    else:
+        click.echo(script)
     return 0
 
 

@@ -27,9 +27,10 @@ from .commands import answer, names_in, run
 
 ROOT = Path(__file__).resolve().parents[2]
 COMMANDS = (
-    "clean", "clean-mesh", "cluster", "compare-meshes", "convert", "crop", "demo", "depth", "doctor", "downsample",
-    "evaluate", "fuse", "info", "mesh", "multiway", "normals", "odometry", "plane", "reconstruct", "register", "sample",
-    "sample-mesh", "simplify", "smooth-mesh", "texture", "track", "video", "view",
+    "clean", "clean-mesh", "cluster", "compare-meshes", "completion", "convert", "crop", "demo", "depth", "docs",
+    "doctor", "downsample", "evaluate", "fuse", "info", "mesh", "multiway", "normals", "odometry",
+    "plane", "reconstruct", "register", "sample", "sample-mesh", "simplify", "smooth-mesh", "texture", "track", "video",
+    "view",
 )  # fmt: skip
 
 
