@@ -18,11 +18,11 @@ reg = loom.registration
 # 0.6 mm each. No point is in both, so that no pair is exact.
 rng = np.random.default_rng(0)
 mesh = loom.data.object_mesh()
-whole = mesh.sample_points_uniformly(8_000, seed=2)
+whole = mesh.sample_points_uniformly(12_000, seed=2)
 size = float(np.linalg.norm(whole.get_max_bound() - whole.get_min_bound()))
-noise = rng.normal(scale=0.0015 * size, size=(8_000, 3))
+noise = rng.normal(scale=0.0015 * size, size=(12_000, 3))
 whole = loom.PointCloud(whole.points + noise, colors=whole.colors)
-is_target = np.arange(8_000) % 2 == 0
+is_target = np.arange(12_000) % 2 == 0
 target = whole.select_by_mask(is_target).estimate_normals(max_nn=20).orient_normals_consistent_tangent_plane(12)
 source = whole.select_by_mask(~is_target).estimate_normals(max_nn=20).orient_normals_consistent_tangent_plane(12)
 print(f"{len(source)} and {len(target)} points, {100 * size:.1f} cm across")
