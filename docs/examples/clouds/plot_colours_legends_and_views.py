@@ -74,7 +74,7 @@ with tempfile.TemporaryDirectory() as folder:
     kept = loom.View.from_open3d(bounds, zoom=0.7, front=[0.5, -0.8, 0.4], up=[0, 0, 1], width=960, height=640)
     loom.write_view(path, kept, bounds)
     first = loom.render(cloud, kept)
-    again = loom.render(cloud, path, (960, 640))
+    again = loom.render(cloud, loom.read_view(path, width=960, height=640))
 difference = np.abs(first.astype(int) - again.astype(int)).mean()
 print(f"pictures from the view and from its file differ by {difference:.3f} of 255 on average")
 assert difference < 1.0

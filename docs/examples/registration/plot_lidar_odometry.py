@@ -93,6 +93,6 @@ assert blur["straightened"] < blur["as measured"]
 # %%
 # The run as it went: play, turn, and scrub through it.
 page = Path(tempfile.mkdtemp()) / "drive.html"
-with loom.record(page, title="A drive, scan by scan", max_points=60_000):
-    reg.run_odometry(drive.scans[:15], max_range=80.0, min_range=1.0)
+with loom.record(page, title="A drive, scan by scan", max_points=40_000):
+    reg.run_odometry(drive.scans[:12], max_range=80.0, min_range=1.0)
 print(f"{page.stat().st_size / 2**20:.1f} MiB")

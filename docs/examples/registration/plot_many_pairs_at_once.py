@@ -65,12 +65,12 @@ for row in right.reshape(9, 9).T[::-1]:
 assert right.reshape(9, 9)[4, 4] and right.sum() >= 9
 
 # %%
-# The placed scans, each in its own colour.
-palette = np.random.default_rng(3).uniform(0.2, 0.9, (len(scans), 3))
-placed = []
-for scan, pose, color in zip(drive.scans, path.poses, palette, strict=True):
-    cloud = reg.deskew_point_cloud(scan, step).transform(pose).voxel_down_sample(0.15)
-    near = cloud.select_by_mask((np.abs(cloud.points - [5, 0, 4]) < [24, 16, 12]).all(axis=1))
-    placed.append({"geometry": near.without("colors"), "color": tuple(color), "point_size": 2.5})
-corners = np.vstack([part["geometry"].points for part in placed])
-picture = loom.render(placed, loom.fit_view(corners, direction=(0.35, 0.75, -0.5), width=960, height=640))
+# The first scan and the last, 11 m further on, each in its own colour, under the path of the batch.
+placed = {}
+for name, k, color in (("first", 0, (0.2, 0.5, 0.8)), ("last", 11, (0.95, 0.55, 0.1))):
+    cloud = reg.deskew_point_cloud(drive.scans[k], step).transform(path.poses[k])
+    near = cloud.select_by_mask((np.abs(cloud.points - [5, 0, 4]) < [24, 16, 12]).all(axis=1)).without("colors")
+    placed[name] = {"geometry": near, "color": color, "point_size": 3}
+corners = np.vstack([part["geometry"].points for part in placed.values()])
+view = loom.fit_view(corners, direction=(0.35, 0.75, -0.5), width=960, height=640)
+picture = loom.render(placed, view, legend=True)

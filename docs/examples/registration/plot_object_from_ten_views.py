@@ -22,8 +22,8 @@ views = loom.data.object_scans(10)
 print(len(views.scans), "scans,", views.scans[0])
 
 # %%
-# The voxel is a tenth of what there is to recognise: 4 mm on a figure of 30 cm. Poses end up far finer than it.
-result: reg.FragmentsResult = reg.register_fragments(views.scans, voxel_size=0.004)
+# The voxel is a tenth of what there is to recognise: 5 mm on a figure of 30 cm. Poses end up far finer than it.
+result: reg.FragmentsResult = reg.register_fragments(views.scans, voxel_size=0.005)
 print(result)
 assert result.placed.all()
 best: reg.FragmentPair = max(result.pairs, key=lambda pair: pair.fitness)
