@@ -180,10 +180,8 @@ def _survey_pose(index: int) -> NDArray[np.float64]:
         turn = (index // 20 % 5 - 2) * 0.3
         yaw, height, pitch = math.atan2(SIZE[1] / 2 - y, SIZE[0] / 2 - x) + turn, 2.25, -0.75
     else:
-        yaw, (wide, deep, height, pitch) = (
-            4 * math.pi * share,
-            ((1.6, 1.2, 2.35, -0.75), (0.9, 0.8, 0.6, 0.05))[kind - 2],
-        )
+        wide, deep, height, pitch = ((1.6, 1.2, 2.35, -0.75), (0.9, 0.8, 0.6, 0.05))[kind - 2]
+        yaw = 4 * math.pi * share
         x, y = SIZE[0] / 2 - wide * math.cos(yaw), SIZE[1] / 2 - deep * math.sin(yaw)
     way = (math.cos(yaw) * math.cos(pitch), math.sin(yaw) * math.cos(pitch), math.sin(pitch))
     return look_along(np.array([x, y, height]), way)
