@@ -79,7 +79,7 @@ class RGBDImage(ToldNames):
         )
         self.color_array = upload_color(color, self.height, self.width, where)
         if isinstance(depth, np.ndarray):
-            _check_scale(depth, depth_scale, depth_trunc)
+            warn_of_scale(depth, depth_scale, depth_trunc)
         self.device, self._library = where, library_of(depth)
 
     @classmethod
@@ -273,19 +273,23 @@ def upload_raw_depth(
     return raw, scale, farthest, image.shape[0], image.shape[1]
 
 
-def _check_scale(depth: NDArray[Any], depth_scale: float, depth_trunc: float) -> None:
-    """Warn where a scale or limit leaves no depth of an image on the host; all of it is looked at only if a part is."""
+def warn_of_scale(
+    depth: Any, depth_scale: float, depth_trunc: float, limit: str = "depth_trunc", times: float = 1.0
+) -> None:
+    """Warn where a scale or limit leaves no depth of an image on the host, since all is so many `times` farther."""
+    if not isinstance(depth, np.ndarray):
+        return
     unit = 1.0 if depth.dtype.kind == "f" else depth_scale
     for part in (depth[::8, ::8], depth):
         with np.errstate(invalid="ignore"):
             measured = part[(part > 0) & np.isfinite(part)]
-        if measured.size and float(measured.min()) / unit <= depth_trunc:
+        if measured.size and float(measured.min()) / unit <= depth_trunc * times:
             return
     if measured.size:
         given = f"{measured.size:,} of {measured.dtype} {measured.min()}..{measured.max()}"
         scale = "metres" if depth.dtype.kind == "f" else f"{depth_scale:g} units a metre"
         warn_of_units(
-            f"depth_scale, depth_trunc: no depth is left: {given}, taken for {scale}, lie beyond {depth_trunc:g} m; "
+            f"depth_scale, {limit}: no depth is left: {given}, taken for {scale}, lie beyond {depth_trunc:g} m; "
             "integers in millimetres want depth_scale=1000, floats in millimetres are divided by 1000 first"
         )
 
@@ -301,7 +305,8 @@ def _as_array(name: str, values: Any) -> NDArray[Any]:
 
 def _check_size(image: Any) -> None:
     if image.ndim != 2 or 0 in image.shape:
-        raise ValueError(f"depth: expected shape [h, w], got {list(image.shape)}")
+        remedy = "; colour comes first, then depth" if image.ndim == 3 else ""
+        raise ValueError(f"depth: expected shape [h, w], got {list(image.shape)}{remedy}")
 
 
 def _flat_floats(image: wp.array) -> wp.array:
@@ -374,8 +379,13 @@ def check_intrinsic(intrinsic: Any, width: int, height: int) -> PinholeCameraInt
     """The intrinsic, once it fits the image."""
     if not isinstance(intrinsic, PinholeCameraIntrinsic):
         kind = type(intrinsic).__name__
-        raise TypeError(f"intrinsic: expected a PinholeCameraIntrinsic, got {kind}; see its from_matrix")
+        raise TypeError(
+            f"intrinsic: expected a PinholeCameraIntrinsic, got {kind}; "
+            "PinholeCameraIntrinsic.from_matrix(K, width, height) makes one of a matrix"
+        )
     if (intrinsic.width, intrinsic.height) != (width, height):
         expected = f"{intrinsic.width} x {intrinsic.height}"
-        raise ValueError(f"intrinsic: made for {expected} pixels, but the image has {width} x {height}")
+        is_alike = intrinsic.width * height == intrinsic.height * width
+        remedy = f"; intrinsic.scaled({width / intrinsic.width:g}) is the same camera at that size" if is_alike else ""
+        raise ValueError(f"intrinsic: made for {expected} pixels, but the image has {width} x {height}{remedy}")
     return intrinsic

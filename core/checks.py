@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import operator
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -54,12 +55,29 @@ def check_rows(name: str, values: Any, width: int, *, rows: int | None = None, d
         if array.size == 0 and array.ndim <= 2 and len(array) == 0:
             array = array.reshape(0, width)
         else:
-            raise ValueError(f"{name}: expected shape [n, {width}], got {list(array.shape)}")
+            raise ValueError(
+                f"{name}: expected shape [n, {width}], got {list(array.shape)}{remedy_of_shape(array.shape, width)}"
+            )
     if rows is not None and len(array) != rows:
         raise ValueError(
             f"{name}: expected shape [{rows}, {width}] as the cloud has {rows} points, got {list(array.shape)}"
         )
     return array if dtype is None else _cast(name, array, dtype)
+
+
+def remedy_of_shape(shape: Sequence[int], width: int) -> str:
+    """What makes rows of `width` numbers of an array of another shape, for messages; nothing where nobody can tell."""
+    if len(shape) == 2 and shape[0] == width:
+        return "; its transpose has it: array.T"
+    if len(shape) == 1 and shape[0] == width:
+        return "; one row is [row]"
+    if len(shape) == 1 and shape[0] % width == 0:
+        return f"; array.reshape(-1, {width}) makes rows of it"
+    if len(shape) == 2 and (shape[1], width) == (2, 3):
+        return "; np.pad(array, ((0, 0), (0, 1))) gives it z = 0"
+    if len(shape) == 2 and shape[1] > width:
+        return f"; array[:, :{width}] are its first columns"
+    return ""
 
 
 def _cast(name: str, array: NDArray[Any], dtype: Any) -> NDArray[Any]:
@@ -90,13 +108,38 @@ def check_finite(name: str, array: NDArray[Any]) -> NDArray[Any]:
     return array
 
 
+def check_direction(name: str, direction: Any) -> NDArray[np.float64]:
+    """A direction as a unit vector [3], of any length that is not zero."""
+    vector = check_finite(name, check_shape(name, direction, (3,)))
+    size = np.abs(vector).max()
+    if not size > 0:
+        raise ValueError(f"{name}: expected a direction, got {vector.tolist()}")
+    vector = vector / size  # whose square does not overflow
+    return vector / np.linalg.norm(vector)
+
+
 def check_color(name: str, color: Any) -> NDArray[np.float64]:
     """Red, green and blue, each 0 to 1."""
+    has_four = len(color) == 4 if isinstance(color, list | tuple) else getattr(color, "shape", None) == (4,)
+    if isinstance(color, str) or has_four:
+        remedy = ", such as [1, 0, 0]" if isinstance(color, str) else ", without a fourth for how opaque it is"
+        kind = TypeError if isinstance(color, str) else ValueError
+        raise kind(f"{name}: expected red, green and blue in 0..1{remedy}, got {shown(color)}")
     rgb = check_shape(name, color, (3,))
     if not ((rgb >= 0) & (rgb <= 1)).all():
         remedy = "; divide 8-bit colours by 255" if (rgb > 1).any() else ""
         raise ValueError(f"{name}: expected 0..1, got {rgb.tolist()}{remedy}")
     return rgb
+
+
+def check_colors(name: str, colors: NDArray[Any]) -> NDArray[np.float32]:
+    """Rows of red, green and blue in 0..1; those of 8 bits are divided by 255."""
+    if colors.dtype == np.uint8:
+        return colors.astype(np.float32) / np.float32(255)
+    if colors.size and not (colors.min() >= -1e-3 and colors.max() <= 1 + 1e-3):
+        remedy = "; divide 8-bit colours by 255" if colors.max() > 1 else ""  # not of NaN
+        raise ValueError(f"{name}: expected 0..1, got {colors.min()}..{colors.max()}{remedy}")
+    return colors.astype(np.float32)
 
 
 def check_numeric(name: str, values: Any) -> NDArray[Any]:
@@ -185,7 +228,9 @@ def check_count(
             raise TypeError
         number = operator.index(value)
     except TypeError as error:
-        raise TypeError(f"{name}: expected a whole number, got {shown(value)}") from error
+        whole = isinstance(value, float) and value.is_integer() and abs(value) <= maximum
+        remedy = f"; {int(value)} is one" if whole else ""
+        raise TypeError(f"{name}: expected a whole number, got {shown(value)}{remedy}") from error
     if number < minimum:
         raise ValueError(f"{name}: expected a whole number >= {minimum}, got {shown(value)}")
     if number > maximum:
@@ -293,6 +338,27 @@ def check_search(radius: Any, max_nn: Any) -> tuple[float, int | None]:
     return reach, None if max_nn is None else check_count("max_nn", max_nn)
 
 
+def check_angle(name: str, value: Any, *, allow_zero: bool = False) -> float:
+    """An angle up to a full turn [rad]; what lies beyond is one in degrees."""
+    angle = check_positive(name, value, allow_zero=allow_zero)
+    if angle > 2 * math.pi:
+        raise ValueError(
+            f"{name}: expected radians, up to 6.283, got {shown(value)}; of degrees np.radians({value:g}) makes them"
+        )
+    return angle
+
+
+def check_order(count_name: str, count: Any, length_name: str, length: Any) -> None:
+    """Refuse a count and a length that were swapped.
+
+    Raises:
+        TypeError: The count is a number with a point, and the length a whole one.
+    """
+    if isinstance(count, float) and isinstance(length, int) and not isinstance(length, bool):
+        given = f"{count_name}={length}, {length_name}={count}"
+        raise TypeError(f"{count_name}: expected a whole number, got {count!r}; swapped? write {given}")
+
+
 def check_seed(seed: Any) -> int:
     """A whole number from 0 to 2^31 - 1, as counter-based random numbers take it."""
     if isinstance(seed, int) and seed > MOST_SEED:
@@ -325,9 +391,15 @@ def check_rigid(name: str, matrix: Any, *, tolerance: float = RIGID_TOLERANCE) -
 
 def check_transformation(name: str, matrix: Any) -> NDArray[np.float64]:
     """A finite, invertible 4x4 affine transformation in float64."""
+    if check_numeric(name, matrix).shape == (3, 3):
+        raise ValueError(f"{name}: expected shape [4, 4], got [3, 3]; a rotation alone is rotate(R)")
     T = check_shape(name, matrix, (4, 4))
     if not np.isfinite(T).all() or np.abs(T[3] - (0, 0, 0, 1)).max() > 1e-9:
-        raise ValueError(f"{name}: expected a finite affine 4x4 matrix with last row (0, 0, 0, 1), got {T.tolist()}")
+        is_turned = np.abs(T[:, 3] - (0, 0, 0, 1)).max() <= 1e-9
+        remedy = "; its transpose is one: T.T" if is_turned else ""
+        raise ValueError(
+            f"{name}: expected a finite affine 4x4 matrix with last row (0, 0, 0, 1), got {T.tolist()}{remedy}"
+        )
     check_finite(name, T)
     if np.linalg.matrix_rank(T[:3, :3]) < 3:
         raise ValueError(f"{name}: expected an invertible matrix, got {T.tolist()}")

@@ -9,7 +9,7 @@ import sys
 import warnings
 from collections.abc import Callable
 from types import CodeType, FrameType
-from typing import Any, NamedTuple, ParamSpec, TypeVar
+from typing import TYPE_CHECKING, Any, NamedTuple, ParamSpec, TypeVar, cast
 
 from .told_arguments import is_of_call, mismatch
 
@@ -39,6 +39,21 @@ class DroppedResultWarning(UserWarning):
         >>> with warnings.catch_warnings():
         ...     warnings.simplefilter("error", loom.DroppedResultWarning)  # make it an error
     """
+
+
+class Pair(tuple[Any, ...]):
+    """A tuple of results that says so where it is taken for the first: `cloud.remove_radius_outlier(4, 0.1).points`."""
+
+    __slots__ = ()
+
+    if not TYPE_CHECKING:
+
+        def __getattr__(self, name: str) -> Any:  # asked only where there is none
+            if not self or name.startswith("_") or not hasattr(type(self[0]), name):
+                raise AttributeError(f"'tuple' object has no attribute {name!r}")
+            kinds = ", ".join(type(part).__name__ for part in self)
+            taken = ", ".join([OWNERS.get(type(self[0]).__name__, "result"), *("_" * (len(self) - 1))])
+            raise AttributeError(f"a tuple of {kinds} has no attribute {name!r}; take it apart: {taken} = ...")
 
 
 class Place(NamedTuple):
@@ -79,7 +94,7 @@ def returns_new(operation: Callable[P, R]) -> Callable[P, R]:
             raise mismatch(operation, args, kwargs, error) from None
         if _is_dropped(sys._getframe(1), call):
             warnings.warn(_message(operation, args, result), DroppedResultWarning, stacklevel=2)
-        return result
+        return cast(R, Pair(result)) if type(result) is tuple else result
 
     return call
 

@@ -19,7 +19,7 @@ from ..kernels.images.depth import PixelGrid, color_pixels
 from ..kernels.lang import float32, float64, int32, int64, uint8, vec3, vec3d, vec3i
 from ..kernels.memory import cast, contiguous, download, empty, upload
 from .array_libraries import view_as
-from .checks import check_rows, is_on_gpu
+from .checks import check_rows, is_on_gpu, remedy_of_shape
 from .coordinates import MEDIAN_SAMPLE, ORIGIN_LIMIT, middle_of
 from .devices import check_same_device, resolve_device
 from .exchange import share
@@ -65,7 +65,8 @@ def take_rows(name: str, values: Any, width: int, device: Any = None, *, rows: i
     array = take_numbers(name, values, device)
     if array.ndim != 2 or array.shape[1] != width:
         if array.size or array.shape[0]:
-            raise ValueError(f"{name}: expected shape [n, {width}], got {list(array.shape)}")
+            found = f"{list(array.shape)}{remedy_of_shape(array.shape, width)}"
+            raise ValueError(f"{name}: expected shape [n, {width}], got {found}")
         array = empty((0, width), array.dtype, array.device)
     if rows is not None and array.shape[0] != rows:
         found = list(array.shape)
@@ -79,9 +80,10 @@ def take_vectors(name: str, values: Any, device: Any, *, rows: int | None = None
     return view_as(_as(array, float32), vec3, (array.shape[0],))
 
 
-def take_colors(values: Any, device: Any, count: int) -> wp.array:
+def take_colors(name: str, values: Any, device: Any, *, rows: int | None = None) -> wp.array:
     """Colours of shape [n, 3] as an array of vec3: 0..1, or 8-bit ones divided by 255."""
-    array = take_rows("colors", values, 3, device, rows=count)
+    array = take_rows(name, values, 3, device, rows=rows)
+    count = int(array.shape[0])
     if array.dtype == uint8:
         return color_pixels(array, PixelGrid(count, 1, 1)) if count else empty(0, vec3, device)
     colors = view_as(_as(array, float32), vec3, (count,))
@@ -89,7 +91,7 @@ def take_colors(values: Any, device: Any, count: int) -> wp.array:
     if count and not (finite == count and low.min() >= -1e-3 and high.max() <= 1 + 1e-3):
         remedy = "; divide 8-bit colours by 255" if high.max() > 1 else ""
         found = f"{low.min()}..{high.max()}" if finite == count else "NaN or infinite ones"
-        raise ValueError(f"colors: expected 0..1, got {found}{remedy}")
+        raise ValueError(f"{name}: expected 0..1, got {found}{remedy}")
     return colors
 
 

@@ -21,12 +21,14 @@ SAME_SHARE = 1e-7  # by which a length may be rounded and still is that of a kno
 _NEAR_SHARE = 1e-5  # by which a length of few digits may differ from that of the unit which the same place names
 
 
+_FOR_USERS = ("pointloom.app.", "pointloom.bridge.")  # houses that do what a user asks for, word by word
+_AROUND_CALLS = ("pointloom.core.dropped_results", "pointloom.core.told_arguments")  # decorators of operations
 _PASSED_OVER = ("pointloom.", "numpy.", "contextlib")  # modules in which no warning is the user's
 
 
 class UnitWarning(UserWarning):
     """Lengths of two units meet, such as those of a cloud in feet and of one in metres; or most likely do, since a
-    radius, a scale or a limit leaves nothing of the data.
+    radius, a scale or a limit leaves nothing of the data or cannot part it, or two clouds lie far from each other.
 
     Example:
         >>> import warnings, pointloom as loom
@@ -201,9 +203,19 @@ def common_unit(name: str, units: Iterable[LengthUnit | None]) -> LengthUnit | N
     return None
 
 
-def warn_of_units(message: str) -> None:
+def warn_of_units(message: str, category: type[Warning] = UnitWarning) -> None:
     """Warn, at the line of the user's that led here."""
-    warnings.warn(message, UnitWarning, stacklevel=_user_level())
+    warnings.warn(message, category, stacklevel=_user_level())
+
+
+def asked_by_user() -> bool:
+    """Whether the operation that asks was called by a user's code or a command, and by no other operation."""
+    frame = sys._getframe(2)
+    own = frame.f_globals.get("__name__", "")
+    while frame.f_back is not None and frame.f_globals.get("__name__", "") in (own, *_AROUND_CALLS):
+        frame = frame.f_back
+    name = frame.f_globals.get("__name__", "")
+    return not name.startswith("pointloom.") or name.startswith(_FOR_USERS)
 
 
 def _user_level() -> int:

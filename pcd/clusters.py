@@ -7,12 +7,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..core.checks import check_count, check_positive
+from ..core.checks import check_count, check_order, check_positive
 from ..core.told_arguments import told_arguments
 from ..core.verbosity import told_time
 from ..core.watching import report
 from ..kernels.segmentation.cluster_labels import rank_by_size
 from ..kernels.segmentation.dbscan import cluster_points
+from .length_doubts import warn_of_long, warn_of_short
 from .selection import Selection
 
 MAX_SIZE = 2**31 - 2  # more points than a cloud holds
@@ -54,9 +55,15 @@ class Clusters(Selection):
             >>> cloud.cluster_dbscan(eps=0.2, min_points=2).tolist()
             [0, 0, 1, 1, -1]
         """
+        check_order("min_points", min_points, "eps", eps)
         reach, least = check_positive("eps", eps), check_count("min_points", min_points, **ANY)
         with told_time(f"clusters of {len(self):,} points", print_progress):
-            labels, _ = self._cluster(reach, least)
+            labels, found = self._cluster(reach, least)
+        tree, unit = self.search_tree(), self.unit
+        if not found and least > 1:
+            warn_of_short("eps", tree, reach, unit, "all points are noise")
+        elif found == 1:
+            warn_of_long("eps", reach, tree.low, tree.high, tree.count, unit, "all of them are one cluster")
         report("clusters", cloud=self, labels=labels)
         return self.handed_out(labels)
 

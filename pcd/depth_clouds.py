@@ -9,7 +9,7 @@ import warp as wp
 from numpy.typing import ArrayLike, NDArray
 
 from ..cameras.camera import PinholeCameraIntrinsic, check_pixels
-from ..cameras.images import RGBDImage, check_intrinsic, upload_depth
+from ..cameras.images import RGBDImage, check_intrinsic, upload_depth, warn_of_scale
 from ..core.array_libraries import hand_out, library_of
 from ..core.checks import check_count, check_positive, check_rigid
 from ..core.coordinates import split_origin
@@ -18,6 +18,9 @@ from ..core.told_arguments import told_arguments
 from ..kernels.images.depth import PixelGrid, color_pixels, pixel_normals, unproject_depth
 from ..kernels.images.depth_projection import project_points, read_colors, read_depth
 from .selection import Selection
+
+NOBODY_MEASURES = 1000.0  # [m] and more, by a depth camera
+OTHER_UNIT = 30.0  # times the farthest depth kept: a limit cuts off less
 
 
 class DepthClouds(Selection):
@@ -61,6 +64,8 @@ class DepthClouds(Selection):
         where = device_for(depth, device)
         metric, _, height, width = upload_depth(depth, depth_scale, depth_trunc, where, limit="depth_trunc")
         camera = check_intrinsic(intrinsic, width, height)
+        times = 1.0 if depth_trunc >= NOBODY_MEASURES else OTHER_UNIT
+        warn_of_scale(depth, depth_scale, depth_trunc, times=times)
         cloud = cls.from_device_depth(metric, None, camera, extrinsic, stride, project_valid_depth_only, with_normals)
         cloud._library = library_of(depth)
         return cloud

@@ -18,6 +18,7 @@ from ..kernels.memory import upload
 from ..kernels.search.point_tree import PointTree
 from .cloud import PointCloud
 from .kept_tree import check_extent
+from .length_doubts import warn_of_short
 from .point_arrays import check_cloud
 
 
@@ -64,12 +65,13 @@ def compute_fpfh_feature(
     check_cloud("cloud", cloud)
     reach, count = check_search(radius, max_nn)
     if not cloud.has_normals:
-        raise ValueError("cloud: FPFH needs normals, and it has none; call estimate_normals() first")
+        raise ValueError("cloud: FPFH needs normals, and it has none; call cloud = cloud.estimate_normals()")
     rows = None if indices is None else _device_indices(indices, cloud)
     normals = cloud.device_array("normals")
     masked = mask_points(cloud.device_array("points"), normals)
     tree = cloud.search_tree() if masked is None else PointTree(masked)
     check_extent("cloud", tree.low, tree.high, tree.source)
+    warn_of_short("radius", tree, radius, cloud.unit, "the features are zeros")
     return hand_out(compute_features(tree, normals, reach, count, rows), cloud.array_library)
 
 

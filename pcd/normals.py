@@ -9,22 +9,16 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..core.checks import check_count, check_finite, check_numeric, check_positive, check_search, check_shape
 from ..core.dropped_results import returns_new
-from ..core.units import LengthUnit, symbol_of, warn_of_units
 from ..kernels.arrays.select import gather_rows
-from ..kernels.arrays.sort import positions
 from ..kernels.extent.masks import usable_rows
 from ..kernels.memory import download
-from ..kernels.reconstruction.ball_surface import count_around
 from ..kernels.search.point_tree import PointTree
 from ..kernels.surface.covariances import estimate_covariances
 from ..kernels.surface.normal_agreement import share_of_opposed_normals
 from ..kernels.surface.normals import align_normals, estimate_normals, orient_normals
 from ..kernels.surface.orientation import flip_vectors, normalize_vectors, orient_consistently
+from .length_doubts import warn_of_short
 from .point_arrays import PointArrays
-
-FEW = 10  # points that need no warning
-SHORT = 0.25  # of the spacing of a surface: a radius below it is looked at
-ALONE = 1.1  # points within a radius on average, the point itself among them: nine in ten have nobody
 
 
 class Normals(PointArrays):
@@ -65,7 +59,7 @@ class Normals(PointArrays):
         reach, count = check_search(radius, max_nn)
         points = self._arrays["points"]
         tree = self.search_tree()
-        _check_radius(tree, radius, self.unit)
+        warn_of_short("radius", tree, radius, self.unit, "normals are (0, 0, 1)")
         normals = estimate_normals(tree, points, count, reach)
         if self.has_normals:
             align_normals(normals, self._arrays["normals"])
@@ -129,7 +123,7 @@ class Normals(PointArrays):
         Raises:
             ValueError: The cloud has no normals.
         """
-        normals = self.required_array("normals", "call estimate_normals() first")
+        normals = self.required_array("normals", "call cloud = cloud.estimate_normals()")
         return self.with_arrays(self._arrays | {"normals": normalize_vectors(normals)}, grid=self.grid)
 
     @returns_new
@@ -139,7 +133,7 @@ class Normals(PointArrays):
         Raises:
             ValueError: The cloud has no normals.
         """
-        normals = self.required_array("normals", "call estimate_normals() first")
+        normals = self.required_array("normals", "call cloud = cloud.estimate_normals()")
         return self.with_arrays(self._arrays | {"normals": flip_vectors(normals)}, grid=self.grid)
 
     @returns_new
@@ -206,7 +200,7 @@ class Normals(PointArrays):
             >>> bool(((oriented.normals * sphere).sum(axis=1) > 0).all())
             True
         """
-        normals = self.required_array("normals", "call estimate_normals() first")
+        normals = self.required_array("normals", "call cloud = cloud.estimate_normals()")
         neighbors = check_count("k", k)
         penalty = check_positive("lambda_penalty", lambda_penalty, allow_zero=True)
         steepest = check_positive("cos_alpha_tol", cos_alpha_tol, allow_zero=True)
@@ -257,24 +251,6 @@ class Normals(PointArrays):
     # ------------------------------------------------------------------------------------------ internals
 
     def _orient(self, reference: NDArray[np.float64], *, to_point: bool) -> Self:
-        normals = self.required_array("normals", "call estimate_normals() first")
+        normals = self.required_array("normals", "call cloud = cloud.estimate_normals()")
         oriented = orient_normals(self._arrays["points"], normals, reference, to_point)
         return self.with_arrays(self._arrays | {"normals": oriented}, grid=self.grid)
-
-
-def _check_radius(tree: PointTree, radius: float | None, unit: LengthUnit | None) -> None:
-    """Warn where a radius finds nobody; points are only counted where it is short for a surface as large as theirs."""
-    if radius is None or tree.count <= FEW:
-        return
-    extent = float(np.max(np.asarray(tree.high, np.float64) - tree.low))
-    usual = extent / float(np.sqrt(tree.count))  # between the points of a surface
-    if radius > SHORT * usual:
-        return
-    found = count_around(tree, positions(tree.count, tree.device), radius)
-    if found < ALONE:
-        m = symbol_of(unit)
-        others = f"{found - 1:.2g} other points on average"
-        warn_of_units(
-            f"radius: {radius:g} {m} finds {others}, so that normals are (0, 0, 1); the cloud's {tree.count:,} points "
-            f"span {extent:.3g} {m}: take the radius in its unit, some {2 * usual:.2g} {m}"
-        )

@@ -8,12 +8,13 @@ import numpy as np
 import warp as wp
 from numpy.typing import NDArray
 
-from ..core.checks import check_count, check_positive
+from ..core.checks import check_count, check_order, check_positive
 from ..core.dropped_results import returns_new
 from ..core.verbosity import told_time
 from ..kernels.arrays.select import positions_of
 from ..kernels.search.neighbor_distances import average_distances, mask_up_to, mean_and_deviation
 from ..kernels.segmentation.neighbor_counts import mask_crowded
+from .length_doubts import warn_of_short
 from .selection import Selection
 
 ROUNDING = 1 + 1e-12  # where all distances are equal, their mean may round to less
@@ -55,6 +56,7 @@ class Outliers(Selection):
             >>> 1000 in indices
             False
         """
+        check_order("nb_neighbors", nb_neighbors, "std_ratio", std_ratio)
         k = check_count("nb_neighbors", nb_neighbors)
         ratio = check_positive("std_ratio", std_ratio)
         with told_time(f"statistical outliers of {len(self):,} points", print_progress):
@@ -93,10 +95,14 @@ class Outliers(Selection):
             >>> len(inliers), 1000 in indices
             (1000, False)
         """
+        check_order("nb_points", nb_points, "radius", radius)
         needed = check_count("nb_points", nb_points) + 1
         reach = check_positive("radius", radius)
         with told_time(f"radius outliers of {len(self):,} points", print_progress):
-            return self._keep(mask_crowded(self.search_tree(), reach, needed))
+            kept = self._keep(mask_crowded(self.search_tree(), reach, needed))
+        if not len(kept[0]):
+            warn_of_short("radius", self.search_tree(), reach, self.unit, "no point is left")
+        return kept
 
     def _keep(self, mask: wp.array) -> tuple[Self, NDArray[np.int32]]:
         rows = positions_of(mask)

@@ -10,11 +10,13 @@ from numpy.typing import NDArray
 from ..core.checks import check_count, check_positive, check_seed, shown
 from ..core.told_arguments import told_arguments
 from ..core.watching import report
+from ..kernels.arrays.bounds import bound_points
 from ..kernels.arrays.select import gather_rows, invert_mask, positions_of
 from ..kernels.extent.masks import mask_finite
 from ..kernels.lang import int32
 from ..kernels.memory import full
 from ..kernels.segmentation.plane_fit import PlaneSearch, label_rows
+from .length_doubts import warn_of_long
 from .planar_patches import PlanarPatches
 
 MOST_SAMPLES = 10_000_000
@@ -84,6 +86,10 @@ class Planes(PlanarPatches):
             )
         mask = search.inliers(plane, settings[0])
         inliers = gather_rows(rows, positions_of(mask))
+        if inliers.size == rows.size:
+            low, high, finite = bound_points(points)
+            so = "all of them are taken for one plane"
+            warn_of_long("distance_threshold", settings[0], low, high, finite, self.unit, so)
         model = self._world_plane(search.refit(plane, mask), search.center)
         report("plane", cloud=self, inliers=inliers, model=model)
         return model, self.handed_out(inliers)

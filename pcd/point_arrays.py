@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterator
 from typing import Any, Self
 
@@ -10,7 +11,7 @@ import warp as wp
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from ..core.array_libraries import NUMPY, check_library, hand_out, library_of
-from ..core.checks import check_name, check_numeric, check_rows, is_on_gpu
+from ..core.checks import check_colors, check_name, check_numeric, check_rows, is_on_gpu
 from ..core.coordinates import quiet, split_origin
 from ..core.devices import resolve_device
 from ..core.dropped_results import returns_new
@@ -338,7 +339,8 @@ class PointArrays(InUnit, CloudQuestions):
             normals = check_rows(name, values, 3, rows=len(self), dtype=np.float32)
             self._arrays[name] = upload(normals, vec3, self.device, copied=is_copied)
         elif name == "colors":
-            self._arrays[name] = upload(_check_colors(values, len(self)), vec3, self.device, copied=is_copied)
+            colors = check_colors(name, check_rows(name, values, 3, rows=len(self)))
+            self._arrays[name] = upload(colors, vec3, self.device, copied=is_copied)
         else:
             column = check_numeric(name, values)
             if column.ndim not in (1, 2) or len(column) != len(self):
@@ -353,7 +355,7 @@ class PointArrays(InUnit, CloudQuestions):
         if name == "normals":
             return take_vectors(name, values, self.device, rows=len(self))
         if name == "colors":
-            return take_colors(values, self.device, len(self))
+            return take_colors(name, values, self.device, rows=len(self))
         return take_column(name, values, self.device, len(self))
 
 
@@ -364,23 +366,21 @@ def check_cloud(name: str, cloud: Any) -> None:
         TypeError: The message names the argument and says how a cloud is made.
     """
     if not isinstance(cloud, PointArrays):
-        raise TypeError(
-            f"{name}: expected a PointCloud, got {type(cloud).__name__}; loom.PointCloud(array) makes one of an array, "
-            "loom.PointCloud.from_open3d(cloud) one of Open3D's"
-        )
+        raise TypeError(f"{name}: expected a PointCloud, got {type(cloud).__name__}; {_remedy_of(cloud)}")
+
+
+def _remedy_of(value: Any) -> str:
+    """How a cloud is made of what is none, or taken out of it."""
+    if isinstance(value, tuple) and value and isinstance(value[0], PointArrays):
+        return "it is the first of the pair: cloud, rows = ..."
+    if isinstance(value, str | os.PathLike):
+        return "loom.read_point_cloud(path) reads one, loom.PointCloud(array) makes one of an array"
+    if hasattr(value, "sample_points_uniformly"):
+        return "mesh.sample_points_uniformly(100_000) makes one of a mesh"
+    return "loom.PointCloud(array) makes one of an array, loom.PointCloud.from_open3d(cloud) one of Open3D's"
 
 
 def read_only(array: NDArray[Any]) -> NDArray[Any]:
     """The array, which cannot be written to from now on."""
     array.flags.writeable = False
     return array
-
-
-def _check_colors(values: ArrayLike, count: int) -> NDArray[np.float32]:
-    colors = check_rows("colors", values, 3, rows=count)
-    if colors.dtype == np.uint8:
-        return colors.astype(np.float32) / np.float32(255)
-    if colors.size and not (colors.min() >= -1e-3 and colors.max() <= 1 + 1e-3):
-        remedy = "; divide 8-bit colours by 255" if colors.max() > 1 else ""  # not of NaN
-        raise ValueError(f"colors: expected 0..1, got {colors.min()}..{colors.max()}{remedy}")
-    return colors.astype(np.float32)

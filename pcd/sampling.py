@@ -20,11 +20,13 @@ from ..kernels.memory import cast, download, upload
 from ..kernels.sampling.farthest_points import choose_farthest
 from ..kernels.sampling.voxel_keys import VoxelGroups
 from ..kernels.sampling.voxel_traces import commonest_rows, nearest_to_means, trace_voxels
+from .length_doubts import warn_of_long
 from .point_arrays import VECTORS
 from .selection import Selection
 from .voxel_trace import VoxelTrace
 
 CELL_LIMIT = 2.0**53  # cells from the corner: float64 counts no further by ones
+WITHIN_ONE = 8  # cells at most that hold a cloud which is no larger than one
 OPEN3D_CELLS = 2**31 - 1  # Open3D counts the cells between the bounds in 32 bits
 
 
@@ -63,6 +65,9 @@ class Sampling(Selection):
         if check_name("reduction", reduction) not in ("mean", "nearest"):
             raise ValueError(f"reduction: expected 'mean' or 'nearest', got {shown(reduction)}")
         groups, _ = self._voxels(size, None)
+        if groups.count <= WITHIN_ONE:
+            low, high, finite = bound_points(self._arrays["points"])
+            warn_of_long("voxel_size", size, low, high, finite, self.unit, f"{groups.count} of them are left")
         if reduction == "nearest":
             return self.select_rows(nearest_to_means(self._arrays["points"], groups))
         return self._means(groups)
@@ -149,7 +154,8 @@ class Sampling(Selection):
         """
         ratio = check_positive("sampling_ratio", sampling_ratio, allow_zero=True)
         if ratio > 1:
-            raise ValueError(f"sampling_ratio: expected a share 0..1, got {sampling_ratio!r}")
+            remedy = f"; {sampling_ratio:g} % are {sampling_ratio / 100:g}" if 1 < sampling_ratio <= 100 else ""
+            raise ValueError(f"sampling_ratio: expected a share 0..1, got {sampling_ratio!r}{remedy}")
         return self.select_rows(draw_rows(len(self), int(ratio * len(self)), check_seed(seed), self.device))
 
     @returns_new

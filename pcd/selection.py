@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike
 from ..core.checks import check_indices, check_numeric, is_on_gpu
 from ..core.dropped_results import returns_new
 from ..core.gpu_arrays import take_indices, take_mask
+from ..kernels.arrays.bounds import bound_points
 from ..kernels.arrays.select import gather_rows, invert_mask, positions_of
 from ..kernels.arrays.subsets import other_rows
 from ..kernels.extent.masks import mask_finite
@@ -20,6 +21,7 @@ from ..kernels.sampling.duplicates import first_occurrences
 from .bounding_box import BoundingBox
 from .boxes import AxisAlignedBoundingBox, OrientedBoundingBox
 from .composition import Composition
+from .length_doubts import warn_of_far
 from .polygon_volume import SelectionPolygonVolume, mask_volume
 
 
@@ -78,8 +80,12 @@ class Selection(Composition):
         elif isinstance(bounding_box, SelectionPolygonVolume):
             mask = mask_volume(bounding_box, points, self._origin)
         else:
-            raise TypeError(f"bounding_box: expected a bounding box, got {type(bounding_box).__name__}")
-        return self._select_mask(mask, invert)
+            remedy = "loom.AxisAlignedBoundingBox(min_bound, max_bound) is one"
+            raise TypeError(f"bounding_box: expected a bounding box, got {type(bounding_box).__name__}; {remedy}")
+        kept = self._select_mask(mask, invert)
+        if len(self) and not len(kept) and isinstance(bounding_box, BoundingBox) and not invert:
+            self._doubt_box(bounding_box)
+        return kept
 
     @returns_new
     def remove_non_finite_points(self, remove_nan: bool = True, remove_infinite: bool = True) -> Self:
@@ -108,6 +114,13 @@ class Selection(Composition):
     def select_rows(self, rows: wp.array) -> Self:
         """The points of these rows, in their order: `select_by_index` for a device array of int32, unchecked."""
         return self.with_arrays({name: gather_rows(values, rows) for name, values in self._arrays.items()})
+
+    def _doubt_box(self, box: BoundingBox) -> None:
+        """Warn where a box that holds no point is of other coordinates than the cloud."""
+        low, high, finite = bound_points(self._arrays["points"])
+        if finite:
+            own = low + self._origin, high + self._origin
+            warn_of_far("bounding_box", box.get_min_bound(), box.get_max_bound(), *own, finite, self.unit)
 
     def _select_mask(self, mask: wp.array, invert: bool = False) -> Self:
         return self.select_rows(positions_of(invert_mask(mask) if invert else mask))

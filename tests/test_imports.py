@@ -25,7 +25,7 @@ FLOORS = [
     ["rgbd", "drawing"],
     ["photos"],
     ["data"],
-    ["app"],
+    ["app", "bridge"],
 ]
 HOUSES = [house for floor in FLOORS for house in floor]
 MAY_IMPORT = {
@@ -50,6 +50,7 @@ ROOMS = {
     "photos": ["sfm", "mvs", "depth", "video"],
     "data": ["scenes", "made", "public"],
     "app": ["jobs", "demos", "shell"],
+    "bridge": ["utility", "camera", "geometry"],
 }
 
 # lang.py and memory.py hand on what rooms below all others hold; check_cuda.py and cuda_cache.py look at every room.

@@ -119,7 +119,7 @@ def color_cloud(
         return Coloring(contiguous(cloud.device_array("colors")), "rgb", title="colour")
     if by in ("normal", "normals"):
         if not cloud.has_normals:
-            raise ValueError("by: the cloud has no normals; call estimate_normals() first")
+            raise ValueError("by: the cloud has no normals; call cloud = cloud.estimate_normals()")
         colors, flag = value_colors.color_normals(contiguous(cloud.device_array("normals")), MISSING)
         return Coloring(colors, "rgb", title="normal", has_missing=_is_raised(flag))
     if by in _AXES:

@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...cameras.camera import PinholeCameraIntrinsic
-from ...core.checks import check_count, check_finite, check_number, check_positive, check_shape
+from ...core.checks import check_count, check_direction, check_finite, check_number, check_positive, check_shape
 
 Bounds = tuple[Any, Any]
 
@@ -39,8 +39,8 @@ def view_from_open3d(
     """The camera and T_world_camera of a view with Open3D's parameters; see `View.from_open3d`."""
     low, high = (check_finite("bounds", check_shape("bounds", end, (3,))) for end in _pair(bounds))
     middle = (low + high) / 2 if lookat is None else check_finite("lookat", check_shape("lookat", lookat, (3,)))
-    backward = unit("front", front)
-    right = np.cross(unit("up", up), backward)
+    backward = check_direction("front", front)
+    right = np.cross(check_direction("up", up), backward)
     if not np.linalg.norm(right) > ALONG:
         raise ValueError(f"up: expected a direction that is not along front, got {up!r} and {front!r}")
     right = right / np.linalg.norm(right)
@@ -89,13 +89,3 @@ def _pair(bounds: Any) -> tuple[Any, Any]:
 def _longest_side(low: NDArray[np.float64], high: NDArray[np.float64]) -> float:
     """The longest side of a box; 1 where it is a point."""
     return float(np.abs(high - low).max()) or 1.0
-
-
-def unit(name: str, direction: Sequence[float]) -> NDArray[np.float64]:
-    """A direction as a unit vector, once it is one."""
-    vector = check_finite(name, check_shape(name, direction, (3,)))
-    size = float(np.abs(vector).max())
-    if not size > 0:
-        raise ValueError(f"{name}: expected a direction, got {list(direction)}")
-    vector = vector / size  # whose square does not overflow
-    return vector / np.linalg.norm(vector)

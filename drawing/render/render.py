@@ -15,6 +15,7 @@ from ...core.array_libraries import view_as
 from ...core.checks import check_color, check_list, check_name, check_shape, shown
 from ...core.devices import resolve_device
 from ...core.told_arguments import told_arguments
+from ...core.units import asked_by_user, warn_of_units
 from ...kernels.drawing.placing import make_normal_lines
 from ...kernels.lang import vec3, vec3i
 from ...kernels.memory import download, empty
@@ -126,7 +127,7 @@ def render(
             parts if style.shaded is not None else [_shaded(part, shading) for part in parts]
             for parts, (_, _, style) in zip(groups, named, strict=True)
         ]
-    parts = [part for group in groups for part in group]
+    parts = _all_of(groups)
     if point_show_normal:
         parts += _normals_of(parts)
     scene = Scene(parts, place)
@@ -143,6 +144,15 @@ def render(
         return picture
     depths = download(drawing.depth())  # sync
     return picture, depths.reshape(camera_size[::-1]).copy()
+
+
+def _all_of(groups: list[list[Part]]) -> list[Part]:
+    """The parts of all geometries; a user is warned where there is nothing to draw."""
+    parts = [part for group in groups for part in group]
+    if not any(part.positions.size for part in parts) and asked_by_user():
+        has = "a geometry without points or faces" if groups else "an empty list"
+        warn_of_units(f"geometries: nothing to draw in {has}, so that the picture is empty", UserWarning)
+    return parts
 
 
 def resolve_view(camera: Any, scene: Scene, width: int, height: int) -> View:

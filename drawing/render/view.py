@@ -11,8 +11,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...cameras.camera import PinholeCameraIntrinsic
-from ...core.checks import LARGEST_NUMBER, check_count, check_rigid, check_rows
-from .open3d_parameters import unit, view_from_open3d, view_to_open3d
+from ...core.checks import LARGEST_NUMBER, check_count, check_direction, check_rigid, check_rows
+from .open3d_parameters import view_from_open3d, view_to_open3d
 
 Triple = tuple[float, float, float]
 
@@ -145,7 +145,7 @@ class Frame:
 
     def __init__(self, direction: Triple, up: Triple, width: int, height: int):
         width, height = check_count("width", width), check_count("height", height)
-        forward, upward = unit("direction", direction), unit("up", up)
+        forward, upward = check_direction("direction", direction), check_direction("up", up)
         right = np.cross(forward, upward)
         if not np.linalg.norm(right) > 1e-9:
             raise ValueError(f"direction: expected one that is not along up, got {direction!r} and {up!r}")

@@ -62,6 +62,7 @@ log.addHandler(logging.NullHandler())  # without one, Python prints warnings on 
 _handshakes = logging.getLogger("pointloom.viewer.handshakes")
 _handshakes.addHandler(logging.NullHandler())
 _handshakes.propagate = False
+_handshakes.setLevel(logging.WARNING)  # a record holds its connection: kept by a handler, it keeps the viewer
 
 
 class GuardedHub(WebsockServer):

@@ -163,7 +163,8 @@ def write_png(path: str | os.PathLike[str], image: NDArray[np.uint8] | NDArray[n
     """
     if not isinstance(image, np.ndarray) or image.dtype.newbyteorder("=") not in (np.uint8, np.uint16):
         kind = image.dtype if isinstance(image, np.ndarray) else type(image).__name__
-        raise TypeError(f"image: expected a NumPy array of uint8 or uint16, got {kind}")
+        remedy = "; loom.render(geometry) makes a picture" if hasattr(image, "transform") else ""
+        raise TypeError(f"image: expected a NumPy array of uint8 or uint16, got {kind}{remedy}")
     shapes = "[h, w] or [h, w, 3]" if image.dtype == np.uint8 else "[h, w]"
     if not (image.ndim == 2 or (image.ndim == 3 and image.shape[2] == 3 and image.dtype == np.uint8)):
         raise ValueError(f"image: expected shape {shapes} for {image.dtype}, got {list(image.shape)}")

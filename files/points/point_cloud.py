@@ -259,5 +259,11 @@ def _extension(path: str | os.PathLike[str]) -> str:
                 path, f"{extension} files hold meshes", remedy="Use read_triangle_mesh, write_triangle_mesh"
             )
         known = " ".join(READERS)
+        if not extension and not path_of(path).exists():
+            raise FileError(path, "does not exist")
+        if path_of(path).is_dir():
+            raise FileError(path, "is a folder", remedy=f"Give the name of a file: {known}")
+        if extension in (".jpg", ".jpeg", ".png"):
+            raise FileError(path, "is a picture", remedy="Use read_color, or read_depth for depth maps")
         raise FileError(path, f"unknown extension {extension!r}", remedy=f"Use one of {known}")
     return extension

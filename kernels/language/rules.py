@@ -56,6 +56,15 @@ FORBIDDEN = {
 }
 PYTHON_NAMES = {"range", "min", "max", "abs", "int", "float", "bool", "True", "False"}
 RESERVED = {"ti", "wp"}
+# Words of C++ that are names in Python: Warp's C++ has the parameters of a kernel under their own names.
+CPP_WORDS = frozenset(
+    "alignas alignof and_eq asm auto bitand bitor case catch char16_t char32_t compl concept const consteval "
+    "constexpr constinit const_cast decltype default delete do double dynamic_cast enum explicit export extern friend "
+    "goto inline long mutable namespace new noexcept not_eq operator or_eq private protected public register "
+    "reinterpret_cast requires short signed sizeof static static_assert static_cast struct switch template this "
+    "thread_local throw typedef typeid typename union unsigned using virtual void volatile wchar_t xor xor_eq char "
+    "float int bool".split()
+)
 
 
 def check(
@@ -127,6 +136,8 @@ def _write_out(source: Source, vocabulary: Vocabulary) -> None:
 def _check_spelling(source: Source) -> None:
     for node in nodes_of([source.definition]):
         name = node.id if isinstance(node, ast.Name) else node.arg if isinstance(node, ast.arg) else ""
+        if isinstance(node, ast.arg) and name in CPP_WORDS:
+            source.fail(node, f"{name} is a word of C++, which no parameter may be called; choose another name")
         if JOINT in name:
             message = f"{name}: two underscores join a structure and its field; choose another name"
             source.fail(node, message, as_it_is=True)

@@ -14,7 +14,7 @@ from ..arrays.select import gather_rows, positions_of
 from ..arrays.unique import UniqueKeys
 from ..lang import array, float64, int32, int64, kernel, launch, length, struct, tid, uint8, vec2, vec3, vec3i
 from ..memory import copy, empty, full
-from .mesh_edges import higher_end, lower_end
+from .mesh_edges import higher_end, lower_end, spread_runs_kernel
 from .mesh_topology import corner_vertex, list_edge_keys_kernel, next_corner
 from .mixed_rows import MixedRows, with_vertices_on_edges
 
@@ -113,14 +113,6 @@ def count_pieces_kernel(cuts: CutEdges, counts: array(dtype=int32)):
         if cuts.vertices[3 * i + k] >= 0:
             count += 1
     counts[i] = count
-
-
-@kernel
-def list_sources_kernel(offsets: array(dtype=int32), sources: array(dtype=int32)):
-    """The triangle that each piece is of."""
-    i = tid()
-    for j in range(offsets[i], offsets[i + 1]):
-        sources[j] = i
 
 
 @kernel
@@ -242,7 +234,7 @@ class LevelCut:
         offsets, total = exclusive_scan(counts)  # sync
         self.pieces, self.above = empty(total, vec3i, device), empty(total, uint8, device)
         self.sources = empty(total, int32, device)
-        launch(list_sources_kernel, triangles.size, [offsets, self.sources])
+        launch(spread_runs_kernel, triangles.size, [offsets, self.sources])
         arguments = [triangles, self.sides, self.cuts, offsets, self.pieces, self.above]
         launch(write_pieces_kernel, triangles.size, arguments)
 

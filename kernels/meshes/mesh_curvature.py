@@ -6,7 +6,7 @@ and takes no sine or arc tangent of a compiler: the same bits everywhere. A curv
 around a vertex close a ring and turn alike. Reads some 50 B a corner, writes 32 B a vertex.
 """
 
-from ..algebra.angles import angle_of
+from ..algebra.angles import HALF_TURN, angle_of
 from ..algebra.transform import widen
 from ..array_types import Array1, Points, Triangles
 from ..lang import (
@@ -33,7 +33,6 @@ from ..memory import empty
 from .mesh_edges import MeshEdges
 from .mesh_topology import CornersByVertex, corner_vertex, other_edge
 
-WHOLE_TURN = 6.283185307179586
 ring_sums = vector(8, float64)  # Laplacian (3), normal (3), area, angle
 
 
@@ -118,7 +117,7 @@ def measure_curvatures_kernel(
         mean = length(bend) / (4.0 * total[6])
         if dot(bend, normal) < 0.0:
             mean = -mean
-        gaussian = (float64(WHOLE_TURN) - total[7]) / total[6]
+        gaussian = (2.0 * float64(HALF_TURN) - total[7]) / total[6]
         half = sqrt(max(mean * mean - gaussian, 0.0))
         if isfinite(mean) and isfinite(gaussian):
             result = vec4d(mean, gaussian, mean - half, mean + half)

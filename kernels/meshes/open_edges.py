@@ -9,7 +9,7 @@ nothing else is left.
 One thread an edge. About 60 B a half-edge beside the sort.
 """
 
-from ..algebra.angles import arctangent
+from ..algebra.angles import HALF_TURN, arctangent
 from ..algebra.transform import widen
 from ..array_types import Indices, Mask, Points, Triangles
 from ..arrays.select import gather_rows, positions_of
@@ -36,8 +36,6 @@ from ..memory import empty, full, zeros
 from .mesh_edges import edge_key, key_bits
 from .mesh_topology import corner_vertex, next_corner
 
-FULL_TURN = 6.283185307179586
-HALF_TURN = 3.141592653589793
 SAME_ANGLE = 1.0e-5  # [rad]: what float32 leaves of the angle between two walls that lie on each other
 MOST_TRIED = 64  # half-edges at one edge for which all pairs are tried
 MATCHED, TENTATIVE = 1, 2  # how a half-edge got its partner, 0 where it has none
@@ -140,7 +138,7 @@ def measure_angles(
         v = v - along * dot(v, along)
         angle = arctangent(dot(cross(u, v), along), dot(u, v))
         if angle < -float64(SAME_ANGLE):
-            angle = angle + float64(FULL_TURN)
+            angle = angle + 2.0 * float64(HALF_TURN)
         open_edges.angles[i] = angle
         forward = 1 if corner_vertex(placed, h) < corner_vertex(placed, next_corner(h)) else 0
         open_edges.ends[i] = uint8(1 if forward != int(flips[h // 3]) else 0)
@@ -242,7 +240,7 @@ def match_flattest(
         found = 0
         s = -1
         e = -1
-        least = float64(FULL_TURN)
+        least = 2.0 * float64(HALF_TURN)
         for p in range(first, last):
             x = open_edges.order[p]
             if is_free(open_edges, naturals, x, tier) == 1:

@@ -77,7 +77,8 @@ class BallPivoting(MeshArrays):
         """
         check_cloud("cloud", cloud)
         normals = cloud.required_array(
-            "normals", "estimate_normals() gives it some, orient_normals_consistent_tangent_plane(15) one side"
+            "normals",
+            "call cloud = cloud.estimate_normals(), then cloud = cloud.orient_normals_consistent_tangent_plane(15)",
         )
         points = cloud.device_array("points")
         given = None if radii is None else _check_radii(radii)

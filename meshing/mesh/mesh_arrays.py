@@ -11,10 +11,10 @@ import warp as wp
 from numpy.typing import DTypeLike, NDArray
 
 from ...core.array_libraries import NUMPY, check_library, hand_out, library_of
-from ...core.checks import check_name, check_numeric, check_rows, check_textures, is_on_gpu
+from ...core.checks import check_colors, check_name, check_numeric, check_rows, check_textures, is_on_gpu
 from ...core.devices import check_same_device, resolve_device
 from ...core.dropped_results import returns_new
-from ...core.gpu_arrays import take_vectors
+from ...core.gpu_arrays import take_colors, take_vectors
 from ...core.pickled_arrays import device_like, pickled, unpickled
 from ...kernels.arrays.select import gather_rows
 from ...kernels.lang import int32, vec2, vec3
@@ -154,10 +154,11 @@ class MeshArrays(InUnit, MeshQuestions):
             raise TypeError(f"{name}: expected an array, got a PointCloud; take one of its arrays")
         count = self._arrays["vertices"].size
         if is_on_gpu(values):
-            given = take_vectors(name, values, self._device)
+            given = (take_colors if name == "vertex_colors" else take_vectors)(name, values, self._device)
             found = [given.size, 3]
         else:
-            rows = check_rows(name, values, 3, dtype=np.float32)
+            rows = check_rows(name, values, 3, dtype=None if name == "vertex_colors" else np.float32)
+            rows = check_colors(name, rows) if name == "vertex_colors" else rows
             found = list(rows.shape)
             given = upload(rows, vec3, self._device, copied=library_of(values) == NUMPY)
         if given.size != count:

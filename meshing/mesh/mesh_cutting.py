@@ -9,7 +9,7 @@ import numpy as np
 import warp as wp
 from numpy.typing import ArrayLike, NDArray
 
-from ...core.checks import check_finite, check_numeric, check_shape, shown
+from ...core.checks import check_direction, check_finite, check_numeric, check_shape, shown
 from ...core.dropped_results import returns_new
 from ...kernels.arrays.bounds import bound_points
 from ...kernels.arrays.concatenation import concatenate_rows
@@ -168,11 +168,7 @@ class MeshCutting(MeshTrim, MeshCleaning):
 
     def _plane(self, point: ArrayLike, normal: ArrayLike) -> _Plane:
         place = check_finite("point", check_shape("point", point, (3,)))
-        way = check_finite("normal", check_shape("normal", normal, (3,)))
-        if not way.any():
-            raise ValueError("normal: expected a direction, got zero")
-        way = way / np.abs(way).max()
-        way = way / np.linalg.norm(way)
+        way = check_direction("normal", normal)
         low, high, count = bound_points(self._arrays["vertices"])
         largest = np.abs([low, high]).max(axis=0).astype(np.float64) if count else np.zeros(3)
         slack = float(

@@ -13,6 +13,7 @@ from ...core.errors import FileError
 from ...files.meshes.mesh_formats import MESH_READERS, read_mesh, write_mesh
 from ...files.source import content_errors
 from ...files.table import MeshTable
+from ...pcd.point_arrays import PointArrays
 from .mesh import TriangleMesh
 
 
@@ -118,7 +119,8 @@ def write_triangle_mesh(
     """
     suffix = Path(path).suffix.lower()
     if not isinstance(mesh, TriangleMesh):
-        raise TypeError(f"mesh: expected a TriangleMesh, got {type(mesh).__name__}")
+        remedy = "; write_point_cloud writes clouds" if isinstance(mesh, PointArrays) else ""
+        raise TypeError(f"mesh: expected a TriangleMesh, got {type(mesh).__name__}{remedy}")
     if suffix not in MESH_READERS:
         raise FileError(path, f"meshes are written to {', '.join(MESH_READERS)}, not to {suffix or 'no extension'}")
     if ascii and suffix in (".stl", ".off", ".glb", ".gltf"):

@@ -119,7 +119,8 @@ class MeshSelection(MeshCleaning):
         elif isinstance(bounding_box, SelectionPolygonVolume):
             mask = mask_volume(bounding_box, vertices, self._origin)
         else:
-            raise TypeError(f"bounding_box: expected a bounding box, got {type(bounding_box).__name__}")
+            remedy = "loom.AxisAlignedBoundingBox(min_bound, max_bound) is one"
+            raise TypeError(f"bounding_box: expected a bounding box, got {type(bounding_box).__name__}; {remedy}")
         inside = positions_of(mask)  # sync
         return self._select_vertices(other_rows(inside, vertices.size) if invert else inside, True)
 

@@ -11,7 +11,16 @@ from typing import Any, Self
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ...core.checks import check_count, check_finite, check_number, check_numeric, check_rows, check_shape, shown
+from ...core.checks import (
+    check_count,
+    check_direction,
+    check_finite,
+    check_number,
+    check_numeric,
+    check_rows,
+    check_shape,
+    shown,
+)
 from ...core.coordinates import split_origin
 from ...core.dropped_results import returns_new
 from ...kernels.lang import int32, vec3, vec3i
@@ -90,11 +99,7 @@ class MeshSweeps(MeshShapes, MeshMeasures):
             >>> ring.is_watertight(), ring.euler_poincare_characteristic()
             (True, 0)
         """
-        way = check_finite("axis", check_shape("axis", axis, (3,)))
-        if not way.any():
-            raise ValueError("axis: expected a direction, got zero")
-        way = way / np.abs(way).max()
-        way = way / np.linalg.norm(way)
+        way = check_direction("axis", axis)
         whole, rise = np.radians(_check_length("angle", angle)), _check_length("translation", translation)
         if not whole:
             raise ValueError("angle: expected one other than zero")

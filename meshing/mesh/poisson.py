@@ -33,6 +33,7 @@ MAX_POINT_WEIGHT = 1000.0  # ten times that, and the rounding of float32 makes b
 MAX_ENVELOPE = 10_000  # triangles: a minute for a million corners
 OPPOSED = 0.1  # share of neighbours to opposite sides; seams of a good cloud stay below, random signs are 0.5
 MIN_SAMPLES = 0.001  # depths of vertices come five levels below their points then
+NO_NORMALS = "call cloud = cloud.estimate_normals()"  # what is said then
 
 
 class NormalsWarning(UserWarning):
@@ -119,7 +120,7 @@ class Poisson(MeshArrays):
             (True, True)
         """
         check_cloud("cloud", cloud)
-        points, normals = cloud.device_array("points"), cloud.required_array("normals", "call estimate_normals() first")
+        points, normals = cloud.device_array("points"), cloud.required_array("normals", NO_NORMALS)
         deepest = check_count("depth", depth, minimum=MIN_DEPTH, maximum=MAX_DEPTH, because="codes of cells end there")
         edge, cell = check_positive("scale", scale), check_positive("width", width, allow_zero=True)
         pull = check_positive("point_weight", point_weight, allow_zero=True, maximum=MAX_POINT_WEIGHT)

@@ -11,7 +11,7 @@ import warp as wp
 from numpy.typing import ArrayLike, NDArray
 
 from ...cameras.camera import PinholeCameraIntrinsic
-from ...cameras.images import RGBDImage, check_intrinsic, upload_color, upload_raw_depth
+from ...cameras.images import RGBDImage, check_intrinsic, upload_color, upload_raw_depth, warn_of_scale
 from ...core.array_libraries import NUMPY, library_of
 from ...core.checks import check_positive, check_rigid
 from ...core.coordinates import split_origin
@@ -34,6 +34,8 @@ from ..mesh.mesh import TriangleMesh
 from .block_count import BlockCount
 from .tsdf_files import VOXEL_ARRAYS, read_volume_arrays, write_volume_arrays
 from .tsdf_views import RayCast, RenderedMaps, cast_view, check_view, render_maps
+
+OTHER_UNIT = 30.0  # times the farthest depth used: nothing of a place that is near lies beyond
 
 
 @dataclass(frozen=True)
@@ -166,6 +168,7 @@ class TSDFVolume(ToldNames):
             limit = 3.0 if depth_max is None else depth_max
             raw, scale, farthest, height, width = upload_raw_depth(depth, depth_scale, limit, self.device)
             pixels, library = None, library_of(depth)
+            warn_of_scale(depth, scale, farthest, "depth_max", OTHER_UNIT)
         camera = check_intrinsic(intrinsic, width, height)
         self._check_color(pixels is not None or color is not None)
         if color is not None:

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ...core.checks import check_list, check_numeric, check_positive, check_shape, check_transformation
+from ...core.checks import check_angle, check_list, check_numeric, check_positive, check_shape, check_transformation
 from ...kernels.poses.pose_hypotheses import Checks
 from ...pcd.cloud import PointCloud
 from ..given_pairs import check_clouds, check_pairs
@@ -138,7 +138,7 @@ class CorrespondenceCheckerBasedOnNormal(CorrespondenceChecker):
     """
 
     def __init__(self, normal_angle_threshold: float):
-        self.normal_angle_threshold = check_positive("normal_angle_threshold", normal_angle_threshold, allow_zero=True)
+        self.normal_angle_threshold = check_angle("normal_angle_threshold", normal_angle_threshold, allow_zero=True)
 
     def __repr__(self) -> str:
         return f"CorrespondenceCheckerBasedOnNormal(normal_angle_threshold={self.normal_angle_threshold})"
@@ -181,6 +181,8 @@ class CorrespondenceCheckerBasedOnSourceRotation(CorrespondenceChecker):
         limits = check_shape("rotation_threshold", given.reshape(-1), (3,))
         if not (limits >= 0).all():
             raise ValueError(f"rotation_threshold: expected angles >= 0 [rad], got {limits.tolist()}")
+        for limit in limits:
+            check_angle("rotation_threshold", limit, allow_zero=True)
         self.rotation_threshold = limits
 
     def __repr__(self) -> str:

@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ...core.checks import (
+    check_angle,
     check_callback,
     check_count,
     check_list,
@@ -18,9 +19,10 @@ from ...core.checks import (
     check_positive,
     check_rigid,
     check_transformation,
+    shown,
 )
 from ...core.told_arguments import told_arguments
-from ...core.units import common_unit
+from ...core.units import asked_by_user, common_unit, warn_of_units
 from ...core.watching import report, watched
 from ...pcd.cloud import PointCloud
 from ..given_pairs import check_cloud, check_clouds
@@ -36,6 +38,9 @@ from .estimation import (
 from .iterative import DEGENERACY, IterativeRegistration
 
 MOST_STEPS = 100_000
+DOUBTFUL = 0.05  # of fitness: below it is looked at where the clouds are
+APART = 5.0  # times as far from each other as the longer one is long: no start for ICP
+SURELY_OTHER_UNIT = 500.0  # times as long, where some points do meet: millimetres and metres
 OTHER_UNIT = 20.0  # times as long: no two scans of one scene
 Watcher = Callable[[dict[str, Any]], None]
 
@@ -139,8 +144,8 @@ def registration_icp(
     watch = None if callback_after_iteration is None and not watched() else watch
     problem.run(rules.max_iteration, rules.relative_fitness, rules.relative_rmse, watch)
     result = problem.results()[0]
-    if result.fitness == 0:
-        result.hint = _where(source, target, poses[0], max_correspondence_distance)
+    if result.fitness < DOUBTFUL:
+        _doubt(result, source, target, poses[0], max_correspondence_distance)
     report("registration", source=source, target=target, result=result)
     return result
 
@@ -243,19 +248,32 @@ def registration_symmetric_icp(
     return registration_icp(source, target, max_correspondence_distance, init, method, criteria, overlap=overlap)
 
 
-def _where(source: PointCloud, target: PointCloud, pose: NDArray[np.float64], reach: float) -> str:
-    """Where two clouds without correspondences are: most often another unit, or a start that is far off."""
+def _doubt(result: Any, source: PointCloud, target: PointCloud, pose: NDArray[np.float64], reach: float) -> None:
+    """Say where two clouds with hardly a correspondence are: most often in another unit, or far from each other."""
+    hint, ratio, apart = _where(source, target, pose, reach)
+    if result.fitness == 0:
+        result.hint = hint
+        remedy = "; init takes a pose to begin from, register_globally finds one" if apart > APART else ""
+        if (remedy or ratio > OTHER_UNIT) and asked_by_user():
+            warn_of_units(f"no correspondences: {hint}{remedy}")
+    elif ratio > SURELY_OTHER_UNIT and asked_by_user():
+        warn_of_units(f"source, target: fitness {result.fitness:.3g}: {hint}")
+
+
+def _where(source: PointCloud, target: PointCloud, pose: NDArray[np.float64], reach: float) -> tuple[str, float, float]:
+    """Where two clouds are, how many times as long one is as the other, and how many lengths apart."""
     said, middles, longest = [], [], []
     for name, cloud, T in (("source", source, pose), ("target", target, np.eye(4))):
         if not len(cloud):
-            return f"the {name} has no points"
+            return f"the {name} has no points", 1.0, 0.0
         box = cloud.get_axis_aligned_bounding_box()
         middles.append(T[:3, :3] @ box.get_center() + T[:3, 3])
         longest.append(box.get_max_extent())
         said.append(f"the {name} spans {' x '.join(f'{length:.3g}' for length in box.get_extent())} m")
     away = float(np.linalg.norm(middles[0] - middles[1]))
     unit = "; in another unit?" if max(longest) > OTHER_UNIT * min(longest) else ""
-    return f"{', '.join(said)}, their middles {away:.3g} m apart, within {reach:g} m{unit}"
+    hint = f"{', '.join(said)}, their middles {away:.3g} m apart, within {reach:g} m{unit}"
+    return hint, max(longest) / min(longest) if min(longest) else 1.0, away / max(longest) if max(longest) else 0.0
 
 
 def check_poses(name: str, pose: ArrayLike | None, method: TransformationEstimation) -> NDArray[np.float64]:
@@ -266,6 +284,10 @@ def check_poses(name: str, pose: ArrayLike | None, method: TransformationEstimat
     """
     if pose is None:
         return np.eye(4)
+    if isinstance(pose, TransformationEstimation | ICPConvergenceCriteria):
+        raise TypeError(
+            f"{name}: expected a pose, got {type(pose).__name__}; give it by name: estimation_method=, criteria="
+        )
     scale = 1.0
     T = np.array(check_transformation(name, pose))
     if method.scales:
@@ -282,7 +304,8 @@ def _check_rules(method: Any, criteria: Any) -> tuple[TransformationEstimation, 
     method = TransformationEstimationPointToPoint() if method is None else method
     criteria = ICPConvergenceCriteria() if criteria is None else criteria
     if not isinstance(method, TransformationEstimation):
-        raise TypeError(f"estimation_method: expected a TransformationEstimation, got {type(method).__name__}")
+        remedy = "such as loom.registration.TransformationEstimationPointToPlane()"
+        raise TypeError(f"estimation_method: expected an object {remedy}, got {shown(method)}")
     if not isinstance(criteria, ICPConvergenceCriteria):
         raise TypeError(f"criteria: expected ICPConvergenceCriteria, got {type(criteria).__name__}")
     return method, criteria
@@ -312,7 +335,7 @@ def _make_problem(
     if overlap is not None and overlap > 1:
         raise ValueError(f"overlap: expected a share above 0 and up to 1, got {overlap!r}")
     if max_normal_angle is not None:
-        max_normal_angle = check_positive("max_normal_angle", max_normal_angle)
+        max_normal_angle = check_angle("max_normal_angle", max_normal_angle)
         if method.target_voxel_size is not None:
             raise ValueError("max_normal_angle: the voxels of a voxelised target have no normals; leave it out")
     if degeneracy >= 1:

@@ -57,10 +57,10 @@ def require_normals(cloud: PointCloud, name: str, method: str) -> wp.array:
         >>> require_normals(loom.PointCloud([[0, 0, 0]]), "source", "point-to-plane ICP")
         Traceback (most recent call last):
         ...
-        ValueError: source: point-to-plane ICP needs normals, and it has none; call estimate_normals()
+        ValueError: source: point-to-plane ICP needs normals, and it has none; call source = source.estimate_normals()
     """
     if not cloud.has_normals:
-        raise ValueError(f"{name}: {method} needs normals, and it has none; call estimate_normals()")
+        raise ValueError(f"{name}: {method} needs normals, and it has none; call {name} = {name}.estimate_normals()")
     return cloud.device_array("normals")
 
 

@@ -68,12 +68,33 @@ def test_balls_and_alphas_that_touch_nothing_are_told(ball):
 
 def test_icp_without_correspondences_says_where_both_are(ball):
     far = loom.PointCloud(ball.points * 1000, device=ball.device)
-    result = loom.registration.registration_icp(far, ball, 0.05)
+    with pytest.warns(loom.UnitWarning, match=r"the target spans .* in another unit\?") as caught:
+        result = loom.registration.registration_icp(far, ball, 0.05)
+    assert caught[0].filename == __file__
     assert result.reason == "no correspondences"
     assert "no correspondences: the source spans 2e+03 x " in repr(result) and "the target spans 2 x " in repr(result)
     assert repr(result).endswith("within 0.05 m; in another unit?)")
-    moved = loom.registration.registration_icp(ball.translate([100, 0, 0]), ball, 0.05)
+    with pytest.warns(loom.UnitWarning, match=r"100 m apart, within 0.05 m; init takes a pose to begin from"):
+        moved = loom.registration.registration_icp(ball.translate([100, 0, 0]), ball, 0.05)
     assert "their middles 100 m apart, within 0.05 m)" in repr(moved)
     assert loom.registration.registration_icp(ball, ball, 0.05).hint == ""
     empty = loom.PointCloud(device=ball.device)
     assert loom.registration.registration_icp(empty, ball, 0.05).hint == "the source has no points"
+
+
+def test_lengths_that_suit_few_points_or_another_operation_are_not_told(ball):
+    """A voxel around a small cluster, clusters of a loose cloud, a coarse level of a registration, an empty tile."""
+    few = ball.select_by_index(range(60))
+    loose = loom.PointCloud(ball.points * [40, 40, 0.1], device=ball.device)
+    tile = loom.AxisAlignedBoundingBox([900, 0, 0], [910, 10, 10])
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        assert len(few.voxel_down_sample(9.0)) <= 8 and set(few.cluster_dbscan(9.0, 5)) == {0}
+        assert len(few.segment_plane(9.0)[1]) == 60
+        assert set(loose.cluster_dbscan(3.0, 200)) == {-1} and len(loose.remove_radius_outlier(200, 3.0)[0]) == 0
+        assert len(ball.crop(tile)) == 0
+        near = ball.translate([3.0, 0, 0])
+        assert loom.registration.registration_icp(near, ball, 0.05).reason == "no correspondences"
+        small = ball.scale(0.01)
+        assert loom.registration.registration_icp(small, loom.PointCloud(ball.points[:1]), 9.0).fitness == 1
+        loom.registration.registration_icp_batch(ball.translate([100, 0, 0]), ball, 0.05)

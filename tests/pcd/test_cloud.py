@@ -172,6 +172,7 @@ def test_utm_coordinates_survive_to_the_float32_of_their_extent(device, extent, 
     assert float32_alone > 0.1
 
 
+@pytest.mark.filterwarnings("ignore::pointloom.UnitWarning")  # which such a length is right to cause
 def test_utm_coordinates_survive_every_operation(device, rng, tolerances):
     cloud = full_cloud(rng, device, shift=UTM)
     exact = cloud.points

@@ -199,6 +199,7 @@ def test_a_hundred_thousand_equal_points_are_one_cluster_or_noise(device, eps, m
     assert (labels == label).all()
 
 
+@pytest.mark.filterwarnings("ignore::pointloom.UnitWarning")  # which such a length is right to cause
 @pytest.mark.parametrize("eps", [2.0, 0.6, 1e3, 1e200])
 def test_an_eps_of_the_size_of_the_cloud_takes_no_time(device, eps, rng):
     """60,000 points, each within reach of ten thousands: lists of neighbours would fill gigabytes."""

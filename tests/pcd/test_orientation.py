@@ -262,5 +262,5 @@ def test_a_cloud_without_normals_is_refused():
         cloud.normalize_normals,
         cloud.flip_normals,
     ):
-        with pytest.raises(ValueError, match=r"no normals: call estimate_normals\(\) first"):
+        with pytest.raises(ValueError, match=r"no normals: call cloud = cloud.estimate_normals\(\)"):
             operation()

@@ -242,5 +242,5 @@ def test_wrong_arguments_are_refused(rng, arguments, error, message):
 
 
 def test_a_cloud_without_normals_is_refused(rng):
-    with pytest.raises(ValueError, match=r"the cloud has no normals: call estimate_normals\(\)"):
+    with pytest.raises(ValueError, match=r"the cloud has no normals: call cloud = cloud.estimate_normals\(\)"):
         loom.PointCloud(rng.random((10, 3))).detect_planar_patches()

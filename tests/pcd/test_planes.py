@@ -135,6 +135,7 @@ def test_all_points_of_an_exact_plane_are_inliers(device, rng):
     np.testing.assert_allclose(model, [0, 0, 1, -2.5], atol=1e-12)
 
 
+@pytest.mark.filterwarnings("ignore::pointloom.UnitWarning")  # which such a length is right to cause
 def test_a_huge_threshold_takes_all_points(device, rng):
     points = rng.random((700, 3))
     model, inliers = loom.PointCloud(points, device=device).segment_plane(100.0)

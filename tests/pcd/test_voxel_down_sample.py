@@ -20,6 +20,7 @@ def matched(found, expected, limit):
     return rows
 
 
+@pytest.mark.filterwarnings("ignore::pointloom.UnitWarning")  # which such a length is right to cause
 @pytest.mark.parametrize("size", [0.02, 0.05, 0.1, 0.5, 10.0])
 def test_the_fragments_voxels_and_means_are_open3ds(device, size, fragment, to_open3d, tolerances):
     cloud = loom.PointCloud(fragment.points, normals=fragment.normals, colors=fragment.colors, device=device)
@@ -75,6 +76,7 @@ def test_floating_attributes_are_averaged_and_others_taken_from_the_first_point(
             np.testing.assert_array_equal(found[name], [values[g[0]] for g in groups])
 
 
+@pytest.mark.filterwarnings("ignore::pointloom.UnitWarning")  # which such a length is right to cause
 def test_means_are_summed_in_double_precision(device, rng):
     """100,000 points near 9,999 m: a float32 sum would be off by metres, a mean by centimetres."""
     points = (9999 + rng.random((100_000, 3)) * 0.5).astype(np.float32)
@@ -141,6 +143,7 @@ def test_equal_points_become_one(device, count):
     np.testing.assert_array_equal(found.points, np.full((1, 3), np.float32(0.3)))
 
 
+@pytest.mark.filterwarnings("ignore::pointloom.UnitWarning")  # which such a length is right to cause
 def test_a_voxel_larger_than_the_cloud_gives_its_mean(device, rng):
     points = rng.random((100, 3)).astype(np.float32)
     for size in (10.0, 1e30, 1e300):

@@ -259,18 +259,18 @@ def test_a_sensors_pose_is_rigid_and_iterations_are_counted():
 @pytest.mark.parametrize(
     ("name", "lacking", "message"),
     [
-        ("PointToPlane", "target normals", "target: point-to-plane ICP needs normals, .* call estimate_normals()"),
-        ("Symmetric", "source normals", "source: symmetric ICP needs normals, .* call estimate_normals()"),
-        ("Symmetric", "target normals", "target: symmetric ICP needs normals, .* call estimate_normals()"),
+        ("PointToPlane", "target normals", "target: point-to-plane ICP needs normals, .* call .*estimate_normals()"),
+        ("Symmetric", "source normals", "source: symmetric ICP needs normals, .* call .*estimate_normals()"),
+        ("Symmetric", "target normals", "target: symmetric ICP needs normals, .* call .*estimate_normals()"),
         ("ForColoredICP", "source colors", "source: coloured ICP needs colours, .* assign cloud.colors"),
         ("ForColoredICP", "target colors", "target: coloured ICP needs colours, .* assign cloud.colors"),
-        ("ForColoredICP", "target normals", "target: coloured ICP needs normals, .* call estimate_normals()"),
+        ("ForColoredICP", "target normals", "target: coloured ICP needs normals, .* call .*estimate_normals()"),
         (
             "ForDopplerICP",
             "source dopplers",
             "source: Doppler ICP needs radial speeds, .* assign cloud\\['dopplers'\\]",
         ),
-        ("ForDopplerICP", "target normals", "target: Doppler ICP needs normals, .* call estimate_normals()"),
+        ("ForDopplerICP", "target normals", "target: Doppler ICP needs normals, .* call .*estimate_normals()"),
     ],
 )
 def test_whoever_lacks_something_is_told_what_to_call(pair, name, lacking, message):

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ....core.checks import check_finite, check_number, check_rows, check_shape, check_transformation
+from ....core.checks import check_direction, check_number, check_rows, check_shape, check_transformation
 from ....kernels.drawing import picking
 from ....meshing.mesh.mesh import TriangleMesh
 from ....pcd.cloud import PointCloud
@@ -50,11 +50,7 @@ class Clip:
         if (self.low > self.high).any():
             raise ValueError(f"low, high: expected low <= high, got {self.low.tolist()} and {self.high.tolist()}")
         if self.normal is not None:
-            normal = check_finite("normal", check_shape("normal", self.normal, (3,)))
-            length = math.hypot(*normal)
-            if not length > 0:
-                raise ValueError("normal: expected a direction, got one of no length")
-            object.__setattr__(self, "normal", normal / length)
+            object.__setattr__(self, "normal", check_direction("normal", self.normal))
         object.__setattr__(self, "offset", check_number("offset", self.offset))
 
     @property

@@ -136,7 +136,7 @@ def test_no_points_have_no_colours(device):
     [
         ("heigth", {}, "by: the cloud has no 'heigth'; expected one of 'height', 'x', 'y', 'z'"),
         ("rgb", {}, "no colours"),
-        ("normal", {}, r"call estimate_normals\(\) first"),
+        ("normal", {}, r"call cloud = cloud.estimate_normals\(\)"),
         ("pair", {}, "'pair' has 2 numbers a point"),
         ([1, 2, 3], {}, r"by: expected shape \[2\]"),
         ("z", {"colormap": "rainbow"}, "colormap: expected one of viridis, turbo"),

@@ -125,7 +125,7 @@ def test_a_mesh_is_cut_through_its_triangles(device):
     [
         ({"low": [1, 0, 0], "high": [0, 1, 1]}, "low <= high"),
         ({"low": [np.nan, 0, 0]}, "NaN"),
-        ({"normal": [0, 0, 0]}, "no length"),
+        ({"normal": [0, 0, 0]}, "expected a direction"),
         ({"normal": [0, np.inf, 0]}, "normal"),
         ({"high": [1, 2]}, "high"),
         ({"offset": np.nan}, "offset"),

@@ -178,6 +178,7 @@ WHOLE = {
     "@kernel\ndef k(a):\n    i = tid()\n": "parameter a needs a type",
     "@kernel\ndef k(a: bool):\n    i = tid()\n": "parameter a is no number, vector, matrix or array of them; write int",
     "@kernel\ndef k(a: str):\n    i = tid()\n": "parameter a is no number",
+    "@kernel\ndef k(new: int):\n    i = tid()\n": "new is a word of C++, which no parameter may be called",
     "@kernel\ndef k(a: array(dtype=bool)):\n    i = tid()\n": "write uint8 for flags",
     "@kernel\ndef k(a: int = 3):\n    i = tid()\n": "parameters are positional, without defaults",
     "@kernel\ndef k(*a: int):\n    i = tid()\n": "parameters are positional, without defaults",

@@ -1,0 +1,113 @@
+"""PinholeCameraIntrinsic, whose size and matrix are assigned."""
+
+from __future__ import annotations
+
+from typing import Any, Self
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ...cameras import camera
+from ...core.checks import check_shape
+from ..held import Held
+
+
+class PinholeCameraIntrinsic(Held):
+    """Size and matrix of a camera; without arguments it is none yet: -1 x -1 pixels.
+
+    Made of (width, height, fx, fy, cx, cy), of (width, height, K), or of a PinholeCameraIntrinsicParameters.
+    """
+
+    _kind = camera.PinholeCameraIntrinsic
+
+    def __init__(
+        self,
+        width: Any = None,
+        height: Any = None,
+        fx: Any = None,
+        fy: Any = None,
+        cx: Any = None,
+        cy: Any = None,
+        *,
+        intrinsic_matrix: Any = None,
+    ):
+        self._out, self._size, self._matrix = {}, (-1, -1), np.eye(3)
+        if isinstance(width, PinholeCameraIntrinsic):
+            self._size, self._matrix = width._size, width._matrix
+        elif width is not None:
+            given = (width, height, fx if intrinsic_matrix is None else intrinsic_matrix, fy, cx, cy)
+            self._take(width if isinstance(width, self._kind) else self._kind(*(v for v in given if v is not None)))
+
+    @classmethod
+    def _of(cls, ours: Any) -> Self:
+        made = cls()
+        made._take(ours)
+        return made
+
+    def _take(self, ours: camera.PinholeCameraIntrinsic) -> None:
+        self._size, self._matrix = (ours.width, ours.height), ours.matrix
+
+    @property
+    def _ours(self) -> camera.PinholeCameraIntrinsic:
+        return self._kind(*self._size, self._matrix)
+
+    def __getstate__(self) -> dict[str, Any]:
+        return self.__dict__
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        self.__dict__.update(state)
+
+    def __copy__(self) -> Self:
+        return type(self)(self)
+
+    @property
+    def width(self) -> int:
+        """Columns; assign another number."""
+        return self._size[0]
+
+    @width.setter
+    def width(self, value: int) -> None:
+        self._size = int(value), self._size[1]
+
+    @property
+    def height(self) -> int:
+        """Rows; assign another number."""
+        return self._size[1]
+
+    @height.setter
+    def height(self, value: int) -> None:
+        self._size = self._size[0], int(value)
+
+    @property
+    def intrinsic_matrix(self) -> NDArray[np.float64]:
+        """K, shape [3, 3]: not to be written to; assign another."""
+        matrix = self._matrix.copy()
+        matrix.flags.writeable = False
+        return matrix
+
+    @intrinsic_matrix.setter
+    def intrinsic_matrix(self, values: ArrayLike) -> None:
+        self._matrix = check_shape("intrinsic_matrix", values, (3, 3)).astype(np.float64)
+
+    def set_intrinsics(self, width: int, height: int, fx: float, fy: float, cx: float, cy: float) -> None:
+        """Make it another camera."""
+        self._take(self._kind(width, height, fx, fy, cx, cy))
+
+    def get_focal_length(self) -> tuple[float, float]:
+        """(fx, fy)."""
+        return float(self._matrix[0, 0]), float(self._matrix[1, 1])
+
+    def get_principal_point(self) -> tuple[float, float]:
+        """(cx, cy)."""
+        return float(self._matrix[0, 2]), float(self._matrix[1, 2])
+
+    def get_skew(self) -> float:
+        """The skew; a camera with one is refused by what uses it."""
+        return float(self._matrix[0, 1])
+
+    def is_valid(self) -> bool:
+        """Whether it has a size."""
+        return min(self._size) > 0
+
+    def __repr__(self) -> str:
+        return f"PinholeCameraIntrinsic(width={self.width}, height={self.height}, )"

@@ -1,0 +1,82 @@
+"""PinholeCameraParameters and PinholeCameraTrajectory: extrinsics are world to camera, poses of ours the inverse."""
+
+from __future__ import annotations
+
+import copy
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ...cameras.trajectory import Trajectory
+from ...core.checks import check_shape
+from ...core.known_names import KnownNames
+from .intrinsic import PinholeCameraIntrinsic
+
+
+class PinholeCameraParameters(KnownNames):
+    """A camera and where it stood: `intrinsic`, and `extrinsic` 4x4 world to camera, both assigned.
+
+    A new one stands at the origin (Open3D's extrinsic is whatever was in memory).
+    """
+
+    def __init__(self, other: PinholeCameraParameters | None = None):
+        self._intrinsic = PinholeCameraIntrinsic() if other is None else copy.copy(other._intrinsic)
+        self._extrinsic = np.eye(4) if other is None else other._extrinsic
+
+    @property
+    def intrinsic(self) -> PinholeCameraIntrinsic:
+        """The camera; its numbers are assigned in place."""
+        return self._intrinsic
+
+    @intrinsic.setter
+    def intrinsic(self, value: Any) -> None:
+        self._intrinsic = PinholeCameraIntrinsic(value)
+
+    @property
+    def extrinsic(self) -> NDArray[np.float64]:
+        """World to camera, shape [4, 4]: not to be written to; assign another."""
+        matrix = self._extrinsic.copy()
+        matrix.flags.writeable = False
+        return matrix
+
+    @extrinsic.setter
+    def extrinsic(self, values: ArrayLike) -> None:
+        self._extrinsic = check_shape("extrinsic", values, (4, 4)).astype(np.float64)
+
+    def __repr__(self) -> str:
+        return "PinholeCameraParameters class.\nAccess its data via intrinsic and extrinsic."
+
+
+class PinholeCameraTrajectory(KnownNames):
+    """`parameters`: a list of cameras, assigned as a whole; what is appended to it stays, too (Open3D drops that)."""
+
+    def __init__(self, other: PinholeCameraTrajectory | None = None):
+        self._parameters = [] if other is None else [PinholeCameraParameters(one) for one in other._parameters]
+
+    @property
+    def parameters(self) -> list[PinholeCameraParameters]:
+        """The cameras."""
+        return self._parameters
+
+    @parameters.setter
+    def parameters(self, values: Any) -> None:
+        self._parameters = [PinholeCameraParameters(value) for value in values]
+
+    @classmethod
+    def _of(cls, trajectory: Trajectory, intrinsic: Any) -> PinholeCameraTrajectory:
+        """The cameras of our poses, which are camera to world."""
+        made = cls()
+        for pose in trajectory.poses:
+            one = PinholeCameraParameters()
+            one.intrinsic, one.extrinsic = intrinsic, np.linalg.inv(pose)
+            made._parameters.append(one)
+        return made
+
+    @property
+    def _ours(self) -> Trajectory:
+        """The poses, camera to world."""
+        return Trajectory([np.linalg.inv(one._extrinsic) for one in self._parameters])
+
+    def __repr__(self) -> str:
+        return "PinholeCameraTrajectory class.\nAccess its data via camera.parameters."

@@ -1,0 +1,5 @@
+"""Clouds, meshes, lines, boxes, voxels, images and searches, under Open3D's names and changed in place as there."""
+
+from ...public_names import attach  # pyright: ignore[reportMissingImports]
+
+__getattr__, __dir__ = attach(__name__)

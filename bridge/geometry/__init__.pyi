@@ -1,0 +1,30 @@
+"""The names of `open3d.geometry`."""
+
+from .boxes import AxisAlignedBoundingBox as AxisAlignedBoundingBox
+from .boxes import OrientedBoundingBox as OrientedBoundingBox
+from .enums import DeformAsRigidAsPossibleEnergy as DeformAsRigidAsPossibleEnergy
+from .enums import FilterScope as FilterScope
+from .enums import ImageFilterType as ImageFilterType
+from .enums import SimplificationContraction as SimplificationContraction
+from .geometry import Geometry as Geometry
+from .geometry import Geometry2D as Geometry2D
+from .geometry import Geometry3D as Geometry3D
+from .image import Image as Image
+from .kdtree import KDTreeFlann as KDTreeFlann
+from .line_set import LineSet as LineSet
+from .mesh_base import MeshBase as MeshBase
+from .point_cloud import PointCloud as PointCloud
+from .rgbd_image import RGBDImage as RGBDImage
+from .rotations import get_rotation_matrix_from_axis_angle as get_rotation_matrix_from_axis_angle
+from .rotations import get_rotation_matrix_from_quaternion as get_rotation_matrix_from_quaternion
+from .rotations import get_rotation_matrix_from_xyz as get_rotation_matrix_from_xyz
+from .rotations import get_rotation_matrix_from_xzy as get_rotation_matrix_from_xzy
+from .rotations import get_rotation_matrix_from_yxz as get_rotation_matrix_from_yxz
+from .rotations import get_rotation_matrix_from_yzx as get_rotation_matrix_from_yzx
+from .rotations import get_rotation_matrix_from_zxy as get_rotation_matrix_from_zxy
+from .rotations import get_rotation_matrix_from_zyx as get_rotation_matrix_from_zyx
+from .search_param import KDTreeSearchParam as KDTreeSearchParam
+from .search_param import KDTreeSearchParamHybrid as KDTreeSearchParamHybrid
+from .search_param import KDTreeSearchParamKNN as KDTreeSearchParamKNN
+from .search_param import KDTreeSearchParamRadius as KDTreeSearchParamRadius
+from .triangle_mesh import TriangleMesh as TriangleMesh

@@ -1,0 +1,184 @@
+"""AxisAlignedBoundingBox and OrientedBoundingBox: their corners, axes and colours are assigned, as in Open3D."""
+
+from __future__ import annotations
+
+from typing import Any, Self
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ...core.checks import check_shape
+from ...pcd import boxes
+from ..held import as_array, ours
+from ..vectors import Vector3dVector
+from .geometry import Geometry3D
+
+Row = NDArray[np.float64]
+
+
+class Value:
+    """A number or a few of them that are assigned one by one; ours is made of all when it is next needed."""
+
+    def __init__(self, *shape: int):
+        self.shape = shape
+
+    def __set_name__(self, owner: type, name: str) -> None:
+        self.name = name
+
+    def __get__(self, box: Any, owner: type) -> Any:
+        return self if box is None else box._parts()[self.name]
+
+    def __set__(self, box: BoundingBox, values: ArrayLike) -> None:
+        part = check_shape(self.name, values, self.shape).astype(np.float64)
+        box._edited = {**box._parts(), self.name: part}
+
+
+class BoundingBox(Geometry3D):
+    """What both kinds of boxes have in common."""
+
+    _fields: tuple[str, ...] = ()
+    _edited: dict[str, Row] | None = None  # what was assigned since ours was made
+
+    color = Value(3)
+
+    @property
+    def _ours(self) -> Any:
+        if self._edited is not None:
+            made = self._kind(*(self._edited[name] for name in self._fields))
+            made.color = self._edited["color"]
+            self._held, self._edited = made, None
+        return self._held
+
+    def _parts(self) -> dict[str, Row]:
+        return self._edited or {name: getattr(self._held, name) for name in (*self._fields, "color")}
+
+    def clear(self) -> Self:
+        """Make it a box without extent at zero."""
+        self._held, self._edited = type(self)()._held, None
+        return self
+
+    def transform(self, arg0: ArrayLike) -> Self:
+        """Not a box any more, as in Open3D.
+
+        Raises:
+            RuntimeError: Always.
+        """
+        raise RuntimeError(
+            "a 4x4 matrix does not make a box of a box; box.rotate(R, center) and box.translate(t) move an "
+            "OrientedBoundingBox"
+        )
+
+    def get_box_points(self) -> Vector3dVector:
+        """The eight corners."""
+        return Vector3dVector(self._ours.get_box_points())
+
+    def get_extent(self) -> Row:
+        """Lengths along the axes."""
+        return self._ours.get_extent()
+
+    def get_point_indices_within_bounding_box(self, points: Any) -> list[int]:
+        """Which points of a vector are inside."""
+        return self._ours.get_point_indices_within_bounding_box(as_array(points)).tolist()
+
+    def volume(self) -> float:
+        """Its volume."""
+        return self._ours.volume()
+
+    def get_axis_aligned_bounding_box(self) -> AxisAlignedBoundingBox:
+        """The smallest aligned box around it."""
+        return AxisAlignedBoundingBox._of(self._ours.get_axis_aligned_bounding_box())
+
+    def get_oriented_bounding_box(self, robust: bool = False) -> OrientedBoundingBox:
+        """It as a turned one."""
+        return OrientedBoundingBox._of(self._ours.get_oriented_bounding_box(robust))
+
+    def get_minimal_oriented_bounding_box(self, robust: bool = False) -> OrientedBoundingBox:
+        """It as a turned one."""
+        return OrientedBoundingBox._of(self._ours.get_minimal_oriented_bounding_box(robust))
+
+
+class AxisAlignedBoundingBox(BoundingBox):
+    """A box along the axes: `min_bound`, `max_bound` and `color` are assigned."""
+
+    _kind, _fields = boxes.AxisAlignedBoundingBox, ("min_bound", "max_bound")
+
+    min_bound = Value(3)
+    max_bound = Value(3)
+
+    def __init__(self, min_bound: Any = (0, 0, 0), max_bound: ArrayLike = (0, 0, 0)):
+        given = ours(min_bound)
+        self._held = given if isinstance(given, self._kind) else self._kind(given, max_bound)
+        self._out = {}
+
+    @classmethod
+    def create_from_points(cls, points: Any) -> Self:
+        """The box of a vector of points."""
+        return cls._of(cls._kind.create_from_points(as_array(points)))
+
+    def rotate(self, R: ArrayLike, center: Any = None) -> Self:
+        """Not an aligned box any more, as in Open3D.
+
+        Raises:
+            RuntimeError: Always.
+        """
+        raise RuntimeError(
+            "a turned box is not aligned with the axes; box.get_oriented_bounding_box().rotate(R, center)"
+        )
+
+    def get_half_extent(self) -> Row:
+        """Half the lengths along the axes."""
+        return self._ours.get_half_extent()
+
+    def get_max_extent(self) -> float:
+        """The longest of the lengths."""
+        return self._ours.get_max_extent()
+
+    def get_print_info(self) -> str:
+        """The bounds in words."""
+        return self._ours.get_print_info()
+
+    def __iadd__(self, other: AxisAlignedBoundingBox) -> Self:
+        return self._become(self._ours + ours(other, AxisAlignedBoundingBox, "other"))
+
+    def __repr__(self) -> str:
+        parts = self._parts()
+        return f"AxisAlignedBoundingBox: min: {_row(parts['min_bound'])}, max: {_row(parts['max_bound'])}"
+
+
+class OrientedBoundingBox(BoundingBox):
+    """A turned box: `center`, `R`, `extent` and `color` are assigned."""
+
+    _kind, _fields = boxes.OrientedBoundingBox, ("center", "R", "extent")
+
+    center = Value(3)
+    R = Value(3, 3)
+    extent = Value(3)
+
+    def __init__(self, center: Any = (0, 0, 0), R: Any = None, extent: ArrayLike = (0, 0, 0)):
+        given = ours(center)
+        if not isinstance(given, self._kind):
+            given = self._kind(given, np.eye(3) if R is None else R, extent)
+        self._held, self._out = given, {}
+
+    @classmethod
+    def create_from_axis_aligned_bounding_box(cls, aabox: Any) -> Self:
+        """The same box."""
+        return cls._of(cls._kind.create_from_axis_aligned_bounding_box(ours(aabox, AxisAlignedBoundingBox, "aabox")))
+
+    @classmethod
+    def create_from_points(cls, points: Any, robust: bool = False) -> Self:
+        """The box along the principal axes of a vector of points."""
+        return cls._of(cls._kind.create_from_points(as_array(points), robust))
+
+    @classmethod
+    def create_from_points_minimal(cls, points: Any, robust: bool = False) -> Self:
+        """The smallest box of a vector of points."""
+        return cls._of(cls._kind.create_from_points_minimal(as_array(points), robust))
+
+    def __repr__(self) -> str:
+        parts = self._parts()
+        return f"OrientedBoundingBox: center: {_row(parts['center'])}, extent: {_row(parts['extent'])[1:]}"
+
+
+def _row(values: Row) -> str:
+    return f"({', '.join(f'{value:g}' for value in values)})"

@@ -1,0 +1,157 @@
+"""Image: an array that `np.asarray` shows and writes to, with Open3D's filters by scipy."""
+
+from __future__ import annotations
+
+from typing import Any, ClassVar, Self
+
+import numpy as np
+from numpy.typing import DTypeLike, NDArray
+from scipy.ndimage import correlate1d
+
+from ...core.known_names import ToldNames
+from .enums import ImageFilterType
+from .geometry import GeometryType
+
+# What Open3D's filters correlate columns and rows with.
+WEIGHTS = {
+    ImageFilterType.Gaussian3: ([0.25, 0.5, 0.25],) * 2,
+    ImageFilterType.Gaussian5: ([0.0625, 0.25, 0.375, 0.25, 0.0625],) * 2,
+    ImageFilterType.Gaussian7: ([0.03125, 0.109375, 0.21875, 0.28125, 0.21875, 0.109375, 0.03125],) * 2,
+    ImageFilterType.Sobel3dx: ([-1.0, 0.0, 1.0], [1.0, 2.0, 1.0]),
+    ImageFilterType.Sobel3dy: ([1.0, 2.0, 1.0], [-1.0, 0.0, 1.0]),
+}
+GREY = np.array([0.2990, 0.5870, 0.1140], np.float32)
+
+
+class Image(ToldNames):
+    """A picture, uint8, uint16 or float32, [h, w] or [h, w, c]: `np.asarray(image)` is its memory."""
+
+    Type = GeometryType
+    _row: ClassVar[tuple[int, ...]] = (0,)
+    _dtype: ClassVar[Any] = None
+
+    def __init__(self, image: Any = None):
+        values = np.zeros((0, 0), np.uint8) if image is None else np.asarray(image)
+        if values.dtype not in (np.uint8, np.uint16, np.float32) or values.ndim not in (2, 3):
+            raise TypeError(
+                f"image: expected uint8, uint16 or float32 of shape [h, w] or [h, w, c], got {values.dtype} of "
+                f"{list(values.shape)}; array.astype(np.float32) makes floats"
+            )
+        self._values = np.array(values[..., 0] if values.ndim == 3 and values.shape[2] == 1 else values, order="C")
+
+    @classmethod
+    def _around(cls, values: NDArray[Any]) -> Self:
+        """An image over an array of the right type and shape, without a copy."""
+        image = cls.__new__(cls)
+        image._values = values
+        return image
+
+    def _fill(self, values: NDArray[Any]) -> None:
+        """Take other pixels, in the same memory where they fit into it."""
+        if self._values.shape == values.shape and self._values.dtype == values.dtype:
+            self._values[...] = values
+        else:
+            self._values = np.array(values)
+
+    def _floats(self) -> NDArray[np.float32]:
+        """The picture as Open3D takes it for numbers: bytes over 255, larger ones as they are, colours as grey."""
+        values = self._values.astype(np.float32) / np.float32(255 if self._values.dtype == np.uint8 else 1)
+        return values if values.ndim == 2 else values[..., :3] @ GREY
+
+    def __array__(self, dtype: DTypeLike | None = None, copy: bool | None = None) -> NDArray[Any]:
+        """The memory itself, unless a copy or another type is asked for."""
+        values = self._values
+        return np.array(values, dtype) if copy else values.astype(dtype or values.dtype, copy=False)
+
+    def __repr__(self) -> str:
+        height, width, channels = (*self._values.shape, 1)[:3] if self._values.size else (0, 0, 0)
+        size = f"Image of size {width}x{height}, with {channels} channels."
+        return f"{size}\nUse numpy.asarray to access buffer data."
+
+    def __copy__(self) -> Image:
+        return Image(self)
+
+    def __deepcopy__(self, memo: dict[int, Any]) -> Image:
+        return Image(self)
+
+    def dimension(self) -> int:
+        """2."""
+        return 2
+
+    def get_geometry_type(self) -> GeometryType:
+        """That of images."""
+        return GeometryType.Image
+
+    def is_empty(self) -> bool:
+        """Whether there are no pixels."""
+        return self._values.size == 0
+
+    def clear(self) -> Image:
+        """Drop the pixels."""
+        self._values = np.zeros((0, 0), np.uint8)
+        return self
+
+    def get_min_bound(self) -> NDArray[np.float64]:
+        """(0, 0)."""
+        return np.zeros(2)
+
+    def get_max_bound(self) -> NDArray[np.float64]:
+        """Width and height."""
+        return np.array(self._values.shape[1::-1], np.float64)
+
+    def flip_vertical(self) -> Image:
+        """The picture upside down."""
+        return Image(self._values[::-1])
+
+    def flip_horizontal(self) -> Image:
+        """The picture mirrored."""
+        return Image(self._values[:, ::-1])
+
+    def filter(self, filter_type: ImageFilterType) -> Image:
+        """The picture as grey floats, smoothed or its slopes."""
+        columns, rows = WEIGHTS[filter_type]
+        values = correlate1d(self._floats(), columns, axis=1, mode="nearest")
+        return Image(correlate1d(values, rows, axis=0, mode="nearest"))
+
+    def create_pyramid(self, num_of_levels: int, with_gaussian_filter: bool) -> list[Image]:
+        """The picture as grey floats, and each time half as large: the means of two by two pixels."""
+        levels = [self._floats()]
+        for _ in range(num_of_levels - 1):
+            image = Image(levels[-1])
+            fine = np.asarray(image.filter(ImageFilterType.Gaussian3) if with_gaussian_filter else image)
+            height, width = fine.shape[0] // 2, fine.shape[1] // 2
+            levels.append(fine[: 2 * height, : 2 * width].reshape(height, 2, width, 2).mean(axis=(1, 3)))
+        return [Image(level) for level in levels]
+
+    @staticmethod
+    def filter_pyramid(image_pyramid: list[Image], filter_type: ImageFilterType) -> list[Image]:
+        """Each picture filtered."""
+        return [image.filter(filter_type) for image in image_pyramid]
+
+
+def pixels_of(image: Any, name: str = "image") -> NDArray[Any]:
+    """The array of an image, or an array.
+
+    Raises:
+        TypeError: Something else.
+    """
+    if not isinstance(image, Image | np.ndarray):
+        raise TypeError(
+            f"{name}: expected a geometry.Image, got {type(image).__name__}; o3d.io.read_image(path) reads one, "
+            "o3d.geometry.Image(array) makes one"
+        )
+    return np.asarray(image)
+
+
+def metres_of(depth: Any, depth_scale: float) -> NDArray[Any]:
+    """Depth as ours takes it: 16 bits as they are, floats and bytes over the scale, which Open3D divides them by, too.
+
+    Bytes are scaled to 0..1 before that, as Open3D does.
+    """
+    pixels = pixels_of(depth, "depth")
+    return pixels if pixels.dtype == np.uint16 else Image(pixels)._floats() / np.float32(depth_scale)
+
+
+def below(depth_trunc: float) -> float:
+    """The largest depth that is less than a limit: Open3D drops what is at it."""
+    return float(np.nextafter(np.float32(depth_trunc), np.float32(0)))

@@ -1,0 +1,107 @@
+"""KDTreeFlann: one query a call, by scipy's tree in float64; `loom.NearestNeighborSearch` takes many at once."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+from scipy.spatial import cKDTree
+
+from ...core.checks import check_count, check_positive
+from ...core.known_names import ToldNames
+from ..held import Held
+from ..vectors import DoubleVector, IntVector
+from .search_param import KDTreeSearchParam, keywords_of
+
+Found = tuple[int, IntVector, DoubleVector]
+
+
+class KDTreeFlann(ToldNames):
+    """A search over the points of a cloud, the vertices of a mesh, features, or the columns of a matrix.
+
+    Searches return how many were found, their numbers by distance, and their squared distances. As in Open3D the tree
+    keeps the places that the points had when it was made.
+    """
+
+    def __init__(self, data: Any = None):
+        self._tree: cKDTree | None = None
+        if data is not None:
+            self._set(data)
+
+    def set_geometry(self, geometry: Any) -> bool:
+        """Search the points of a cloud or the vertices of a mesh."""
+        return self._set(geometry)
+
+    def set_matrix_data(self, data: ArrayLike) -> bool:
+        """Search the columns of a matrix."""
+        return self._set(data)
+
+    def set_feature(self, feature: Any) -> bool:
+        """Search features."""
+        return self._set(feature)
+
+    def _set(self, data: Any) -> bool:
+        rows = _rows_of(data)
+        if not len(rows):
+            raise ValueError("data: expected points to search among, got none")
+        self._tree = cKDTree(rows)
+        return True
+
+    def search_knn_vector_3d(self, query: ArrayLike, knn: int) -> Found:
+        """The nearest `knn`."""
+        return self._nearest(query, check_count("knn", knn))
+
+    def search_radius_vector_3d(self, query: ArrayLike, radius: float) -> Found:
+        """All nearer than a radius."""
+        tree, point = self._asked(query)
+        rows = np.array(tree.query_ball_point(point, check_positive("radius", radius)), np.int64)
+        sqdists = ((tree.data[rows] - point) ** 2).sum(axis=1)
+        order = np.lexsort((rows, sqdists))
+        return len(rows), IntVector(rows[order]), DoubleVector(sqdists[order])
+
+    def search_hybrid_vector_3d(self, query: ArrayLike, radius: float, max_nn: int) -> Found:
+        """The nearest `max_nn` that are nearer than a radius."""
+        return self._nearest(query, check_count("max_nn", max_nn), check_positive("radius", radius))
+
+    def search_vector_3d(self, query: ArrayLike, search_param: KDTreeSearchParam) -> Found:
+        """As a search parameter says."""
+        reach = keywords_of(search_param)
+        if reach["radius"] is None:
+            return self.search_knn_vector_3d(query, reach["max_nn"])
+        if reach["max_nn"] is None:
+            return self.search_radius_vector_3d(query, reach["radius"])
+        return self.search_hybrid_vector_3d(query, reach["radius"], reach["max_nn"])
+
+    search_knn_vector_xd = search_knn_vector_3d
+    search_radius_vector_xd = search_radius_vector_3d
+    search_hybrid_vector_xd = search_hybrid_vector_3d
+    search_vector_xd = search_vector_3d
+
+    def _nearest(self, query: ArrayLike, count: int, radius: float = np.inf) -> Found:
+        tree, point = self._asked(query)
+        distances, rows = tree.query(point, min(count, tree.n), distance_upper_bound=radius)
+        near = np.isfinite(np.atleast_1d(distances))
+        rows = np.atleast_1d(rows)[near]
+        return len(rows), IntVector(rows), DoubleVector(((tree.data[rows] - point) ** 2).sum(axis=1))
+
+    def _asked(self, query: ArrayLike) -> tuple[cKDTree, NDArray[np.float64]]:
+        if self._tree is None:
+            raise RuntimeError("nothing to search among; KDTreeFlann(cloud), or set_geometry(cloud)")
+        point = np.asarray(query, np.float64).reshape(-1)
+        if len(point) != self._tree.m or not np.isfinite(point).all():
+            raise ValueError(f"query: expected {self._tree.m} finite numbers, got {np.asarray(query).tolist()}")
+        return self._tree, point
+
+
+def _rows_of(data: Any) -> NDArray[np.float64]:
+    """What is searched among, a row each."""
+    if isinstance(data, Held):
+        for name in ("points", "vertices"):
+            if name in dir(type(data)):
+                return np.asarray(getattr(data, name)).copy()
+        raise TypeError(f"data: expected a cloud, a mesh, features or a matrix, got a {type(data).__name__}")
+    columns = np.asarray(getattr(data, "data", data) if not isinstance(data, np.ndarray) else data, np.float64)
+    if columns.ndim != 2:
+        raise TypeError(f"data: expected a cloud, a mesh, features or a matrix [d, n], got {type(data).__name__}")
+    return columns.T

@@ -1,0 +1,124 @@
+"""LineSet, changed in place as in Open3D."""
+
+from __future__ import annotations
+
+from typing import Any, Self
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ...pcd import boxes, line_set
+from ...pcd.cloud import PointCloud as OurCloud
+from ..held import Rows, ours
+from ..vectors import Vector2iVector, Vector3dVector
+from .bounded import BoundedByBoxes
+from .boxes import AxisAlignedBoundingBox, OrientedBoundingBox
+
+
+class LineSet(BoundedByBoxes):
+    """Segments between points: `points`, `lines` and `colors` (one a line) are assigned."""
+
+    _kind = line_set.LineSet
+
+    points = Rows(Vector3dVector)
+    lines = Rows(Vector2iVector)
+    colors = Rows(Vector3dVector)
+
+    def __init__(self, points: Any = (), lines: Any = ()):
+        given = ours(points)
+        empty = line_set.LineSet(np.zeros((0, 3)), np.zeros((0, 2), np.int32))
+        self._held, self._out = given if isinstance(given, self._kind) else empty, {}
+        if isinstance(points, LineSet):
+            self._out = points.__copy__()._out
+        elif given is not self._held:
+            self.points, self.lines = Vector3dVector(points), Vector2iVector(lines)
+
+    def _read(self, name: str) -> NDArray[Any]:
+        found = getattr(self._held, name)
+        return np.zeros((0, 3)) if found is None else found
+
+    def _token(self, ours: Any, name: str) -> tuple[Any, ...] | None:
+        found = getattr(ours, name)
+        return None if found is None else (found,)
+
+    def _made(self, changed: list[str]) -> Any:
+        colors = np.array(self.colors) if self._count("colors") == self._count("lines") > 0 else None
+        return line_set.LineSet(np.array(self.points), np.array(self.lines), colors)
+
+    @classmethod
+    def create_from_axis_aligned_bounding_box(cls, box: Any) -> Self:
+        """The edges of a box."""
+        return cls._of(cls._kind.create_from_axis_aligned_bounding_box(ours(box, AxisAlignedBoundingBox, "box")))
+
+    @classmethod
+    def create_from_oriented_bounding_box(cls, box: Any) -> Self:
+        """The edges of a turned box."""
+        return cls._of(cls._kind.create_from_oriented_bounding_box(ours(box, OrientedBoundingBox, "box")))
+
+    @classmethod
+    def create_from_triangle_mesh(cls, mesh: Any) -> Self:
+        """The edges of a mesh."""
+        return cls._of(cls._kind.create_from_triangle_mesh(ours(mesh)))
+
+    @classmethod
+    def create_from_point_cloud_correspondences(cls, cloud0: Any, cloud1: Any, correspondences: Any) -> Self:
+        """A line for each pair of points of two clouds."""
+        pairs = np.asarray(correspondences).reshape(-1, 2)
+        return cls._of(cls._kind.create_from_point_cloud_correspondences(ours(cloud0), ours(cloud1), pairs))
+
+    @classmethod
+    def create_camera_visualization(cls, *args: Any, **kwargs: Any) -> Self:
+        """A camera as a pyramid: (intrinsic, extrinsic, scale=1.0), or (width, height, K, extrinsic, scale=1.0)."""
+        from ...cameras.camera import PinholeCameraIntrinsic
+
+        if len(args) > 1 and np.ndim(args[0]) == 0 and isinstance(args[0], int):
+            width, height, K, *rest = args
+            args = (PinholeCameraIntrinsic(width, height, K), *rest)
+        elif "view_width_px" in kwargs:
+            size = kwargs.pop("view_width_px"), kwargs.pop("view_height_px")
+            kwargs["intrinsic"] = PinholeCameraIntrinsic(*size, kwargs["intrinsic"])
+        return cls._of(
+            cls._kind.create_camera_visualization(*map(ours, args), **{k: ours(v) for k, v in kwargs.items()})
+        )
+
+    def has_points(self) -> bool:
+        """Whether there are points."""
+        return self._count("points") > 0
+
+    def has_lines(self) -> bool:
+        """Whether there are lines."""
+        return self.has_points() and self._count("lines") > 0
+
+    def has_colors(self) -> bool:
+        """Whether each line has a colour."""
+        return 0 < self._count("lines") == self._count("colors")
+
+    def is_empty(self) -> bool:
+        """Whether there are no points."""
+        return not self.has_points()
+
+    def paint_uniform_color(self, color: ArrayLike) -> Self:
+        """Give all lines one colour."""
+        return self._become(self._ours.paint_uniform_color(color))
+
+    def get_line_coordinate(self, line_index: int) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """Both ends of a line."""
+        return self._ours.get_line_coordinate(line_index)
+
+    def get_oriented_bounding_box(self, robust: bool = False) -> OrientedBoundingBox:
+        """The box along the principal axes."""
+        return OrientedBoundingBox._of(boxes.OrientedBoundingBox.create_from_points(self._ours.points, robust))
+
+    def get_minimal_oriented_bounding_box(self, robust: bool = False) -> OrientedBoundingBox:
+        """The smallest box."""
+        made = OurCloud(self._ours.points).get_minimal_oriented_bounding_box(robust)
+        return OrientedBoundingBox._of(made)
+
+    def __add__(self, other: Any) -> LineSet:
+        return LineSet._of(self._ours + ours(other, LineSet, "other"))
+
+    def __iadd__(self, other: Any) -> Self:
+        return self._become(self._ours + ours(other, LineSet, "other"))
+
+    def __repr__(self) -> str:
+        return f"LineSet with {self._count('lines')} lines."

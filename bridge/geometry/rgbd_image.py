@@ -1,0 +1,108 @@
+"""RGBDImage: a colour image and a depth image in metres, both written to by `np.asarray`."""
+
+from __future__ import annotations
+
+from typing import Any, Self
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...cameras import images
+from ...kernels.lang import float32, uint8
+from ...kernels.memory import upload
+from ..held import Rows
+from .geometry import Geometry2D
+from .image import Image, below, metres_of, pixels_of
+
+
+class RGBDImage(Geometry2D):
+    """Brightness (float32) or colours (uint8), and depth (float32) in metres, 0 where there is none."""
+
+    _kind = images.RGBDImage
+
+    color = Rows(Image)
+    depth = Rows(Image)
+
+    def __init__(self):
+        self._held, self._out = None, {}
+
+    def _read(self, name: str) -> NDArray[Any]:
+        return np.zeros((0, 0), np.float32) if self._held is None else getattr(self._held, name)
+
+    def _made(self, changed: list[str]) -> Any:
+        color, depth = np.asarray(self.color), np.asarray(self.depth)
+        if color.shape[:2] != depth.shape:
+            raise ValueError(f"color, depth: expected one size, got {list(color.shape[:2])} and {list(depth.shape)}")
+        pixels = (
+            upload(color.reshape(depth.size, -1), uint8) if color.dtype == np.uint8 else upload(color.ravel(), float32)
+        )
+        return images.RGBDImage.from_device_arrays(pixels, upload(depth.ravel(), float32), *depth.shape)
+
+    @classmethod
+    def create_from_color_and_depth(
+        cls,
+        color: Any,
+        depth: Any,
+        depth_scale: float = 1000.0,
+        depth_trunc: float = 3.0,
+        convert_rgb_to_intensity: bool = True,
+    ) -> Self:
+        """An image; depth of any type is divided by `depth_scale`, and 0 from `depth_trunc` on."""
+        pixels, metres = pixels_of(color, "color"), metres_of(depth, depth_scale)
+        is_grey = pixels.dtype == np.float32 and convert_rgb_to_intensity  # already, or colours that become so
+        taken = np.zeros(metres.shape, np.uint8) if is_grey else pixels
+        made = images.RGBDImage.create_from_color_and_depth(
+            taken, metres, depth_scale, below(depth_trunc), convert_rgb_to_intensity
+        )
+        image = cls._of(made)
+        if is_grey:
+            image.color = Image(Image(pixels)._floats())
+        return image
+
+    @classmethod
+    def create_from_redwood_format(cls, color: Any, depth: Any, convert_rgb_to_intensity: bool = True) -> Self:
+        """A frame of the Redwood data sets."""
+        return cls.create_from_color_and_depth(color, depth, 1000.0, 4.0, convert_rgb_to_intensity)
+
+    @classmethod
+    def create_from_tum_format(cls, color: Any, depth: Any, convert_rgb_to_intensity: bool = True) -> Self:
+        """A frame of the TUM data sets."""
+        return cls.create_from_color_and_depth(color, depth, 5000.0, 4.0, convert_rgb_to_intensity)
+
+    @classmethod
+    def create_from_sun_format(cls, color: Any, depth: Any, convert_rgb_to_intensity: bool = True) -> Self:
+        """A frame of SUN3D."""
+        raw = pixels_of(depth, "depth")
+        return cls._of(
+            images.RGBDImage.create_from_sun_format(pixels_of(color, "color"), raw, convert_rgb_to_intensity)
+        )
+
+    @classmethod
+    def create_from_nyu_format(cls, color: Any, depth: Any, convert_rgb_to_intensity: bool = True) -> Self:
+        """A raw frame of NYU Depth v2."""
+        raw = pixels_of(depth, "depth")
+        return cls._of(
+            images.RGBDImage.create_from_nyu_format(pixels_of(color, "color"), raw, convert_rgb_to_intensity)
+        )
+
+    def is_empty(self) -> bool:
+        """Whether one of the images has no pixels."""
+        return self.color.is_empty() or self.depth.is_empty()
+
+    def clear(self) -> Self:
+        """Drop all pixels."""
+        self._held, self._out = None, {}
+        return self
+
+    def get_min_bound(self) -> NDArray[np.float64]:
+        """(0, 0)."""
+        return np.zeros(2)
+
+    def get_max_bound(self) -> NDArray[np.float64]:
+        """Twice the width, for both stand side by side, and the height."""
+        return self.color.get_max_bound() * (2, 1)
+
+    def __repr__(self) -> str:
+        sizes = [repr(image).partition("\n")[0].removeprefix("Image of size ") for image in (self.color, self.depth)]
+        text = f"Color image : {sizes[0]}\nDepth image : {sizes[1]}"
+        return f"RGBDImage of size \n{text}\nUse numpy.asarray to access buffer data."

@@ -1,0 +1,85 @@
+"""Search parameters, and the keywords that they are in pointloom."""
+
+from __future__ import annotations
+
+import enum
+from typing import Any
+
+from ...core.known_names import ToldNames
+
+
+class SearchType(enum.IntEnum):
+    """Kinds of searches: what `get_search_type` returns."""
+
+    KNNSearch = 0
+    RadiusSearch = 1
+    HybridSearch = 2
+
+
+class KDTreeSearchParam(ToldNames):
+    """How far a search reaches: by number, by distance, or by both."""
+
+    Type = SearchType
+    _fields: tuple[str, ...] = ()
+    _type = SearchType.KNNSearch
+
+    def get_search_type(self) -> SearchType:
+        """Which of the three it is."""
+        return self._type
+
+    def _keywords(self) -> dict[str, Any]:
+        """`radius` and `max_nn` of our functions."""
+        raise NotImplementedError
+
+    def __repr__(self) -> str:
+        return f"{type(self).__name__}({', '.join(f'{name}={getattr(self, name):g}' for name in self._fields)})"
+
+
+class KDTreeSearchParamKNN(KDTreeSearchParam):
+    """The nearest `knn`; our `max_nn=knn`."""
+
+    _fields = ("knn",)
+
+    def __init__(self, knn: int = 30):
+        self.knn = knn
+
+    def _keywords(self) -> dict[str, Any]:
+        return {"radius": None, "max_nn": self.knn}
+
+
+class KDTreeSearchParamRadius(KDTreeSearchParam):
+    """All within a radius; our `radius=radius, max_nn=None`."""
+
+    _fields, _type = ("radius",), SearchType.RadiusSearch
+
+    def __init__(self, radius: float):
+        self.radius = radius
+
+    def _keywords(self) -> dict[str, Any]:
+        return {"radius": self.radius, "max_nn": None}
+
+
+class KDTreeSearchParamHybrid(KDTreeSearchParam):
+    """The nearest `max_nn` within a radius; our `radius=radius, max_nn=max_nn`."""
+
+    _fields, _type = ("radius", "max_nn"), SearchType.HybridSearch
+
+    def __init__(self, radius: float, max_nn: int):
+        self.radius, self.max_nn = radius, max_nn
+
+    def _keywords(self) -> dict[str, Any]:
+        return {"radius": self.radius, "max_nn": self.max_nn}
+
+
+def keywords_of(search_param: Any) -> dict[str, Any]:
+    """`radius` and `max_nn` of a search parameter.
+
+    Raises:
+        TypeError: Something else.
+    """
+    if not isinstance(search_param, KDTreeSearchParam):
+        raise TypeError(
+            f"search_param: expected a KDTreeSearchParam, got {type(search_param).__name__}; "
+            "o3d.geometry.KDTreeSearchParamHybrid(radius=0.1, max_nn=30) is one"
+        )
+    return search_param._keywords()

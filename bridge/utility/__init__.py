@@ -1,0 +1,5 @@
+"""Vectors, verbosity and the seed of all that is random, under Open3D's names."""
+
+from ...public_names import attach  # pyright: ignore[reportMissingImports]
+
+__getattr__, __dir__ = attach(__name__)

@@ -1,0 +1,204 @@
+"""The vectors of `utility`: arrays that grow like lists, whose memory `np.asarray` shows without a copy."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from typing import Any, ClassVar, Self
+
+import numpy as np
+from numpy.typing import ArrayLike, DTypeLike, NDArray
+
+from ..core.known_names import ToldNames
+
+
+class Vector(ToldNames):
+    """Rows of one type: `np.asarray(vector)` is its memory, and what is written to it changes the vector.
+
+    As in Open3D an array that was taken before the vector became longer or shorter shows the old rows.
+    """
+
+    _row: ClassVar[tuple[int, ...]] = ()  # the shape of an element
+    _dtype: ClassVar[Any] = np.float64
+    _element: ClassVar[str] = ""  # as Open3D prints it
+    _array: NDArray[Any]
+    _tail: list[Any]  # what was appended since
+
+    def __init__(self, values: ArrayLike | Vector = ()):
+        self._array, self._tail = self._rows(values).copy(), []
+
+    @classmethod
+    def _around(cls, values: NDArray[Any]) -> Self:
+        """A vector over an array of the right type and shape, without a copy."""
+        vector = cls.__new__(cls)
+        vector._array, vector._tail = values, []
+        return vector
+
+    @property
+    def _values(self) -> NDArray[Any]:
+        """The memory."""
+        if self._tail:
+            self._array = np.concatenate([self._array, self._rows(self._tail)])
+            self._tail = []
+        return self._array
+
+    def _fill(self, values: NDArray[Any]) -> None:
+        """Take other values, in the same memory where they fit into it."""
+        if self._values.shape == values.shape:
+            self._array[...] = values
+        else:
+            self._array = np.array(values, self._dtype)
+
+    def _rows(self, values: Any) -> NDArray[Any]:
+        kind = type(self).__name__
+        rows = np.asarray(values)
+        if rows.size == 0 and rows.ndim <= 1:
+            return np.zeros((0, *self._row), self._dtype)
+        if rows.dtype.kind not in "biuf":
+            raise TypeError(f"{kind}: expected numbers, got {rows.dtype}")
+        if rows.shape[1:] != self._row or rows.ndim == 0:
+            swapped = rows.ndim == 2 and rows.T.shape[1:] == self._row
+            remedy = "; array.T has it so" if swapped else ""
+            raise ValueError(
+                f"{kind}: expected shape {['n', *self._row]}, got {list(rows.shape)}{remedy}".replace("'", "")
+            )
+        if not self._row and self._dtype == np.int32 and rows.dtype.kind == "f":
+            raise TypeError(f"{kind}: expected whole numbers, got {rows.dtype}")
+        return rows.astype(self._dtype)
+
+    def __array__(self, dtype: DTypeLike | None = None, copy: bool | None = None) -> NDArray[Any]:
+        """The memory itself, unless a copy or another type is asked for."""
+        return np.array(self._values, dtype) if copy else self._values.astype(dtype or self._dtype, copy=False)
+
+    def __len__(self) -> int:
+        return len(self._array) + len(self._tail)
+
+    def __bool__(self) -> bool:
+        return len(self) > 0
+
+    def __iter__(self) -> Iterator[Any]:
+        return iter(self._values if self._row else self._values.tolist())
+
+    def __getitem__(self, index: Any) -> Any:
+        found = self._values[index]
+        if isinstance(index, slice):
+            return type(self)(found)
+        return found if self._row else found.item()
+
+    def __setitem__(self, index: Any, value: Any) -> None:
+        self._values[index] = value
+
+    def __delitem__(self, index: Any) -> None:
+        self._array = np.delete(self._values, index, axis=0)
+
+    def __contains__(self, value: Any) -> bool:
+        return self.count(value) > 0
+
+    def __eq__(self, other: object) -> bool:
+        if type(other) is not type(self):
+            return NotImplemented
+        return np.array_equal(self._values, other._values)
+
+    __hash__ = None  # type: ignore[assignment]  # vectors compare by value
+    __array_ufunc__ = None  # arithmetic is that of arrays: np.asarray(vector) + 1
+
+    def __repr__(self) -> str:
+        if not self._row:
+            return f"{type(self).__name__}[{', '.join(f'{value:.6g}' for value in self)}]"
+        return f"std::vector<{self._element}> with {len(self)} elements.\nUse numpy.asarray() to access data."
+
+    def __copy__(self) -> Self:
+        return type(self)(self._values)
+
+    def __deepcopy__(self, memo: dict[int, Any]) -> Self:
+        return type(self)(self._values)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return type(self), (self._values,)
+
+    def append(self, x: Any) -> None:
+        """Add an element at the end."""
+        self._tail.append(self._rows([x])[0])
+
+    def extend(self, L: Iterable[Any]) -> None:
+        """Add elements at the end."""
+        self._tail.extend(self._rows(L if hasattr(L, "__array__") else list(L)))
+
+    def insert(self, i: int, x: Any) -> None:
+        """Put an element before another one."""
+        self._array = np.insert(self._values, i, self._rows([x])[0], axis=0)
+
+    def pop(self, i: int = -1) -> Any:
+        """Take an element out, the last one if none is named."""
+        found = self[i]
+        del self[i]
+        return found
+
+    def remove(self, x: Any) -> None:
+        """Take the first element of this value out."""
+        places = np.flatnonzero(self._equal(x))
+        if not len(places):
+            raise ValueError(f"{type(self).__name__}.remove(x): x not in vector")
+        del self[int(places[0])]
+
+    def count(self, x: Any) -> int:
+        """How many elements have this value."""
+        return int(self._equal(x).sum())
+
+    def clear(self) -> None:
+        """Drop all elements."""
+        self._array, self._tail = self._array[:0], []
+
+    def _equal(self, x: Any) -> NDArray[np.bool_]:
+        return (self._values == np.asarray(x)).reshape(len(self), -1).all(axis=1)
+
+
+class DoubleVector(Vector):
+    """Numbers, float64 [n]."""
+
+
+class IntVector(Vector):
+    """Whole numbers, int32 [n]."""
+
+    _dtype = np.int32
+
+
+class Vector2dVector(Vector):
+    """Pairs, float64 [n, 2]."""
+
+    _row, _element = (2,), "Eigen::Vector2d"
+
+
+class Vector3dVector(Vector):
+    """Points, normals or colours, float64 [n, 3]."""
+
+    _row, _element = (3,), "Eigen::Vector3d"
+
+
+class Vector2iVector(Vector):
+    """Pairs of whole numbers, int32 [n, 2]."""
+
+    _row, _dtype, _element = (2,), np.int32, "Eigen::Vector2i"
+
+
+class Vector3iVector(Vector):
+    """Triangles, int32 [n, 3]."""
+
+    _row, _dtype, _element = (3,), np.int32, "Eigen::Vector3i"
+
+
+class Vector4iVector(Vector):
+    """Tetrahedra, int32 [n, 4]."""
+
+    _row, _dtype, _element = (4,), np.int32, "Eigen::Vector4i"
+
+
+class Matrix3dVector(Vector):
+    """3x3 matrices, float64 [n, 3, 3]."""
+
+    _row, _element = (3, 3), "Eigen::Matrix3d"
+
+
+class Matrix4dVector(Vector):
+    """4x4 matrices, float64 [n, 4, 4]."""
+
+    _row, _element = (4, 4), "Eigen::Matrix4d"

@@ -1,0 +1,62 @@
+"""Lengths that hardly fit a cloud, such as one in another unit: a radius that finds nobody, a voxel that holds all."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from ..core.units import LengthUnit, asked_by_user, symbol_of, warn_of_units
+from ..kernels.arrays.sort import positions
+from ..kernels.reconstruction.ball_surface import count_around
+from ..kernels.search.point_tree import PointTree
+
+FEW = 10  # points that need no warning
+MANY = 100  # points that one voxel, cluster or plane is too little for
+SHORT = 0.25  # of the spacing of a surface: a radius below it is looked at
+ALONE = 1.1  # points within a radius on average, the point itself among them: nine in ten have nobody
+FAR = 1000.0  # times the longer of two spans, between two things that have nothing to do with each other
+
+
+def warn_of_short(name: str, tree: PointTree, radius: float | None, unit: LengthUnit | None, so: str) -> None:
+    """Warn where a radius finds nobody; points are only counted where it is short for a surface as large as theirs."""
+    if radius is None or tree.count <= FEW:
+        return
+    extent = float(np.max(np.asarray(tree.high, np.float64) - tree.low))
+    usual = extent / float(np.sqrt(tree.count))  # between the points of a surface
+    if radius > SHORT * usual:
+        return
+    found = count_around(tree, positions(tree.count, tree.device), radius)
+    if found < ALONE:
+        m = symbol_of(unit)
+        others = f"{found - 1:.2g} other points on average"
+        warn_of_units(
+            f"{name}: {radius:g} {m} finds {others}, so that {so}; the cloud's {tree.count:,} points "
+            f"span {extent:.3g} {m}: take the {name} in its unit, some {2 * usual:.2g} {m}"
+        )
+
+
+def warn_of_long(name: str, length: float, low: Any, high: Any, count: int, unit: LengthUnit | None, so: str) -> None:
+    """Warn a user where a length is more than all the points span; a library's own step may well do so."""
+    extent = float(np.max(np.asarray(high, np.float64) - low)) if count >= MANY else 0.0
+    if not (0 < extent < length and asked_by_user()):
+        return
+    m, usual = symbol_of(unit), extent / float(np.sqrt(count))
+    warn_of_units(
+        f"{name}: {length:g} {m} is more than the {extent:.3g} {m} that the cloud's {count:,} points span, so that "
+        f"{so}; take the {name} in its unit: its points are some {usual:.2g} {m} apart"
+    )
+
+
+def warn_of_far(
+    name: str, low: Any, high: Any, cloud_low: Any, cloud_high: Any, count: int, unit: LengthUnit | None
+) -> None:
+    """Warn where a box lies so far from a cloud of many points that they are of different places, or units."""
+    gap = float(np.max(np.maximum(np.asarray(low) - cloud_high, np.asarray(cloud_low) - high)))
+    span = float(max(np.max(np.asarray(high) - low), np.max(np.asarray(cloud_high) - cloud_low)))
+    if count >= MANY and gap > FAR * span > 0 and asked_by_user():
+        m = symbol_of(unit)
+        warn_of_units(
+            f"{name}: lies {gap:.3g} {m} from the cloud, which spans {span:.3g} {m} or less; the cloud begins at "
+            f"{[round(float(x), 3) for x in cloud_low]}: take the box in its coordinates"
+        )
