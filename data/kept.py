@@ -21,7 +21,6 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..core.atomic import atomic_write
 from ..core.errors import PointloomError
@@ -32,7 +31,7 @@ SOURCES = ("kernels", "cameras", "pcd", "meshing", "data")  # houses whose code 
 FORM = 1  # of the files
 MOST_BYTES = 1 << 30  # of all that is kept
 
-Arrays = dict[str, NDArray[Any]]
+Arrays = dict[str, Any]  # NumPy arrays by name
 
 
 def data_folder() -> Path:

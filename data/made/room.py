@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -160,8 +161,10 @@ def _camera(width: int, height: int) -> PinholeCameraIntrinsic:
     return PinholeCameraIntrinsic(width, height, focal, focal, (width - 1) / 2, (height - 1) / 2)
 
 
-def _metres(depth: NDArray[np.uint16] | NDArray[np.float32]) -> NDArray[np.float32]:
-    return (depth / np.float32(DEPTH_SCALE)).astype(np.float32) if depth.dtype == np.uint16 else depth
+def _metres(depth: NDArray[Any]) -> NDArray[np.float32]:
+    """Depth [m], of whole millimetres too."""
+    scale = DEPTH_SCALE if depth.dtype == np.uint16 else 1.0
+    return (depth / np.float32(scale)).astype(np.float32)
 
 
 def _views() -> Iterator[RoomFrame]:
@@ -180,10 +183,8 @@ def _survey_pose(index: int) -> NDArray[np.float64]:
         turn = (index // 20 % 5 - 2) * 0.3
         yaw, height, pitch = math.atan2(SIZE[1] / 2 - y, SIZE[0] / 2 - x) + turn, 2.25, -0.75
     else:
-        yaw, (wide, deep, height, pitch) = (
-            4 * math.pi * share,
-            ((1.6, 1.2, 2.35, -0.75), (0.9, 0.8, 0.6, 0.05))[kind - 2],
-        )
+        wide, deep, height, pitch = ((1.6, 1.2, 2.35, -0.75), (0.9, 0.8, 0.6, 0.05))[kind - 2]
+        yaw = 4 * math.pi * share
         x, y = SIZE[0] / 2 - wide * math.cos(yaw), SIZE[1] / 2 - deep * math.sin(yaw)
     way = (math.cos(yaw) * math.cos(pitch), math.sin(yaw) * math.cos(pitch), math.sin(pitch))
     return look_along(np.array([x, y, height]), way)
@@ -191,6 +192,7 @@ def _survey_pose(index: int) -> NDArray[np.float64]:
 
 def _seen_points(frame: RoomFrame) -> PointCloud:
     """What an exact frame shows, in the room."""
+    assert frame.color is not None
     image = RGBDImage(frame.color, frame.depth, depth_scale=1.0, depth_trunc=FARTHEST)
     return PointCloud.from_rgbd_image(image, frame.intrinsic, np.linalg.inv(frame.T_world_camera))
 

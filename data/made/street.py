@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 
 from ...core.checks import check_count, check_seed
@@ -53,7 +55,7 @@ def street_scans(count: int = 10, *, seed: int = 0) -> PosedScans:
     count, seed = check_count("count", count), check_seed(seed)
     found = kept("street_scans", {"count": count, "seed": seed}, lambda: _drive(count, seed))
     ends = np.cumsum(found.pop("counts"))[:-1]
-    columns = {name: np.split(values, ends) for name, values in found.items()}
+    columns: dict[str, Any] = {name: np.split(values, ends) for name, values in found.items()}
     scans = [PointCloud(**{name: values[k] for name, values in columns.items()}) for k in range(count)]
     return PosedScans(scans, np.array([sensor_pose(k * SPEED * TURN) for k in range(count)]))
 

@@ -70,7 +70,7 @@ def view_mesh(
     corners = mesh.triangles[np.where(seen, met["primitive_ids"], 0).astype(np.int64)]
     second, third = met["primitive_uvs"][..., :1], met["primitive_uvs"][..., 1:]
     weights = np.stack([1 - second - third, second, third], axis=-2)
-    colors = (mesh.vertex_colors[corners] * weights).sum(axis=-2) * seen[..., None]
+    colors = (np.asarray(mesh.vertex_colors)[corners] * weights).sum(axis=-2) * seen[..., None]
     normals = met["primitive_normals"].astype(np.float64)
     cosine = np.abs((ways * normals).sum(axis=-1)) / np.linalg.norm(ways, axis=-1)
     depth = np.where(seen, met["t_hit"], 0.0)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -32,7 +33,7 @@ class Country:
     crowns: PaintedParts
 
 
-def ground_height(x: NDArray[np.float64], y: NDArray[np.float64]) -> NDArray[np.float64]:
+def ground_height(x: NDArray[Any], y: NDArray[Any]) -> NDArray[Any]:
     """Height of the ground [m]."""
     hills = 7 * np.sin(x / 47 + 0.6) * np.cos(y / 61) + 4 * np.sin(y / 37 - x / 90) + 0.035 * x
     ditch = -1.6 * np.exp(-(((y - 12 * np.sin(x / 35) + 55) / 5) ** 2))
@@ -40,7 +41,7 @@ def ground_height(x: NDArray[np.float64], y: NDArray[np.float64]) -> NDArray[np.
     return hills + ditch + rough
 
 
-def lane(x: NDArray[np.float64] | float) -> NDArray[np.float64] | float:
+def lane(x: Any) -> Any:
     """The lane's middle: y over x [m]."""
     return 18 * np.sin(np.asarray(x) / 42) + 6
 

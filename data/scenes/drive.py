@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -10,7 +12,7 @@ SENSOR_HEIGHT = 1.8  # [m]
 SWAY_LENGTH = 40.0  # [m] from one look to the left to the next
 
 
-def road(x: float) -> float:
+def road(x: Any) -> Any:
     """The road's middle: y over x [m]."""
     return 12 * np.sin(x / 60)
 

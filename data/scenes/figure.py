@@ -6,6 +6,7 @@ Source: the smooth minimum is Quilez's ("Smooth minimum", iquilezles.org/article
 from __future__ import annotations
 
 import functools
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -13,7 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 from ...meshing.mesh.isosurface import marching_cubes
 from ...meshing.mesh.mesh import TriangleMesh
 
-Field = NDArray[np.float32]
+Field = NDArray[Any]
 
 STEP = 0.0025  # [m] between samples of the field
 LOW, HIGH = np.array([-0.108, -0.108, -0.158]), np.array([0.108, 0.108, 0.158])  # [m] box of the samples
@@ -60,7 +61,7 @@ def _feathers(p: Field, size: float) -> Field:
 
 def _parts(p: Field) -> dict[str, Field]:
     """The distance from each part; of `p` [..., 3], mirrored in x where the figure is."""
-    m = p * np.float32([1, 1, 1])
+    m = p.copy()
     m[..., 0] = np.abs(p[..., 0])
     angle, radius = np.arctan2(p[..., 1], p[..., 0]), np.hypot(p[..., 0], p[..., 1])
     bark = 0.003 * np.sin(17 * angle + 30 * p[..., 2]) + 0.0018 * np.sin(41 * angle - 55 * p[..., 2])
