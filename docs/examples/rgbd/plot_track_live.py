@@ -57,7 +57,7 @@ assert len(results) + frames.dropped == len(recorded)
 path: loom.TrackedPath = loom.track(loom.frames_from(recorded, camera, depth_scale=1.0), voxel_size=0.03)
 print(path)
 error = path.error
-print(f"off the true path by {error.ate.rmse * 1e3:.1f} mm (rms)")
+print(f"off the true path by {error.absolute_translation.rmse * 1e3:.1f} mm (rms)")
 assert path.poor is None and not path.lost and len(path.trajectory) == len(recorded)
 
 # %%
