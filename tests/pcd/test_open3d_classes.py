@@ -173,6 +173,7 @@ def test_a_picture_shows_itself(shapes, tmp_path):
     assert repr(picture) == "Picture(32 x 24)" and isinstance(picture, Picture)
     np.testing.assert_array_equal(np.asarray(Image.open(io.BytesIO(picture._repr_png_()))), picture)
     assert picture[:10]._repr_png_() and picture[..., 0]._repr_png_() is None
+    assert isinstance(np.hstack([picture, np.asarray(picture)]), Picture)
     assert type(picture / 2) is np.ndarray and type(picture.mean(axis=2)) is np.ndarray and picture.max() <= 255
     loom.save_picture(tmp_path / "a.png", picture)
     np.testing.assert_array_equal(loom.read_color(tmp_path / "a.png"), picture)

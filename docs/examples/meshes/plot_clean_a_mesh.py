@@ -52,14 +52,14 @@ print(f"broken: {len(broken.triangles)} triangles in {len(parts)} parts, waterti
 # since a hole of that size may be the bottom of the scan. ``min_triangles`` drops parts with fewer triangles: the
 # crumbs.
 
-found = loom.clean_mesh(broken, hole_size=0.1 * size, min_triangles=100)
+found: loom.CleanedMesh = loom.clean_mesh(broken, hole_size=0.1 * size, min_triangles=100)
 print(found)
 
 # %%
 # The result is a record, not only a mesh. ``repair`` counts what was done, and ``poor`` is the verdict: ``None``, or a
 # sentence that says why the mesh is not to be believed. We also hold it against the truth.
 
-report = found.repair
+report: loom.MeshRepairReport = found.repair
 volume = found.mesh.get_volume()
 print(
     f"merged {report.merged_vertices} vertices, turned {report.flipped_triangles} "

@@ -55,6 +55,17 @@ for suffix in (".ply", ".glb", ".obj", ".off", ".stl"):
 assert loom.read_triangle_mesh(folder / "owl.stl").is_watertight() == mesh.is_watertight()
 
 # %%
+# A file that is damaged is an error that says where, never half a mesh.
+
+(folder / "half.ply").write_bytes((folder / "owl.ply").read_bytes()[:20_000])
+try:
+    loom.read_triangle_mesh(folder / "half.ply")
+except loom.FileError as error:
+    print("refused:", str(error).replace(str(folder), "..."))
+else:
+    raise AssertionError("half a file was taken for a mesh")
+
+# %%
 # Which way is up
 # ---------------
 #

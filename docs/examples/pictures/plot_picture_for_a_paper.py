@@ -23,7 +23,7 @@ folder = Path(tempfile.mkdtemp())
 
 mesh = loom.data.object_mesh()
 scan = loom.data.object_scans(3).in_world(0)
-box = mesh.get_oriented_bounding_box()
+box: loom.OrientedBoundingBox = mesh.get_oriented_bounding_box()
 scene = {
     "model": {"geometry": mesh, "color": (0.8, 0.77, 0.72)},
     "scan": {"geometry": scan, "color": (0.85, 0.3, 0.15), "point_size": 3},

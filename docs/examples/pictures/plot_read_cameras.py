@@ -104,5 +104,5 @@ frusta = [loom.CameraFrustum(camera, T, scale=0.1, color=(0.85, 0.35, 0.1)) for 
 axes = {"geometry": loom.TriangleMesh.create_coordinate_frame(0.1, [-0.25, -0.25, -0.15])}
 labels = [(name, place) for name, place in zip(metric.names, metric.centers, strict=False)]
 scene = [{"geometry": loom.data.object_mesh(), "shaded": False}, axes, *frusta]
-view = {"front": [0.5, -1, 0.75], "up": [0, 0, 1], "field_of_view": 30, "zoom": 0.55}
+view = {"front": [0.5, -1, 0.75], "up": [0, 0, 1], "field_of_view": 30, "zoom": 0.45}
 picture = loom.render(scene, view, (960, 640), labels=labels)

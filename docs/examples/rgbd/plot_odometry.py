@@ -40,7 +40,7 @@ print(f"the camera turned by {still[0]:.1f} degrees and went {still[1] / 10:.1f}
 
 source = od.OdometryFrame(first.depth, camera, first.color, depth_scale=1.0)
 target = od.OdometryFrame(second.depth, camera, second.color, depth_scale=1.0)
-result = od.align_frames(source, target)
+result: loom.odometry.OdometryResult = od.align_frames(source, target)
 assert result.success, result.reason
 print(f"fitness {result.fitness:.2f}, inlier rmse {result.inlier_rmse * 1e3:.1f} mm, {result.iterations} iterations")
 for name, method in {

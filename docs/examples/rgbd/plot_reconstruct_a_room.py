@@ -16,7 +16,7 @@ import pointloom as loom
 #
 # The true poses are taken away, to be compared with at the end. For a folder: ``loom.open_frames(folder)``.
 
-recorded = loom.data.room_frames(32)
+recorded = loom.data.room_frames(24)
 camera = recorded[0].intrinsic
 source = loom.frames_from([(frame.color, frame.depth) for frame in recorded], camera, depth_scale=1.0)
 
@@ -26,7 +26,7 @@ source = loom.frames_from([(frame.color, frame.depth) for frame in recorded], ca
 #
 # ``voxel_size`` [m]: 3 cm for a quick look, 1 cm for keeps. ``print`` tells what happened to the frames.
 
-result = loom.reconstruct(source, voxel_size=0.03)
+result: loom.ReconstructionResult = loom.reconstruct(source, voxel_size=0.03)
 print(result)
 
 # %%
@@ -72,7 +72,7 @@ assert np.median(off) < 0.02
 # Frames that are a fifth wrong in focal length make a room that looks right and has wrong lengths. ``check_focal``
 # turns other frames onto each other and asks which focal length fits best: ``factor`` 1 means the one given.
 
-check = loom.check_focal(loom.frames_from(recorded, camera, depth_scale=1.0), result.trajectory)
+check: loom.FocalCheck | None = loom.check_focal(loom.frames_from(recorded, camera, depth_scale=1.0), result.trajectory)
 print(
     "focal length:",
     "nothing to tell it by" if check is None else f"factor {check.factor:.2f}; {check.doubt or 'no doubt'}",
@@ -83,7 +83,7 @@ assert check is None or not check.doubt
 # The room as the camera saw it, from behind its path.
 
 path = loom.Trajectory(poses)
-T = poses[16].copy()
+T = poses[12].copy()
 T[:3, 3] -= 0.7 * T[:3, 2]
 view = loom.View(loom.PinholeCameraIntrinsic(960, 640, 760.0, 760.0, 479.5, 319.5), T)
 picture = loom.render(
