@@ -144,8 +144,8 @@ beside = {"front": [0.55, -0.5, -0.75], "up": [0, -1, 0], "zoom": 0.48}
 picture = loom.render(cloud, beside, (960, 640))
 
 # %%
-# The same, coloured by how far each point is from the truth. The error is a slow wave, as it is of real networks: near
-# things are right among themselves, and a whole wall is some centimetres off.
+# The same, coloured by how far each point is from the truth. The error is the slow wave that the stand-in was
+# spoilt with: things are right among themselves, and a whole wall is some centimetres off.
 
 exact = loom.PointCloud.from_depth_image(truth, frame.intrinsic)
 cloud["error"] = cloud.compute_point_cloud_distance(exact)
@@ -156,8 +156,8 @@ by_error = loom.render(
 assert np.median(cloud["error"]) < 0.05
 
 # %%
-# And against the unaligned one. Both are shown as the camera saw them, so they look alike from there; from beside the
-# unaligned room is a funnel.
+# The unaligned one, made about as large. From where the camera stood the two look alike; from beside, walls lean and
+# the room is a funnel.
 
 bent = alone.to_point_cloud()
 shrunk = bent.scale(float(np.median(truth) / np.median(alone.depth)), center=[0, 0, 0])

@@ -191,8 +191,8 @@ print(lost)
 assert lost.fitness == 0.0
 
 # %%
-# **The start is too far away.** ICP ends somewhere else and calls it converged, as it only looks around itself.
-# Fitness is lower than it should be, but not 0. From 35 degrees off:
+# **The start is too far away.** ICP ends somewhere else, and may well call that converged, as it only looks around
+# itself. Fitness is lower than it should be, but not 0. From 35 degrees off:
 
 far = reg.registration_icp(source, target, distance, truth @ turned(35.0, (0.2, 0, 0)),
                            reg.TransformationEstimationPointToPlane())  # fmt: skip

@@ -10,7 +10,7 @@ does it all, and to ask the most important question: is the answer to be believe
 # %%
 # Two scans that lie anyhow
 # -------------------------
-# As in chapter 7, but the source is turned upside down and put elsewhere, as if it came from another device.
+# As in chapter 7, but the source is turned over and put elsewhere, as if it came from another device.
 
 import tempfile
 from pathlib import Path

@@ -22,7 +22,7 @@ import numpy as np
 import pointloom as loom
 
 folder = Path(tempfile.mkdtemp(prefix="pointloom-"))
-frames = loom.data.room_frames(40)
+frames = loom.data.room_frames(24)
 camera = frames[0].intrinsic
 truth = loom.Trajectory(np.stack([frame.T_world_camera for frame in frames]))
 
@@ -94,8 +94,8 @@ assert np.median(errors(mesh.vertices)) < np.median(errors(merged.points))
 # All of it is one call where frames have poses: ``loom.fuse``, with a verdict. Frames come from
 # ``loom.open_dataset(folder)``, a camera, or a list:
 
-source = loom.frames_from(frames, camera)
-result = loom.fuse(source, voxel_size=0.02)
+source = loom.frames_from(frames[::2], camera)
+result = loom.fuse(source, voxel_size=0.03)
 print(result)
 assert result.poor is None
 
@@ -129,7 +129,7 @@ model = loom.render(
         "room": inside(at_home),
         "path": {"geometry": path, "color": (0.9, 0.15, 0.1), "line_width": 4},
         **{f"camera {k}": {"geometry": loom.CameraFrustum(camera, path.poses[k], 0.2), "color": (0.9, 0.15, 0.1)}
-           for k in range(0, 40, 6)},
+           for k in range(0, 24, 4)},
     },
     view, (960, 640), shading="none",
 )  # fmt: skip
@@ -149,7 +149,7 @@ model = loom.render(
 #
 # Watch the model grow:
 
-with loom.record(folder / "fusion.html", max_points=30_000, max_frames=40, title="Frames become a model") as recording:
+with loom.record(folder / "fusion.html", max_points=30_000, title="Frames become a model") as recording:
     loom.fuse(loom.frames_from(frames[::4], camera), voxel_size=0.04)
 page = folder / "fusion.html"
 print(f"{page.stat().st_size / 1e6:.1f} MB")
