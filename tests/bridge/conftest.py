@@ -11,7 +11,7 @@ from PIL import Image
 
 import pointloom as loom
 
-FRAMES = (0, 2, 4)
+FRAMES = (0, 1, 2)
 POLYGON = [[-0.9, 0.0, 1.2], [0.6, 0.0, 1.2], [0.8, 0.0, 2.6], [-0.7, 0.0, 2.8]]
 
 
@@ -22,7 +22,7 @@ def tutorial_files(tmp_path_factory: pytest.TempPathFactory) -> Path:
     loom.write_point_cloud(folder / "street.pcd", loom.PointCloud(street(np.random.default_rng(1))))
     figure = loom.data.object_mesh().simplify_quadric_decimation(2500)
     loom.write_triangle_mesh(folder / "bunny.ply", figure)
-    frames = loom.data.room_frames(5, width=640, height=480)
+    frames = loom.data.room_frames(24, width=640, height=480)
     for name in ("color", "depth"):
         (folder / name).mkdir()
     poses = []

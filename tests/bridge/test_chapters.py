@@ -8,7 +8,15 @@ from .runner import CHAPTERS, differences, draw_nothing, found_by
 
 # Positions are float32 about an origin here, float64 there: 1e-7 of a length goes in, and small sums of it come out.
 USUAL = 2e-6  # of the largest number, or of 1
-TOLERANCES: dict[str, dict[str, float]] = {}
+POISSON = 5e-3  # the same equation on other cells
+TOLERANCES: dict[str, dict[str, float]] = {
+    "chapter_07_icp": {"after": 1e-3, "pose": 1e-3},  # pairs at the threshold: 9,130 and 9,132 of 12,998
+    "chapter_13_odometry": {"hybrid": 1e-4, "color": 1e-3},  # pixels whose depths differ by just the limit
+    "chapter_11_surfaces": {"Poisson's area": POISSON},
+    # Balls roll from another triangle, and leave other gaps where points are sparse.
+    "chapter_14_robust_kernels": {"Poisson's area": POISSON, "balls' area": 0.1},
+    "chapter_15_posed_frames": {"means": 2e-5},  # a point on the face of a voxel may fall to either side
+}
 
 
 @pytest.mark.parametrize("chapter", sorted(path.stem for path in CHAPTERS.glob("*.py")))

@@ -19,7 +19,8 @@ o3d.visualization.draw_geometries([pcd])
 # The formats of other data sets, and depth of 8 bits, which is a picture of it.
 for name in ("redwood", "tum", "sun", "nyu"):
     make = getattr(o3d.geometry.RGBDImage, f"create_from_{name}_format")
-    found[name] = np.asarray(make(color_raw, depth_raw).depth)
+    depth_again = o3d.io.read_image("./depth/0.png")  # as Open3D decodes sun and nyu in place
+    found[name] = np.asarray(make(color_raw, depth_again).depth)
 eight = o3d.geometry.Image((np.asarray(depth_raw) >> 5).astype(np.uint8))
 grey = o3d.geometry.RGBDImage.create_from_color_and_depth(color_raw, eight, depth_scale=10, depth_trunc=10)
 found["8 bits"] = np.asarray(grey.depth)

@@ -32,4 +32,5 @@ reg_p2p = o3d.pipelines.registration.registration_icp(
 )
 found["after"] = [reg_p2p.fitness, reg_p2p.inlier_rmse]
 found["pose"] = reg_p2p.transformation
-found["pairs"] = len(np.asarray(reg_p2p.correspondence_set))
+pairs = np.asarray(reg_p2p.correspondence_set)
+found["a pair an inlier"] = bool(len(pairs) == round(reg_p2p.fitness * len(source.points)))

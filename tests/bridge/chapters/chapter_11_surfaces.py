@@ -15,9 +15,9 @@ mesh.compute_vertex_normals()
 found["alpha shape"] = str(mesh)
 o3d.visualization.draw_geometries([mesh], mesh_show_back_face=True)
 
-radii = [size / 60, size / 30, size / 15]
+radii = np.mean(pcd.compute_nearest_neighbor_distance()) * np.array([3, 6, 12])
 rec_mesh = o3d.geometry.TriangleMesh.create_from_point_cloud_ball_pivoting(pcd, o3d.utility.DoubleVector(radii))
-found["balls reach the surface"] = bool(rec_mesh.get_surface_area() > 0.8 * bunny.get_surface_area())
+found["balls reach the surface"] = bool(rec_mesh.get_surface_area() > 0.85 * bunny.get_surface_area())
 
 with o3d.utility.VerbosityContextManager(o3d.utility.VerbosityLevel.Error) as cm:
     mesh, densities = o3d.geometry.TriangleMesh.create_from_point_cloud_poisson(pcd, depth=5)
