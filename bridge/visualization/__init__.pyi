@@ -1,9 +1,5 @@
 """The names of `open3d.visualization`."""
 
-from .draw import draw as draw
-from .draw import draw_geometries as draw_geometries
-from .draw import draw_geometries_with_animation_callback as draw_geometries_with_animation_callback
-from .draw import draw_geometries_with_key_callbacks as draw_geometries_with_key_callbacks
 from .polygon import SelectionPolygonVolume as SelectionPolygonVolume
 from .polygon import read_selection_polygon_volume as read_selection_polygon_volume
 from .render_option import MeshColorOption as MeshColorOption
@@ -13,3 +9,7 @@ from .render_option import RenderOption as RenderOption
 from .view_control import ViewControl as ViewControl
 from .visualizer import Visualizer as Visualizer
 from .visualizer import VisualizerWithKeyCallback as VisualizerWithKeyCallback
+from .windows import draw as draw
+from .windows import draw_geometries as draw_geometries
+from .windows import draw_geometries_with_animation_callback as draw_geometries_with_animation_callback
+from .windows import draw_geometries_with_key_callbacks as draw_geometries_with_key_callbacks

@@ -58,6 +58,11 @@ ENUMS = {
     "mesh_color_option": MeshColorOption,
     "mesh_shade_option": MeshShadeOption,
 }
+LIGHTS = {  # without which Open3D reads no further; its own
+    **{f"light{i}_color": [1.0, 1.0, 1.0] for i in range(4)},
+    **{f"light{i}_position": [0.0, 0.0, 2.0 if i < 2 else -2.0] for i in range(4)},
+    "light_ambient_color": [0.0, 0.0, 0.0],
+}
 VERSION = {"class_name": "RenderOption", "version_major": 1, "version_minor": 0}
 
 
@@ -101,10 +106,10 @@ class RenderOption(KnownNames):
                 raise FileError(filename, str(error), where=f"key {name}") from error
 
     def save_to_json(self, filename: str | os.PathLike[str]) -> None:
-        """Write what `load_from_json` reads."""
+        """Write what `load_from_json`, and Open3D's, read."""
         content: dict[str, Any] = {one.name: getattr(self, one.name) for one in fields(self)}
         content |= {name: content[name].value for name in ENUMS}
-        content |= {"background_color": content["background_color"].tolist(), **VERSION}
+        content |= {"background_color": content["background_color"].tolist(), **LIGHTS, **VERSION}
         with atomic_write(filename) as file:
             file.write(json.dumps(content, indent="\t", sort_keys=True).encode() + b"\n")
 

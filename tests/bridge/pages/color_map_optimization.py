@@ -1,0 +1,40 @@
+"""Open3D's documentation, "Color map optimization", on three frames of a made room."""
+
+import numpy as np
+import open3d as o3d
+
+camera = o3d.io.read_pinhole_camera_intrinsic("camera.json")
+rgbd_images = []
+for i in range(3):
+    depth = o3d.io.read_image(f"depth/{i}.png")
+    color = o3d.io.read_image(f"color/{i}.jpg")
+    rgbd_image = o3d.geometry.RGBDImage.create_from_color_and_depth(color, depth, convert_rgb_to_intensity=False)
+    rgbd_images.append(rgbd_image)
+
+camera_trajectory = o3d.io.read_pinhole_camera_trajectory("cameras.json")
+mesh = o3d.io.read_triangle_mesh("room.ply")
+
+# Before full optimization, let's visualize texture map with given geometry, RGBD images, and camera poses.
+mesh_plain, camera_trajectory_plain = o3d.pipelines.color_map.run_rigid_optimizer(
+    mesh, rgbd_images, camera_trajectory, o3d.pipelines.color_map.RigidOptimizerOption(maximum_iteration=0)
+)
+o3d.visualization.draw_geometries([mesh_plain])
+
+# Optimize texture and save the mesh.
+mesh_rigid, trajectory_rigid = o3d.pipelines.color_map.run_rigid_optimizer(
+    mesh, rgbd_images, camera_trajectory, o3d.pipelines.color_map.RigidOptimizerOption(maximum_iteration=20)
+)
+o3d.visualization.draw_geometries([mesh_rigid])
+mesh_bent, trajectory_bent = o3d.pipelines.color_map.run_non_rigid_optimizer(
+    mesh, rgbd_images, camera_trajectory, o3d.pipelines.color_map.NonRigidOptimizerOption(maximum_iteration=10)
+)
+o3d.visualization.draw_geometries([mesh_bent])
+
+found = {
+    "plain": np.asarray(mesh_plain.vertex_colors),
+    "rigid": np.asarray(mesh_rigid.vertex_colors).mean(axis=0),
+    "bent": np.asarray(mesh_bent.vertex_colors).mean(axis=0),
+    "cameras": [parameter.extrinsic for parameter in camera_trajectory_plain.parameters],
+    "size": trajectory_rigid.parameters[0].intrinsic.width,
+    "count": len(trajectory_bent.parameters),
+}

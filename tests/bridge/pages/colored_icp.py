@@ -1,0 +1,45 @@
+"""Open3D's documentation, "Colored point cloud registration", on two frames of a made room."""
+
+import copy
+
+import numpy as np
+import open3d as o3d
+
+
+def draw_registration_result_original_color(source, target, transformation):
+    source_temp = copy.deepcopy(source)
+    source_temp.transform(transformation)
+    o3d.visualization.draw_geometries([source_temp, target])
+
+
+source = o3d.io.read_point_cloud("0.pcd")
+target = o3d.io.read_point_cloud("1.pcd")
+current_transformation = np.identity(4)
+draw_registration_result_original_color(source, target, current_transformation)
+
+voxel_radius = [0.2, 0.1, 0.05]
+max_iter = [50, 30, 14]
+found = {}
+for scale in range(3):
+    iter = max_iter[scale]
+    radius = voxel_radius[scale]
+    print([iter, radius, scale])
+    source_down = source.voxel_down_sample(radius)
+    target_down = target.voxel_down_sample(radius)
+    source_down.estimate_normals(o3d.geometry.KDTreeSearchParamHybrid(radius=radius * 2, max_nn=30))
+    target_down.estimate_normals(o3d.geometry.KDTreeSearchParamHybrid(radius=radius * 2, max_nn=30))
+    result_icp = o3d.pipelines.registration.registration_colored_icp(
+        source_down,
+        target_down,
+        radius,
+        current_transformation,
+        o3d.pipelines.registration.TransformationEstimationForColoredICP(),
+        o3d.pipelines.registration.ICPConvergenceCriteria(
+            relative_fitness=1e-6, relative_rmse=1e-6, max_iteration=iter
+        ),
+    )
+    current_transformation = result_icp.transformation
+    print(result_icp)
+    found |= {f"fitness {scale}": result_icp.fitness, f"rmse {scale}": result_icp.inlier_rmse}
+draw_registration_result_original_color(source, target, result_icp.transformation)
+found |= {"transformation": result_icp.transformation, "pairs": len(result_icp.correspondence_set)}

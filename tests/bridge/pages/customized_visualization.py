@@ -1,0 +1,122 @@
+"""Open3D's documentation, "Customized visualization": windows with callbacks, on a cloud of a made room."""
+
+import os
+
+import numpy as np
+import open3d as o3d
+
+found = {}
+
+
+def custom_draw_geometry(pcd):
+    # The following code achieves the same effect as: o3d.visualization.draw_geometries([pcd])
+    vis = o3d.visualization.Visualizer()
+    vis.create_window()
+    vis.add_geometry(pcd)
+    vis.run()
+    vis.destroy_window()
+
+
+def custom_draw_geometry_with_custom_fov(pcd, fov_step):
+    vis = o3d.visualization.Visualizer()
+    vis.create_window()
+    vis.add_geometry(pcd)
+    ctr = vis.get_view_control()
+    found[f"fov before {fov_step}"] = ctr.get_field_of_view()
+    ctr.change_field_of_view(step=fov_step)
+    found[f"fov after {fov_step}"] = ctr.get_field_of_view()
+    vis.run()
+    vis.destroy_window()
+
+
+def custom_draw_geometry_with_rotation(pcd):
+    frames = []
+
+    def rotate_view(vis):
+        ctr = vis.get_view_control()
+        ctr.rotate(10.0, 0.0)
+        frames.append(np.array(ctr.convert_to_pinhole_camera_parameters().extrinsic))
+        return False
+
+    o3d.visualization.draw_geometries_with_animation_callback([pcd], rotate_view)
+    found["turned"] = frames[:30]
+
+
+def custom_draw_geometry_load_option(pcd, render_option_path):
+    vis = o3d.visualization.Visualizer()
+    vis.create_window()
+    vis.add_geometry(pcd)
+    vis.get_render_option().load_from_json(render_option_path)
+    option = vis.get_render_option()
+    found["option"] = [option.point_size, *option.background_color, option.show_coordinate_frame, option.line_width]
+    vis.run()
+    vis.destroy_window()
+
+
+def custom_draw_geometry_with_key_callback(pcd, render_option_path):
+    def change_background_to_black(vis):
+        opt = vis.get_render_option()
+        opt.background_color = np.asarray([0, 0, 0])
+        return False
+
+    def load_render_option(vis):
+        vis.get_render_option().load_from_json(render_option_path)
+        return False
+
+    def capture_depth(vis):
+        depth = vis.capture_depth_float_buffer()
+        found["depth of key"] = np.asarray(depth).max()
+        return False
+
+    key_to_callback = {}
+    key_to_callback[ord("K")] = change_background_to_black
+    key_to_callback[ord("R")] = load_render_option
+    key_to_callback[ord("D")] = capture_depth
+    o3d.visualization.draw_geometries_with_key_callbacks([pcd], key_to_callback)
+
+
+def custom_draw_geometry_with_camera_trajectory(pcd, camera_trajectory_path):
+    trajectory = o3d.io.read_pinhole_camera_trajectory(camera_trajectory_path)
+    state = {"index": -1}
+    seen = []
+
+    def move_forward(vis):
+        # This function is called within the o3d.visualization.Visualizer::run() loop. The first call shows the first
+        # view, each later one stores what is shown and goes on.
+        ctr = vis.get_view_control()
+        if state["index"] >= 0:
+            depth = np.asarray(vis.capture_depth_float_buffer(False))
+            image = np.asarray(vis.capture_screen_float_buffer(False))
+            vis.capture_screen_image(os.path.join("captures", "{:05d}.png".format(state["index"])), False)
+            seen.append((depth, image))
+        state["index"] = state["index"] + 1
+        if state["index"] < len(trajectory.parameters):
+            found[f"moved {state['index']}"] = bool(
+                ctr.convert_from_pinhole_camera_parameters(trajectory.parameters[state["index"]], allow_arbitrary=True)
+            )
+        else:
+            vis.register_animation_callback(None)
+        return False
+
+    vis = o3d.visualization.Visualizer()
+    vis.create_window(width=320, height=240)
+    vis.add_geometry(pcd)
+    vis.get_render_option().point_size = 6.0
+    vis.register_animation_callback(move_forward)
+    vis.run()
+    vis.destroy_window()
+    return seen
+
+
+pcd = o3d.io.read_point_cloud("0.pcd")
+os.makedirs("captures", exist_ok=True)
+custom_draw_geometry(pcd)
+custom_draw_geometry_with_custom_fov(pcd, 90.0)
+custom_draw_geometry_with_custom_fov(pcd, -90.0)
+custom_draw_geometry_with_rotation(pcd)
+custom_draw_geometry_load_option(pcd, "renderoption.json")
+custom_draw_geometry_with_key_callback(pcd, "renderoption.json")
+seen = custom_draw_geometry_with_camera_trajectory(pcd, "cameras.json")
+found["size"] = np.asarray(o3d.io.read_image("captures/00002.png")).shape
+found["frames"] = len(seen)
+found["depths"] = [depth for depth, image in seen]

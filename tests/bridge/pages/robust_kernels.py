@@ -1,0 +1,48 @@
+"""Open3D's documentation, "Robust kernels", on two frames of a made room with noise."""
+
+import copy
+
+import numpy as np
+import open3d as o3d
+
+source = o3d.io.read_point_cloud("0.pcd").uniform_down_sample(3)
+target = o3d.io.read_point_cloud("1.pcd").uniform_down_sample(3)
+target.estimate_normals()
+trans_init = np.identity(4)
+trans_init[:3, 3] = [0.03, -0.02, 0.02]
+np.random.seed(0)
+
+
+def apply_noise(pcd, mu, sigma):
+    noisy_pcd = copy.deepcopy(pcd)
+    points = np.asarray(noisy_pcd.points)
+    points += np.random.normal(mu, sigma, size=points.shape)
+    noisy_pcd.points = o3d.utility.Vector3dVector(points)
+    return noisy_pcd
+
+
+mu, sigma = 0, 0.1  # mean and standard deviation
+source_noisy = apply_noise(source, mu, sigma)
+print("Source PointCloud + noise:")
+o3d.visualization.draw_geometries([source_noisy])
+
+threshold = 1.0
+found = {"untouched": np.asarray(source.points), "noisy": np.asarray(source_noisy.points)}
+p2l = o3d.pipelines.registration.TransformationEstimationPointToPlane()
+losses = {
+    "vanilla": None,
+    "tukey": o3d.pipelines.registration.TukeyLoss(k=sigma),
+    "huber": o3d.pipelines.registration.HuberLoss(k=sigma),
+    "cauchy": o3d.pipelines.registration.CauchyLoss(k=sigma),
+    "gm": o3d.pipelines.registration.GMLoss(k=sigma),
+    "l1": o3d.pipelines.registration.L1Loss(),
+}
+for name, loss in losses.items():
+    print(f"Robust point-to-plane ICP, threshold={threshold}:", loss)
+    if loss is not None:
+        p2l = o3d.pipelines.registration.TransformationEstimationPointToPlane(loss)
+        found[f"{name} weight"] = loss.weight(0.07)
+        found[f"{name} text"] = repr(loss)
+    reg_p2l = o3d.pipelines.registration.registration_icp(source_noisy, target, threshold, trans_init, p2l)
+    print(reg_p2l)
+    found |= {f"{name} fitness": reg_p2l.fitness, name: reg_p2l.transformation}

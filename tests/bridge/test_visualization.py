@@ -1,0 +1,216 @@
+"""Windows under Open3D's names: pages of the browser, or pictures where nobody looks, with Open3D's cameras."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import pointloom.open3d as o3d
+from pointloom.core.errors import PointloomError
+
+from ..drawing.viewer.pages import page_of, say, wait_until
+from .pipeline_files import write_pipeline_files
+from .runner import differences, draw_nothing, found_by
+
+FRAMES = 60  # that an unattended window lives for
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory):
+    made = tmp_path_factory.mktemp("windows")
+    write_pipeline_files(made)
+    option = o3d.visualization.RenderOption()
+    option.point_size, option.background_color, option.show_coordinate_frame = 2.0, (0.1, 0.2, 0.3), True
+    option.save_to_json(made / "renderoption.json")
+    return made
+
+
+@pytest.fixture(autouse=True)
+def unattended(monkeypatch):
+    monkeypatch.setenv("POINTLOOM_DRAW", "picture")
+
+
+@pytest.fixture
+def both(folder, monkeypatch):
+    """What a page's script finds with Open3D, whose windows are hidden and end as ours do, and with its names here."""
+    open3d = pytest.importorskip("open3d", exc_type=ImportError)
+    visualization = open3d.visualization
+    window = visualization.Visualizer()
+    if not window.create_window(visible=False):
+        pytest.skip("Open3D draws no window here")
+    window.destroy_window()
+    create, callbacks = visualization.Visualizer.create_window, {}
+
+    def run(window):
+        for _ in range(FRAMES):
+            callback = callbacks.get("now")
+            if callback is None:
+                return
+            callback(window)
+            window.poll_events()
+            window.update_renderer()
+
+    def show(geometries, callback=None, **_):
+        window = visualization.Visualizer()
+        window.create_window()
+        for geometry in geometries:
+            window.add_geometry(geometry)
+        callbacks["now"] = callback
+        window.run()
+        callbacks.clear()
+        window.destroy_window()
+
+    def hidden(window, width=1920, height=1080, **_):
+        return create(window, width=width, height=height, visible=False)
+
+    monkeypatch.setattr(visualization.Visualizer, "create_window", hidden)
+    monkeypatch.setattr(visualization.Visualizer, "run", run)
+    register = "register_animation_callback"
+    monkeypatch.setattr(visualization.Visualizer, register, lambda _, callback: callbacks.update(now=callback))
+    monkeypatch.setattr(visualization, "draw_geometries_with_animation_callback", show)
+    monkeypatch.setattr(visualization, "draw_geometries_with_key_callbacks", lambda shapes, _: show(shapes))
+
+    def compare(page):
+        for module in (open3d, o3d):
+            draw_nothing(monkeypatch, module)
+        return [found_by(f"../pages/{page}", package, folder) for package in ("open3d", "pointloom.open3d")]
+
+    return compare
+
+
+def test_customized_windows_look_from_where_open3d_does(both):
+    theirs, ours = both("customized_visualization")
+    depths = [np.array(found.pop("depths")) for found in (theirs, ours)]
+    assert differences(theirs, ours, {}, 1e-6) == []
+    seen = [depth > 0 for depth in depths]
+    assert (seen[0] != seen[1]).mean() < 0.08  # points are squares there and discs here
+    in_both = seen[0] & seen[1]
+    assert (np.abs(depths[0] - depths[1])[in_both] < 0.05).mean() > 0.95
+
+
+def test_a_window_follows_registration(both):
+    theirs, ours = both("non_blocking_visualization")
+    assert differences(theirs, ours, {"depth": 0.02}, 1e-6) == []
+
+
+# ------------------------------------------------------------------------------------------------------------ ours
+
+
+@pytest.fixture
+def box():
+    return o3d.geometry.TriangleMesh.create_box(1, 2, 3).paint_uniform_color([1, 0, 0])
+
+
+def test_a_picture_is_captured_without_a_page(box, tmp_path):
+    vis = o3d.visualization.Visualizer()
+    assert vis.create_window("boxes", 64, 48, visible=False)
+    vis.add_geometry(box)
+    vis.get_render_option().background_color = [0, 0, 1]
+    vis.capture_screen_image(tmp_path / "a.png", True)
+    picture = np.asarray(o3d.io.read_image(tmp_path / "a.png"))
+    assert picture.shape == (48, 64, 3)
+    assert picture[0, 0].tolist() == [0, 0, 255]
+    assert picture[24, 32, 0] > 100
+    assert picture[24, 32, 1:].max() == 0
+    vis.capture_depth_image(tmp_path / "depth.png")
+    assert np.asarray(o3d.io.read_image(tmp_path / "depth.png"))[24, 32] == pytest.approx(
+        1000 * (3 * 0.7 * 3**0.5 - 1.5), abs=2
+    )
+    vis.capture_depth_point_cloud(tmp_path / "seen.ply", convert_to_world_coordinate=True)
+    assert o3d.io.read_point_cloud(tmp_path / "seen.ply").get_max_bound()[2] == pytest.approx(3.0, abs=1e-3)
+    status = vis.get_view_status()
+    vis.get_view_control().rotate(300, 0)
+    assert vis.get_view_status() != status
+    vis.set_view_status(status)
+    assert vis.get_view_status() == status
+    assert vis.remove_geometry(box)
+    assert not vis.update_geometry(box)
+    assert (np.asarray(vis.capture_screen_float_buffer()) == [0, 0, 1]).all()
+
+
+def test_loops_of_an_unattended_script_end(box):
+    vis, turns = o3d.visualization.Visualizer(), 0
+    vis.create_window()
+    vis.add_geometry(box)
+    while vis.poll_events():
+        turns += 1
+        vis.update_renderer()
+    assert turns == FRAMES - 1
+    calls = []
+    o3d.visualization.draw_geometries_with_animation_callback([box], lambda window: calls.append(window.close()))
+    assert calls == [None]
+    o3d.visualization.draw_geometries_with_key_callbacks([box], {ord("K"): print})
+    o3d.visualization.draw([{"geometry": box, "name": "box"}], lookat=[0, 0, 0], eye=[3, 3, 3], up=[0, 0, 1])
+    with pytest.raises(PointloomError, match="ibl: pages have no such thing"):
+        o3d.visualization.draw(box, ibl="default")
+    with pytest.raises(TypeError, match="geometry_list: expected a list of geometries, got a TriangleMesh"):
+        o3d.visualization.draw_geometries(box)
+
+
+def test_pictures_and_clouds_are_drawn(rng):
+    image = o3d.geometry.Image((rng.random((20, 30, 3)) * 255).astype(np.uint8))
+    depth = o3d.geometry.Image(rng.random((20, 30)).astype(np.float32))
+    cloud = o3d.geometry.PointCloud(o3d.utility.Vector3dVector(rng.random((50, 3)) * 30))
+    cloud.estimate_normals()
+    lines = o3d.geometry.LineSet.create_from_oriented_bounding_box(cloud.get_oriented_bounding_box())
+    shapes = [image, depth, cloud, lines, cloud.get_axis_aligned_bounding_box()]
+    o3d.visualization.draw_geometries(shapes, width=32, height=24, point_show_normal=True, zoom=0.7, front=[0, 0, 1])
+    vis = o3d.visualization.Visualizer()
+    vis.create_window(width=64, height=48, visible=False)
+    for shape in shapes:
+        vis.add_geometry(shape)
+    option = vis.get_render_option()
+    option.point_color_option = o3d.visualization.PointColorOption.XCoordinate
+    option.show_coordinate_frame = option.point_show_normal = True
+    assert np.asarray(vis.capture_screen_float_buffer()).min() < 0.9
+
+
+def test_a_key_of_the_page_calls_the_program_in_its_loop(box, monkeypatch, capsys):
+    monkeypatch.delenv("POINTLOOM_DRAW")
+    vis, pressed = o3d.visualization.VisualizerWithKeyCallback(), []
+    vis.create_window("keys", 640, 480)
+    assert "viewer: http://127.0.0.1:" in capsys.readouterr().err
+    vis.add_geometry(box)
+    vis.register_key_callback(ord("K"), lambda window: pressed.append(window is vis))
+    vis.register_key_action_callback(32, lambda window, action, mods: pressed.append((action, mods)))
+    with pytest.raises(ValueError, match="key: pages tell of letters, digits and space, escape"):
+        vis.register_key_callback(290, print)
+    try:
+        viewer = vis._viewer
+        with page_of(viewer.server) as page:
+            wait_until(lambda: viewer.sessions)
+            for key in ("K", "space"):
+                command = next(command for command in viewer.panel._commands if command.hotkey == key)
+                say(page, {"type": "CommandTriggerMessage", "uuid": command._impl.uuid})
+            wait_until(lambda: vis._pressed.qsize() == 2)
+            assert pressed == []  # in the program's own loop, not in a thread of the page
+            assert vis.poll_events()
+            assert pressed == [True, (1, 0)]
+            vis.get_render_option().background_color = [0, 0, 0]
+            vis.get_render_option().show_coordinate_frame = True
+            vis.get_view_control().set_front([1, 0, 0])
+            box.translate([5, 0, 0])
+            vis.update_geometry(box)
+            vis.update_renderer()
+            assert viewer.background.tolist() == [0, 0, 0]
+            assert set(viewer.items) == {"TriangleMesh 1", "coordinate frame"}
+            assert viewer.items["TriangleMesh 1"].geometry.get_min_bound()[0] == 5
+            assert viewer.home().T_world_camera[:3, 2] == pytest.approx([-1, 0, 0])
+    finally:
+        vis.destroy_window()
+    assert viewer.closed
+
+
+def test_a_polygon_crops_clouds_and_meshes(tmp_path, rng):
+    cloud = o3d.geometry.PointCloud(o3d.utility.Vector3dVector(rng.random((200, 3))))
+    volume = o3d.visualization.SelectionPolygonVolume()
+    volume.bounding_polygon = o3d.utility.Vector3dVector([[0, 0, 0], [0.5, 0, 0], [0.5, 0.5, 0], [0, 0.5, 0]])
+    volume.orthogonal_axis, volume.axis_min, volume.axis_max = "Z", 0.0, 0.5
+    inside = (np.asarray(cloud.points) < 0.5).all(axis=1)
+    assert volume.crop_in_polygon(cloud) == np.flatnonzero(inside).tolist()
+    assert np.allclose(volume.crop_point_cloud(cloud).points, np.asarray(cloud.points)[inside], atol=1e-6)
+    sphere = o3d.geometry.TriangleMesh.create_sphere(0.6)
+    assert volume.crop_triangle_mesh(sphere).get_max_bound().max() <= 0.5
+    volume._ours.to_json(tmp_path / "cropped.json")
+    again = o3d.visualization.read_selection_polygon_volume(tmp_path / "cropped.json")
+    assert len(again.crop_point_cloud(cloud).points) == inside.sum()
