@@ -35,8 +35,12 @@ class RGBDImage(Geometry2D):
         if color.shape[:2] != depth.shape:
             raise ValueError(f"color, depth: expected one size, got {list(color.shape[:2])} and {list(depth.shape)}")
         cpu, is_grey = resolve_device("cpu"), color.dtype != np.uint8
-        pixels = upload(color.ravel(), float32, cpu) if is_grey else upload(color.reshape(depth.size, -1), uint8, cpu)
-        return images.RGBDImage.from_device_arrays(pixels, upload(depth.ravel(), float32, cpu), *depth.shape)
+        pixels = (
+            upload(color.flatten(), float32, cpu)
+            if is_grey
+            else upload(color.reshape(depth.size, -1).copy(), uint8, cpu)
+        )
+        return images.RGBDImage.from_device_arrays(pixels, upload(depth.flatten(), float32, cpu), *depth.shape)
 
     @classmethod
     def create_from_color_and_depth(

@@ -60,6 +60,18 @@ def test_points_that_were_assigned_keep_their_digits(cloud):
     assert (np.asarray(cloud.points) == values).all()
 
 
+def test_ours_shares_no_memory_with_vectors(cloud):
+    cloud.colors = V(np.full((50, 3), 0.5))
+    cloud.covariances = o3d.utility.Matrix3dVector(np.tile(np.eye(3), (50, 1, 1)))
+    before = cloud._ours
+    kept = [np.array(values) for values in (before.points, before.colors, before.covariances)]
+    for vector in (cloud.points, cloud.colors, cloud.covariances):
+        np.asarray(vector)[:] = 0
+    for values, now in zip(kept, (before.points, before.colors, before.covariances), strict=True):
+        assert (values == now).all()
+    assert not cloud._ours.covariances.any()
+
+
 def test_arrays_of_other_lengths_wait_for_each_other(cloud):
     cloud.colors = V(np.full((20, 3), 0.5))
     assert not cloud.has_colors() and not cloud._ours.has_colors()

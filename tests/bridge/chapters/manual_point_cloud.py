@@ -13,7 +13,7 @@ oboxes = pcd.detect_planar_patches(
 found = {"there are patches": bool(len(oboxes) > 1 and oboxes[0].volume() >= 0)}
 meshes = [o3d.geometry.TriangleMesh.create_from_oriented_bounding_box(box, scale=[1, 1, 0.1]) for box in oboxes]
 found["a box of each"] = bool(all(len(mesh.triangles) == 12 for mesh in meshes))
-o3d.visualization.draw_geometries([*oboxes, pcd])
+o3d.visualization.draw_geometries([oboxes[0], pcd])
 
 few = pcd.uniform_down_sample(8)
 few.orient_normals_consistent_tangent_plane(12)
