@@ -39,7 +39,7 @@ class TriangleMesh(MeshFactories):
         given = ours(vertices)
         self._held, self._out = given if isinstance(given, self._kind) else mesh.TriangleMesh(), {}
         if isinstance(vertices, TriangleMesh):
-            self.__dict__.update(vertices.__copy__().__dict__)
+            vars(self).update(vars(vertices.__copy__()))
         elif given is not self._held:
             self.vertices, self.triangles = Vector3dVector(vertices), Vector3iVector(triangles)
 
@@ -85,7 +85,7 @@ class TriangleMesh(MeshFactories):
                     setattr(made, name, np.array(self._vector(name)))
         if "triangle_normals" in changed:
             self._has_faces = self._count("triangle_normals") == counts["triangles"] > 0
-        lengths = dict(
+        lengths: dict[str, int] = dict(
             zip(PARTS, (*[counts["vertices"]] * 2, 3 * counts["triangles"], counts["triangles"]), strict=True)
         )
         for name in (name for name in PARTS if name in changed):
