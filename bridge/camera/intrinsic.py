@@ -52,10 +52,10 @@ class PinholeCameraIntrinsic(Held):
         return self._kind(*self._size, self._matrix)
 
     def __getstate__(self) -> dict[str, Any]:
-        return self.__dict__
+        return dict(vars(self))
 
     def __setstate__(self, state: dict[str, Any]) -> None:
-        self.__dict__.update(state)
+        vars(self).update(state)
 
     def __copy__(self) -> Self:
         return type(self)(self)

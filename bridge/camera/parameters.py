@@ -76,7 +76,9 @@ class PinholeCameraTrajectory(KnownNames):
     @property
     def _ours(self) -> Trajectory:
         """The poses, camera to world."""
-        return Trajectory([np.linalg.inv(one._extrinsic) for one in self._parameters])
+        extrinsics = np.array([one._extrinsic for one in self._parameters], np.float64)
+        poses: NDArray[np.float64] = np.linalg.inv(extrinsics.reshape(-1, 4, 4)).astype(np.float64)
+        return Trajectory(poses)
 
     def __repr__(self) -> str:
         return "PinholeCameraTrajectory class.\nAccess its data via camera.parameters."

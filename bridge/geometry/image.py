@@ -31,7 +31,7 @@ class Image(ToldNames):
     _dtype: ClassVar[Any] = None
 
     def __init__(self, image: Any = None):
-        values = np.zeros((0, 0), np.uint8) if image is None else np.asarray(image)
+        values: NDArray[Any] = np.zeros((0, 0), np.uint8) if image is None else np.asarray(image)
         if values.dtype not in (np.uint8, np.uint16, np.float32) or values.ndim not in (2, 3):
             raise TypeError(
                 f"image: expected uint8, uint16 or float32 of shape [h, w] or [h, w, c], got {values.dtype} of "

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
-from scipy.spatial import cKDTree
+from scipy.spatial import KDTree
 
 from ...core.checks import check_count, check_positive
 from ...core.known_names import ToldNames
@@ -25,7 +25,7 @@ class KDTreeFlann(ToldNames):
     """
 
     def __init__(self, data: Any = None):
-        self._tree: cKDTree | None = None
+        self._tree: KDTree | None = None
         if data is not None:
             self._set(data)
 
@@ -45,7 +45,7 @@ class KDTreeFlann(ToldNames):
         rows = _rows_of(data)
         if not len(rows):
             raise ValueError("data: expected points to search among, got none")
-        self._tree = cKDTree(rows)
+        self._tree = KDTree(rows)
         return True
 
     def search_knn_vector_3d(self, query: ArrayLike, knn: int) -> Found:
@@ -85,7 +85,7 @@ class KDTreeFlann(ToldNames):
         rows = np.atleast_1d(rows)[near]
         return len(rows), IntVector(rows), DoubleVector(((tree.data[rows] - point) ** 2).sum(axis=1))
 
-    def _asked(self, query: ArrayLike) -> tuple[cKDTree, NDArray[np.float64]]:
+    def _asked(self, query: ArrayLike) -> tuple[KDTree, NDArray[np.float64]]:
         if self._tree is None:
             raise RuntimeError("nothing to search among; KDTreeFlann(cloud), or set_geometry(cloud)")
         point = np.asarray(query, np.float64).reshape(-1)

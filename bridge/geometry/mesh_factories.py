@@ -129,7 +129,8 @@ class MeshFactories(MeshBase):
         """A box around the box, its sides scaled."""
         box = ours(obox)
         extent = box.extent * np.asarray(scale, np.float64)
-        made = Ours.create_box(*extent, create_uv_map).translate(-extent / 2)
+        width, height, depth = extent.tolist()
+        made = Ours.create_box(width, height, depth, create_uv_map).translate(-extent / 2)
         return cls._of(made.rotate(box.R, [0, 0, 0]).translate(box.center))
 
     # -------------------------------------------------------------------------------------------- surfaces of clouds

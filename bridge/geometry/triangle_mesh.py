@@ -39,7 +39,7 @@ class TriangleMesh(MeshFactories):
         given = ours(vertices)
         self._held, self._out = given if isinstance(given, self._kind) else mesh.TriangleMesh(), {}
         if isinstance(vertices, TriangleMesh):
-            self.__dict__.update(vertices.__copy__().__dict__)
+            vars(self).update(vars(vertices.__copy__()))
         elif given is not self._held:
             self.vertices, self.triangles = Vector3dVector(vertices), Vector3iVector(triangles)
 
@@ -74,16 +74,18 @@ class TriangleMesh(MeshFactories):
             for name in ("vertices", "triangles", *PARTS):
                 self._vector(name)  # of the old mesh
             changed = [*PARTS]
-            made = mesh.TriangleMesh(self.vertices, self.triangles, textures=held.textures, device=held.device)
+            made = mesh.TriangleMesh(
+                *map(np.array, (self.vertices, self.triangles)), textures=held.textures, device=held.device
+            )
             self._has_faces = self._has_faces and counts["triangles"] == self._count("triangle_normals")
         else:
             made = held.copy()
             for name in ("vertices", "triangles"):
                 if name in changed:
-                    setattr(made, name, np.asarray(self._vector(name)))
+                    setattr(made, name, np.array(self._vector(name)))
         if "triangle_normals" in changed:
             self._has_faces = self._count("triangle_normals") == counts["triangles"] > 0
-        lengths = dict(
+        lengths: dict[str, int] = dict(
             zip(PARTS, (*[counts["vertices"]] * 2, 3 * counts["triangles"], counts["triangles"]), strict=True)
         )
         for name in (name for name in PARTS if name in changed):
