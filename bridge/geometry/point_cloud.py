@@ -58,14 +58,14 @@ class PointCloud(BoundedByBoxes):
         if count == len(made):
             made = made.copy()
             if "points" in changed:
-                made.points = self.points
+                made.points = np.array(self.points)
         else:
             for name in VECTORS:
                 self._vector(name)  # of the old cloud
-            changed, made = [*VECTORS], cloud.PointCloud(self.points, device=made.device)
+            changed, made = [*VECTORS], cloud.PointCloud(np.array(self.points), device=made.device)
         for name in (name for name in VECTORS if name in changed):
             if count and len(self._vector(name)) == count:
-                made[name] = np.asarray(self._vector(name)) if name != "covariances" else made[name]
+                setattr(made, name, np.array(self._vector(name)))
             elif name in made:
                 made = made.without(name)
         return made

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...cameras import images
+from ...core.devices import resolve_device
 from ...kernels.lang import float32, uint8
 from ...kernels.memory import upload
 from ..held import Rows
@@ -33,10 +34,13 @@ class RGBDImage(Geometry2D):
         color, depth = np.asarray(self.color), np.asarray(self.depth)
         if color.shape[:2] != depth.shape:
             raise ValueError(f"color, depth: expected one size, got {list(color.shape[:2])} and {list(depth.shape)}")
+        cpu, is_grey = resolve_device("cpu"), color.dtype != np.uint8
         pixels = (
-            upload(color.reshape(depth.size, -1), uint8) if color.dtype == np.uint8 else upload(color.ravel(), float32)
+            upload(color.flatten(), float32, cpu)
+            if is_grey
+            else upload(color.reshape(depth.size, -1).copy(), uint8, cpu)
         )
-        return images.RGBDImage.from_device_arrays(pixels, upload(depth.ravel(), float32), *depth.shape)
+        return images.RGBDImage.from_device_arrays(pixels, upload(depth.flatten(), float32, cpu), *depth.shape)
 
     @classmethod
     def create_from_color_and_depth(

@@ -74,13 +74,15 @@ class TriangleMesh(MeshFactories):
             for name in ("vertices", "triangles", *PARTS):
                 self._vector(name)  # of the old mesh
             changed = [*PARTS]
-            made = mesh.TriangleMesh(self.vertices, self.triangles, textures=held.textures, device=held.device)
+            made = mesh.TriangleMesh(
+                *map(np.array, (self.vertices, self.triangles)), textures=held.textures, device=held.device
+            )
             self._has_faces = self._has_faces and counts["triangles"] == self._count("triangle_normals")
         else:
             made = held.copy()
             for name in ("vertices", "triangles"):
                 if name in changed:
-                    setattr(made, name, np.asarray(self._vector(name)))
+                    setattr(made, name, np.array(self._vector(name)))
         if "triangle_normals" in changed:
             self._has_faces = self._count("triangle_normals") == counts["triangles"] > 0
         lengths = dict(

@@ -17,6 +17,9 @@ FilePath = str | os.PathLike[str]
 # The columns of Open3D's formats of text, for files whose names do not say them.
 COLUMNS = {"xyz": ("x", "y", "z"), "xyzn": ("x", "y", "z", "nx", "ny", "nz"), "xyzrgb": ("x", "y", "z", "r", "g", "b")}
 
+# What Open3D's formats of text have columns for, beside the points; the rest of a cloud stays out of them.
+HELD = {".xyz": (), ".xyzn": ("normals",), ".xyzrgb": ("colors",), ".pts": ("colors", "intensity")}
+
 
 def read_point_cloud(
     filename: FilePath,
@@ -46,9 +49,12 @@ def write_point_cloud(
     compressed: bool = False,
     print_progress: bool = False,
 ) -> bool:
-    """As `loom.write_point_cloud`; the name gives the format, which compresses where it can."""
+    """As `loom.write_point_cloud`; the name gives the format, and a format of text takes what it has columns for."""
     _check_format(filename, format)
-    point_cloud.write_point_cloud(filename, ours(pointcloud, PointCloud, "pointcloud"), ascii=write_ascii)
+    cloud = ours(pointcloud, PointCloud, "pointcloud")
+    held = HELD.get(Path(filename).suffix.lower())
+    left_out = [] if held is None else [name for name in cloud.device_arrays if name not in ("points", *held)]
+    point_cloud.write_point_cloud(filename, cloud.without(*left_out), ascii=write_ascii)
     return True
 
 

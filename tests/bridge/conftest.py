@@ -35,7 +35,7 @@ def tutorial_files(tmp_path_factory: pytest.TempPathFactory) -> Path:
             cloud = loom.PointCloud.from_rgbd_image(rgbd, frame.intrinsic)
             loom.write_point_cloud(folder / f"{i}.pcd", cloud.uniform_down_sample(23))
     loom.write_trajectory(folder / "trajectory.log", loom.Trajectory(np.array(poses)))
-    fragment = loom.read_point_cloud(folder / "0.pcd")
+    fragment = loom.read_point_cloud(folder / "0.pcd").estimate_normals().orient_normals_towards_camera_location()
     loom.write_point_cloud(
         folder / "fragment.ply", fragment.estimate_normals().orient_normals_towards_camera_location()
     )

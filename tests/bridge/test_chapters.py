@@ -11,7 +11,7 @@ USUAL = 2e-6  # of the largest number, or of 1
 POISSON = 5e-3  # the same equation on other cells
 TOLERANCES: dict[str, dict[str, float]] = {
     "chapter_07_icp": {"after": 1e-3, "pose": 1e-3},  # pairs at the threshold: 9,130 and 9,132 of 12,998
-    "chapter_13_odometry": {"hybrid": 1e-4, "color": 1e-3},  # pixels whose depths differ by just the limit
+    "chapter_13_odometry": {"hybrid": 1e-4},  # pixels whose depths differ by just the limit
     "chapter_11_surfaces": {"Poisson's area": POISSON},
     # Balls roll from another triangle, and leave other gaps where points are sparse.
     "chapter_14_robust_kernels": {"Poisson's area": POISSON, "balls' area": 0.1},

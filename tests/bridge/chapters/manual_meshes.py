@@ -2,11 +2,11 @@ import numpy as np
 import open3d as o3d
 
 mesh = o3d.io.read_triangle_mesh("bunny.ply")
-found = {"said": str(mesh), "vertices": np.asarray(mesh.vertices), "triangles": np.asarray(mesh.triangles)}
+found = {"said": str(mesh), "vertices": np.array(mesh.vertices), "triangles": np.array(mesh.triangles)}
 found["before"] = f"{mesh.has_triangle_normals()}"
 mesh.compute_vertex_normals()
 found["after"] = f"{mesh.has_vertex_normals()} {mesh.has_triangle_normals()}"
-found["triangle normals"] = np.asarray(mesh.triangle_normals)
+found["triangle normals"] = np.array(mesh.triangle_normals)
 half = o3d.geometry.TriangleMesh(mesh)
 half.triangles = o3d.utility.Vector3iVector(np.asarray(half.triangles)[: len(half.triangles) // 2, :])
 half.triangle_normals = o3d.utility.Vector3dVector(np.asarray(half.triangle_normals)[: len(half.triangles), :])
@@ -54,10 +54,10 @@ found["loop"] = np.asarray(box.subdivide_loop(number_of_iterations=2).vertices)
 cropped = mesh.crop(o3d.geometry.AxisAlignedBoundingBox(mesh.get_min_bound(), mesh.get_center()))
 found["cropped"] = str(cropped)
 static = o3d.utility.IntVector([0, 1, 2, 500])
-places = o3d.utility.Vector3dVector(np.asarray(mesh.vertices)[[0, 1, 2, 500]] + [[0, 0, 0]] * 3 + [[0.02, 0, 0]])
-if len(places) == 4:
-    bent = mesh.deform_as_rigid_as_possible(static, places, max_iter=5)
-    found["deformed"] = np.asarray(bent.vertices)
+places = np.asarray(mesh.vertices)[[0, 1, 2, 500]]
+places[3] += [0.02, 0, 0]
+bent = mesh.deform_as_rigid_as_possible(static, o3d.utility.Vector3dVector(places), max_iter=5)
+found["deformed"] = np.asarray(bent.vertices)
 mesh.remove_triangles_by_mask(np.arange(len(mesh.triangles)) % 2 == 0)
 mesh.remove_unreferenced_vertices()
 found["every second"] = str(mesh)

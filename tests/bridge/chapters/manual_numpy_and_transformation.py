@@ -34,7 +34,7 @@ mesh_t = copy.deepcopy(mesh).transform(T)
 found["transformed"] = np.asarray(mesh_t.vertices)
 o3d.visualization.draw_geometries([mesh, mesh_t])
 
-pcd.estimate_normals(o3d.geometry.KDTreeSearchParamHybrid(radius=0.5, max_nn=30))
+pcd.estimate_normals(o3d.geometry.KDTreeSearchParamRadius(0.47))
 pcd.orient_normals_to_align_with_direction()
 found["normals"] = np.asarray(pcd.normals)
 mean, covariance = pcd.compute_mean_and_covariance()

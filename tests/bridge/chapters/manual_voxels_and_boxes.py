@@ -19,7 +19,7 @@ of_mesh = o3d.geometry.VoxelGrid.create_from_triangle_mesh(mesh, voxel_size=0.1)
 index = np.array([voxel.grid_index for voxel in of_mesh.get_voxels()])
 found["voxels of the mesh"] = index[np.lexsort(index.T)]
 box = o3d.geometry.OrientedBoundingBox.create_from_points(pcd.points)
-found["box"] = [box.get_center(), box.extent]
+found["box"] = [box.get_center(), np.sort(box.extent)]
 box.R = np.eye(3)
 box.extent = [1, 2, 3]
 found["cropped"] = np.asarray(pcd.crop(box).points)

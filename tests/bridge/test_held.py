@@ -1,0 +1,183 @@
+"""Objects of Open3D over ours: who holds the truth, and who follows whom."""
+
+from __future__ import annotations
+
+import copy
+import pickle
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+
+import pointloom as loom
+import pointloom.open3d as o3d
+
+V = o3d.utility.Vector3dVector
+
+
+@pytest.fixture
+def cloud():
+    return o3d.geometry.PointCloud(V(np.random.default_rng(0).random((50, 3))))
+
+
+def test_the_import_is_as_light_as_that_of_the_package():
+    program = "import sys, pointloom.open3d; print({'warp', 'numpy', 'scipy', 'open3d'} & set(sys.modules))"
+    answer = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True, timeout=60)
+    assert answer.stdout.strip() == "set()"
+
+
+def test_what_is_written_into_an_array_counts(cloud):
+    points = np.asarray(cloud.points)
+    points += [0, 0, 5]
+    assert cloud.get_center()[2] > 5
+    cloud.points[3] = [7, 7, 7]
+    assert cloud.get_max_bound().tolist() == [7, 7, 7]
+
+
+def test_arrays_follow_operations_in_place(cloud):
+    points, vector = np.asarray(cloud.points), cloud.points
+    before = points.copy()
+    assert cloud.translate([1, 0, 0]) is cloud
+    assert np.abs(points - before - [1, 0, 0]).max() < 1e-6
+    assert cloud.points is vector
+
+
+def test_the_tree_stays_while_no_array_is_written_to(cloud):
+    cloud.estimate_normals()
+    tree = cloud._ours.known_search_tree
+    np.asarray(cloud.points)
+    np.asarray(cloud.normals)
+    assert tree is not None and cloud._ours.known_search_tree is tree
+    np.asarray(cloud.points)[0] += 1
+    assert cloud._ours.known_search_tree is not tree
+
+
+def test_points_that_were_assigned_keep_their_digits(cloud):
+    values = np.random.default_rng(1).random((50, 3)) * 1e6
+    cloud.points = V(values)
+    cloud.paint_uniform_color([1, 0, 0])
+    assert (np.asarray(cloud.points) == values).all()
+
+
+def test_ours_shares_no_memory_with_vectors(cloud):
+    cloud.colors = V(np.full((50, 3), 0.5))
+    cloud.covariances = o3d.utility.Matrix3dVector(np.tile(np.eye(3), (50, 1, 1)))
+    before = cloud._ours
+    kept = [np.array(values) for values in (before.points, before.colors, before.covariances)]
+    for vector in (cloud.points, cloud.colors, cloud.covariances):
+        np.asarray(vector)[:] = 0
+    for values, now in zip(kept, (before.points, before.colors, before.covariances), strict=True):
+        assert (values == now).all()
+    assert not cloud._ours.covariances.any()
+
+
+def test_arrays_of_other_lengths_wait_for_each_other(cloud):
+    cloud.colors = V(np.full((20, 3), 0.5))
+    assert not cloud.has_colors() and not cloud._ours.has_colors()
+    cloud.points = V(np.asarray(cloud.points)[:20])
+    assert cloud.has_colors() and cloud._ours.has_colors()
+
+
+@pytest.mark.parametrize(
+    "again", [copy.copy, copy.deepcopy, o3d.geometry.PointCloud, lambda c: pickle.loads(pickle.dumps(c))]
+)
+def test_copies_are_others(cloud, again):
+    cloud.paint_uniform_color([0, 1, 0])
+    np.asarray(cloud.colors)[0] = [0, 0, 1]
+    other = again(cloud)
+    np.asarray(other.points)[0] = 9
+    other.translate([1, 1, 1])
+    assert cloud.get_max_bound().max() <= 1
+    assert np.asarray(other.colors)[0].tolist() == [0, 0, 1] and repr(other) == "PointCloud with 50 points."
+
+
+def test_a_mesh_has_normals_of_triangles_once_they_were_computed():
+    mesh = o3d.geometry.TriangleMesh.create_box()
+    assert not mesh.has_triangle_normals() and len(mesh.triangle_normals) == 0
+    normals = mesh.triangle_normals
+    mesh.compute_triangle_normals()
+    assert mesh.has_triangle_normals() and len(normals) == 12
+    mesh.remove_triangles_by_index([0, 1])
+    assert len(normals) == 10
+    assert pickle.loads(pickle.dumps(mesh)).has_triangle_normals() and copy.deepcopy(mesh).has_triangle_normals()
+
+
+def test_triangles_may_come_before_vertices():
+    mesh = o3d.geometry.TriangleMesh()
+    mesh.triangles = o3d.utility.Vector3iVector([[0, 1, 2]])
+    mesh.vertices = V(np.eye(3))
+    assert mesh.get_surface_area() == pytest.approx(np.sqrt(3) / 2)
+
+
+def test_bounds_of_a_box_may_be_assigned_one_after_the_other():
+    box = o3d.geometry.AxisAlignedBoundingBox([0, 0, 0], [1, 1, 1])
+    box.min_bound = [4, 4, 4]
+    box.max_bound = [5, 6, 7]
+    assert box.volume() == 6
+
+
+def test_textures_begin_with_their_lowest_row():
+    mesh = o3d.geometry.TriangleMesh.create_box(create_uv_map=True)
+    picture = np.arange(48, dtype=np.uint8).reshape(4, 4, 3)
+    mesh.textures = [o3d.geometry.Image(picture)]
+    assert (np.asarray(mesh.textures[0]) == picture).all() and (mesh._ours.textures[0] == picture[::-1]).all()
+
+
+def test_random_operations_follow_one_seed():
+    mesh = o3d.geometry.TriangleMesh.create_box()
+    runs = []
+    for _ in range(2):
+        o3d.utility.random.seed(7)
+        runs.append([np.asarray(mesh.sample_points_uniformly(5).points).tolist() for _ in range(2)])
+    assert runs[0] == runs[1] and runs[0][0] != runs[0][1]
+
+
+def test_vectors_grow_like_lists():
+    numbers = o3d.utility.IntVector([3, 1])
+    numbers.append(4)
+    numbers.extend([1, 5])
+    numbers.insert(0, 9)
+    assert (list(numbers), numbers.count(1), numbers.pop(), 4 in numbers) == ([9, 3, 1, 4, 1, 5], 2, 5, True)
+    numbers.remove(1)
+    assert list(numbers[1:]) == [3, 4, 1] and np.asarray(numbers).dtype == np.int32
+    rows = V()
+    rows.append([1, 2, 3])
+    assert np.asarray(rows).shape == (1, 3) and pickle.loads(pickle.dumps(rows)) == rows
+
+
+@pytest.mark.parametrize(
+    ("wrong", "kind", "said"),
+    [
+        (lambda: o3d.t, AttributeError, "there is one PointCloud"),
+        (lambda: o3d.ml, AttributeError, "torch"),
+        (lambda: o3d.core, AttributeError, "NearestNeighborSearch"),
+        (lambda: o3d.data, AttributeError, "data"),
+        (lambda: o3d.geometry.Octree, AttributeError, "loom.NearestNeighborSearch"),
+        (lambda: o3d.geometry.PointCloud().vertices, AttributeError, "cloud.points"),
+        (lambda: o3d.geometry.VoxelGrid().carve_depth_map, AttributeError, "TSDFVolume"),
+        (lambda: o3d.geometry.TriangleMesh.create_nothing, AttributeError, "create_nothing"),
+        (lambda: setattr(o3d.geometry.PointCloud(), "color", 1), AttributeError, "color"),
+        (lambda: setattr(o3d.geometry.PointCloud(), "points", [[0, 0, 0]]), TypeError, "Vector3dVector"),
+        (lambda: V(np.zeros((3, 4))), ValueError, "array.T"),
+        (lambda: o3d.utility.IntVector([0.5]), TypeError, "whole numbers"),
+        (lambda: o3d.geometry.PointCloud() + loom, TypeError, "expected a PointCloud, got module"),
+        (lambda: o3d.geometry.PointCloud().estimate_normals(0.1), TypeError, "KDTreeSearchParamHybrid"),
+        (lambda: o3d.io.read_point_cloud("nowhere.ply"), loom.FileError, "nowhere.ply"),
+        (lambda: o3d.geometry.KDTreeFlann(o3d.geometry.PointCloud()), ValueError, "got none"),
+        (lambda: o3d.geometry.Image(np.zeros((2, 2))), TypeError, "astype"),
+    ],
+)  # fmt: skip
+def test_what_is_not_here_names_our_way(wrong, kind, said):
+    with pytest.raises(kind, match=said):
+        wrong()
+
+
+def test_objects_of_the_real_package_are_told_apart(to_open3d):
+    with pytest.raises(TypeError, match=r"target: expected a PointCloud, got open3d\..*PointCloud"):
+        o3d.geometry.PointCloud(V(np.eye(3))).compute_point_cloud_distance(to_open3d(np.eye(3)))
+
+
+def test_objects_of_ours_are_taken(cloud):
+    assert len(cloud.compute_point_cloud_distance(loom.PointCloud(np.eye(3)))) == 50
+    assert o3d.geometry.PointCloud(loom.PointCloud(np.eye(3))).has_points()
