@@ -174,5 +174,6 @@ def _still(
     from .stills import as_entry
 
     camera = {name: value for name, value in view.items() if value is not None} or None
-    shown = {"point_show_normal": normals, "mesh_show_wireframe": wireframe}
-    return StillPicture(render([as_entry(one) for one in named], camera=camera, size=size, **shown), reason)
+    entries = [as_entry(one) for one in named]
+    picture = render(entries, camera=camera, size=size, point_show_normal=normals, mesh_show_wireframe=wireframe)
+    return StillPicture(picture, reason)
