@@ -20,8 +20,7 @@ USUAL = 1e-6  # positions are float32 about an origin here, float64 there
 TOLERANCES = {
     "icp_registration": {},
     "colored_icp": {},
-    # residuals near 0 weigh up to 1e9 under L1: what rounding makes of them decides the way
-    "robust_kernels": {"l1": 1e-2},
+    "robust_kernels": {},
     # ICP begins at poses that two draws of samples found, and ends where steps are small
     "global_registration": {"icp": 1e-3, "icp fitness": 1e-3},
     # the misfit of a turn is 2 sin(a / 2) here and sin(a) there; a last step that still helps is taken
