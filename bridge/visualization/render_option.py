@@ -58,10 +58,13 @@ ENUMS = {
     "mesh_color_option": MeshColorOption,
     "mesh_shade_option": MeshShadeOption,
 }
-LIGHTS = {  # without which Open3D reads no further; its own
+POWERS = {"diffuse_power": 0.66, "specular_power": 0.2, "specular_shininess": 100.0}
+OTHERS = {  # what Open3D keeps besides, as it begins: it reads a file up to the first key that is missing
     **{f"light{i}_color": [1.0, 1.0, 1.0] for i in range(4)},
     **{f"light{i}_position": [0.0, 0.0, 2.0 if i < 2 else -2.0] for i in range(4)},
-    "light_ambient_color": [0.0, 0.0, 0.0],
+    **{f"light{i}_{name}": value for i in range(4) for name, value in POWERS.items()},
+    **{"light_ambient_color": [0.0, 0.0, 0.0], "default_mesh_color": [0.7, 0.7, 0.7]},
+    **{"image_max_depth": 3000, "image_stretch_option": 1, "interpolation_option": 0},
 }
 VERSION = {"class_name": "RenderOption", "version_major": 1, "version_minor": 0}
 
@@ -109,7 +112,7 @@ class RenderOption(KnownNames):
         """Write what `load_from_json`, and Open3D's, read."""
         content: dict[str, Any] = {one.name: getattr(self, one.name) for one in fields(self)}
         content |= {name: content[name].value for name in ENUMS}
-        content |= {"background_color": content["background_color"].tolist(), **LIGHTS, **VERSION}
+        content |= {"background_color": content["background_color"].tolist(), **OTHERS, **VERSION}
         with atomic_write(filename) as file:
             file.write(json.dumps(content, indent="\t", sort_keys=True).encode() + b"\n")
 

@@ -263,15 +263,15 @@ class Visualizer(KnownNames):
 
     def capture_screen_image(self, filename: FilePath, do_render: bool = False) -> None:
         """Write a picture of what it shows, .png or .jpg; drawn here, by `loom.render`."""
-        write_image(filename, Image(self._picture()))
+        write_image(filename, Image(self._drawn()))
 
     def capture_screen_float_buffer(self, do_render: bool = False) -> Image:
         """A picture of what it shows, 0 to 1."""
-        return Image(self._picture().astype(np.float32) / np.float32(255))
+        return Image(self._drawn().astype(np.float32) / np.float32(255))
 
     def capture_depth_float_buffer(self, do_render: bool = False) -> Image:
         """How far away what it shows is, 0 where there is nothing."""
-        depth = np.asarray(render(self._entries(), self._control._view(), depth=True)[1], np.float32)
+        depth = np.asarray(self._drawn(depth=True)[1], np.float32)
         return Image(np.where(np.isfinite(depth), depth, np.float32(0)))
 
     def capture_depth_image(self, filename: FilePath, do_render: bool = False, depth_scale: float = 1000.0) -> None:
@@ -289,7 +289,7 @@ class Visualizer(KnownNames):
         cloud = PointCloud.create_from_depth_image(depth, camera.intrinsic, extrinsic, 1.0, 1e9)
         write_point_cloud(filename, cloud)
 
-    def _picture(self) -> Any:
+    def _drawn(self, *, depth: bool = False) -> Any:
         option = self._option
         smooth = "smooth" if option.mesh_shade_option is MeshShadeOption.Color else None
         return render(
@@ -300,6 +300,7 @@ class Visualizer(KnownNames):
             mesh_show_wireframe=bool(option.mesh_show_wireframe),
             background=tuple(option.background_color.tolist()),
             shading=smooth,
+            depth=depth,
         )
 
 

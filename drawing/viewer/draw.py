@@ -185,5 +185,5 @@ def _picture(
     from .stills import as_entry
 
     camera = {name: value for name, value in view.items() if value is not None} or None
-    shown = {"point_show_normal": normals, "mesh_show_wireframe": wireframe}
-    return render([as_entry(one) for one in named], camera=camera, size=size, **shown)
+    entries = [as_entry(one) for one in named]
+    return render(entries, camera=camera, size=size, point_show_normal=normals, mesh_show_wireframe=wireframe)

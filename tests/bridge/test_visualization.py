@@ -83,9 +83,9 @@ def test_customized_windows_look_from_where_open3d_does(both):
     depths = [np.array(found.pop("depths")) for found in (theirs, ours)]
     assert differences(theirs, ours, {}, 1e-6) == []
     seen = [depth > 0 for depth in depths]
-    assert (seen[0] != seen[1]).mean() < 0.08  # points are squares there and discs here
+    assert (seen[0] != seen[1]).mean() < 0.08  # a disc of ours is seen in more pixels
     in_both = seen[0] & seen[1]
-    assert (np.abs(depths[0] - depths[1])[in_both] < 0.05).mean() > 0.95
+    assert (np.abs(depths[0] - depths[1])[in_both] < 1e-3).mean() > 0.95
 
 
 def test_a_window_follows_registration(both):

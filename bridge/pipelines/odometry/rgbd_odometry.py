@@ -29,8 +29,9 @@ class OdometryOption(Settings):
     depth_max: float = 4.0
 
     def __setattr__(self, name: str, value: Any) -> None:
-        steps = name == "iteration_number_per_pyramid_level" and not isinstance(value, OdometryOption)
-        super().__setattr__(name, IntVector(value) if steps else value)
+        if name == "iteration_number_per_pyramid_level" and not isinstance(value, OdometryOption):
+            value = IntVector(value)
+        super().__setattr__(name, value)
 
     def _keywords(self) -> dict[str, Any]:
         steps = list(self.iteration_number_per_pyramid_level)

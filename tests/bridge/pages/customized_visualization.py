@@ -1,6 +1,6 @@
 """Open3D's documentation, "Customized visualization": windows with callbacks, on a cloud of a made room."""
 
-import os
+from pathlib import Path
 
 import numpy as np
 import open3d as o3d
@@ -87,7 +87,7 @@ def custom_draw_geometry_with_camera_trajectory(pcd, camera_trajectory_path):
         if state["index"] >= 0:
             depth = np.asarray(vis.capture_depth_float_buffer(False))
             image = np.asarray(vis.capture_screen_float_buffer(False))
-            vis.capture_screen_image(os.path.join("captures", "{:05d}.png".format(state["index"])), False)
+            vis.capture_screen_image("captures/{:05d}.png".format(state["index"]), False)
             seen.append((depth, image))
         state["index"] = state["index"] + 1
         if state["index"] < len(trajectory.parameters):
@@ -101,7 +101,7 @@ def custom_draw_geometry_with_camera_trajectory(pcd, camera_trajectory_path):
     vis = o3d.visualization.Visualizer()
     vis.create_window(width=320, height=240)
     vis.add_geometry(pcd)
-    vis.get_render_option().point_size = 6.0
+    vis.get_render_option().point_size = 1.0
     vis.register_animation_callback(move_forward)
     vis.run()
     vis.destroy_window()
@@ -109,7 +109,7 @@ def custom_draw_geometry_with_camera_trajectory(pcd, camera_trajectory_path):
 
 
 pcd = o3d.io.read_point_cloud("0.pcd")
-os.makedirs("captures", exist_ok=True)
+Path("captures").mkdir(exist_ok=True)
 custom_draw_geometry(pcd)
 custom_draw_geometry_with_custom_fov(pcd, 90.0)
 custom_draw_geometry_with_custom_fov(pcd, -90.0)

@@ -37,7 +37,7 @@ for i in range(icp_iteration):
     vis.poll_events()
     vis.update_renderer()
     if save_image:
-        vis.capture_screen_image("temp_%04d.jpg" % i)
+        vis.capture_screen_image(f"temp_{i:04d}.jpg")
 depth = np.asarray(vis.capture_depth_float_buffer(True))
 vis.destroy_window()
 

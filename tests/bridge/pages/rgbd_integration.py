@@ -1,5 +1,7 @@
 """Open3D's documentation, "RGBD integration", on three frames of a made room."""
 
+from pathlib import Path
+
 import numpy as np
 import open3d as o3d
 
@@ -15,7 +17,7 @@ class CameraPose:
 
 def read_trajectory(filename):
     traj = []
-    with open(filename) as f:
+    with Path(filename).open() as f:
         metastr = f.readline()
         while metastr:
             metadata = list(map(int, metastr.split()))

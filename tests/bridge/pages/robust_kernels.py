@@ -45,4 +45,6 @@ for name, loss in losses.items():
         found[f"{name} text"] = repr(loss)
     reg_p2l = o3d.pipelines.registration.registration_icp(source_noisy, target, threshold, trans_init, p2l)
     print(reg_p2l)
-    found |= {f"{name} fitness": reg_p2l.fitness, name: reg_p2l.transformation}
+    found[f"{name} fitness"] = reg_p2l.fitness
+    if name != "l1":  # residuals near 0 weigh up to 1e9 there: rounding decides the way, in Open3D from run to run
+        found[name] = reg_p2l.transformation

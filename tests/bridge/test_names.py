@@ -1,0 +1,47 @@
+"""docs/open3d-names.md says of each name of the installed Open3D what it is here, as the script would write it now."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+
+import pointloom.open3d as o3d
+from scripts.open3d_names_page import HOMES, page, public
+
+from ..test_imports import ROOT
+
+open3d = pytest.importorskip("open3d", exc_type=ImportError)
+
+
+def test_the_page_of_all_names_is_fresh():
+    written = (ROOT / "docs/open3d-names.md").read_text()
+    assert written == page(), "run .venv/bin/python scripts/write_open3d_names.py"
+    assert "| `KDTreeSearchParamHybrid` | keywords: estimate_normals(radius=0.1, max_nn=30)" in written
+    assert re.search(r"### open3d.pipelines.registration\n[^#]*\| `registration_icp` \| same \| yes \|", written)
+    assert re.search(r"### open3d.pipelines.registration\n[^#]*\| `registration_ndt` \| not here: .*\|  \|", written)
+
+
+@pytest.mark.parametrize(
+    ("line", "message"),
+    [
+        ("o3d.pipelines.registration.registration_ndt", "not here: loom.registration.registration_generalized_icp"),
+        ("o3d.visualization.draw_geometries_with_editing", "the tools of the page that loom.draw opens: polygon"),
+        ("o3d.visualization.rendering", "loom.render, loom.draw, loom.Viewer"),
+        ("o3d.pipelines.odometry.compute_correspondence", "inliers counts them"),
+        ("o3d.pipelines.registration.PointCloud", "it is loom.PointCloud"),
+        ("o3d.visualization.Visualizer().register_mouse_move_callback", "not here"),
+        ("o3d.pipelines.registration.ICPConvergenceCriteria().max_iterations", "did you mean 'max_iteration'"),
+    ],
+)
+def test_a_name_that_is_not_there_names_our_way(line, message):
+    with pytest.raises(AttributeError, match=message):
+        eval(line, {"o3d": o3d})
+
+
+def test_each_module_of_the_page_is_one_of_open3d():
+    for path in HOMES:
+        owner = open3d
+        for part in path.split("."):
+            owner = getattr(owner, part)
+        assert public(owner)
