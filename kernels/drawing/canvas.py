@@ -192,9 +192,9 @@ def cover_ring_kernel(left: int, top: int, columns: int, center: vec2, outer: fl
 
 
 @func
-def blend_byte(old: uint8, value: int, share: int) -> uint8:
+def blend_byte(old: uint8, added: int, share: int) -> uint8:
     """A mixture in whole numbers; the share is of FULL * FULL."""
-    return uint8((int(old) * (FULL * FULL - share) + value * share + FULL * FULL // 2) // (FULL * FULL))
+    return uint8((int(old) * (FULL * FULL - share) + added * share + FULL * FULL // 2) // (FULL * FULL))
 
 
 @func
