@@ -89,7 +89,8 @@ trust: $(TEST) ## How often verdicts are wrong: answers believed, answers refuse
 bench: $(BENCH) ## Run the benchmarks beside the best peers
 	@$(BIN)/python benchmarks/run.py $(ARGS)
 
-# One thread a kernel: scripts of the gallery run side by side.
+# One thread a kernel: scripts of the gallery run side by side, and again only when their text changes.
+# POINTLOOM_GALLERY=False make docs    runs none of them
 docs: $(TEST) ## Build the site in build/docs/html: warnings are errors, links are checked (ten minutes; again, less)
 	@POINTLOOM_CPU_THREADS=1 $(BIN)/python -m sphinx -q -W --keep-going -j auto -b html -d build/docs/doctrees docs build/docs/html
 	@$(BIN)/python docs/machinery/check_links.py build/docs/html

@@ -70,6 +70,7 @@ sphinx_gallery_conf = {
 html_theme = "pydata_sphinx_theme"
 html_title = f"pointloom {release}"
 html_short_title = "Point clouds, scans, RGB-D frames and photographs to registered clouds and meshes, on CUDA and CPU"
+(scraper.MADE / scraper.RECORDINGS).mkdir(parents=True, exist_ok=True)  # looked for before anything is made
 html_static_path = ["static", "made"]
 html_css_files = ["site.css"]
 html_js_files = [("site.js", {"priority": 900})]
@@ -98,7 +99,6 @@ if SITE:
 
 def make_pages(app: Any) -> None:
     """Before sphinx-gallery runs: what is made from the library."""
-    (scraper.MADE / scraper.RECORDINGS).mkdir(parents=True, exist_ok=True)
     write_player(scraper.MADE)
     pages.bring(DOCS)
     commands.write_pages(DOCS / "commands")

@@ -103,7 +103,10 @@ class _Reader(ast.NodeVisitor):
 
     def visit_Assign(self, node: ast.Assign) -> None:
         self.visit(node.value)
+        whole = self._name(node.value)
         for target in node.targets:
+            if isinstance(target, ast.Name) and whole in {*all_names(), *public_modules()}:
+                self.named[target.id] = whole  # reg = loom.registration
             self._bind(target, self._type(node.value))
             self.visit(target)
 

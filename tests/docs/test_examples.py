@@ -9,6 +9,8 @@ EXAMPLES = Path(__file__).resolve().parents[2] / "docs" / "examples"
 CHAPTERS = sorted(EXAMPLES.glob("chapters/plot_*.py"))
 OTHERS = sorted(set(EXAMPLES.glob("*/plot_*.py")) - set(CHAPTERS))
 
+pytestmark = pytest.mark.filterwarnings("default")  # some show what is warned of
+
 
 def run_example(path, folder, monkeypatch):
     monkeypatch.chdir(folder)

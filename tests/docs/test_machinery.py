@@ -48,6 +48,11 @@ print(cloud.points)
     }
 
 
+def test_a_module_by_another_name_is_followed():
+    text = "import pointloom as loom\nreg = loom.registration\nreg.registration_icp(a, b, 0.1, T, reg.L1Loss())"
+    assert used(text) >= {"pointloom.registration.registration_icp", "pointloom.registration.L1Loss"}
+
+
 def test_a_method_that_several_classes_have_counts_for_none_of_them_where_the_object_is_not_known():
     assert used("import pointloom as loom\nthing.transform(pose)\nthing.cluster_dbscan(1, 2)") == {
         "pointloom.PointCloud",
