@@ -15,7 +15,7 @@ from ..core.gpu_arrays import INTEGERS, device_for, take_numbers
 from ..core.known_names import ToldNames
 from ..core.pickled_arrays import device_like, pickled, unpickled
 from ..core.told_arguments import told_arguments
-from ..core.units import warn_of_units
+from ..core.units import asked_by_user, warn_of_units
 from ..kernels.arrays.row_numbers import limits_of
 from ..kernels.images.depth import decode_depth, intensity_of, metric_depth
 from ..kernels.lang import float32, float64, int8, int64, uint8, uint16
@@ -276,8 +276,8 @@ def upload_raw_depth(
 def warn_of_scale(
     depth: Any, depth_scale: float, depth_trunc: float, limit: str = "depth_trunc", times: float = 1.0
 ) -> None:
-    """Warn where a scale or limit leaves no depth of an image on the host, since all is so many `times` farther."""
-    if not isinstance(depth, np.ndarray):
+    """Warn a user where a scale or limit leaves no depth of an image on the host: all is so many `times` farther."""
+    if not isinstance(depth, np.ndarray) or not asked_by_user():
         return
     unit = 1.0 if depth.dtype.kind == "f" else depth_scale
     for part in (depth[::8, ::8], depth):

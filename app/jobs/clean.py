@@ -83,7 +83,7 @@ def clean_file(
     rows = read_rows(job)
     left, counts, hint = rows.cloud, {}, None
     for name, (keep, options) in _filters(duplicates, statistical, radius).items():
-        with job.stage(name.replace("_", "-")):
+        with job.stage(name.replace("_", "-"), judged=True):
             before, left = left, keep(left, **options)
         counts[name] = {"removed": len(before) - len(left), **options}
         if name == "radius":

@@ -5,7 +5,6 @@ Each checks its output before the work and returns what was done; `poor` says wh
 
 from __future__ import annotations
 
-import warnings
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Unpack
@@ -14,7 +13,7 @@ import numpy as np
 
 from ...core.errors import FileError, FilePath
 from ...core.reports import Fields
-from ...core.units import UnitWarning, symbol_of
+from ...core.units import symbol_of
 from ...core.wording import format_share
 from ...files.meshes import tables
 from ...files.points.formats import WRITTEN
@@ -137,7 +136,7 @@ def downsample_file(
     job = Job("downsample", source, **settings)
     job.check(output)
     cloud = job.read_cloud()
-    with job.stage("downsample"):
+    with job.stage("downsample", judged=True):
         small = cloud.voxel_down_sample(voxel_size)
     poor = None if len(small) else "no point is finite, so none is left; nothing was written"
     if len(small):
@@ -195,10 +194,8 @@ def estimate_normals_of_file(
     job = Job("normals", source, **settings)
     job.check(output, WITH_NORMALS, what="normals")
     cloud = job.read_cloud()
-    with job.stage("normals"):
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore", UnitWarning)  # the verdict says so
-            with_normals = cloud.estimate_normals(radius=radius, max_nn=max_nn)
+    with job.stage("normals", judged=True):
+        with_normals = cloud.estimate_normals(radius=radius, max_nn=max_nn)
         if towards is not None:
             with_normals = with_normals.orient_normals_towards_camera_location(towards)
         if direction is not None:

@@ -104,7 +104,7 @@ def cluster_file(
     job = Job("cluster", source, **settings)
     job.check(output, formats, what=what)
     rows = read_rows(job)
-    with job.stage("cluster"):
+    with job.stage("cluster", judged=True):
         labels = rows.cloud.cluster_dbscan(eps, min_points)
     sizes = np.bincount(labels[labels >= 0])
     ranked = np.argsort(-sizes, kind="stable")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import warnings
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
@@ -17,7 +18,7 @@ from ...core.errors import FilePath
 from ...core.progress import ReportProgress
 from ...core.reports import Fields, Report, values_of
 from ...core.timing import Clock
-from ...core.units import LengthUnit, symbol_of
+from ...core.units import LengthUnit, UnitWarning, symbol_of
 from ...core.wording import plain
 from ...files.meshes import tables
 from ...files.meshes.mesh_formats import UPRIGHT, turned_up
@@ -190,12 +191,18 @@ class Job:
             outputs.check_output(output, formats, what=what, **self.form)
 
     @contextmanager
-    def stage(self, name: str, *, told: bool = True) -> Iterator[None]:
-        """Tell of a stage, unless it is not to be told, and count its seconds."""
+    def stage(self, name: str, *, told: bool = True, judged: bool = False) -> Iterator[None]:
+        """Tell of a stage, unless it is not to be told, and count its seconds.
+
+        Where the stage is `judged`, the report says of lengths that do not fit, and no warning says it besides.
+        """
         if told:
             self.tell(name, 0, 0)
         self.clock.restart()
-        yield
+        with warnings.catch_warnings():
+            if judged:
+                warnings.simplefilter("ignore", UnitWarning)
+            yield
         self.clock.stop(name)
 
     def up_of(self, path: FilePath) -> str:

@@ -68,7 +68,7 @@ def sample_file(
     job = Job("sample", source, **settings)
     job.check(output)
     rows = read_rows(job)
-    with job.stage("sample"):
+    with job.stage("sample", judged=True):
         if by == "voxel":
             cloud = cloud_of(rows.table, source, device=job.device)
             table = table_of(cloud.voxel_down_sample(amount))

@@ -27,7 +27,7 @@ class Picture(np.ndarray[Any, np.dtype[np.uint8]]):
         Picture(64 x 48)
     """
 
-    __array_priority__ = 1.0  # NumPy's own is 0: what is joined of both is a picture
+    __array_priority__ = 1.0  # type: ignore  # NumPy's own is 0: what is joined of both is a picture
 
     def __new__(cls, pixels: NDArray[np.uint8]) -> Picture:  # noqa: D102
         return np.asarray(pixels).view(cls)
