@@ -113,6 +113,7 @@ def warnings_of(call: Callable[[], Any]) -> list[str]:
         warnings.simplefilter("always")
         warnings.simplefilter("ignore", loom.DroppedResultWarning)
         warnings.simplefilter("ignore", loom.NormalsWarning)  # true of clouds whose normals are random
+        warnings.simplefilter("ignore", loom.UnitWarning)  # true of clouds that are a million times as large
         try:
             result = call()
             if inspect.isgenerator(result):
@@ -165,6 +166,7 @@ def faults_of(
             warnings.simplefilter("always")
             warnings.simplefilter("ignore", loom.NormalsWarning)
             warnings.simplefilter("ignore", loom.UnitWarning)  # which is right of the least float
+            warnings.filterwarnings("ignore", "geometries: nothing to draw")  # right of no points
             try:
                 result = call(**(arguments | {name: value}))
                 if inspect.isgenerator(result):

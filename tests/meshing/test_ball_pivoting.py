@@ -338,7 +338,7 @@ def test_a_search_that_would_take_hours_is_refused_with_its_size(rng, monkeypatc
 
 
 def test_a_cloud_without_normals_and_what_is_no_cloud_are_refused(rng):
-    with pytest.raises(ValueError, match=r"no normals: estimate_normals\(\).*orient_normals"):
+    with pytest.raises(ValueError, match=r"no normals: call cloud = cloud.estimate_normals\(\).*orient_normals"):
         pivot(loom.PointCloud(rng.random((10, 3))), 0.1)
     with pytest.raises(TypeError, match="cloud: expected a PointCloud, got ndarray"):
         pivot(rng.random((10, 3)), 0.1)
