@@ -67,7 +67,8 @@ class Sampling(Selection):
         groups, _ = self._voxels(size, None)
         if groups.count <= WITHIN_ONE:
             low, high, finite = bound_points(self._arrays["points"])
-            warn_of_long("voxel_size", size, low, high, finite, self.unit, f"{groups.count} of them are left")
+            left = "one point is left" if groups.count == 1 else f"{groups.count} points are left"
+            warn_of_long("voxel_size", size, low, high, finite, self.unit, left)
         if reduction == "nearest":
             return self.select_rows(nearest_to_means(self._arrays["points"], groups))
         return self._means(groups)

@@ -1,4 +1,4 @@
-"""Every chapter and page of the gallery runs alone, from any folder, and finds what it says it finds."""
+"""Every chapter and page of the gallery runs alone, from any folder, finds what it says, and warns of nothing."""
 
 import runpy
 from pathlib import Path
@@ -8,8 +8,6 @@ import pytest
 EXAMPLES = Path(__file__).resolve().parents[2] / "docs" / "examples"
 CHAPTERS = sorted(EXAMPLES.glob("chapters/plot_*.py"))
 OTHERS = sorted(set(EXAMPLES.glob("*/plot_*.py")) - set(CHAPTERS))
-
-pytestmark = pytest.mark.filterwarnings("default")  # some show what is warned of
 
 
 def run_example(path, folder, monkeypatch):

@@ -17,6 +17,7 @@ needs them. You learn both, and how to choose their two numbers.
 # In Open3D this is the same: ``voxel_down_sample(voxel_size)``.
 
 import tempfile
+import warnings
 from pathlib import Path
 
 import numpy as np
@@ -28,19 +29,26 @@ image = loom.RGBDImage(frame.color, frame.depth, depth_trunc=6.0)
 cloud = loom.PointCloud.from_rgbd_image(image, frame.intrinsic, np.linalg.inv(frame.T_world_camera))
 print("one picture of a depth camera:", len(cloud), "points")
 
-for voxel_size in (0.01, 0.03, 0.1, 0.3, 10.0):
+for voxel_size in (0.01, 0.03, 0.1, 0.3):
     print(f"voxels of {voxel_size:5} m: {len(cloud.voxel_down_sample(voxel_size)):6} points")
 
 # %%
-# Twice the edge leaves about a quarter of the points, as surfaces are flat things: a sheet is cut into squares. The
-# last line is the mistake to know: a voxel larger than the cloud leaves a single point, without an error. It mostly
-# means that the cloud is in millimetres and the voxel in metres, or the other way round.
+# Twice the edge leaves about a quarter of the points, as surfaces are flat things: a sheet is cut into squares.
 
 halves = [len(cloud.voxel_down_sample(size)) for size in (0.1, 0.2, 0.4)]
 ratios = np.divide(halves[:-1], halves[1:])
 print("0.1, 0.2, 0.4 m:", halves, "points, ratios", ratios.round(1))
 assert (ratios > 2.5).all() and (ratios < 4.5).all()
-assert len(cloud.voxel_down_sample(10.0)) <= 8
+
+# %%
+# The mistake to know: a voxel larger than the cloud leaves a single point. It mostly means that the cloud is in
+# millimetres and the voxel in metres, or the other way round. A warning says so:
+
+with warnings.catch_warnings(record=True) as told:
+    warnings.simplefilter("always")
+    print(len(cloud.voxel_down_sample(10.0)), "point is left")
+print(told[0].category.__name__, "-", told[0].message)
+assert "voxel_size: 10 m is more than" in str(told[0].message)
 
 # %%
 # Before and after, seen from behind the camera's shoulder. Before, the points thin out with the distance; after, the

@@ -15,6 +15,7 @@ what it cannot know.
 # to the target's: ``T_target_source``.
 
 import tempfile
+import warnings
 from pathlib import Path
 
 import numpy as np
@@ -186,7 +187,10 @@ page = folder / "icp.html"
 # **Millimetres on metres.** Nothing is near anything, and the result says what it looks like:
 
 in_millimetres = source.scale(1000.0, center=[0, 0, 0])
-lost = reg.registration_icp(in_millimetres, target, distance)
+with warnings.catch_warnings(record=True) as told:
+    warnings.simplefilter("always")
+    lost = reg.registration_icp(in_millimetres, target, distance)
+print(told[0].category.__name__, "-", told[0].message)
 print(lost)
 assert lost.fitness == 0.0
 
