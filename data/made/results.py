@@ -28,6 +28,9 @@ class PosedScans:
     scans: list[PointCloud]
     poses: NDArray[np.float64]
 
+    def __repr__(self) -> str:
+        return f"PosedScans({len(self):,} scans of {sum(map(len, self.scans)):,} points together)"
+
     def __len__(self) -> int:
         return len(self.scans)
 
@@ -51,6 +54,9 @@ class PosedPictures:
     intrinsic: PinholeCameraIntrinsic
     poses: NDArray[np.float64]
     depths: list[NDArray[np.float32]]
+
+    def __repr__(self) -> str:
+        return f"PosedPictures({len(self):,} pictures of {self.intrinsic.width} x {self.intrinsic.height})"
 
     def __len__(self) -> int:
         return len(self.pictures)

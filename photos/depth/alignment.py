@@ -70,7 +70,9 @@ def align_inverse_depth(d: Numbers, y: Numbers, *, seed: int = 0, with_shift: bo
     hypotheses = _draw(d[rows], y[rows], rng, with_shift)
     scale, shift = _best(hypotheses, d[rows], y[rows])
     scale, shift, inliers = _refit(scale, shift, d, y, with_shift)
-    if scale <= 0 or inliers.sum() < LEAST_INLIERS:
+    if scale <= 0 and inliers.sum() >= LEAST_INLIERS:
+        raise AlignmentError(f"align: the references agree only where nearer means farther; {REMEDY}")
+    if inliers.sum() < LEAST_INLIERS:
         raise AlignmentError(
             f"align: {int(inliers.sum())} of {len(d)} references agree with one scale and shift, expected at least "
             f"{LEAST_INLIERS}; {REMEDY}"

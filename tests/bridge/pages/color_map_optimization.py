@@ -32,8 +32,8 @@ o3d.visualization.draw_geometries([mesh_bent])
 
 found = {
     "plain": np.asarray(mesh_plain.vertex_colors),
-    "rigid": np.asarray(mesh_rigid.vertex_colors).mean(axis=0),
-    "bent": np.asarray(mesh_bent.vertex_colors).mean(axis=0),
+    "rigid": np.asarray(mesh_rigid.vertex_colors),
+    "bent": np.asarray(mesh_bent.vertex_colors),
     "cameras": [parameter.extrinsic for parameter in camera_trajectory_plain.parameters],
     "size": trajectory_rigid.parameters[0].intrinsic.width,
     "count": len(trajectory_bent.parameters),
