@@ -88,7 +88,10 @@ class Lens:
             bent = bend(self, places)
             pixels = bent * self.focal + self.center
             pixels[:, 0] += self.skew * bent[:, 1]
-            pixels[~((radii <= self.reach) & np.isfinite(pixels).all(axis=1))] = np.nan
+            has_pixel = (radii <= self.reach) & np.isfinite(pixels).all(axis=1)
+            if not self.is_symmetric:  # between the directions in which `reach` was looked for, it may turn back before
+                has_pixel &= _orientation(self, places) > 0
+            pixels[~has_pixel] = np.nan
         return pixels
 
     # ------------------------------------------------------------------------------------------- back

@@ -81,6 +81,14 @@ def test_pixels_come_back_from_their_rays(model):
     assert np.abs(camera.project(rays * 7.5) - GRID).max() < 1e-9
 
 
+def test_a_ray_beyond_the_fold_between_two_directions_has_no_pixel():
+    """A strong lens with a tangential term turns back sooner in some directions than in those that are tried."""
+    camera = camera_of("METASHAPE_FISHEYE", [100.0, 0, 0, 0, 0, 1.0, -1.0, 0, 1 / 64, 0, 0])
+    rays = np.array([[0.2, -1.4, 1.0], [0.19950373, -1.39647562, 1.0]])
+    pixels = camera.project(rays)
+    assert np.isnan(pixels[0]).all() and np.abs(camera.unproject(pixels[1:]) - rays[1:]).max() < 1e-6
+
+
 @settings(max_examples=60, deadline=None, derandomize=True)
 @given(st.data())
 def test_whatever_the_lens_an_answer_is_never_a_wrong_one(data):
