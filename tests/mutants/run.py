@@ -27,8 +27,8 @@ from typing import NamedTuple
 
 ROOT = Path(__file__).resolve().parents[2]
 COPIED = (
-    *("kernels", "core", "cameras", "pcd", "files", "registration", "meshing", "rgbd", "drawing", "photos", "app"),
-    *("bridge", "src", "tests", "benchmarks", "pyproject.toml"),
+    *("kernels", "core", "cameras", "pcd", "files", "registration", "meshing", "rgbd", "drawing", "photos"),
+    *("data", "app", "bridge", "docs", "src", "tests", "benchmarks", "pyproject.toml"),
 )
 LEAST_NOTICED = 0.95
 TIME_LIMIT = 600  # [s] of the tests of one mutant; an endless loop is noticed
