@@ -288,9 +288,17 @@ def warn_of_scale(
     if measured.size:
         given = f"{measured.size:,} of {measured.dtype} {measured.min()}..{measured.max()}"
         scale = "metres" if depth.dtype.kind == "f" else f"{depth_scale:g} units a metre"
+        if depth.dtype.kind == "f":
+            remedy = "floats in millimetres are divided by 1000 first"
+        elif depth_scale < 1000:
+            remedy = "integers in millimetres want depth_scale=1000"
+        else:
+            remedy = (
+                "TUM's numbers want depth_scale=5000" if depth_scale < 5000 else "a larger depth_scale brings it near"
+            )
         warn_of_units(
             f"depth_scale, {limit}: no depth is left: {given}, taken for {scale}, lie beyond {depth_trunc:g} m; "
-            "integers in millimetres want depth_scale=1000, floats in millimetres are divided by 1000 first"
+            f"{remedy}; what is truly that far wants a larger {limit}"
         )
 
 

@@ -11,7 +11,7 @@ import dataclasses
 import json
 import os
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -56,6 +56,8 @@ class Trajectory(ToldNames):
         >>> import numpy as np, pointloom as loom
         >>> loom.Trajectory(np.tile(np.eye(4), (3, 1, 1)), timestamps=[0.0, 0.1, 0.2])
         Trajectory(3 poses, timestamps)
+
+    `trajectory[i]` is pose i, and iterating gives one pose after the other.
     """
 
     poses: NDArray[np.float64]
@@ -78,6 +80,12 @@ class Trajectory(ToldNames):
 
     def __len__(self) -> int:
         return len(self.poses)
+
+    def __getitem__(self, index: int | slice) -> NDArray[np.float64]:
+        return self.poses[index]
+
+    def __iter__(self) -> Iterator[NDArray[np.float64]]:
+        return iter(self.poses)
 
     def __repr__(self) -> str:
         parts = [f"{len(self)} poses", *(["timestamps"] if self.timestamps is not None else [])]

@@ -70,7 +70,8 @@ def _message(kind: type, name: str, how_to_add: str = "") -> str:
     if name.startswith("_"):
         return said
     row = told(row_of(name, (*(base.__name__ for base in kind.__mro__), SHAPES)))
-    near = "" if row else nearest_name(name, dir(kind))
+    fields = [field for base in kind.__mro__ for field in _annotated(base)]  # those without default are not in dir()
+    near = "" if row else nearest_name(name, sorted({*dir(kind), *fields}))
     if how_to_add:
         return said + (f"{row}; {how_to_add}" if row else f"{near} {how_to_add}" if near else f"; {how_to_add}")
     return said + (row or near or _others(kind, name))

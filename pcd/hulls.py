@@ -89,7 +89,8 @@ class Hulls(Selection):
         Args:
             camera_location: World coordinates [m], shape [3].
             radius: Of the sphere [m], at least the distance of the farthest point. Larger radii see more of the
-                points, in noise too many; a hundred times the cloud's size is usual.
+                points, and more of the hidden ones; a thousand times the cloud's size is a start. Test it from the
+                scanner's own place, where nearly all should be seen: fewer, and a larger one is needed.
 
         Returns:
             The surface of the visible points, and their indices, ascending, int64 [m].

@@ -56,7 +56,7 @@ def warn_of_long(name: str, length: float, low: Any, high: Any, count: int, unit
     m, usual = symbol_of(unit), extent / float(np.sqrt(count))
     warn_of_units(
         f"{name}: {length:g} {m} is more than the {extent:.3g} {m} that the cloud's {count:,} points span, so that "
-        f"{so}; take the {name} in its unit: its points are some {usual:.2g} {m} apart"
+        f"{so}; take the {name} in its unit: its points would be some {usual:.2g} {m} apart, if spread evenly"
     )
 
 

@@ -218,7 +218,10 @@ class Sampling(Selection):
         points = self._arrays["points"]
         first = download(gather_rows(points, upload(np.array([start]), int32, self.device)))[0]  # sync
         if not np.isfinite(first).all():
-            raise ValueError(f"start_index: expected a finite point, got {first.tolist()} at {start_index!r}")
+            raise ValueError(
+                f"start_index: expected a finite point, got {first.tolist()} at {start_index!r}; "
+                "remove_non_finite_points() leaves those out"
+            )
         return choose_farthest(self.search_tree(), count, start)
 
     def _voxels(self, size: float, min_bound: NDArray[np.float64] | None) -> tuple[Any, NDArray[np.float64]]:

@@ -10,6 +10,7 @@ import warp as wp
 from numpy.typing import NDArray
 
 from ...core.checks import check_finite, check_shape, shown
+from ...core.known_names import nearest_name
 from ...core.units import symbol_of
 from ...kernels.arrays.bounds import bound_points
 from ...kernels.drawing import value_colors
@@ -109,18 +110,19 @@ def color_cloud(
     ends = None if limits is None else _check_limits(limits)
     if not isinstance(by, str):
         holder = PointCloud.from_device_arrays({"points": cloud.device_array("points")}, cloud.origin)
-        holder["by"] = by
-        return _color_attribute(holder.device_array("by"), "", chosen, ends)
+        holder["color_by"] = by
+        return _color_attribute(holder.device_array("color_by"), "", chosen, ends)
     if by in cloud.attributes:
         return _color_attribute(cloud.device_array(by), by, chosen, ends)
     if by == "rgb":
         if not cloud.has_colors:
-            raise ValueError(f"by: there are no colours; expected {_choices(cloud)}")
+            raise ValueError(f"color_by: there are no colours; expected one of {', '.join(map(repr, _choices(cloud)))}")
         return Coloring(contiguous(cloud.device_array("colors")), "rgb", title="colour")
     if by in ("normal", "normals"):
         if not cloud.has_normals:
             raise ValueError(
-                "by: there are no normals; call cloud = cloud.estimate_normals(), of a mesh compute_vertex_normals()"
+                "color_by: there are no normals; call cloud = cloud.estimate_normals(), "
+                "of a mesh compute_vertex_normals()"
             )
         colors, flag = value_colors.color_normals(contiguous(cloud.device_array("normals")), MISSING)
         return Coloring(colors, "rgb", title="normal", has_missing=_is_raised(flag))
@@ -130,7 +132,9 @@ def color_cloud(
         for name in _LABELS:
             if name in cloud.attributes:
                 return _color_attribute(cloud.device_array(name), name, chosen, ends)
-    raise ValueError(f"by: there is no {shown(by)}; expected {_choices(cloud)}")
+    names = _choices(cloud)
+    near = nearest_name(by, names) if isinstance(by, str) else ""
+    raise ValueError(f"color_by: there is no {shown(by)}; expected one of {', '.join(map(repr, names))}{near}")
 
 
 def _color_axis(cloud: PointCloud, by: str, colormap: str | None, limits: tuple[float, float] | None) -> Coloring:
@@ -153,7 +157,7 @@ def _color_attribute(values: Any, name: str, colormap: str | None, limits: tuple
     """Colours by an array of the device."""
     if len(values.shape) != 1:
         what = repr(name) if name else "the array"
-        raise ValueError(f"by: {what} has {values.shape[1]} numbers a point; colours go by attributes with one")
+        raise ValueError(f"color_by: {what} has {values.shape[1]} numbers a point; colours go by attributes with one")
     values = contiguous(values)
     kind = np.dtype(wp.dtype_to_numpy(values.dtype))
     if kind.kind in "biu" and (name in _LABELS or not name) and colormap is None and limits is None:
@@ -205,10 +209,8 @@ def _check_limits(limits: Any) -> tuple[float, float]:
     return low, high
 
 
-def _choices(cloud: PointCloud) -> str:
+def _choices(cloud: PointCloud) -> list[str]:
     """What a cloud can be coloured by, for messages."""
     columns = [name for name in cloud.attributes if len(cloud.device_array(name).shape) == 1]
-    names = (
-        ["rgb"] * bool(cloud.has_colors) + ["normal"] * bool(cloud.has_normals) + ["height", "x", "y", "z", *columns]
-    )
-    return "one of " + ", ".join(map(repr, names))
+    given = ["rgb"] * bool(cloud.has_colors) + ["normal"] * bool(cloud.has_normals)
+    return [*given, "height", "x", "y", "z", *columns]

@@ -96,6 +96,12 @@ class RGBDDataset:
     def __iter__(self) -> Iterator[Frame]:
         return (self.read(i) for i in range(len(self)))
 
+    def __repr__(self) -> str:
+        posed = sum(files.T_world_camera is not None for files in self.frames)
+        poses = "with poses" if posed == len(self) else f"{posed} of them with poses" if posed else "without poses"
+        size = f"{self.intrinsic.width} x {self.intrinsic.height}"
+        return f"RGBDDataset({self.layout}, {len(self)} frames {poses}, {size}, depth_scale {self.depth_scale:g})"
+
     @property
     def remarks(self) -> list[str]:
         """Time stamps that stand still, go back or jump, each naming its frame."""

@@ -36,7 +36,11 @@ def test_a_radius_that_finds_nobody_is_told(ball):
     [
         (np.full((48, 64), 1500, np.uint16), {"depth_scale": 1.0}, "3,072 of uint16 .* taken for 1 units a metre"),
         (np.full((48, 64), 1500.0, np.float32), {}, "taken for metres, lie beyond 3 m"),
-        (np.full((48, 64), 1500, np.uint16), {"depth_trunc": 1.0}, "lie beyond 1 m"),
+        (
+            np.full((48, 64), 1500, np.uint16),
+            {"depth_trunc": 1.0},
+            "beyond 1 m; TUM's .*=5000; .* a larger depth_trunc",
+        ),
     ],
 )
 def test_a_scale_that_cuts_all_is_told(depth, options, told):

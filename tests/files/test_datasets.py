@@ -309,3 +309,9 @@ def test_a_3dmatch_sequence_takes_the_matrix_above_it():
     dataset = open_dataset(Path(str(DATA)) / "rgbd-nvblox-3dmatch" / "seq-01")
     assert [f.name[-3:] for f in dataset.frames] == ["000", "001", "002", "116", "422"]
     assert dataset.intrinsic.fx == pytest.approx(570.342205)
+
+
+def test_a_folder_of_frames_says_itself_in_one_line(tmp_path):
+    dataset = open_dataset(make_tum(tmp_path / "set"), intrinsic=SMALL)
+    size = f"{SMALL.width} x {SMALL.height}"
+    assert repr(dataset) == f"RGBDDataset(tum, {len(dataset)} frames with poses, {size}, depth_scale 5000)"

@@ -306,3 +306,7 @@ def test_numbers_of_a_log_are_plain_digits(tmp_path, ids):
     (tmp_path / "t.log").write_bytes((f"{ids}\n" + "1 0 0 0\n0 1 0 0\n0 0 1 0\n0 0 0 1\n").encode())
     with pytest.raises(FileError, match="expected three whole numbers before a pose"):
         read_trajectory(tmp_path / "t.log")
+
+
+def test_a_trajectory_is_walked_pose_by_pose(trajectory):
+    assert np.array_equal(trajectory[-1], trajectory.poses[-1]) and np.array_equal(list(trajectory), trajectory.poses)

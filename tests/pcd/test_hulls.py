@@ -211,3 +211,9 @@ def test_two_runs_give_the_same_hull(device, rng):
     np.testing.assert_array_equal(first, second)
     np.testing.assert_array_equal(one.triangles, two.triangles)
     assert one.vertices.tobytes() == two.vertices.tobytes() and one.volume == two.volume
+
+
+def test_a_hull_asked_for_get_volume_names_volume():
+    hull, _ = loom.PointCloud(np.eye(4, 3)).compute_convex_hull()
+    with pytest.raises(AttributeError, match="did you mean 'volume'"):
+        hull.get_volume()

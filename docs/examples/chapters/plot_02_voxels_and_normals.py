@@ -51,8 +51,8 @@ print(told[0].category.__name__, "-", told[0].message)
 assert "voxel_size: 10 m is more than" in str(told[0].message)
 
 # %%
-# Before and after, seen from behind the camera's shoulder. Before, the points thin out with the distance; after, the
-# far wall has as many to a square metre as the rug nearby.
+# Before and after, seen from behind the camera's shoulder. Before, the points thin out with the distance; after, their
+# number no longer falls with it.
 
 thin = cloud.voxel_down_sample(0.04)
 aside = {"front": [0.75, 0.62, 0.5], "up": [0, 0, 1], "zoom": 0.5}
@@ -89,7 +89,8 @@ print("length of a normal:", np.linalg.norm(thin.normals[0]).round(6))
 
 # %%
 # Which side of the surface an arrow is on cannot be known from the neighbours. But it is known where the camera stood,
-# and one only sees surfaces that look towards oneself:
+# and one only sees surfaces that look towards oneself. (Where it is not known, as in airborne or joined LiDAR scans,
+# the ground at least looks up: ``orient_normals_to_align_with_direction([0, 0, 1])``.)
 
 thin = thin.orient_normals_towards_camera_location(frame.T_world_camera[:3, 3])
 towards = np.einsum("ij,ij->i", thin.normals, frame.T_world_camera[:3, 3] - thin.points)
@@ -103,19 +104,20 @@ with_arrows = loom.render(
 # Are they right?
 # ---------------
 # As colours: red, green and blue are x, y and z of the arrow. What is flat has one colour. The floor of a room looks
-# up, so its points can be counted: those with a height below 3 cm should have a normal near (0, 0, 1).
+# up, so its points can be counted: those with a height below 3 cm should have a normal near (0, 0, 1). This
+# camera is exact, so most of them are upright to a degree; with a real one expect several degrees.
 
 by_normal = loom.render({"geometry": thin, "color_by": "normal", "point_size": 0.04, "metric": True}, aside, (960, 640))
 
 floor = thin.points[:, 2] < 0.03
 tilt = np.degrees(np.arccos(np.clip(thin.normals[floor, 2], -1, 1)))
-print(f"{floor.sum()} points of the floor, half of them tilted by less than {np.median(tilt):.1f} degrees")
+print(f"{floor.sum()} points of the floor; the normals of {np.mean(tilt < 1):.0%} are upright to a degree")
 assert np.median(tilt) < 8
 
 # %%
 # What the radius does
 # --------------------
-# This camera was exact; real ones are not. So the points get a noise of 5 mm, and the normals are made again with a
+# Real cameras are not exact. So the points get a noise of 5 mm, and the normals are made again with a
 # small and a large radius. Too small a one has too few neighbours to average the noise; too large a one reaches over
 # edges. Look at the figures for the floor, then at the share of points that seem to lie on a slope, of which a room
 # has few.
@@ -166,5 +168,6 @@ assert "estimate_normals" in message
 #
 # Where to go next
 # ----------------
-# Chapter 3 takes the cloud apart. Chapter 4 has other ways of thinning. The page *From Open3D* lists what each call is
-# called there.
+# :ref:`Chapter 3 <sphx_glr_chapters_plot_03_take_a_cloud_apart.py>` takes the cloud apart.
+# :ref:`Chapter 4 <sphx_glr_chapters_plot_04_thin_and_clean.py>` has other ways of thinning. The page
+# :doc:`From Open3D </open3d>` lists what each call is called there.

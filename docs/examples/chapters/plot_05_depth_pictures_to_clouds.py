@@ -67,18 +67,40 @@ from_beside = loom.render(
 # Which numbers a file holds
 # --------------------------
 # Files hold whole numbers of 16 bits, and each data set has its own idea of what 1 means. We write our frame in each
-# format, as its camera would, and read it back.
+# format, as its camera would, and read it back. All but the last two calls give grey clouds, as Open3D's do, unless
+# ``convert_rgb_to_intensity=False`` says that colours stay. Each drops what is farther than its own ``depth_trunc``.
 #
-# ================= ================================================ ================================================
-# data set          what a number d means                            call
-# ================= ================================================ ================================================
-# Redwood, 7-Scenes d / 1000 m (millimetres)                         ``RGBDImage.from_redwood_format(color, depth)``
-# TUM               d / 5000 m                                       ``from_tum_format``
-# SUN3D             millimetres, the bits turned left by three       ``from_sun_format``
-# NYU               351.3 / (1092.5 - d) m, the bytes swapped        ``from_nyu_format``
-# your own          d / ``depth_scale`` m                            ``RGBDImage(color, depth, depth_scale=...)``
-# floats            metres                                           ``RGBDImage(color, depth)``
-# ================= ================================================ ================================================
+# .. list-table::
+#    :header-rows: 1
+#
+#    * - data set
+#      - what a number d means
+#      - call
+#      - drops beyond
+#    * - Redwood, 7-Scenes
+#      - d / 1000 m (millimetres)
+#      - ``RGBDImage.from_redwood_format(color, depth, convert_rgb_to_intensity=False)``
+#      - 4 m
+#    * - TUM
+#      - d / 5000 m
+#      - ``from_tum_format(color, depth, convert_rgb_to_intensity=False)``
+#      - 4 m
+#    * - SUN3D
+#      - millimetres, the bits turned left by three
+#      - ``from_sun_format(color, depth, convert_rgb_to_intensity=False)``
+#      - 7 m
+#    * - NYU
+#      - 351.3 / (1092.5 - d) m, the bytes swapped
+#      - ``from_nyu_format(color, depth, convert_rgb_to_intensity=False)``
+#      - 7 m
+#    * - your own
+#      - d / ``depth_scale`` m
+#      - ``RGBDImage(color, depth, depth_scale=..., depth_trunc=...)``
+#      - 3 m, or yours
+#    * - floats
+#      - metres
+#      - ``RGBDImage(color, depth, depth_trunc=...)``
+#      - 3 m, or yours
 
 millimetres = np.rint(z * 1000).astype(np.uint16)
 with np.errstate(divide="ignore"):
@@ -195,6 +217,23 @@ with loom.record(folder / "frames.html", automatic=False, max_points=60_000, tit
 page = folder / "frames.html"
 
 # %%
+# From your own files
+# -------------------
+# ``loom.read_color`` and ``loom.read_depth`` read pictures as they are stored, ``loom.read_trajectory`` poses. Here a
+# frame is written as a camera would, so that there is something to read:
+
+loom.save_picture(folder / "color.png", frame.color)
+loom.save_picture(folder / "depth.png", millimetres)
+loom.write_trajectory(folder / "trajectory.log", loom.Trajectory(pose[None]))
+
+poses = loom.read_trajectory(folder / "trajectory.log").poses
+color, depth = loom.read_color(folder / "color.png"), loom.read_depth(folder / "depth.png")
+read = loom.RGBDImage(color, depth, depth_scale=1000, depth_trunc=6.0)
+world = loom.PointCloud.from_rgbd_image(read, camera, np.linalg.inv(poses[0]))
+print(f"poses {poses.shape}, colour {color.shape} {color.dtype}, depth {depth.shape} {depth.dtype}; {world}")
+assert np.allclose(world.points, right.points, atol=1e-3)
+
+# %%
 # Try it
 # ------
 # - Give ``stride=4``: every fourth pixel of every fourth row.
@@ -203,5 +242,7 @@ page = folder / "frames.html"
 #
 # Where to go next
 # ----------------
-# Chapter 6 gets depth from a plain photograph, chapter 13 finds poses, chapter 15 fuses frames. The page *Frames in*
+# :ref:`Chapter 6 <sphx_glr_chapters_plot_06_depth_of_one_photograph.py>` gets depth from a plain photograph,
+# :ref:`chapter 13 <sphx_glr_chapters_plot_13_rgbd_odometry.py>` finds poses,
+# :ref:`chapter 15 <sphx_glr_chapters_plot_15_frames_to_a_model.py>` fuses frames. The page :doc:`Frames in </frames>`
 # has folders, streams and cameras.

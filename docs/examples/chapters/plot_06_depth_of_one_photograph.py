@@ -213,5 +213,6 @@ assert share < 0.8 and fitted.inlier_share > 0.95
 #
 # Where to go next
 # ----------------
-# Chapter 9 gets depth from many photographs, which needs no network and is far more exact. The page *Depth of one
-# photograph* has all networks, and how large pictures are shown to them in parts.
+# :ref:`Chapter 9 <sphx_glr_chapters_plot_09_photographs_to_a_cloud.py>` gets depth from many photographs, which needs
+# no network and is far more exact. The page :doc:`Depth of one photograph </depth>` has all networks, and how large
+# pictures are shown to them in parts.

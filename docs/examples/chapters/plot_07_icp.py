@@ -218,5 +218,8 @@ assert far.fitness < plane.fitness
 #
 # Where to go next
 # ----------------
-# Chapter 8 needs no start. Chapter 10 uses colours, chapter 12 shows every step, chapter 14 keeps wrong pairs out.
-# The page *Registration* says which method when, and from how far each succeeds.
+# :ref:`Chapter 8 <sphx_glr_chapters_plot_08_register_without_a_start.py>` needs no start.
+# :ref:`Chapter 10 <sphx_glr_chapters_plot_10_coloured_icp.py>` uses colours,
+# :ref:`chapter 12 <sphx_glr_chapters_plot_12_animation.py>` shows every step,
+# :ref:`chapter 14 <sphx_glr_chapters_plot_14_robust_kernels_and_numpy.py>` keeps wrong pairs out. The page
+# :doc:`Registration </registration>` says which method when, and from how far each succeeds.

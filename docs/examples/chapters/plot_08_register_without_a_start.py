@@ -213,5 +213,6 @@ for voxel_size in (0.025, 0.05, 0.1, 0.5):
 #
 # Where to go next
 # ----------------
-# Chapter 10 refines by colours. Chapter 15 joins many frames; the page *Registration* says what each method is good
-# for, with figures.
+# :ref:`Chapter 10 <sphx_glr_chapters_plot_10_coloured_icp.py>` refines by colours.
+# :ref:`Chapter 15 <sphx_glr_chapters_plot_15_frames_to_a_model.py>` joins many frames; the page
+# :doc:`Registration </registration>` says what each method is good for, with figures.

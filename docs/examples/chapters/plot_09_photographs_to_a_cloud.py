@@ -178,5 +178,5 @@ assert left < 0.5 * share
 #
 # Where to go next
 # ----------------
-# The page *From a video to a mesh* has the command in full, *Structure from motion* the search for poses,
-# *Photographs with known poses* this chapter's steps with figures.
+# The page :doc:`From a video to a mesh </video>` has the command in full, :doc:`Structure from motion </sfm>` the
+# search for poses, :doc:`Photographs with known poses </mvs>` this chapter's steps with figures.

@@ -174,5 +174,5 @@ assert "color" in message
 #
 # Where to go next
 # ----------------
-# Chapter 13 does the same with the pictures themselves, frame after frame. The page *Registration* compares all kinds
-# of ICP.
+# :ref:`Chapter 13 <sphx_glr_chapters_plot_13_rgbd_odometry.py>` does the same with the pictures themselves, frame after
+# frame. The page :doc:`Registration </registration>` compares all kinds of ICP.

@@ -197,5 +197,6 @@ inside_out = side_by_side([crumpled, mended], ["signs as guessed", "oriented"])
 #
 # Where to go next
 # ----------------
-# Chapter 15 makes surfaces of depth pictures, which is better still where one has them. The page *Surfaces from
-# points* has figures for each method, *Meshes* what to do with a mesh: clean, simplify, smooth, texture.
+# :ref:`Chapter 15 <sphx_glr_chapters_plot_15_frames_to_a_model.py>` makes surfaces of depth pictures, which is better
+# still where one has them. The page :doc:`Surfaces from points </surfaces>` has figures for each method,
+# :doc:`Meshes </meshes>` what to do with a mesh: clean, simplify, smooth, texture.

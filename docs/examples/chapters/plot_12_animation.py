@@ -147,5 +147,6 @@ assert "html" in message
 #
 # Where to go next
 # ----------------
-# The page *Recordings* lists what records itself. For a window that follows a running program see ``loom.Viewer`` on
-# the page *The viewer*. Chapter 13 follows a camera.
+# The page :doc:`Recordings </recordings>` lists what records itself. For a window that follows a running program see
+# ``loom.Viewer`` on the page :doc:`The viewer </viewer>`.
+# :ref:`Chapter 13 <sphx_glr_chapters_plot_13_rgbd_odometry.py>` follows a camera.

@@ -191,5 +191,6 @@ assert np.allclose(loom.read_trajectory(folder / "path.log").poses, path.poses, 
 #
 # Where to go next
 # ----------------
-# Chapter 15 holds each frame against a model of all before it, which drifts far less. The page *RGB-D odometry* says
-# when not to believe it, *SLAM* how loops are closed.
+# :ref:`Chapter 15 <sphx_glr_chapters_plot_15_frames_to_a_model.py>` holds each frame against a model of all before it,
+# which drifts far less. The page :doc:`RGB-D odometry </odometry>` says when not to believe it, :doc:`SLAM </slam>` how
+# loops are closed.

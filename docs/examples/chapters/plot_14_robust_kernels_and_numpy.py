@@ -230,5 +230,5 @@ for wrong in (
 #
 # Where to go next
 # ----------------
-# Chapter 15 puts many frames together. The page *Arrays come back as they came* has torch, cupy and jax in place of
-# NumPy.
+# :ref:`Chapter 15 <sphx_glr_chapters_plot_15_frames_to_a_model.py>` puts many frames together. The page
+# :doc:`Arrays come back as they came </arrays>` has torch, cupy and jax in place of NumPy.

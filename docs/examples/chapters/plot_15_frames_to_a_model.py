@@ -190,5 +190,6 @@ assert verdict
 #
 # Where to go next
 # ----------------
-# The page *Reconstruction* has the stages, *SLAM* how tracking and loops work, *Surfaces from points* how to sharpen
-# colours. The gallery has some fifty more examples, each about one task.
+# The page :doc:`Reconstruction </reconstruction>` has the stages, :doc:`SLAM </slam>` how tracking and loops work,
+# :doc:`Surfaces from points </surfaces>` how to sharpen colours. The gallery has some fifty more examples, each about
+# one task.

@@ -134,11 +134,15 @@ def test_no_points_have_no_colours(device):
 @pytest.mark.parametrize(
     ("by", "options", "message"),
     [
-        ("heigth", {}, "by: there is no 'heigth'; expected one of 'height', 'x', 'y', 'z'"),
+        (
+            "heigth",
+            {},
+            "color_by: there is no 'heigth'; expected one of 'height', 'x', 'y', 'z'; did you mean 'height'",
+        ),
         ("rgb", {}, "no colours"),
         ("normal", {}, r"call cloud = cloud.estimate_normals\(\)"),
         ("pair", {}, "'pair' has 2 numbers a point"),
-        ([1, 2, 3], {}, r"by: expected shape \[2\]"),
+        ([1, 2, 3], {}, r"color_by: expected shape \[2\]"),
         ("z", {"colormap": "rainbow"}, "colormap: expected one of viridis, turbo"),
         ("z", {"limits": (2, 1)}, "low < high"),
         ("z", {"limits": (0, np.nan)}, "limits"),
