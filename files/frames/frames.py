@@ -188,9 +188,7 @@ def why_doubted(dataset: Any, source: str) -> str | None:
     return f"the camera may be wrong ({source}): {doubt}" if doubt else None
 
 
-def why_out_of_reach(
-    depth_share: float, used_share: float, depth_max: float, say: Audience = to_shell
-) -> str | None:
+def why_out_of_reach(depth_share: float, used_share: float, depth_max: float, say: Audience = to_shell) -> str | None:
     """Why hardly any pixel of the frames counts, if that is so."""
     used, measured = format_share(used_share), format_share(depth_share)
     if used_share >= HARDLY_ANY:
