@@ -60,6 +60,11 @@ def rows_of(fields: Iterable[tuple[str, str]]) -> list[str]:
     return rows
 
 
+def with_poor(fields: Fields, poor: str | None) -> Fields:
+    """Labels and values, and below them what speaks against the result, if anything does."""
+    return [*fields, ("poor", poor)] if poor else fields
+
+
 def all_of(*reasons: str | None) -> str | None:
     """What speaks against a result in one line, from reasons of which each may be None; None where all are.
 

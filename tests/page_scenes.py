@@ -72,8 +72,11 @@ def walk(folder: str) -> Callable[[], dict[str, Any]]:
 
 
 def two_frames() -> dict[str, Any]:
+    """A folder of two neighbouring frames of a room."""
     walk = room_sequence(120)
-    return {"frames": [walk.read(0), walk.read(1)]}
+    pair = [(frame.color, frame.depth) for frame in (walk.read(0), walk.read(1))]
+    loom.record_frames(loom.frames_from(pair, walk.intrinsic), "desk")
+    return {}
 
 
 def posed_frames() -> dict[str, Any]:

@@ -7,6 +7,7 @@ from collections.abc import Iterable
 from typing import Any
 
 from ...cameras.pose_files import trajectory_of
+from ...core.audience import to_shell
 from ...core.devices import resolve_device
 from ...core.errors import FilePath
 from ...core.progress import ReportProgress
@@ -90,5 +91,5 @@ def fuse_folder(
         files += outputs.write_trajectory(path, overwrite=overwrite)
         clock.stop("write")
     refinement = result.refinement.poor if result.refinement else None
-    done = opened.done("fuse", clock, files, result.surface_fault, opened.camera_doubt, refinement)
+    done = opened.done("fuse", clock, files, result.why_no_surface(to_shell), opened.camera_doubt, refinement)
     return FuseReport(done, opened, result)

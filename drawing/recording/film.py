@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -13,7 +13,9 @@ from numpy.typing import NDArray
 from ...core.progress import ReportProgress, say_nothing
 from ..render.canvas import Canvas
 from ..render.legends import cut_text, letter_size
+from ..render.open3d_views import OPEN3D_KEYS
 from ..render.parts import Triple
+from ..render.render import open3d_parameters
 from ..render.view import View, fit_view
 from .script import Look
 from .shapes import spread_rows
@@ -41,6 +43,44 @@ def view_frames(timeline: Timeline, look: Look | None, width: int, height: int) 
         width: Columns [px].
         height: Rows [px].
     """
+    points = _seen_points(timeline, _core)
+    options: dict[str, Any] = {} if look is None else {"direction": look[0], "up": look[1]}
+    view = fit_view(points, **options, width=width, height=_picture_height(timeline, width, height))
+    T = view.T_world_camera.copy()
+    T[:3, 3] += timeline.origin
+    return dataclasses.replace(view, T_world_camera=T)
+
+
+def find_view(view: View | dict[str, Any] | None, timeline: Timeline, look: Any, width: int, height: int) -> View:
+    """The view of a recording: the one given, that of Open3D's parameters, or the one that shows all frames whole."""
+    if view is None:
+        return view_frames(timeline, look, width, height)
+    return view if isinstance(view, View) else _view_by_parameters(timeline, view, width, height)
+
+
+def check_look(view: Any) -> View | dict[str, Any] | None:
+    """A view, or Open3D's parameters of one, tried on a box: the one of the recording is known at its end."""
+    if view is None or isinstance(view, View):
+        return view
+    if not isinstance(view, Mapping):
+        raise TypeError(
+            f"view: expected a View, a mapping with {', '.join(OPEN3D_KEYS)}, or None, got {type(view).__name__}"
+        )
+    given = open3d_parameters("view", view)
+    View.from_open3d((np.zeros(3), np.ones(3)), **given)
+    return given
+
+
+def _view_by_parameters(timeline: Timeline, given: dict[str, Any], width: int, height: int) -> View:
+    """The view with Open3D's parameters, about all that is seen in any frame; sizes as of `view_frames`."""
+    points = _seen_points(timeline, lambda shape: shape.positions.astype(np.float64))
+    bounds = (points.min(axis=0), points.max(axis=0)) if len(points) else (np.zeros(3), np.zeros(3))
+    low, high = (end + timeline.origin for end in bounds)
+    return View.from_open3d((low, high), width=width, height=_picture_height(timeline, width, height), **given)
+
+
+def _seen_points(timeline: Timeline, points_of: Callable[[Shape], NDArray[np.float64]]) -> NDArray[np.float64]:
+    """Points of the shapes of all frames, from the timeline's origin."""
     samples: dict[int, NDArray[np.float64]] = {}
     seen: dict[tuple[int, bytes], NDArray[np.float64]] = {}
     for frame in timeline.frames:
@@ -50,15 +90,10 @@ def view_frames(timeline: Timeline, look: Look | None, width: int, height: int) 
                 if key in seen:
                     continue
                 if number not in samples:
-                    samples[number] = _core(timeline.shapes[number])
+                    samples[number] = points_of(timeline.shapes[number])
                 points, T = samples[number], placed.pose
                 seen[key] = points if T is None else points @ T[:3, :3].T + T[:3, 3]
-    points = np.concatenate([np.empty((0, 3)), *seen.values()])
-    options: dict[str, Any] = {} if look is None else {"direction": look[0], "up": look[1]}
-    view = fit_view(points, **options, width=width, height=_picture_height(timeline, width, height))
-    T = view.T_world_camera.copy()
-    T[:3, 3] += timeline.origin
-    return dataclasses.replace(view, T_world_camera=T)
+    return np.concatenate([np.empty((0, 3)), *seen.values()])
 
 
 class Film:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import contextlib
 import dataclasses
 import os
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from types import TracebackType
 from typing import Any
 
@@ -19,7 +19,7 @@ from ...core.watching import watch
 from ..render.geometries import STYLE_KEYS, Style
 from ..render.parts import Matrix, Triple
 from ..render.view import View
-from .film import view_frames
+from .film import check_look, find_view
 from .script import Stage
 from .scripts import Scripts
 from .shapes import ShapeStore, Sketch, pose_about, sketch, usual_size
@@ -39,7 +39,7 @@ def record(
     max_points: int = MAX_POINTS,
     max_frames: int = MAX_FRAMES,
     title: str = "",
-    view: View | None = None,
+    view: View | Mapping[str, Any] | None = None,
     background: Triple = (1.0, 1.0, 1.0),
     automatic: bool = True,
     overwrite: bool = True,
@@ -57,7 +57,8 @@ def record(
         max_points: Clouds of more points are sampled, meshes of more vertices simplified; the title says so.
         max_frames: With more, every second frame is dropped, and every second one from then on.
         title: Stands above the frames.
-        view: Where from; None shows all frames whole.
+        view: Where from: a View, or a mapping with Open3D's front, lookat, up, zoom, field_of_view, as `render` takes
+            it; None shows all frames whole.
         background: Red, green and blue, 0 to 1.
         automatic: Whether algorithms called inside are recorded.
         overwrite: Replace a file that exists.
@@ -119,19 +120,17 @@ class Recorder:
         max_points: int,
         max_frames: int,
         title: str,
-        view: View | None,
+        view: View | Mapping[str, Any] | None,
         background: Triple,
         automatic: bool,
         overwrite: bool,
         progress: ReportProgress | None,
     ):
-        if view is not None and not isinstance(view, View):
-            raise TypeError(f"view: expected a View, got {type(view).__name__}")
         self.path = path_of(path)
         self.max_points = check_count("max_points", max_points)
         self._max_frames = check_count("max_frames", max_frames, minimum=2)
         self._fps = check_positive("fps", fps, maximum=FASTEST)
-        self._title, self._view, self._overwrite = check_name("title", title), view, bool(overwrite)
+        self._title, self._view, self._overwrite = check_name("title", title), check_look(view), bool(overwrite)
         self._size, self._background = _check_size(size), background
         self._say = check_progress(progress)
         check_recording(self.path, fps=self._fps, background=background, overwrite=self._overwrite)
@@ -296,7 +295,7 @@ class Recorder:
         if note:
             timeline.title = ", ".join([timeline.title, note] if timeline.title else [note])
         look = None if self._scripts is None else self._scripts.look
-        view = view_frames(timeline, look, *self._size) if self._view is None else self._view
+        view = find_view(self._view, timeline, look, *self._size)
         options: dict[str, Any] = {"view": view, "background": self._background, "overwrite": self._overwrite}
         write_recording(self.path, timeline, size=self._size, say=self._say, device=self._device, **options)
 

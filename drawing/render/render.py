@@ -170,15 +170,19 @@ def resolve_view(camera: Any, scene: Scene, width: int, height: int) -> View:
     if isinstance(camera, str | os.PathLike):
         return read_view(camera, width=width, height=height)
     if isinstance(camera, Mapping):
-        unknown = [key for key in camera if key not in OPEN3D_KEYS]
-        if unknown:
-            raise ValueError(f"camera: expected the keys {', '.join(OPEN3D_KEYS)}, got {unknown[0]!r}")
-        given = {key: value for key, value in camera.items() if value is not None}
-        return View.from_open3d(scene.bounds, width=width, height=height, **given)
+        return View.from_open3d(scene.bounds, width=width, height=height, **open3d_parameters("camera", camera))
     raise TypeError(
         f"camera: expected a View, the path of a view's JSON or a mapping with {', '.join(OPEN3D_KEYS)}, "
         f"got {type(camera).__name__}"
     )
+
+
+def open3d_parameters(name: str, given: Mapping[str, Any]) -> dict[str, Any]:
+    """Open3D's parameters of a view, those that are told; an unknown one is an error."""
+    unknown = [key for key in given if key not in OPEN3D_KEYS]
+    if unknown:
+        raise ValueError(f"{name}: expected the keys {', '.join(OPEN3D_KEYS)}, got {unknown[0]!r}")
+    return {key: value for key, value in given.items() if value is not None}
 
 
 def check_size(size: Any) -> tuple[int, int]:

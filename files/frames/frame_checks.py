@@ -22,7 +22,7 @@ def checked_frame(frame: Frame, intrinsic: PinholeCameraIntrinsic, *, resize: bo
         resize: Bring colour of another size to that of depth.
 
     Raises:
-        TypeError: Depth that is neither uint16 nor float32, colour that is no uint8.
+        TypeError: Depth that is neither uint16 nor floats, colour that is no uint8.
         ValueError: Another shape; a pose that is no rigid motion; a time that is no number.
     """
     size = (intrinsic.height, intrinsic.width)
@@ -37,13 +37,14 @@ def checked_frame(frame: Frame, intrinsic: PinholeCameraIntrinsic, *, resize: bo
 
 def _check_depth(name: str, depth: Any, size: tuple[int, int]) -> NDArray[np.uint16] | NDArray[np.float32]:
     values = check_numeric(name, depth)
-    if values.dtype.kind not in "uf" or values.dtype.itemsize != {"u": 2, "f": 4}[values.dtype.kind]:
+    if values.dtype.kind != "f" and values.dtype != np.uint16:
         eight = values.dtype.itemsize == 1
         remedy = "8-bit pictures are for viewing and hold no depth" if eight else "convert it with .astype"
-        raise TypeError(f"{name}: expected uint16, or float32 metres, got {values.dtype}; {remedy}")
+        raise TypeError(f"{name}: expected uint16, or metres in floats, got {values.dtype}; {remedy}")
     if values.shape != size:
         raise ValueError(f"{name}: expected shape {list(size)}, as the intrinsic says, got {list(values.shape)}")
-    return np.array(values, np.uint16) if values.dtype.kind == "u" else np.array(values, np.float32)
+    with np.errstate(over="ignore"):  # a depth beyond float32 is infinite: no measurement
+        return np.array(values, np.uint16 if values.dtype.kind == "u" else np.float32)
 
 
 def _check_color(name: str, color: Any, size: tuple[int, int], resize: bool) -> NDArray[np.uint8]:

@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...cameras.camera import PinholeCameraIntrinsic, read_pinhole_camera_intrinsic
+from ...core.audience import Audience, to_shell
 from ...core.checks import check_positive
 from ...core.errors import FileError, FilePath
 from ...core.wording import format_share
@@ -187,7 +188,7 @@ def why_doubted(dataset: Any, source: str) -> str | None:
     return f"the camera may be wrong ({source}): {doubt}" if doubt else None
 
 
-def why_out_of_reach(depth_share: float, used_share: float, depth_max: float) -> str | None:
+def why_out_of_reach(depth_share: float, used_share: float, depth_max: float, say: Audience = to_shell) -> str | None:
     """Why hardly any pixel of the frames counts, if that is so."""
     used, measured = format_share(used_share), format_share(depth_share)
     if used_share >= HARDLY_ANY:
@@ -195,9 +196,9 @@ def why_out_of_reach(depth_share: float, used_share: float, depth_max: float) ->
     if depth_share >= HARDLY_ANY:
         return (
             f"only {used} of the pixels have a depth within {depth_max:g} m, though {measured} have one; "
-            "raise --depth-max, or check the layout (its depth unit)"
+            f"raise {say('depth_max', '--depth-max')}, or check the layout (its depth unit)"
         )
-    return f"only {used} of the pixels have a depth; check the depth maps with pointloom info"
+    return f"only {used} of the pixels have a depth; check the depth maps{say('', ' with pointloom info')}"
 
 
 def why_incomplete(dataset: RGBDDataset) -> str | None:

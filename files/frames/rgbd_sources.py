@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from typing import Any, Protocol, runtime_checkable
 
+import numpy as np
+
 from ...cameras.camera import PinholeCameraIntrinsic
 from ...core.checks import check_positive, shown
 from .datasets import Frame
@@ -85,7 +87,7 @@ def frames_from(
 
     Args:
         frames: Each is (color, depth) or (color, depth, time in seconds), or has `color` and `depth` and, if it likes,
-            `T_world_camera`, `timestamp` and `name`. Depth is uint16 or float32 metres, shape [h, w], 0 where nothing
+            `T_world_camera`, `timestamp` and `name`. Depth is uint16 or metres in floats, shape [h, w], 0 where nothing
             was measured; colour uint8 RGB, shape [h, w, 3], or None. The two show the same view, pixel for pixel.
         intrinsic: The camera.
         depth_scale: Units a metre of depth in whole numbers.
@@ -118,6 +120,11 @@ def _frame_of(item: Any, name: str) -> Frame:
     if isinstance(item, tuple | list):
         if len(item) not in (2, 3):
             raise ValueError(f"{name}: expected (color, depth) or (color, depth, time), got {len(item)} values")
+        if len(item) == 3 and np.shape(item[2]) == (4, 4):
+            raise TypeError(
+                f"{name}: the third of (color, depth, time) is the time, got a pose; give poses as "
+                "SimpleNamespace(color=..., depth=..., T_world_camera=...), of the module types"
+            )
         return Frame(item[1], item[0], None, name, item[2] if len(item) == 3 else None)
     if not hasattr(item, "depth") or not hasattr(item, "color"):
         raise TypeError(f"{name}: expected (color, depth) or what has color and depth, got {type(item).__name__}")

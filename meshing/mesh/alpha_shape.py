@@ -22,6 +22,7 @@ from ...pcd.cloud import PointCloud
 from ...pcd.point_arrays import check_cloud
 from .mesh_arrays import MeshArrays
 
+ADVISED = 3.0  # such medians, for who gave an alpha that leaves nothing: detail stays, and even samples are closed
 AUTO = 10.0  # medians of the distance to the nearest point: the least at which the scanned bunny hangs together
 CORNERS = 4  # points of a tetrahedron
 SHORT = 0.02  # of the usual alpha, a fifth of the distance to the nearest: no tetrahedron is so small
@@ -124,7 +125,9 @@ class AlphaShapes(MeshArrays):
             usual = _choose_alpha(tree, unique.device_arrays["points"])
             if max(bare) < SHORT * usual:
                 told = ", ".join(f"{size:g}" for size in bare)
-                warn_of_units(f"alpha: nothing is left at {told} m; the points' spacing asks for some {usual:.3g} m")
+                usual *= ADVISED / AUTO
+                m = "" if cloud.unit is None else f" {cloud.unit.symbol}"
+                warn_of_units(f"alpha: nothing is left at {told}{m}; the points' spacing asks for some {usual:.2g}{m}")
         return answers if is_list else answers[0]
 
     create_from_point_cloud_alpha_shape = from_point_cloud_alpha_shape

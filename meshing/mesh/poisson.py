@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import warnings
 from typing import Any, Self
 
 import numpy as np
@@ -13,7 +12,7 @@ from numpy.typing import NDArray
 from ...core.checks import check_count, check_positive, check_progress
 from ...core.devices import check_same_device
 from ...core.told_arguments import told_arguments
-from ...core.units import common_unit
+from ...core.units import common_unit, warn_of_units
 from ...kernels.algebra.transform import transform_points
 from ...kernels.arrays.bounds import bound_points
 from ...kernels.arrays.select import gather_rows
@@ -235,11 +234,10 @@ def _warn_of_sides(cloud: PointCloud, side: float) -> None:
         return
     share = cloud.normal_disagreement()
     if share > OPPOSED:
-        warnings.warn(
+        warn_of_units(
             f"{100 * share:.0f} % of near neighbours have normals to opposite sides, so the surface is none of the "
             "points'; call cloud.orient_normals_consistent_tangent_plane(30) first",
             NormalsWarning,
-            stacklevel=3,
         )
 
 

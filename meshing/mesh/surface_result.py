@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from ...core.audience import Audience, to_caller
-from ...core.reports import Fields, Report
+from ...core.reports import Fields, Report, in_columns, with_poor
 from ...core.units import LengthUnit, symbol_of
 from ...core.wording import format_bounds, format_share, plain
 from .mesh import TriangleMesh
@@ -132,6 +132,9 @@ class SurfaceResult(Report):
     summary: SurfaceSummary
     made_up: MadeUp
     off: PointsOff = PointsOff()
+
+    def __str__(self) -> str:
+        return in_columns(with_poor(self.fields(), self.poor))
 
     @property
     def poor(self) -> str | None:

@@ -239,7 +239,7 @@ def associate_poses(estimate: Trajectory, truth: Trajectory, max_time_difference
         if len(estimate) != len(truth):
             raise ValueError(
                 f"estimate, truth: {len(estimate)} and {len(truth)} poses, which belong together by index where not "
-                "both have timestamps; expected as many of each"
+                f"both have timestamps; expected as many of each{_by_number(estimate, truth)}"
             )
         pairs = np.tile(np.arange(len(estimate))[:, None], (1, 2))
     else:
@@ -256,6 +256,14 @@ def associate_poses(estimate: Trajectory, truth: Trajectory, max_time_difference
     if not len(pairs):
         raise ValueError(f"estimate, truth: no two of their {len(estimate)} and {len(truth)} poses belong together")
     return pairs.astype(np.int64)
+
+
+def _by_number(estimate: Trajectory, truth: Trajectory) -> str:
+    """How the poses that were found are compared, where their numbers say of which frames they are."""
+    numbers = np.zeros(0, np.int64) if estimate.ids is None else estimate.ids[:, 0]
+    if not len(numbers) or numbers.min() < 0 or numbers.max() >= len(truth):
+        return ""
+    return "; of frames that were lost: truth = Trajectory(truth.poses[estimate.ids[:, 0]])"
 
 
 def _nearest_times(wanted: NDArray[np.float64], times: NDArray[np.float64]) -> NDArray[np.int64]:

@@ -106,9 +106,9 @@ def fuse(
     say("extract", 0, 0)
     mesh = fold.volume.extract_triangle_mesh(weight_threshold=threshold)
     clock.stop("extract")
-    share_off = None if refine else check.share_off(fold.volume)
+    share_off, extent = None if refine else check.share_off(fold.volume), check.seen_extent()
     clock.stop("check")
-    return FusionResult(mesh, fold.volume, poses, farthest, *shares, threshold, fold.refinement, share_off)
+    return FusionResult(mesh, fold.volume, poses, farthest, *shares, threshold, fold.refinement, share_off, extent)
 
 
 class _AsGiven:

@@ -46,6 +46,24 @@ class PoseCheck:
             self._kept.append((small, T_world_camera))
         self._count += 1
 
+    def seen_extent(self) -> float:
+        """The longest side of the box round what the frames kept see, along the world's axes [m]; 0 of nothing."""
+        K, ends = self._camera, []
+        for depth, pose in self._kept:
+            z = self._metres(depth)
+            v, u = np.nonzero(self._seen(z))
+            rays = np.stack([(u - K.cx) / K.fx, (v - K.cy) / K.fy, np.ones(len(u))], axis=1)
+            points = (rays * z[v, u, None]) @ pose[:3, :3].T + pose[:3, 3]
+            if len(points):
+                ends += [points.min(axis=0), points.max(axis=0)]
+        return float(np.ptp(ends, axis=0).max()) if ends else 0.0
+
+    def _metres(self, depth: NDArray[Any]) -> NDArray[np.float64]:
+        return depth / (self._unit if depth.dtype.kind in "iu" else 1.0)
+
+    def _seen(self, z: NDArray[np.float64]) -> NDArray[np.bool_]:
+        return np.isfinite(z) & (z > 0) & (z <= self.depth_max)
+
     def share_off(self, volume: TSDFVolume) -> float | None:
         """The share of what frames see that lies off the surface: by half the truncation, and by more than noise.
 
@@ -57,8 +75,8 @@ class PoseCheck:
         """
         shares = []
         for depth, pose in self._kept:
-            z = depth / (self._unit if depth.dtype.kind in "iu" else 1.0)
-            seen = np.isfinite(z) & (z > 0) & (z <= self.depth_max)
+            z = self._metres(depth)
+            seen = self._seen(z)
             if not seen.any():
                 continue
             near = min(0.1, 0.5 * float(z[seen].min()))

@@ -8,7 +8,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ...core.reports import Fields, in_columns
+from ...core.audience import Audience, to_caller
+from ...core.reports import Fields, in_columns, with_poor
 from ...core.wording import format_bounds, format_bytes, format_share
 from ...files.frames.frames import why_out_of_reach
 from ...meshing.mesh.mesh import TriangleMesh
@@ -16,6 +17,8 @@ from ...meshing.mesh.mesh_summary import describe_mesh
 from ...meshing.volume.tsdf import BLOCK_VOXELS, TSDFVolume
 from .pose_check import CONTRADICTED
 from .refine import PoseRefinement
+
+COARSE = 0.05  # of what the frames see: with voxels above it nothing of it has a shape
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
@@ -33,6 +36,7 @@ class FusionResult:
         refinement: What became of the poses given, where they were refined.
         share_off: How much of what frames see lies off the surface, where poses were taken as given: some frames, the
             median share of their pixels; None where nobody can tell.
+        seen_extent: The longest side of what the frames see [m]; None where nobody asked.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -56,32 +60,43 @@ class FusionResult:
     weight_threshold: float
     refinement: PoseRefinement | None = None
     share_off: float | None = None
+    seen_extent: float | None = None
 
     def __str__(self) -> str:
-        return in_columns(self.fields())
+        return in_columns(with_poor(self.fields(), self.poor))
 
     @property
     def frame_count(self) -> int:
         """How many frames were integrated."""
         return len(self.T_world_camera)
 
-    @property
-    def surface_fault(self) -> str | None:
-        """Why there is hardly a surface, if that is so, in the words of the command line."""
-        if reason := why_out_of_reach(self.depth_share, self.used_share, self.depth_max):
+    def why_no_surface(self, say: Audience = to_caller) -> str | None:
+        """Why there is hardly a surface, if that is so, in the words of an audience."""
+        if reason := why_out_of_reach(self.depth_share, self.used_share, self.depth_max, say):
             return reason
+        if self.seen_extent and self.volume.voxel_size > COARSE * self.seen_extent:
+            return self._why_coarse(self.seen_extent, say)
         if not len(self.mesh):
+            written, more = say("", ", and nothing was written"), say("", " (a smaller --every)")
             return (
-                f"the mesh is empty, and nothing was written: no voxel was seen more than {self.weight_threshold:g} "
-                "times; take more frames (a smaller --every), or check poses and camera"
+                f"the mesh is empty{written}: no voxel was seen more than {self.weight_threshold:g} times; take more "
+                f"frames{more}, or check poses and camera"
             )
         return None
 
+    def _why_coarse(self, extent: float, say: Audience) -> str:
+        """What a voxel is to what the frames see."""
+        size = self.volume.voxel_size
+        is_than = "is larger than" if size > extent else "is more than a twentieth of"
+        name = say("voxel_size", "--voxel")
+        usual = f"{0.005 * extent:.1g}"
+        return f"{name}: {size:g} m {is_than} what the frames see ({extent:.2g} m); give it in metres, some {usual}"
+
     @property
     def poor(self) -> str | None:
-        """Why the result is poor, in the words of the command line; None where nothing speaks against it."""
+        """Why the result is poor; None where nothing speaks against it."""
         refinement = None if self.refinement is None else self.refinement.poor
-        reasons = (self.surface_fault, refinement, self._why_contradicted)
+        reasons = (self.why_no_surface(), refinement, self._why_contradicted)
         return "; ".join(reason for reason in reasons if reason) or None
 
     @property
@@ -108,6 +123,7 @@ class FusionResult:
             "depth_share": self.depth_share,
             "used_share": self.used_share,
             "share_off": self.share_off,
+            "seen_extent": self.seen_extent,
             "blocks": volume.block_count,
             "voxels": volume.block_count * BLOCK_VOXELS,
             "volume_bytes": volume.memory_bytes,

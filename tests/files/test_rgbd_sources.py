@@ -38,6 +38,13 @@ def test_pairs_triples_and_frames_are_taken_and_copied():
         assert (first.timestamp, second.timestamp, first.T_world_camera) == (None, 2.5, None)
 
 
+def test_depth_of_float64_is_metres_as_of_an_rgbd_image():
+    depth = np.full(DEPTH.shape, 1.23456789)
+    (frame,) = stream((None, depth))
+    np.testing.assert_array_equal(frame.depth, loom.RGBDImage(COLOR, depth).depth)
+    assert frame.depth.dtype == np.float32
+
+
 def test_a_list_has_a_length_and_may_be_read_twice_a_generator_neither():
     listed = loom.frames_from([(COLOR, DEPTH)] * 3, CAMERA)
     assert len(listed) == 3 and len(list(listed)) == len(list(listed)) == 3
@@ -51,8 +58,8 @@ def test_a_list_has_a_length_and_may_be_read_twice_a_generator_neither():
     ("item", "error", "message"),
     [
         ((COLOR, DEPTH.astype(np.uint8)), TypeError, "depth: expected uint16, .* got uint8; 8-bit pictures"),
-        ((COLOR, DEPTH.astype(np.float64)), TypeError, "depth: expected uint16, or float32 metres, got float64"),
-        ((COLOR, DEPTH.astype(np.int16)), TypeError, "depth: .* got int16"),
+        ((COLOR, DEPTH.astype(np.int16)), TypeError, "depth: expected uint16, or metres in floats, got int16"),
+        ((COLOR, DEPTH, np.eye(4)), TypeError, r"got a pose; give poses as SimpleNamespace\(.*T_world_camera="),
         ((COLOR, None), TypeError, "depth"),
         ((COLOR, DEPTH[:5]), ValueError, r"depth: expected shape \[6, 8\].*got \[5, 8\]"),
         ((DEPTH, COLOR), TypeError, "depth: .*got uint8"),

@@ -230,6 +230,16 @@ def test_points_that_span_no_tetrahedron_make_an_empty_mesh(device, name, alpha)
     assert len(mesh) == len(mesh.vertices) == len(tetrahedra) == len(point_map) == 0
 
 
+def test_the_alpha_that_a_warning_advises_closes_a_cloud():
+    cloud = loom.TriangleMesh.create_sphere(1000.0).sample_points_poisson_disk(400)
+    spacing = float(np.median(cloud.compute_nearest_neighbor_distance()))
+    with pytest.warns(loom.UnitWarning, match="asks for some") as told:
+        alpha_shape(cloud, 0.03)
+    advised = float(str(told[0].message).split()[-1])  # no unit, where the cloud has none
+    assert advised == pytest.approx(3 * spacing, rel=0.05)
+    assert alpha_shape(cloud, advised).is_watertight()
+
+
 def test_an_alpha_that_is_too_small_makes_an_empty_mesh(device, rng):
     cloud = PointCloud(rng.random((50, 3)), device=device)
     with pytest.warns(loom.UnitWarning, match="alpha: nothing is left at 1e-05, 1e-09, 4"):

@@ -45,6 +45,7 @@ def test_the_remedy_is_named_as_a_caller_gives_it(recwarn):
     points = ball().points
     mixed = loom.PointCloud(points, normals=points * np.where(np.arange(1500) % 3 == 0, -1, 1)[:, None])
     found = loom.create_surface(mixed, depth=4)
+    assert str(found).splitlines()[-1].split(maxsplit=1) == ["poor", found.poor]
     assert found.normals.given and "give new_normals, or orient" in str(found.poor) and "--" not in str(found.poor)
     assert not recwarn.list
     assert loom.create_surface(mixed, depth=4, new_normals=True).poor is None

@@ -75,8 +75,9 @@ def test_normals_to_opposite_sides_are_spoken_of(device):
     points = sphere(1000)
     signs = np.where(np.random.default_rng(0).random(1000) < 0.5, 1.0, -1.0)[:, None]
     cloud = loom.PointCloud(points, normals=points * signs, device=device)
-    with pytest.warns(loom.NormalsWarning, match="orient_normals_consistent_tangent_plane"):
+    with pytest.warns(loom.NormalsWarning, match="orient_normals_consistent_tangent_plane") as told:
         loom.TriangleMesh.from_point_cloud_poisson(cloud, 4)
+    assert told[0].filename == __file__, "it points at the user's line"
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         loom.TriangleMesh.from_point_cloud_poisson(cloud.orient_normals_consistent_tangent_plane(12), 4)

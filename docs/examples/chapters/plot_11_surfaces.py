@@ -80,8 +80,9 @@ assert len(ball.vertices) == len(cloud), "its vertices are the points"
 # Poisson
 # -------
 # The smoothest closed surface whose normals agree with those of the points. It averages noise and closes holes, also
-# those that should stay open. ``depth`` is its resolution: 2^depth cells along the longest side; 8 for an object, 9
-# or 10 for detail, each step is four times the triangles.
+# those that should stay open; of a scan of one side it may be cut open where it leaves the box that it is computed in.
+# ``depth`` is its resolution: 2^depth cells along the longest side; 8 for an object, 9 or 10 for detail. Each step is
+# four times the triangles, until cells are finer than the points are apart: from there on it adds nothing.
 
 poisson, densities = loom.TriangleMesh.from_point_cloud_poisson(cloud, depth=7)
 cell = float(np.max(figure.get_max_bound() - figure.get_min_bound())) / 2**7 * 1000
@@ -109,7 +110,8 @@ for k in (0, 1):
 scan = loom.PointCloud.concatenate(parts).voxel_down_sample(0.5 * spacing).normalize_normals()
 surface, densities = loom.TriangleMesh.from_point_cloud_poisson(scan, depth=7)
 densities = np.asarray(densities)
-print(f"{len(scan)} points of two sides; Poisson closes the rest: watertight {surface.is_watertight()}")
+closed = "and is closed" if surface.is_watertight() else "and is cut open where it leaves the box"
+print(f"{len(scan)} points of two sides; Poisson makes up the rest {closed}")
 
 # %%
 # What is made up? Each vertex has a **density**: how many points speak for it, as a depth of the tree, so that one
@@ -170,8 +172,9 @@ page = folder / "surface.html"
 # ---------------
 # **Normals on both sides.** ``estimate_normals`` does not know outside from inside: its signs change from patch to
 # patch. Poisson and ball pivoting then make a crumpled thing. ``normal_disagreement`` tells the share of neighbours
-# that look to opposite sides: it should be near 0. From a tenth on Poisson warns; a closed figure may be spoilt below
-# that, so ask. ``orient_normals_consistent_tangent_plane`` mends it.
+# that look to opposite sides: it should be near 0. It counts the borders between patches, not their size: 2 % may be
+# half the surface, so look at it, coloured by its normals. From a tenth on Poisson warns; a closed figure may be spoilt
+# below that. ``orient_normals_consistent_tangent_plane`` mends it.
 
 guessed = loom.PointCloud(cloud.points).estimate_normals(max_nn=20)
 oriented = guessed.orient_normals_consistent_tangent_plane(20)

@@ -137,6 +137,8 @@ except loom.FileError as error:
 assert "html" in message
 
 # %%
+# **No** ``with``. The file is written at the end of the block: ``loom.record(path)`` alone records nothing.
+#
 # **Large clouds.** More than ``max_points`` (200,000) are sampled, which the title says; the page would be slow
 # otherwise. **Ctrl-C** in the middle: what was recorded until then is written.
 #

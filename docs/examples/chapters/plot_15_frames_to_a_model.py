@@ -113,9 +113,14 @@ assert found.poor is None
 assert len(found.trajectory) == len(frames)
 
 # %%
-# How good is the path? It is laid onto the true one, and compared (chapter 13).
+# How good is the path? It is laid onto the true one, and compared (chapter 13). "se3" says how: by a turn and a
+# step ("sim3" would scale it too). **ATE** is how far positions are off then, **RPE** what one step is off.
+#
+# Where frames are lost the path is shorter than the truth; ``found.trajectory.ids[:, 0]`` holds the numbers of the
+# frames that have a pose.
 
-path_errors = loom.registration.evaluate_trajectory(found.trajectory, truth)
+tracked = found.trajectory.ids[:, 0]
+path_errors = loom.registration.evaluate_trajectory(found.trajectory, loom.Trajectory(truth.poses[tracked]))
 print(path_errors)
 
 at_home = found.mesh.transform(truth.poses[0] @ np.linalg.inv(found.trajectory.poses[0]))

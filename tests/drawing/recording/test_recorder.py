@@ -197,6 +197,15 @@ def test_what_one_algorithm_showed_goes_when_another_one_begins_and_what_the_use
     assert set(r.timeline.frames[-1].shown) == {"mine", "cloud"}
 
 
+def test_a_view_in_parameters_of_open3d_is_that_of_render_about_all_frames(tmp_path):
+    given, cloud = {"front": [1, 0, 0], "up": [0, 0, 1], "zoom": 0.7}, loom.PointCloud(bumps())
+    bounds = cloud.get_min_bound(), cloud.get_max_bound()
+    for name, view in (("told", given), ("same", loom.View.from_open3d(bounds, **given, width=64, height=48))):
+        with loom.record(tmp_path / f"{name}.gif", automatic=False, size=(64, 48), view=view) as recording:
+            recording.add("cloud", cloud)
+    assert (tmp_path / "told.gif").read_bytes() == (tmp_path / "same.gif").read_bytes()
+
+
 def test_nothing_is_recorded_by_itself_where_that_was_asked_for(path):
     cloud = loom.PointCloud(bumps())
     with loom.record(path, automatic=False) as r:
@@ -393,6 +402,7 @@ def test_what_cannot_be_written_is_refused_before_the_work(tmp_path, monkeypatch
         ("max_frames", 1, ValueError),
         ("title", 3, TypeError),
         ("view", np.eye(4), TypeError),
+        ("view", {"forward": [0, 0, 1]}, ValueError),
         ("background", (1, 1), ValueError),
         ("background", (1, 1, 2), ValueError),
         ("path", 3, TypeError),

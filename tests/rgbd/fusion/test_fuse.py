@@ -120,6 +120,25 @@ def test_shares_tell_missing_depth_from_depth_out_of_reach():
     assert len(far.mesh) == len(none.mesh) == 0
 
 
+@pytest.mark.parametrize(
+    ("voxel_size", "said"),
+    [(20.0, "20 m is larger than what the frames see (1 m)"), (0.2, "0.2 m is more than a twentieth of")],
+)
+def test_a_voxel_too_large_for_what_the_frames_see_is_told(voxel_size, said):
+    result = loom.fuse(Wall(), voxel_size=voxel_size)
+    assert f"voxel_size: {said}" in str(result.poor) and "--" not in str(result.poor)
+    assert str(result).splitlines()[-1].split(maxsplit=1) == ["poor", result.poor]
+    fine = loom.fuse(Wall(), voxel_size=0.02)
+    assert fine.poor is None and "poor" not in str(fine)
+    assert fine.seen_extent == pytest.approx(31 / 30)
+
+
+def test_a_verdict_on_few_pixels_names_no_option_of_the_shell():
+    far, none = loom.fuse(Wall(depth=3000), voxel_size=0.02, depth_max=2.0), loom.fuse(Wall(depth=0), voxel_size=0.02)
+    assert "raise depth_max" in str(far.poor) and "--" not in str(far.poor)
+    assert "have a depth" in str(none.poor) and "pointloom info" not in str(none.poor)
+
+
 def test_progress_counts_every_frame():
     said = []
     loom.fuse(Wall(4), voxel_size=0.05, progress=lambda *step: said.append(step))
