@@ -87,7 +87,8 @@ def render(
         device: "cpu", "cuda:N"; None where the first geometry lies, to which the others are copied.
 
     Returns:
-        A Picture: an array of shape [h, w, 3], uint8 RGB, that notebooks show; each pixel is the mean of 2 x 2 samples.
+        A Picture: an array of shape [h, w, 3], uint8 RGB, that notebooks show and `loom.save_picture(path, picture)`
+        writes; each pixel is the mean of 2 x 2 samples.
         With `depth` a pair of it and the depth along the optical axis [m], float32 [h, w], 0 where nothing is seen.
 
     Raises:

@@ -16,7 +16,7 @@ from ...core.errors import FileError
 from ...files.source import Source
 from .graph import GraphError, read_graph
 from .heads import BINS, BROKEN, CLAMPED, EXP, INVERSE, RECIPROCAL, SIGMOID, UNKNOWN, Head, find_head
-from .presets import PRESETS, Preset
+from .presets import DEFAULT, PRESETS, Preset
 
 TYPES = {"tensor(float)": np.float32, "tensor(float16)": np.float16}
 WHOLE = ("tensor(int64)",)
@@ -207,6 +207,7 @@ def _check_fixed(path: str, where: str, preset: Preset, rows: int | None, column
         if side is not None and side % preset.multiple:
             reason = f"has a side of {side}, which is no multiple of {preset.multiple} as {preset.name} needs"
             remedy = f"Export it with sides of a multiple of {preset.multiple}; its map would lack rows or columns"
+            remedy += f" ({preset.name} is the default; another network: --preset)" if preset.name == DEFAULT else ""
             raise FileError(path, reason, where=where, remedy=remedy)
 
 

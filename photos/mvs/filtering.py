@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import math
+import warnings
 from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
 import warp as wp
+from numpy.typing import NDArray
 
 from ...core.checks import check_count, check_positive, check_progress, check_share
 from ...core.devices import resolve_device
@@ -20,6 +22,7 @@ from .depth_maps import DepthMap, DepthMaps
 from .last_used import LastUsed
 from .posed_pictures import PosedCamera
 
+FEWEST_CONFIRMED = 0.02  # of the depth, below which poses are asked for
 MIN_VIEWS = 2
 MAX_PIXELS = 1.0
 MAX_RELATIVE = 0.01  # docs/mvs.md has what more and less of it do
@@ -64,6 +67,7 @@ def filter_depth_maps(
 
     Returns:
         The maps with the same cameras and sources. Normals and confidence stay where depth does and are 0 elsewhere.
+        Warns where less than 2 % of the depth is confirmed, as where poses are given in place of their inverse.
 
     Raises:
         TypeError: Not DepthMaps.
@@ -99,8 +103,14 @@ def filter_depth_maps(
     where, say = resolve_device(device), check_progress(progress)
     if folder is not None and maps.folder is not None and maps.folder.resolve() == type(maps.folder)(folder).resolve():
         raise FileError(folder, "holds the maps that are to be filtered", remedy="Name another folder")
-    filtered = _filtered(maps, least, limits, surest, support, where, say)
-    return DepthMaps(maps.cameras, maps.sources, filtered, folder=folder)
+    counts = np.zeros(2, np.int64)
+    filtered = _filtered(maps, least, limits, surest, support, where, say, counts)
+    found = DepthMaps(maps.cameras, maps.sources, filtered, folder=folder)
+    if len(maps) > 1 and counts[1] < FEWEST_CONFIRMED * counts[0]:
+        share = f"{counts[1] / counts[0]:.1%} of {counts[0]} pixels"
+        message = f"hardly any depth is confirmed ({share}); is T_camera_world the inverse of your poses?"
+        warnings.warn(message, UserWarning, stacklevel=2)
+    return found
 
 
 def check_maps(name: str, maps: Any) -> None:
@@ -148,7 +158,9 @@ def _filtered(
     support: int,
     device: Any,
     say: ReportProgress,
+    counts: NDArray[np.int64],
 ) -> Iterator[DepthMap]:
+    """The maps one after the other; `counts` gathers pixels that have depth, and those that are kept."""
     depths = _DepthsOnDevice(maps, device)
     say("filter", 0, len(maps))
     for i, sources in enumerate(maps.sources):
@@ -163,5 +175,6 @@ def _filtered(
             kept = support_depth(kept, normals, maps.cameras[i].intrinsic, tolerance, support)
         depth = download(kept).reshape(given.depth.shape).copy()
         has = depth > 0
+        counts += np.count_nonzero((given.depth > 0) & (given.confidence >= surest)), np.count_nonzero(has)
         yield DepthMap(depth, np.where(has[..., None], given.normals, 0), np.where(has, given.confidence, 0))
         say("filter", i + 1, len(maps))

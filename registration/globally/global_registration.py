@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...core.checks import LARGEST_NUMBER, check_positive, check_seed
+from ...core.told_arguments import told_arguments
 from ...core.watching import report
 from ...kernels.features.feature_matching import pair_features
 from ...kernels.features.fpfh import compute_features
@@ -67,6 +68,7 @@ class Description(NamedTuple):
         return PointCloud.from_device_arrays(arrays, self.cloud.origin)
 
 
+@told_arguments
 def register_globally(
     source: PointCloud, target: PointCloud, *, voxel_size: float, seed: int = 0, refine: bool = True
 ) -> RegistrationResult:
@@ -86,10 +88,11 @@ def register_globally(
 
     Returns:
         The pose, with a `score`: above 0.5 where the clouds do lie on each other there. `converged` says whether they
-        do, and `reason` why not: too little surface, no correspondences that agree, a best pose that is not believed,
-        under which nothing matches but planes as any rooms have them, or under which one cloud stands where the other
-        saw through, or several poses that fit alike, among which a symmetric scene leaves no choice. The pose is then
-        the best that was found; the identity where there is none.
+        do, and `reason` why not: too little surface, no correspondences that agree, a best pose that is not believed, a
+        motion that is free where the surfaces fit (a ball, a tube), a pose under which nothing matches but planes as
+        any rooms have them, or under which one cloud stands where the other saw through, or several poses that fit
+        alike, among which a symmetric scene leaves no choice. The pose is then the best that was found; the identity
+        where there is none.
         Fitness and error are those of the thinned clouds within 1.5 voxels; `correspondence_set` holds indices into
         the clouds as given, found when it is first read.
 

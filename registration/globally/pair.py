@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from ...core.checks import LARGEST_NUMBER, check_positive, check_progress, shown
 from ...core.progress import ReportProgress
 from ...core.reports import Fields, Report
+from ...core.told_arguments import told_arguments
 from ...core.units import LengthUnit, symbol_of
 from ...core.wording import format_share, plain
 from ...pcd.cloud import PointCloud
@@ -176,6 +177,7 @@ class PairRegistration(Report):
         ]
 
 
+@told_arguments
 def register_pair(
     source: PointCloud,
     target: PointCloud,

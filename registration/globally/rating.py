@@ -33,6 +33,7 @@ RIDGE = 1e-3  # of the mean eigenvalue: what the overlap hardly fixes is no evid
 SHARE_WEIGHT, FIRMNESS_WEIGHT, OFFSET = 5.15, 0.48, 10.2
 LEAST_SHARE, LEAST_FIRMNESS = 0.01, 3e-4
 FIRM = 0.002  # firmness below which a motion is left open: planes, spheres and tubes have a quarter of it and less
+FITS = 0.5  # share from which on surfaces are said to fit though they leave a motion open
 STILL = 1e-5  # of the distance of a match: the change of the error below which ICP ends
 # Beside the three planes that most matches lie on, the share has to be this part of the whole's: noise and little
 # overlap lower both alike, but where a corner lies in another, the rest is chance. Chosen by the half of the scenes of
@@ -118,6 +119,8 @@ class Evidence(NamedTuple):
     @property
     def doubt(self) -> str:
         """What speaks against a pose that is not believed, in words."""
+        if self.score_with_planes <= 0.5 and self.firmness < FIRM and self.share > FITS and self.matches >= ENOUGH:
+            return "the surfaces fit, but the pose may turn or slide freely, as that of a ball, a tube or a plane may"
         if self.score_with_planes <= 0.5:
             return "the clouds hardly lie on each other under the best pose found"
         if self.rest < self._least_rest:

@@ -99,7 +99,8 @@ def registration_icp(
         overlap: Share of the source's points whose nearest pairs are kept, above 0 and up to 1: the trimmed ICP of
             Chetverikov et al. 2002. None finds the share in each iteration, as that of the least fractional RMSD
             (Phillips et al. 2007): take it where the clouds share less than half, from a pose that is nearly right.
-            With 1, as Open3D, what lies beyond the other cloud's edge pulls the source off.
+            With 1, as Open3D, what lies beyond the other cloud's edge pulls the source off. Else fitness is the share
+            kept and inlier_rmse that of these pairs alone: compare poses by `evaluate_registration`.
         max_normal_angle: Drop pairs whose normals enclose more than this [rad]; both clouds need normals.
         degeneracy: Motions that the pairs determine by less than this share of the best determined one, as eigenvalues,
             are left out and reported; 0 moves along all, as Open3D does, which a flat surface with gentle slopes may

@@ -11,6 +11,7 @@ from typing import Any
 from numpy.typing import ArrayLike
 
 from ...core.checks import check_callback, check_list, check_number, check_positive
+from ...core.told_arguments import told_arguments
 from ...core.watching import standing_for
 from ...pcd.cloud import PointCloud
 from ..given_pairs import check_clouds
@@ -26,6 +27,7 @@ KEPT = 0.9  # of those, that meet under the pose found with the overlap at least
 _ROLES = ("source", "target")
 
 
+@told_arguments
 def multi_scale_icp(
     source: PointCloud,
     target: PointCloud,
@@ -57,8 +59,9 @@ def multi_scale_icp(
         callback_after_iteration: As of `registration_icp`; its dict has `scale_index` too.
 
     Returns:
-        The result of the last scale, whose iterations are those of all scales together. Where the overlap was found,
-        fitness, error and correspondences are nevertheless those of all pairs within the distance.
+        The result of the last scale, whose iterations are those of all scales together. Where `overlap` is None,
+        fitness, error and correspondences are those of all pairs within the distance, even where a share was found;
+        where it is given, those of the pairs kept, as of `registration_icp`.
 
     Raises:
         ValueError: Lists of different lengths, sizes that do not descend, or as `registration_icp`.

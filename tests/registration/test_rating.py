@@ -357,6 +357,8 @@ def test_the_more_stands_in_the_way_the_less_is_believed():
     assert "saw through" in Evidence(0.8, 0.03, 1000, rest=0.8, blocked=0.1).doubt
     assert "three planes" in Evidence(0.8, 0.03, 1000, rest=0.1).doubt
     assert "hardly lie on each other" in Evidence(0.05, 0.03, 1000).doubt
+    assert "hardly lie on each other" in Evidence(0.05, 0.0001, 1000).doubt
+    assert "turn or slide freely" in Evidence(0.8, 0.0001, 1000).doubt
 
 
 def test_rating_grows_with_share_and_firmness_and_wants_enough_matches():

@@ -89,7 +89,8 @@ assert not alone.is_metric
 # Known distances make it metres
 # ------------------------------
 # Two distances are enough to find scale and shift: take a tape measure and note column, row and metres. More are
-# better, because two cannot be checked.
+# better, because two cannot be checked: the share of references that agree, ``inlier_share``, is then None, however
+# wrong one of them is.
 
 
 def at(column: int, row: int) -> tuple[int, int, float]:
@@ -100,11 +101,18 @@ def at(column: int, row: int) -> tuple[int, int, float]:
 tape = np.array([at(60, 60), at(160, 150), at(260, 200), at(40, 210), at(280, 60)])
 print(tape)
 measured = loom.estimate_depth(frame.color, model, intrinsic=frame.intrinsic, align=tape)
-print("unit:", measured.unit, f" references that agree: {measured.inlier_share:.0%}")
+checked = measured.inlier_share is not None
+print("unit:", measured.unit, " references that agree:", f"{measured.inlier_share:.0%}" if checked else "not known")
+
+two = loom.estimate_depth(frame.color, model, intrinsic=frame.intrinsic, align=tape[:2])
+print("of two distances:", two.inlier_share)
+assert checked and two.inlier_share is None
 
 # %%
 # Or a depth camera that looked at the same view, however coarse and however full of holes; or a sparse model of COLMAP
-# (chapter 9).
+# (chapter 9). A depth picture of a file goes in as metres, too: ``loom.read_depth`` gives what is stored, mostly
+# millimetres in 16 bits, so divide by 1000 (some data sets store other units). The same holds where you read a
+# distance off such a picture in place of a tape.
 
 sensor = loom.data.room_frames(24)[20].depth
 rng = np.random.default_rng(0)
@@ -207,7 +215,9 @@ assert share < 0.8 and fitted.inlier_share > 0.95
 #
 # Try it
 # ------
-# - Give two distances only, one of them wrong by a metre. What tells you?
+# - Give two distances only, one of them wrong by a metre. Nothing tells you, but ``evaluate_depth``, which wants the
+#   truth. With five, one of them wrong, ``inlier_share`` does.
+# - A picture that you like: ``loom.save_picture("room.png", picture)``.
 # - With a real file: ``pointloom depth photo.jpg --model depth_anything_v2_vits.onnx -o cloud.ply --picture
 #   cloud.png``.
 #

@@ -110,7 +110,8 @@ print("off by {:.1f} degrees and {:.0f} cm".format(*off(ransac.transformation, t
 # Fast global registration
 # ------------------------
 # FGR takes all matches at once and gives those that disagree with the rest less and less weight. It is quick, and good
-# where every second match is right. Here nine in ten are wrong, and its pose may be as wrong; ``score`` tells.
+# where every second match is right. Here nine in ten are wrong, and its pose may be as wrong. ``score`` tells: how far
+# to believe that the surfaces lie on each other there, 0 to 1, yes above 0.5 (more of it below).
 
 fast = reg.registration_fgr_based_on_feature_matching(
     thin_source, thin_target, source_features, target_features,
@@ -203,7 +204,21 @@ for voxel_size in (0.025, 0.05, 0.1, 0.5):
 # such a pose is worth nothing, be it high. A score counts where the clouds have thousands of voxels.
 
 # %%
-# **Symmetry.** A box fits in four ways. "2 poses fit alike" in ``reason`` says that the scene leaves the choice to you.
+# **Symmetry.** A box fits in four ways, and is reported as 2 to 4 poses that fit alike, whichever were found: the scene
+# leaves the choice to you. Of a cylinder or a ball a turn is free, so that poses without number fit, which ``reason``
+# says, too. Fitness is 1 in all of these; ``degenerate_directions`` holds the free motions.
+
+box = loom.TriangleMesh.create_box(1.0, 0.7, 0.4)
+tube = loom.TriangleMesh.create_cylinder(0.3, 1.0)
+for name, mesh in (("box", box), ("cylinder", tube)):
+    one, other = (mesh.sample_points_uniformly(20_000, seed=seed) for seed in (0, 1))
+    alike = reg.register_globally(one.transform(away), other, voxel_size=0.04)
+    print(f"{name}: fitness {alike.fitness:.2f}, score {alike.score:.2f}: {alike.reason};"
+          f" {len(alike.degenerate_directions)} free motions")  # fmt: skip
+    assert alike.fitness > 0.9 and alike.score < 0.5 and not alike.converged
+    assert len(alike.degenerate_directions) == (name == "cylinder")
+
+# %%
 #
 # Try it
 # ------

@@ -52,6 +52,18 @@ def test_true_depth_that_others_see_is_kept_as_it_is(device, balls):
         np.testing.assert_array_equal(each.confidence, np.where(has, maps[i].confidence, 0))
 
 
+def test_poses_the_wrong_way_round_are_asked_for():
+    """Far from the origin, or a wall would look the same to cameras that stand the other way round."""
+    far = (5.0, 3.0, 40.0)
+    posed = cameras(3, step=0.5, shift=far)
+    given = [true_map(camera, shift=far) for camera in posed]
+    sources = [(1, 2), (0, 2), (0, 1)]
+    loom.mvs.filter_depth_maps(loom.mvs.DepthMaps(posed, sources, given))  # right: nothing is said
+    turned = [loom.mvs.PosedCamera(c.intrinsic, np.linalg.inv(c.T_camera_world)) for c in posed]
+    with pytest.warns(UserWarning, match="hardly any depth .* is T_camera_world the inverse of your poses"):
+        loom.mvs.filter_depth_maps(loom.mvs.DepthMaps(turned, sources, given))
+
+
 def test_planted_wrong_depth_goes_and_none_else(device, rng):
     maps = true_maps(4)
     before = loom.mvs.filter_depth_maps(maps, min_support=0, device=device)
@@ -82,6 +94,7 @@ def test_grains_that_all_pictures_show_go_and_surfaces_two_pixels_wide_stay(devi
     np.testing.assert_allclose(kept, expected)
 
 
+@pytest.mark.filterwarnings("ignore:hardly any depth")
 def test_slanted_surfaces_support_themselves_by_their_normals():
     """A floor that nears by 3 % a row: with the wrong normals no pixel is like those around it."""
     lens = loom.PinholeCameraIntrinsic(40, 30, 40.0, 40.0, 19.5, 5.0)
