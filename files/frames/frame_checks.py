@@ -44,7 +44,7 @@ def _check_depth(name: str, depth: Any, size: tuple[int, int]) -> NDArray[np.uin
     if values.shape != size:
         raise ValueError(f"{name}: expected shape {list(size)}, as the intrinsic says, got {list(values.shape)}")
     with np.errstate(over="ignore"):  # a depth beyond float32 is infinite: no measurement
-        return np.array(values, np.uint16 if values.dtype.kind == "u" else np.float32)
+        return np.array(values, np.uint16) if values.dtype.kind == "u" else np.array(values, np.float32)
 
 
 def _check_color(name: str, color: Any, size: tuple[int, int], resize: bool) -> NDArray[np.uint8]:
