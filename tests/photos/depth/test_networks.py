@@ -266,10 +266,7 @@ MODELS = {
     "three dimensions": (lambda p: one_node(p, "Relu", [3, *HW], [3, *HW]), "takes [1, 3, h, w]"),
     "a batch of 4": (lambda p: one_node(p, "Relu", [4, 3, *HW], [4, 3, *HW]), "takes [1, 3, h, w]"),
     "bytes": (lambda p: mean_over(p, [1, 3, *HW], [1], [1, *HW], TensorProto.UINT8), "takes floats"),
-    "500 rows": (
-        lambda p: linear(p, size=(500, 518)),
-        "side of 500, which is no multiple of 14.*default; another network: --preset",
-    ),
+    "500 rows": (lambda p: linear(p, size=(500, 518)), "is the default; another network: --preset"),
     "two maps": (two_outputs, "has the outputs normal, mask"),
     "a class": (lambda p: mean_over(p, [1, 3, *HW], [2, 3], [1, 3]), "gives a map"),
 }
