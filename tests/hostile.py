@@ -167,6 +167,7 @@ def faults_of(
             warnings.simplefilter("ignore", loom.NormalsWarning)
             warnings.simplefilter("ignore", loom.UnitWarning)  # which is right of the least float
             warnings.filterwarnings("ignore", "geometries: nothing to draw")  # right of no points
+            warnings.filterwarnings("ignore", "hardly any depth is confirmed")  # right of a limit of next to nothing
             try:
                 result = call(**(arguments | {name: value}))
                 if inspect.isgenerator(result):

@@ -91,7 +91,8 @@ class BallPivoting(MeshArrays):
         if given is not None and not triangles.size and ball.tree.count >= CORNERS:
             told, usual = (", ".join(f"{r:.3g}" for r in radii) for radii in (given, _default_radii(ball.tree)))
             if max(given) < SHORT * _default_radii(ball.tree)[0]:
-                message = f"radii: balls of {told} m touch no three points; the points' spacing asks for {usual} m"
+                m = "" if cloud.unit is None else f" {cloud.unit.symbol}"
+                message = f"radii: balls of {told}{m} touch no three points; the points' spacing asks for {usual}{m}"
                 warn_of_units(message)
         colors = cloud.device_array("colors") if cloud.has_colors else None
         mesh = cls.from_device_arrays(

@@ -57,11 +57,11 @@ def test_a_scale_that_cuts_all_is_told(depth, options, told):
 
 def test_balls_and_alphas_that_touch_nothing_are_told(ball):
     with pytest.warns(
-        loom.UnitWarning, match=r"radii: balls of 1e-06 m touch no three points; .* asks for 0\.0"
+        loom.UnitWarning, match=r"radii: balls of 1e-06 touch no three points; .* asks for 0\.0"
     ) as caught:
         assert len(loom.TriangleMesh.from_point_cloud_ball_pivoting(ball, [1e-6])) == 0
     assert caught[0].filename == __file__
-    with pytest.warns(loom.UnitWarning, match=r"alpha: nothing is left at 1e-06 m; .* asks for some 0\.") as caught:
+    with pytest.warns(loom.UnitWarning, match=r"alpha: nothing is left at 1e-06; .* asks for some 0\.") as caught:
         assert len(loom.TriangleMesh.from_point_cloud_alpha_shape(ball, 1e-6)) == 0
     assert caught[0].filename == __file__
     flat = loom.PointCloud(ball.points * [1, 1, 0], normals=np.tile([0.0, 0, 1], (800, 1)), device=ball.device)
