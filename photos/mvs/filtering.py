@@ -109,7 +109,9 @@ def filter_depth_maps(
     if len(maps) > 1 and counts[1] < FEWEST_CONFIRMED * counts[0]:
         share = f"{counts[1] / counts[0]:.1%} of {counts[0]} pixels"
         within = f"max_pixels {limits[0]:g} and max_relative {limits[1]:g}"
-        message = f"hardly any depth is confirmed ({share}) within {within}; is T_camera_world the inverse of your poses?"
+        message = (
+            f"hardly any depth is confirmed ({share}) within {within}; is T_camera_world the inverse of your poses?"
+        )
         warnings.warn(message, UserWarning, stacklevel=2)
     return found
 

@@ -175,7 +175,9 @@ def test_kitchen_is_registered(device, kitchen, seed, angle_between, tolerances)
 
 
 @pytest.mark.parametrize("seed", range(3))
-def test_kitchen_is_registered_as_well_as_by_open3d_at_its_last_scale(device, kitchen, oracle_fitness, seed, tolerances):
+def test_kitchen_is_registered_as_well_as_by_open3d_at_its_last_scale(
+    device, kitchen, oracle_fitness, seed, tolerances
+):
     """Open3D ends at a mu of the distance in metres, ours at its square: the same scale is that of the root."""
     T = of_kitchen(device, kitchen, np.sqrt(VOXEL / 2), seed).transformation
     pair = [loom.PointCloud(c.points, device=device) for c in (kitchen.source, kitchen.target)]
