@@ -49,9 +49,9 @@ MARGIN = 4.0  # [voxels] that two surfaces are apart at least where one stands b
 # Points of one cloud that stand where the other saw through, of the matches. LiDAR and cameras that move see around
 # things: of right poses up to 0.013 do, of half of the wrong ones that the rest speaks for more than 0.02.
 MOST_BLOCKED = 0.02  # asked for from SOME_ALIGNED on: objects are seen from outside of their box
-# A search among many poses finds one at which so much fits by chance: the less, the more matches there are. The share has
-# to be this over the root of their number. Of rooms, a street and a figure in 60 to 500 voxels, 29 wrong poses that all
-# else spoke for have up to 4.3 (share times root), of 76 right ones all but one 4.5 and more.
+# A search among many poses finds one at which so much fits by chance: the less, the more matches there are. The share
+# has to be this over the root of their number. Of rooms, a street and a figure in 60 to 500 voxels, 29 wrong poses that
+# all else spoke for have up to 4.3 (share times root), of 76 right ones all but one 4.5 and more.
 CHANCE = 4.4
 SAMPLES = 64  # points that tell how far two poses lie apart
 ENOUGH = 30  # matches below which they may be chance
