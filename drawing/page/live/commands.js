@@ -65,7 +65,8 @@ class Commands {
   }
 
   addOwn(group, label, keys, run, isThere = () => true) {
-    this.own.push({ group, label, keys, run, isThere });
+    const named = keys.map((key) => (key === "+" ? "plus" : key.replace("Arrow", "arrow")));
+    this.own.push({ group: capitalised(group), label: capitalised(label), keys: named, run, isThere });
   }
 
   onKey(event) {
@@ -112,7 +113,7 @@ class Commands {
     const taken = new Set();
     const put = ({ label, group, keys, run }, isKeyed) => {
       const id = plainLabel(label).toLowerCase();
-      const known = found.get(id) ?? { label: plainLabel(label), group, keys: [], run };
+      const known = found.get(id) ?? { label: capitalised(plainLabel(label)), group, keys: [], run };
       for (const key of keys) {
         const name = key.toLowerCase();
         if (!taken.has(name) && isKeyed) known.keys.push(key);
@@ -125,6 +126,10 @@ class Commands {
     if (withPanel) for (const action of this.panel.actions()) put({ ...action, keys: [] }, false);
     return [...found.values()];
   }
+}
+
+function capitalised(text) {
+  return text.charAt(0).toUpperCase() + text.slice(1);
 }
 
 function sameKey(key, name) {

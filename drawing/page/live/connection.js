@@ -3,11 +3,11 @@
  * the machine to its network. `told` hears of each change: "connecting", "open", "lost", "ended", "old".
  */
 const PAUSES = [500, 1000, 2000, 3500, 5000]; // milliseconds before a try; the last one again and again
-const GIVEN_UP = 30_000; // milliseconds without an answer after which the program has ended, for all that one knows
+const GIVEN_UP = 20_000; // milliseconds without an answer after which the program has ended, for all that one knows
 const MOST_BYTES = 60 * 1024; // of one message, except for files; the program takes 64 KiB
 const MOST_FILE = 1024 * 1024;
 const BUSY = 256 * 1024; // bytes that wait to be sent: the camera is not told then
-const WRONG_PROTOCOL = [1002, 4001];
+const NO_HELLO = 1007; // how the program ends a line whose first words it does not know
 
 class Connection {
   /** `received` is given each message's bytes; `hello` gives what is said first. */
@@ -48,20 +48,21 @@ class Connection {
     if (socket !== this.socket) return;
     if (socket.protocol !== PROTOCOL) return this.refuse();
     const again = this.wasOpen;
-    Object.assign(this, { tries: 0, wasOpen: true, ending: null });
+    Object.assign(this, { tries: 0, wasOpen: true, wasHeard: false, ending: null });
     this.tell("open", { again });
     this.send(this.hello());
   }
 
   onMessage(socket, event) {
     if (socket !== this.socket || typeof event.data === "string") return;
+    this.wasHeard = true;
     this.received(event.data);
   }
 
   onClose(socket, event) {
     if (socket !== this.socket) return;
     this.socket = null;
-    if (WRONG_PROTOCOL.includes(event.code)) return this.refuse();
+    if (event.code === NO_HELLO && !this.wasHeard) return this.refuse();
     if (this.state === "open") this.lostAt = performance.now();
     if (this.ending !== null || performance.now() - this.lostAt > GIVEN_UP) this.tell("ended", { text: this.ending ?? "" });
     else this.tell(this.wasOpen ? "lost" : "connecting");

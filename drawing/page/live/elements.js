@@ -42,6 +42,7 @@ function icon(name) {
   const svg = document.createElementNS(SVG_NAMES, "svg");
   const path = document.createElementNS(SVG_NAMES, "path");
   svg.setAttribute("viewBox", "0 0 20 20");
+  svg.setAttribute("class", "glyph");
   svg.setAttribute("aria-hidden", "true");
   path.setAttribute("d", ICONS[name]);
   svg.append(path);

@@ -73,6 +73,8 @@ class Panel {
     });
     host.insertBefore(control.element, next ?? null);
     this.tellEmpty();
+    if (host === this.bar) this.onBarChanged();
+    if (host === this.keys) this.onKeysChanged();
   }
 
   hostOf(control) {
