@@ -94,8 +94,9 @@ class Connection {
 
   onSight() {
     if (document.hidden) return;
-    if (this.isOpen) this.send({ say: "resume" });
-    else this.hurry();
+    if (this.socket?.readyState === WebSocket.OPEN) return this.send({ say: "resume" });
+    if (this.socket?.readyState !== WebSocket.CONNECTING) this.socket = null; // closed while the page was put aside
+    this.hurry();
   }
 
   /** All is sent anew. */

@@ -2,6 +2,7 @@
 const VERSION = 1;
 const ARRAYS_OF_NODES = ["positions", "colors", "normals", "indices", "uvs", "texture", "poses"];
 const KEPT_VIEW = 3000; // milliseconds after a new connection in which the page stays where it looked
+const LONGEST_MOVE = 2000; // milliseconds after which a sign is given though the picture does not come to rest
 const NO_WEBGL_HERE =
   "The scene is drawn with WebGL 2, which this browser does not offer here. Open the page in a current Chromium, Firefox " +
   "or Safari, and switch hardware acceleration on where it is off.";
@@ -65,7 +66,13 @@ class Live {
 
   /** One message, applied whole before the next picture; an operation that fails takes none of the others with it. */
   receive(buffer) {
-    const { operations, arrays } = readBatch(buffer);
+    let batch;
+    try {
+      batch = readBatch(buffer);
+    } catch (error) {
+      return console.error(`a message of the program could not be read: ${error.message}`);
+    }
+    const { operations, arrays } = batch;
     for (const operation of operations) {
       try {
         this.operations[operation.op]?.(operation, arrays);
@@ -134,7 +141,7 @@ class Live {
   /** Answered when the picture with all that came before is drawn. */
   async onSign(n) {
     const socket = this.connection.socket;
-    if (this.engine) await this.engine.settled();
+    if (this.engine) await Promise.race([this.engine.settled(), whileSeen(LONGEST_MOVE)]);
     if (socket === this.connection.socket) this.connection.send({ say: "sign", n });
   }
 
@@ -250,6 +257,13 @@ class Live {
     this.meshButton?.setAttribute("aria-pressed", this.engine.looks.wireframe);
     this.lensButton?.setAttribute("aria-pressed", this.engine.camera().orthographic);
   }
+}
+
+/** Resolves after a time in which the page was to be seen: one that is not seen draws nothing. */
+async function whileSeen(milliseconds) {
+  do {
+    await new Promise((done) => setTimeout(done, milliseconds));
+  } while (document.hidden);
 }
 
 /** What is given of a node, parted into plain values and arrays. */
