@@ -26,8 +26,8 @@ from websockets.http11 import Request, Response
 from websockets.typing import Subprotocol
 
 from ..guard import RequestGuard, response_headers
-from .outbox import Outbox
-from .packing import pack
+from .delivery import LONGEST_BATCH
+from .packing import Op, pack
 from .page import ServedPage, refused_page
 from .wire import MOST_BYTES, read
 
@@ -39,7 +39,8 @@ STALL_SECONDS = 60.0
 PING_SECONDS = 20.0
 WATCH_SECONDS = 1.0  # between looks at whether it reads
 HELLO_SECONDS = 60.0  # until a page has said who it is
-CLOSE_SECONDS = 3.0  # for a farewell
+CLOSE_SECONDS = 3.0  # for the end of a connection to be answered
+FAREWELL_SECONDS = 0.5  # for what waits for pages when the server stops: words for the end are among it
 # A page says at most one camera a picture. One that says more than that many messages at once has to wait, so that the
 # program's own threads are not held up by reading them.
 MOST_AT_ONCE = 256
@@ -57,8 +58,18 @@ _handshakes.setLevel(logging.WARNING)  # a record holds its connection: kept by 
 class Visitor(Protocol):
     """What the hub tells of one page."""
 
-    outbox: Outbox
-    lock: Any
+    @property
+    def own_bytes(self) -> int:
+        """Of what waits for this page alone."""
+        ...
+
+    def unsent(self) -> tuple[list[Op], bool]:
+        """What is to be sent now, and whether more waits for what is not complete yet."""
+        ...
+
+    def has_more(self) -> bool:
+        """Whether anything waits for it."""
+        ...
 
     def take(self, said: dict[str, Any]) -> None:
         """The page said this."""
@@ -89,7 +100,7 @@ class Hub:
         self._bound, self._guard, self._page, self._token, self._welcome = bound, guard, page, token, welcome
         self._refused = refused_page()
         self.client_count, self.last_asked = 0, time.monotonic()
-        self.lines: set[ServerConnection] = set()
+        self.lines: dict[ServerConnection, Visitor | None] = {}
         self._loop = asyncio.new_event_loop()
         self._stopping = asyncio.Event()
         ready = threading.Event()
@@ -159,11 +170,14 @@ class Hub:
         await asyncio.wait([asyncio.ensure_future(server.wait_closed())], timeout=2.0)
 
     async def _say_farewell(self) -> None:
-        """Give senders a moment for what waits: words for the end are among it."""
-        await asyncio.sleep(0)
-        end = time.monotonic() + 0.25
-        while time.monotonic() < end and any(line.transport.get_write_buffer_size() for line in self.lines):
+        """Give pages a moment to take what waits for them."""
+        end = time.monotonic() + FAREWELL_SECONDS
+        while time.monotonic() < end and not all(self._has_all(line) for line in tuple(self.lines)):
             await asyncio.sleep(0.01)
+
+    def _has_all(self, line: ServerConnection) -> bool:
+        visitor = self.lines.get(line)
+        return visitor is None or (not visitor.has_more() and not line.transport.get_write_buffer_size())
 
     # -- requests -----------------------------------------------------------------------------------------------------
 
@@ -223,7 +237,7 @@ class Hub:
         if self.client_count >= MOST_CLIENTS:  # several asked at once, each while there was room
             return await connection.close(1013, "too many pages are open")
         self.client_count += 1
-        self.lines.add(connection)
+        self.lines[connection] = None
         tasks: list[asyncio.Task[None]] = []
         visitor: Visitor | None = None
         try:
@@ -232,7 +246,7 @@ class Hub:
                 if hello is None:
                     return
                 loop, woken = asyncio.get_running_loop(), asyncio.Event()
-                visitor = self._welcome(hello, lambda: _wake(loop, woken))
+                self.lines[connection] = visitor = self._welcome(hello, lambda: _wake(loop, woken))
                 parts = (_send(connection, visitor, woken), _consume(connection, visitor), _watch(connection, visitor))
                 tasks = [loop.create_task(part) for part in parts]
                 done, _ = await asyncio.wait(tasks, return_when=asyncio.FIRST_COMPLETED)
@@ -242,7 +256,7 @@ class Hub:
             log.exception("a page of the viewer was dropped")
         finally:
             self.client_count -= 1
-            self.lines.discard(connection)
+            self.lines.pop(connection, None)
             if visitor is not None:
                 visitor.leave()
             for task in tasks:
@@ -271,13 +285,13 @@ def _wake(loop: asyncio.AbstractEventLoop, woken: asyncio.Event) -> None:
 async def _send(connection: ServerConnection, visitor: Visitor, woken: asyncio.Event) -> None:
     """Send what waits, as fast as the page reads."""
     while True:
-        with visitor.lock:
-            woken.clear()
-            ops = visitor.outbox.take() if visitor.outbox else []
+        woken.clear()
+        ops, more = visitor.unsent()
         if ops:
             await connection.send(pack(ops))
         else:
-            await woken.wait()
+            with contextlib.suppress(TimeoutError):
+                await asyncio.wait_for(woken.wait(), LONGEST_BATCH if more else None)
 
 
 async def _consume(connection: ServerConnection, visitor: Visitor) -> None:
@@ -314,7 +328,7 @@ async def _watch(connection: ServerConnection, visitor: Visitor) -> None:
             pong, since = None, now
         if unsent != seen or (unsent == 0 and pong is None):
             seen, since = unsent, now
-        if now - since > STALL_SECONDS or visitor.outbox.own_bytes > MOST_OWN_BYTES:
+        if now - since > STALL_SECONDS or visitor.own_bytes > MOST_OWN_BYTES:
             log.debug("a page that does not read was dropped")
             connection.transport.abort()
             return
