@@ -11,11 +11,12 @@ import contextlib
 import hmac
 import http
 import logging
+import re
 import socket
 import threading
 import time
 import urllib.parse
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from typing import Any, Protocol
 
 import websockets.asyncio.server
@@ -31,7 +32,9 @@ from .packing import Op, pack
 from .page import ServedPage, refused_page
 from .wire import MOST_BYTES, read
 
-PROTOCOL = "pointloom.1"
+VERSION = 1
+PROTOCOL = f"pointloom.{VERSION}"
+OTHER_VERSION = 4001  # with this code a page is closed that a browser has kept from another version
 MOST_CLIENTS = 32
 MOST_OWN_BYTES = 1 << 30  # that wait for one page alone
 # A page is dropped when it neither takes a byte nor answers a ping for so long; pings go out in between.
@@ -44,7 +47,7 @@ FAREWELL_SECONDS = 0.5  # for what waits for pages when the server stops: words 
 # A page says at most one camera a picture. One that says more than that many messages at once has to wait, so that the
 # program's own threads are not held up by reading them.
 MOST_AT_ONCE = 256
-BURST_SECONDS = 0.5
+BURST_SECONDS = 0.25
 
 log = logging.getLogger("pointloom.viewer")
 log.addHandler(logging.NullHandler())  # without one, Python prints warnings on stderr
@@ -153,7 +156,7 @@ class Hub:
             max_size=MOST_BYTES,
             compression=None,  # the arrays hardly shrink, and it takes time
             process_request=self._answer,
-            select_subprotocol=lambda _, offered: Subprotocol(PROTOCOL) if PROTOCOL in offered else None,
+            select_subprotocol=lambda _, offered: _choose(offered),
             ping_interval=None,  # `_watch` pings: a slow line is no reason to drop a page
             open_timeout=HELLO_SECONDS,  # the page goes over slow lines as well
             close_timeout=CLOSE_SECONDS,
@@ -198,7 +201,7 @@ class Hub:
         if not websocket:
             self.last_asked = time.monotonic()
             return self._page_answer(headers)
-        if PROTOCOL not in [one.strip() for one in ",".join(headers.get("sec-websocket-protocol", [])).split(",")]:
+        if _choose(one.strip() for one in ",".join(headers.get("sec-websocket-protocol", [])).split(",")) is None:
             return _response(http.HTTPStatus.UPGRADE_REQUIRED, b"this page is of another version: load it again\n")
         if self.client_count >= MOST_CLIENTS:
             return _response(
@@ -236,6 +239,8 @@ class Hub:
         """One page, from its hello to its end."""
         if self.client_count >= MOST_CLIENTS:  # several asked at once, each while there was room
             return await connection.close(1013, "too many pages are open")
+        if connection.subprotocol != PROTOCOL:
+            return await connection.close(OTHER_VERSION, "this page is of another version: load it again")
         self.client_count += 1
         self.lines[connection] = None
         tasks: list[asyncio.Task[None]] = []
@@ -271,10 +276,19 @@ class Hub:
         except ValueError as error:
             log.debug("a page: %s", error)
             said = None
-        if said is not None and said["say"] == "hello" and said["version"] == 1:
+        if said is None or said["say"] != "hello":
+            await connection.close(1007, "a page says hello first")
+        elif said["version"] != VERSION:
+            await connection.close(OTHER_VERSION, "this page is of another version: load it again")
+        else:
             return said
-        await connection.close(1007, "a page says hello first")
         return None
+
+
+def _choose(offered: Iterable[str]) -> Subprotocol | None:
+    """Ours, or another version of it, so that its page can be told: browsers keep the reason of a refusal back."""
+    ours = [one for one in offered if re.fullmatch(r"pointloom\.[0-9]{1,4}", one)]
+    return Subprotocol(PROTOCOL if PROTOCOL in ours else ours[0]) if ours else None
 
 
 def _wake(loop: asyncio.AbstractEventLoop, woken: asyncio.Event) -> None:

@@ -43,7 +43,8 @@ def test_two_hosts_or_none_are_refused():
     "origin",
     [
         "http://evil.example", "http://127.0.0.1:8081", "http://localhost:8080", "null", "file://", "",
-        "127.0.0.1:8080", "http://127.0.0.1:8080.evil.example", "http://127.0.0.1", "ftp://127.0.0.1:8080", "http://127.0.0.1:8080/",
+        "127.0.0.1:8080", "http://127.0.0.1:8080.evil.example", "http://127.0.0.1", "ftp://127.0.0.1:8080",
+        "http://127.0.0.1:8080/",
     ],
 )  # fmt: skip
 def test_a_page_from_elsewhere_is_refused(origin):
@@ -108,7 +109,8 @@ def test_a_control_takes_values_of_its_own_kind_within_its_limits():
     [
         ("3", 1.5, None), (float("nan"), 1.5, None), (None, 1.5, None), (True, 1, None), (1, False, None),
         ([], "text", None), ("evil", "turbo", ("viridis", "turbo")), ([1, 2], (1, 2, 3), None),
-        ([1, "2", 3], (1, 2, 3), None), ({}, 1, None), (1.5, 1, None), (2**60, 1, None), ("abc", (1, 2, 3), None), ({}, None, None),
+        ([1, "2", 3], (1, 2, 3), None), ({}, 1, None), (1.5, 1, None), (2**60, 1, None),
+        ("abc", (1, 2, 3), None), ({}, None, None),
     ],
 )  # fmt: skip
 def test_a_control_refuses_what_is_no_value_of_it(value, current, options):

@@ -241,15 +241,15 @@ def test_a_websocket_of_another_page_gets_403(server, origin):
         pass
 
 
-def test_a_websocket_of_another_version_is_refused(server):
-    for offered in (["pointloom.0"], None, ["chat"]):
+def test_a_page_of_another_version_is_told_to_load_again(server):
+    for offered in (None, ["chat"], ["viser-v1.1.1"]):
         with pytest.raises(InvalidStatus, match="426"), line_of(server, subprotocols=offered):
             pass
-    for version in (2, None):
-        with line_of(server) as line:
+    for offered, version in ((["pointloom.0"], 1), (["pointloom.2"], 2), (["pointloom.1"], 2)):
+        with line_of(server, subprotocols=offered) as line, pytest.raises(ConnectionClosed) as ended:
             say(line, {**HELLO, "version": version})
-            with pytest.raises(ConnectionClosed):
-                line.recv(timeout=5)
+            line.recv(timeout=5)
+        assert ended.value.rcvd.code == 4001
 
 
 @pytest.mark.parametrize("method", ["POST", "PUT", "DELETE", "OPTIONS", "CONNECT", "PATCH"])
