@@ -51,10 +51,19 @@ const LAYOUTS = { points: VERTICES, triangles: VERTICES, lines: SEGMENTS, instan
 /** The arrays of a node on the card; nodes that show the same share it. */
 class Geometry {
   /** `keep`: whether arrays are remembered, to be sent again to a card that forgot them. `changed`: a picture has come. */
-  constructor(gl, kind, props, keep, changed) {
-    Object.assign(this, { gl, kind, keep, changed, users: 1, buffers: {}, arrays: {}, texture: null, edges: null });
-    [this.shape, this.solid] = [props.shape, Boolean(props.solid)];
+  constructor(gl, kind, keep, changed) {
+    Object.assign(this, { gl, kind, keep, changed, users: 1, arrays: {}, texture: null, shape: "box", solid: false });
     this.start(gl);
+  }
+
+  /** What the instances are. */
+  become(shape, solid) {
+    [this.shape, this.solid] = [shape, Boolean(solid)];
+  }
+
+  /** Remembers no arrays any more. */
+  letGo() {
+    [this.keep, this.arrays] = [false, {}];
   }
 
   start(gl) {
@@ -89,6 +98,15 @@ class Geometry {
     if (this.kind === "instances") this.sendShape();
     this.layout();
     if (arrays.indices || arrays.positions) this.dropEdges();
+  }
+
+  /** Takes an array away. */
+  remove(name) {
+    delete this.arrays[name];
+    if (!this.buffers[name]) return;
+    this.gl.deleteBuffer(this.buffers[name].buffer);
+    delete this.buffers[name];
+    this.layout();
   }
 
   fill(name, values) {

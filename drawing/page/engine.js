@@ -53,8 +53,7 @@ class Engine {
     this.views = new Views(margin);
     this.first = null;
     this.labels = new Labels(overlay);
-    this.gizmo = gizmo ? new Gizmo(overlay, (axis) => this.lookAlong(axis)) : null;
-    this.scaleBar = scaleBar ? new ScaleBar(overlay) : null;
+    this.corners = new Corners(overlay, { gizmo, scaleBar, look: (axis, view) => this.lookAlong(axis, view) });
     this.pace = new Pace((every) => this.draw(every), () => this.painter.finished());
     this.controls = new Controls(canvas, {
       move: (name, ...values) => this.move(name, ...values),
@@ -89,8 +88,7 @@ class Engine {
       node.kind = shared.kind;
       shared.users += 1;
     } else if (KINDS.includes(kind)) {
-      const keep = props.keep !== false && this.keptBytes() + bytesOf(arrays) <= KEPT_MEMORY;
-      node.geometry = new Geometry(this.painter.gl, kind, props, keep, () => this.redraw());
+      node.geometry = new Geometry(this.painter.gl, kind, props.keep !== false, () => this.redraw());
       this.geometries.add(node.geometry);
     } else if (kind === "label") {
       node.label = {};
@@ -106,13 +104,18 @@ class Engine {
     if (visible !== undefined) this.tree.show(node, Boolean(visible));
     Object.assign(node.props, looks);
     if (node.label) node.label = {};
-    const { geometry } = node;
-    if (geometry && (bytesOf(arrays) > 0 || geometry.uploads === 0)) {
-      const before = geometry.uploads;
-      geometry.send(arrays);
-      if (geometry.uploads > before) this.uploads += 1;
-    }
+    if (node.geometry && node.props.of === undefined) this.send(node.geometry, looks, arrays);
     this.redraw();
+  }
+
+  /** What is new of a node's arrays; a plain colour takes the place of colours. */
+  send(geometry, { plain, shape, solid }, arrays) {
+    if (plain && !arrays.colors) geometry.remove("colors");
+    if (bytesOf(arrays) === 0 && geometry.uploads > 0 && shape === undefined && solid === undefined) return;
+    if (bytesOf(arrays) > 0) this.uploads += 1;
+    if (geometry.keep && this.keptBytes() + bytesOf(arrays) > KEPT_MEMORY) geometry.letGo();
+    geometry.become(shape ?? geometry.shape, solid ?? geometry.solid);
+    geometry.send(arrays);
   }
 
   has(id) {
@@ -198,7 +201,8 @@ class Engine {
     this.move("fit");
   }
 
-  lookAlong(axis) {
+  lookAlong(axis, view = this.views.active) {
+    this.views.active = view;
     this.move("lookAlong", axis);
   }
 
@@ -224,7 +228,7 @@ class Engine {
   }
 
   setUnit(unit) {
-    this.scaleBar?.setUnit(unit);
+    this.corners.unit = unit;
     this.redraw();
   }
 
@@ -301,8 +305,7 @@ class Engine {
     this.draws += 1;
     this.painter.draw(this.views, nodes, this.looks, this.shownBackground ?? this.background.color, every);
     this.labels.draw(nodes, this.views, this.dark);
-    this.gizmo?.draw(this.views.camera);
-    this.scaleBar?.draw(this.views.camera);
+    this.corners.draw(this.views);
     this.tellCamera();
     this.host.onDrawn?.();
   }
@@ -333,7 +336,7 @@ class Engine {
     const context = copy.getContext("2d");
     context.drawImage(canvas, 0, 0); // at once: the browser may empty it after this turn
     context.drawImage(this.labels.canvas, 0, 0);
-    this.scaleBar?.paint(context, canvas, painter.density);
+    this.corners.paint(context, canvas, painter.density);
     return new Promise((resolve, reject) =>
       copy.toBlob((blob) => (blob ? resolve(blob) : reject(new Error("the picture is too large"))), "image/png"));
   }

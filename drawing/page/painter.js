@@ -55,6 +55,9 @@ class Painter {
     this.frames = views.cameras.map((camera) => this.frameOf(camera));
     for (const frame of this.frames) this.drawView(frame, nodes);
     this.target.resolve();
+    gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+    gl.clearColor(...background.map((value) => 0.75 * value + 0.125), 1); // what parts the views
+    gl.clear(gl.COLOR_BUFFER_BIT);
     for (const frame of this.frames) this.showRelief(frame);
     gl.viewport(0, 0, canvas.width, canvas.height);
   }
@@ -122,6 +125,7 @@ class Painter {
     program.whole("parallel", frame.parallel ? 1 : 0);
     program.whole("from_afar", frame.parallel ? 1 : 0);
     program.number("near", frame.near);
+    program.number("lift", 0.0005 * frame.pivot * frame.depthOf[0]);
     gl.uniform2f(program.at("window"), frame.box[2], frame.box[3]);
     gl.uniform2f(program.at("sizes"), 1, this.largest);
     program.whole("paint_normals", this.looks.normals ? 1 : 0);
@@ -227,7 +231,6 @@ class Painter {
   showRelief({ box, depthOf, parallel, pivot }) {
     const { gl } = this;
     const { relief } = this.programs;
-    gl.bindFramebuffer(gl.FRAMEBUFFER, null);
     gl.viewport(...box);
     gl.useProgram(relief.program);
     this.target.read(relief);
