@@ -284,6 +284,16 @@ def test_an_end_is_told_with_how_to_start_again(program, visit):
     expect(page.get_by_text("pointloom view scan.ply")).to_be_visible()
 
 
+def test_a_page_of_another_version_says_to_load_it_again(program, visit, monkeypatch):
+    page = visit()
+    monkeypatch.setattr("pointloom.drawing.viewer.link.hub.PROTOCOL", "pointloom.2")
+    program.pages.disconnect_all()
+    expect(page.get_by_role("button", name="Load again")).to_be_visible()
+    monkeypatch.undo()
+    page.get_by_role("button", name="Load again").click()
+    page.locator(OPEN).wait_for(state="attached")
+
+
 def test_on_a_phone_the_panel_is_a_sheet_below_the_picture(program, visit):
     program.add_square(RED)
     program.pages.gui.add_colorbar("height [m]", [(0.0, "0"), (1.0, "9")], RAMP)

@@ -271,6 +271,7 @@ function splitArrays({ op, id, parent, kind, ...props }, arrays) {
   const given = {};
   for (const name of ARRAYS_OF_NODES) {
     if (typeof props[name] === "number") given[name] = arrays[props[name]].data;
+    else if (props[name] === null) given[name] = null; // taken away
     delete props[name];
   }
   return [props, given];
