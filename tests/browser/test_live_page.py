@@ -220,6 +220,7 @@ def test_the_palette_finds_each_command_once_with_all_its_keys(program, visit):
     page.keyboard.type("larger")
     page.keyboard.press("Enter")
     program.wait_for(page, "command", "+")
+    assert program.said == [("button", None), ("command", "+")]
 
 
 def test_keys_are_the_programs_first_and_none_while_one_types(program, visit):
