@@ -11,9 +11,8 @@ coordinates", Graphics Hardware 1997).
 """
 
 from ..array_types import Indices, Points
-from ..arrays.packed_keys import offer_cell
 from ..lang import array, cross, dot, float32, floor, func, int32, int64, isfinite, kernel, launch, tid, vec3, vec4
-from .z_buffer import FAR_OUT, NEAR, DepthBuffer, View, is_before, project, ray_through, to_camera
+from .z_buffer import FAR_OUT, NEAR, DepthBuffer, View, is_before, offer_behind, project, ray_through, to_camera
 
 GRID = 256.0  # steps a cell to which corners are rounded
 STEPS = 256  # the same as a whole number
@@ -70,7 +69,7 @@ def draw_on_grid(a: vec3, b: vec3, c: vec3, cull: int, index: int, buffer: Depth
         for column in range(first, last + 1):
             if u >= 0 and v >= 0 and w >= 0:
                 inverse = float32(u) * near_a + float32(v) * near_b + float32(w) * near_c
-                offer_cell(row * buffer.width + column, 1.0 / inverse, index, buffer.words)
+                offer_behind(row * buffer.width + column, 1.0 / inverse, index, buffer)
             u = u - (cy - by) * sign * step
             v = v - (ay - cy) * sign * step
             w = w - (by - ay) * sign * step
@@ -132,7 +131,7 @@ def draw_unprojected(a: vec3, b: vec3, c: vec3, cull: int, index: int, view: Vie
             if u >= slack_a and v >= slack_b and w >= slack_c and u + v + w > 0.0:
                 depth = volume / (u + v + w)
                 if depth > NEAR and isfinite(depth):
-                    offer_cell(row * buffer.width + column, depth, index, buffer.words)
+                    offer_behind(row * buffer.width + column, depth, index, buffer)
 
 
 @kernel
