@@ -4,6 +4,7 @@ NVIDIA 2001).
 A layer is a z-buffer of what is seen first behind the layer before it and before all that is solid. Words of a z-buffer
 are a strict order of depth and index, so no element is seen in two layers, none is lost among those of equal depth, and
 layers are the same in any order of the threads. One more pass over the triangles a layer; 24 B a cell.
+A cell on the edge of two triangles is drawn in one of them (triangles.py).
 
 Points of a cloud overlap, so its discs are no layers of their own: it is drawn once into a buffer of its own, of which
 each layer takes what lies there.
