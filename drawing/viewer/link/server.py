@@ -14,6 +14,7 @@ from collections.abc import Callable
 from typing import Any
 
 from ....core.checks import check_color, check_share
+from ...page.sources import live_page
 from ..guard import RequestGuard
 from .arrays import triple
 from .camera import FIRST, CameraState, camera_fields, moved
@@ -21,7 +22,8 @@ from .client import PageClient
 from .delivery import Channel, Delivery
 from .gui import Gui
 from .hub import Hub
-from .page import ServedPage, stub_page
+from .packing import Op
+from .page import ServedPage
 from .scene import Scene
 
 TOKEN_BYTES = 18
@@ -55,7 +57,7 @@ class PageServer:
         self._first: CameraState = FIRST
         self._on_connect: list[Callable[[PageClient], Any]] = []
         self._on_disconnect: list[Callable[[PageClient], Any]] = []
-        self._hub = Hub(bound, guard, ServedPage(stub_page(title)), self.token, self._welcome)
+        self._hub = Hub(bound, guard, ServedPage(live_page(title)), self.token, self._welcome)
         self._channel.send({"op": "title", "text": title})
         _servers.add(self)
 
@@ -182,9 +184,21 @@ class _Visitor:
 
     def __init__(self, server: PageServer, client: PageClient, channel: Channel, wake: Callable[[], None]):
         self._server, self._client, self._channel = server, client, channel
-        self.lock = server._delivery.lock
-        self.outbox = server._delivery.join(channel, wake)
+        self._outbox = server._delivery.join(channel, wake)
         self.take = client.take
+
+    @property
+    def own_bytes(self) -> int:
+        """Of what waits for this page alone."""
+        return self._outbox.own_bytes
+
+    def unsent(self) -> tuple[list[Op], bool]:
+        """What is to be sent now, and whether more waits for what is not complete yet."""
+        return self._server._delivery.take(self._outbox)
+
+    def has_more(self) -> bool:
+        """Whether anything waits for it."""
+        return bool(self._outbox)
 
     def leave(self) -> None:
         """It has gone."""
