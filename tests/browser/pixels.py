@@ -10,8 +10,14 @@ import numpy as np
 from PIL import Image
 from playwright.sync_api import Page
 
-# Panels, notices and the card that warns of software drawing lie over the canvas: out of the picture.
-CANVAS_ALONE = "body *:not(canvas):not(:has(canvas)) { visibility: hidden !important; }"
+# Panels, notices and what lies over the canvas: out of the picture. As a sheet that a script adopts, since the page's
+# policy takes no style that it does not know.
+CANVAS_ALONE = """(on) => {
+    window.canvasAlone ??= new CSSStyleSheet();
+    const shown = on ? "body *:not(#scene, .labels):not(:has(#scene, .labels)) { visibility: hidden !important; }" : "";
+    window.canvasAlone.replaceSync(shown);
+    document.adoptedStyleSheets = [window.canvasAlone];
+}"""
 PATIENCE = 90.0  # [s]; only a test that fails waits so long, and a busy machine is no failure
 SOME_FRAMES = """() => new Promise((done) => {
     const start = performance.now();
@@ -23,7 +29,11 @@ SOME_FRAMES = """() => new Promise((done) => {
 
 def picture(page: Page, *, panels: bool = False) -> np.ndarray:
     """The page as uint8 [h, w, 3]; without its panels, what the canvas shows beneath them."""
-    png = page.screenshot(style=None if panels else CANVAS_ALONE, animations="allow", timeout=90_000)
+    if not panels:
+        page.evaluate(CANVAS_ALONE, True)
+    png = page.screenshot(animations="allow", caret="initial", timeout=90_000)
+    if not panels:
+        page.evaluate(CANVAS_ALONE, False)
     return np.asarray(Image.open(io.BytesIO(png)).convert("RGB"))
 
 
