@@ -163,7 +163,7 @@ def _color_attribute(values: Any, name: str, colormap: str | None, limits: tuple
     if kind.kind in "biu" and (name in _LABELS or not name) and colormap is None and limits is None:
         labels = cast(values, int32 if kind.itemsize < 4 or kind == np.int32 else int64)
         colors, seen = value_colors.color_labels(labels, PALETTE / 255, NOISE)
-        return Coloring(colors, "labels", names=_name_labels(seen, name), title=name or "label")
+        return Coloring(colors, "labels", names=name_labels(seen, name), title=name or "label")
     if values.dtype not in (float32, float64):
         values = cast(values, float32 if kind.itemsize <= 2 else float64)
     if limits is None:
@@ -183,7 +183,7 @@ def _find_limits(values: NDArray[Any]) -> tuple[float, float]:
     return (low, high) if low < high else (float(finite.min()), float(finite.max()))
 
 
-def _name_labels(seen: list[int], attribute: str) -> dict[int, str]:
+def name_labels(seen: list[int], attribute: str) -> dict[int, str]:
     """Names of labels: the standard's for classes of LAS, else their numbers."""
     names = {}
     for label in seen:

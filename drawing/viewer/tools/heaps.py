@@ -74,7 +74,8 @@ def measure_heap(
             than four million cells; no point within.
 
     Notes:
-        Memory: 40 B a point and 60 B a cell. Ten million points and a million cells take some 3 s of one core.
+        Memory: 60 B a cell, and 150 MB while it looks at two million points at a time. NumPy on one core: ten million
+        points and 700,000 cells take 2 s of it.
 
     Example:
         >>> import numpy as np
