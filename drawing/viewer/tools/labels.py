@@ -23,7 +23,7 @@ Color = tuple[int, int, int]
 
 BRUSH_CORNERS = 32
 HIGHEST = 255  # label: a byte a point, as of LAS
-CELL = 3.0  # [px] of the grid in which the foremost point hides what lies behind it
+CELL = 4.0  # [px] of the grid in which the foremost point hides what lies behind it
 STEEPNESS = 10.0  # lengths as wide as a cell that a point may lie behind the foremost one and still be seen
 
 
@@ -72,23 +72,24 @@ def meant_points(
         through: Whether points that lie behind others are meant as well.
 
     Notes:
-        A point is seen where no other in its square of 3 pixels lies more than ten of them nearer, as picking has it;
+        A point is seen where no other in its square of 4 pixels lies more than ten of them nearer, as picking has it;
         so surfaces count to 84 degrees of slope, and points of a second surface close behind the first one, too.
         Surfaces of triangles hide nothing.
     """
     indices, places, depths = _inside(target, view, polygon)
     if through or not len(indices):
         return indices
-    cells = [_cells(places)]
-    all_depths = [depths]
-    for other in others:
+    low, high = polygon.min(axis=0) - CELL, polygon.max(axis=0) + CELL  # cells at the edge need all of their points
+    around = np.array([[low[0], low[1]], [high[0], low[1]], [high[0], high[1]], [low[0], high[1]]])
+    cells, nearer = [_cells(places)], [depths]
+    for other in (target, *others):
         if other.cloud is not None and len(other.cloud):
-            _, beside, beyond = _inside(other, view, polygon)
+            _, beside, before = _inside(other, view, around)
             cells.append(_cells(beside))
-            all_depths.append(beyond)
+            nearer.append(before)
     _, numbers = np.unique(np.concatenate(cells), return_inverse=True)
     foremost = np.full(int(numbers.max()) + 1, np.inf)
-    np.minimum.at(foremost, numbers, np.concatenate(all_depths))
+    np.minimum.at(foremost, numbers, np.concatenate(nearer))
     nearest = foremost[numbers[: len(indices)]]
     reach = STEEPNESS * CELL * nearest / view.intrinsic.fx
     return indices[depths <= nearest + reach]
