@@ -98,6 +98,7 @@ class Item:
 
     def __post_init__(self):
         self._shown: NDArray[np.uint8] | None = None
+        self._moved: tuple[Matrix | None, Bounds | None] | None = None
         self._sample: NDArray[np.float64] | None = None
 
     @property
@@ -121,10 +122,13 @@ class Item:
         """The box around all that is drawn, moved by the pose; None where nothing is."""
         if self.bounds is None or self.pose is None:
             return self.bounds
-        ends = np.stack(self.bounds)
-        box = np.array([[ends[i, 0], ends[j, 1], ends[k, 2]] for i in (0, 1) for j in (0, 1) for k in (0, 1)])
-        moved = box @ self.pose[:3, :3].T + self.pose[:3, 3]
-        return moved.min(axis=0), moved.max(axis=0)
+        if self._moved is None or self._moved[0] is not self.pose:
+            # the middle moves, and half the extent turns: what reaches along an axis are the parts along it
+            R, t = self.pose[:3, :3], self.pose[:3, 3]
+            middle, half = (self.bounds[0] + self.bounds[1]) / 2, (self.bounds[1] - self.bounds[0]) / 2
+            place, reach = R @ middle + t, np.abs(R) @ half
+            self._moved = self.pose, (place - reach, place + reach)
+        return self._moved[1]
 
     @property
     def has_colors_in_tree(self) -> bool:
