@@ -72,8 +72,9 @@ class ClipControls:
 
     def clip(self) -> Clip:
         """What the controls say."""
+        rules = self._stage.filters
         if not self._on.value:
-            return Clip()
+            return Clip(filters=rules)
         low, high = self._box()
         ends = []
         for slider in self._ranges:
@@ -82,12 +83,13 @@ class ClipControls:
             ends.append((-np.inf if a <= slider.min else a, np.inf if b >= slider.max else b))
         box = [min(a, b) for a, b in ends], [max(a, b) for a, b in ends]
         if self._plane.value == NO_PLANE:
-            return Clip(*box)
+            return Clip(*box, filters=rules)
         normal = np.array(self._normal) * (-1 if self._flip.value else 1)
         corners = np.array([[a, b, c] for a in (low[0], high[0]) for b in (low[1], high[1]) for c in (low[2], high[2])])
         heights = corners @ normal
         share = 1 - self._place.value if self._flip.value else self._place.value
-        return Clip(*box, normal=normal, offset=float(heights.min() + share * np.ptp(heights)))
+        offset = float(heights.min() + share * np.ptp(heights))
+        return Clip(*box, normal=normal, offset=offset, filters=rules)
 
     def apply(self) -> None:
         """Hide what the planes hide, in clouds and surfaces, and show all else."""
@@ -105,9 +107,9 @@ class ClipControls:
             known = self._applied.get(name)
             if item is None or item.points is None or (known is None and not clip.cuts):
                 continue
-            told = stream, clip, item.pose
+            told = stream, clip, item.pose, item.cloud
             if not _same(known, told):
-                stream.set_keep(clip.keeper(item.pose_of(item.points)) if clip.cuts else None)
+                stream.set_keep(clip.keeper(item.pose_of(item.points), item.cloud) if clip.cuts else None)
                 self._applied[name] = told
         if not clip.cuts:
             self._applied.clear()
@@ -144,10 +146,10 @@ class ClipControls:
 
     def _cut_surfaces(self, items: dict[str, Any], clip: Clip) -> None:
         """In this page, surfaces of our own stand for those that all pages share: a page's node hides its namesake."""
-        for name in [n for n, cut in self._cut.items() if not clip.cuts or n not in items]:
+        for name in [n for n, cut in self._cut.items() if not clip.planes_cut or n not in items]:
             for node in self._cut.pop(name)[1]:
                 node.remove()
-        if not clip.cuts:
+        if not clip.planes_cut:
             return
         for name, item in items.items():
             shared = self._stage.viewer.surface_nodes(name)

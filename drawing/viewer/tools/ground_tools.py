@@ -122,7 +122,7 @@ class ProfileTool(PathTool):
     def start(self) -> None:
         """What may be chosen, and what can be kept."""
         gui, ask = self.stage.client.gui, self.stage.ask
-        self._width = gui.add_number("width", 0.0, hint="of the strip along the line; 0 takes a hundredth of its length")
+        self._width = gui.add_number("width", 0.0, hint="of the strip; 0 takes a hundredth of the line")
         gui.add_button("Draw (Enter)").on_click(lambda _: ask(self.finish))
         gui.add_button("Begin anew").on_click(lambda _: ask(super(ProfileTool, self).finish))
         self._results = gui.add_folder(None)

@@ -12,10 +12,10 @@ from numpy.typing import NDArray
 
 from ....core.checks import check_name
 from ....kernels.drawing.picking import mask_seen
-from ....kernels.lang import vec2d
+from ....kernels.lang import vec2d, vec3
 from ....kernels.memory import download, upload
 from ....pcd.cloud import PointCloud
-from ...render.coloring import label_color, name_labels
+from ...render.coloring import Coloring, label_color, name_labels
 from ...render.view import View
 from .picking import T_camera_points, Target
 
@@ -227,6 +227,19 @@ class Painting:
     def colors_of(self, indices: Any) -> NDArray[np.uint8]:
         """The colours of points, uint8 [k, 3]."""
         return self.table()[self.labels[indices]]
+
+    def usual_color(self, number: int) -> Color:
+        """The colour that a label has unless it is given another."""
+        return to_color(label_color(number))
+
+    def coloring(self, device: Any) -> Coloring:
+        """The colours of all points, and what they mean; 12 B a point."""
+        shares = self.table().astype(np.float32) / np.float32(255)
+        there = [number for number, count in self.counts().items() if count]
+        names = name_labels(there, self.attribute) | {k: label.name for k, label in self.classes.items() if k in there}
+        colors = {k: (float(shares[k, 0]), float(shares[k, 1]), float(shares[k, 2])) for k in there}
+        values = upload(shares[self.labels], vec3, device)
+        return Coloring(values, "labels", names=names, title=self.attribute, label_colors=colors)
 
     def counts(self) -> dict[int, int]:
         """How many points have each class, those with none too."""

@@ -13,6 +13,7 @@ from ....core.checks import shown
 from ....files.points.point_cloud import write_point_cloud
 from ...render.view import View
 from ..history import Change
+from ..painted import begin_painting, show_painting
 from .labels import Painting, Stroke, brush, meant_points
 from .stage import Tool, check_room
 
@@ -20,7 +21,6 @@ BRUSH, POLYGON = "round brush", "polygon"
 FORMATS = (".las", ".ply", ".npz")
 MOST_SENT = 256 << 20  # bytes of a file that a page is sent
 _LABELS = ("classification", "label", "labels", "class", "segment", "semantic")
-_NEW = "+"  # begins the name of no class
 
 
 class PaintTool(Tool):
@@ -111,7 +111,7 @@ class PaintTool(Tool):
     def _begin(self) -> None:
         """Take up the labels that are there, and show them."""
         item, _ = self.stage.cloud(self._cloud.value)
-        painting = self.stage.viewer.begin_painting(item.name, self._attribute.value.strip())
+        painting = begin_painting(self.stage.viewer, item.name, self._attribute.value.strip())
         options = tuple(f"{label.number} {label.name}" for label in painting.classes.values())
         if tuple(self._class.options) != options:
             self._class.options = options
@@ -155,7 +155,7 @@ class PaintTool(Tool):
         return go
 
     def _apply(self, item: Any, painting: Painting) -> None:
-        self.stage.viewer.show_painting(item.name)
+        show_painting(self.stage.viewer, item.name)
         self._show_legend(painting)
 
     def _number(self) -> int:

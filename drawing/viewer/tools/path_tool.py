@@ -106,4 +106,3 @@ class MeasureTool(PathTool):
         for a, b in itertools.pairwise(places if unit is None or unit.metres is not None else []):
             self.stage.label((a + b) / 2, length_text(float(np.linalg.norm(b - a)), unit))
         self.stage.show(measurements(places, unit))
-

@@ -35,4 +35,3 @@ class PointTool(Tool):
         """Forget the point."""
         self.stage.clear()
         self.stage.show([])
-
