@@ -25,6 +25,7 @@ class AreaTool(PathTool):
     """Measures the area of a polygon of clicks."""
 
     label = "Area"
+    key = "A"
     hint = "Click the corners of a polygon on points or surfaces. Backspace takes one back, Enter begins anew."
     closed = True
 
@@ -42,6 +43,7 @@ class VolumeTool(PathTool):
     """Measures what lies above and below a base within a polygon of clicks; of a closed mesh, its volume."""
 
     label = "Volume"
+    key = "B"
     hint = "Click around a heap or a pit, then Enter. A click on a closed mesh gives its volume."
     closed = True
 
@@ -117,6 +119,7 @@ class ProfileTool(PathTool):
     """Shows the heights of points along a line of clicks, as a plot and as a table to keep."""
 
     label = "Height profile"
+    key = "E"
     hint = "Click along a line over the points, then Enter."
 
     def start(self) -> None:

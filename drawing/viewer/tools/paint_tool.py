@@ -2,24 +2,23 @@
 
 from __future__ import annotations
 
-import tempfile
+from functools import partial
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ....core.checks import shown
 from ....files.points.point_cloud import write_point_cloud
 from ...render.view import View
 from ..history import Change
 from ..painted import begin_painting, show_painting
+from .kept_files import keep_file, place_of_files
 from .labels import Painting, Stroke, brush, meant_points
 from .stage import Tool, check_room
 
 BRUSH, POLYGON = "round brush", "polygon"
-FORMATS = (".las", ".ply", ".npz")
-MOST_SENT = 256 << 20  # bytes of a file that a page is sent
+SUFFIXES = (".las", ".laz", ".ply", ".pcd", ".npz")
 _LABELS = ("classification", "label", "labels", "class", "segment", "semantic")
 
 
@@ -27,10 +26,12 @@ class PaintTool(Tool):
     """Paints classes onto points that are seen, by a round brush or a polygon, and saves them with the cloud."""
 
     label = "Paint labels"
+    key = "L"
     hint = "Click on points: the brush gives them the class. Ctrl+Z takes it back."
 
-    def __init__(self, stage: Any):
+    def __init__(self, stage: Any, folder: Path | None = None):
         super().__init__(stage)
+        self._folder = Path.cwd() if folder is None else folder
         self._corners: list[NDArray[np.float64]] = []  # [px]
         self._drawn_in: View | None = None
 
@@ -50,7 +51,7 @@ class PaintTool(Tool):
         self._seen = gui.add_checkbox("seen points only", True, hint="else those behind them, too")
         gui.add_button("Paint the polygon (Enter)").on_click(lambda _: ask(self.finish))
         self._legend = gui.add_legend([])
-        self._format = gui.add_dropdown("format", FORMATS)
+        self._file = gui.add_text("file", "labels.ply", hint=place_of_files(self.stage, self._folder))
         gui.add_button("Save the labels").on_click(lambda _: ask(self._save))
         self._cloud.on_update(lambda _: ask(self._begin))
         self._attribute.on_update(lambda _: ask(self._begin))
@@ -213,27 +214,13 @@ class PaintTool(Tool):
         self.stage.clear()
 
     def _save(self) -> None:
-        """Have the page save the cloud with its labels."""
+        """Write the cloud with its labels, to the program's folder or by the page."""
         item, cloud = self.stage.cloud(self._cloud.value)
-        painting, suffix = self._painting(), self._format.value
-        if suffix not in FORMATS:
-            raise ValueError(f"format: expected one of {', '.join(FORMATS)}, got {shown(suffix)}")
+        painting = self._painting()
         saved = painting.unsaved
-        with tempfile.TemporaryDirectory(prefix="pointloom-") as folder:
-            path = Path(folder) / f"labels{suffix}"
-            write_point_cloud(path, item.select(np.arange(len(cloud))) if item.has_colors_in_tree else cloud)
-            if path.stat().st_size > MOST_SENT:
-                raise ValueError(
-                    f"the file has {path.stat().st_size / 2**20:,.0f} MiB, more than a page is sent; in the program, "
-                    f'loom.write_point_cloud("labels{suffix}", viewer.items[{item.name!r}].cloud) writes it'
-                )
-            self.stage.client.download(f"{_plain(item.name)} labels{suffix}", path.read_bytes())
+        whole = item.select(np.arange(len(cloud))) if item.has_colors_in_tree else cloud
+        write = partial(write_point_cloud, cloud=whole, overwrite=False)
+        place = keep_file(self.stage, self._folder, self._file.value, SUFFIXES, write)
         painting.unsaved -= saved
         self._show_legend(painting)
-        self.stage.say(f"{len(cloud):,} points sent to this page with {painting.attribute}; look in its downloads.")
-
-
-def _plain(name: str) -> str:
-    """A name for a file: letters, digits and a few signs."""
-    stem = Path(name).stem or "cloud"
-    return "".join(c if c.isalnum() or c in " .-_()" else "_" for c in stem)[:60].strip() or "cloud"
+        self.stage.say(f"{len(cloud):,} points with {painting.attribute} are {place}.")
