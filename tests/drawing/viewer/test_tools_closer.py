@@ -1,7 +1,5 @@
 """The tools that look closer, at work in a page that is a stand-in."""
 
-from types import SimpleNamespace
-
 import numpy as np
 import pytest
 
