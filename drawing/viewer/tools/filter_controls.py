@@ -162,7 +162,8 @@ class FilterControls:
             by = self._census.by
             rule = dataclasses.replace(self._rules.get(by, Filter(by)), **fields)
             rest = {name: other for name, other in self._rules.items() if name != by}
-            self._set({**rest, by: rule} if rule.cuts else rest, f"Filter by {by}", key=f"filter {by}")
+            key = f"filter {by}" if "low" in fields else None  # a range that is dragged is one change
+            self._set({**rest, by: rule} if rule.cuts else rest, f"Filter by {by}", key)
 
     def _set(self, rules: dict[str, Filter], label: str, key: str | None = None) -> None:
         """Other rules from now on; the page's history can go back."""

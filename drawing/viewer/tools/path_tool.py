@@ -98,6 +98,7 @@ class MeasureTool(PathTool):
     """Measures along a path of clicks."""
 
     label = "Measure"
+    key = "M"
     hint = "Click on points or surfaces: two give a distance, more a path and angles. Backspace takes one back."
 
     def tell(self, unit: LengthUnit | None) -> None:

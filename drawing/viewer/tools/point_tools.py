@@ -11,6 +11,7 @@ class PointTool(Tool):
     """Shows what is known of the point that is clicked on."""
 
     label = "Pick a point"
+    key = "I"
     hint = "Click on a point or a surface. Escape ends."
 
     def click(self, view: View, x: float, y: float) -> None:
