@@ -11,6 +11,7 @@ from ....kernels.lang import int32, vec3
 from ....kernels.memory import download, upload
 from ....meshing.mesh.mesh import TriangleMesh
 from ...render.parts import Triangles
+from ..history import Change
 from ..surfaces import surface_arrays
 from .clip_planes import Clip, clip_mesh
 from .stage import Stage
@@ -54,6 +55,7 @@ class ClipControls:
             self._flip = gui.add_checkbox("other side", False)
             gui.add_button("Whole scene").on_click(lambda _: ask(self.reset))
         self._normal = (0.0, 0.0, 1.0)
+        self._settings = self._all_settings()  # as they were applied last
         self._plane.on_update(lambda _: ask(self._choose_plane))
         for control in (self._on, self._place, self._flip):
             control.on_update(lambda _: self._ask())
@@ -100,6 +102,22 @@ class ClipControls:
         self._pending = False
         self._stage.clip = self.clip()
         self._hide(self._stage.clip)
+        before, self._settings = self._settings, self._all_settings()
+        if self._settings != before:
+            after = self._settings
+            change = Change("Clip planes", lambda: self._restore(before), lambda: self._restore(after), "clip planes")
+            self._stage.history.add(change)
+
+    def _all_settings(self) -> tuple[Any, ...]:
+        ends = tuple(slider.value for slider in self._ranges)
+        return self._on.value, ends, self._plane.value, self._normal, self._place.value, self._flip.value
+
+    def _restore(self, settings: tuple[Any, ...]) -> None:
+        """Have the controls stand as they did."""
+        self._on.value, ends, self._plane.value, self._normal, self._place.value, self._flip.value = settings
+        for slider, value in zip(self._ranges, ends, strict=True):
+            slider.value = value
+        self.apply()
 
     def _hide(self, clip: Clip) -> None:
         session = self._stage.session

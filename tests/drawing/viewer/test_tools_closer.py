@@ -259,3 +259,30 @@ def test_labels_are_saved_by_the_page_and_those_that_are_not_are_told(page, tmp_
     saved = loom.read_point_cloud(tmp_path / f"labels{suffix}")
     np.testing.assert_array_equal(saved["classification"], page.cloud["classification"])
     assert page.items["heap"].painting.unsaved == 0 and page.told_rows == {} and "saved to" in page.told
+
+
+# ------------------------------------------------------------------------------------------------ undo
+
+
+def test_clip_planes_and_crops_are_taken_back(page, tmp_path):
+    page.set("clip", True)
+    page.set("x", [UTM[0], page.page.control("x").max])
+    half = page.cloud.points[:, 0] >= UTM[0]
+    np.testing.assert_array_equal(seen(page), half)
+    page.press("Crop by polygon")
+    for corner in ((1, 1), (998, 1), (998, 798), (1, 798)):
+        page.click(*corner)
+    page.key("enter")
+    assert len(page.items["heap (cropped)"].cloud) == half.sum() and "hidden by clip planes or filters" in page.told
+    page.key("Ctrl+Z")
+    assert list(page.items) == ["heap"] and page.items["heap"].visible and "the file stays" in page.told
+    page.key("Ctrl+Shift+Z")
+    assert list(page.items) == ["heap", "heap (cropped)"] and not page.items["heap"].visible
+    page.remove("heap (cropped)")
+    page.remove("heap")
+    page.add("other", heap())
+    page.key("Ctrl+Z")
+    assert "Cannot be taken back" in page.told and "no longer in the scene" in page.told
+    page.key("escape")
+    page.key("Ctrl+Z")
+    assert page.page.control("clip").value is False and page.notices[-1] == "Taken back: Clip planes"
