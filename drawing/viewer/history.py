@@ -36,6 +36,9 @@ class History:
     Args:
         clock: Seconds, for changes that count as one.
 
+    Attributes:
+        is_watched: Whether somebody waits for an action's end to add what it changed.
+
     Example:
         >>> values, history = [0], History()
         >>> def set_value(value):
@@ -54,7 +57,7 @@ class History:
         self._done: list[Change] = []
         self._undone: list[Change] = []
         self._last, self._is_busy = -TOGETHER, False
-        self._forgotten = 0
+        self._forgotten, self.is_watched = 0, False
 
     def add(self, change: Change) -> None:
         """A change that has been made; what was taken back before it cannot be done again. While one is taken back or

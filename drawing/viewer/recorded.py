@@ -46,18 +46,22 @@ def remembered(viewer: Viewer, session: Session | None) -> Iterator[None]:
 
     Only what it changed goes back: what another page has changed meanwhile stays.
     """
+    history = None if session is None or viewer.closed else session.history
+    if history is None or history.is_watched:  # one action of another
+        yield
+        return
     with viewer.lock:
         before = look_of(viewer)
+    history.is_watched = True
     try:
         yield
     finally:
-        history = None if session is None or viewer.closed else session.history
-        if history is not None:
-            with viewer.lock:
-                after = look_of(viewer)
-            change = change_between(viewer, before, after)
-            if change is not None:
-                history.add(change)
+        history.is_watched = False
+        with viewer.lock:
+            after = look_of(viewer)
+        change = change_between(viewer, before, after)
+        if change is not None:
+            history.add(change)
 
 
 def change_between(viewer: Viewer, before: Look, after: Look) -> Change | None:
