@@ -150,6 +150,11 @@ class Session:
         """What the page's clip planes leave; None before it has tools."""
         return None if self._toolbox is None else self._toolbox.stage.clip
 
+    @property
+    def history(self) -> Any:
+        """What was changed in the page; None before it has tools."""
+        return None if self._toolbox is None else self._toolbox.stage.history
+
     def refresh_tools(self) -> None:
         """The scene has changed: clip planes cut it, tools offer what there is."""
         if self._toolbox is not None and not self.closed:

@@ -121,7 +121,11 @@ def shown_geometries(viewer: Viewer, clip: Clip | None = None) -> list[Named]:
     for item in viewer.items.values():
         if item.visible:
             geometry, style = item.geometry if item.cloud is None else with_colors(item), _style(viewer, item)
-            shown.append((item.name, geometry if clip is None else clipped(geometry, clip, style.pose), style))
+            if clip is not None:
+                geometry = clipped(geometry, clip, style.pose)
+            if item.painting is not None and style.color_by == item.painting.attribute:
+                geometry, style = _with_classes(geometry, item), dataclasses.replace(style, color_by="rgb")
+            shown.append((item.name, geometry, style))
     return shown
 
 
@@ -133,7 +137,14 @@ def clipped(geometry: Any, clip: Clip, pose: Any) -> Any:
         return clip_mesh(geometry, clip, pose=pose)
     if not isinstance(geometry, PointCloud) or not len(geometry):
         return geometry
-    return geometry.select_by_index(np.flatnonzero(clip.keeper(pose)(geometry.points, np.arange(len(geometry)))))
+    return geometry.select_by_index(np.flatnonzero(clip.keeper(pose, geometry)(geometry.points)))
+
+
+def _with_classes(cloud: PointCloud, item: Item) -> PointCloud:
+    """A cloud in the colours of the classes that were painted onto it."""
+    colored = cloud.copy()
+    colored.colors = item.painting.table()[np.asarray(cloud[item.painting.attribute])]
+    return colored
 
 
 def with_colors(item: Item) -> PointCloud:
