@@ -117,12 +117,15 @@ def as_entry(named: Named) -> dict[str, Any]:
 
 def shown_geometries(viewer: Viewer, clip: Clip | None = None) -> list[Named]:
     """What the viewer shows, in the styles that it shows it in; clouds and meshes as clip planes leave them."""
-    shown = []
-    for item in viewer.items.values():
-        if item.visible:
-            geometry, style = item.geometry if item.cloud is None else with_colors(item), _style(viewer, item)
-            shown.append((item.name, geometry if clip is None else clipped(geometry, clip, style.pose), style))
-    return shown
+    named = [shown_geometry(viewer, item) for item in viewer.items.values() if item.visible]
+    if clip is None:
+        return named
+    return [(name, clipped(geometry, clip, style.pose), style) for name, geometry, style in named]
+
+
+def shown_geometry(viewer: Viewer, item: Item) -> Named:
+    """A geometry of the viewer in the style that it is shown in."""
+    return item.name, item.geometry if item.cloud is None else with_colors(item), _style(viewer, item)
 
 
 def clipped(geometry: Any, clip: Clip, pose: Any) -> Any:
