@@ -135,10 +135,10 @@ class ViewJob:
             if not self._ends.names:  # what comes through a pipe has been waited for
                 first = first_looks(self.files, min(self.max_points, FIRST_LOOK), larger_than=self.max_points)
             if first:
-                viewer.add_all(first)
+                viewer.add_named(first)
                 open_up()
             self.read()  # once it is known that there can be a server
-            viewer.add_all(self.named, self.trees)
+            viewer.add_named(self.named, self.trees)
             for name, _, _ in first:
                 viewer.remove(name)
             if self.color_by is not None:

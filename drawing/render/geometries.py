@@ -127,13 +127,14 @@ def named_geometries(geometries: Any) -> list[Named]:
     else:
         given = [(None, geometries)]
     found: list[Named] = []
+    taken: dict[str, int] = {}  # names, and the last number that was tried of each
     for name, value in given:
         geometry, style = value, Style()
         if isinstance(value, Mapping):
             name, geometry, style = _read_entry(value, name)
         geometry = as_known(geometry)
         kind = kind_of(geometry)
-        name = _free_name(name or kind, {taken for taken, _, _ in found})
+        name = _free_name(name or kind, taken)
         found.append((name, geometry, style))
     return _told_apart(found)
 
@@ -154,11 +155,14 @@ def _read_entry(entry: Mapping[Any, Any], name: str | None) -> tuple[str | None,
     return name, entry["geometry"], Style(**{key: entry[key] for key in STYLE_KEYS if key in entry})
 
 
-def _free_name(name: str, taken: set[str]) -> str:
-    number, free = 1, name
+def _free_name(name: str, taken: dict[str, int]) -> str:
+    """A name that is not taken, with a number where it has to be; takes it."""
+    number, free = taken.get(name, 1), name
     while free in taken:
         number += 1
         free = f"{name} {number}"
+    taken[name] = number
+    taken.setdefault(free, 1)
     return free
 
 

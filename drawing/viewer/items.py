@@ -8,15 +8,14 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ...core.quaternions import quaternions_to_rotations, rotations_to_quaternions
 from ...kernels.arrays.bounds import bound_points
 from ...kernels.memory import download
 from ...pcd.cloud import PointCloud
 from ..render.geometries import Style, bounds_of, parts_of
 from ..render.parts import Part, Points, Triangles
+from .extents import Bounds
 
 Matrix = NDArray[np.float64]
-Bounds = tuple[NDArray[np.float64], NDArray[np.float64]]
 
 # Extents [m] that a browser's camera works well in; others are drawn in another unit of length.
 SMALLEST, LARGEST = 0.05, 1e5
@@ -48,22 +47,24 @@ class Frame:
             unit = 10.0 ** np.floor(np.log10(extent))
         return cls((low + high) / 2, unit)
 
-    def place(self, origin: NDArray[np.float64], pose: Matrix | None) -> tuple[NDArray[Any], NDArray[np.float64]]:
-        """The quaternion (w, x, y, z) and the position in the page of what counts from `origin`."""
+    def place(self, origin: NDArray[np.float64], pose: Matrix | None) -> tuple[Matrix | None, NDArray[np.float64]]:
+        """The rotation (None: none) and the position in the page of what counts from `origin`."""
         if pose is None:
-            return np.array([1.0, 0.0, 0.0, 0.0]), (origin - self.origin) / self.unit
-        return quaternion(pose[:3, :3]), (pose[:3, :3] @ origin + pose[:3, 3] - self.origin) / self.unit
+            return None, self.to_page(origin)
+        return pose[:3, :3], self.to_page(pose[:3, :3] @ origin + pose[:3, 3])
 
+    def placing(self, origin: NDArray[np.float64], pose: Matrix | None) -> dict[str, Any]:
+        """The same and the scale, as nodes of the page take them."""
+        R, t = self.place(origin, pose)
+        return {"R": R, "t": t, "scale": 1 / self.unit}
 
-def quaternion(R: Matrix) -> NDArray[np.float64]:
-    """The unit quaternion (w, x, y, z) of a rotation."""
-    return np.roll(rotations_to_quaternions(R[None])[0], 1)
+    def to_page(self, places: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Places of the world [m] in the coordinates of the page."""
+        return (places - self.origin) / self.unit
 
-
-def rotation(q: Any) -> Matrix:
-    """The rotation of a quaternion (w, x, y, z)."""
-    xyzw = np.roll(np.asarray(q, np.float64) / np.linalg.norm(q), -1)
-    return quaternions_to_rotations(xyzw[None])[0]
+    def to_world(self, places: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Places in the page in the world [m]."""
+        return places * self.unit + self.origin
 
 
 @dataclasses.dataclass(eq=False)
@@ -98,6 +99,7 @@ class Item:
 
     def __post_init__(self):
         self._shown: NDArray[np.uint8] | None = None
+        self._moved: tuple[Matrix | None, Bounds | None] | None = None
         self._sample: NDArray[np.float64] | None = None
 
     @property
@@ -111,6 +113,11 @@ class Item:
         """Whether there are triangles."""
         return any(isinstance(part, Triangles) for part in self.parts)
 
+    @property
+    def triangle_count(self) -> int:
+        """How many triangles there are."""
+        return sum(part.indices.size // 3 for part in self.parts if isinstance(part, Triangles))
+
     def pose_of(self, part: Part) -> Matrix | None:
         """Where a part stands."""
         if self.pose is None or part.pose is None:
@@ -121,10 +128,13 @@ class Item:
         """The box around all that is drawn, moved by the pose; None where nothing is."""
         if self.bounds is None or self.pose is None:
             return self.bounds
-        ends = np.stack(self.bounds)
-        box = np.array([[ends[i, 0], ends[j, 1], ends[k, 2]] for i in (0, 1) for j in (0, 1) for k in (0, 1)])
-        moved = box @ self.pose[:3, :3].T + self.pose[:3, 3]
-        return moved.min(axis=0), moved.max(axis=0)
+        if self._moved is None or self._moved[0] is not self.pose:
+            # the middle moves, and half the extent turns: what reaches along an axis are the parts along it
+            R, t = self.pose[:3, :3], self.pose[:3, 3]
+            middle, half = (self.bounds[0] + self.bounds[1]) / 2, (self.bounds[1] - self.bounds[0]) / 2
+            place, reach = R @ middle + t, np.abs(R) @ half
+            self._moved = self.pose, (place - reach, place + reach)
+        return self._moved[1]
 
     @property
     def has_colors_in_tree(self) -> bool:

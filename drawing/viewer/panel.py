@@ -18,7 +18,8 @@ from ..render.colormaps import colormap_table
 from ..render.legends import cut_text, draw_legend
 from ..render.ticks import choose_ticks
 from .actions import Actions
-from .coloring_choice import COLORMAPS, choices_of, shown_coloring
+from .coloring_choice import COLORMAPS, Choices, shown_coloring
+from .items import Item
 from .keys import KEYS, add_key, bind_keys
 from .tools.toolbox import Toolbox
 
@@ -44,6 +45,7 @@ class Panel:
         self._viewer, self.actions = viewer, Actions(viewer)
         gui = self._gui = viewer.server.viser.gui
         self._boxes: dict[str, Any] = {}
+        self._choices, self._is_told = Choices(), False  # whether choices and legend are those of the items
         gui.main_panel.dock_right()  # beside the scene, not over it
         self._top = gui.add_folder(None, order=0)
         self._add_colors(gui)
@@ -73,29 +75,40 @@ class Panel:
 
     # -- what the panel says ------------------------------------------------------------------------------------------
 
-    def list_items(self) -> None:
-        """A box to tick for each geometry."""
-        items = self._viewer.items
-        for name in [name for name in self._boxes if name not in items]:
+    def put_item(self, item: Item) -> None:
+        """A box to tick for a geometry, as it is now; what it can be coloured by."""
+        self._is_told = False
+        self._choices.put(item)
+        box = self._boxes.get(item.name)
+        if box is not None:
+            box.value = item.visible
+            return
+        name = item.name
+        label = name if len(name) <= _MOST_NAME else f"{name[: _MOST_NAME - 1]}…"
+        with self._scene:
+            box = self._gui.add_checkbox(label, item.visible)
+        box.on_update(lambda event, name=name: self.actions.set_visible(event.client_id, name, event.target.value))
+        self._boxes[name] = box
+
+    def drop_item(self, name: str) -> None:
+        """A geometry has gone."""
+        self._is_told = False
+        self._choices.drop(name)
+        if name in self._boxes:
             self._boxes.pop(name).remove()
-        for name, item in items.items():
-            if name in self._boxes:
-                self._boxes[name].value = item.visible
-                continue
-            label = name if len(name) <= _MOST_NAME else f"{name[: _MOST_NAME - 1]}…"
-            with self._scene:
-                box = self._gui.add_checkbox(label, item.visible)
-            box.on_update(lambda event, name=name: self.actions.set_visible(event.client_id, name, event.target.value))
-            self._boxes[name] = box
-        known = [OWN]
-        for item in items.values():
-            known += [n for n in choices_of(item.cloud) if n not in known] if item.cloud is not None else []
-        if tuple(known) != tuple(self._by.options):
-            self._by.options = tuple(known)
+
+    def catch_up(self) -> None:
+        """Tell what the colours mean, where items have come, changed or gone since."""
+        if not self._is_told:
+            self.show_legend()
 
     def show_legend(self) -> None:
         """What the colours mean."""
+        self._is_told = True
         choice, items = self._viewer.coloring, self._viewer.items.values()
+        known = (OWN, *self._choices.names())
+        if known != tuple(self._by.options):
+            self._by.options = known
         coloring = shown_coloring(items)
         self._by.value = choice.by if choice.by in self._by.options else OWN
         self._legend.visible = coloring is not None

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+import contextlib
 import math
 import os
 import time
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from types import MappingProxyType
 from typing import Any
 
@@ -105,10 +106,10 @@ class Viewer(Scene):
     # -- the scene ----------------------------------------------------------------------------------------------------
 
     def add(self, name: str, geometry: Any, **style: Any) -> None:
-        """Add a geometry to the scene; one of the same name goes.
+        """Add a geometry to the scene; one of the same name goes. Of many, `batch` makes one message.
 
         Args:
-            name: What it is called, in the page's list too.
+            name: What it is called, in the page's list too; those with a "/" are listed in groups: "cars/7".
             geometry: A cloud, mesh, box, line set, trajectory, voxel grid, frustum or another that `loom.render` draws.
             style: color, color_by, colormap, limits, point_size, metric, line_width, wireframe, back_faces, shaded,
                 pose, as of `loom.render`.
@@ -118,30 +119,70 @@ class Viewer(Scene):
         """
         check_name("name", name)
         colormap = {name: check_name(name, style[name]) for name in ("colormap",) if style.get(name) is not None}
-        self.add_all(named_geometries([{"geometry": geometry, "name": name, **style, **colormap}]))
+        self.add_named(named_geometries([{"geometry": geometry, "name": name, **style, **colormap}]))
 
-    def add_all(self, named: list[Named], trees: Mapping[str, DetailTree] = MappingProxyType({})) -> None:
-        """Add several geometries at once, as of `named_geometries`, some perhaps with levels of detail by name."""
-        with self.lock:
+    def add_all(self, geometries: Any) -> None:
+        """Add several geometries at once: all of them or, where one cannot be drawn, none.
+
+        Args:
+            geometries: A mapping of names to geometries, or a list of geometries or of dictionaries as `loom.draw`
+                takes them: {"geometry": g, "name": "floor", "color": (1, 0, 0)}. Several clouds without colours get
+                different ones. What has the name of one goes.
+
+        Raises:
+            TypeError: A geometry of no known kind.
+            ValueError: A key of style that there is none, or a value out of range.
+
+        Example:
+            >>> import numpy as np, pointloom as loom
+            >>> with loom.Viewer(port=0) as viewer:
+            ...     viewer.add_all({f"cars/{k}": np.full((1, 3), k) for k in range(3)})
+            ...     list(viewer.items)
+            ['cars/0', 'cars/1', 'cars/2']
+        """
+        self.add_named(named_geometries(geometries))
+
+    def add_named(self, named: list[Named], trees: Mapping[str, DetailTree] = MappingProxyType({})) -> None:
+        """Add what `named_geometries` gives, some perhaps with levels of detail by name."""
+        with self.lock, self.batch():
             self._check_open()
             self._check_units(named)
             made = []
             for name, geometry, style in named:
                 made.append(make_item(name, self._next_number, geometry, style, trees.get(name)))
                 self._next_number += 1
-            was_empty = self._scene_bounds() is None
+            was_empty = not len(self._extents)
             for item in made:
                 self._take_out(item.name)
-                self.items[item.name] = item
+                self._take_in(item)
                 self._color(item)
                 if item.tree is None and isinstance(item.geometry, PointCloud):
                     self._build_levels(item)
             if was_empty:
                 self._settle()
-            with self.server.viser.atomic():
-                for item in made:
-                    self._show(item)
+            for item in made:
+                self._show(item)
+                self.panel.put_item(item)
             self._changed(was_empty)
+
+    @contextlib.contextmanager
+    def batch(self) -> Iterator[None]:
+        """Have pages take many changes as one, which they show in one picture.
+
+        Within another it is part of that one. Each thread has its own; what raises within it ends it, and what was
+        changed until then is shown.
+
+        Example:
+            >>> import numpy as np, pointloom as loom
+            >>> with loom.Viewer(port=0) as viewer:
+            ...     with viewer.batch():
+            ...         for k in range(100):
+            ...             viewer.add(f"boxes/{k}", loom.AxisAlignedBoundingBox([k, 0, 0], [k + 0.5, 1, 1]))
+            ...     len(viewer.items)
+            100
+        """
+        with self.server.viser.atomic():
+            yield
 
     def update(self, name: str, geometry: Any) -> None:
         """Show another geometry under a name, all at once and without a flicker; style, pose and visibility stay.
@@ -158,14 +199,15 @@ class Viewer(Scene):
             old = self._find(name)
             item = make_item(name, old.number, geometry, old.style)
             item.visible, item.pose = old.visible, old.pose
-            was_empty = self._scene_bounds() is None
+            was_empty = not len(self._extents)
             self._coming.pop(name, None)
-            self.items[name] = item
+            self._take_in(item)
             self._color(item)
             if was_empty:
                 self._settle()
             self._show(item)
-            self._changed(was_empty, listed=False)
+            self.panel.put_item(item)
+            self._changed(was_empty)
 
     def remove(self, name: str) -> None:
         """Take a geometry out of the scene.
@@ -181,7 +223,7 @@ class Viewer(Scene):
 
     def clear(self) -> None:
         """Take all out of the scene; what comes next is looked at anew."""
-        with self.lock:
+        with self.lock, self.batch():
             self._check_open()
             for name in list(self.items):
                 self._take_out(name)
@@ -208,8 +250,8 @@ class Viewer(Scene):
                 with session.as_it_lasts():
                     if name in session.streams:
                         session.streams[name].set_pose(item.pose_of(item.parts[0]))
-                    session.refresh_tools()
-            self._reach()
+            self._extents.put(name, item.world_bounds())
+            self._changed(False)
 
     def set_visible(self, name: str, visible: bool) -> None:
         """Show or hide a geometry.
@@ -226,9 +268,8 @@ class Viewer(Scene):
                 with session.as_it_lasts():
                     if name in session.streams:
                         session.streams[name].set_visible(item.visible)
-                    session.tell()
-                    session.refresh_tools()
-            self.panel.list_items()
+            self.panel.put_item(item)
+            self._changed(False)
 
     # -- where from ---------------------------------------------------------------------------------------------------
 

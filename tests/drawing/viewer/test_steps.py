@@ -44,6 +44,7 @@ def stream_of(shown, name="cloud"):
 
 
 def line_of(shown):
+    shown.catch_up()
     return next(iter(shown.sessions.values()))._line.content
 
 
@@ -188,6 +189,7 @@ def test_tools_learn_of_each_change_of_the_scene(rng):
         ):
             asked.clear()
             change()
+            shown.catch_up()
             assert asked
 
 

@@ -46,7 +46,9 @@ def page(shown):
 
 
 def session_of(shown):
+    """The first page, with all that followed from changes."""
     wait_until(lambda: shown.sessions)
+    shown.catch_up()
     with shown.lock:
         return next(iter(shown.sessions.values()))
 
@@ -108,6 +110,7 @@ def test_more_points_than_the_budget_are_shared_among_the_clouds(rng):
         shown.add("small", cloud_of(rng.random((500, 3))))
         assert session_of(shown).streams["small"].drawn == 500
         shown.add("other", cloud_of(rng.random((1000, 3)) + 5))
+        shown.catch_up()
         drawn = {name: stream.drawn for name, stream in session_of(shown).streams.items()}
         assert sum(drawn.values()) <= 1000
         assert drawn["small"] == 333
@@ -481,6 +484,7 @@ def test_names_reach_the_page_as_plain_text_alone(shown, page, rng):
 def test_the_panel_lists_what_is_there(shown, page, rng):
     shown.add("one", cloud_of(rng.random((5, 3))))
     shown.add("two", cloud_of(rng.random((5, 3)), ring=np.arange(5)))
+    shown.catch_up()
     assert list(shown.panel._boxes) == ["one", "two"]
     assert shown.panel._by.options == ("own colours", "height", "x", "y", "ring")
     box = shown.panel._boxes["one"]
