@@ -8,8 +8,10 @@ import os
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any
 
-from ...core.checks import check_callback, check_positive
+from ...core.checks import check_callback, check_number, check_positive
+from ...core.errors import PointloomError
 from .calls import Calls
+from .camera import view_of
 from .controls import FOLDER, Control, Controls
 from .items import Item
 from .live_timeline import HISTORY_BYTES, LiveTimeline
@@ -34,6 +36,8 @@ class Hooks:
     _calls_made: Calls | None = None
     _controls_made: Controls | None = None
     _pick_callbacks: tuple[Callable[[Pick], Any], ...] = ()
+    _answer: Callable[[], None]
+    _asked: frozenset[int] = frozenset()  # pages that are asked for signs
 
     # -- controls -----------------------------------------------------------------------------------------------------
 
@@ -255,8 +259,6 @@ class Hooks:
         Raises:
             TypeError, ValueError: No number, or nothing was logged: `set_time` was not called.
         """
-        from ...core.checks import check_number
-
         with self.lock:
             self._check_open()
             time = None if t is None else check_number("t", t)
@@ -298,14 +300,16 @@ class Hooks:
         sessions: dict[int, Any]
         panel: Any
         items: dict[str, Item]
+        frame: Any
+        bounds: Any
 
         def _check_open(self) -> None: ...
 
     def tell(self, client: int | None, text: str) -> None:
         """Show what went wrong in a page, or in all of them where none asked."""
-        clients = self.server.pages.get_clients()
-        for number in clients if client is None else {client} & {*clients}:
-            with contextlib.suppress(KeyError):
+        with contextlib.suppress(PointloomError):  # the viewer was closed meanwhile
+            clients = self.server.pages.get_clients()
+            for number in clients if client is None else {client} & {*clients}:
                 clients[number].notify("pointloom", text, error=True)
 
     def are_open(self) -> bool:
@@ -314,8 +318,14 @@ class Hooks:
 
     def ask_for_signs(self, answer: Callable[[], None]) -> None:
         """Have each page call back when it has drawn what it was sent."""
-        for session in tuple(self.sessions.values()):
-            session.when_drawn(answer)
+        self._answer = answer
+        with contextlib.suppress(PointloomError):  # the viewer was closed meanwhile
+            clients = self.server.pages.get_clients()
+            for client in [client for number, client in clients.items() if number not in self._asked]:
+                client.on_sign(lambda _: self._answer())
+            self._asked = frozenset(clients)
+            for client in clients.values():
+                client.ask_for_sign()
 
     def _calls(self) -> Calls:
         with self.lock:
@@ -345,11 +355,20 @@ class Hooks:
 
     def _on_click(self, event: Any) -> None:
         session = self.sessions.get(event.client_id)
-        found = None if session is None else session.pick_at(event)
+        if session is None or not (0 <= event.x <= 1 and 0 <= event.y <= 1):
+            return
+        stage = session.idle_stage()
+        if stage is None:  # a tool is at work, and has the click
+            return
+        view = view_of(event.camera, self.frame, self.bounds, event.camera.size)
+        x, y = event.x * view.intrinsic.width - 0.5, event.y * view.intrinsic.height - 0.5
+        found = stage.pick(view, x, y)
         if found is None:
             return
+        with self.lock:
+            found = with_attributes(found, self.items.get(found.name))
         for callback in self._pick_callbacks:
-            self._calls().call(event.client_id, lambda call=callback: call(found))
+            self._calls().call(event.client_id, lambda call=callback, pick=found: call(pick))
 
     def _viewer(self) -> Viewer:
         return self  # type: ignore[return-value]  # what inherits this

@@ -62,7 +62,7 @@ def logged(change: Callable[..., None]) -> Callable[..., None]:
             if timeline.is_live:
                 change(viewer, *arguments, **keywords)
                 given = (*arguments, *keywords.values())[:1]
-                timeline.take_scene([n for n, *_ in given[0]] if name == "add_all" else given)
+                timeline.take_scene([n for n, *_ in given[0]] if name == "add_named" else given)
             elif not getattr(_asker, "is_page", False):
                 viewer._check_open()
                 getattr(timeline, name)(*arguments, **keywords)
@@ -111,6 +111,7 @@ class LiveTimeline:
         self._shown: int | None = None  # the number of the moment that pages look at; None follows the newest
         self.is_whole = True  # whether all times are whole numbers
         self._control: Any = None
+        self._unbuilt: set[Item] = set()  # whose levels of detail were being built when another came in their place
 
     @property
     def is_live(self) -> bool:
@@ -147,10 +148,10 @@ class LiveTimeline:
 
     # what the viewer's calls of these names do while pages look at an earlier moment
 
-    def add_all(self, named: list[Any], trees: Mapping[str, Any] | None = None) -> None:
+    def add_named(self, named: list[Any], trees: Mapping[str, Any] | None = None) -> None:
         """Geometries that come."""
         self._viewer._check_units(named)
-        items = [make_item(n, self._viewer._take_number(), g, style, (trees or {}).get(n)) for n, g, style in named]
+        items = [make_item(n, self._take_number(), g, style, (trees or {}).get(n)) for n, g, style in named]
         for item in items:
             self._put(item.name, State(item, None, True))
 
@@ -207,7 +208,8 @@ class LiveTimeline:
 
     def _show(self, scene: dict[str, State]) -> None:
         viewer = self._viewer
-        is_new = viewer._scene_bounds() is None and not viewer.frame.origin.any()
+        is_new = not len(viewer._extents) and not viewer.frame.origin.any()
+        coming = dict(viewer._coming)
         with viewer.server.pages.atomic():
             for name in [name for name in viewer.items if name not in scene]:
                 viewer._take_out(name)
@@ -215,7 +217,7 @@ class LiveTimeline:
                 item = state.item
                 if viewer.items.get(name) is not item:
                     item.pose, item.visible = state.pose, state.visible
-                    viewer._put_in(item)
+                    self._put_in(item)
                     continue
                 if not _is_same_pose(item.pose, state.pose):
                     type(viewer).set_pose.__wrapped__(viewer, name, np.eye(4) if state.pose is None else state.pose)
@@ -224,10 +226,22 @@ class LiveTimeline:
             if is_new:
                 viewer._settle()
             viewer._changed(is_new)
+        self._unbuilt |= {item for name, item in coming.items() if viewer.items.get(name) is not item}
+
+    def _put_in(self, item: Item) -> None:
+        viewer = self._viewer
+        viewer._coming.pop(item.name, None)
+        viewer._take_in(item)
+        viewer._color(item)
+        if item in self._unbuilt:
+            self._unbuilt.discard(item)
+            viewer._build_levels(item)
+        viewer._show(item)
+        viewer.panel.put_item(item)
 
     def close(self) -> None:
         """Let all go."""
-        self._tracks, self._arrays, self.bytes = {}, {}, 0
+        self._tracks, self._arrays, self._unbuilt, self.bytes = {}, {}, set(), 0
 
     # -- the control in the page --------------------------------------------------------------------------------------
 
@@ -269,6 +283,10 @@ class LiveTimeline:
                 self.look(None if value > self.times[-1] - self.step / 2 else value + self.step / 1000)
         finally:
             viewer.lock.release()
+
+    def _take_number(self) -> int:
+        self._viewer._next_number += 1
+        return self._viewer._next_number - 1
 
     # -- what is held -------------------------------------------------------------------------------------------------
 

@@ -16,7 +16,9 @@ from pointloom.drawing.render.geometries import Style
 from pointloom.drawing.viewer import calls
 from pointloom.drawing.viewer.calls import Calls
 from pointloom.drawing.viewer.hooks import Hooks, with_attributes
-from pointloom.drawing.viewer.items import make_item
+from pointloom.drawing.viewer.items import Frame, make_item
+from pointloom.drawing.viewer.link.camera import CameraState
+from pointloom.drawing.viewer.link.scene import ClickEvent
 from pointloom.drawing.viewer.tools.picking import Pick
 
 
@@ -63,16 +65,22 @@ class Gui:
 
 
 class Page:
-    """A page that tells what it was shown, and gives signs when it is let."""
+    """A page that tells what it was shown and picks what it is told to; both a session and a client."""
 
     def __init__(self):
-        self.told, self.asked = [], []
+        self.told, self.asked, self.listeners, self.stage = [], 0, [], self
 
     def notify(self, title, text, *, error=False):
         self.told.append((text, error))
 
-    def when_drawn(self, answer):
-        self.asked.append(answer)
+    def on_sign(self, callback):
+        self.listeners.append(callback)
+
+    def ask_for_sign(self):
+        self.asked += 1
+
+    def idle_stage(self):
+        return self.stage
 
 
 class Stand(Hooks):
@@ -81,6 +89,7 @@ class Stand(Hooks):
     def __init__(self):
         self.page, self.lock, self.closed = Page(), threading.RLock(), False
         self.sessions, gui = {7: self.page}, Gui()
+        self.items, self.frame, self.bounds = {}, Frame(np.zeros(3)), (np.zeros(3), np.ones(3))
         scene = SimpleNamespace(clicks=[])
         scene.on_click = scene.clicks.append
         scene.remove_click_callback = scene.clicks.remove
@@ -263,20 +272,27 @@ def test_nothing_is_added_to_a_closed_viewer(stand):
 # -- picks ------------------------------------------------------------------------------------------------------------
 
 
+def click_at(x, client=7):
+    camera = CameraState(position=np.zeros(3), rotation=np.eye(3), fov=1.0, size=(200, 100), pivot=np.zeros(3))
+    return ClickEvent(client, x, 0.5, False, False, camera)
+
+
 def test_a_click_is_told_while_somebody_asks_for_it(stand):
-    pick, heard, other = Pick("cloud", 3, np.zeros(3)), [], []
-    stand.page.pick_at = lambda event: pick if event.x < 0.5 else None
+    met, heard, other, places = Pick("cloud", 3, np.zeros(3)), [], [], []
+    stand.page.pick = lambda view, x, y: places.append((x, y)) or (met if x < 100 else None)
     stop, stop_other = stand.on_pick(heard.append), stand.on_pick(other.append)
     click = stand.clicks[0]
-    for x in (0.2, 0.7):
-        click(SimpleNamespace(client_id=7, x=x, y=0.5))
+    for event in (click_at(0.2), click_at(0.7), click_at(0.2, client=99)):
+        click(event)
     stop()
-    click(SimpleNamespace(client_id=7, x=0.2, y=0.5))
-    click(SimpleNamespace(client_id=99, x=0.2, y=0.5))  # of a page that has gone
+    click(click_at(0.2))
+    stand.page.stage = None  # a tool is at work
+    click(click_at(0.2))
     stand.idle()
     stop_other()
     stop_other()
-    assert heard == [pick] and other == [pick, pick] and stand.clicks == []
+    assert heard == [met] and other == [met, met] and stand.clicks == []
+    assert places[:2] == [(39.5, 49.5), (139.5, 49.5)]
 
 
 def test_a_pick_has_what_the_cloud_knows_of_its_point():
@@ -375,8 +391,9 @@ def test_frames_run_in_the_thread_of_the_pages_until_the_end(stand):
 
     stand.on_frame(count, 200)
     while not enough.wait(0.002):
-        for answer in stand.page.asked[-1:]:
-            answer()
+        for listener in stand.page.listeners:
+            listener(stand.page)
+    assert len(stand.page.listeners) == 1 and stand.page.asked >= 2
     for thread in stand._end_hooks():
         thread.join()
     assert {*heard} - {threading.current_thread()} == {*heard} and not heard[0].is_alive()
