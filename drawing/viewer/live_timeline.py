@@ -26,7 +26,8 @@ if TYPE_CHECKING:
     from .viewer import Viewer
 
 HISTORY_BYTES = 2**30
-ENTRY = 400  # bytes of a change without arrays: a pose, and what Python takes for it
+ENTRY = 400  # bytes of a change without its arrays: a pose, and what Python takes for it
+SMALL = 256  # bytes of arrays that count as part of it
 SPARSE = 4  # whole times that lie farther apart in the mean are gone through by another step
 KEPT = 0.9  # of the bytes, once there were too many: so that not each change drops a moment
 FULL = "The history is full: its oldest moments go, as new ones come."
@@ -386,6 +387,6 @@ def _arrays_of(item: Item) -> Iterator[tuple[int, int]]:
             address, size = array.ptr, array.capacity
         else:
             continue
-        if address and size and address not in seen:
+        if address and size > SMALL and address not in seen:
             seen.add(address)
             yield address, size
