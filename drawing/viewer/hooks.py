@@ -2,17 +2,16 @@
 
 from __future__ import annotations
 
-import contextlib
 import dataclasses
 import os
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any
 
 from ...core.checks import check_callback, check_number, check_positive
-from ...core.errors import PointloomError
 from .calls import Calls
 from .camera import view_of
 from .controls import FOLDER, Control, Controls
+from .hook_pages import HookPages
 from .items import Item
 from .live_timeline import HISTORY_BYTES, LiveTimeline
 from .tools.picking import Pick
@@ -36,8 +35,6 @@ class Hooks:
     _calls_made: Calls | None = None
     _controls_made: Controls | None = None
     _pick_callbacks: tuple[Callable[[Pick], Any], ...] = ()
-    _answer: Callable[[], None]
-    _asked: frozenset[int] = frozenset()  # pages that are asked for signs
 
     # -- controls -----------------------------------------------------------------------------------------------------
 
@@ -305,33 +302,11 @@ class Hooks:
 
         def _check_open(self) -> None: ...
 
-    def tell(self, client: int | None, text: str) -> None:
-        """Show what went wrong in a page, or in all of them where none asked."""
-        with contextlib.suppress(PointloomError):  # the viewer was closed meanwhile
-            clients = self.server.pages.get_clients()
-            for number in clients if client is None else {client} & {*clients}:
-                clients[number].notify("pointloom", text, error=True)
-
-    def are_open(self) -> bool:
-        """Whether a page is open."""
-        return bool(self.sessions)
-
-    def ask_for_signs(self, answer: Callable[[], None]) -> None:
-        """Have each page call back when it has drawn what it was sent."""
-        self._answer = answer
-        with contextlib.suppress(PointloomError):  # the viewer was closed meanwhile
-            clients = self.server.pages.get_clients()
-            for client in [client for number, client in clients.items() if number not in self._asked]:
-                client.on_sign(lambda _: self._answer())
-            self._asked = frozenset(clients)
-            for client in clients.values():
-                client.ask_for_sign()
-
     def _calls(self) -> Calls:
         with self.lock:
             self._check_open()
             if self._calls_made is None:
-                self._calls_made = Calls(self)
+                self._calls_made = Calls(HookPages(self._viewer()))
             return self._calls_made
 
     def _controls(self) -> Controls:

@@ -18,7 +18,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ...core.checks import check_name, check_number, check_rigid
+from ...core.checks import check_name, check_number, check_positive, check_rigid
 from ...core.errors import PointloomError
 from .items import Item, Matrix, make_item
 
@@ -102,8 +102,8 @@ class LiveTimeline:
         bytes: What is held: arrays that several moments share count once.
     """
 
-    def __init__(self, viewer: Viewer, most_bytes: int):
-        self._viewer, self._most_bytes = viewer, most_bytes
+    def __init__(self, viewer: Viewer, most_bytes: float):
+        self._viewer, self._most_bytes = viewer, check_positive("history_bytes", most_bytes)
         self.times: list[float] = []
         self.bytes, self.dropped = 0, 0  # moments that have gone: the first of `times` has this number
         self._tracks: dict[str, list[tuple[int, State | None]]] = {}
