@@ -10,7 +10,7 @@ import click
 from .options import FILE, SCALE, force_option, json_option, refuse, refuse_same
 from .pipes import from_option, open_pipes
 
-_COLORMAPS = ("viridis", "turbo", "gray", "coolwarm", "jet")
+_COLORMAPS = ("viridis", "plasma", "inferno", "magma", "cividis", "turbo", "gray", "coolwarm", "jet")
 
 
 @click.command(short_help="Show files in the browser, or draw them.")

@@ -11,9 +11,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...cameras.trajectory import Trajectory
-from ...core.checks import check_color, check_name, check_positive, check_rigid, check_rows, is_on_gpu
+from ...core.checks import check_color, check_name, check_positive, check_rigid, check_rows, check_share, is_on_gpu
 from ...core.devices import resolve_device
-from ...core.units import common_unit
+from ...core.units import LengthUnit, common_unit
 from ...kernels.arrays.bounds import bound_points
 from ...kernels.lang import vec3
 from ...kernels.memory import empty, move, upload
@@ -35,7 +35,8 @@ from .surfaces import mesh_parts, vertices_of, voxel_parts
 ACCEPTED = (
     "PointCloud, TriangleMesh, VoxelGrid, AxisAlignedBoundingBox, OrientedBoundingBox, LineSet, Trajectory, "
     "ConvexHull, SelectionPolygonVolume, TSDFVolume, CameraFrustum, an array of points [n, 3], an object with "
-    'points, or with vertices and triangles; or {"geometry": ...} with keys of style'
+    'points, or with vertices and triangles; or {"geometry": ...} with keys of style; files '
+    "are read first: loom.read_point_cloud, loom.read_triangle_mesh"
 )
 
 # Several clouds without colours: the first two as in Open3D's tutorials of registration.
@@ -64,6 +65,7 @@ class Style:
         wireframe: Edges over the faces; of a hull, edges alone.
         back_faces: Whether faces that look away are drawn.
         shaded: Whether light falls at an angle; of points without normals, whether depth is shown.
+        opacity: Of points and faces, 0 to 1; below 1 what lies behind is seen through them.
         pose: Moves it, a rigid 4x4.
 
     Raises:
@@ -80,6 +82,7 @@ class Style:
     wireframe: bool | None = None
     back_faces: bool | None = None
     shaded: bool | None = None
+    opacity: float | None = None
     pose: Matrix | None = None
 
     def __post_init__(self):
@@ -91,6 +94,8 @@ class Style:
         for name in ("point_size", "line_width"):
             if getattr(self, name) is not None:
                 object.__setattr__(self, name, check_positive(name, getattr(self, name)))
+        if self.opacity is not None:
+            object.__setattr__(self, "opacity", check_share("opacity", self.opacity))
         for name in ("metric", "wireframe", "back_faces", "shaded"):
             if getattr(self, name) is not None and not isinstance(getattr(self, name), bool | np.bool_):
                 raise TypeError(f"{name}: expected True or False, got {getattr(self, name)!r}")
@@ -139,9 +144,9 @@ def named_geometries(geometries: Any) -> list[Named]:
     return _told_apart(found)
 
 
-def check_units(geometries: Iterable[Any]) -> None:
-    """Warn of geometries in different units: they lie where nothing is to scale."""
-    common_unit("geometries", (geometry.unit for geometry in geometries if isinstance(geometry, InUnit)))
+def check_units(geometries: Iterable[Any]) -> LengthUnit | None:
+    """The unit of geometries; warns of several: they lie where nothing is to scale."""
+    return common_unit("geometries", (geometry.unit for geometry in geometries if isinstance(geometry, InUnit)))
 
 
 def _read_entry(entry: Mapping[Any, Any], name: str | None) -> tuple[str | None, Any, Style]:
@@ -273,7 +278,8 @@ def _points(
     """Points whose own colours stay as they are, but where a style wants light at an angle."""
     part = Points(positions, origin, colors, normals, size=style.point_size, metric=style.metric)
     shaded, lit = style.shaded is not False, style.shaded is True or not has_own
-    return dataclasses.replace(part, plain=style.color or part.plain, shaded=shaded, lit=lit)
+    opacity = 1.0 if style.opacity is None else style.opacity
+    return dataclasses.replace(part, plain=style.color or part.plain, shaded=shaded, lit=lit, opacity=opacity)
 
 
 def _of_points(geometry: Any, style: Style, device: Any) -> list[Part]:
@@ -326,6 +332,8 @@ def _surface_style(style: Style) -> dict[str, Any]:
         chosen["lit"] = style.shaded
     if style.color is not None:
         chosen["plain"] = style.color
+    if style.opacity is not None:
+        chosen["opacity"] = style.opacity
     return chosen
 
 
@@ -345,6 +353,8 @@ def _of_tsdf(volume: TSDFVolume, style: Style, device: Any) -> list[Part]:
 
 
 def _lines(drawn: outlines.Segments, style: Style, device: Any) -> Lines:
+    if style.opacity is not None and style.opacity < 1:
+        raise ValueError(f"opacity: lines are drawn whole; it is for points and faces, got {style.opacity}")
     part = outlines.upload_lines(drawn, device)
     if style.color is not None:
         part = dataclasses.replace(part, colors=empty(0, vec3, device), plain=style.color)
@@ -376,8 +386,7 @@ def _entry_of(geometry: Any) -> Entry:
     if isinstance(geometry, type):
         raise TypeError(f"geometries: expected a geometry, got the class {geometry.__name__}")
     if isinstance(geometry, str | os.PathLike):
-        remedy = "read files first: loom.read_point_cloud, loom.read_triangle_mesh"
-        raise TypeError(f"geometries: expected {ACCEPTED}; got {os.fspath(geometry)!r}; {remedy}")
+        raise TypeError(f"geometries: expected {ACCEPTED}; got {os.fspath(geometry)!r}")
     for kind, entry in _KINDS:
         if isinstance(geometry, kind):
             return entry

@@ -8,10 +8,9 @@ from typing import Any
 
 from ...pcd.cloud import PointCloud
 from ..render.coloring import Coloring, color_cloud
+from ..render.colormaps import COLORMAPS as COLORMAPS
 from ..render.colormaps import check_colormap
 from .items import Item
-
-COLORMAPS = ("viridis", "turbo", "gray", "coolwarm", "jet")
 
 
 @dataclasses.dataclass(frozen=True)

@@ -99,6 +99,7 @@ class Item:
 
     def __post_init__(self):
         self._shown: NDArray[np.uint8] | None = None
+        self._label_counts: tuple[str, dict[int, int]] | None = None
         self._moved: tuple[Matrix | None, Bounds | None] | None = None
         self._sample: NDArray[np.float64] | None = None
 
@@ -170,6 +171,15 @@ class Item:
             else:
                 self._shown = np.broadcast_to(to_bytes([part.plain]), (part.positions.size, 3))
         return self._shown[indices]
+
+    def label_counts(self, name: str) -> dict[int, int]:
+        """How many points have each value of an attribute of whole numbers; none of another cloud's attribute."""
+        if self.cloud is None or name not in self.cloud.attributes:
+            return {}
+        if self._label_counts is None or self._label_counts[0] != name:
+            values, numbers = np.unique(np.asarray(self.cloud[name]), return_counts=True)
+            self._label_counts = name, dict(zip(map(int, values), map(int, numbers), strict=True))
+        return self._label_counts[1]
 
     def sample(self) -> NDArray[np.float64]:
         """Some of the cloud's points where they stand in the world, shape [k, 3] [m]."""

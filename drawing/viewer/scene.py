@@ -18,14 +18,13 @@ from ...core.open3d_names import row_of, told
 from ..render.geometries import Named, check_units
 from ..render.parts import Triangles
 from ..render.view import View, fit_view
-from .camera import camera_of, diagonal, read_parameters, set_first_camera, set_reach
+from .camera import camera_of, diagonal, reach_of, read_parameters
 from .coloring_choice import ColoringChoice
 from .detail_tree import DetailTree
 from .extents import Bounds, Extents
 from .items import Frame, Item
 from .keys import check_hotkey
 from .later import Later
-from .lights import light_evenly
 from .nodes import NORMAL_LENGTH, ItemNodes
 from .panel import Panel
 from .server import ViewerServer
@@ -33,10 +32,11 @@ from .sessions import POINT_SIZE, Session
 from .whole_cloud import FIRST
 
 if TYPE_CHECKING:
-    import viser
+    from .link import Node, PageClient
 
 log = logging.getLogger("pointloom.viewer")
 
+HINT = 'Nothing is shown yet. In the program, viewer.add("name", geometry) shows something here.'
 SMALLEST_POINT, LARGEST_POINT = 0.5, 40.0  # [px]
 OUTLINE, LEAST_OUTLINE = 100_000, 50  # points of clouds by which a view of everything is found; of each one at least
 _NOTHING: Bounds = (np.full(3, -1.0), np.full(3, 1.0))  # what is looked at where there is nothing
@@ -45,7 +45,7 @@ _NOTHING: Bounds = (np.full(3, -1.0), np.full(3, 1.0))  # what is looked at wher
 class Scene:
     """The items, where they stand in the pages, and the pages themselves; `Viewer` is what programs use.
 
-    Whoever changes something holds `lock`: programs call from any thread, and pages from threads of viser's.
+    Whoever changes something holds `lock`: programs call from any thread, and pages from threads of theirs.
 
     Args:
         port, host, title: Of the server.
@@ -66,6 +66,7 @@ class Scene:
         size: tuple[int, int],
     ):
         self.max_points, self._size, self._background = max_points, size, background
+        self._has_own_background = bool((background != 1).any())  # a white one may follow a dark mode
         self._point_size, self.has_own_point_size = point_size, point_size != POINT_SIZE
         self.lock = threading.RLock()
         self.items: dict[str, Item] = {}
@@ -80,7 +81,8 @@ class Scene:
         self._builders: list[threading.Thread] = []
         self._coming: dict[str, Item] = {}  # whose levels of detail are being built
         self._extents = Extents()
-        self._point_count = 0  # of all clouds
+        self._point_count = self.triangle_count = 0  # of all clouds, and of all surfaces
+        self._told_bounds: Any = None  # as pages were told them
         self._with_unit: dict[str, Any] = {}  # geometries that had one when they came
         self._later = Later(self._catch_up, self.take_lock, self.lock.release)
         self._shares_changed = False
@@ -89,10 +91,10 @@ class Scene:
         try:
             self.panel = Panel(self)  # type: ignore[arg-type]  # a Viewer
             self._paint_background()
-            light_evenly(self.server.viser)
+            self.server.pages.set_hint(HINT)
             self._aim_first_camera()
-            self.server.viser.on_client_connect(self._join)
-            self.server.viser.on_client_disconnect(self._leave)
+            self.server.pages.on_client_connect(self._join)
+            self.server.pages.on_client_disconnect(self._leave)
         except BaseException:
             self.server.close()
             raise
@@ -123,7 +125,7 @@ class Scene:
         found = self._extents.union()
         return _NOTHING if found is None else found
 
-    def surface_nodes(self, name: str) -> list[tuple[Triangles, Any]]:
+    def surface_nodes(self, name: str) -> list[tuple[Triangles, Node]]:
         """The surfaces of a geometry and their nodes, which all pages share; none of what is not in the scene."""
         with self.lock:
             nodes = self._nodes.get(name)
@@ -171,7 +173,7 @@ class Scene:
         share = max(1, self.max_points * len(item.cloud) // self._point_count)
         return min(share, FIRST) if item.tree is None and item.name in self._coming else share
 
-    def _join(self, client: viser.ClientHandle) -> None:
+    def _join(self, client: PageClient) -> None:
         with self.lock:
             if self.closed:
                 return
@@ -181,7 +183,7 @@ class Scene:
                 session.start()
                 self.sessions[client.client_id] = session
 
-    def _leave(self, client: viser.ClientHandle) -> None:
+    def _leave(self, client: PageClient) -> None:
         with self.lock:
             session = self.sessions.pop(client.client_id, None)
             self._last_seen = time.monotonic()
@@ -220,7 +222,10 @@ class Scene:
 
     def _count(self, item: Item | None, sign: int) -> None:
         """Points more or less, and whether clouds have other shares of what a page may hold then."""
-        if item is not None and item.cloud is not None and len(item.cloud):
+        if item is None:
+            return
+        self.triangle_count += sign * item.triangle_count
+        if item.cloud is not None and len(item.cloud):
             was_over = self._point_count > self.max_points
             self._point_count += sign * len(item.cloud)
             self._shares_changed |= was_over or self._point_count > self.max_points
@@ -229,10 +234,9 @@ class Scene:
         """Send a geometry to all pages."""
         nodes = self._nodes.get(item.name)
         if nodes is None:
-            nodes = self._nodes[item.name] = ItemNodes(self.server.viser, self.lock, self.frame, item)
+            nodes = self._nodes[item.name] = ItemNodes(self.server.pages, self.frame, item, wireframe=self.wireframe)
         else:
             nodes.show(item)
-        nodes.set_wireframe(self.wireframe)
         nodes.set_normals(self._normal_length())
         for session in self._open_sessions():
             with session.as_it_lasts():
@@ -244,8 +248,6 @@ class Scene:
             sessions, builders = list(self.sessions.values()), self._builders
             for session in sessions:
                 session.close()
-            for nodes in self._nodes.values():
-                nodes.forget()
             self.sessions, self._nodes, self.items, self._coming, self._builders = {}, {}, {}, {}, []
             self._extents, self._with_unit = Extents(), {}
             self._later.close()
@@ -262,6 +264,7 @@ class Scene:
         builder.start()
 
     def _build(self, item: Item) -> None:
+        self._tell_building()
         try:
             assert item.cloud is not None
             tree = None if self.closed else DetailTree.from_cloud(item.cloud)
@@ -278,8 +281,15 @@ class Scene:
                     with session.as_it_lasts():
                         session.show(item)
                         session.tell()
+            self._tell_building()
         finally:
             self.lock.release()
+
+    def _tell_building(self) -> None:
+        """Say in the pages of which clouds levels of detail are being built."""
+        coming, pages = list(self._coming), self.server.pages
+        others = f" and {len(coming) - 1} more" if len(coming) > 1 else ""
+        pages.set_progress(f"a first look; preparing all points of {coming[0]}{others}" if coming else "")
 
     def _take_out(self, name: str) -> None:
         self._coming.pop(name, None)
@@ -308,6 +318,7 @@ class Scene:
         """What follows from changes: shares of large clouds, what is drawn near and far, what panel and tools say."""
         shares, self._shares_changed = self._shares_changed, False
         self.panel.catch_up()
+        self.server.pages.set_hint("" if self.items else HINT)
         self._reach()
         for session in self._open_sessions():
             with session.as_it_lasts():
@@ -334,7 +345,7 @@ class Scene:
         nodes = self._nodes.pop(item.name, None)
         if nodes is not None:
             nodes.close()
-            self._nodes[item.name] = ItemNodes(self.server.viser, self.lock, self.frame, item)
+            self._nodes[item.name] = ItemNodes(self.server.pages, self.frame, item, wireframe=self.wireframe)
         for session in self._open_sessions():
             with session.as_it_lasts():
                 session.hide(item.name)
@@ -376,17 +387,21 @@ class Scene:
         return np.vstack([*found, boxes.corners()])
 
     def _reach(self) -> None:
+        """Pages draw all of the scene; their wheels go as near and as far as makes sense."""
+        low, high = map(self.frame.to_page, self.bounds)
+        if [low.tolist(), high.tolist()] != self._told_bounds:
+            self._told_bounds = [low.tolist(), high.tolist()]
+            self.server.pages.set_bounds(low, high)
         for session in self._open_sessions():
             with session.as_it_lasts():
-                set_reach(session.client, self.frame, self.bounds)
+                session.set_reach()
 
     def _aim_first_camera(self) -> None:
         camera = camera_of(self.home(), self.frame, self.bounds)
-        set_first_camera(self.server.viser, camera, self.frame, self.bounds)
+        self.server.pages.set_first_camera(**camera.fields(), **reach_of(camera, self.frame, self.bounds))
 
     def _paint_background(self) -> None:
-        color = np.rint(self._background * 255).astype(np.uint8)
-        self.server.viser.scene.set_background_image(np.broadcast_to(color, (1, 1, 3)).copy(), format="png")
+        self.server.pages.set_background(self._background, own=self._has_own_background)
 
 
 def check_color(color: Any) -> NDArray[np.float64]:

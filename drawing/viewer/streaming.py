@@ -124,7 +124,7 @@ class CloudStream:
         """
         self._ask(keep=keep, keeping=self._wish.keeping + 1)
 
-    def set_point_size(self, size: float | None, *, metric: bool = False) -> None:
+    def set_point_size(self, size: float | None, metric: bool = False) -> None:
         """The diameter of points [px], or with `metric` [m]; None for one that closes most gaps."""
         self._ask(size=_checked_size(size), metric=metric)
 

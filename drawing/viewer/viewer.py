@@ -2,16 +2,13 @@
 
 from __future__ import annotations
 
-import contextlib
 import math
-import os
 import time
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from types import MappingProxyType
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ...core.checks import check_count, check_name, check_positive, check_rigid
 from ...pcd.cloud import PointCloud
@@ -19,15 +16,17 @@ from ..render.geometries import Named, named_geometries
 from ..render.open3d_views import OPEN3D_KEYS
 from ..render.view import View
 from .detail_tree import DetailTree
+from .ending import farewell
 from .items import Frame, make_item
-from .scene import Scene, check_color, check_size
+from .looks import Looks
+from .scene import check_color, check_size
 from .sessions import POINT_SIZE
 
 MOST_POINTS = 2_000_000
 LEFT_ALONE = 5.0  # [s] after the last page has gone until `wait` ends: time enough to load it again
 
 
-class Viewer(Scene):
+class Viewer(Looks):
     """A scene in the browser, kept up to date by a program: on this machine, or over SSH on another one.
 
     What Open3D's `Visualizer` does with add_geometry, update_geometry, poll_events and update_renderer is
@@ -165,25 +164,6 @@ class Viewer(Scene):
                 self.panel.put_item(item)
             self._changed(was_empty)
 
-    @contextlib.contextmanager
-    def batch(self) -> Iterator[None]:
-        """Have pages take many changes as one, which they show in one picture.
-
-        Within another it is part of that one. Each thread has its own; what raises within it ends it, and what was
-        changed until then is shown.
-
-        Example:
-            >>> import numpy as np, pointloom as loom
-            >>> with loom.Viewer(port=0) as viewer:
-            ...     with viewer.batch():
-            ...         for k in range(100):
-            ...             viewer.add(f"boxes/{k}", loom.AxisAlignedBoundingBox([k, 0, 0], [k + 0.5, 1, 1]))
-            ...     len(viewer.items)
-            100
-        """
-        with self.server.viser.atomic():
-            yield
-
     def update(self, name: str, geometry: Any) -> None:
         """Show another geometry under a name, all at once and without a flicker; style, pose and visibility stay.
 
@@ -248,8 +228,7 @@ class Viewer(Scene):
             self._nodes[name].set_pose()
             for session in self._open_sessions():
                 with session.as_it_lasts():
-                    if name in session.streams:
-                        session.streams[name].set_pose(item.pose_of(item.parts[0]))
+                    session.set_pose(item)
             self._extents.put(name, item.world_bounds())
             self._changed(False)
 
@@ -266,8 +245,7 @@ class Viewer(Scene):
             self._nodes[name].set_visible(item.visible)
             for session in self._open_sessions():
                 with session.as_it_lasts():
-                    if name in session.streams:
-                        session.streams[name].set_visible(item.visible)
+                    session.set_visible(item)
             self.panel.put_item(item)
             self._changed(False)
 
@@ -315,102 +293,6 @@ class Viewer(Scene):
                 raise KeyError(f"client: no page {client!r}; there are {sorted(self.sessions)}")
             return self.sessions[client].camera_view()
 
-    # -- what is seen -------------------------------------------------------------------------------------------------
-
-    def screenshot(self, path: str | os.PathLike[str] | None = None, *, client: int | None = None) -> NDArray[np.uint8]:
-        """A picture of the scene as a page shows it, drawn here: no page needs to be open.
-
-        Args:
-            path: A .png file to write; None writes none.
-            client: The page whose view it is, as of `get_view`.
-
-        Returns:
-            Shape [h, w, 3], uint8.
-
-        Raises:
-            FileError: The place cannot be written.
-        """
-        from .stills import draw_scene
-
-        with self.lock:
-            return draw_scene(self, self.get_view(client), path, self.clip_of(client))
-
-    def save_html(self, path: str | os.PathLike[str], *, overwrite: bool = True) -> None:
-        """Write the scene as one page that needs neither server nor network, with at most `max_points` points.
-
-        Raises:
-            FileError: The place cannot be written.
-        """
-        from .stills import write_scene
-
-        with self.lock:
-            write_scene(self, path, overwrite=overwrite)
-
-    @property
-    def point_size(self) -> float:
-        """Diameter of points without one of their own [px]; others grow and shrink alike. Assign another."""
-        return self._point_size
-
-    @point_size.setter
-    def point_size(self, size: float) -> None:
-        with self.lock:
-            self._point_size, self.has_own_point_size = check_size(size), True
-            for session in self._open_sessions():
-                with session.as_it_lasts():
-                    session.resize_points()
-            self.panel.show_state()
-
-    @property
-    def background(self) -> NDArray[np.float64]:
-        """Red, green and blue, 0 to 1; assign another."""
-        return self._background.copy()
-
-    @background.setter
-    def background(self, color: Any) -> None:
-        with self.lock:
-            self._background = check_color(color)
-            self._paint_background()
-            self.panel.show_state()
-
-    def color_by(self, by: str | None, *, colormap: str | None = None, limits: Any = None) -> None:
-        """Colour the clouds by what is known of their points.
-
-        Args:
-            by: "rgb", "height", "normal", "label" or an attribute; None for their own colours. Clouds that have no such
-                thing keep theirs.
-            colormap, limits: Of values, as of `loom.render`.
-
-        Raises:
-            ValueError: No cloud has such a thing, or values out of range.
-        """
-        with self.lock:
-            for name, value in {"by": by, "colormap": colormap}.items():
-                check_name(name, "" if value is None else value)
-            self.coloring = self.coloring.checked(by, colormap, limits, self.items.values())
-            for item in self.items.values():
-                self._color(item)
-                for session in self._open_sessions():
-                    with session.as_it_lasts():
-                        if item.name in session.streams:
-                            session.streams[item.name].set_colors(item.colors_of)
-            self.panel.show_legend()
-
-    def show_wireframe(self, shown: bool) -> None:
-        """Show the edges of all surfaces."""
-        with self.lock:
-            self.wireframe = bool(shown)
-            for nodes in self._nodes.values():
-                nodes.set_wireframe(self.wireframe)
-            self.panel.show_state()
-
-    def show_normals(self, shown: bool) -> None:
-        """Show the normals of all clouds that have them, as lines; of more than 10,000 points, of some."""
-        with self.lock:
-            self.normals = bool(shown)
-            for nodes in self._nodes.values():
-                nodes.set_normals(self._normal_length())
-            self.panel.show_state()
-
     # -- its end ------------------------------------------------------------------------------------------------------
 
     def wait(self, seconds: float | None = None) -> bool:
@@ -431,7 +313,9 @@ class Viewer(Scene):
         return True
 
     def close(self) -> None:
-        """Free port, threads and memory; the pages say that the viewer is gone. Twice is no error."""
+        """Free port, threads and memory; pages say that the viewer is closed, and how to start it again."""
+        if not self.closed:
+            self.server.pages.end(farewell())
         self._ended.set()
         threads = self._let_go()
         self.server.close()

@@ -37,12 +37,16 @@ class WholeCloud:
         item: The cloud.
         frame: The page's coordinates.
         budget: Points that may be sent.
-        point_size: Diameter [px] of points that have no size in metres.
+        point_size: Diameter of points [px], or with `metric` [m].
+        metric: See `point_size`.
     """
 
-    def __init__(self, client: PageClient, item: Item, *, frame: Frame, budget: int, point_size: float):
+    def __init__(
+        self, client: PageClient, item: Item, *, frame: Frame, budget: int, point_size: float, metric: bool = False
+    ):
         self._client, self._frame, self.budget = client, frame, budget
-        self._point_size, self._keep, self._visible = point_size, None, item.visible
+        self._size: dict[str, Any] = {"size": point_size, "metric": metric}
+        self._keep, self._visible = None, item.visible
         self._colors_of: Callable[[NDArray[np.int64]], NDArray[np.uint8]] = item.colors_of
         self._nodes: list[Node] = []
         self._sent: list[NDArray[np.int64]] = []  # which points each of them holds
@@ -105,12 +109,12 @@ class WholeCloud:
         self._keep = keep
         self._send(len(self._nodes))
 
-    def set_point_size(self, size: float) -> None:
-        """The diameter [px] of points that have no size in metres."""
-        self._point_size = size
+    def set_point_size(self, size: float, metric: bool = False) -> None:
+        """The diameter of points [px], or with `metric` [m]."""
+        self._size = {"size": size, "metric": metric}
         with self._client.atomic():
             for node in self._nodes:
-                node.set(**self._size())
+                node.set(**self._size)
 
     def set_visible(self, visible: bool) -> None:
         """Show or hide it."""
@@ -153,7 +157,7 @@ class WholeCloud:
         looks = {"positions": positions, "colors": self._colors_of(sent), **self._light(sent)}
         for array in looks.values():
             array.flags.writeable = False  # made for the page alone: nobody has to copy it
-        looks |= self._size()
+        looks |= self._size
         if number < len(self._nodes):
             self._sent[number] = sent
             self._nodes[number].set(**looks)
@@ -174,12 +178,6 @@ class WholeCloud:
     def _light(self, sent: NDArray[np.int64]) -> dict[str, NDArray[Any]]:
         """Normals, where light falls on them."""
         return {"normals": download(self._part.normals).reshape(-1, 3)[sent]} if self._is_lit else {}
-
-    def _size(self) -> dict[str, Any]:
-        part = self._part
-        if part.metric and part.size is not None:
-            return {"size": part.size, "metric": True}
-        return {"size": self._point_size, "metric": False}
 
 
 def in_steps(count: int) -> list[NDArray[np.int64]]:
