@@ -14,6 +14,7 @@ from ...files.pictures.image_files import encode_png
 from ..render.open3d_views import read_view, write_view
 from .coloring_choice import choices_of
 from .keys import STEP
+from .live_timeline import asked_by_page
 from .sessions import Session
 
 if TYPE_CHECKING:
@@ -30,7 +31,8 @@ def told_to_page(action: Callable[..., None]) -> Callable[..., None]:
         if client is None or self.viewer.closed:  # the program itself has set what the page shows
             return
         try:
-            action(self, client, *arguments)
+            with asked_by_page():
+                action(self, client, *arguments)
         except (PointloomError, ValueError, TypeError, OSError, MemoryError) as error:
             self.tell(client, str(error), error=True)
         except Exception:

@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING, Any
 
 from ...core.checks import check_callback, check_number, check_positive
 from .calls import Calls
-from .camera import view_of
 from .controls import FOLDER, Control, Controls
 from .hook_pages import HookPages
 from .items import Item
@@ -297,8 +296,6 @@ class Hooks:
         sessions: dict[int, Any]
         panel: Any
         items: dict[str, Item]
-        frame: Any
-        bounds: Any
 
         def _check_open(self) -> None: ...
 
@@ -335,7 +332,7 @@ class Hooks:
         stage = session.idle_stage()
         if stage is None:  # a tool is at work, and has the click
             return
-        view = view_of(event.camera, self.frame, self.bounds, event.camera.size)
+        view = session.view_of(event.camera)
         x, y = event.x * view.intrinsic.width - 0.5, event.y * view.intrinsic.height - 0.5
         found = stage.pick(view, x, y)
         if found is None:

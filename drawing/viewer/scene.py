@@ -22,6 +22,7 @@ from .camera import camera_of, diagonal, reach_of, read_parameters
 from .coloring_choice import ColoringChoice
 from .detail_tree import DetailTree
 from .extents import Bounds, Extents
+from .hooks import Hooks
 from .items import Frame, Item
 from .keys import check_hotkey
 from .later import Later
@@ -42,7 +43,7 @@ OUTLINE, LEAST_OUTLINE = 100_000, 50  # points of clouds by which a view of ever
 _NOTHING: Bounds = (np.full(3, -1.0), np.full(3, 1.0))  # what is looked at where there is nothing
 
 
-class Scene:
+class Scene(Hooks):
     """The items, where they stand in the pages, and the pages themselves; `Viewer` is what programs use.
 
     Whoever changes something holds `lock`: programs call from any thread, and pages from threads of theirs.
@@ -147,7 +148,7 @@ class Scene:
         if not callable(callback):
             raise TypeError(f"callback: expected a function, got {type(callback).__name__}")
         with self.lock:
-            self.panel.bind_key(check_hotkey(key), check_name("label", label or key), callback)
+            self.panel.bind_key(check_hotkey(key), check_name("label", label or key), self._queued(callback))
 
     def take_lock(self) -> bool:
         """Take `lock`, for threads that `close` waits for, perhaps holding it; false once the viewer is closed."""
@@ -251,7 +252,8 @@ class Scene:
             self.sessions, self._nodes, self.items, self._coming, self._builders = {}, {}, {}, {}, []
             self._extents, self._with_unit = Extents(), {}
             self._later.close()
-        return [*sessions, *builders, self._later]
+            hooks = self._end_hooks()
+        return [*sessions, *builders, self._later, *hooks]
 
     def _build_levels(self, item: Item) -> None:
         """Build the levels of detail of a cloud, if it is large, while a part of it is shown; the lock is held."""

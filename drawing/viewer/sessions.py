@@ -150,6 +150,10 @@ class Session:
         """What the page's clip planes leave; None before it has tools."""
         return None if self._toolbox is None else self._toolbox.stage.clip
 
+    def idle_stage(self) -> Any:
+        """What picks in the page; None while a tool is at work, which has the clicks, and before there are tools."""
+        return None if self._toolbox is None or self._toolbox.tool is not None else self._toolbox.stage
+
     def refresh_tools(self) -> None:
         """The scene has changed: clip planes cut it, tools offer what there is."""
         if self._toolbox is not None and not self.closed:

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 from ....core.errors import PointloomError
 from ...render.view import View
+from ..live_timeline import asked_by_page
 from .clip_controls import ClipControls
 from .pairs_tool import PairsTool
 from .point_tools import MeasureTool, PointTool
@@ -183,7 +184,8 @@ class Toolbox:
     def _do(self, job: Callable[[], None]) -> None:
         try:
             if not self._closed:
-                job()
+                with asked_by_page():
+                    job()
         except (PointloomError, ValueError, TypeError, LookupError, OSError, MemoryError) as error:
             self._tell(str(error.args[0]) if isinstance(error, KeyError) and error.args else str(error))
         except Exception:  # a page that goes meanwhile, or a fault of ours: the viewer goes on

@@ -15,6 +15,7 @@ from pointloom.core.errors import PointloomError
 from pointloom.drawing.render.geometries import Style
 from pointloom.drawing.viewer import calls
 from pointloom.drawing.viewer.calls import Calls
+from pointloom.drawing.viewer.camera import view_of
 from pointloom.drawing.viewer.hooks import Hooks, with_attributes
 from pointloom.drawing.viewer.items import Frame, make_item
 from pointloom.drawing.viewer.link.camera import CameraState
@@ -82,6 +83,9 @@ class Page:
     def idle_stage(self):
         return self.stage
 
+    def view_of(self, camera):
+        return view_of(camera, Frame(np.zeros(3)), (np.zeros(3), np.ones(3)), camera.size)
+
 
 class Stand(Hooks):
     """What hooks need of a viewer, with one page of number 7."""
@@ -89,7 +93,7 @@ class Stand(Hooks):
     def __init__(self):
         self.page, self.lock, self.closed = Page(), threading.RLock(), False
         self.sessions, gui = {7: self.page}, Gui()
-        self.items, self.frame, self.bounds = {}, Frame(np.zeros(3)), (np.zeros(3), np.ones(3))
+        self.items = {}
         scene = SimpleNamespace(clicks=[])
         scene.on_click = scene.clicks.append
         scene.remove_click_callback = scene.clicks.remove
