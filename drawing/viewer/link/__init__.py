@@ -8,6 +8,17 @@ from .scene import ClickEvent, Node, Scene
 from .server import PageServer
 
 __all__ = [
-    *("CameraState", "ClickEvent", "Command", "Gui", "Handle", "Node", "PageCamera", "PageClient", "PageServer"),
-    *("PanelEvent", "Scene", "Tree", "UploadedFile"),
+    "CameraState",
+    "ClickEvent",
+    "Command",
+    "Gui",
+    "Handle",
+    "Node",
+    "PageCamera",
+    "PageClient",
+    "PageServer",
+    "PanelEvent",
+    "Scene",
+    "Tree",
+    "UploadedFile",
 ]

@@ -5,7 +5,7 @@ from __future__ import annotations
 import dataclasses
 import itertools
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, ClassVar
 
 import numpy as np
 
@@ -69,8 +69,8 @@ class Handle:
     """
 
     # Fields beside `label`, `visible`, `disabled`, `hint`, `order`, each with what checks it.
-    FIELDS: dict[str, Check] = {}
-    _COMMON: dict[str, Check] = {
+    FIELDS: ClassVar[dict[str, Check]] = {}
+    _COMMON: ClassVar[dict[str, Check]] = {
         **{"label": lambda label: None if label is None else str(label), "visible": bool, "disabled": bool},
         **{"hint": str, "order": float},
     }
@@ -139,7 +139,7 @@ def sent(value: Any) -> Any:
 class Folder(Handle):
     """A part of the panel; a context manager: what is added within lies in it."""
 
-    FIELDS = {"open": bool}
+    FIELDS: ClassVar[dict[str, Check]] = {"open": bool}
 
     def __enter__(self) -> Folder:
         self._gui.enter(self)

@@ -4,14 +4,16 @@ from __future__ import annotations
 
 import contextlib
 import itertools
+import math
 import threading
-from collections.abc import Callable, Iterator
-from typing import Any
+import time
+from collections.abc import Callable, Iterable, Iterator
 
 from .outbox import CREATE, DROP, Outbox, Shown
 from .packing import Op
 
-_Entry = tuple["Channel", Op, tuple[int, ...]]
+# Threads whose batches overlap without end would keep everything from the pages: they wait for so long at most [s].
+LONGEST_BATCH = 1.0
 
 
 class Delivery:
@@ -21,6 +23,7 @@ class Delivery:
 
     Attributes:
         lock: Held for moments: around what is shown and what waits.
+        closed: Whether everything is passed over.
     """
 
     def __init__(self) -> None:
@@ -29,7 +32,9 @@ class Delivery:
         self._numbers = itertools.count(1)
         self._shown = Shown()
         self._outboxes: dict[Channel, tuple[Outbox, Callable[[], None]]] = {}
-        self._batch = threading.local()
+        self._batch = 0  # What is sent while batches of several threads overlap is one batch.
+        self._open = 0
+        self._opened = 0.0
 
     def number(self) -> int:
         """A number that no other node or control has."""
@@ -37,25 +42,36 @@ class Delivery:
 
     @contextlib.contextmanager
     def atomic(self) -> Iterator[None]:
-        """Have pages apply together what this thread does within; may be nested."""
-        if getattr(self._batch, "entries", None) is not None:
-            yield
-            return
-        entries: list[_Entry] = []
-        self._batch.entries = entries
+        """Have pages apply together what is done within; may be nested, and overlap with others."""
+        with self.lock:
+            if self._open == 0:
+                self._batch += 1
+                self._opened = time.monotonic()
+            self._open += 1
         try:
             yield
         finally:  # what was done is done, whatever was raised then
-            self._batch.entries = None
-            self._deliver(entries)
+            with self.lock:
+                self._open -= 1
+                for outbox, wake in self._outboxes.values():
+                    if outbox and self._open == 0:
+                        wake()
 
-    def send(self, entry: _Entry) -> None:
-        """Note an operation, for now or for the end of this thread's batch."""
-        entries = getattr(self._batch, "entries", None)
-        if entries is None:
-            self._deliver([entry])
-        else:
-            entries.append(entry)
+    def send(self, channel: Channel, op: Op, gone: Iterable[int] = ()) -> None:
+        """Note an operation; of one that drops something, with the numbers of all that goes."""
+        with self.lock:
+            if self.closed:
+                return
+            if self._open == 0:
+                self._batch += 1
+            if channel.is_shared:
+                self._shown.put(op, gone)
+            for page in list(self._outboxes) if channel.is_shared else [channel]:
+                if page is not channel.but and page in self._outboxes:
+                    outbox, wake = self._outboxes[page]
+                    outbox.put(op, self._batch, own=not channel.is_shared, gone=gone)
+                    if self._open == 0:
+                        wake()
 
     def keep(self, op: Op) -> None:
         """Note an operation for pages that come later alone."""
@@ -72,9 +88,19 @@ class Delivery:
         outbox = Outbox()
         with self.lock:
             for batch in self._shown.batches():
-                outbox.put((op, False, ()) for op in batch)
+                if self._open == 0:
+                    self._batch += 1
+                for op in batch:
+                    outbox.put(op, self._batch, own=False)
             self._outboxes[channel] = (outbox, wake)
         return outbox
+
+    def take(self, outbox: Outbox) -> tuple[list[Op], bool]:
+        """What is to be sent to a page now, and whether more waits for threads that are in the midst of a batch."""
+        with self.lock:
+            is_whole = self._open == 0 or time.monotonic() - self._opened > LONGEST_BATCH
+            ops = outbox.take(math.inf if is_whole else self._batch)
+            return ops, bool(outbox)
 
     def leave(self, channel: Channel) -> None:
         """A page has gone."""
@@ -87,23 +113,6 @@ class Delivery:
             self.closed = True
             self._shown = Shown()
             self._outboxes = {}
-
-    def _deliver(self, entries: list[_Entry]) -> None:
-        with self.lock:
-            if self.closed or not entries:
-                return
-            for channel, op, gone in entries:
-                if channel.is_shared:
-                    self._shown.put(op, gone)
-            for page, (outbox, wake) in self._outboxes.items():
-                mine = [
-                    (op, not channel.is_shared, gone)
-                    for channel, op, gone in entries
-                    if (channel.is_shared and channel.but is not page) or channel is page
-                ]
-                if mine:
-                    outbox.put(mine)
-                    wake()
 
 
 class Channel:
@@ -139,17 +148,16 @@ class Channel:
             self._children.get(self._parents.pop(number, -1), {}).pop(number, None)
             for one in gone[1:]:
                 self._parents.pop(one, None)
-            self.delivery.send((self, {"op": name, "id": number}, tuple(gone)))
+            self.delivery.send(self, {"op": name, "id": number}, gone)
         return gone
 
     def send(self, op: Op) -> None:
         """Send another operation."""
-        self.delivery.send((self, op, ()))
+        self.delivery.send(self, op)
 
     def send_but_to(self, page: Channel, op: Op) -> None:
         """Send an operation to all pages but one, which said it."""
-        other: Any = _AllBut(self, page)
-        self.delivery.send((other, op, ()))
+        self.delivery.send(_AllBut(self, page), op)
 
 
 class _AllBut(Channel):

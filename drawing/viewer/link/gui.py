@@ -132,7 +132,7 @@ class Gui:
         return self._input("histogram", label, fields, checks, common)
 
     def add_colorbar(self, title: str, ticks: Any, colors: Any, **common: Any) -> Shown:
-        """A colour bar at the edge of the picture; ticks are pairs of a share 0 to 1 and a text, colors uint8 [256, 3]."""
+        """A colour bar beside the picture: ticks are pairs of a share 0 to 1 and a text, colors uint8 [256, 3]."""
         fields = {"title": title, "ticks": ticks, "colors": colors}
         return self._shown("colorbar", None, fields, {"title": str, "ticks": _ticks, "colors": _ramp}, common)
 

@@ -11,11 +11,12 @@ import contextlib
 import hmac
 import http
 import logging
+import re
 import socket
 import threading
 import time
 import urllib.parse
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from typing import Any, Protocol
 
 import websockets.asyncio.server
@@ -26,12 +27,14 @@ from websockets.http11 import Request, Response
 from websockets.typing import Subprotocol
 
 from ..guard import RequestGuard, response_headers
-from .outbox import Outbox
-from .packing import pack
+from .delivery import LONGEST_BATCH
+from .packing import Op, pack
 from .page import ServedPage, refused_page
 from .wire import MOST_BYTES, read
 
-PROTOCOL = "pointloom.1"
+VERSION = 1
+PROTOCOL = f"pointloom.{VERSION}"
+OTHER_VERSION = 4001  # with this code a page is closed that a browser has kept from another version
 MOST_CLIENTS = 32
 MOST_OWN_BYTES = 1 << 30  # that wait for one page alone
 # A page is dropped when it neither takes a byte nor answers a ping for so long; pings go out in between.
@@ -39,11 +42,12 @@ STALL_SECONDS = 60.0
 PING_SECONDS = 20.0
 WATCH_SECONDS = 1.0  # between looks at whether it reads
 HELLO_SECONDS = 60.0  # until a page has said who it is
-CLOSE_SECONDS = 3.0  # for a farewell
+CLOSE_SECONDS = 3.0  # for the end of a connection to be answered
+FAREWELL_SECONDS = 0.5  # for what waits for pages when the server stops: words for the end are among it
 # A page says at most one camera a picture. One that says more than that many messages at once has to wait, so that the
 # program's own threads are not held up by reading them.
 MOST_AT_ONCE = 256
-BURST_SECONDS = 0.5
+BURST_SECONDS = 0.25
 
 log = logging.getLogger("pointloom.viewer")
 log.addHandler(logging.NullHandler())  # without one, Python prints warnings on stderr
@@ -57,8 +61,18 @@ _handshakes.setLevel(logging.WARNING)  # a record holds its connection: kept by 
 class Visitor(Protocol):
     """What the hub tells of one page."""
 
-    outbox: Outbox
-    lock: Any
+    @property
+    def own_bytes(self) -> int:
+        """Of what waits for this page alone."""
+        ...
+
+    def unsent(self) -> tuple[list[Op], bool]:
+        """What is to be sent now, and whether more waits for what is not complete yet."""
+        ...
+
+    def has_more(self) -> bool:
+        """Whether anything waits for it."""
+        ...
 
     def take(self, said: dict[str, Any]) -> None:
         """The page said this."""
@@ -89,7 +103,7 @@ class Hub:
         self._bound, self._guard, self._page, self._token, self._welcome = bound, guard, page, token, welcome
         self._refused = refused_page()
         self.client_count, self.last_asked = 0, time.monotonic()
-        self.lines: set[ServerConnection] = set()
+        self.lines: dict[ServerConnection, Visitor | None] = {}
         self._loop = asyncio.new_event_loop()
         self._stopping = asyncio.Event()
         ready = threading.Event()
@@ -142,7 +156,7 @@ class Hub:
             max_size=MOST_BYTES,
             compression=None,  # the arrays hardly shrink, and it takes time
             process_request=self._answer,
-            select_subprotocol=lambda _, offered: Subprotocol(PROTOCOL) if PROTOCOL in offered else None,
+            select_subprotocol=lambda _, offered: _choose(offered),
             ping_interval=None,  # `_watch` pings: a slow line is no reason to drop a page
             open_timeout=HELLO_SECONDS,  # the page goes over slow lines as well
             close_timeout=CLOSE_SECONDS,
@@ -159,11 +173,14 @@ class Hub:
         await asyncio.wait([asyncio.ensure_future(server.wait_closed())], timeout=2.0)
 
     async def _say_farewell(self) -> None:
-        """Give senders a moment for what waits: words for the end are among it."""
-        await asyncio.sleep(0)
-        end = time.monotonic() + 0.25
-        while time.monotonic() < end and any(line.transport.get_write_buffer_size() for line in self.lines):
+        """Give pages a moment to take what waits for them."""
+        end = time.monotonic() + FAREWELL_SECONDS
+        while time.monotonic() < end and not all(self._has_all(line) for line in tuple(self.lines)):
             await asyncio.sleep(0.01)
+
+    def _has_all(self, line: ServerConnection) -> bool:
+        visitor = self.lines.get(line)
+        return visitor is None or (not visitor.has_more() and not line.transport.get_write_buffer_size())
 
     # -- requests -----------------------------------------------------------------------------------------------------
 
@@ -184,7 +201,7 @@ class Hub:
         if not websocket:
             self.last_asked = time.monotonic()
             return self._page_answer(headers)
-        if PROTOCOL not in [one.strip() for one in ",".join(headers.get("sec-websocket-protocol", [])).split(",")]:
+        if _choose(one.strip() for one in ",".join(headers.get("sec-websocket-protocol", [])).split(",")) is None:
             return _response(http.HTTPStatus.UPGRADE_REQUIRED, b"this page is of another version: load it again\n")
         if self.client_count >= MOST_CLIENTS:
             return _response(
@@ -222,8 +239,10 @@ class Hub:
         """One page, from its hello to its end."""
         if self.client_count >= MOST_CLIENTS:  # several asked at once, each while there was room
             return await connection.close(1013, "too many pages are open")
+        if connection.subprotocol != PROTOCOL:
+            return await connection.close(OTHER_VERSION, "this page is of another version: load it again")
         self.client_count += 1
-        self.lines.add(connection)
+        self.lines[connection] = None
         tasks: list[asyncio.Task[None]] = []
         visitor: Visitor | None = None
         try:
@@ -232,7 +251,7 @@ class Hub:
                 if hello is None:
                     return
                 loop, woken = asyncio.get_running_loop(), asyncio.Event()
-                visitor = self._welcome(hello, lambda: _wake(loop, woken))
+                self.lines[connection] = visitor = self._welcome(hello, lambda: _wake(loop, woken))
                 parts = (_send(connection, visitor, woken), _consume(connection, visitor), _watch(connection, visitor))
                 tasks = [loop.create_task(part) for part in parts]
                 done, _ = await asyncio.wait(tasks, return_when=asyncio.FIRST_COMPLETED)
@@ -242,7 +261,7 @@ class Hub:
             log.exception("a page of the viewer was dropped")
         finally:
             self.client_count -= 1
-            self.lines.discard(connection)
+            self.lines.pop(connection, None)
             if visitor is not None:
                 visitor.leave()
             for task in tasks:
@@ -257,10 +276,19 @@ class Hub:
         except ValueError as error:
             log.debug("a page: %s", error)
             said = None
-        if said is not None and said["say"] == "hello" and said["version"] == 1:
+        if said is None or said["say"] != "hello":
+            await connection.close(1007, "a page says hello first")
+        elif said["version"] != VERSION:
+            await connection.close(OTHER_VERSION, "this page is of another version: load it again")
+        else:
             return said
-        await connection.close(1007, "a page says hello first")
         return None
+
+
+def _choose(offered: Iterable[str]) -> Subprotocol | None:
+    """Ours, or another version of it, so that its page can be told: browsers keep the reason of a refusal back."""
+    ours = [one for one in offered if re.fullmatch(r"pointloom\.[0-9]{1,4}", one)]
+    return Subprotocol(PROTOCOL if PROTOCOL in ours else ours[0]) if ours else None
 
 
 def _wake(loop: asyncio.AbstractEventLoop, woken: asyncio.Event) -> None:
@@ -271,13 +299,13 @@ def _wake(loop: asyncio.AbstractEventLoop, woken: asyncio.Event) -> None:
 async def _send(connection: ServerConnection, visitor: Visitor, woken: asyncio.Event) -> None:
     """Send what waits, as fast as the page reads."""
     while True:
-        with visitor.lock:
-            woken.clear()
-            ops = visitor.outbox.take() if visitor.outbox else []
+        woken.clear()
+        ops, more = visitor.unsent()
         if ops:
             await connection.send(pack(ops))
         else:
-            await woken.wait()
+            with contextlib.suppress(TimeoutError):
+                await asyncio.wait_for(woken.wait(), LONGEST_BATCH if more else None)
 
 
 async def _consume(connection: ServerConnection, visitor: Visitor) -> None:
@@ -314,7 +342,7 @@ async def _watch(connection: ServerConnection, visitor: Visitor) -> None:
             pong, since = None, now
         if unsent != seen or (unsent == 0 and pong is None):
             seen, since = unsent, now
-        if now - since > STALL_SECONDS or visitor.outbox.own_bytes > MOST_OWN_BYTES:
+        if now - since > STALL_SECONDS or visitor.own_bytes > MOST_OWN_BYTES:
             log.debug("a page that does not read was dropped")
             connection.transport.abort()
             return

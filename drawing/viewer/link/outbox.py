@@ -7,8 +7,8 @@ reads slowly waits for no more than the scene itself, however often that changes
 from __future__ import annotations
 
 import itertools
+import math
 from collections.abc import Iterable
-from typing import Any
 
 from .packing import Op, bytes_of
 
@@ -16,8 +16,8 @@ CREATE = {"node": "node", "control": "control"}
 CHANGE = {"set": "node", "setcontrol": "control"}
 DROP = {"drop": "node", "dropcontrol": "control", "dropcommand": "command"}
 # One of each: the newest counts. Those that are kept are told to pages that come later.
-KEPT = {"background", "clicks", "bounds", "progress", "hint", "title", "end"}
-NEWEST = KEPT | {"sign"}
+KEPT = {"background", "clicks", "bounds", "progress", "hint", "title"}
+NEWEST = KEPT | {"sign", "end"}
 MESSAGE_BYTES = 8 << 20  # small batches that wait are sent as one message of about so much
 MOST_NOTICES = 64  # that wait for a page
 
@@ -67,7 +67,7 @@ def as_sent(op: Op) -> Op:
 
 
 class Outbox:
-    """The operations that wait for one page, oldest first. Its owner holds the lock of the `Delivery`.
+    """The operations that wait for one page, in the order of their coming. Its owner holds the lock of the `Delivery`.
 
     Attributes:
         own_bytes: Of what waits for this page alone: nobody else holds that memory.
@@ -76,7 +76,6 @@ class Outbox:
     def __init__(self) -> None:
         self.own_bytes = 0
         self._waiting: dict[Key, tuple[Op, int, int]] = {}  # with the batch's number and the bytes of its own
-        self._batch = 0
         # Batches from .. to go in one message: what the first of them held was brought up to date by the last.
         self._joined = (0, -1)
         self._notices: list[Key] = []
@@ -84,24 +83,51 @@ class Outbox:
     def __bool__(self) -> bool:
         return bool(self._waiting)
 
-    def put(self, ops: Iterable[tuple[Op, bool, Iterable[int]]]) -> None:
-        """Add a batch.
+    def put(self, op: Op, batch: int, *, own: bool, gone: Iterable[int] = ()) -> None:
+        """Add an operation.
 
         Args:
-            ops: Operations; of each, whether it is for this page alone, and for one that drops something, the numbers
-                of all that goes with it.
+            op: It stays as it is: what waits is a copy.
+            batch: The number of its batch, never smaller than the one before.
+            own: Whether it is for this page alone.
+            gone: Of an operation that drops something, the numbers of all that goes with it.
         """
-        self._batch += 1
-        for op, own, gone in ops:
-            if op["op"] not in DROP or self._drop(op, gone):
-                self._add(op, own)
+        if op["op"] in DROP and not self._drop(op, gone):
+            return
+        key = key_of(op)
+        if key[0] in NEWEST:
+            self._forget(key)
+        if (found := self._waiting.get(key)) is not None:
+            waiting, first, before = found
+            merge(waiting, op)
+            after = bytes_of(waiting) if own or before else 0
+            self.own_bytes += after - before
+            self._waiting[key] = (waiting, first, after)
+            if first != batch:
+                start, end = self._joined
+                self._joined = (min(start, first) if end >= first else first, batch)
+            return
+        size = bytes_of(op) if own else 0
+        self.own_bytes += size
+        self._waiting[key] = (copied(op), batch, size)
+        if key[0] == "notify":
+            self._notices.append(key)
+            if len(self._notices) > MOST_NOTICES:
+                self._forget(self._notices.pop(0))
 
-    def take(self) -> list[Op]:
-        """The oldest operations, whole batches of them, as many as make a good message."""
+    def take(self, before: float = math.inf) -> list[Op]:
+        """The oldest operations, whole batches of them, as many as make a good message.
+
+        Args:
+            before: The number of a batch that is not complete yet; it stays, with all that came after.
+        """
         taken: list[Op] = []
         size, last = 0, -1
         first, end = self._joined
+        limit = min(before, first) if before <= end else before
         for key, (op, batch, own) in list(self._waiting.items()):
+            if batch >= limit:
+                break
             if taken and batch != last and size >= MESSAGE_BYTES and not first <= last < batch <= end:
                 break
             taken.append(as_sent(op))
@@ -110,28 +136,6 @@ class Outbox:
             del self._waiting[key]
         self._notices = [key for key in self._notices if key in self._waiting]
         return taken
-
-    def _add(self, op: Op, own: bool) -> None:
-        key = key_of(op)
-        if key[0] in NEWEST:
-            self._forget(key)
-        if (found := self._waiting.get(key)) is not None:
-            waiting, batch, before = found
-            merge(waiting, op)
-            after = bytes_of(waiting) if own or before else 0
-            self.own_bytes += after - before
-            self._waiting[key] = (waiting, batch, after)
-            if batch != self._batch:
-                first, end = self._joined
-                self._joined = (min(first, batch) if end >= batch else batch, self._batch)
-            return
-        size = bytes_of(op) if own else 0
-        self.own_bytes += size
-        self._waiting[key] = (copied(op), self._batch, size)
-        if key[0] == "notify":
-            self._notices.append(key)
-            if len(self._notices) > MOST_NOTICES:
-                self._forget(self._notices.pop(0))
 
     def _drop(self, op: Op, gone: Iterable[int]) -> bool:
         """Forget what waits about things that go; whether the page knows of them at all."""

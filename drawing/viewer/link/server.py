@@ -21,6 +21,7 @@ from .client import PageClient
 from .delivery import Channel, Delivery
 from .gui import Gui
 from .hub import Hub
+from .packing import Op
 from .page import ServedPage, stub_page
 from .scene import Scene
 
@@ -182,9 +183,21 @@ class _Visitor:
 
     def __init__(self, server: PageServer, client: PageClient, channel: Channel, wake: Callable[[], None]):
         self._server, self._client, self._channel = server, client, channel
-        self.lock = server._delivery.lock
-        self.outbox = server._delivery.join(channel, wake)
+        self._outbox = server._delivery.join(channel, wake)
         self.take = client.take
+
+    @property
+    def own_bytes(self) -> int:
+        """Of what waits for this page alone."""
+        return self._outbox.own_bytes
+
+    def unsent(self) -> tuple[list[Op], bool]:
+        """What is to be sent now, and whether more waits for what is not complete yet."""
+        return self._server._delivery.take(self._outbox)
+
+    def has_more(self) -> bool:
+        """Whether anything waits for it."""
+        return bool(self._outbox)
 
     def leave(self) -> None:
         """It has gone."""

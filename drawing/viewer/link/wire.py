@@ -26,7 +26,7 @@ def read(raw: str | bytes) -> dict[str, Any] | None:
         raw: As it came.
 
     Returns:
-        Its fields with "say", and no others; None for one to be passed over: unknown, or with a field beyond its bounds.
+        Its fields with "say", and no others; None for one to be passed over, unknown or with a field out of bounds.
 
     Raises:
         ValueError: no message at all.
