@@ -5,6 +5,7 @@ from __future__ import annotations
 import contextlib
 import logging
 import threading
+import time
 from types import SimpleNamespace
 
 import numpy as np
@@ -20,7 +21,9 @@ from pointloom.drawing.viewer.hooks import Hooks, with_attributes
 from pointloom.drawing.viewer.items import Frame, make_item
 from pointloom.drawing.viewer.link.camera import CameraState
 from pointloom.drawing.viewer.link.scene import ClickEvent
-from pointloom.drawing.viewer.tools.picking import Pick
+from pointloom.drawing.viewer.tools.picking import Pick, project
+
+from .pages import hear, page_of, say, wait_until
 
 
 class Handle:
@@ -401,3 +404,77 @@ def test_frames_run_in_the_thread_of_the_pages_until_the_end(stand):
     for thread in stand._end_hooks():
         thread.join()
     assert {*heard} - {threading.current_thread()} == {*heard} and not heard[0].is_alive()
+
+
+# -- a page ------------------------------------------------------------------------------------------------------------
+
+
+def until(claim):
+    wait_until(claim, 30.0)
+
+
+class Told:
+    """What a page is told, kept until it is looked for."""
+
+    def __init__(self, line):
+        self.line, self.ops = line, []
+
+    def find(self, name, **fields):
+        """The next operation of this name with these fields."""
+        end = time.monotonic() + 30.0
+        while time.monotonic() < end:
+            for op in self.ops:
+                if op["op"] == name and all(op.get(field) == value for field, value in fields.items()):
+                    self.ops.remove(op)
+                    return op
+            self.ops += hear(self.line, 30.0)
+        raise AssertionError(f"no {name} with {fields}")
+
+
+def test_a_page_presses_slides_picks_and_is_told_what_went_wrong():
+    points = np.array([[0.0, 0, 0], [2, 0, 0], [0, 2, 0], [1, 1, 0]])
+    pressed, picks = [], []
+
+    def press(page):
+        pressed.append((page, slider.value))
+        raise ValueError("that is the last scan")
+
+    with loom.Viewer(port=0) as viewer:
+        viewer.add("scan", loom.PointCloud(points))
+        slider = viewer.add_slider("neighbours", 1, 9, 5)
+        viewer.add_button("Next", press, hotkey="J")
+        viewer.on_pick(picks.append)
+        with page_of(viewer.server) as line:
+            told = Told(line)
+            track = told.find("control", label="neighbours")
+            key = told.find("command", hotkey="J")
+            until(lambda: viewer.sessions)
+            (number,) = viewer.sessions
+            say(line, {"say": "value", "id": track["id"], "value": 7})
+            say(line, {"say": "value", "id": track["id"], "value": "many"})
+            say(line, {"say": "command", "id": key["id"]})
+            assert told.find("notify")["text"] == "ValueError: that is the last scan"
+            assert pressed == [(number, 7)]
+            for point in points[[1, 3]]:
+                x, y, _ = project(viewer.get_view(number), point)
+                say(line, {"say": "click", "x": (x + 0.5) / 800, "y": (y + 0.5) / 600, "shift": False, "ctrl": False})
+            until(lambda: len(picks) == 2)
+    assert [(pick.name, pick.index) for pick in picks] == [("scan", 1), ("scan", 3)]
+    assert np.allclose(picks[0].point, points[1])
+
+
+def test_frames_come_as_a_page_takes_them_and_end_with_the_viewer():
+    calls_of_frame = []
+    with loom.Viewer(port=0) as viewer:
+        viewer.on_frame(calls_of_frame.append, rate=100)
+        with page_of(viewer.server) as line:
+            told = Told(line)
+            for count in (1, 2, 3):
+                sign = told.find("sign")
+                assert len(calls_of_frame) <= count
+                say(line, {"say": "sign", "n": sign["n"]})
+            until(lambda: len(calls_of_frame) >= 3)
+            viewer.add_button("End", lambda page: viewer.close())
+            button = told.find("control", label="End")
+            say(line, {"say": "press", "id": button["id"]})
+            until(lambda: viewer.closed)

@@ -14,6 +14,8 @@ from pointloom.drawing.viewer import live_timeline
 from pointloom.drawing.viewer.live_timeline import ENTRY, asked_by_page
 from pointloom.drawing.viewer.viewer import Viewer
 
+from .pages import hear_until, page_of, say, wait_until
+
 POSE = np.eye(4)
 POSE[:3, 3] = 1, 2, 3
 
@@ -198,6 +200,21 @@ def test_times_in_seconds_are_reached_by_steps_of_the_page(viewer):
         drag(viewer, float(value))
         assert shown(viewer)["a"][0] == step
     assert viewer.timeline.is_live
+
+
+def test_a_page_drags_the_time_line_and_is_told_the_newest(viewer):
+    tell_story(viewer)
+    with page_of(viewer.server) as line:
+        control = hear_until(line, "control", 30.0, kind="timeline")
+        say(line, {"say": "value", "id": control["id"], "value": 1})
+        wait_until(lambda: shown(viewer) == STORY[1], 30.0)
+        viewer.set_time(4)
+        assert hear_until(line, "setcontrol", 30.0, id=control["id"], max=4.0)["max"] == 4
+        for wrong in ("1", -100, 1e9, None, True):  # what is no number is passed over, others are brought within
+            say(line, {"say": "value", "id": control["id"], "value": wrong})
+        say(line, {"say": "value", "id": control["id"], "value": 4})
+        wait_until(lambda: viewer.timeline.is_live, 30.0)
+    assert shown(viewer) == STORY[3]
 
 
 # -- what is held -----------------------------------------------------------------------------------------------------
