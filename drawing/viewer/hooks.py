@@ -34,6 +34,7 @@ class Hooks:
     _calls_made: Calls | None = None
     _controls_made: Controls | None = None
     _pick_callbacks: tuple[Callable[[Pick], Any], ...] = ()
+    _hears_clicks = False
 
     # -- controls -----------------------------------------------------------------------------------------------------
 
@@ -177,16 +178,14 @@ class Hooks:
         _check_function(callback)
         self._calls()
         with self.lock:
-            if not self._pick_callbacks:
+            if not self._hears_clicks:  # from now on: a tool of one page may want them as well
                 self.server.pages.scene.on_click(self._on_click)
+                self._hears_clicks = True
             self._pick_callbacks = (*self._pick_callbacks, callback)
 
         def stop() -> None:
             with self.lock:
-                left = [other for other in self._pick_callbacks if other is not callback]
-                if self._pick_callbacks and not left:
-                    self.server.pages.scene.remove_click_callback(self._on_click)
-                self._pick_callbacks = tuple(left)
+                self._pick_callbacks = tuple(other for other in self._pick_callbacks if other is not callback)
 
         return stop
 
@@ -327,7 +326,7 @@ class Hooks:
 
     def _on_click(self, event: Any) -> None:
         session = self.sessions.get(event.client_id)
-        if session is None or not (0 <= event.x <= 1 and 0 <= event.y <= 1):
+        if not self._pick_callbacks or session is None or not (0 <= event.x <= 1 and 0 <= event.y <= 1):
             return
         stage = session.idle_stage()
         if stage is None:  # a tool is at work, and has the click
