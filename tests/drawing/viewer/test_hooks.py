@@ -23,7 +23,7 @@ from pointloom.drawing.viewer.link.camera import CameraState
 from pointloom.drawing.viewer.link.scene import ClickEvent
 from pointloom.drawing.viewer.tools.picking import Pick, project
 
-from .pages import hear, page_of, say, wait_until
+from .pages import HELLO, hear, line_of, say, wait_until
 
 
 class Handle:
@@ -446,7 +446,8 @@ def test_a_page_presses_slides_picks_and_is_told_what_went_wrong():
         slider = viewer.add_slider("neighbours", 1, 9, 5)
         viewer.add_button("Next", press, hotkey="J")
         viewer.on_pick(picks.append)
-        with page_of(viewer.server) as line:
+        with line_of(viewer.server) as line:
+            say(line, HELLO)
             told = Told(line)
             track = told.find("control", label="neighbours")
             key = told.find("command", hotkey="J")
@@ -469,7 +470,8 @@ def test_frames_come_as_a_page_takes_them_and_end_with_the_viewer():
     calls_of_frame = []
     with loom.Viewer(port=0) as viewer:
         viewer.on_frame(calls_of_frame.append, rate=100)
-        with page_of(viewer.server) as line:
+        with line_of(viewer.server) as line:
+            say(line, HELLO)
             told = Told(line)
             for count in (1, 2, 3):
                 sign = told.find("sign")

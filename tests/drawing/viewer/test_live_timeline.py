@@ -14,7 +14,7 @@ from pointloom.drawing.viewer import live_timeline
 from pointloom.drawing.viewer.live_timeline import ENTRY, asked_by_page
 from pointloom.drawing.viewer.viewer import Viewer
 
-from .pages import hear_until, page_of, say, wait_until
+from .pages import HELLO, hear_until, line_of, say, wait_until
 
 POSE = np.eye(4)
 POSE[:3, 3] = 1, 2, 3
@@ -204,7 +204,8 @@ def test_times_in_seconds_are_reached_by_steps_of_the_page(viewer):
 
 def test_a_page_drags_the_time_line_and_is_told_the_newest(viewer):
     tell_story(viewer)
-    with page_of(viewer.server) as line:
+    with line_of(viewer.server) as line:
+        say(line, HELLO)
         control = hear_until(line, "control", 30.0, kind="timeline")
         say(line, {"say": "value", "id": control["id"], "value": 1})
         wait_until(lambda: shown(viewer) == STORY[1], 30.0)
