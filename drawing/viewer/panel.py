@@ -13,7 +13,7 @@ import numpy as np
 
 from ..render.coloring import Coloring, label_color
 from ..render.colormaps import colormap_table
-from ..render.ticks import choose_ticks
+from ..render.ticks import choose_ticks, with_ends
 from .actions import Actions
 from .coloring_choice import COLORMAPS, Choices, shown_coloring
 from .items import Item, to_bytes
@@ -26,8 +26,8 @@ if TYPE_CHECKING:
     from .viewer import Viewer
 
 OWN = "own colours"
-TICKS = 5  # of a colour bar, at most, beside its ends
-APART = 0.06  # of the bar's length: a tick nearer to an end would run into its number
+TICKS = 5  # of a colour bar, beside its ends
+APART = 0.08  # of the bar's length: a tick nearer to an end would run into its number
 
 # Where the parts of the panel are, from its top.
 LINE, TOOL, TOOLS, COLOUR, SCENE, POINTS, VIEW = 0, 0.5, 1, 2, 3, 4, 5
@@ -199,14 +199,11 @@ def legend_of(coloring: Coloring, items: Any) -> tuple[str, Any]:
 
 def bar_ticks(coloring: Coloring) -> tuple[str, tuple[tuple[float, str], ...]]:
     """The title of a colour bar, with the unit, and its ticks as shares of its length: round numbers, and both ends."""
-    low, high = coloring.limits
-    ticks = choose_ticks(low, high, TICKS)
+    assert coloring.limits is not None
+    ticks = with_ends(choose_ticks(*coloring.limits, TICKS), APART)
     span = ticks.high - ticks.low
-    if not span > 0:
-        return ticks.title(coloring.title), ((0.5, f"{low:g}"),)
-    found = [((value - ticks.low) / span, text) for value, text in zip(ticks.values, ticks.texts, strict=True)]
-    inside = [(share, text) for share, text in found if APART <= share <= 1 - APART]
-    return ticks.title(coloring.title), ((0.0, ticks.text(ticks.low)), *inside, (1.0, ticks.text(ticks.high)))
+    shares = tuple((value - ticks.low) / span for value in ticks.values)
+    return ticks.title(coloring.title), tuple(zip(shares, ticks.texts, strict=True))
 
 
 def counts_of(coloring: Coloring, items: Any) -> dict[int, int]:

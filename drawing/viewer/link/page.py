@@ -5,7 +5,6 @@ from __future__ import annotations
 import base64
 import gzip
 import hashlib
-import html
 import re
 
 _INLINE = re.compile(rb"<(script|style)\b[^>]*>(.*?)</\1>", re.DOTALL | re.IGNORECASE)
@@ -51,29 +50,3 @@ _STYLE = (
 def refused_page() -> ServedPage:
     """What is said to who comes without the token."""
     return ServedPage(REFUSED.format(style=_STYLE).encode())
-
-
-def stub_page(title: str) -> bytes:
-    """A page that connects and answers, and draws nothing."""
-    return _STUB.replace("{title}", html.escape(title)).encode()
-
-
-_STUB = """<!doctype html>
-<html lang="en"><meta charset="utf-8"><title>{title}</title>
-<script>
-"use strict";
-const address = new URL("live" + location.search, location.href);
-address.protocol = address.protocol === "https:" ? "wss:" : "ws:";
-const line = new WebSocket(address, "pointloom.1");
-line.binaryType = "arraybuffer";
-const say = (message) => line.send(JSON.stringify(message));
-line.onopen = () => say({ say: "hello", size: [innerWidth, innerHeight], version: 1 });
-line.onmessage = ({ data }) => {
-  const length = new DataView(data).getUint32(0, true);
-  for (const op of JSON.parse(new TextDecoder().decode(new Uint8Array(data, 4, length))).do) {
-    if (op.op === "sign") say({ say: "sign", n: op.n });
-  }
-};
-</script>
-</html>
-"""

@@ -14,6 +14,7 @@ from collections.abc import Callable
 from typing import Any
 
 from ....core.checks import check_color, check_share
+from ...page.sources import live_page
 from ..guard import RequestGuard
 from .arrays import triple
 from .camera import FIRST, CameraState, camera_fields, moved
@@ -22,7 +23,7 @@ from .delivery import Channel, Delivery
 from .gui import Gui
 from .hub import Hub
 from .packing import Op
-from .page import ServedPage, stub_page
+from .page import ServedPage
 from .scene import Scene
 
 TOKEN_BYTES = 18
@@ -56,7 +57,7 @@ class PageServer:
         self._first: CameraState = FIRST
         self._on_connect: list[Callable[[PageClient], Any]] = []
         self._on_disconnect: list[Callable[[PageClient], Any]] = []
-        self._hub = Hub(bound, guard, ServedPage(stub_page(title)), self.token, self._welcome)
+        self._hub = Hub(bound, guard, ServedPage(live_page(title)), self.token, self._welcome)
         self._channel.send({"op": "title", "text": title})
         _servers.add(self)
 

@@ -4,12 +4,12 @@
  */
 const SLOW = 40; // milliseconds a picture may take while something moves
 const REST = 150; // milliseconds without a change after which all is drawn
-const MOST_LEFT_OUT = 16; // as `Shape.thin` allows
+const MOST_LEFT_OUT = 16; // as `Geometry.thin` allows
 
 class Pace {
   /** `draw(every)` draws one in `every` points; `finished()` resolves once the card is done. */
   constructor(draw, finished) {
-    Object.assign(this, { draw, finished });
+    Object.assign(this, { draw, finished, settled: false, resting: [] });
     this.every = 1;
     this.asked = false;
     this.waiting = false;
@@ -56,7 +56,14 @@ class Pace {
     else if (every === this.every && milliseconds < SLOW / 4) this.every = Math.max(1, every / 2);
   }
 
+  /** Resolves once the picture with all that was asked for is drawn whole. */
+  atRest() {
+    return this.settled ? Promise.resolve() : new Promise((resolve) => this.resting.push(resolve));
+  }
+
   tell(settled) {
+    this.settled = settled;
+    if (settled) for (const resolve of this.resting.splice(0)) resolve();
     document.documentElement.dataset.settled = settled;
   }
 }

@@ -53,3 +53,23 @@ function normalMatrix(m) {
   const largest = Math.max(...cofactors.map(Math.abs)) || 1;
   return cofactors.map((value) => value / largest);
 }
+
+const IDENTITY = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0];
+
+/** Two poses, the right one first. */
+function compose(a, b) {
+  const product = new Float64Array(12);
+  for (const row of [0, 4, 8]) {
+    for (const k of [0, 1, 2, 3]) product[row + k] = a[row] * b[k] + a[row + 1] * b[4 + k] + a[row + 2] * b[8 + k] + (k === 3 ? a[row + 3] : 0);
+  }
+  return product;
+}
+
+/** A place through a pose. */
+const placeThrough = (m, v) => [0, 4, 8].map((k) => m[k] * v[0] + m[k + 1] * v[1] + m[k + 2] * v[2] + m[k + 3]);
+
+/** By how much a pose scales, as the cube root of what it does to volumes. */
+function scaleOf(m) {
+  const [a, b, c] = [0, 1, 2].map((k) => [m[k], m[4 + k], m[8 + k]]);
+  return Math.cbrt(Math.abs(dot(a, cross(b, c))));
+}

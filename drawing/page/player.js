@@ -15,20 +15,21 @@ class Player {
     document.documentElement.style.setProperty("--background", `rgb(${background.map((v) => Math.round(255 * v)).join(" ")})`);
     at("title").textContent = title;
     at("title").hidden = title === "";
-    this.camera = new Camera(camera, bounds);
-    this.scene = new Scene(at("scene"), this.description, new Arrays(arrays, block));
-    const draw = (every) => this.scene.draw(this.camera, this.shownPlacements(), every);
-    this.pace = new Pace(draw, () => this.scene.finished());
+    this.engine = new Engine(at("scene"), at("overlay"), { margin: 1e-3, scaleBar: false, onLost: () => this.fill() });
+    this.engine.setBackground(background);
+    this.engine.setBounds(...bounds);
+    this.engine.setCamera({ position: camera.eye, rotation: camera.rotation, lens: camera });
+    this.engine.views.camera.aimAtMiddle();
+    this.engine.setHome();
+    this.scene = new Recorded(this.engine, this.description, new Arrays(arrays, block));
     this.items = items.map((name, number) => this.makeItem(name, number));
     this.timeline = new Timeline(this.description, {
       prepare: (placements) => this.scene.send(placements),
       shown: (frame) => this.onShown(frame),
-      drawn: () => !this.pace.waiting,
+      drawn: () => !this.engine.pace.waiting,
       failed: (error) => say(error.message),
     });
     this.plots = new Plots(at("plots"), series, frames.length, (frame) => this.goTo(frame));
-    const changed = () => this.redraw();
-    new Controls(at("scene"), this.camera, { changed, pick: (x, y) => this.pick(x, y) });
     this.listen();
   }
 
@@ -38,8 +39,7 @@ class Player {
     at("plots").hidden = series.length === 0;
     for (const element of document.querySelectorAll(".moving")) element.hidden = frames.length < 2;
     at("slider").max = Math.max(frames.length - 1, 0);
-    new ResizeObserver(() => this.resize()).observe(at("stage"));
-    this.resize();
+    new ResizeObserver(() => this.timeline.frame >= 0 && this.plots.show(this.timeline.frame)).observe(at("stage"));
     if (frames.length === 0) {
       at("panel").hidden = this.description.title === "";
       say("Nothing was recorded: there are no frames.");
@@ -57,8 +57,7 @@ class Player {
     box.type = "checkbox";
     box.checked = true;
     box.addEventListener("change", () => {
-      this.scene.looks.hidden[box.checked ? "delete" : "add"](number);
-      this.redraw();
+      this.scene.hide(number, !box.checked);
       this.tellCount();
     });
     const placed = this.scene.placements.find(({ item, shapes }) => item === number && shapes.length > 0);
@@ -81,8 +80,6 @@ class Player {
     at("loop").addEventListener("change", () => (timeline.loop = at("loop").checked));
     at("help-button").addEventListener("click", () => this.toggleHelp());
     document.addEventListener("keydown", (event) => this.onKey(event));
-    at("scene").addEventListener("webglcontextlost", (event) => event.preventDefault());
-    at("scene").addEventListener("webglcontextrestored", () => this.restore());
   }
 
   goTo(frame) {
@@ -101,42 +98,25 @@ class Player {
     if (event.ctrlKey || event.metaKey || event.altKey || /text|search|select/i.test(kind)) return;
     if (event.key === " " && /button|submit|checkbox/i.test(kind)) return;
     if (/^(Arrow|Home|End)/.test(event.key) && kind === "range") return;
-    const action = this.action(event.shiftKey && event.key.startsWith("Arrow") ? `Shift ${event.key}` : event.key);
+    const action = this.action(event.shiftKey && /^(Arrow|V$)/.test(event.key) ? `Shift+${event.key}` : event.key);
     if (!action) return;
     event.preventDefault();
     action();
-    this.redraw();
   }
 
   action(key) {
-    const { camera, scene, timeline } = this;
-    const { looks } = scene;
-    return {
+    const { timeline } = this;
+    const own = {
       " ": () => timeline.toggle(),
       ArrowLeft: () => timeline.step(-1),
       ArrowRight: () => timeline.step(1),
       Home: () => this.goTo(0),
       End: () => this.goTo(timeline.last),
-      "Shift ArrowLeft": () => camera.orbit(-0.1, 0),
-      "Shift ArrowRight": () => camera.orbit(0.1, 0),
-      "Shift ArrowUp": () => camera.orbit(0, -0.1),
-      "Shift ArrowDown": () => camera.orbit(0, 0.1),
-      "+": () => (looks.pointFactor = Math.min(looks.pointFactor * 1.25, 32)),
-      "=": () => (looks.pointFactor = Math.min(looks.pointFactor * 1.25, 32)),
-      "-": () => (looks.pointFactor = Math.max(looks.pointFactor / 1.25, 1 / 32)),
-      r: () => camera.reset(),
-      w: () => this.toggleWireframe(),
-      n: () => (looks.normals = !looks.normals),
-      l: () => (looks.light = (looks.light + 1) % 3),
-      h: () => this.toggleHelp(),
+      H: () => this.toggleHelp(),
       "?": () => this.toggleHelp(),
-    }[key.length === 1 ? key.toLowerCase() : key];
-  }
-
-  async toggleWireframe() {
-    this.scene.looks.wireframe = !this.scene.looks.wireframe;
-    await this.scene.send(this.shownPlacements());
-    this.redraw();
+    };
+    const wanted = { "=": "+" }[key] ?? (key.length === 1 ? key.toUpperCase() : key);
+    return own[wanted] ?? this.engine.commands().find((command) => command.key === wanted)?.run;
   }
 
   shownPlacements() {
@@ -159,14 +139,14 @@ class Player {
     this.tellCount();
     this.plots.show(frame);
     document.documentElement.dataset.frame = frame;
-    this.redraw();
+    this.scene.show(this.shownPlacements());
   }
 
   /** How many points are shown; of how many, where some were left out, the frame's label says. */
   tellCount() {
     let count = 0;
     for (const { item, shapes } of this.shownPlacements().map((number) => this.scene.placements[number])) {
-      for (const shape of this.scene.looks.hidden.has(item) ? [] : shapes.map((number) => this.description.shapes[number])) {
+      for (const shape of this.scene.hidden.has(item) ? [] : shapes.map((number) => this.description.shapes[number])) {
         if (shape.kind === "points") count += this.description.arrays[shape.positions].rows;
       }
     }
@@ -174,27 +154,10 @@ class Player {
     at("count").textContent = `${count.toLocaleString("en")} point${count === 1 ? "" : "s"} drawn`;
   }
 
-  pick(x, y) {
-    const depth = this.scene.depthAt(x, y, this.camera);
-    return depth === null ? null : this.camera.unproject(x, y, depth);
-  }
-
-  resize() {
-    const { width, height } = at("stage").getBoundingClientRect();
-    this.camera.resize(width, height);
-    this.scene.resize(width, height, Math.min(window.devicePixelRatio || 1, 2));
-    this.pace.now();
-    if (this.timeline.frame >= 0) this.plots.show(this.timeline.frame);
-  }
-
-  redraw() {
-    this.pace.ask();
-  }
-
-  async restore() {
-    this.scene.start();
+  /** The card forgot everything. */
+  async fill() {
     await this.scene.send(this.shownPlacements());
-    this.redraw();
+    this.scene.show(this.shownPlacements());
   }
 }
 
@@ -209,9 +172,9 @@ try {
   player.start().catch((error) => say(error.message));
   // for whoever embeds the page, and for its tests
   window.recording = {
-    project: (point) => player.camera.project(point),
+    project: (point) => player.engine.project(point),
     go: (frame) => player.goTo(frame),
-    statistics: () => ({ ...player.scene.statistics, every: player.scene.every, frame: player.timeline.frame, playing: player.timeline.playing }),
+    statistics: () => ({ ...player.engine.statistics(), frame: player.timeline.frame, playing: player.timeline.playing }),
   };
 } catch (error) {
   say(error instanceof NoWebGL ? NO_WEBGL : error.message);

@@ -1,0 +1,3 @@
+/** Begins, once all parts are there. */
+const live = new Live();
+live.start();
