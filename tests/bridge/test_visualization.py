@@ -11,7 +11,7 @@ import pytest
 import pointloom.open3d as o3d
 from pointloom.core.errors import PointloomError
 
-from ..drawing.viewer.pages import page_of, say, wait_until
+from ..drawing.viewer.pages import HELLO, line_of, say, wait_until
 from .pipeline_files import write_pipeline_files
 from .runner import differences, draw_nothing, found_by
 
@@ -180,11 +180,12 @@ def test_a_key_of_the_page_calls_the_program_in_its_loop(box, monkeypatch, capsy
         vis.register_key_callback(290, print)
     try:
         viewer = vis._viewer
-        with page_of(viewer.server) as page:
+        with line_of(viewer.server) as page:
+            say(page, HELLO)
             wait_until(lambda: viewer.sessions)
             for key in ("K", "space"):
                 command = next(command for command in viewer.panel._commands if command.hotkey == key)
-                say(page, {"type": "CommandTriggerMessage", "uuid": command._impl.uuid})
+                say(page, {"say": "command", "id": command.id})
             wait_until(lambda: vis._pressed.qsize() == 2)
             assert pressed == []  # in the program's own loop, not in a thread of the page
             assert vis.poll_events()
