@@ -202,12 +202,12 @@ class O3DVisualizer(KnownNames):
 
     @property
     def animation_duration(self) -> float:
-        """How long an animation lasts before it begins again [s]; assign another."""
+        """How long an animation lasts before it begins again [s], infinity for ever; assign another."""
         return self._end
 
     @animation_duration.setter
     def animation_duration(self, seconds: float) -> None:
-        self._end = check_positive("animation_duration", seconds)
+        self._end = check_positive("animation_duration", seconds, allow_infinite=True)
 
     def _offer_animation(self) -> None:
         viewer = self._window._viewer

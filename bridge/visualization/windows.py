@@ -111,26 +111,17 @@ def draw(
     asked = [name for name, value in others.items() if value is not None and value is not False]
     if asked:
         raise PointloomError(f"{asked[0]}: pages have no such thing{told(row_of(asked[0], ('draw',)))}")
-    alone = isinstance(geometry, Geometry | Image | Mapping)
-    entries = [geometry] if alone else list(geometry or [])
     window = O3DVisualizer(title, width, height)
     try:
-        option = window._window.get_render_option()
-        option.point_size = option.point_size if point_size is None else float(point_size)
-        option.line_width = option.line_width if line_width is None else float(line_width)
+        window.point_size = window.point_size if point_size is None else point_size
+        window.line_width = window.line_width if line_width is None else line_width
         window.set_background(bg_color)
-        for name, callback in actions or ():
-            window.add_action(name, callback)
-        for number, entry in enumerate(entries, 1):
-            name = f"Object {number}"
-            window.add_geometry({"name": name, **entry} if isinstance(entry, Mapping) else name, entry)
-        window.reset_camera_to_default()
+        _fill(window, geometry, actions or ())
         if lookat is not None and eye is not None and up is not None:
             window.setup_camera(field_of_view, lookat, eye, up)
         window.show_axes = bool(show_axes)
         window.animation_time_step = animation_time_step
-        if animation_duration is not None:
-            window.animation_duration = animation_duration
+        window.animation_duration = window.animation_duration if animation_duration is None else animation_duration
         if on_init is not None:
             on_init(window)
         window.set_on_animation_frame(on_animation_frame)
@@ -141,6 +132,17 @@ def draw(
         pass  # as closing the window
     finally:
         window._window.destroy_window()
+
+
+def _fill(window: O3DVisualizer, geometry: Any, actions: Any) -> None:
+    """Give a window its buttons and its geometries."""
+    for name, callback in actions:
+        window.add_action(name, callback)
+    alone = isinstance(geometry, Geometry | Image | Mapping)
+    for number, entry in enumerate([geometry] if alone else list(geometry or []), 1):
+        name = f"Object {number}"
+        window.add_geometry({"name": name, **entry} if isinstance(entry, Mapping) else name, entry)
+    window.reset_camera_to_default()
 
 
 def _show(window: Visualizer, geometries: Any, name: str, width: int, height: int) -> None:

@@ -2,17 +2,18 @@
 
 from __future__ import annotations
 
-import dataclasses
 import os
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any
 
-from ...core.checks import check_callback, check_number, check_positive
+from ...core.checks import check_name, check_number, check_positive
 from .calls import Calls
 from .controls import FOLDER, Control, Controls
 from .hook_pages import HookPages
 from .items import Item
+from .keys import check_hotkey
 from .live_timeline import HISTORY_BYTES, LiveTimeline
+from .picks import Picks
 from .tools.picking import Pick
 
 if TYPE_CHECKING:
@@ -33,8 +34,7 @@ class Hooks:
     history_bytes = HISTORY_BYTES
     _calls_made: Calls | None = None
     _controls_made: Controls | None = None
-    _pick_callbacks: tuple[Callable[[Pick], Any], ...] = ()
-    _hears_clicks = False
+    _picks_made: Picks | None = None
 
     # -- controls -----------------------------------------------------------------------------------------------------
 
@@ -154,7 +154,25 @@ class Hooks:
         """
         return self._controls().add_text(label, value, callback, folder)
 
-    # -- clicks and frames --------------------------------------------------------------------------------------------
+    # -- keys, clicks and frames --------------------------------------------------------------------------------------
+
+    def on_key(self, key: str, callback: Callable[[int], None], label: str = "") -> None:
+        """Call back when a key is pressed in a page, in place of what it did there.
+
+        Args:
+            key: "A" to "Z", "0" to "9", "space", "enter", "escape", "tab", "backspace", "delete", "insert", "home",
+                "end", "pageup", "pagedown", "arrowup", "arrowdown", "arrowleft" or "arrowright".
+            callback: Called with the number of the page.
+            label: What the key does, for the list that Ctrl+K opens; "" for its name.
+
+        Raises:
+            ValueError: No such key.
+            TypeError: No function.
+        """
+        _check_function(callback)
+        with self.lock:
+            self._check_open()
+            self.panel.bind_key(check_hotkey(key), check_name("label", label or key), self._queued(callback))
 
     def on_pick(self, callback: Callable[[Pick], Any]) -> Callable[[], None]:
         """Call back with what a click in a page means, where no tool is at work; a click beside all is none.
@@ -176,18 +194,11 @@ class Hooks:
             ...     stop()
         """
         _check_function(callback)
-        self._calls()
         with self.lock:
-            if not self._hears_clicks:  # from now on: a tool of one page may want them as well
-                self.server.pages.scene.on_click(self._on_click)
-                self._hears_clicks = True
-            self._pick_callbacks = (*self._pick_callbacks, callback)
-
-        def stop() -> None:
-            with self.lock:
-                self._pick_callbacks = tuple(other for other in self._pick_callbacks if other is not callback)
-
-        return stop
+            calls = self._calls()
+            if self._picks_made is None:
+                self._picks_made = Picks(self._viewer(), calls)
+        return self._picks_made.add(callback)
 
     def on_frame(self, callback: Callable[[float], Any], rate: float = 30.0) -> Callable[[], None]:
         """Call back again and again while a page is open, for animations.
@@ -324,23 +335,6 @@ class Hooks:
         calls = self._calls()
         return lambda client: calls.call(client, lambda: callback(client))
 
-    def _on_click(self, event: Any) -> None:
-        session = self.sessions.get(event.client_id)
-        if not self._pick_callbacks or session is None or not (0 <= event.x <= 1 and 0 <= event.y <= 1):
-            return
-        stage = session.idle_stage()
-        if stage is None:  # a tool is at work, and has the click
-            return
-        view = session.view_of(event.camera)
-        x, y = event.x * view.intrinsic.width - 0.5, event.y * view.intrinsic.height - 0.5
-        found = stage.pick(view, x, y)
-        if found is None:
-            return
-        with self.lock:
-            found = with_attributes(found, self.items.get(found.name))
-        for callback in self._pick_callbacks:
-            self._calls().call(event.client_id, lambda call=callback, pick=found: call(pick))
-
     def _viewer(self) -> Viewer:
         return self  # type: ignore[return-value]  # what inherits this
 
@@ -355,19 +349,6 @@ class Hooks:
         return [calls]
 
 
-def with_attributes(pick: Pick, item: Item | None) -> Pick:
-    """A pick with what the cloud knows of its point."""
-    if item is None or item.cloud is None or pick.index is None:
-        return pick
-    row = item.select([pick.index])
-    known: dict[str, Any] = {name: values[0] for name, values in row.attributes.items()}
-    if row.has_colors:
-        known["color"] = row.colors[0]
-    if row.has_normals:
-        known["normal"] = row.normals[0]
-    return dataclasses.replace(pick, attributes=known)
-
-
 def _check_function(callback: Any) -> None:
-    if check_callback("callback", callback) is None:
-        raise TypeError("callback: expected a function, got None")
+    if not callable(callback):
+        raise TypeError(f"callback: expected a function, got {type(callback).__name__}")

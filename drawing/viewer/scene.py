@@ -5,7 +5,6 @@ from __future__ import annotations
 import logging
 import threading
 import time
-from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -24,7 +23,6 @@ from .detail_tree import DetailTree
 from .extents import Bounds, Extents
 from .hooks import Hooks
 from .items import Frame, Item
-from .keys import check_hotkey
 from .later import Later
 from .nodes import NORMAL_LENGTH, ItemNodes
 from .panel import Panel
@@ -131,24 +129,6 @@ class Scene(Hooks):
         with self.lock:
             nodes = self._nodes.get(name)
             return [] if nodes is None else nodes.surfaces()
-
-    def on_key(self, key: str, callback: Callable[[int], None], label: str = "") -> None:
-        """Call back when a key is pressed in a page, in place of what it did there.
-
-        Args:
-            key: "A" to "Z", "0" to "9", "space", "enter", "escape", "tab", "backspace", "delete", "insert", "home",
-                "end", "pageup", "pagedown", "arrowup", "arrowdown", "arrowleft" or "arrowright".
-            callback: Called with the number of the page, in a thread of the pages; what it raises is shown there.
-            label: What the key does, for the list that Ctrl+K opens; "" for its name.
-
-        Raises:
-            ValueError: No such key.
-            TypeError: No function.
-        """
-        if not callable(callback):
-            raise TypeError(f"callback: expected a function, got {type(callback).__name__}")
-        with self.lock:
-            self.panel.bind_key(check_hotkey(key), check_name("label", label or key), self._queued(callback))
 
     def take_lock(self) -> bool:
         """Take `lock`, for threads that `close` waits for, perhaps holding it; false once the viewer is closed."""

@@ -17,10 +17,11 @@ from pointloom.drawing.render.geometries import Style
 from pointloom.drawing.viewer import calls
 from pointloom.drawing.viewer.calls import Calls
 from pointloom.drawing.viewer.camera import view_of
-from pointloom.drawing.viewer.hooks import Hooks, with_attributes
+from pointloom.drawing.viewer.hooks import Hooks
 from pointloom.drawing.viewer.items import Frame, make_item
 from pointloom.drawing.viewer.link.camera import CameraState
 from pointloom.drawing.viewer.link.scene import ClickEvent
+from pointloom.drawing.viewer.picks import with_attributes
 from pointloom.drawing.viewer.tools.picking import Pick, project
 
 from .pages import HELLO, hear, line_of, say, wait_until
@@ -256,6 +257,9 @@ def test_more_than_can_wait_is_told_to_the_page(stand):
         (lambda s: s.add_dropdown("a", ["x"], value="y"), ValueError, "value"),
         (lambda s: s.add_text("a", 3), TypeError, "value"),
         (lambda s: s.add_text("a", "x" * 20_000), ValueError, "value"),
+        (lambda s: s.on_key("K", "f"), TypeError, "callback"),
+        (lambda s: s.on_key("F13", print), ValueError, "key"),
+        (lambda s: s.on_key("K", print, 3), TypeError, "label"),
         (lambda s: s.on_pick("f"), TypeError, "callback"),
         (lambda s: s.on_frame(None), TypeError, "callback"),
         (lambda s: s.on_frame(print, 0), ValueError, "rate"),
