@@ -71,10 +71,10 @@ class Controls:
     Args:
         gui: Of all pages, as of the link.
         calls: Calls the program's functions.
-        bind: Has a key, or None, and a label of the palette call a function with the number of the page; the handle.
+        bind: Has a key of a label call a function with the number of the page; gives the handle.
     """
 
-    def __init__(self, gui: Any, calls: Calls, bind: Callable[[str | None, str, Callable[[int | None], None]], Any]):
+    def __init__(self, gui: Any, calls: Calls, bind: Callable[[str, str, Callable[[int | None], None]], Any]):
         self._gui, self._calls, self._bind = gui, calls, bind
         self._lock = threading.RLock()
         self._folders: dict[str, tuple[Any, list[Control]]] = {}
@@ -95,7 +95,8 @@ class Controls:
                 calls.call(client, lambda: callback(client))
 
         control._handles[0].on_click(lambda event: press(event.client_id))
-        control._handles.append(self._bind(key, control.label, press))
+        if key is not None:
+            control._handles.append(self._bind(key, control.label, press))
         return control
 
     def add_slider(self, label: str, low: Any, high: Any, value: Any, callback: Any, step: Any, folder: str) -> Control:

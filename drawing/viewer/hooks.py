@@ -47,7 +47,7 @@ class Hooks:
         folder: str = FOLDER,
         hint: str = "",
     ) -> Control:
-        """Add a button to the panel of all pages; Ctrl+K lists it as well.
+        """Add a button to the panel of all pages; the palette (Ctrl+K) lists it as well.
 
         Args:
             label: On the button.
@@ -66,7 +66,7 @@ class Hooks:
         Example:
             >>> import pointloom as loom
             >>> with loom.Viewer(port=0) as viewer:
-            ...     viewer.add_button("Next scan", lambda page: print("pressed in page", page), hotkey="J")
+            ...     viewer.add_button("Next scan", lambda page: print("pressed in page", page), hotkey="G")
             Control('Next scan')
         """
         return self._controls().add_button(label, callback, hotkey, folder, hint)
@@ -320,15 +320,8 @@ class Hooks:
         with self.lock:
             calls = self._calls()
             if self._controls_made is None:
-                self._controls_made = Controls(self.server.pages.gui, calls, self._bind)
+                self._controls_made = Controls(self.server.pages.gui, calls, self.panel.bind_key)
             return self._controls_made
-
-    def _bind(self, key: str | None, label: str, press: Callable[[int | None], None]) -> Any:
-        if key is not None:
-            return self.panel.bind_key(key, label, press)
-        command = self.server.pages.gui.add_command(label, None, group=FOLDER)
-        command.on_trigger(lambda event: press(event.client_id))
-        return command
 
     def _queued(self, callback: Callable[[int], Any]) -> Callable[[int], None]:
         """A function of the program that is called in its turn, with the number of a page."""

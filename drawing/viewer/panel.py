@@ -58,6 +58,8 @@ class Panel:
         for command in [command for command in self._commands if command.hotkey == key]:
             self._commands.remove(command)
             command.remove()
+        for session in self._viewer.sessions.values():
+            session.give_up_key(key)
         self._commands.append(add_key(self._gui, key, label, self.actions.calling(callback)))
         return self._commands[-1]
 

@@ -63,10 +63,12 @@ class Toolbox:
         with self._top:
             self.stage.status = gui.add_words("")
             self.stage.rows = gui.add_table((), visible=False)
+        self._commands: list[Any] = []
         for kind, button in self._buttons.items():
             toggle = self._asks(lambda kind=kind: self.toggle(kind))
             button.on_click(toggle)
-            gui.add_command(kind.label, kind.key, group="Tools").on_trigger(toggle)
+            self._commands.append(gui.add_command(kind.label, kind.key, group="Tools"))
+            self._commands[-1].on_trigger(toggle)
         self.clip = ClipControls(self.stage, self._folder)
         for key, label, action in KEYS:
             command = gui.add_command(label, key, group="Tools")
@@ -128,6 +130,12 @@ class Toolbox:
             self._controls = None
             self.stage.show([])
             self._top.visible = False
+
+    def give_up_key(self, key: str) -> None:
+        """A key calls the program from now on: the tool that it began is begun by its button."""
+        for command in [command for command in self._commands if command.hotkey == key]:
+            self._commands.remove(command)
+            command.remove()
 
     def toggle(self, kind: type[Tool]) -> None:
         """Begin with a tool, or end it where it is at work."""

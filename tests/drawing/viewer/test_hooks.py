@@ -135,7 +135,7 @@ def test_a_button_calls_with_the_number_of_the_page_in_a_thread_of_its_own(stand
     heard = []
     stand.add_button("Next", lambda page: heard.append((page, threading.current_thread())))
     stand.gui.find("Next", "button").fire()
-    stand.gui.find("Next", "command").fire(client=8)
+    stand.gui.find("Next", "button").fire(client=8)
     stand.idle()
     assert [page for page, _ in heard] == [7, 8]
     assert threading.current_thread() not in [thread for _, thread in heard]
@@ -486,3 +486,17 @@ def test_frames_come_as_a_page_takes_them_and_end_with_the_viewer():
             button = told.find("control", label="End")
             say(line, {"say": "press", "id": button["id"]})
             until(lambda: viewer.closed)
+
+
+def test_a_key_of_the_program_begins_no_tool_any_more():
+    heard = []
+    with loom.Viewer(port=0) as viewer:
+        with line_of(viewer.server) as line:
+            say(line, HELLO)
+            told = Told(line)
+            tool = told.find("command", hotkey="M")
+            until(lambda: viewer.sessions)
+            viewer.on_key("m", heard.append)
+            assert told.find("dropcommand")["id"] == tool["id"]
+            say(line, {"say": "command", "id": told.find("command", hotkey="M")["id"]})
+            until(lambda: heard == [*viewer.sessions])
