@@ -20,6 +20,8 @@ from .stills import shown_geometry
 if TYPE_CHECKING:
     from .viewer import Viewer
 
+Moment = tuple[str, dict[str, State]]
+
 
 def write_history(
     viewer: Viewer,
@@ -54,42 +56,47 @@ def write_history(
     most, max_frames = check_count("max_points", max_points), check_count("max_frames", max_frames, minimum=2)
     ground = viewer.background.tolist() if background is None else background
     check_recording(path, fps=fps, background=ground, overwrite=overwrite)
+    title = check_name("title", title)
     with viewer.lock:
         history = viewer.timeline
         if history is None:
             raise ValueError("nothing was logged: call viewer.set_time(t) before what belongs to a moment")
-        timeline = Drawn(viewer, history, most).timeline(max_frames, check_name("title", title), fps)
-        view = viewer.get_view()
+        moments, view = moments_of(history, max_frames), viewer.get_view()
+        notes = [f"{max_frames:,} of {len(history.times):,} moments"] if len(moments) < len(history.times) else []
+    timeline = Drawn(viewer, most).timeline(moments)  # the program and its pages go on meanwhile
+    timeline.title, timeline.fps = ", ".join([title, *notes] if title else notes), fps
     look = {"view": view, "background": tuple(ground), "overwrite": overwrite}
     write_recording(path, timeline, size=size, say=lambda *_: None, **look)
 
 
+def moments_of(history: LiveTimeline, most: int) -> list[Moment]:
+    """What each moment is called and what was there; of more than `most` some, spread evenly, the newest among them."""
+    count = len(history.times)
+    rows = count - 1 - spread_rows(count, most)[::-1]
+    return [(history.text_of(history.times[row]), history.scene_at(history.dropped + row)) for row in rows.tolist()]
+
+
 class Drawn:
-    """The geometries of a history as shapes, each drawn once.
+    """The geometries of moments as shapes, each drawn once.
 
     Args:
-        viewer: The viewer, whose lock is held.
-        history: Its moments.
+        viewer: The viewer.
         max_points: As of `write_history`.
     """
 
-    def __init__(self, viewer: Viewer, history: LiveTimeline, max_points: int):
-        self._viewer, self._history, self._max_points = viewer, history, max_points
+    def __init__(self, viewer: Viewer, max_points: int):
+        self._viewer, self._max_points = viewer, max_points
         self._store = ShapeStore()
         self._sketches: dict[Item, tuple[Sketch, tuple[int, ...]]] = {}
         self._origin: Any = None
 
-    def timeline(self, max_frames: int, title: str, fps: float) -> Timeline:
-        """All moments as frames, or some of them."""
-        history, frames = self._history, []
-        count = len(history.times)
-        rows = count - 1 - spread_rows(count, max_frames)[::-1]  # the newest is among them
-        for row in rows.tolist():
-            shown = {n: self._placed(s) for n, s in history.scene_at(history.dropped + row).items() if s.visible}
-            frames.append(Frame(shown, history.text_of(history.times[row])))
-        notes = [f"{max_frames} of {count:,} moments"] if len(rows) < count else []
-        origin = np.zeros(3) if self._origin is None else self._origin
-        return Timeline(origin, self._store.shapes, frames, ", ".join([title, *notes] if title else notes), fps)
+    def timeline(self, moments: list[Moment]) -> Timeline:
+        """A frame for each moment."""
+        frames = []
+        for label, scene in moments:
+            shown = {name: self._placed(state) for name, state in scene.items() if state.visible}
+            frames.append(Frame(shown, label))
+        return Timeline(np.zeros(3) if self._origin is None else self._origin, self._store.shapes, frames)
 
     def _placed(self, state: State) -> Placed:
         drawn, numbers = self._sketch(state.item)

@@ -55,12 +55,11 @@ def logged(change: Callable[..., None]) -> Callable[..., None]:
 
     @functools.wraps(change)
     def run(viewer: Any, *arguments: Any, **keywords: Any) -> None:
-        timeline: LiveTimeline | None = viewer.timeline
-        if timeline is None:
-            change(viewer, *arguments, **keywords)
-            return
         with viewer.lock:
-            if timeline.is_live:
+            timeline: LiveTimeline | None = viewer.timeline
+            if timeline is None:
+                change(viewer, *arguments, **keywords)
+            elif timeline.is_live:
                 change(viewer, *arguments, **keywords)
                 given = (*arguments, *keywords.values())[:1]
                 timeline.take_scene([n for n, *_ in given[0]] if name == "add_named" else given)
@@ -350,6 +349,7 @@ class LiveTimeline:
             log.warning("%s", FULL)
             for client in self._viewer.server.pages.get_clients().values():
                 client.notify("pointloom", FULL)
+        self._unbuilt &= {state.item for track in self._tracks.values() for _, state in track if state is not None}
         del self.times[:count], self._touched[:count]
         self.dropped += count
         if self._shown is not None and self._shown < self.dropped:  # what is looked at has gone

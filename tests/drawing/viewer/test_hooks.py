@@ -490,13 +490,12 @@ def test_frames_come_as_a_page_takes_them_and_end_with_the_viewer():
 
 def test_a_key_of_the_program_begins_no_tool_any_more():
     heard = []
-    with loom.Viewer(port=0) as viewer:
-        with line_of(viewer.server) as line:
-            say(line, HELLO)
-            told = Told(line)
-            tool = told.find("command", hotkey="M")
-            until(lambda: viewer.sessions)
-            viewer.on_key("m", heard.append)
-            assert told.find("dropcommand")["id"] == tool["id"]
-            say(line, {"say": "command", "id": told.find("command", hotkey="M")["id"]})
-            until(lambda: heard == [*viewer.sessions])
+    with loom.Viewer(port=0) as viewer, line_of(viewer.server) as line:
+        say(line, HELLO)
+        told = Told(line)
+        tool = told.find("command", hotkey="M")
+        until(lambda: viewer.sessions)
+        viewer.on_key("m", heard.append)
+        assert told.find("dropcommand")["id"] == tool["id"]
+        say(line, {"say": "command", "id": told.find("command", hotkey="M")["id"]})
+        until(lambda: heard == [*viewer.sessions])

@@ -11,6 +11,7 @@ import pytest
 import pointloom as loom
 from pointloom.core.errors import PointloomError
 from pointloom.drawing.viewer import live_timeline
+from pointloom.drawing.viewer.live_recording import Drawn, moments_of
 from pointloom.drawing.viewer.live_timeline import ENTRY, asked_by_page
 from pointloom.drawing.viewer.viewer import Viewer
 
@@ -296,13 +297,11 @@ def test_pages_that_look_at_a_moment_that_goes_see_the_oldest_that_is_left(viewe
 
 
 def test_a_recording_has_a_frame_for_each_moment(viewer, tmp_path):
-    from pointloom.drawing.viewer.live_recording import Drawn
-
     tell_story(viewer)
     viewer.show_time(0)
-    drawn = Drawn(viewer, viewer.timeline, 1000).timeline(600, "story", 10.0)
+    drawn = Drawn(viewer, 1000).timeline(moments_of(viewer.timeline, 600))
     assert [[*frame.shown] for frame in drawn.frames] == [["old", "a"], ["old", "a"], ["a"], ["a", "b"]]
-    assert [frame.label for frame in drawn.frames] == ["0", "1", "2", "3"] and drawn.title == "story"
+    assert [frame.label for frame in drawn.frames] == ["0", "1", "2", "3"]
     assert len(drawn.shapes) == 4  # each once
     moved = drawn.frames[2].shown["a"]
     place = drawn.shapes[moved.shapes[0]].positions[0] + moved.pose[:3, 3] + drawn.origin
@@ -312,14 +311,14 @@ def test_a_recording_has_a_frame_for_each_moment(viewer, tmp_path):
 
 
 def test_of_many_moments_the_recording_has_some_and_the_newest(viewer, tmp_path):
-    from pointloom.drawing.viewer.live_recording import Drawn
-
     viewer.add("a", cloud_of(1))
     for frame in range(100):
         viewer.set_time(frame / 10)
         viewer.set_pose("a", POSE)
-    drawn = Drawn(viewer, viewer.timeline, 1000).timeline(10, "", 10.0)
-    assert len(drawn.frames) == 10 and drawn.frames[-1].label == "9.9 s" and drawn.title == "10 of 100 moments"
+    moments = moments_of(viewer.timeline, 10)
+    assert len(moments) == 10 and moments[-1][0] == "9.9 s"
+    viewer.save_recording(tmp_path / "run.html", max_frames=10, title="run")
+    assert "run, 10 of 100 moments" in (tmp_path / "run.html").read_text()
 
 
 @pytest.mark.parametrize(
