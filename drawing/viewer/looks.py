@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...core.checks import check_name
+from .painted import painted_labels
 from .scene import Scene, check_color, check_size
 
 
@@ -35,6 +36,21 @@ class Looks(Scene):
         """
         with self.server.pages.atomic():
             yield
+
+    def painted(self, name: str) -> NDArray[np.uint8] | None:
+        """The labels that pages have painted onto a cloud, which `viewer.items[name].cloud` holds as an attribute.
+
+        Args:
+            name: Of a cloud in the scene.
+
+        Returns:
+            A copy, uint8 [n], in the order of the points; None where nobody has begun to paint.
+
+        Raises:
+            KeyError: There is none of that name.
+        """
+        with self.lock:
+            return painted_labels(self._find(name))
 
     def screenshot(self, path: str | os.PathLike[str] | None = None, *, client: int | None = None) -> NDArray[np.uint8]:
         """A picture of the scene as a page shows it, drawn here: no page needs to be open.

@@ -150,6 +150,11 @@ class Session:
         """What the page's clip planes leave; None before it has tools."""
         return None if self._toolbox is None else self._toolbox.stage.clip
 
+    @property
+    def history(self) -> Any:
+        """What was changed in the page; None before it has tools."""
+        return None if self._toolbox is None else self._toolbox.stage.history
+
     def idle_stage(self) -> Any:
         """What picks in the page; None while a tool is at work, which has the clicks, and before there are tools."""
         return None if self._toolbox is None or self._toolbox.tool is not None else self._toolbox.stage

@@ -21,7 +21,9 @@ from ....pcd.units import InUnit
 from ...render.parts import Triangles
 from ...render.view import View
 from ..camera import diagonal
+from ..history import History
 from .clip_planes import Clip, hidden_points
+from .filters import Filter
 from .picking import Pick, Rows, Target, pick, ray_through
 
 if TYPE_CHECKING:
@@ -63,12 +65,15 @@ class Stage:
         run: Has something done in the order in which things are asked for; says whether it will be.
 
     Attributes:
-        clip: What clip planes leave to be seen.
+        clip: What clip planes and filters leave to be seen.
+        filters: The rules that points have to meet.
+        history: What was changed in the page.
     """
 
     def __init__(self, session: Session, run: Callable[[Callable[[], None]], bool]):
         self.session, self.viewer, self.client, self.run = session, session.viewer, session.client, run
-        self.clip = Clip()
+        self.clip, self.history = Clip(), History()
+        self.filters: tuple[Filter, ...] = ()
         self.status: Shown  # words and a table of the panel, which the toolbox makes
         self.rows: Shown
         self._nodes: list[Node] = []
@@ -168,8 +173,8 @@ class Stage:
             return None
         assert item.cloud is not None
         known = self._hidden.get(item.name)
-        if known is None or known[0] is not item or known[1] is not self.clip or known[2] is not pose:
-            known = item, self.clip, pose, hidden_points(item.cloud, self.clip, pose=pose)
+        if known is None or known[0] is not item.cloud or known[1] is not self.clip or known[2] is not pose:
+            known = item.cloud, self.clip, pose, hidden_points(item.cloud, self.clip, pose=pose)
             self._hidden[item.name] = known
         return known[3]
 

@@ -182,7 +182,7 @@ class Page:
 def page_in(viewer: Any, size: tuple[int, int] = (800, 600)) -> Iterator[Page]:
     """A page that looks at a viewer, which knows of it."""
     visitor = viewer.server.pages._welcome({"say": "hello", "size": list(size), "version": 1}, lambda: None)
-    page = Page(visitor.outbox, visitor.lock, visitor.take, visitor._client)
+    page = Page(visitor._outbox, viewer.server.pages._delivery.lock, visitor.take, visitor._client)
     page.settle()
     try:
         yield page
