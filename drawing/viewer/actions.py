@@ -14,6 +14,7 @@ from ...files.pictures.image_files import encode_png
 from ..render.open3d_views import read_view, write_view
 from .coloring_choice import choices_of
 from .keys import STEP
+from .live_timeline import asked_by_page
 from .recorded import remembered
 from .sessions import Session
 
@@ -31,7 +32,7 @@ def told_to_page(action: Callable[..., None]) -> Callable[..., None]:
         if client is None or self.viewer.closed:  # the program itself has set what the page shows
             return
         try:
-            with remembered(self.viewer, self.viewer.sessions.get(client)):
+            with asked_by_page(), remembered(self.viewer, self.viewer.sessions.get(client)):
                 action(self, client, *arguments)
         except (PointloomError, ValueError, TypeError, OSError, MemoryError) as error:
             self.tell(client, str(error), error=True)

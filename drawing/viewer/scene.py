@@ -5,7 +5,6 @@ from __future__ import annotations
 import logging
 import threading
 import time
-from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -22,8 +21,8 @@ from .camera import camera_of, diagonal, reach_of, read_parameters
 from .coloring_choice import ColoringChoice
 from .detail_tree import DetailTree
 from .extents import Bounds, Extents
+from .hooks import Hooks
 from .items import Frame, Item
-from .keys import check_hotkey
 from .later import Later
 from .nodes import NORMAL_LENGTH, ItemNodes
 from .panel import Panel
@@ -42,7 +41,7 @@ OUTLINE, LEAST_OUTLINE = 100_000, 50  # points of clouds by which a view of ever
 _NOTHING: Bounds = (np.full(3, -1.0), np.full(3, 1.0))  # what is looked at where there is nothing
 
 
-class Scene:
+class Scene(Hooks):
     """The items, where they stand in the pages, and the pages themselves; `Viewer` is what programs use.
 
     Whoever changes something holds `lock`: programs call from any thread, and pages from threads of theirs.
@@ -130,24 +129,6 @@ class Scene:
         with self.lock:
             nodes = self._nodes.get(name)
             return [] if nodes is None else nodes.surfaces()
-
-    def on_key(self, key: str, callback: Callable[[int], None], label: str = "") -> None:
-        """Call back when a key is pressed in a page, in place of what it did there.
-
-        Args:
-            key: "A" to "Z", "0" to "9", "space", "enter", "escape", "tab", "backspace", "delete", "insert", "home",
-                "end", "pageup", "pagedown", "arrowup", "arrowdown", "arrowleft" or "arrowright".
-            callback: Called with the number of the page, in a thread of the pages; what it raises is shown there.
-            label: What the key does, for the list that Ctrl+K opens; "" for its name.
-
-        Raises:
-            ValueError: No such key.
-            TypeError: No function.
-        """
-        if not callable(callback):
-            raise TypeError(f"callback: expected a function, got {type(callback).__name__}")
-        with self.lock:
-            self.panel.bind_key(check_hotkey(key), check_name("label", label or key), callback)
 
     def take_lock(self) -> bool:
         """Take `lock`, for threads that `close` waits for, perhaps holding it; false once the viewer is closed."""
@@ -251,7 +232,8 @@ class Scene:
             self.sessions, self._nodes, self.items, self._coming, self._builders = {}, {}, {}, {}, []
             self._extents, self._with_unit = Extents(), {}
             self._later.close()
-        return [*sessions, *builders, self._later]
+            hooks = self._end_hooks()
+        return [*sessions, *builders, self._later, *hooks]
 
     def _build_levels(self, item: Item) -> None:
         """Build the levels of detail of a cloud, if it is large, while a part of it is shown; the lock is held."""

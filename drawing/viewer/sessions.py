@@ -155,6 +155,15 @@ class Session:
         """What was changed in the page; None before it has tools."""
         return None if self._toolbox is None else self._toolbox.stage.history
 
+    def idle_stage(self) -> Any:
+        """What picks in the page; None while a tool is at work, which has the clicks, and before there are tools."""
+        return None if self._toolbox is None or self._toolbox.tool is not None else self._toolbox.stage
+
+    def give_up_key(self, key: str) -> None:
+        """A key calls the program from now on."""
+        if self._toolbox is not None and not self.closed:
+            self._toolbox.give_up_key(key)
+
     def refresh_tools(self) -> None:
         """The scene has changed: clip planes cut it, tools offer what there is."""
         if self._toolbox is not None and not self.closed:

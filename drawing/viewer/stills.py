@@ -117,16 +117,17 @@ def as_entry(named: Named) -> dict[str, Any]:
 
 def shown_geometries(viewer: Viewer, clip: Clip | None = None) -> list[Named]:
     """What the viewer shows, in the styles that it shows it in; clouds and meshes as clip planes leave them."""
-    shown = []
-    for item in viewer.items.values():
-        if item.visible:
-            geometry, style = item.geometry if item.cloud is None else with_colors(item), _style(viewer, item)
-            if clip is not None:
-                geometry = clipped(geometry, clip, style.pose)
-            if item.painting is not None and style.color_by == item.painting.attribute:
-                geometry, style = _with_classes(geometry, item), dataclasses.replace(style, color_by="rgb")
-            shown.append((item.name, geometry, style))
-    return shown
+    return [shown_geometry(viewer, item, clip) for item in viewer.items.values() if item.visible]
+
+
+def shown_geometry(viewer: Viewer, item: Item, clip: Clip | None = None) -> Named:
+    """A geometry of the viewer in the style that it is shown in, as clip planes leave it."""
+    geometry, style = item.geometry if item.cloud is None else with_colors(item), _style(viewer, item)
+    if clip is not None:
+        geometry = clipped(geometry, clip, style.pose)
+    if item.painting is not None and style.color_by == item.painting.attribute:
+        geometry, style = _with_classes(geometry, item), dataclasses.replace(style, color_by="rgb")
+    return item.name, geometry, style
 
 
 def clipped(geometry: Any, clip: Clip, pose: Any) -> Any:

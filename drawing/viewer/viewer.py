@@ -18,6 +18,7 @@ from ..render.view import View
 from .detail_tree import DetailTree
 from .ending import farewell
 from .items import Frame, make_item
+from .live_timeline import logged
 from .looks import Looks
 from .scene import check_color, check_size
 from .sessions import POINT_SIZE
@@ -141,6 +142,7 @@ class Viewer(Looks):
         """
         self.add_named(named_geometries(geometries))
 
+    @logged
     def add_named(self, named: list[Named], trees: Mapping[str, DetailTree] = MappingProxyType({})) -> None:
         """Add what `named_geometries` gives, some perhaps with levels of detail by name."""
         with self.lock, self.batch():
@@ -164,6 +166,7 @@ class Viewer(Looks):
                 self.panel.put_item(item)
             self._changed(was_empty)
 
+    @logged
     def update(self, name: str, geometry: Any) -> None:
         """Show another geometry under a name, all at once and without a flicker; style, pose and visibility stay.
 
@@ -189,6 +192,7 @@ class Viewer(Looks):
             self.panel.put_item(item)
             self._changed(was_empty)
 
+    @logged
     def remove(self, name: str) -> None:
         """Take a geometry out of the scene.
 
@@ -201,6 +205,7 @@ class Viewer(Looks):
             self._take_out(name)
             self._changed(False)
 
+    @logged
     def clear(self) -> None:
         """Take all out of the scene; what comes next is looked at anew."""
         with self.lock, self.batch():
@@ -210,6 +215,7 @@ class Viewer(Looks):
             self.frame = Frame(np.zeros(3))
             self._changed(False)
 
+    @logged
     def set_pose(self, name: str, T: Any) -> None:
         """Move a geometry: 84 bytes for each page, whatever its size.
 
@@ -224,7 +230,7 @@ class Viewer(Looks):
         with self.lock:
             self._check_open()
             item = self._find(name)
-            item.pose = check_rigid("T", T)
+            item.pose = check_rigid("T", T).copy()  # the caller may go on with its own
             self._nodes[name].set_pose()
             for session in self._open_sessions():
                 with session.as_it_lasts():
@@ -232,6 +238,7 @@ class Viewer(Looks):
             self._extents.put(name, item.world_bounds())
             self._changed(False)
 
+    @logged
     def set_visible(self, name: str, visible: bool) -> None:
         """Show or hide a geometry.
 

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 from ....core.errors import PointloomError
 from ...render.view import View
+from ..live_timeline import asked_by_page
 from .clip_controls import ClipControls
 from .filter_controls import FilterControls
 from .ground_tools import AreaTool, ProfileTool, VolumeTool
@@ -70,10 +71,12 @@ class Toolbox:
         with self._top:
             self.stage.status = gui.add_words("")
             self.stage.rows = gui.add_table((), visible=False)
+        self._commands: list[Any] = []
         for kind, button in self._buttons.items():
             toggle = self._asks(lambda kind=kind: self.toggle(kind))
             button.on_click(toggle)
-            gui.add_command(kind.label, kind.key, group="Tools").on_trigger(toggle)
+            self._commands.append(gui.add_command(kind.label, kind.key, group="Tools"))
+            self._commands[-1].on_trigger(toggle)
         self.clip = ClipControls(self.stage, self._folder)
         self.filter = FilterControls(self.stage, self._folder, self.clip.apply)
         for key, label, action in KEYS:
@@ -140,6 +143,12 @@ class Toolbox:
             self.stage.show([])
             self._top.visible = False
 
+    def give_up_key(self, key: str) -> None:
+        """A key calls the program from now on: the tool that it began is begun by its button."""
+        for command in [command for command in self._commands if command.hotkey == key]:
+            self._commands.remove(command)
+            command.remove()
+
     def toggle(self, kind: type[Tool]) -> None:
         """Begin with a tool, or end it where it is at work."""
         if isinstance(self.tool, kind):
@@ -198,7 +207,8 @@ class Toolbox:
     def _do(self, job: Callable[[], None]) -> None:
         try:
             if not self._closed:
-                job()
+                with asked_by_page():
+                    job()
         except (PointloomError, ValueError, TypeError, LookupError, OSError, MemoryError) as error:
             self._tell(str(error.args[0]) if isinstance(error, KeyError) and error.args else str(error))
         except Exception:  # a page that goes meanwhile, or a fault of ours: the viewer goes on
