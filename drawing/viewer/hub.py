@@ -18,8 +18,10 @@ import gzip
 import http
 import inspect
 import logging
+import math
 import socket
 import threading
+import time
 import types
 from collections.abc import Callable, Mapping
 from pathlib import Path
@@ -75,6 +77,7 @@ class GuardedHub(WebsockServer):
         self._page = gzip.compress(_page(self._http_server_root / "index.html", title), 6)
         self._client_count = 0
         self._next_id = 0
+        self.last_request = -math.inf  # when the page was last given (time.monotonic)
         self.owner: GuardedViser | None = None  # once it is complete
 
     # -- the thread ---------------------------------------------------------------------------------------------------
@@ -134,6 +137,7 @@ class GuardedHub(WebsockServer):
         path = request.path.partition("?")[0]
         if path not in ("/", "/index.html"):
             return _response(http.HTTPStatus.NOT_FOUND, "there is one page here: /")
+        self.last_request = time.monotonic()
         if websocket:
             if _PROTOCOL not in request.headers.get("Sec-WebSocket-Protocol", "").replace(",", " ").split():
                 return _response(http.HTTPStatus.UPGRADE_REQUIRED, "this page is of another version: load it again")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import errno
 import getpass
+import math
 import os
 import socket
 from typing import TYPE_CHECKING, Any
@@ -86,6 +87,11 @@ class ViewerServer:
         if self._viser is None:
             raise ViewerError("the viewer is closed: open another")
         return self._viser
+
+    @property
+    def last_request(self) -> float:
+        """When the page was last asked for, and given (`time.monotonic`); minus infinity before, and when closed."""
+        return -math.inf if self._viser is None else self._viser._websock_server.last_request  # type: ignore
 
     @property
     def closed(self) -> bool:
