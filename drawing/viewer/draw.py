@@ -11,10 +11,10 @@ from typing import Any
 from ...core.checks import check_count, check_positive
 from ...core.errors import PointloomError
 from ...core.told_arguments import told_arguments
+from ..notebook_output import in_notebook
 from ..render.geometries import Named, named_geometries
 from ..render.picture import Picture
 from .inline import InlinePage, inline_page, wants_inline
-from .notebook import in_notebook
 from .presence import LINGER
 from .viewer import MOST_POINTS, Viewer
 
@@ -48,7 +48,8 @@ def draw(
 
     From a script it says on stderr where the page is, opens a browser where there is a display, and returns when the
     last page has been closed for a minute (`linger`), or with Ctrl-C. In a notebook it returns at once and the cell
-    shows the page: live where the browser can reach a server of this machine, else as a page of its own inside the notebook.
+    shows the page: live where the browser can reach a server of this machine, else as a page of its own inside the
+    notebook.
 
     Where the environment variable POINTLOOM_DRAW is "picture", so that a script runs unattended, nothing is opened and
     nothing waits: what would wait returns the picture that the page would begin with.

@@ -366,9 +366,11 @@ _ICON = (
 )
 
 
+# A notebook shows its frame once the page says that it is there (drawing/notebook_output.py).
 # viser's page flies on these letters, W above all, which is ours for wireframes: its hotkeys listen at the root element
 # and its camera at the document above, so that events that end at the root reach hotkeys alone.
 _NO_FLIGHT = """<script>
+if (parent !== window) parent.postMessage("pointloom", "*");
 document.documentElement.addEventListener("keydown", (event) => {
   if (/^Key[WASDQE]$/.test(event.code)) event.stopPropagation();
 });

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from ...core.checks import check_count, check_name, check_rigid
 from ...pcd.cloud import PointCloud
+from ..notebook_output import live_output
 from ..render.geometries import Named, named_geometries
 from ..render.open3d_views import OPEN3D_KEYS
 from ..render.view import View
@@ -87,13 +88,10 @@ class Viewer(Scene):
         return f"Viewer({self.url}, {len(self.items)} geometries{', closed' if self.closed else ''})"
 
     def _repr_mimebundle_(self, include: Any = None, exclude: Any = None) -> dict[str, Any]:
-        """The page in a frame, for notebooks."""
-        from .notebook import frame_html
-
+        """The page in a frame over a still of it, for notebooks."""
         if self.closed:
             return {"text/plain": repr(self)}
-        page = frame_html(self.url, self.ssh_line, self.screenshot(), self._size[1] * 2 // 3)
-        return {"text/plain": repr(self), "text/html": page}
+        return live_output(repr(self), self.url, self.ssh_line, self.screenshot(), self._size[1] * 2 // 3)
 
     def __enter__(self) -> Viewer:
         return self
