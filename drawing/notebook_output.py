@@ -74,8 +74,8 @@ def live_output(text: str, url: str, ssh_line: str, picture: NDArray[np.uint8], 
         'allow="fullscreen"></iframe>'
     )
     words = (
-        f"<small>A picture of when this cell ran, and the live viewer over it while its program runs and "
-        f"{html.escape(url)} is reached; from another machine first: <code>{html.escape(ssh_line)}</code></small>"
+        f"<small>Live while the kernel runs and {html.escape(url)} is reached, from another machine after "
+        f"<code>{html.escape(ssh_line)}</code>; else a picture of when this cell ran</small>"
     )
     still = _encoded(picture)
     shown = _over_still(frame, still, height) + f"<p>{words}</p>" + _COVER % {"name": name, "ready": READY}

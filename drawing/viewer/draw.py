@@ -14,8 +14,10 @@ from ...core.told_arguments import told_arguments
 from ..notebook_output import in_notebook
 from ..render.geometries import Named, named_geometries
 from ..render.picture import Picture
+from .cells import keep, make_room
 from .inline import InlinePage, inline_page, wants_inline
 from .presence import LINGER
+from .server import ViewerError
 from .viewer import MOST_POINTS, Viewer
 
 
@@ -99,8 +101,9 @@ def draw(
         return inline_page(named, view, size, window_name, max_points, reason)
     if unattended() and (block or (block is None and not notebook)):
         return _picture(named, view, size, point_show_normal, mesh_show_wireframe)
+    options: dict[str, Any] = {"host": host, "title": window_name, "max_points": max_points, "size": size}
     try:
-        viewer = Viewer(port=port, host=host, title=window_name, max_points=max_points, size=size)
+        viewer = _open_in_cell(port, **options) if notebook and not block else Viewer(port=port, **options)
     except PointloomError as error:
         if not notebook:
             raise
@@ -173,6 +176,17 @@ def open_page(viewer: Viewer) -> bool:
         return webbrowser.open(viewer.url)
     except webbrowser.Error:
         return False
+
+
+def _open_in_cell(port: int, **options: Any) -> Viewer:
+    """A viewer in place of what this cell opened before; under any port where those asked for are taken."""
+    make_room()
+    try:
+        viewer = Viewer(port=port, **options)
+    except ViewerError:
+        viewer = Viewer(port=0, **options)
+    keep(viewer)
+    return viewer
 
 
 def _with_back_faces(named: list[Named], shown: bool) -> list[Named]:

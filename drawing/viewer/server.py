@@ -111,6 +111,11 @@ class ViewerServer:
         """Cut off every page; each connects again by itself, as a new client."""
         self.viser._websock_server.disconnect_all_clients()
 
+    def say_end(self, text: str) -> None:
+        """Tell all pages why the viewer is about to be closed; it stays there."""
+        for client in self.viser.get_clients().values():
+            client.add_notification("This viewer is closed", text, auto_close_seconds=None)
+
     def close(self) -> None:
         """Send the pages away and free port, threads and memory; twice is no error."""
         server, self._viser = self._viser, None
