@@ -20,6 +20,7 @@ from numpy.typing import NDArray
 from PIL import Image
 
 QUALITY, MOST_WIDTH, MOST_BYTES = 85, 960, 200_000  # of a still: JPEG's own scale, pixels, bytes
+MOST_PAGE_BYTES = 4 * 2**20  # of a page, an animation or a video that lies in a notebook
 SMALLER = 0.8  # by which its sides shrink until it fits
 READY = "pointloom"  # what a live page says to the page around it
 

@@ -15,13 +15,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ..notebook_output import MOST_PAGE_BYTES as MOST_BYTES
 from ..notebook_output import MOST_WIDTH, page_output, still_output
 from ..render.geometries import Named, parts_of
 from ..render.scene import Scene
 from .stills import as_entry, write_geometries
 
 VARIABLE = "POINTLOOM_INLINE"
-MOST_BYTES = 4 * 2**20  # of a page in a notebook
 FIRST_POINTS = 200_000  # of a first try: about 16 bytes each, once they are packed
 SMALLER, TRIES = 0.9, 4  # how far below the share that would just fit, and how often
 
