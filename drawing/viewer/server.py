@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import errno
 import getpass
 import math
@@ -10,6 +11,7 @@ import socket
 from typing import TYPE_CHECKING, Any
 
 from ...core.errors import PointloomError
+from .forks import disown_port, own_port
 from .guard import RequestGuard, is_loopback
 
 if TYPE_CHECKING:
@@ -53,7 +55,8 @@ class ViewerServer:
 
     Notes:
         Takes up to 32 pages at once, messages of theirs of up to 8 MiB, and drops one that does not read for a
-        minute. Threads and port are given back by `close`, which the end of the process does as well.
+        minute. Threads and port are given back by `close`, which the end of the process does as well. A child that is
+        forked off has a server that is closed.
     """
 
     def __init__(self, host: str = "127.0.0.1", port: int = 8080, *, title: str = "pointloom"):
@@ -73,11 +76,14 @@ class ViewerServer:
         self.moved_from = port if port not in (0, self.port) else None
         address = bound.getsockname()[0]
         self.exposed = not is_loopback(address)
+        self._door = bound.dup()  # of the same listening socket, whoever else holds it
         try:
             self._viser = GuardedViser(bound, _guard(host) if self.exposed else RequestGuard(), title)
         except BaseException:
             bound.close()
+            self._door.close()
             raise
+        own_port(self)
         self.url = f"http://{_shown_host(host, address)}:{self.port}"
         self.ssh_line = _ssh_line(address, self.port)
 
@@ -119,8 +125,17 @@ class ViewerServer:
     def close(self) -> None:
         """Send the pages away and free port, threads and memory; twice is no error."""
         server, self._viser = self._viser, None
-        if server is not None:
-            server.stop()
+        if server is None:
+            return
+        server.stop()
+        disown_port(self)
+        with contextlib.suppress(OSError):
+            self._door.shutdown(socket.SHUT_RDWR)  # closes it in processes too that have it from this one
+        self._door.close()
+
+    def forget(self) -> None:
+        """Be closed in a forked child, where no thread serves and the sockets are closed: the parent goes on."""
+        self._viser = None
 
     def __enter__(self) -> ViewerServer:
         return self
