@@ -47,8 +47,10 @@ def in_notebook() -> bool:
 
 
 def still_jpeg(picture: NDArray[np.uint8]) -> bytes:
-    """A picture [h, w, 3] as JPEG of at most 200 kB and 960 pixels across."""
+    """A picture [h, w, 3] as JPEG of at most 200 kB and 960 pixels across; one of [h, w, 4] over white."""
     image, most = Image.fromarray(np.ascontiguousarray(picture)), MOST_WIDTH
+    if image.mode == "RGBA":
+        image = Image.alpha_composite(Image.new("RGBA", image.size, "white"), image).convert("RGB")
     while True:
         if image.width > most:
             image = image.resize((most, max(1, round(image.height * most / image.width))), Image.Resampling.LANCZOS)

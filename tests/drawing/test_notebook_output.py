@@ -52,6 +52,13 @@ def test_each_live_frame_has_a_name_of_its_own():
     assert len(name) > 12 and name not in OUTPUTS["live"]["text/html"] and again.count(name) == 2
 
 
+def test_what_is_seen_through_lies_over_white():
+    clear = np.zeros((8, 8, 4), np.uint8)
+    clear[:4] = [0, 0, 255, 128]
+    still = np.asarray(Image.open(io.BytesIO(still_jpeg(clear)))).astype(int)
+    assert np.abs(still[0, 0] - [127, 127, 255]).max() < 6 and still[7, 7].min() > 250
+
+
 @pytest.mark.parametrize("shape", [(1, 1), (3, 5000), (5000, 3), (1440, 1920)])
 def test_stills_of_any_size_and_content_are_bounded(shape):
     noise = np.random.default_rng(0).integers(0, 256, (*shape, 3), np.uint8)
