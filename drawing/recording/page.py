@@ -84,18 +84,18 @@ def write_page(
     arrays: list[NDArray[Any]] = []
     description = _describe(timeline, arrays, view, _check_background(background), point_size)
     with atomic_write(path, overwrite=overwrite) as file:
-        _write(file, description, arrays)
+        _write(file, description, arrays, timeline.name or timeline.title or path.stem)
 
 
-def _write(file: IO[bytes], description: dict[str, Any], arrays: list[NDArray[Any]]) -> None:
-    """Fill the gaps of player.html; what is put into one is never searched for others."""
+def _write(file: IO[bytes], description: dict[str, Any], arrays: list[NDArray[Any]], name: str) -> None:
+    """Fill the gaps of player.html, for a tab of that name; what is put into one is never searched for others."""
     script, style = player_script(), player_style()
     texts = {
         "script": script,
         "script-hash": hash_of(script),
         "style": style,
         "style-hash": hash_of(style),
-        "title": html.escape(description["title"] or "Recording"),
+        "title": html.escape(name),
         "theme": "dark" if np.dot(description["background"], (0.299, 0.587, 0.114)) < 0.5 else "light",
         "description": _json_in_html(description),
     }

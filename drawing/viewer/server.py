@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import errno
 import getpass
+import math
 import os
 import socket
 from typing import TYPE_CHECKING, Any
@@ -90,9 +91,14 @@ class ViewerServer:
         return self._pages
 
     @property
+    def last_request(self) -> float:
+        """When the page was last asked for (`time.monotonic`); minus infinity when closed."""
+        return -math.inf if self._pages is None else self._pages.last_asked
+
+    @property
     def closed(self) -> bool:
-        """Whether `close` was called."""
-        return self._pages is None
+        """Whether `close` was called, or this is a forked child."""
+        return self._pages is None or self._pages.is_child
 
     def close(self) -> None:
         """Send the pages away and free port, threads and memory; twice is no error."""

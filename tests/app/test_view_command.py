@@ -236,10 +236,11 @@ def test_the_page_is_told_on_stderr_and_ctrl_c_frees_the_port(cloud):
 
 def test_a_large_file_is_seen_while_it_is_read(tmp_path, rng, monkeypatch):
     loom.write_point_cloud(tmp_path / "large.ply", loom.PointCloud(rng.random((30_000, 3))))
-    shown = []
+    shown, waited = [], []
 
-    def look(viewer):
+    def look(viewer, **options):
         shown.append({name: len(item.cloud) for name, item in viewer.items.items()})
+        waited.append(options)
 
     add_named, open_tree = loom.Viewer.add_named, DetailTree.from_file
     viewers = []
@@ -248,7 +249,8 @@ def test_a_large_file_is_seen_while_it_is_read(tmp_path, rng, monkeypatch):
         DetailTree, "from_file", lambda *given, **more: (look(viewers[0]), open_tree(*given, **more))[1]
     )
     monkeypatch.setattr(loom.Viewer, "wait", look)
-    result = run("view", tmp_path / "large.ply", "--max-points", 10_000, "--port", 0, "--no-open")
+    result = run("view", tmp_path / "large.ply", "--max-points", 10_000, "--port", 0, "--no-open", "--linger", 5)
+    assert waited == [{}, {"linger": 5.0}]
     assert result.exit_code == 0 and result.stderr.count("viewer: http://127.0.0.1:") == 1
     assert shown == [{"large.ply: a first look": 10_000}, {"large.ply": 30_000}]
 

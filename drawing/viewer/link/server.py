@@ -45,6 +45,7 @@ class PageServer:
         scene: What all pages draw, those that come later as well.
         gui: What all have in their panels.
         token: What the page's address must hold.
+        is_child: This is a forked child's copy: the pages are its parent's.
     """
 
     def __init__(self, bound: socket.socket, guard: RequestGuard, title: str = "pointloom"):
@@ -55,6 +56,7 @@ class PageServer:
         self._clients: dict[int, PageClient] = {}
         self._numbers = itertools.count()
         self._first: CameraState = FIRST
+        self.is_child = False
         self._on_connect: list[Callable[[PageClient], Any]] = []
         self._on_disconnect: list[Callable[[PageClient], Any]] = []
         self._hub = Hub(bound, guard, ServedPage(live_page(title)), self.token, self._welcome)
@@ -176,7 +178,7 @@ class PageServer:
                     os.dup2(nothing, line.fileno())
             os.close(nothing)
         self._delivery.close()
-        self._clients = {}
+        self._clients, self.is_child = {}, True
 
 
 class _Visitor:

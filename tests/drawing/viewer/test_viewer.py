@@ -9,7 +9,7 @@ import pytest
 import pointloom as loom
 from pointloom.core.errors import FileError, PointloomError
 from pointloom.drawing.render.view import View
-from pointloom.drawing.viewer import scene, viewer
+from pointloom.drawing.viewer import scene
 from pointloom.drawing.viewer.items import rotation
 from pointloom.drawing.viewer.keys import KEYS
 from pointloom.drawing.viewer.viewer import Viewer
@@ -605,17 +605,6 @@ def test_close_frees_port_threads_and_memory(rng):
     wait_until(lambda: threading.active_count() <= before)
     with Viewer(port=port) as again:
         assert again.server.port == port
-
-
-def test_wait_ends_a_while_after_the_last_page_has_gone(shown, monkeypatch):
-    monkeypatch.setattr(viewer, "LEFT_ALONE", 0.3)
-    done = threading.Event()
-    threading.Thread(target=lambda: (shown.wait(), done.set()), daemon=True).start()
-    assert not done.wait(0.6)  # nobody was there yet
-    with page_of(shown.server):
-        session_of(shown)
-        assert not done.wait(0.6)
-    assert done.wait(3)
 
 
 def test_wait_for_some_seconds_says_whether_it_is_over(shown):
