@@ -37,13 +37,13 @@ REFUSED = """<!doctype html>
 <title>pointloom</title>
 <style>{style}</style>
 <h1>This address lacks its key</h1>
-<p>Open the whole address that the program printed: it ends in <code>?token=...</code>.</p>
-<p>A program that was started again has another key; the old address is of no use then.</p>
+<p>Open the whole address that the program printed, with <code>?token=</code> and what follows.</p>
+<p>A program that was started again printed a new one; the old one is of no use then.</p>
 </html>
 """
 _STYLE = (
     ":root{color-scheme:light dark}body{font:16px/1.5 system-ui,sans-serif;max-width:34em;margin:15vh auto;"
-    "padding:0 1em}h1{font-size:1.3em}"
+    "padding:0 1em}h1{font-size:1.3em}code{white-space:nowrap}"
 )
 
 
