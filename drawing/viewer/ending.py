@@ -6,7 +6,7 @@ import shlex
 import sys
 from pathlib import Path
 
-from .notebook import in_notebook
+from ..notebook_output import in_notebook
 
 
 def farewell() -> str:
