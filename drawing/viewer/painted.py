@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ...pcd.cloud import PointCloud
 from .tools.filters import column_of
 from .tools.labels import Painting
 
@@ -62,7 +61,4 @@ def painted_labels(item: Item) -> NDArray[np.uint8] | None:
 def _put(item: Item) -> None:
     """The item's cloud is another one with the labels; the program's own stays as it is."""
     assert item.cloud is not None and item.painting is not None
-    painted: Any = item.painting.on(item.cloud)
-    if isinstance(item.geometry, PointCloud):
-        item.geometry = painted
-    item.cloud = painted
+    item.relabel(item.painting.on(item.cloud))
