@@ -22,8 +22,8 @@ class Looks(Scene):
     def batch(self) -> Iterator[None]:
         """Have pages take many changes as one, which they show in one picture.
 
-        Within another it is part of that one. Each thread has its own; what raises within it ends it, and what was
-        changed until then is shown.
+        Within another it is part of that one. While one is open, what other threads change waits for its end as well,
+        but no longer than a second. What raises within it ends it, and what was changed until then is shown.
 
         Example:
             >>> import numpy as np, pointloom as loom
@@ -39,6 +39,8 @@ class Looks(Scene):
 
     def painted(self, name: str) -> NDArray[np.uint8] | None:
         """The labels that pages have painted onto a cloud, which `viewer.items[name].cloud` holds as an attribute.
+
+        They count as saved then; of what nobody has saved, `close` warns in the log `pointloom.viewer`.
 
         Args:
             name: Of a cloud in the scene.

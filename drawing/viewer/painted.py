@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import logging
+from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -13,6 +15,9 @@ from .tools.labels import Painting
 if TYPE_CHECKING:
     from .items import Item
     from .viewer import Viewer
+
+
+log = logging.getLogger("pointloom.viewer")
 
 
 def begin_painting(viewer: Viewer, name: str, attribute: str) -> Painting:
@@ -54,8 +59,24 @@ def show_painting(viewer: Viewer, name: str) -> None:
 
 
 def painted_labels(item: Item) -> NDArray[np.uint8] | None:
-    """A copy of the labels that were painted; None where nothing was."""
-    return None if item.painting is None else item.painting.labels.copy()
+    """A copy of the labels that were painted, which count as saved then; None where nothing was."""
+    if item.painting is None:
+        return None
+    item.painting.unsaved = 0
+    return item.painting.labels.copy()
+
+
+def unsaved_labels(items: Iterable[Item]) -> str:
+    """What was painted and neither saved nor asked for by the program, in words; "" where nothing was."""
+    found = [(item.name, item.painting.unsaved) for item in items if item.painting is not None]
+    return ", ".join(f"{count} change{'s' * (count != 1)} of {name}" for name, count in found if count)
+
+
+def warn_of_unsaved(items: Iterable[Item]) -> None:
+    """Say what goes as the viewer is closed."""
+    told = unsaved_labels(tuple(items))
+    if told:
+        log.warning("painted labels go that nobody saved: %s", told)
 
 
 def _put(item: Item) -> None:

@@ -19,6 +19,7 @@ from .detail_tree import DetailTree
 from .ending import farewell
 from .items import Frame, make_item
 from .looks import Looks
+from .painted import warn_of_unsaved
 from .scene import check_color, check_size
 from .sessions import POINT_SIZE
 
@@ -315,6 +316,7 @@ class Viewer(Looks):
     def close(self) -> None:
         """Free port, threads and memory; pages say that the viewer is closed, and how to start it again."""
         if not self.closed:
+            warn_of_unsaved(self.items.values())
             self.server.pages.end(farewell())
         self._ended.set()
         threads = self._let_go()

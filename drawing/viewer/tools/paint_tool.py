@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from ....files.points.point_cloud import write_point_cloud
 from ...render.view import View
 from ..history import Change
-from ..painted import begin_painting, show_painting
+from ..painted import begin_painting, show_painting, unsaved_labels
 from .kept_files import keep_file, place_of_files
 from .labels import Painting, Stroke, brush, meant_points
 from .stage import Tool, check_room
@@ -26,7 +26,7 @@ class PaintTool(Tool):
     """Paints classes onto points that are seen, by a round brush or a polygon, and saves them with the cloud."""
 
     label = "Paint labels"
-    key = "L"
+    key = "G"
     hint = "Click on points: the brush gives them the class. Ctrl+Z takes it back."
 
     def __init__(self, stage: Any, folder: Path | None = None):
@@ -61,8 +61,7 @@ class PaintTool(Tool):
 
     def stop(self) -> None:
         """Labels stay with the cloud; those that no file holds are told."""
-        unsaved = [(item.name, item.painting.unsaved) for item in self.stage.items() if item.painting is not None]
-        told = ", ".join(f"{count} changes of {name}" for name, count in unsaved if count)
+        told = unsaved_labels(self.stage.items())
         if told:
             self.stage.client.notify("pointloom", f"Not saved to a file yet: {told}. They stay until the program ends.")
 

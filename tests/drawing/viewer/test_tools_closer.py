@@ -252,7 +252,7 @@ def test_labels_are_saved_by_the_page_and_those_that_are_not_are_told(page, tmp_
     assert page.page.control("class").value == "8 kerb"
     click_on(page, (0.0, 0.0))
     page.key("escape")
-    assert "1 changes of heap" in page.notices[-1]
+    assert "1 change of heap" in page.notices[-1]
     page.press("Paint labels")
     page.set("file", f"labels{suffix}")
     page.press("Save the labels")
