@@ -19,6 +19,7 @@ from .ending import close_at_exit, farewell
 from .items import Frame, make_item
 from .live_timeline import logged
 from .looks import Looks
+from .painted import warn_of_unsaved
 from .presence import LINGER, Presence
 from .scene import check_color, check_size
 from .sessions import POINT_SIZE
@@ -323,6 +324,7 @@ class Viewer(Looks):
     def _close(self, words: str) -> None:
         """Close; pages say these words."""
         if not self.closed and not self.server.closed:
+            warn_of_unsaved(self.items.values())
             self.server.pages.end(words)
         self._ended.set()
         threads = self._let_go()

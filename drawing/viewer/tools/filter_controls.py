@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from ....core.units import symbol_of
-from ...render.colormaps import colormap_table
+from ...render.colormaps import ENTRIES, colormap_table
 from ..history import Change
 from .filters import CLASSES, TIMES, Census, Filter, column_in_world, filters_of, take_census
 from .stage import Stage
@@ -19,7 +19,6 @@ from .stage import Stage
 NOTHING = "nothing"
 TICK = 0.2  # [s] between the steps of a window that plays
 STEPS = 100  # of a window that plays from end to end
-_MAP = "viridis"  # where the colours in the scene show something else
 
 
 class FilterControls:
@@ -101,15 +100,15 @@ class FilterControls:
 
     def _offer_range(self, census: Census, rule: Filter) -> list[Any]:
         gui = self._stage.client.gui
-        ends = max(rule.low, census.low), min(rule.high, census.high)
+        ends = _within(rule, census)
         unit = symbol_of(self._stage.unit(item.name for item in self._stage.items()))
         self._range = gui.add_histogram(
             census.by,
             census.counts.tolist(),
             (census.low, census.high),
-            ends if ends[0] <= ends[1] else (census.low, census.high),
+            ends,
             unit=unit if census.by in ("x", "y", "height") else "",
-            colors=self._colors(census.by),
+            colors=self._colors(census.by, ends),
         )
         self._range.on_update(lambda _: self._stage.ask(self._take_range))
         if census.kind != TIMES:
@@ -129,11 +128,19 @@ class FilterControls:
             tick.on_update(lambda _: self._stage.ask(self._take_classes))
         return [group, *self._ticks.values()]
 
-    def _colors(self, by: str) -> Any:
-        """The colours that the values have in the scene where they are shown there."""
-        coloring = self._stage.viewer.coloring
-        name = coloring.colormap if coloring.by == by and coloring.colormap else _MAP
-        return np.rint(255 * colormap_table(name)).astype(np.uint8)
+    def _colors(self, by: str, ends: tuple[float, float]) -> Any:
+        """The colours in the scene of values between two ends, uint8 [256, 3]; None where something else is shown."""
+        if self._stage.viewer.coloring.by != by:
+            return None
+        for item in self._stage.items():
+            coloring = item.coloring
+            if coloring is not None and coloring.limits is not None and coloring.colormap is not None:
+                low, high = coloring.limits
+                values = np.linspace(*ends, ENTRIES)
+                shares = np.clip((values - low) / (high - low), 0, 1) if high > low else np.zeros(ENTRIES)
+                table = colormap_table(coloring.colormap)
+                return np.rint(255 * table[np.rint(shares * (ENTRIES - 1)).astype(int)]).astype(np.uint8)
+        return None
 
     # -- what is said -------------------------------------------------------------------------------------------------
 
@@ -141,12 +148,18 @@ class FilterControls:
         census = self._census
         if census is not None:
             low, high = self._range.value
+            self._recolor()
             # a range at its end does not cut there: values beyond the bars are seen as well
             step = (census.high - census.low) * 1e-6
             self._change(
                 low=-math.inf if low <= census.low + step else float(low),
                 high=math.inf if high >= census.high - step else float(high),
             )
+
+    def _recolor(self) -> None:
+        """The bars' colours are told from one end of the range to the other."""
+        if self._census is not None:
+            self._range.colors = self._colors(self._census.by, self._range.value)
 
     def _take_classes(self) -> None:
         shown = frozenset(number for number, tick in self._ticks.items() if tick.value)
@@ -191,7 +204,8 @@ class FilterControls:
             for number, tick in self._ticks.items():
                 tick.value = rule.classes is None or number in rule.classes
         else:
-            self._range.value = max(rule.low, census.low), min(rule.high, census.high)
+            self._range.value = _within(rule, census)
+            self._recolor()
 
     # -- a window that plays ------------------------------------------------------------------------------------------
 
@@ -226,3 +240,9 @@ class FilterControls:
         timer, self._timer = self._timer, None
         if timer is not None:
             timer.cancel()
+
+
+def _within(rule: Filter, census: Census) -> tuple[float, float]:
+    """A rule's range as far as the bars reach."""
+    low, high = (min(max(end, census.low), census.high) for end in (rule.low, rule.high))
+    return low, high

@@ -130,11 +130,11 @@ def heap_rows(found: HeapVolume, unit: LengthUnit | None, coarser: HeapVolume | 
         ValueError: In degrees of longitude and latitude.
     """
     check_length(unit)
-    rows = [("above the base (cut)", quantity_text(found.cut, unit, 3))]
-    rows += [("below it (fill)", quantity_text(found.fill, unit, 3)), ("net", quantity_text(found.net, unit, 3))]
+    rows = [("above (cut)", quantity_text(found.cut, unit, 3))]
+    rows += [("below (fill)", quantity_text(found.fill, unit, 3)), ("net", quantity_text(found.net, unit, 3))]
     if coarser is not None:
-        rows.append(("net by cells twice as wide", quantity_text(coarser.net, unit, 3)))
-    rows += [("over", f"{quantity_text(found.area, unit, 2)}, from above")]
+        rows.append(("net, cells twice as wide", quantity_text(coarser.net, unit, 3)))
+    rows += [("area from above", quantity_text(found.area, unit, 2))]
     rows += [("cells", f"{found.cells:,} of {quantity_text(found.cell, unit)}, {found.points:,} points")]
     rows += [("base slopes", f"{found.slope:.2f}°")] if found.slope > 0.005 else []
     if found.empty > 0:
