@@ -46,7 +46,7 @@ const KINDS = ["points", "triangles", "lines", "instances"];
 class Engine {
   constructor(canvas, overlay, options = {}) {
     const { gizmo = true, scaleBar = true, margin = 0.2 } = options;
-    Object.assign(this, { canvas, overlay, host: options, tree: new Tree(), geometries: new Set(), uploads: 0, draws: 0 });
+    Object.assign(this, { canvas, overlay, host: options, tree: new Tree(), geometries: new Set(), uploads: 0, draws: 0, kept: 0 });
     this.painter = new Painter(canvas);
     this.looks = { pointFactor: 1, wireframe: false, normals: false, light: 0 };
     this.background = { color: [1, 1, 1], own: true };
@@ -110,12 +110,14 @@ class Engine {
 
   /** What is new of a node's arrays; a plain colour takes the place of colours. */
   send(geometry, { plain, shape, solid }, arrays) {
+    const bytes = bytesOf(arrays);
+    if (bytes > 0) this.uploads += 1;
+    this.kept -= geometry.kept;
     if (plain && !arrays.colors) geometry.remove("colors");
-    if (bytesOf(arrays) === 0 && geometry.uploads > 0 && shape === undefined && solid === undefined) return;
-    if (bytesOf(arrays) > 0) this.uploads += 1;
-    if (geometry.keep && this.keptBytes() + bytesOf(arrays) > KEPT_MEMORY) geometry.letGo();
+    if (this.kept + geometry.kept + bytes > KEPT_MEMORY) geometry.letGo();
     geometry.become(shape ?? geometry.shape, solid ?? geometry.solid);
-    geometry.send(arrays);
+    if (bytes > 0 || geometry.uploads === 0 || shape !== undefined || solid !== undefined) geometry.send(arrays);
+    this.kept += geometry.kept;
   }
 
   has(id) {
@@ -127,6 +129,7 @@ class Engine {
       if (!geometry) continue;
       geometry.users -= 1;
       if (geometry.users === 0) {
+        this.kept -= geometry.kept;
         geometry.free();
         this.geometries.delete(geometry);
       }
@@ -136,12 +139,6 @@ class Engine {
 
   clear() {
     for (const node of [...this.tree.root.children]) this.drop(node.id);
-  }
-
-  keptBytes() {
-    let bytes = 0;
-    for (const { kept } of this.geometries) bytes += kept;
-    return bytes;
   }
 
   /** Fills a card that forgot everything; what was not remembered is dropped, and the host is told. */
@@ -345,9 +342,9 @@ class Engine {
     let bytes = 0;
     for (const geometry of this.geometries) bytes += geometry.bytes;
     const { calls, points, triangles, every } = this.painter;
-    const { draws, uploads } = this;
+    const { draws, uploads, kept } = this;
     const nodes = this.tree.nodes.size - 1;
-    return { draws, calls, uploads, bytes, kept: this.keptBytes(), nodes, points, triangles, every, labels: this.labels.count };
+    return { draws, calls, uploads, bytes, kept, nodes, points, triangles, every, labels: this.labels.count };
   }
 
   commands() {

@@ -197,8 +197,11 @@ class Painter {
       gl.activeTexture(gl.TEXTURE2);
       gl.bindTexture(gl.TEXTURE_2D, texture.texture);
     }
-    gl.enable(gl.POLYGON_OFFSET_FILL); // faces a little back, so that their edges are seen
-    gl.polygonOffset(1, 1);
+    // Faces lie a little back, so that points and edges on them are seen. By their slope only where edges are drawn: at an
+    // outline the face behind would come through.
+    const edged = kind === "triangles" && (props.wireframe || this.looks.wireframe);
+    gl.enable(gl.POLYGON_OFFSET_FILL);
+    gl.polygonOffset(edged ? 1 : 0, edged ? 1 : 4);
     if (props.cull || hiddenSide) gl.enable(gl.CULL_FACE); // corners run counterclockwise where a face is seen from its front
     gl.cullFace(hiddenSide ?? gl.BACK);
     if (kind === "instances") gl.drawElementsInstanced(gl.TRIANGLES, geometry.corners, gl.UNSIGNED_SHORT, 0, geometry.count);
@@ -207,7 +210,7 @@ class Painter {
     this.triangles += kind === "instances" ? (geometry.corners / 3) * geometry.count : geometry.count / 3;
     gl.disable(gl.CULL_FACE);
     gl.disable(gl.POLYGON_OFFSET_FILL);
-    if (kind === "triangles" && (props.wireframe || this.looks.wireframe)) this.drawEdges(program, geometry, plain);
+    if (edged) this.drawEdges(program, geometry, plain);
   }
 
   drawEdges(program, geometry, plain) {
