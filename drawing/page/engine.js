@@ -356,6 +356,8 @@ class Engine {
     this.controls.free();
     this.sizes.disconnect();
     this.clear();
+    this.overlay.replaceChildren();
+    this.painter.gl.getExtension("WEBGL_lose_context")?.loseContext(); // a browser has few, and frees them late
   }
 }
 
