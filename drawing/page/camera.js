@@ -8,8 +8,8 @@ const NEAREST_TO_POLE = 0.01; // radians between the view and "up"
 const AXES = { x: [1, 0, 0], y: [0, 1, 0], z: [0, 0, 1] };
 
 class Camera {
-  constructor(margin = 0.2) {
-    this.margin = margin; // of the scene's size, by which it is thought to be larger: helpers may lie around it
+  constructor(margin = 0.5) {
+    this.margin = margin; // of the scene's size, by which it is thought to be larger: things move before that is told
     this.rotation = [1, 0, 0, 0, 0, -1, 0, 1, 0]; // along y, z up
     [this.eye, this.pivot, this.up] = [[0, -3, 0], [0, 0, 0], [0, 0, 1]];
     this.fov = 0.7;
@@ -122,8 +122,8 @@ class Camera {
     const forward = column(this.rotation, 2);
     const depths = this.corners.map((corner) => dot(subtract(corner, this.eye), forward));
     const slack = Math.max(this.margin, 1e-3) * this.unit;
-    const far = Math.max(...depths) + slack;
-    if (this.orthographic) return [Math.min(...depths) - slack, far];
+    if (this.orthographic) return [Math.min(...depths) - slack, Math.max(...depths) + slack];
+    const far = Math.max(...depths) + 4 * slack; // of what is far, room costs next to no precision
     const least = Math.min(1e-3 * Math.max(far, this.pivotDepth()), 0.05 * this.pivotDepth());
     const near = Math.max(Math.min(...depths) - slack, least);
     return [near, Math.max(far, 2 * near)];

@@ -10,7 +10,8 @@
  *   onLost(ids)                    the card forgot everything; all came back but these nodes, whose arrays were not kept
  *                                  (`keep: false`, or past the budget): they are dropped, the host adds them again.
  *   onDrawn()                      a picture is done.      onTheme(dark)     the background became dark or light.
- *   gizmo, scaleBar                whether there are any (true).    margin: by which bounds are widened for near and far.
+ *   gizmo, scaleBar                whether there are any (true).
+ *   margin                         by how much of the scene's size it may reach beyond its bounds, for near and far (0.5).
  *   Throws NoWebGL where there is no WebGL 2.
  *
  * Nodes (ids are any keys but 0, which is the scene; poses are 12 numbers, rows of 3x4, from the node to its parent)
@@ -27,9 +28,9 @@
  *   call is what home() comes back to. camera() -> { position, rotation, fov, pivot, up, orthographic, size [w, h] }
  *   setHome(), home(), fit(), lookAlong("+x" ... "-z"), setUp("y" | "z" | [x, y, z]), setOrthographic(on), orbit(right, down)
  *   setViews(1 | 2 | 4, linked): beside each other; linked ones turn, move and zoom together.
- *   setBounds(low, high), setBackground([r, g, b 0..1], own): own false follows prefers-color-scheme,
- *   setUnit("m" | any text | null: no scale bar)
- *   commands(): [{ key, label, group, run }], for the host to bind to keys and to its palette.
+ *   setBounds(low, high): near and far follow from it; until it is known, near and far of setCamera hold.
+ *   setBackground([r, g, b 0..1], own): own false follows prefers-color-scheme. setUnit("m" | any text | null: no scale bar)
+ *   commands(): [{ key, label, group, run }], for the host to bind to keys ("O", "Shift+X", "Shift+ArrowUp") and its palette.
  *
  * Pictures
  *   looks: { pointFactor, wireframe, normals, light 0..2 }; after a change redraw(). redraw() draws soon, when something
@@ -45,7 +46,7 @@ const KINDS = ["points", "triangles", "lines", "instances"];
 
 class Engine {
   constructor(canvas, overlay, options = {}) {
-    const { gizmo = true, scaleBar = true, margin = 0.2 } = options;
+    const { gizmo = true, scaleBar = true, margin = 0.5 } = options;
     Object.assign(this, { canvas, overlay, host: options, tree: new Tree(), geometries: new Set(), uploads: 0, draws: 0, kept: 0 });
     this.painter = new Painter(canvas);
     this.looks = { pointFactor: 1, wireframe: false, normals: false, light: 0 };

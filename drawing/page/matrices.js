@@ -62,7 +62,8 @@ const IDENTITY = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0];
 function compose(a, b) {
   const product = new Float64Array(12);
   for (const row of [0, 4, 8]) {
-    for (const k of [0, 1, 2, 3]) product[row + k] = a[row] * b[k] + a[row + 1] * b[4 + k] + a[row + 2] * b[8 + k] + (k === 3 ? a[row + 3] : 0);
+    for (const k of [0, 1, 2, 3]) product[row + k] = a[row] * b[k] + a[row + 1] * b[4 + k] + a[row + 2] * b[8 + k];
+    product[row + 3] += a[row + 3];
   }
   return product;
 }
