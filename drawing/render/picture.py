@@ -9,11 +9,13 @@ import numpy as np
 from numpy.typing import NDArray
 from PIL import Image
 
-CHANNELS = 3
+CHANNELS = 3, 4
 
 
 class Picture(np.ndarray[Any, np.dtype[np.uint8]]):
-    """A picture: an array of uint8 RGB, shape [h, w, 3], which notebooks show and `save_picture` writes.
+    """A picture: an array of uint8, which notebooks show and `save_picture` writes.
+
+    Its shape is [h, w, 3], RGB, or without a background [h, w, 4], RGBA; colours are not multiplied by the opacity.
 
     Parts of it (`picture[:100]`) and what is put beside each other (`np.hstack`) are pictures, too; what is computed of
     it is a plain array.
@@ -36,7 +38,7 @@ class Picture(np.ndarray[Any, np.dtype[np.uint8]]):
         return array[()] if return_scalar else np.asarray(array)
 
     def _is_whole(self) -> bool:
-        return self.ndim == CHANNELS and self.shape[2] == CHANNELS and self.dtype == np.uint8 and self.size > 0
+        return self.ndim == 3 and self.shape[2] in CHANNELS and self.dtype == np.uint8 and self.size > 0
 
     def _repr_png_(self) -> bytes | None:
         """The picture in a notebook; nothing for a part that is none, such as one channel."""

@@ -242,6 +242,10 @@ class Scene:
         properties = {"shape": shape, "poses": poses, "colors": colors, "plain": plain, "solid": solid, "width": width}
         return self._add("instances", properties, parent, R, t, scale, visible)
 
+    def show_shared(self, node: Node, visible: bool) -> None:
+        """Show or hide in this page alone what the scene of all pages holds, until that says otherwise."""
+        self._channel.send({"op": "set", "id": node.id, "visible": bool(visible)})
+
     def on_click(self, callback: Callable[[ClickEvent], Any]) -> Callable[[ClickEvent], Any]:
         """Call back with each click on the picture; pages tell of them from now on."""
         self._on_click.append(callback)
