@@ -1,7 +1,7 @@
 """Hostile pages in two languages, while threads of the program work: `python -m tests.drawing.viewer.fuzz_pages`.
 
     --messages 10000    from Python, and as many from Node where it is on the path
-    --seed 0
+    --seed 0            of what is said
 
 Prints what happened in one line of JSON each; the exit status is 1 where anything was raised in a thread of the program
 or logged as an error, or where the server does not serve any more.
@@ -20,6 +20,7 @@ import subprocess
 import sys
 import threading
 import time
+import traceback
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
@@ -29,6 +30,7 @@ from websockets.exceptions import ConnectionClosed
 from websockets.protocol import State
 from websockets.sync.client import ClientConnection
 
+import pointloom as loom
 from pointloom.drawing.viewer.server import ViewerServer
 
 from .hostile_pages import hostile_messages, near_messages
@@ -43,11 +45,14 @@ ENDING: list[str | bytes] = [
 class Program:
     """What a user's program does with its viewer, in threads, and what was raised there."""
 
-    def __init__(self, server: ViewerServer):
-        self.server, self.raised, self.calls = server, [], 0
+    def __init__(self, viewer: loom.Viewer):
+        self.viewer, self.server = viewer, viewer.server
+        self.raised: list[str] = []
+        self.calls = 0
         self._done = threading.Event()
-        self.handles = _controls(server)
-        self._threads = [threading.Thread(target=self._work, args=(number,)) for number in range(2)]
+        self.handles = _controls(viewer.server)
+        steps = (self._use_link, self._use_viewer)
+        self._threads = [threading.Thread(target=self._work, args=(step,)) for step in steps]
 
     def __enter__(self) -> Program:
         for thread in self._threads:
@@ -59,29 +64,40 @@ class Program:
         for thread in self._threads:
             thread.join()
 
-    def _work(self, seed: int) -> None:
-        generator = np.random.default_rng(seed)
-        pages = self.server.pages
-        while not self._done.wait(0.005):
+    def _work(self, step: Callable[[np.random.Generator], None]) -> None:
+        generator = np.random.default_rng(0)
+        while not self._done.wait(0.01):
             try:
-                with pages.atomic():
-                    node = pages.scene.add_points(generator.random((1000, 3), np.float32))
-                    node.place(np.eye(3), generator.random(3))
-                    node.set(size=1 + generator.random())
-                for client in pages.get_clients().values():
-                    state = client.camera.state
-                    assert np.isfinite(state.position).all() and 0 < state.fov < np.pi
-                    assert np.abs(state.rotation @ state.rotation.T - np.eye(3)).max() < 1e-12
-                    assert all(1 <= side <= 16384 for side in state.size)
-                    client.camera.put(position=state.position, rotation=state.rotation)
-                    client.ask_for_sign()
-                for handle in self.handles:
-                    if handle.kind in ("range", "histogram"):
-                        assert handle.value[0] <= handle.value[1]
-                node.remove()
+                step(generator)
                 self.calls += 1
-            except Exception as error:
-                self.raised.append(repr(error))
+            except Exception:
+                self.raised.append(traceback.format_exc())
+
+    def _use_viewer(self, generator: np.random.Generator) -> None:
+        self.viewer.add("cloud", loom.PointCloud(generator.random((500, 3), np.float32)))
+        self.viewer.set_pose("cloud", np.eye(4))
+        view = self.viewer.get_view()
+        assert np.isfinite(view.T_world_camera).all()
+        self.viewer.point_size = 1 + generator.random()
+        self.viewer.remove("cloud")
+
+    def _use_link(self, generator: np.random.Generator) -> None:
+        pages = self.server.pages
+        with pages.atomic():
+            node = pages.scene.add_points(generator.random((1000, 3), np.float32))
+            node.place(np.eye(3), generator.random(3))
+            node.set(size=1 + generator.random())
+        for client in pages.get_clients().values():
+            state = client.camera.state
+            assert np.isfinite(state.position).all() and 0 < state.fov < np.pi
+            assert np.abs(state.rotation @ state.rotation.T - np.eye(3)).max() < 1e-12
+            assert all(1 <= side <= 16384 for side in state.size)
+            client.camera.put(position=state.position, rotation=state.rotation)
+            client.ask_for_sign()
+        for handle in self.handles:
+            if handle.kind in ("range", "histogram"):
+                assert handle.value[0] <= handle.value[1]
+        node.remove()
 
 
 def _controls(server: ViewerServer) -> list[Any]:
@@ -105,10 +121,9 @@ def _controls(server: ViewerServer) -> list[Any]:
     return handles
 
 
-def _messages(handles: list[Any], count: int, seed: int) -> Iterator[str | bytes]:
+def _messages(ids: list[int], count: int, seed: int) -> Iterator[str | bytes]:
     picker = random.Random(seed)
-    near = near_messages(handles, 10**9, seed)
-    every = itertools.chain(hostile_messages([handle.id for handle in handles]), near)
+    every = itertools.chain(hostile_messages(ids[:20]), near_messages(ids, 10**9, seed))
     for message in itertools.islice(every, count):
         chance = picker.random()
         if chance < 0.001:
@@ -119,9 +134,9 @@ def _messages(handles: list[Any], count: int, seed: int) -> Iterator[str | bytes
             yield message
 
 
-def fuzz_from_python(server: ViewerServer, handles: list[Any], count: int, seed: int) -> dict[str, int]:
+def fuzz_from_python(server: ViewerServer, ids: list[int], count: int, seed: int) -> dict[str, int]:
     """Say these messages over eight lines at once, each opened again when it ends."""
-    shares = [list(_messages(handles, count, seed))[number::8] for number in range(8)]
+    shares = [list(_messages(ids, count, seed))[number::8] for number in range(8)]
     told = {"sent": 0, "lines": 0}
 
     def talk(messages: list[str | bytes]) -> None:
@@ -161,17 +176,17 @@ def _listen(line: ClientConnection) -> None:
             line.recv()
 
 
-def fuzz_from_node(server: ViewerServer, handles: list[Any], count: int, seed: int) -> dict[str, int] | None:
+def fuzz_from_node(server: ViewerServer, ids: list[int], count: int, seed: int) -> dict[str, int] | None:
     """The same from Node; None where it is not there."""
     node = shutil.which("node")
     if node is None:
         return None
     address = f"ws://127.0.0.1:{server.port}{with_token(server, '/live')}"
-    ids = ",".join(str(handle.id) for handle in handles)
     script = str(Path(__file__).with_suffix(".mjs"))
+    numbers = ",".join(map(str, ids))
     origin = f"http://127.0.0.1:{server.port}"
     done = subprocess.run(
-        [node, "--experimental-websocket", script, address, origin, str(count), str(seed), ids],
+        [node, "--experimental-websocket", script, address, origin, str(count), str(seed), numbers],
         capture_output=True,
         text=True,
     )
@@ -206,10 +221,15 @@ def main() -> int:
     errors = _Errors()
     logging.getLogger("pointloom.viewer").addHandler(errors)
     faults = 0
-    with ViewerServer(port=0) as server, Program(server) as program:
+    with loom.Viewer(port=0) as viewer, Program(viewer) as program:
+        viewer.add("stays", loom.PointCloud(np.random.default_rng(0).random((1000, 3), np.float32)))
+        server, ids = (
+            viewer.server,
+            list(range(1, 200)),
+        )  # the viewer's own controls, the program's, and numbers of none
         for name, fuzz in (("python", fuzz_from_python), ("node", fuzz_from_node)):
             before, calls, start = resident_megabytes(), program.calls, time.process_time()
-            told = fuzz(server, program.handles, options.messages, options.seed)
+            told = fuzz(server, ids, options.messages, options.seed)
             if told is None:
                 print(json.dumps({"from": name, "left out": "not on the path"}))
                 continue
