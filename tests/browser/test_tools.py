@@ -68,7 +68,8 @@ class Visitor:
 
     def click(self, x: float, y: float) -> None:
         """Click where a View's column and row are: middles of pixels are whole numbers there."""
-        self.page.mouse.click(x + 0.5, y + 0.5)
+        canvas = self.page.locator("#picture").bounding_box()
+        self.page.mouse.click(canvas["x"] + x + 0.5, canvas["y"] + y + 0.5)
 
     def click_on(self, place: Any) -> None:
         self.click(*project(self.session.camera_view(), place)[:2])

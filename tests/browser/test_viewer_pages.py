@@ -16,7 +16,7 @@ def test_a_page_that_reconnects_sees_everything_again(show):
     viewer, page = show([{"geometry": grid_cloud(), "color": (1, 0, 0)}, brick(sphere(), pose=at(3.0))])
     wait_for_picture(page, lambda image: count_pixels(image, RED) > 300 and count_pixels(image, BRICK) > 2_000)
     first = set(viewer.sessions)
-    viewer.server.disconnect_all()
+    viewer.server.pages.disconnect_all()
     viewer.add("late", grid_cloud(), color=(0, 0, 1), pose=at(-2.0))
     wait_until(page, lambda: viewer.sessions and first.isdisjoint(viewer.sessions), lambda: (first, viewer.sessions))
     least = {RED: 300, BRICK: 2_000, BLUE: 300}
