@@ -328,13 +328,8 @@ def _of_mesh(mesh: Any, style: Style, device: Any) -> list[Part]:
 def _surface_style(style: Style) -> dict[str, Any]:
     """The fields of `Triangles` that a style decides; without a key where it leaves it to the part."""
     chosen: dict[str, Any] = {"wireframe": bool(style.wireframe), "cull": style.back_faces is False}
-    if style.shaded is not None:
-        chosen["lit"] = style.shaded
-    if style.color is not None:
-        chosen["plain"] = style.color
-    if style.opacity is not None:
-        chosen["opacity"] = style.opacity
-    return chosen
+    decided = {"lit": style.shaded, "plain": style.color, "opacity": style.opacity}
+    return chosen | {name: value for name, value in decided.items() if value is not None}
 
 
 def _of_voxels(grid: VoxelGrid, style: Style, device: Any) -> list[Part]:

@@ -21,8 +21,8 @@ class Looks(Scene):
     def batch(self) -> Iterator[None]:
         """Have pages take many changes as one, which they show in one picture.
 
-        Within another it is part of that one. Each thread has its own; what raises within it ends it, and what was
-        changed until then is shown.
+        Within another it is part of that one. While one is open, what other threads change waits for its end as well,
+        but no longer than a second. What raises within it ends it, and what was changed until then is shown.
 
         Example:
             >>> import numpy as np, pointloom as loom

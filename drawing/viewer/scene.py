@@ -16,7 +16,8 @@ from ...core.errors import PointloomError
 from ...core.known_names import nearest_name
 from ...core.open3d_names import row_of, told
 from ..render.geometries import Named, check_units
-from ..render.parts import Triangles
+from ..render.parts import Triangles, Triple
+from ..render.upward import direction_under, up_of
 from ..render.view import View, fit_view
 from .camera import camera_of, diagonal, reach_of, read_parameters
 from .coloring_choice import ColoringChoice
@@ -70,6 +71,7 @@ class Scene:
         self._point_size, self.has_own_point_size = point_size, point_size != POINT_SIZE
         self.lock = threading.RLock()
         self.items: dict[str, Item] = {}
+        self.up: Triple | None = None  # in what `home` fits; None takes that of the first mesh that says so, else z
         self.sessions: dict[int, Session] = {}
         self.frame, self.coloring = Frame(np.zeros(3)), ColoringChoice()
         self.wireframe = self.normals = False
@@ -117,7 +119,9 @@ class Scene:
             return self._view
         if self._view is not None:
             return View.from_open3d(self.bounds, **self._view, width=self._size[0], height=self._size[1])
-        return fit_view(self._outline(), width=self._size[0], height=self._size[1])
+        up = self.up or up_of((item.geometry, item.style.pose) for item in self.items.values())
+        look: dict[str, Any] = {"direction": direction_under(up), "up": up}
+        return fit_view(self._outline(), **look, width=self._size[0], height=self._size[1])
 
     @property
     def bounds(self) -> Bounds:

@@ -7,7 +7,7 @@ import contextlib
 import numpy as np
 from websockets.exceptions import ConnectionClosed
 
-from ..drawing.viewer.pages import CAMERA, page_of, say
+from ..drawing.viewer.pages import CAMERA, HELLO, line_of, say
 from .pixels import count_pixels, picture, wait_for_picture, wait_until, wait_until_still
 from .viewer_scenes import BLUE, BRICK, HEIGHT, RED, WIDTH, at, brick, changed, grid_cloud, press, sphere
 
@@ -55,11 +55,13 @@ def test_strangers_who_send_nonsense_disturb_no_page(show):
     wait_for_picture(page, lambda image: count_pixels(image, RED) > 700)
     before, own, title = wait_until_still(page), set(viewer.sessions), page.title()
     for data in GARBAGE:
-        with contextlib.suppress(ConnectionClosed), page_of(viewer.server) as stranger:
+        with contextlib.suppress(ConnectionClosed), line_of(viewer.server) as stranger:
+            say(stranger, HELLO)
             stranger.send(data)
-    with page_of(viewer.server) as stranger:
-        for message in NONSENSE:
+    with line_of(viewer.server) as stranger:
+        for message in (HELLO, *NONSENSE):
             say(stranger, message)
+        wait_until(page, lambda: len(viewer.sessions) == 2, lambda: viewer.sessions)
     wait_until(page, lambda: set(viewer.sessions) == own, lambda: viewer.sessions)
     assert changed(wait_until_still(page), before) < 20 and page.title() == title
     viewer.add("late", grid_cloud(), color=(0, 0, 1), pose=at(2.0))  # nothing of it reaches the program's own threads
