@@ -1,4 +1,5 @@
 /** What lives on the graphics card: programs, the buffers of nodes, and the picture that is drawn into. */
+const SMALL = 2 ** 16; // bytes
 const MANY_BALLS = 2_000; // more have fewer faces each
 
 class Program {
@@ -86,7 +87,7 @@ class Geometry {
     gl.bindVertexArray(this.vertices);
     for (const [name, values] of Object.entries(arrays)) {
       if (!values) continue;
-      if (this.keep) this.arrays[name] = values;
+      if (this.keep) this.arrays[name] = alone(values);
       this.uploads += 1;
       if (name === "texture") {
         this.texture?.free();
@@ -234,6 +235,11 @@ class Geometry {
     this.buffers = {};
     this.count = 0;
   }
+}
+
+/** A small array of a large message by itself, so that remembering it does not hold the rest. */
+function alone(values) {
+  return values.byteLength < SMALL && values.buffer.byteLength > 4 * values.byteLength ? values.slice() : values;
 }
 
 /** How the card reads an array: 16-bit numbers without a sign are half floats, whole numbers shares of their largest. */

@@ -168,10 +168,12 @@ def test_parallel_rays_keep_sizes_and_axis_views_look_along_axes(engine):
         rotation = engine.evaluate("engine.camera().rotation")
         np.testing.assert_allclose(np.reshape(rotation, (3, 3))[:, 2], forward, atol=1e-12)
         assert abs(np.linalg.det(np.reshape(rotation, (3, 3))) - 1) < 1e-9
-    engine.evaluate("document.querySelectorAll('.view').forEach((each) => (each.style.opacity = 1))")
     engine.evaluate("engine.setUp('z')")
-    engine.locator(".gizmo [data-axis='+y'] circle").dispatch_event("click")
+    engine.evaluate("engine.lookAlong('+x')")
+    seen(engine)
+    engine.locator(".gizmo [data-axis='+y'] circle").click()
     np.testing.assert_allclose(engine.evaluate("engine.camera().rotation"), [1, 0, 0, 0, 0, 1, 0, -1, 0], atol=1e-12)
+    assert engine.evaluate("told.clicks") == []  # it was the gizmo's
 
 
 def test_two_views_turn_together_when_linked_and_alone_when_not(engine):
@@ -183,6 +185,7 @@ def test_two_views_turn_together_when_linked_and_alone_when_not(engine):
         math.dist(middle_of(left, RED, 1), (159.5, 240)) < 1.5
         and math.dist(middle_of(right, RED, 1), (159.5, 240)) < 1.5
     )
+    assert math.dist(engine.evaluate("engine.pick(480, 240)"), (0, 0, 0)) < 1 / 48  # a pixel of the view there
     rotations = "engine.views.cameras.map((camera) => camera.rotation)"
     before = np.reshape(engine.evaluate(rotations), (2, 3, 3))
     engine.evaluate("engine.orbit(0.4, 0)")

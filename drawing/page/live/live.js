@@ -2,8 +2,8 @@
 const VERSION = 1;
 const ARRAYS_OF_NODES = ["positions", "colors", "normals", "indices", "uvs", "texture", "poses"];
 const KEPT_VIEW = 3000; // milliseconds after a new connection in which the page stays where it looked
-// Keys of the engine that programs have for colours and for saving the view, and what they are here.
-const OTHER_KEYS = { 1: "X", 2: "Shift+X", 3: "Y", 4: "Shift+Y", 5: "Z", 6: "Shift+Z", V: "S", "Shift+V": "Shift+S" };
+// Keys of the engine that programs have for tools, and what they are here.
+const OTHER_KEYS = { M: "S", "Shift+M": "Shift+S" };
 const OF_PROGRAMS = ["R", "N", "W", "+", "-"]; // what programs do by these keys is the same for all pages: not offered twice
 const LONGEST_MOVE = 2000; // milliseconds after which a sign is given though the picture does not come to rest
 const NO_WEBGL_HERE =
