@@ -196,14 +196,15 @@ def test_clip_planes_hide_in_one_page_what_they_cut_off(viewer, open_page):
     viewer.add("box", loom.TriangleMesh.create_box(1, 1, 1), color=(1, 0, 0), shaded=False)
     visitor = Visitor(viewer, open_page)
     red, blue = (count_pixels(visitor.picture, color) for color in (RED, BLUE))
-    clip = visitor.box.clip
-    clip._ranges[0].value = (-3.0, 0.5)
-    clip._on.value = True
+    visitor.page.locator("summary", has_text="Clip planes").click()
+    visitor.page.get_by_role("spinbutton", name="x, high, as a number").fill("0.5")
+    visitor.page.keyboard.press("Enter")
+    visitor.page.get_by_role("checkbox", name="clip", exact=True).check()
     wait_for_picture(
         visitor.page,
         lambda image: 0.2 * red < count_pixels(image, RED) < 0.9 * red and count_pixels(image, BLUE) < 0.8 * blue,
     )
-    clip._on.value = False
+    visitor.page.get_by_role("checkbox", name="clip", exact=True).uncheck()
     wait_for_picture(
         visitor.page,
         lambda image: abs(count_pixels(image, RED) - red) < 0.02 * red and count_pixels(image, BLUE) > 0.9 * blue,
