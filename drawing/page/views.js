@@ -19,14 +19,14 @@ class Views {
 
   /** Another number of views: the first stays, the others look from its sides and from above. */
   set(count, linked) {
-    const [first] = [this.camera];
+    const first = this.camera;
     this.linked = linked;
     this.active = 0;
     this.cameras = [first];
     for (let k = 1; k < count; k++) {
       const camera = new Camera(this.margin);
       camera.setBounds(...first.bounds);
-      Object.assign(camera, first.state(), { limits: first.limits });
+      Object.assign(camera, first.state(), { limits: first.limits, bounded: first.bounded });
       this.cameras.push(camera);
     }
     if (count === 2) this.cameras[1].orbit(Math.PI / 2, 0);

@@ -1,8 +1,8 @@
 """A recording as one HTML file that plays from disk: `write_page`.
 
-The file holds the player (drawing/page/), a description of the timeline in JSON, and the arrays: the bytes of each block of
-rows parted by their place in the row, deflated, in base64. Positions, colours and indices are exact; normals have 16
-bits.
+The file holds the player (drawing/page/), a description of the timeline in JSON, and the arrays: the bytes of each
+block of rows parted by their place in the row, deflated, in base64. Positions, colours and indices are exact; normals
+have 16 bits.
 """
 
 from __future__ import annotations
@@ -15,7 +15,6 @@ import os
 import re
 import zlib
 from collections.abc import Iterator
-from pathlib import Path
 from typing import IO, Any
 
 import numpy as np
@@ -67,12 +66,13 @@ def write_page(
 
     Example:
         >>> import tempfile, numpy as np
+        >>> from pathlib import Path
         >>> from pointloom.drawing.recording.timeline import Frame
         >>> shape = Shape("points", np.random.default_rng(0).random((100, 3), np.float32))
         >>> timeline = Timeline(np.zeros(3), [shape], [Frame({"cloud": Placed((0,))})], title="a cloud")
         >>> with tempfile.TemporaryDirectory() as folder:
         ...     write_page(Path(folder) / "cloud.html", timeline)
-        ...     (Path(folder) / "cloud.html").stat().st_size < 100_000
+        ...     (Path(folder) / "cloud.html").stat().st_size < 150_000  # most of it the player
         True
     """
     path = check_writable(path, overwrite=overwrite)
