@@ -18,6 +18,10 @@ CANVAS_ALONE = """(on) => {
     window.canvasAlone.replaceSync(shown);
     document.adoptedStyleSheets = [window.canvasAlone];
 }"""
+CANVAS_BOX = """() => {
+    const { x, y, width, height } = document.getElementById("picture")?.getBoundingClientRect() ?? { width: 0 };
+    return width > 0 ? { x, y, width, height } : null;
+}"""
 PATIENCE = 90.0  # [s]; only a test that fails waits so long, and a busy machine is no failure
 SOME_FRAMES = """() => new Promise((done) => {
     const start = performance.now();
@@ -28,10 +32,12 @@ SOME_FRAMES = """() => new Promise((done) => {
 
 
 def picture(page: Page, *, panels: bool = False) -> np.ndarray:
-    """The page as uint8 [h, w, 3]; without its panels, what the canvas shows beneath them."""
+    """The page as uint8 [h, w, 3]; without its panels, what the canvas shows: of a live page the canvas alone."""
+    clip = None
     if not panels:
         page.evaluate(CANVAS_ALONE, True)
-    png = page.screenshot(animations="allow", caret="initial", timeout=90_000)
+        clip = page.evaluate(CANVAS_BOX)
+    png = page.screenshot(animations="allow", caret="initial", timeout=90_000, clip=clip)
     if not panels:
         page.evaluate(CANVAS_ALONE, False)
     return np.asarray(Image.open(io.BytesIO(png)).convert("RGB"))

@@ -96,6 +96,12 @@ class Commands {
     if (kind === "text" && name === "escape" && !event.defaultPrevented) event.target.blur();
   }
 
+  /** Whether the program has a key. */
+  isTaken(key) {
+    const name = key === "+" ? "plus" : key;
+    return [...this.ofProgram.values()].some(({ keys }) => keys.some((one) => sameKey(one, name)));
+  }
+
   find(name) {
     for (const command of this.ofProgram.values()) {
       if (command.keys.some((key) => sameKey(key, name))) return () => this.runProgram(command);

@@ -2,6 +2,9 @@
 const VERSION = 1;
 const ARRAYS_OF_NODES = ["positions", "colors", "normals", "indices", "uvs", "texture", "poses"];
 const KEPT_VIEW = 3000; // milliseconds after a new connection in which the page stays where it looked
+// Keys of the engine that programs have for tools, and what they are here.
+const OTHER_KEYS = { M: "S", "Shift+M": "Shift+S" };
+const OF_PROGRAMS = ["R", "N", "W", "+", "-"]; // what programs do by these keys is the same for all pages: not offered twice
 const LONGEST_MOVE = 2000; // milliseconds after which a sign is given though the picture does not come to rest
 const NO_WEBGL_HERE =
   "The scene is drawn with WebGL 2, which this browser does not offer here. Open the page in a current Chromium, Firefox " +
@@ -206,12 +209,15 @@ class Live {
     time("One on", ["arrowright"], (line) => line.step(1));
     time("To the beginning", ["home"], (line) => line.go(0));
     time("To the end", ["end"], (line) => line.go(line.steps.count));
-    for (const { key, label, group, run } of this.engine?.commands() ?? []) commands.addOwn(group || "View", label, [key].flat().filter(Boolean), run);
     commands.addOwn("Page", "All commands", ["Ctrl+K"], () => this.palette.open());
     commands.addOwn("Page", "Keys and commands", ["H", "?"], () => this.help.open());
     commands.addOwn("Page", "Save the page's picture", ["Shift+P"], () => this.savePicture());
     commands.addOwn("Page", "Light or dark", ["D"], () => this.theme.toggle());
     commands.addOwn("Page", "Show or fold the panel", ["T"], () => this.frame.toggle());
+    for (const { key, label, group, run } of this.engine?.commands() ?? []) {
+      const isThere = () => !OF_PROGRAMS.includes(key) || !commands.isTaken(key);
+      commands.addOwn(group || "View", label, [OTHER_KEYS[key] ?? key], run, isThere);
+    }
   }
 
   /** What is done most, in one row; all of it is in the palette as well. */
