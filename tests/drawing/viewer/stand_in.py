@@ -236,6 +236,10 @@ class StandIn:
 
     # the viewer
 
+    @property
+    def items(self) -> dict[str, Any]:
+        return self.shown
+
     def add(self, name: str, geometry: Any, **style: Any) -> None:
         ((name, geometry, made),) = named_geometries([{"geometry": geometry, "name": name, **style}])
         self.shown[name] = make_item(name, len(self.shown), geometry, made)
