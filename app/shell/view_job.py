@@ -10,8 +10,10 @@ import numpy as np
 
 from ...core.atomic import check_writable
 from ...core.errors import FileError
+from ...core.progress import ReportProgress, say_nothing
 from ...core.reports import Fields, Report
 from ...core.timing import Clock
+from ...core.upward import check_up
 from ...core.wording import plain
 from ...drawing.render.geometries import Named
 from ...drawing.render.open3d_views import read_view
@@ -52,6 +54,7 @@ class ViewJob:
         color_by, colormap: Of the clouds.
         view_file: Open3D's view JSON.
         point_size: [px].
+        up: Which axis is up; None takes that of the files.
         max_points: Of the page.
         force: Replace outputs that exist.
         port, host, no_open: Of the server.
@@ -69,6 +72,7 @@ class ViewJob:
         colormap: str | None,
         view_file: Path | None,
         point_size: float | None,
+        up: str | None,
         max_points: int,
         force: bool,
         **server: Any,
@@ -77,6 +81,7 @@ class ViewJob:
         self.title = ", ".join(INPUT if str(path) in ends.names else path.name for path in self.files)
         self.force, self.max_points, self.server = force, max_points, server
         self.color_by, self.colormap, self.point_size = color_by, colormap, point_size
+        self.up = None if up is None else check_up(up)
         self.clock = Clock()
         self.view = None if view_file is None else read_view(view_file, width=SIZE[0], height=SIZE[1])
         for path in self.files:
@@ -85,11 +90,16 @@ class ViewJob:
         self.named: list[Named] = []
         self.trees: dict[str, DetailTree] = {}
 
-    def read(self) -> None:
-        """Read the files."""
+    def read(self, tell: ReportProgress = say_nothing) -> None:
+        """Read the files; `tell` is told of it as stderr is."""
         style = {"point_size": self.point_size} if self.point_size is not None else {}
         with Progress() as progress:
-            options: dict[str, Any] = {"max_points": self.max_points, "color_by": self.color_by, "progress": progress}
+
+            def report(stage: str, done: int, total: int) -> None:
+                progress(stage, done, total)
+                tell(stage, done, total)
+
+            options: dict[str, Any] = {"max_points": self.max_points, "color_by": self.color_by, "progress": report}
             named, trees = read_scene(list(self.files), style, **options)
         names = {
             name: INPUT for path, (name, _, _) in zip(self.files, named, strict=True) if str(path) in self._ends.names
@@ -108,7 +118,8 @@ class ViewJob:
             written.append(screenshot)
             self.clock.stop("draw")
         if page is not None:
-            write_geometries(page, named, self.max_points, view=self.view, title=self.title, overwrite=self.force)
+            how: dict[str, Any] = {"view": self.view, "title": self.title, "overwrite": self.force, "up": self.up}
+            write_geometries(page, named, self.max_points, **how)
             written.append(page)
             self.clock.stop("write page")
         report = dataclasses.replace(self._report(), files=tuple(map(str, written)), seconds=self.clock.seconds)
@@ -129,6 +140,7 @@ class ViewJob:
                 open_page(viewer)
 
         with Viewer(port=port, host=host, title=self.title, max_points=self.max_points, **sizes) as viewer:
+            viewer.up = self.up
             if self.view is not None:
                 viewer.set_view(self.view)
             first: list[Named] = []
@@ -137,7 +149,13 @@ class ViewJob:
             if first:
                 viewer.add_named(first)
                 open_up()
-            self.read()  # once it is known that there can be a server
+
+            def tell(stage: str, done: int, total: int) -> None:
+                share = min(done / total, 1.0) if total > 0 else None
+                viewer.tell_progress(f"a first look at {self.title}; {stage}", share)
+
+            self.read(tell)  # once it is known that there can be a server
+            viewer.tell_progress("")
             viewer.add_named(self.named, self.trees)
             for name, _, _ in first:
                 viewer.remove(name)
@@ -154,7 +172,7 @@ class ViewJob:
         from ...drawing.render.render import render
 
         entries = [as_entry(one) for one in named]
-        picture = render(entries, camera=self.view, size=SIZE, color_bar=self.color_by is not None)
+        picture = render(entries, camera=self.view, size=SIZE, color_bar=self.color_by is not None, up=self.up)
         save_picture(path, picture, overwrite=self.force)
 
     def _colored(self) -> list[Named]:

@@ -16,6 +16,7 @@ from ...core.checks import shown
 from ...core.devices import resolve_device
 from ...core.told_arguments import told_arguments
 from ...core.units import asked_by_user, warn_of_units
+from ...core.upward import UP, check_up
 from ...kernels.drawing.layers import join_mattes
 from ...kernels.drawing.placing import make_normal_lines
 from ...kernels.lang import vec3, vec3i
@@ -29,7 +30,7 @@ from .overlays import Overlays, check_bar, check_labels, check_legend, color_of
 from .parts import PLAIN_LINE, Lines, Part, Points, Triangles, Triple
 from .picture import Picture as Picture
 from .scene import Drawing, Scene
-from .upward import UP, check_up, direction_under
+from .upward import direction_under, up_of
 from .view import Frame, Insets, View
 
 BLACK, WHITE = (0.0, 0.0, 0.0), (1.0, 1.0, 1.0)
@@ -63,7 +64,7 @@ def render(
     legend: Any = None,
     color_bar: Any = None,
     scale_bar: bool = False,
-    up: str | Triple = "z",
+    up: str | Triple | None = None,
     depth: bool = False,
     device: Any = None,
 ) -> Any:
@@ -92,7 +93,8 @@ def render(
             neither it nor the legend lies over what is drawn.
         scale_bar: Draw a bar of a round length, in the unit of the geometries, at the lower left: right at the depth of
             the scene's middle; what is nearer looks longer. None where that does not lie before the camera.
-        up: What is up where no camera is given: "z", "y" (as in files of glTF), "x", or a direction.
+        up: What is up where no camera is given: "z", "y", "x" or a direction. None takes that of the first mesh which
+            says so, as those read from .glb and .gltf, else z.
         depth: Return depths, too.
         device: "cpu", "cuda:N"; None where the first geometry lies, to which the others are copied.
 
@@ -134,20 +136,14 @@ def render(
         raise ValueError(f"shading: expected one of {', '.join(SHADINGS)} or None, got {shown(shading)}")
     if not isinstance(scale_bar, bool | np.bool_):
         raise TypeError(f"scale_bar: expected True or False, got {shown(scale_bar)}")
-    upward = check_up(up)
+    told = None if up is None else check_up(up)
     named = named_geometries(geometries)
+    upward = up_of((geometry, style.pose) for _, geometry, style in named) if told is None else told
     unit = check_units(geometry for _, geometry, _ in named)
     place = device_of(named, device)
     for_all = Style(point_size=point_size, wireframe=mesh_show_wireframe or None, back_faces=mesh_show_back_face)
     texts, entries = check_labels(labels), check_legend(legend)
-    groups = [parts_of(geometry, style.over(for_all), place) for _, geometry, style in named]
-    if shading is not None:
-        groups = [
-            parts if style.shaded is not None else [_shaded(part, shading) for part in parts]
-            for parts, (_, _, style) in zip(groups, named, strict=True)
-        ]
-    if is_dark(backdrop):
-        groups = [[_before_dark(part) for part in parts] for parts in groups]
+    groups = _groups_of(named, for_all, shading, place, on_dark=is_dark(backdrop))
     parts = _all_of(groups)
     if point_show_normal:
         parts += _normals_of(parts, PLAIN_BEFORE_DARK if is_dark(backdrop) else NORMAL_COLOR)
@@ -162,6 +158,19 @@ def render(
         return picture
     depths = download(drawing.depth())  # sync
     return picture, depths.reshape(view.intrinsic.height, view.intrinsic.width).copy()
+
+
+def _groups_of(
+    named: Sequence[Named], for_all: Style, shading: str | None, place: Any, *, on_dark: bool
+) -> list[list[Part]]:
+    """The parts of each geometry, lit as `render` was asked to."""
+    groups = [parts_of(geometry, style.over(for_all), place) for _, geometry, style in named]
+    if shading is not None:
+        groups = [
+            parts if style.shaded is not None else [_shaded(part, shading) for part in parts]
+            for parts, (_, _, style) in zip(groups, named, strict=True)
+        ]
+    return [[_before_dark(part) for part in parts] for parts in groups] if on_dark else groups
 
 
 def _written(drawing: Drawing, background: Triple | None, overlays: Overlays) -> Picture:

@@ -1,32 +1,29 @@
-"""Which way is up in a view that is fitted: `check_up`, `direction_under`."""
+"""How a view that is fitted looks where something else than z is up: `up_of`, `direction_under`, `level_up`."""
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
-from ...core.checks import check_direction, shown
+from ...core.upward import AXES, UP, up_under
+from ...meshing.mesh.mesh_up import Upright
 from .parts import Triple
 
 DIRECTION: Triple = (-0.65, 0.7, -0.75)  # down from the front right, as onto a doll's house
-UP: Triple = (0.0, 0.0, 1.0)
-AXES: dict[str, Triple] = {"x": (1.0, 0.0, 0.0), "y": (0.0, 1.0, 0.0), "z": UP}
 
 
-def check_up(up: Any) -> Triple:
-    """The direction that is up.
+def up_of(geometries: Iterable[tuple[Any, Any]]) -> Triple:
+    """What is up in the first of geometries that says so, each with its 4x4 pose or None; z where none does."""
+    return next(filter(None, (told_up(geometry, pose) for geometry, pose in geometries)), UP)
 
-    Raises:
-        TypeError: No text and no numbers.
-        ValueError: Another text, another shape, or no length.
-    """
-    if isinstance(up, str):
-        if up not in AXES:
-            raise ValueError(f"up: expected x, y, z or a direction, got {shown(up)}")
-        return AXES[up]
-    x, y, z = check_direction("up", up).tolist()
-    return x, y, z
+
+def told_up(geometry: Any, pose: Any = None) -> Triple | None:
+    """What is up in a geometry that says so, where its 4x4 pose moves it; None where it does not say."""
+    up = geometry.up if isinstance(geometry, Upright) else None
+    return up if pose is None else up_under(up, pose[:3, :3])
 
 
 def direction_under(up: Triple) -> Triple:
@@ -46,3 +43,16 @@ def direction_under(up: Triple) -> Triple:
     turned = way + np.cross(axis, way) + np.cross(axis, np.cross(axis, way)) / (1 + cosine)  # Rodrigues
     x, y, z = turned.tolist()
     return x, y, z
+
+
+def level_up(right: NDArray[np.float64], up: NDArray[np.float64]) -> NDArray[np.float64]:
+    """What a camera stays level to as it is turned: the axis that it is level to now, z before y and x, else its up.
+
+    Args:
+        right, up: Of the camera in the world, of length 1.
+    """
+    for name in ("z", "y", "x"):
+        axis = np.array(AXES[name])
+        if abs(right @ axis) < 1e-6 and up @ axis > 0.05:
+            return axis
+    return up

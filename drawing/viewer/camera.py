@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from ...cameras.camera import PinholeCameraIntrinsic
 from ..render.open3d_views import OPEN3D_KEYS, read_view
+from ..render.upward import level_up
 from ..render.view import View
 from .items import Bounds, Frame
 
@@ -20,7 +21,6 @@ if TYPE_CHECKING:
 
 Vector = NDArray[np.float64]
 
-UP = np.array([0.0, 0.0, 1.0])
 
 # Nearest and farthest that is drawn, and the reach of the mouse wheel, in diagonals of the scene. A depth buffer of 24
 # bits then tells apart what lies 1e-4 diagonals apart at a distance of one diagonal.
@@ -68,10 +68,7 @@ def camera_of(view: View, frame: Frame, bounds: Bounds, aspect: float | None = N
     tangent = intrinsic.height / 2 / intrinsic.fy
     if aspect is not None:
         tangent = max(tangent, intrinsic.width / 2 / intrinsic.fx / aspect)
-    up = -T[:3, 1]
-    right = T[:3, 0]
-    if abs(right @ UP) < 1e-6 and up @ UP > 0.05:  # level: then it stays level as it is turned
-        up = UP
+    up = level_up(T[:3, 0], -T[:3, 1])  # level: then it stays level as it is turned
     position = frame.to_page(eye)
     pivot = position + forward * reach / frame.unit
     return Camera(position, T[:3, :3].copy(), pivot, up.copy(), 2 * math.atan(tangent))

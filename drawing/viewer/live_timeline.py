@@ -174,7 +174,7 @@ class LiveTimeline:
     def _show(self, scene: dict[str, State]) -> None:
         viewer = self._viewer
         is_new = not len(viewer._extents) and not viewer.frame.origin.any()
-        coming = dict(viewer._coming)
+        coming = {item for name, item in viewer.shown.items() if name in viewer._levels}
         with viewer.server.pages.atomic():
             for name in [name for name in viewer.shown if name not in scene]:
                 viewer._take_out(name)
@@ -191,16 +191,16 @@ class LiveTimeline:
             if is_new:
                 viewer._settle()
             viewer._changed(is_new)
-        self._unbuilt |= {item for name, item in coming.items() if viewer.shown.get(name) is not item}
+        self._unbuilt |= {item for item in coming if viewer.shown.get(item.name) is not item}
 
     def _put_in(self, item: Item) -> None:
         viewer = self._viewer
-        viewer._coming.pop(item.name, None)
+        viewer._levels.forget(item.name)
         viewer._take_in(item)
         viewer._color(item)
         if item in self._unbuilt:
             self._unbuilt.discard(item)
-            viewer._build_levels(item)
+            viewer._levels.build(item)
         viewer._show(item)
         viewer.panel.put_item(item)
 

@@ -15,15 +15,16 @@ from ...core.errors import PointloomError
 from ...core.known_names import nearest_name
 from ...core.open3d_names import row_of, told
 from ..render.geometries import Named, check_units
-from ..render.parts import Triangles
+from ..render.parts import Triangles, Triple
+from ..render.upward import direction_under, up_of
 from ..render.view import View, fit_view
 from .camera import camera_of, diagonal, reach_of, read_parameters
 from .coloring_choice import ColoringChoice
-from .detail_tree import DetailTree
 from .extents import Bounds, Extents
 from .hooks import Hooks
 from .items import Frame, Item
 from .later import Later
+from .level_builder import LevelBuilder
 from .nodes import NORMAL_LENGTH, ItemNodes
 from .panel import Panel
 from .server import ViewerServer
@@ -69,6 +70,7 @@ class Scene(Hooks):
         self._point_size, self.has_own_point_size = point_size, point_size != POINT_SIZE
         self.lock = threading.RLock()
         self.shown: dict[str, Item] = {}  # what pages see; `items` is what the program has
+        self.up: Triple | None = None  # in what `home` fits; None takes that of the first mesh that says so, else z
         self.sessions: dict[int, Session] = {}
         self.frame, self.coloring = Frame(np.zeros(3)), ColoringChoice()
         self.wireframe = self.normals = False
@@ -77,8 +79,7 @@ class Scene(Hooks):
         self._next_number = 0
         self._last_seen: float | None = None  # when a page went
         self._ended = threading.Event()
-        self._builders: list[threading.Thread] = []
-        self._coming: dict[str, Item] = {}  # whose levels of detail are being built
+        self._levels = LevelBuilder(self)  # type: ignore[arg-type]  # a Viewer
         self._extents = Extents()
         self._point_count = self.triangle_count = 0  # of all clouds, and of all surfaces
         self._told_bounds: Any = None  # as pages were told them
@@ -116,7 +117,9 @@ class Scene(Hooks):
             return self._view
         if self._view is not None:
             return View.from_open3d(self.bounds, **self._view, width=self._size[0], height=self._size[1])
-        return fit_view(self._outline(), width=self._size[0], height=self._size[1])
+        up = self.up or up_of((item.geometry, item.style.pose) for item in self.shown.values())
+        look: dict[str, Any] = {"direction": direction_under(up), "up": up}
+        return fit_view(self._outline(), **look, width=self._size[0], height=self._size[1])
 
     @property
     def bounds(self) -> Bounds:
@@ -152,7 +155,7 @@ class Scene(Hooks):
         if item.cloud is None or self._point_count <= self.max_points:
             return self.max_points
         share = max(1, self.max_points * len(item.cloud) // self._point_count)
-        return min(share, FIRST) if item.tree is None and item.name in self._coming else share
+        return min(share, FIRST) if item.tree is None and item.name in self._levels else share
 
     def _join(self, client: PageClient) -> None:
         with self.lock:
@@ -226,55 +229,24 @@ class Scene(Hooks):
     def _let_go(self) -> list[Any]:
         """Close the pages and forget the scene; what is to be joined when the server is closed."""
         with self.lock:
-            sessions, builders = list(self.sessions.values()), self._builders
+            sessions, builders = list(self.sessions.values()), self._levels.let_go()
             for session in sessions:
                 session.close()
-            self.sessions, self._nodes, self.shown, self._coming, self._builders = {}, {}, {}, {}, []
+            self.sessions, self._nodes, self.shown = {}, {}, {}
             self._extents, self._with_unit = Extents(), {}
             self._later.close()
             hooks = self._end_hooks()
         return [*sessions, *builders, self._later, *hooks]
 
-    def _build_levels(self, item: Item) -> None:
-        """Build the levels of detail of a cloud, if it is large, while a part of it is shown; the lock is held."""
-        if item.cloud is None or len(item.cloud) <= self.max_points:
-            return
-        self._coming[item.name] = item
-        self._builders = [builder for builder in self._builders if builder.is_alive()]
-        builder = threading.Thread(target=self._build, args=(item,), name="pointloom-levels", daemon=True)
-        self._builders.append(builder)
-        builder.start()
-
-    def _build(self, item: Item) -> None:
-        self._tell_building()
-        try:
-            assert item.cloud is not None
-            tree = None if self.closed else DetailTree.from_cloud(item.cloud)
-        except Exception:  # no memory for it: an even share is what can be shown
-            log.warning("%s is shown without levels of detail", item.name, exc_info=True)
-            tree = None
-        if not self.take_lock():
-            return
-        try:
-            if self._coming.get(item.name) is item:
-                del self._coming[item.name]
-                item.tree = tree
-                for session in self._open_sessions():
-                    with session.as_it_lasts():
-                        session.show(item)
-                        session.tell()
-            self._tell_building()
-        finally:
-            self.lock.release()
-
-    def _tell_building(self) -> None:
-        """Say in the pages of which clouds levels of detail are being built."""
-        coming, pages = list(self._coming), self.server.pages
-        others = f" and {len(coming) - 1} more" if len(coming) > 1 else ""
-        pages.set_progress(f"a first look; preparing all points of {coming[0]}{others}" if coming else "")
+    def show_levels(self, item: Item) -> None:
+        """The levels of a cloud are there; the lock is held."""
+        for session in self._open_sessions():
+            with session.as_it_lasts():
+                session.show(item)
+                session.tell()
 
     def _take_out(self, name: str) -> None:
-        self._coming.pop(name, None)
+        self._levels.forget(name)
         self._with_unit.pop(name, None)
         self._extents.drop(name)
         self._count(self.shown.pop(name, None), -1)

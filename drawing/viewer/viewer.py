@@ -158,7 +158,7 @@ class Viewer(Looks):
                 self._take_in(item)
                 self._color(item)
                 if item.tree is None and isinstance(item.geometry, PointCloud):
-                    self._build_levels(item)
+                    self._levels.build(item)
             if was_empty:
                 self._settle()
             for item in made:
@@ -183,7 +183,7 @@ class Viewer(Looks):
             item = make_item(name, old.number, geometry, old.style)
             item.visible, item.pose = old.visible, old.pose
             was_empty = not len(self._extents)
-            self._coming.pop(name, None)
+            self._levels.forget(name)
             self._take_in(item)
             self._color(item)
             if was_empty:

@@ -1,4 +1,4 @@
-"""Pages without a browser: `Page` keeps what it was sent as it would draw it; `StandIn` is a viewer with one for tools."""
+"""Pages without a browser: `Page` keeps what it was sent; `StandIn` is a viewer with one, for tools."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ class Page:
 
     Args:
         outbox: What waits for it.
-        lock: Of the delivery.
+        delivery: By which it comes.
         take: Takes what it says.
         client: The program's handle of it.
 
@@ -41,8 +41,9 @@ class Page:
         taken: The operations of each message.
     """
 
-    def __init__(self, outbox: Any, lock: Any, take: Any, client: PageClient):
-        self._outbox, self._lock, self._take, self.client = outbox, lock, take, client
+    def __init__(self, outbox: Any, delivery: Delivery, take: Any, client: PageClient):
+        self._outbox, self._delivery, self._take, self.client = outbox, delivery, take, client
+        self._lock = threading.RLock()
         self._nodes: dict[int, Seen] = {}
         self._controls: dict[int, Seen] = {}
         self._commands: dict[int, Seen] = {}
@@ -100,12 +101,17 @@ class Page:
         """Take what waits; the operations that came."""
         with self._lock:
             came = []
-            while self._outbox:
-                self.taken.append(self._outbox.take())
-                came += self.taken[-1]
-                for op in self.taken[-1]:
+            while ops := self._delivery.take(self._outbox)[0]:
+                self.taken.append(ops)
+                came += ops
+                for op in ops:
                     self._apply(op)
             return came
+
+    @property
+    def own_bytes(self) -> int:
+        """Of what waits for it alone."""
+        return self._outbox.own_bytes
 
     def _apply(self, op: dict[str, Any]) -> None:
         name, fields = op["op"], Seen(op)
@@ -182,7 +188,7 @@ class Page:
 def page_in(viewer: Any, size: tuple[int, int] = (800, 600)) -> Iterator[Page]:
     """A page that looks at a viewer, which knows of it."""
     visitor = viewer.server.pages._welcome({"say": "hello", "size": list(size), "version": 1}, lambda: None)
-    page = Page(visitor._outbox, viewer.server.pages._delivery.lock, visitor.take, visitor._client)
+    page = Page(visitor._outbox, viewer.server.pages._delivery, visitor.take, visitor._client)
     page.settle()
     try:
         yield page
@@ -199,7 +205,7 @@ def page_alone(size: tuple[int, int] = (1000, 800)) -> Page:
     shared, own = Channel(delivery, is_shared=True), Channel(delivery, is_shared=False)
     state = type(FIRST)(**{**vars(FIRST), "size": size})
     client = PageClient(own, 0, state, (Scene(shared), Gui(shared)))
-    return Page(delivery.join(own, lambda: None), delivery.lock, client.take, client)
+    return Page(delivery.join(own, lambda: None), delivery, client.take, client)
 
 
 class Stream:
