@@ -14,7 +14,7 @@ from ...files.pictures.image_files import encode_png
 from ..render.open3d_views import read_view, write_view
 from .coloring_choice import choices_of
 from .keys import STEP
-from .live_timeline import asked_by_page
+from .logged import asked_by_page
 from .recorded import remembered
 from .sessions import Session
 
@@ -120,7 +120,7 @@ class Actions:
         """Show or hide geometries."""
         with self.viewer.lock, self.viewer.batch():
             for name in names:
-                if name in self.viewer.items:
+                if name in self.viewer.shown:
                     self.viewer.set_visible(name, visible)
 
     @told_to_page
@@ -200,7 +200,7 @@ class Actions:
 
     def _items(self) -> list[Any]:
         with self.viewer.lock:
-            return list(self.viewer.items.values())
+            return list(self.viewer.shown.values())
 
     def _session(self, client: int) -> Session:
         session = self.viewer.sessions.get(client)

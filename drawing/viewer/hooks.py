@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from ...core.checks import check_name, check_number, check_positive
@@ -35,6 +35,15 @@ class Hooks:
     _calls_made: Calls | None = None
     _controls_made: Controls | None = None
     _picks_made: Picks | None = None
+
+    @property
+    def items(self) -> Mapping[str, Item]:
+        """What is in the scene, by name; the newest, also while the pages look at an earlier moment."""
+        timeline = self.timeline
+        if timeline is None or timeline.is_live:
+            return self.shown
+        with self.lock:
+            return timeline.newest()
 
     # -- controls -----------------------------------------------------------------------------------------------------
 
@@ -230,7 +239,7 @@ class Hooks:
         """Begin a moment: what is added, updated, moved, shown or removed from now on belongs to it.
 
         With the second moment the pages have a time line, which looks at what was: one for all pages. At its end it
-        follows the newest moment. The program goes on meanwhile; `items` is what the pages see.
+        follows the newest moment. The program goes on meanwhile, and `items` is the newest.
 
         Args:
             t: In seconds, or the number of a frame; not before the newest moment.
@@ -251,7 +260,7 @@ class Hooks:
             ...         viewer.add("cloud", loom.PointCloud([[frame, 0, 0], [1, 1, 1]]))
             ...     viewer.show_time(1)
             ...     viewer.items["cloud"].cloud.points[0].tolist()
-            [1.0, 0.0, 0.0]
+            [2.0, 0.0, 0.0]
         """
         with self.lock:
             self._check_open()
@@ -305,7 +314,7 @@ class Hooks:
         server: Any
         sessions: dict[int, Any]
         panel: Any
-        items: dict[str, Item]
+        shown: dict[str, Item]  # what pages see, by name
 
         def _check_open(self) -> None: ...
 

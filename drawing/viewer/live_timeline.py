@@ -1,4 +1,4 @@
-"""What a program shows when, while it runs: `LiveTimeline`, and `logged`, by which the viewer's calls tell it.
+"""What a program shows when, while it runs: `LiveTimeline`; the viewer's calls tell it by `logged`.
 
 A moment holds what changed in it: a geometry by reference, a pose as a matrix. So a moment costs what changed, however
 much is in the scene, and what the scene was is found by the last change of each name.
@@ -7,19 +7,15 @@ much is in the scene, and what the scene was is found by the last change of each
 from __future__ import annotations
 
 import bisect
-import contextlib
 import dataclasses
-import functools
 import logging
 import math
-import threading
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from ...core.checks import check_name, check_number, check_positive, check_rigid
-from ...core.errors import PointloomError
 from .items import Item, Matrix, make_item
 
 if TYPE_CHECKING:
@@ -31,47 +27,7 @@ SMALL = 256  # bytes of arrays that count as part of it
 SPARSE = 4  # whole times that lie farther apart in the mean are gone through by another step
 KEPT = 0.9  # of the bytes, once there were too many: so that not each change drops a moment
 FULL = "The history is full: its oldest moments go, as new ones come."
-EARLIER = "The time line shows an earlier moment; go to its end to change the scene."
 log = logging.getLogger("pointloom.viewer")
-_asker = threading.local()
-
-
-@contextlib.contextmanager
-def asked_by_page() -> Iterator[None]:
-    """What is done within is what a page asks for of what it sees, not what the program does."""
-    before, _asker.is_page = getattr(_asker, "is_page", False), True
-    try:
-        yield
-    finally:
-        _asker.is_page = before
-
-
-def logged(change: Callable[..., None]) -> Callable[..., None]:
-    """Have a call of the viewer belong to the moment of `set_time`; it does as ever where that was never called.
-
-    While the pages look at an earlier moment, the program's changes go into the history alone.
-    """
-    name = change.__name__
-
-    @functools.wraps(change)
-    def run(viewer: Any, *arguments: Any, **keywords: Any) -> None:
-        with viewer.lock:
-            timeline: LiveTimeline | None = viewer.timeline
-            if timeline is None:
-                change(viewer, *arguments, **keywords)
-            elif timeline.is_live:
-                change(viewer, *arguments, **keywords)
-                given = (*arguments, *keywords.values())[:1]
-                timeline.take_scene([n for n, *_ in given[0]] if name == "add_named" else given)
-            elif not getattr(_asker, "is_page", False):
-                viewer._check_open()
-                getattr(timeline, name)(*arguments, **keywords)
-            elif name in ("set_visible", "set_pose"):  # of what is looked at, for as long as it is
-                change(viewer, *arguments, **keywords)
-            else:
-                raise PointloomError(EARLIER)
-
-    return run
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
@@ -111,6 +67,7 @@ class LiveTimeline:
         self._shown: int | None = None  # the number of the moment that pages look at; None follows the newest
         self.is_whole = True  # whether all times are whole numbers
         self._control: Any = None
+        self._told = 0.0  # the value that it was given last
         self._unbuilt: set[Item] = set()  # whose levels of detail were being built when another came in their place
 
     @property
@@ -142,7 +99,7 @@ class LiveTimeline:
 
     def take_scene(self, names: Iterable[Any] = ()) -> None:
         """Take down what pages see of some names, or without any of all, as of the newest moment."""
-        items = self._viewer.items
+        items = self._viewer.shown
         for name in tuple(names) or [*items, *(known for known in self._tracks if known not in items)]:
             self._log(name, items.get(name))
 
@@ -183,6 +140,11 @@ class LiveTimeline:
         """What there is at the newest moment."""
         return [name for name, track in self._tracks.items() if track[-1][1] is not None]
 
+    def newest(self) -> dict[str, Item]:
+        """What there is at the newest moment, as items of their own."""
+        states = {name: self._find(name) for name in self.names()}
+        return {n: dataclasses.replace(s.item, pose=s.pose, visible=s.visible) for n, s in states.items()}
+
     # -- what pages look at -------------------------------------------------------------------------------------------
 
     def scene_at(self, number: int) -> dict[str, State]:
@@ -197,6 +159,10 @@ class LiveTimeline:
 
     def look(self, t: float | None) -> None:
         """Show the newest moment that is not after a time, in all pages; None follows the newest."""
+        self._look(t)
+        self._tell()
+
+    def _look(self, t: float | None) -> None:
         newest = self.dropped + len(self.times) - 1
         number = newest
         if t is not None:
@@ -204,18 +170,17 @@ class LiveTimeline:
         if number != (newest if self._shown is None else self._shown):
             self._show(self.scene_at(number))
         self._shown = None if number == newest else number
-        self._tell()
 
     def _show(self, scene: dict[str, State]) -> None:
         viewer = self._viewer
         is_new = not len(viewer._extents) and not viewer.frame.origin.any()
-        coming = dict(viewer._coming)
+        coming = {item for name, item in viewer.shown.items() if name in viewer._levels}
         with viewer.server.pages.atomic():
-            for name in [name for name in viewer.items if name not in scene]:
+            for name in [name for name in viewer.shown if name not in scene]:
                 viewer._take_out(name)
             for name, state in scene.items():
                 item = state.item
-                if viewer.items.get(name) is not item:
+                if viewer.shown.get(name) is not item:
                     item.pose, item.visible = state.pose, state.visible
                     self._put_in(item)
                     continue
@@ -226,16 +191,16 @@ class LiveTimeline:
             if is_new:
                 viewer._settle()
             viewer._changed(is_new)
-        self._unbuilt |= {item for name, item in coming.items() if viewer.items.get(name) is not item}
+        self._unbuilt |= {item for item in coming if viewer.shown.get(item.name) is not item}
 
     def _put_in(self, item: Item) -> None:
         viewer = self._viewer
-        viewer._coming.pop(item.name, None)
+        viewer._levels.forget(item.name)
         viewer._take_in(item)
         viewer._color(item)
         if item in self._unbuilt:
             self._unbuilt.discard(item)
-            viewer._build_levels(item)
+            viewer._levels.build(item)
         viewer._show(item)
         viewer.panel.put_item(item)
 
@@ -269,18 +234,19 @@ class LiveTimeline:
                 self._control = self._viewer.server.pages.gui.add_timeline(first, last, self.step, value)
                 self._control.on_update(self._on_update)
                 return
-            self._control.min, self._control.max = first, last
-            self._control.step, self._control.value = self.step, value
+            self._control.min, self._control.max, self._control.step = first, last, self.step
+            self._control.value = self._told = value
 
     def _on_update(self, event: Any) -> None:
-        """A page has dragged it; of many that wait only the newest value counts."""
+        """A page has dragged it; what it says meanwhile stays, what the program said meanwhile does not."""
         viewer = self._viewer
         if event.client_id is None or not viewer.take_lock():
             return
         try:
             if viewer.timeline is self:
-                value = float(self._control.value)
-                self.look(None if value > self.times[-1] - self.step / 2 else value + self.step / 1000)
+                self._look(None if event.value > self.times[-1] - self.step / 2 else event.value + self.step / 1000)
+                if self._control.value == self._told:
+                    self._control.value = event.value
         finally:
             viewer.lock.release()
 

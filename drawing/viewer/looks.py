@@ -137,8 +137,8 @@ class Looks(Scene):
         with self.lock, self.batch():
             for name, value in {"by": by, "colormap": colormap}.items():
                 check_name(name, "" if value is None else value)
-            self.coloring = self.coloring.checked(by, colormap, limits, self.items.values())
-            for item in self.items.values():
+            self.coloring = self.coloring.checked(by, colormap, limits, self.shown.values())
+            for item in self.shown.values():
                 self._color(item)
                 for session in self._open_sessions():
                     with session.as_it_lasts():

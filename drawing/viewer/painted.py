@@ -28,7 +28,7 @@ def begin_painting(viewer: Viewer, name: str, attribute: str) -> Painting:
             under another name that are not saved yet.
     """
     with viewer.lock:
-        item = viewer.items.get(name)
+        item = viewer.shown.get(name)
         if item is None or item.cloud is None:
             raise ValueError(f"{name} is no cloud any more")
         known = item.painting
@@ -45,7 +45,7 @@ def begin_painting(viewer: Viewer, name: str, attribute: str) -> Painting:
 def show_painting(viewer: Viewer, name: str) -> None:
     """Have the cloud hold the labels as they are now, and all pages show them."""
     with viewer.lock:
-        item = viewer.items.get(name)
+        item = viewer.shown.get(name)
         if item is None or item.painting is None:
             return
         _put(item)

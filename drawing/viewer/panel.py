@@ -96,7 +96,7 @@ class Panel:
     def show_legend(self) -> None:
         """What the colours mean."""
         self._is_told = True
-        choice, items = self._viewer.coloring, self._viewer.items.values()
+        choice, items = self._viewer.coloring, self._viewer.shown.values()
         known = (OWN, *self._choices.names())
         if known != tuple(self._by.options):
             self._by.options = known
@@ -158,7 +158,7 @@ class Panel:
     def _color(self, client: int | None, *, fit: bool = False) -> None:
         by = None if self._by.value == OWN else self._by.value
         limits = None if fit or by is None else (self._low.value, self._high.value)
-        coloring = shown_coloring(self._viewer.items.values())
+        coloring = shown_coloring(self._viewer.shown.values())
         if limits is not None and (coloring is None or coloring.limits is None):
             limits = None
         colormap = self._map.value if self._map.visible or self._viewer.coloring.colormap is not None else None

@@ -53,7 +53,7 @@ class Picks:
         if found is None:
             return
         with self._viewer.lock:
-            told = with_attributes(found, self._viewer.items.get(found.name))
+            told = with_attributes(found, self._viewer.shown.get(found.name))
         for callback in self._callbacks:
             self._calls.call(event.client_id, lambda call=callback: call(told))
 

@@ -37,7 +37,7 @@ def look_of(viewer: Viewer) -> Look:
         "edges": viewer.wireframe,
         "normals": viewer.normals,
     }
-    return Look({name: item.visible for name, item in viewer.items.items()}, values)
+    return Look({name: item.visible for name, item in viewer.shown.items()}, values)
 
 
 @contextlib.contextmanager
@@ -86,7 +86,7 @@ def put_look(viewer: Viewer, visible: dict[str, bool], values: dict[str, Any]) -
     Raises:
         ValueError: None of the geometries is there any more.
     """
-    there = {name: seen for name, seen in visible.items() if name in viewer.items}
+    there = {name: seen for name, seen in visible.items() if name in viewer.shown}
     if visible and not there and not values:
         raise ValueError(f"{next(iter(visible))} is no longer in the scene")
     with viewer.lock:

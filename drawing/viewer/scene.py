@@ -69,7 +69,7 @@ class Scene(Hooks):
         self._has_own_background = bool((background != 1).any())  # a white one may follow a dark mode
         self._point_size, self.has_own_point_size = point_size, point_size != POINT_SIZE
         self.lock = threading.RLock()
-        self.items: dict[str, Item] = {}
+        self.shown: dict[str, Item] = {}  # what pages see; `items` is what the program has
         self.up: Triple | None = None  # in what `home` fits; None takes that of the first mesh that says so, else z
         self.sessions: dict[int, Session] = {}
         self.frame, self.coloring = Frame(np.zeros(3)), ColoringChoice()
@@ -117,7 +117,7 @@ class Scene(Hooks):
             return self._view
         if self._view is not None:
             return View.from_open3d(self.bounds, **self._view, width=self._size[0], height=self._size[1])
-        up = self.up or up_of((item.geometry, item.style.pose) for item in self.items.values())
+        up = self.up or up_of((item.geometry, item.style.pose) for item in self.shown.values())
         look: dict[str, Any] = {"direction": direction_under(up), "up": up}
         return fit_view(self._outline(), **look, width=self._size[0], height=self._size[1])
 
@@ -178,10 +178,10 @@ class Scene(Hooks):
         return [session for session in self.sessions.values() if not session.closed]
 
     def _find(self, name: str) -> Item:
-        if check_name("name", name) not in self.items:
-            known = ", ".join(map(repr, self.items)) or "none"
+        if check_name("name", name) not in self.shown:
+            known = ", ".join(map(repr, self.shown)) or "none"
             raise KeyError(f"name: no geometry {name!r}; there are {known}")
-        return self.items[name]
+        return self.shown[name]
 
     def _check_open(self) -> None:
         if self.closed:
@@ -195,9 +195,9 @@ class Scene(Hooks):
 
     def _take_in(self, item: Item) -> None:
         """Have an item stand under its name, in place of the one before."""
-        before = self.items.get(item.name)
+        before = self.shown.get(item.name)
         self._count(before, -1)
-        self.items[item.name] = item
+        self.shown[item.name] = item
         self._count(item, 1)
         self._with_unit.pop(item.name, None)
         if getattr(item.geometry, "unit", None) is not None:
@@ -232,7 +232,7 @@ class Scene(Hooks):
             sessions, builders = list(self.sessions.values()), self._levels.let_go()
             for session in sessions:
                 session.close()
-            self.sessions, self._nodes, self.items = {}, {}, {}
+            self.sessions, self._nodes, self.shown = {}, {}, {}
             self._extents, self._with_unit = Extents(), {}
             self._later.close()
             hooks = self._end_hooks()
@@ -249,7 +249,7 @@ class Scene(Hooks):
         self._levels.forget(name)
         self._with_unit.pop(name, None)
         self._extents.drop(name)
-        self._count(self.items.pop(name, None), -1)
+        self._count(self.shown.pop(name, None), -1)
         self.panel.drop_item(name)
         nodes = self._nodes.pop(name, None)
         if nodes is not None:
@@ -272,7 +272,7 @@ class Scene(Hooks):
         """What follows from changes: shares of large clouds, what is drawn near and far, what panel and tools say."""
         shares, self._shares_changed = self._shares_changed, False
         self.panel.catch_up()
-        self.server.pages.set_hint("" if self.items else HINT)
+        self.server.pages.set_hint("" if self.shown else HINT)
         self._reach()
         for session in self._open_sessions():
             with session.as_it_lasts():
@@ -291,7 +291,7 @@ class Scene(Hooks):
         found = self._extents.union()
         if found is not None:
             self.frame = Frame.around(found)
-            for item in self.items.values():
+            for item in self.shown.values():
                 self._take_nodes(item)
 
     def _take_nodes(self, item: Item) -> None:
@@ -329,13 +329,13 @@ class Scene(Hooks):
         """Points that a view of everything has to show: some of each cloud, and the corners of all else."""
         if not len(self._extents):
             return np.stack(_NOTHING)
-        clouds = [item for item in self.items.values() if item.cloud is not None and item.bounds is not None]
+        clouds = [item for item in self.shown.values() if item.cloud is not None and item.bounds is not None]
         each = OUTLINE // max(len(clouds), 1)
         if each < LEAST_OUTLINE:  # of so many that their boxes tell as much
             return self._extents.corners()
         found = [item.sample()[:: -(-len(item.sample()) // each)] for item in clouds]
         boxes = Extents()
-        for item in self.items.values():
+        for item in self.shown.values():
             if item.cloud is None:
                 boxes.put(item.name, item.world_bounds())
         return np.vstack([*found, boxes.corners()])

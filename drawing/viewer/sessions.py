@@ -61,7 +61,7 @@ class Session:
         with self.client.atomic():
             self.go_home()
             self._line = self.viewer.panel.add_line(self.client)
-            for item in self.viewer.items.values():
+            for item in self.viewer.shown.values():
                 self.show(item)
             self._toolbox = self.viewer.panel.add_tools(self)
             self.tell()
@@ -171,7 +171,7 @@ class Session:
 
     def share_anew(self) -> None:
         """Give clouds their shares of the points that a page may hold, where those have changed."""
-        for item in self.viewer.items.values():
+        for item in self.viewer.shown.values():
             if item.name in self.streams and self._budgets[item.name] != self.viewer.budget_of(item):
                 self.show(item)
 
@@ -185,7 +185,7 @@ class Session:
     def resize_points(self) -> None:
         """Give points the size that the panel says."""
         for name, stream in self.streams.items():
-            stream.set_point_size(*self._size_of(self.viewer.items[name]))
+            stream.set_point_size(*self._size_of(self.viewer.shown[name]))
 
     def count_anew(self) -> None:
         """Note how many points of each cloud are drawn, where much has changed."""

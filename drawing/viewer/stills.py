@@ -46,7 +46,7 @@ def draw_scene(
         [as_entry(named) for named in shown_geometries(viewer, clip)],
         camera=view,
         background=tuple(viewer.background.tolist()),
-        color_bar=shown_coloring(viewer.items.values()),
+        color_bar=shown_coloring(viewer.shown.values()),
     )
     if path is not None:
         save_picture(path, picture)
@@ -127,7 +127,7 @@ def as_entry(named: Named) -> dict[str, Any]:
 
 def shown_geometries(viewer: Viewer, clip: Clip | None = None) -> list[Named]:
     """What the viewer shows, in the styles that it shows it in; clouds and meshes as clip planes leave them."""
-    return [shown_geometry(viewer, item, clip) for item in viewer.items.values() if item.visible]
+    return [shown_geometry(viewer, item, clip) for item in viewer.shown.values() if item.visible]
 
 
 def shown_geometry(viewer: Viewer, item: Item, clip: Clip | None = None) -> Named:

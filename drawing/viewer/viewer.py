@@ -17,7 +17,7 @@ from ..render.view import View
 from .detail_tree import DetailTree
 from .ending import close_at_exit, farewell
 from .items import Frame, make_item
-from .live_timeline import logged
+from .logged import logged
 from .looks import Looks
 from .painted import warn_of_unsaved
 from .presence import LINGER, Presence
@@ -88,7 +88,7 @@ class Viewer(Looks):
         close_at_exit(self)
 
     def __repr__(self) -> str:
-        return f"Viewer({self.url}, {len(self.items)} geometries{', closed' if self.closed else ''})"
+        return f"Viewer({self.url}, {len(self.shown)} geometries{', closed' if self.closed else ''})"
 
     def _repr_mimebundle_(self, include: Any = None, exclude: Any = None) -> dict[str, Any]:
         """The page in a frame over a still of it, for notebooks."""
@@ -209,7 +209,7 @@ class Viewer(Looks):
         """Take all out of the scene; what comes next is looked at anew."""
         with self.lock, self.batch():
             self._check_open()
-            for name in list(self.items):
+            for name in list(self.shown):
                 self._take_out(name)
             self.frame = Frame(np.zeros(3))
             self._changed(False)

@@ -251,7 +251,7 @@ def test_geometries_of_different_times_have_a_time_line(box, window):
     viewer = window._window._viewer
     for time in (2, 0, 1):
         window.current_time = time
-        assert [name for name, item in viewer.items.items() if item.visible] == [f"box {time}"]
+        assert [name for name, item in viewer.shown.items() if item.visible] == [f"box {time}"]
 
 
 def test_an_animation_calls_while_its_box_is_ticked(box, window):

@@ -122,7 +122,7 @@ class ClipControls:
     def _hide(self, clip: Clip) -> None:
         session = self._stage.session
         with self._stage.viewer.lock:
-            items = dict(self._stage.viewer.items)
+            items = dict(self._stage.viewer.shown)
             streams = dict(session.streams)
         for name, stream in streams.items():
             item = items.get(name)

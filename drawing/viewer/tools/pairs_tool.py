@@ -133,7 +133,7 @@ class PairsTool(Tool):
         """Put the source where it was before the first registration."""
         if self._was is not None:
             (name, pose), self._was, self._found = self._was, None, None
-            if name in self.stage.viewer.items:
+            if name in self.stage.viewer.shown:
                 self.stage.viewer.set_pose(name, np.eye(4) if pose is None else pose)
             self._show(self.stage.view())
 
@@ -225,7 +225,7 @@ class PairsTool(Tool):
         with self.stage.viewer.lock:
             for choice in (self._source, self._target):
                 stream = session.streams.get(choice.value)
-                item = self.stage.viewer.items.get(choice.value)
+                item = self.stage.viewer.shown.get(choice.value)
                 if stream is not None and item is not None:
                     stream.set_visible(item.visible and name in (None, choice.value))
 

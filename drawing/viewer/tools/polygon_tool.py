@@ -164,7 +164,7 @@ class PolygonTool(Tool):
         viewer = self.stage.viewer
         with viewer.lock:
             name, number = f"{item.name} (cropped)", 2
-            while name in viewer.items:
+            while name in viewer.shown:
                 name, number = f"{item.name} (cropped {number})", number + 1
             self._crop(item, name, cropped)
         label, nbytes = f"Crop {item.name} (the file stays)", cropped.points.nbytes
@@ -174,7 +174,7 @@ class PolygonTool(Tool):
     def _crop(self, item: Any, name: str, cropped: Any) -> None:
         viewer = self.stage.viewer
         with viewer.lock:
-            if item.name not in viewer.items or name in viewer.items:
+            if item.name not in viewer.shown or name in viewer.shown:
                 raise ValueError(f"{item.name} is no longer in the scene, or {name} is there already")
             viewer.add(name, cropped, **style_of(item))
             if item.pose is not None:
@@ -188,11 +188,11 @@ class PolygonTool(Tool):
         viewer = self.stage.viewer
         self._undo, self._undo_button.disabled = None, True
         with viewer.lock:
-            if part not in viewer.items and whole not in viewer.items:
+            if part not in viewer.shown and whole not in viewer.shown:
                 raise ValueError(f"{whole} is no longer in the scene")
-            if part in viewer.items:
+            if part in viewer.shown:
                 viewer.remove(part)
-            if whole in viewer.items:
+            if whole in viewer.shown:
                 viewer.set_visible(whole, True)
         self._list_clouds(whole)
 

@@ -99,7 +99,7 @@ class Stage:
     def items(self) -> list[Item]:
         """What is shown, in the order of the scene."""
         with self.viewer.lock:
-            return [item for item in self.viewer.items.values() if item.visible]
+            return [item for item in self.viewer.shown.values() if item.visible]
 
     def clouds(self) -> list[str]:
         """The names of the clouds that are shown and hold points."""
@@ -112,7 +112,7 @@ class Stage:
             ValueError: It has gone.
         """
         with self.viewer.lock:
-            found = self.viewer.items.get(name)
+            found = self.viewer.shown.get(name)
         if found is None:
             raise ValueError(f"{name} is no longer in the scene")
         return found
@@ -136,7 +136,7 @@ class Stage:
         """
         wanted = {*names}
         with self.viewer.lock:
-            geometries = [item.geometry for name, item in self.viewer.items.items() if name in wanted]
+            geometries = [item.geometry for name, item in self.viewer.shown.items() if name in wanted]
         known = [g.unit for g in geometries if isinstance(g, InUnit) and g.unit is not None]
         for other in known[1:]:
             if not is_same(known[0], other):

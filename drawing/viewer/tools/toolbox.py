@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 from ....core.errors import PointloomError
 from ...render.view import View
-from ..live_timeline import asked_by_page
+from ..logged import asked_by_page
 from .clip_controls import ClipControls
 from .filter_controls import FilterControls
 from .ground_tools import AreaTool, ProfileTool, VolumeTool

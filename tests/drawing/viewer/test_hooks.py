@@ -97,7 +97,7 @@ class Stand(Hooks):
     def __init__(self):
         self.page, self.lock, self.closed = Page(), threading.RLock(), False
         self.sessions, gui = {7: self.page}, Gui()
-        self.items = {}
+        self.shown = {}
         scene = SimpleNamespace(clicks=[])
         scene.on_click = scene.clicks.append
         scene.remove_click_callback = scene.clicks.remove

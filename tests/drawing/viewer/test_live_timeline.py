@@ -12,7 +12,8 @@ import pointloom as loom
 from pointloom.core.errors import PointloomError
 from pointloom.drawing.viewer import live_timeline
 from pointloom.drawing.viewer.live_recording import Drawn, moments_of
-from pointloom.drawing.viewer.live_timeline import ENTRY, asked_by_page
+from pointloom.drawing.viewer.live_timeline import ENTRY
+from pointloom.drawing.viewer.logged import asked_by_page
 from pointloom.drawing.viewer.viewer import Viewer
 
 from .pages import HELLO, hear_until, line_of, say, wait_until
@@ -38,7 +39,7 @@ def cloud_of(number, count=4):
 def shown(viewer):
     """What pages see: the number of each cloud, where it stands, and whether it is seen."""
     found = {}
-    for name, item in viewer.items.items():
+    for name, item in viewer.shown.items():
         place = np.zeros(3) if item.pose is None else item.pose[:3, 3]
         found[name] = (int(item.cloud.points[0][0]), place.tolist(), item.visible)
     return found
@@ -98,14 +99,16 @@ def test_without_set_time_nothing_is_kept(viewer):
 def test_a_program_goes_on_while_pages_look_at_what_was(viewer):
     tell_story(viewer)
     viewer.show_time(1)
-    before = list(viewer.items.values())
+    before = list(viewer.shown.values())
     viewer.set_time(4)
     viewer.update("b", cloud_of(7))
     viewer.add("c", cloud_of(8))
     viewer.set_pose("c", POSE)
     viewer.set_visible("b", False)
     viewer.remove("a")
-    assert shown(viewer) == STORY[1] and list(viewer.items.values()) == before
+    assert shown(viewer) == STORY[1] and list(viewer.shown.values()) == before
+    newest = {name: (int(item.cloud.points[0][0]), item.visible) for name, item in viewer.items.items()}
+    assert newest == {"b": (7, False), "c": (8, True)} and viewer.items["c"].pose[0, 3] == 1
     with pytest.raises(KeyError, match="no geometry 'old'; there are 'b', 'c'"):
         viewer.update("old", cloud_of(1))
     viewer.set_time(5)
@@ -134,7 +137,7 @@ def test_what_a_page_asks_for_of_what_was_changes_nothing_that_is(viewer):
     viewer.show_time(1)
     with asked_by_page():
         viewer.set_visible("old", False)
-        assert not viewer.items["old"].visible
+        assert not viewer.shown["old"].visible and viewer.items.keys() == {"a", "b"}
         with pytest.raises(PointloomError, match="go to its end to change the scene"):
             viewer.update("a", cloud_of(5))
     viewer.show_time(0)
@@ -215,7 +218,7 @@ def test_a_page_drags_the_time_line_and_is_told_the_newest(viewer):
         for wrong in ("1", -100, 1e9, None, True):  # what is no number is passed over, others are brought within
             say(line, {"say": "value", "id": control["id"], "value": wrong})
         say(line, {"say": "value", "id": control["id"], "value": 4})
-        wait_until(lambda: viewer.timeline.is_live, 30.0)
+        wait_until(lambda: viewer.timeline.is_live and viewer.timeline._control.value == 4, 30.0)
     assert shown(viewer) == STORY[3]
 
 
