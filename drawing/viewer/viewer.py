@@ -387,6 +387,12 @@ class Viewer(Scene):
 
     def close(self) -> None:
         """Free port, threads and memory; the pages say that the viewer is gone. Twice is no error."""
+        self._close("")
+
+    def _close(self, words: str) -> None:
+        """Close, where there are words with these in the pages."""
+        if words and not self.closed:
+            self.server.say_end(words)
         self._ended.set()
         threads = self._let_go()
         self.server.close()
