@@ -40,9 +40,7 @@ def make_room() -> None:
     for viewer in again:
         viewer.close()
     for _, viewer in surplus:
-        viewer._close(
-            f"{MOST_OPEN} viewers of this notebook are open, and this is the oldest: run its cell again to see it"
-        )
+        viewer._close(f"{MOST_OPEN} viewers of this notebook stay open, and this was the oldest: run its cell again.")
 
 
 def keep(viewer: Viewer) -> None:
