@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 from PIL import Image
 
-CHANNELS = 3, 4
+CHANNELS = 3
 
 
 class Picture(np.ndarray[Any, np.dtype[np.uint8]]):
@@ -38,7 +38,7 @@ class Picture(np.ndarray[Any, np.dtype[np.uint8]]):
         return array[()] if return_scalar else np.asarray(array)
 
     def _is_whole(self) -> bool:
-        return self.ndim == 3 and self.shape[2] in CHANNELS and self.dtype == np.uint8 and self.size > 0
+        return self.ndim == 3 and self.shape[2] in (CHANNELS, CHANNELS + 1) and self.dtype == np.uint8 and self.size > 0
 
     def _repr_png_(self) -> bytes | None:
         """The picture in a notebook; nothing for a part that is none, such as one channel."""
