@@ -123,6 +123,8 @@ class Recorder:
         max_points: As of `record`.
     """
 
+    _up: Triple | None = None  # in the first geometry that says so
+
     def __init__(
         self,
         path: str | os.PathLike[str],
@@ -149,7 +151,6 @@ class Recorder:
         self._store, self._most_bytes = ShapeStore(), MOST_BYTES
         self._origin: NDArray[np.float64] | None = None
         self._device: Any = None
-        self._up: Triple | None = None  # in the first geometry that says so
         self._held: dict[str, Held] = {}
         self._counts: dict[str, tuple[int, int]] = {}
         self._values: dict[str, float] = {}
@@ -208,9 +209,9 @@ class Recorder:
             ValueError: A style that does not exist, or out of range.
         """
         name, chosen = check_name("name", name), style_of(style)
-        self._up = self._up or told_up(geometry, chosen.pose)
         pose = self._held[name].pose if name in self._held and chosen.pose is None else None
         self._hold(name, sketch(geometry, chosen, self.max_points), chosen, pose)
+        self._up = self._up or told_up(geometry, chosen.pose)
 
     def update(self, name: str, geometry: Any, **style: Any) -> None:
         """Show another geometry under a name that is there, with its style and pose unless others are given.

@@ -11,7 +11,7 @@ from PIL import Image
 
 from ..notebook_output import still_jpeg
 
-CHANNELS = 3, 4
+CHANNELS = 3
 MOST_PNG_BYTES = 2**21  # in a notebook; what takes more is shown as a JPEG of at most 200 kB
 
 
@@ -41,7 +41,7 @@ class Picture(np.ndarray[Any, np.dtype[np.uint8]]):
         return array[()] if return_scalar else np.asarray(array)
 
     def _is_whole(self) -> bool:
-        return self.ndim == 3 and self.shape[2] in CHANNELS and self.dtype == np.uint8 and self.size > 0
+        return self.ndim == 3 and self.shape[2] in (CHANNELS, CHANNELS + 1) and self.dtype == np.uint8 and self.size > 0
 
     def _repr_png_(self) -> bytes | None:
         """The picture in a notebook; nothing for a part that is none, such as one channel, and of a large one."""

@@ -14,6 +14,7 @@ from ...core.checks import check_finite, check_name, check_positive, check_shape
 from ...core.errors import PointloomError
 from ...core.known_names import nearest_name
 from ...core.open3d_names import row_of, told
+from ...core.upward import check_up
 from ..render.geometries import Named, check_units
 from ..render.parts import Triangles, Triple
 from ..render.upward import direction_under, up_of
@@ -70,7 +71,6 @@ class Scene(Hooks):
         self._point_size, self.has_own_point_size = point_size, point_size != POINT_SIZE
         self.lock = threading.RLock()
         self.shown: dict[str, Item] = {}  # what pages see; `items` is what the program has
-        self.up: Triple | None = None  # in what `home` fits; None takes that of the first mesh that says so, else z
         self.sessions: dict[int, Session] = {}
         self.frame, self.coloring = Frame(np.zeros(3)), ColoringChoice()
         self.wireframe = self.normals = False
@@ -111,13 +111,27 @@ class Scene(Hooks):
         """Whether `close` was called."""
         return self._ended.is_set()
 
+    _up: Triple | None = None
+
+    @property
+    def up(self) -> Triple | None:
+        """What is up where pages look from at first: "x", "y", "z" or a direction is assigned.
+
+        None takes that of the first mesh that says so, as those of .glb and .gltf, else z.
+        """
+        return self._up
+
+    @up.setter
+    def up(self, value: Any) -> None:
+        self._up = None if value is None else check_up(value)
+
     def home(self) -> View:
         """Where pages look from at first: what `set_view` said, else what shows all of the scene."""
         if isinstance(self._view, View):
             return self._view
         if self._view is not None:
             return View.from_open3d(self.bounds, **self._view, width=self._size[0], height=self._size[1])
-        up = self.up or up_of((item.geometry, item.style.pose) for item in self.shown.values())
+        up = self._up or up_of((item.geometry, item.style.pose) for item in self.shown.values())
         look: dict[str, Any] = {"direction": direction_under(up), "up": up}
         return fit_view(self._outline(), **look, width=self._size[0], height=self._size[1])
 

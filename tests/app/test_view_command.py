@@ -57,6 +57,19 @@ def red_pixels(path):
 # -- pictures and pages -----------------------------------------------------------------------------------------------
 
 
+def test_what_is_up_is_told_or_that_of_the_file(tmp_path):
+    cone = loom.TriangleMesh.create_cone(0.5, 3.0)
+    loom.write_triangle_mesh(tmp_path / "cone.glb", cone, up="z")
+    loom.write_triangle_mesh(tmp_path / "cone.ply", loom.read_triangle_mesh(tmp_path / "cone.glb"))
+    spans = {}
+    for name, words in (("cone.glb", []), ("cone.ply", ["--up", "y"]), ("cone.ply", []), ("cone.glb", ["--up", "z"])):
+        files = ["--screenshot", tmp_path / "a.png", "--save-html", tmp_path / "a.html", "--force"]
+        answer("view", tmp_path / name, *words, *files)
+        rows, columns = np.nonzero((loom.read_color(tmp_path / "a.png") != 255).any(axis=2))
+        spans[name, *words] = np.ptp(rows) > 1.8 * np.ptp(columns)
+    assert list(spans.values()) == [True, True, False, False]
+
+
 def test_a_screenshot_needs_no_browser(cloud, mesh, trajectory, tmp_path):
     report = answer("view", cloud, mesh, trajectory, "--screenshot", tmp_path / "out.png")
     assert report["files"] == [str(tmp_path / "out.png")]
