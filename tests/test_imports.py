@@ -46,7 +46,7 @@ ROOMS = {
     "registration": ["icp", "globally", "lidar", "pose_graphs", "deformable", "trajectories"],
     "meshing": ["mesh", "scene", "volume", "color_map"],
     "rgbd": ["odometry", "slam", "fusion", "reconstruction"],
-    "drawing": ["render", "recording", "viewer"],
+    "drawing": ["render", "page", "recording", "viewer"],
     "photos": ["sfm", "mvs", "depth", "video"],
     "data": ["scenes", "made", "public"],
     "app": ["jobs", "demos", "shell"],

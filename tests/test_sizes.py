@@ -15,7 +15,6 @@ KERNEL_PARAMETERS = 14
 
 # What is longer, and why. An entry that nobody needs any more is a fault too.
 LONG_FILES: dict[str, str] = {
-    "drawing/viewer/hub.py": "viser's private parts are used in one guarded place (ADR 25); parted, there were two",
     "kernels/lang.py": "the one door of the kernel language: what it hands on, and nothing behind it",
     "kernels/poses/fragment_steps.py": "one system with its preconditioner, of which the imports are a tenth",
     "kernels/reconstruction/ball_faces.py": "one front and the rules by which it grows; each function needs the last",

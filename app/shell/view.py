@@ -10,7 +10,7 @@ import click
 from .options import FILE, SCALE, force_option, json_option, refuse, refuse_same
 from .pipes import from_option, open_pipes
 
-_COLORMAPS = ("viridis", "turbo", "gray", "coolwarm", "jet")
+_COLORMAPS = ("viridis", "plasma", "inferno", "magma", "cividis", "turbo", "gray", "coolwarm", "jet")
 
 
 @click.command(short_help="Show files in the browser, or draw them.")
@@ -37,6 +37,7 @@ _COLORMAPS = ("viridis", "turbo", "gray", "coolwarm", "jet")
 @click.option("--color-by", metavar="NAME", help="rgb, height, normal, label, or an attribute of the clouds.")
 @click.option("--colormap", type=click.Choice(_COLORMAPS), help="Of values; viridis if not given.")
 @click.option("--view", "view_file", type=FILE, metavar="JSON", help="Where from: a view as Open3D copies it (Ctrl+C).")
+@click.option("--up", type=click.Choice(("y", "z")), help="Which axis is up; the files', else z, if not given.")
 @click.option("--point-size", type=SCALE, metavar="PX", help="Diameter of points [px].")
 @from_option()
 @json_option()

@@ -12,6 +12,7 @@ from ...core.atomic import check_writable
 from ...core.errors import FileError
 from ...core.reports import Fields, Report
 from ...core.timing import Clock
+from ...core.upward import check_up
 from ...core.wording import plain
 from ...drawing.render.geometries import Named
 from ...drawing.render.open3d_views import read_view
@@ -52,6 +53,7 @@ class ViewJob:
         color_by, colormap: Of the clouds.
         view_file: Open3D's view JSON.
         point_size: [px].
+        up: Which axis is up; None takes that of the files.
         max_points: Of the page.
         force: Replace outputs that exist.
         port, host, no_open, linger: Of the server.
@@ -69,6 +71,7 @@ class ViewJob:
         colormap: str | None,
         view_file: Path | None,
         point_size: float | None,
+        up: str | None,
         max_points: int,
         force: bool,
         **server: Any,
@@ -77,6 +80,7 @@ class ViewJob:
         self.title = ", ".join(INPUT if str(path) in ends.names else path.name for path in self.files)
         self.force, self.max_points, self.server = force, max_points, server
         self.color_by, self.colormap, self.point_size = color_by, colormap, point_size
+        self.up = None if up is None else check_up(up)
         self.clock = Clock()
         self.view = None if view_file is None else read_view(view_file, width=SIZE[0], height=SIZE[1])
         for path in self.files:
@@ -108,7 +112,8 @@ class ViewJob:
             written.append(screenshot)
             self.clock.stop("draw")
         if page is not None:
-            write_geometries(page, named, self.max_points, view=self.view, title=self.title, overwrite=self.force)
+            how: dict[str, Any] = {"view": self.view, "title": self.title, "overwrite": self.force, "up": self.up}
+            write_geometries(page, named, self.max_points, **how)
             written.append(page)
             self.clock.stop("write page")
         report = dataclasses.replace(self._report(), files=tuple(map(str, written)), seconds=self.clock.seconds)
@@ -129,16 +134,17 @@ class ViewJob:
                 open_page(viewer)
 
         with Viewer(port=port, host=host, title=self.title, max_points=self.max_points, **sizes) as viewer:
+            viewer.up = self.up
             if self.view is not None:
                 viewer.set_view(self.view)
             first: list[Named] = []
             if not self._ends.names:  # what comes through a pipe has been waited for
                 first = first_looks(self.files, min(self.max_points, FIRST_LOOK), larger_than=self.max_points)
             if first:
-                viewer.add_all(first)
+                viewer.add_named(first)
                 open_up()
             self.read()  # once it is known that there can be a server
-            viewer.add_all(self.named, self.trees)
+            viewer.add_named(self.named, self.trees)
             for name, _, _ in first:
                 viewer.remove(name)
             if self.color_by is not None:
@@ -154,7 +160,7 @@ class ViewJob:
         from ...drawing.render.render import render
 
         entries = [as_entry(one) for one in named]
-        picture = render(entries, camera=self.view, size=SIZE, color_bar=self.color_by is not None)
+        picture = render(entries, camera=self.view, size=SIZE, color_bar=self.color_by is not None, up=self.up)
         save_picture(path, picture, overwrite=self.force)
 
     def _colored(self) -> list[Named]:

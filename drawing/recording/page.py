@@ -1,6 +1,6 @@
 """A recording as one HTML file that plays from disk: `write_page`.
 
-The file holds the player (page/), a description of the timeline in JSON, and the arrays: the bytes of each block of
+The file holds the player (drawing/page/), a description of the timeline in JSON, and the arrays: the bytes of each block of
 rows parted by their place in the row, deflated, in base64. Positions, colours and indices are exact; normals have 16
 bits.
 """
@@ -8,7 +8,6 @@ bits.
 from __future__ import annotations
 
 import base64
-import hashlib
 import html
 import json
 import math
@@ -24,14 +23,10 @@ from numpy.typing import NDArray
 
 from ...core.atomic import atomic_write, check_writable
 from ...core.checks import check_finite, check_positive, check_rows, check_shape
+from ..page.sources import hash_of, player_script, player_style, read_source
 from ..render.view import Triple, View, fit_view
 from .timeline import Placed, Shape, Timeline
 
-SOURCES = Path(__file__).parent / "page"
-SCRIPTS = (
-    *("arrays", "matrices", "shaders", "buffers", "scene"),
-    *("camera", "controls", "plots", "timeline", "pace", "player"),
-)
 BLOCK = 65_536  # rows whose bytes are parted together: some MB, so that a large array is never held twice
 PIECE = 3 * 2**20  # bytes of an element of the page: divisible by 3, as base64 of a piece must end where it ends
 SNORM = 32767  # normals as 16-bit integers: 0.002 degrees
@@ -104,7 +99,7 @@ def _write(file: IO[bytes], description: dict[str, Any], arrays: list[NDArray[An
         "theme": "dark" if np.dot(description["background"], (0.299, 0.587, 0.114)) < 0.5 else "light",
         "description": _json_in_html(description),
     }
-    for number, piece in enumerate(re.split(r"\{\{([\w-]+)\}\}", _source("player.html"))):
+    for number, piece in enumerate(re.split(r"\{\{([\w-]+)\}\}", read_source("player.html"))):
         if number % 2 == 0:
             file.write(piece.encode())
         elif piece == "arrays":
@@ -113,25 +108,6 @@ def _write(file: IO[bytes], description: dict[str, Any], arrays: list[NDArray[An
                     file.write(b'<script type="text/plain" data-array="%d">%s</script>\n' % (index, text))
         else:
             file.write(texts[piece].encode("utf-8", "replace"))
-
-
-def player_script() -> str:
-    """What every page plays by."""
-    return '"use strict";\n(() => {\n' + "\n".join(_source(f"{name}.js") for name in SCRIPTS) + "\n})();\n"
-
-
-def player_style() -> str:
-    """How every page looks."""
-    return _source("player.css")
-
-
-def _source(name: str) -> str:
-    return (SOURCES / name).read_text(encoding="utf-8")
-
-
-def hash_of(text: str) -> str:
-    """A text as a page's policy names it."""
-    return "sha256-" + base64.b64encode(hashlib.sha256(text.encode()).digest()).decode()
 
 
 def _json_in_html(value: Any) -> str:

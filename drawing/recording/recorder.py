@@ -19,6 +19,7 @@ from ...core.progress import ReportProgress
 from ...core.watching import watch
 from ..render.geometries import Style
 from ..render.parts import Matrix, Triple
+from ..render.upward import direction_under, told_up
 from ..render.view import View
 from .film import check_look, find_view
 from .held import Held, fields_of, style_of
@@ -148,6 +149,7 @@ class Recorder:
         self._store, self._most_bytes = ShapeStore(), MOST_BYTES
         self._origin: NDArray[np.float64] | None = None
         self._device: Any = None
+        self._up: Triple | None = None  # in the first geometry that says so
         self._held: dict[str, Held] = {}
         self._counts: dict[str, tuple[int, int]] = {}
         self._values: dict[str, float] = {}
@@ -206,6 +208,7 @@ class Recorder:
             ValueError: A style that does not exist, or out of range.
         """
         name, chosen = check_name("name", name), style_of(style)
+        self._up = self._up or told_up(geometry, chosen.pose)
         pose = self._held[name].pose if name in self._held and chosen.pose is None else None
         self._hold(name, sketch(geometry, chosen, self.max_points), chosen, pose)
 
@@ -316,6 +319,7 @@ class Recorder:
         if note:
             timeline.title = ", ".join([timeline.title, note] if timeline.title else [note])
         look = None if self._scripts is None else self._scripts.look
+        look = look if self._up is None else (direction_under(self._up), self._up)
         view = find_view(self._view, timeline, look, *self._size)
         options: dict[str, Any] = {"view": view, "background": self._background, "overwrite": self._overwrite}
         write_recording(self.path, timeline, size=self._size, say=self._say, device=self._device, **options)

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from ...core.atomic import atomic_write
 from ...core.errors import FileError
-from .page import hash_of, player_script, player_style
+from ..page.sources import hash_of, player_script, player_style
 
 PLAYER = "pointloom-player"  # .js and .css
 

@@ -80,7 +80,8 @@ def color_cloud(
             the name of an attribute with one number a point, or such an array, shape [n]. Whole numbers in an
             array or under names such as label, cluster and classification are labels unless a colour map or limits are
             given; everything else is values.
-        colormap: Of values: "viridis", "turbo", "gray", "coolwarm" or "jet"; None for viridis.
+        colormap: Of values: "viridis", "plasma", "inferno", "magma", "cividis", "turbo", "gray", "coolwarm" (whose
+            middle is neutral) or "jet"; None for viridis.
         limits: The values (low, high) at the two ends of the map; what lies beyond takes the colours of the ends. None
             takes the extent of heights and coordinates, and the 2nd and 98th percentile of other values.
 

@@ -11,9 +11,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...cameras.trajectory import Trajectory
-from ...core.checks import check_color, check_name, check_positive, check_rigid, check_rows, is_on_gpu
+from ...core.checks import check_color, check_name, check_positive, check_rigid, check_rows, check_share, is_on_gpu
 from ...core.devices import resolve_device
-from ...core.units import common_unit
+from ...core.units import LengthUnit, common_unit
 from ...kernels.arrays.bounds import bound_points
 from ...kernels.lang import vec3
 from ...kernels.memory import empty, move, upload
@@ -35,7 +35,8 @@ from .surfaces import mesh_parts, vertices_of, voxel_parts
 ACCEPTED = (
     "PointCloud, TriangleMesh, VoxelGrid, AxisAlignedBoundingBox, OrientedBoundingBox, LineSet, Trajectory, "
     "ConvexHull, SelectionPolygonVolume, TSDFVolume, CameraFrustum, an array of points [n, 3], an object with "
-    'points, or with vertices and triangles; or {"geometry": ...} with keys of style'
+    'points, or with vertices and triangles; or {"geometry": ...} with keys of style; files '
+    "are read first: loom.read_point_cloud, loom.read_triangle_mesh"
 )
 
 # Several clouds without colours: the first two as in Open3D's tutorials of registration.
@@ -64,6 +65,7 @@ class Style:
         wireframe: Edges over the faces; of a hull, edges alone.
         back_faces: Whether faces that look away are drawn.
         shaded: Whether light falls at an angle; of points without normals, whether depth is shown.
+        opacity: Of points and faces, 0 to 1; below 1 what lies behind is seen through them.
         pose: Moves it, a rigid 4x4.
 
     Raises:
@@ -80,6 +82,7 @@ class Style:
     wireframe: bool | None = None
     back_faces: bool | None = None
     shaded: bool | None = None
+    opacity: float | None = None
     pose: Matrix | None = None
 
     def __post_init__(self):
@@ -91,6 +94,8 @@ class Style:
         for name in ("point_size", "line_width"):
             if getattr(self, name) is not None:
                 object.__setattr__(self, name, check_positive(name, getattr(self, name)))
+        if self.opacity is not None:
+            object.__setattr__(self, "opacity", check_share("opacity", self.opacity))
         for name in ("metric", "wireframe", "back_faces", "shaded"):
             if getattr(self, name) is not None and not isinstance(getattr(self, name), bool | np.bool_):
                 raise TypeError(f"{name}: expected True or False, got {getattr(self, name)!r}")
@@ -127,20 +132,21 @@ def named_geometries(geometries: Any) -> list[Named]:
     else:
         given = [(None, geometries)]
     found: list[Named] = []
+    taken: dict[str, int] = {}  # names, and the last number that was tried of each
     for name, value in given:
         geometry, style = value, Style()
         if isinstance(value, Mapping):
             name, geometry, style = _read_entry(value, name)
         geometry = as_known(geometry)
         kind = kind_of(geometry)
-        name = _free_name(name or kind, {taken for taken, _, _ in found})
+        name = _free_name(name or kind, taken)
         found.append((name, geometry, style))
     return _told_apart(found)
 
 
-def check_units(geometries: Iterable[Any]) -> None:
-    """Warn of geometries in different units: they lie where nothing is to scale."""
-    common_unit("geometries", (geometry.unit for geometry in geometries if isinstance(geometry, InUnit)))
+def check_units(geometries: Iterable[Any]) -> LengthUnit | None:
+    """The unit of geometries; warns of several: they lie where nothing is to scale."""
+    return common_unit("geometries", (geometry.unit for geometry in geometries if isinstance(geometry, InUnit)))
 
 
 def _read_entry(entry: Mapping[Any, Any], name: str | None) -> tuple[str | None, Any, Style]:
@@ -154,11 +160,14 @@ def _read_entry(entry: Mapping[Any, Any], name: str | None) -> tuple[str | None,
     return name, entry["geometry"], Style(**{key: entry[key] for key in STYLE_KEYS if key in entry})
 
 
-def _free_name(name: str, taken: set[str]) -> str:
-    number, free = 1, name
+def _free_name(name: str, taken: dict[str, int]) -> str:
+    """A name that is not taken, with a number where it has to be; takes it."""
+    number, free = taken.get(name, 1), name
     while free in taken:
         number += 1
         free = f"{name} {number}"
+    taken[name] = number
+    taken.setdefault(free, 1)
     return free
 
 
@@ -269,7 +278,8 @@ def _points(
     """Points whose own colours stay as they are, but where a style wants light at an angle."""
     part = Points(positions, origin, colors, normals, size=style.point_size, metric=style.metric)
     shaded, lit = style.shaded is not False, style.shaded is True or not has_own
-    return dataclasses.replace(part, plain=style.color or part.plain, shaded=shaded, lit=lit)
+    opacity = 1.0 if style.opacity is None else style.opacity
+    return dataclasses.replace(part, plain=style.color or part.plain, shaded=shaded, lit=lit, opacity=opacity)
 
 
 def _of_points(geometry: Any, style: Style, device: Any) -> list[Part]:
@@ -318,11 +328,8 @@ def _of_mesh(mesh: Any, style: Style, device: Any) -> list[Part]:
 def _surface_style(style: Style) -> dict[str, Any]:
     """The fields of `Triangles` that a style decides; without a key where it leaves it to the part."""
     chosen: dict[str, Any] = {"wireframe": bool(style.wireframe), "cull": style.back_faces is False}
-    if style.shaded is not None:
-        chosen["lit"] = style.shaded
-    if style.color is not None:
-        chosen["plain"] = style.color
-    return chosen
+    decided = {"lit": style.shaded, "plain": style.color, "opacity": style.opacity}
+    return chosen | {name: value for name, value in decided.items() if value is not None}
 
 
 def _of_voxels(grid: VoxelGrid, style: Style, device: Any) -> list[Part]:
@@ -341,6 +348,8 @@ def _of_tsdf(volume: TSDFVolume, style: Style, device: Any) -> list[Part]:
 
 
 def _lines(drawn: outlines.Segments, style: Style, device: Any) -> Lines:
+    if style.opacity is not None and style.opacity < 1:
+        raise ValueError(f"opacity: lines are drawn whole; it is for points and faces, got {style.opacity}")
     part = outlines.upload_lines(drawn, device)
     if style.color is not None:
         part = dataclasses.replace(part, colors=empty(0, vec3, device), plain=style.color)
@@ -372,8 +381,7 @@ def _entry_of(geometry: Any) -> Entry:
     if isinstance(geometry, type):
         raise TypeError(f"geometries: expected a geometry, got the class {geometry.__name__}")
     if isinstance(geometry, str | os.PathLike):
-        remedy = "read files first: loom.read_point_cloud, loom.read_triangle_mesh"
-        raise TypeError(f"geometries: expected {ACCEPTED}; got {os.fspath(geometry)!r}; {remedy}")
+        raise TypeError(f"geometries: expected {ACCEPTED}; got {os.fspath(geometry)!r}")
     for kind, entry in _KINDS:
         if isinstance(geometry, kind):
             return entry

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 from collections.abc import Sequence
 from typing import Any
 
@@ -12,18 +13,24 @@ from .canvas import BLACK, WHITE, Canvas, Color
 from .coloring import Coloring
 from .colormaps import MISSING, colormap_table
 from .lettering import lettering
-from .ticks import choose_ticks, count_ticks
+from .ticks import Ticks, choose_ticks, count_ticks, with_ends
 
 GREY = (0.45, 0.45, 0.45)
 _PANEL = 0.85  # opacity of what lies behind legends
 _CORNERS = ("upper left", "upper right", "lower left", "lower right")
+_PITCH = 1.5  # of lines, of the size of letters
+END_ROOM = 1.3  # of the size of letters, between the number of an end and the next
 _DOT = 2.5  # [px] radius of the dot beside a label
 _WIDEST = 0.45  # of the picture: longer names in a legend are cut
 
 
 def letter_size(canvas: Canvas) -> int:
     """The size of letters [px] that suits a picture."""
-    shorter = min(canvas.width, canvas.height)
+    return _letters_for(canvas.width, canvas.height)
+
+
+def _letters_for(width: int, height: int) -> int:
+    shorter = min(width, height)
     return next(
         (size for limit, size in ((420, 12), (700, 14), (1100, 16), (1500, 20), (2200, 24)) if shorter < limit), 32
     )
@@ -40,6 +47,39 @@ def cut_text(text: str, size: float, most: float) -> str:
     return text + "…"
 
 
+@dataclasses.dataclass(frozen=True)
+class _Panel:
+    """How large a panel [px] is, and its letters; its margin to the edge is `pad`, and so is the one inside it."""
+
+    size: int
+    pad: int
+    width: int
+    height: int
+
+    @property
+    def band(self) -> tuple[int, int]:
+        """The width and the height [px] of the picture that it takes in a corner."""
+        return self.width + 2 * self.pad, self.height + 2 * self.pad
+
+
+def _lay_legend(names: Sequence[str], width: int, height: int) -> tuple[_Panel, list[str]]:
+    """The panel of a legend in a picture, and its lines; those that find no room are counted in the last."""
+    size = _letters_for(width, height)
+    pitch, pad = round(_PITCH * size), round(0.6 * size)
+    room = max(1, (height - 4 * pad) // pitch)
+    shown = names if len(names) <= room else names[: room - 1]
+    lines = [cut_text(str(name), size, _WIDEST * width) for name in shown]
+    if len(shown) < len(names):
+        lines.append(f"and {len(names) - len(shown)} more")
+    widest = max([lettering().width(line, size) for line in lines], default=0)
+    return _Panel(size, pad, widest + size + 3 * pad, pitch * len(lines) + 2 * pad - (pitch - size)), lines
+
+
+def legend_size(entries: Sequence[tuple[str, Color]], width: int, height: int) -> tuple[int, int]:
+    """The width and the height [px] that a legend takes in a corner of a picture, its margins with it."""
+    return _lay_legend([name for name, _ in entries], width, height)[0].band if entries else (0, 0)
+
+
 def draw_legend(canvas: Canvas, entries: Sequence[tuple[str, Color]], corner: str = "upper left") -> None:
     """Draw names and their colours in a corner of a picture.
 
@@ -54,28 +94,59 @@ def draw_legend(canvas: Canvas, entries: Sequence[tuple[str, Color]], corner: st
     if corner not in _CORNERS:
         raise ValueError(f"corner: expected one of {', '.join(_CORNERS)}, got {corner!r}")
     lines = check_list("entries", entries, "names with colours")
-    size = letter_size(canvas)
-    pitch, pad = round(1.5 * size), round(0.6 * size)
-    room = max(1, (canvas.height - 4 * pad) // pitch)
-    shown = lines if len(lines) <= room else lines[: room - 1]
-    names = [cut_text(str(name), size, _WIDEST * canvas.width) for name, _ in shown]
-    if len(shown) < len(lines):
-        names.append(f"and {len(lines) - len(shown)} more")
-    if not names:
+    if not lines:
         return
-    width = max(canvas.text_width(name, size) for name in names) + size + 3 * pad
-    height = pitch * len(names) + 2 * pad - (pitch - size)
-    left = pad if "left" in corner else canvas.width - width - pad
-    top = pad if "upper" in corner else canvas.height - height - pad
-    canvas.rectangle(left, top, width, height, fill=WHITE, outline=(0.75, 0.75, 0.75), opacity=_PANEL)
+    panel, names = _lay_legend([name for name, _ in lines], canvas.width, canvas.height)
+    size, pad, pitch = panel.size, panel.pad, round(_PITCH * panel.size)
+    left = pad if "left" in corner else canvas.width - panel.width - pad
+    top = pad if "upper" in corner else canvas.height - panel.height - pad
+    canvas.rectangle(left, top, panel.width, panel.height, fill=WHITE, outline=(0.75, 0.75, 0.75), opacity=_PANEL)
     rows = [top + pad + size // 2 + k * pitch for k in range(len(names))]
-    for (_, color), row in zip(shown, rows, strict=False):
+    shown = len(names) if len(names) == len(lines) else len(names) - 1
+    for (_, color), row in zip(lines[:shown], rows, strict=False):
         canvas.rectangle(left + pad, row - size // 2, size, size, fill=color, outline=GREY)
     canvas.texts([(name, left + 2 * pad + size, row) for name, row in zip(names, rows, strict=True)], size=size)
 
 
+@dataclasses.dataclass(frozen=True)
+class _Bar(_Panel):
+    """The panel of a colour bar: how wide and high [px] the bar is, what stands above it and how far, and its ticks."""
+
+    bar: int
+    tall: int
+    heading: str
+    above: int
+    ticks: Ticks
+
+
+def _lay_bar(coloring: Coloring, title: str, width: int, height: int) -> _Bar | None:
+    """The panel of a colour bar in a picture; None of colours without numbers."""
+    if coloring.limits is None or coloring.colormap is None:
+        return None
+    size = _letters_for(width, height)
+    pad, tall, bar = round(0.6 * size), round(0.5 * height), round(1.2 * size)
+    ticks = with_ends(choose_ticks(*coloring.limits, count_ticks(tall, size)), END_ROOM * size / max(tall, 1))
+    heading = cut_text(ticks.title(title or coloring.title), size, _WIDEST * width)
+    widths = lettering().width
+    across = bar + size // 2 + max([widths(text, size) for text in ticks.texts], default=0)
+    none = coloring.has_missing
+    across = max(across, widths(heading, size), (bar + size // 2 + widths("none", size)) * none)
+    above, below = 2 * size if heading else size // 2, 2 * size if none else size // 2
+    return _Bar(size, pad, across + 2 * pad, tall + above + below + 2 * pad, bar, tall, heading, above, ticks)
+
+
+def color_bar_size(coloring: Coloring, width: int, height: int) -> tuple[int, int, bool]:
+    """The width and the height [px] that a colour bar takes at the right of a picture, and whether it stands alone at
+    that side: a legend of labels lies in the corner above."""
+    panel = _lay_bar(coloring, "", width, height)
+    if panel is not None:
+        return *panel.band, True
+    return *legend_size(coloring.entries() if coloring.kind == "labels" else [], width, height), False
+
+
 def draw_color_bar(canvas: Canvas, coloring: Coloring, title: str = "") -> None:
-    """Draw what colours mean at the right of a picture: a bar with numbers, or for labels a legend.
+    """Draw what colours mean at the right of a picture: a bar with numbers, those of its ends too, or for labels a
+    legend.
 
     Colours without numbers, as RGB, draw nothing.
 
@@ -86,25 +157,16 @@ def draw_color_bar(canvas: Canvas, coloring: Coloring, title: str = "") -> None:
     """
     if coloring.kind == "labels":
         draw_legend(canvas, coloring.entries(), "upper right")
-    if coloring.limits is None or coloring.colormap is None:
+    panel = _lay_bar(coloring, title, canvas.width, canvas.height)
+    if panel is None or coloring.colormap is None:
         return
-    size, shown = letter_size(canvas), title or coloring.title
-    pad = round(0.6 * size)
-    height = round(0.5 * canvas.height)
-    ticks = choose_ticks(*coloring.limits, count_ticks(height, size))
-    heading = cut_text(ticks.title(shown), size, _WIDEST * canvas.width)
-    bar = round(1.2 * size)
-    across = bar + size // 2 + max([canvas.text_width(text, size) for text in ticks.texts], default=0)
-    none = coloring.has_missing
-    across = max(across, canvas.text_width(heading, size), (bar + size // 2 + canvas.text_width("none", size)) * none)
-    above, below = 2 * size if heading else size // 2, 2 * size if none else size // 2
-    width, full = across + 2 * pad, height + above + below + 2 * pad
-    left, top = canvas.width - width - pad, (canvas.height - full) // 2
-    canvas.rectangle(left, top, width, full, fill=WHITE, outline=(0.75, 0.75, 0.75), opacity=_PANEL)
-    canvas.text(heading, left + pad, top + pad, size=size, anchor="upper left")
-    paint_bar(canvas, left + pad, top + pad + above, bar, height, coloring.colormap, ticks, size)
-    if none:
-        row = top + full - pad - size // 2
+    size, pad, bar, tall = panel.size, panel.pad, panel.bar, panel.tall
+    left, top = canvas.width - panel.width - pad, (canvas.height - panel.height) // 2
+    canvas.rectangle(left, top, panel.width, panel.height, fill=WHITE, outline=(0.75, 0.75, 0.75), opacity=_PANEL)
+    canvas.text(panel.heading, left + pad, top + pad, size=size, anchor="upper left")
+    paint_bar(canvas, left + pad, top + pad + panel.above, bar, tall, coloring.colormap, panel.ticks, size)
+    if coloring.has_missing:
+        row = top + panel.height - pad - size // 2
         canvas.rectangle(left + pad, row - size // 2, bar, size, fill=MISSING, outline=GREY)
         canvas.text("none", left + pad + bar + size // 2, row, size=size)
 
@@ -124,15 +186,21 @@ def paint_bar(canvas: Canvas, x: int, y: int, width: int, height: int, colormap:
 
 
 def draw_labels(
-    canvas: Canvas, labels: Sequence[tuple[str, float, float]], *, size: float | None = None, color: Color = BLACK
+    canvas: Canvas,
+    labels: Sequence[tuple[str, float, float]],
+    *,
+    size: float | None = None,
+    color: Color = BLACK,
+    halo: Color = WHITE,
 ) -> int:
-    """Write texts beside places of a picture, each with a dot and a light seam, so that they read on any ground.
+    """Write texts beside places of a picture, each with a dot and a seam, so that they read on any ground.
 
     Args:
         canvas: The picture.
         labels: (text, x, y) [px]; what lies outside the picture is left out.
         size: Of the letters [px]; None for what suits the picture.
         color: Of letters and dots.
+        halo: Of the seam around them.
 
     Returns:
         How many were left out since they would lie on an earlier one.
@@ -155,7 +223,7 @@ def draw_labels(
         texts.append((text, left, row))
         dots.append((x, y))
     if dots:
-        canvas.dots(dots, radius=_DOT + 1, color=WHITE)
+        canvas.dots(dots, radius=_DOT + 1, color=halo)
         canvas.dots(dots, radius=_DOT, color=color)
-    canvas.texts(texts, size=chosen, color=color, halo=WHITE)
+    canvas.texts(texts, size=chosen, color=color, halo=halo)
     return hidden

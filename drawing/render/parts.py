@@ -15,6 +15,9 @@ Matrix = NDArray[np.float64]
 Triple = tuple[float, float, float]
 
 
+PLAIN_LINE: Triple = (0.15, 0.15, 0.15)  # of lines without a colour
+
+
 @dataclasses.dataclass(frozen=True, eq=False)
 class Points:
     """Round splats.
@@ -31,6 +34,7 @@ class Points:
         plain: The colour of what has none.
         pose: Moves what is drawn, 4x4.
         coloring: What the colours mean, for a colour bar; None where they are the cloud's own.
+        opacity: 0 to 1; below 1 what lies behind is seen through it.
     """
 
     positions: Any
@@ -44,6 +48,7 @@ class Points:
     plain: Triple = (0.35, 0.50, 0.62)
     pose: Matrix | None = None
     coloring: Any = None
+    opacity: float = 1.0
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
@@ -65,7 +70,7 @@ class Lines:
     indices: Any
     colors: Any
     width: float = 1.5
-    plain: Triple = (0.15, 0.15, 0.15)
+    plain: Triple = PLAIN_LINE
     pose: Matrix | None = None
 
 
@@ -87,6 +92,7 @@ class Triangles:
         plain: The colour of what has none.
         pose: Moves what is drawn, 4x4.
         coloring: What the colours mean, for a colour bar; None where they are the mesh's own.
+        opacity: 0 to 1; below 1 what lies behind is seen through it, its own faces too.
     """
 
     positions: Any
@@ -102,6 +108,7 @@ class Triangles:
     plain: Triple = (0.80, 0.78, 0.74)
     pose: Matrix | None = None
     coloring: Any = None
+    opacity: float = 1.0
 
     @property
     def is_textured(self) -> bool:

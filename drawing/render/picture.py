@@ -11,12 +11,14 @@ from PIL import Image
 
 from ..notebook_output import still_jpeg
 
-CHANNELS = 3
+CHANNELS = 3, 4
 MOST_PNG_BYTES = 2**21  # in a notebook; what takes more is shown as a JPEG of at most 200 kB
 
 
 class Picture(np.ndarray[Any, np.dtype[np.uint8]]):
-    """A picture: an array of uint8 RGB, shape [h, w, 3], which notebooks show and `save_picture` writes.
+    """A picture: an array of uint8, which notebooks show and `save_picture` writes.
+
+    Its shape is [h, w, 3], RGB, or without a background [h, w, 4], RGBA; colours are not multiplied by the opacity.
 
     Parts of it (`picture[:100]`) and what is put beside each other (`np.hstack`) are pictures, too; what is computed of
     it is a plain array.
@@ -39,7 +41,7 @@ class Picture(np.ndarray[Any, np.dtype[np.uint8]]):
         return array[()] if return_scalar else np.asarray(array)
 
     def _is_whole(self) -> bool:
-        return self.ndim == CHANNELS and self.shape[2] == CHANNELS and self.dtype == np.uint8 and self.size > 0
+        return self.ndim == 3 and self.shape[2] in CHANNELS and self.dtype == np.uint8 and self.size > 0
 
     def _repr_png_(self) -> bytes | None:
         """The picture in a notebook; nothing for a part that is none, such as one channel, and of a large one."""

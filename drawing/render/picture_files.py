@@ -2,38 +2,47 @@
 
 from __future__ import annotations
 
+import io
 import os
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 from numpy.typing import NDArray
+from PIL import Image
 
-from ...core.atomic import check_writable
+from ...core.atomic import atomic_write, check_writable
 from ...core.errors import FileError
-from ...files.pictures.image_files import write_png
+from ...files.pictures.image_files import PIXEL_LIMIT, encode_png, write_png
+
+KINDS = (".png", ".webp")
+OPAQUE = (".jpg", ".jpeg", ".mp4", ".gif")  # what people ask for, and what holds no transparency in part
+MOST_WEBP = 16383  # [px] of a side
 
 
 def check_picture(path: Any, *, overwrite: bool) -> None:
     """Hold that a picture can be written, before any work.
 
     Raises:
-        FileError: Another extension than .png, or a place that cannot be written.
+        FileError: Another extension than .png and .webp, or a place that cannot be written.
     """
-    if Path(path).suffix.lower() != ".png":
-        raise FileError(path, "pictures are written as .png", remedy="Give a name that ends in .png")
+    if Path(path).suffix.lower() not in KINDS:
+        raise FileError(path, "pictures are written as .png or .webp", remedy="Give a name that ends in .png")
     check_writable(path, overwrite=overwrite)
 
 
 def save_picture(path: str | os.PathLike[str], image: NDArray[Any], *, overwrite: bool = True) -> None:
-    """Write a picture as PNG.
+    """Write a picture as PNG or as WebP, either without loss.
 
     Args:
-        path: Place of the file; ends in .png.
-        image: Shape [h, w, 3] or [h, w], uint8; or [h, w], uint16.
+        path: Place of the file; ends in .png or .webp.
+        image: Shape [h, w, 3] (RGB), [h, w, 4] (RGBA, as `render` makes it with a transparent background) or [h, w],
+            uint8; or of PNG [h, w], uint16.
         overwrite: Replace a file that exists.
 
     Raises:
-        FileError: The file exists and may not be replaced, another extension, or the place cannot be written.
+        FileError: The file exists and may not be replaced, another extension, or the place cannot be written. JPEG,
+            GIF and MP4 hold no transparency.
         TypeError, ValueError: Not such an image.
 
     Example:
@@ -42,5 +51,36 @@ def save_picture(path: str | os.PathLike[str], image: NDArray[Any], *, overwrite
         >>> loom.read_color("grey.png").shape
         (48, 64, 3)
     """
+    kind, shape = Path(path).suffix.lower(), getattr(image, "shape", ())
+    has_opacity = len(shape) == 3 and shape[2] == 4
+    if has_opacity and kind in OPAQUE:
+        remedy = "Write .png or .webp, or draw it before a background of a colour"
+        raise FileError(path, f"{kind} holds no transparency", remedy=remedy)
     check_writable(path, overwrite=overwrite)
-    write_png(path, image)
+    if not (has_opacity or kind == ".webp"):
+        write_png(path, image)
+        return
+    pixels = _check_bytes(image)
+    check_picture(path, overwrite=overwrite)
+    if kind == ".png":
+        data = encode_png(pixels)
+    else:
+        if max(pixels.shape[:2]) > MOST_WEBP:
+            raise ValueError(f"image: .webp holds up to {MOST_WEBP} pixels a side, got shape {list(pixels.shape)}")
+        held = io.BytesIO()
+        Image.fromarray(pixels).save(held, "WEBP", lossless=True, exact=True)
+        data = held.getvalue()
+    with atomic_write(path) as file:
+        file.write(data)
+
+
+def _check_bytes(image: Any) -> NDArray[np.uint8]:
+    """A picture of 8 bits, of one, three or four channels."""
+    if not isinstance(image, np.ndarray) or image.dtype != np.uint8:
+        kind = image.dtype if isinstance(image, np.ndarray) else type(image).__name__
+        raise TypeError(f"image: expected a NumPy array of uint8, got {kind}")
+    if not (image.ndim == 2 or (image.ndim == 3 and image.shape[2] in (3, 4))):
+        raise ValueError(f"image: expected shape [h, w], [h, w, 3] or [h, w, 4], got {list(image.shape)}")
+    if not 0 < image.shape[0] * image.shape[1] <= PIXEL_LIMIT:
+        raise ValueError(f"image: expected 1 to {PIXEL_LIMIT} pixels, got shape {list(image.shape)}")
+    return np.ascontiguousarray(image)

@@ -12,26 +12,30 @@ from numpy.typing import NDArray
 
 from ...cameras.camera import check_pixels
 from ...core.array_libraries import view_as
-from ...core.checks import check_color, check_list, check_name, check_shape, shown
+from ...core.checks import shown
 from ...core.devices import resolve_device
 from ...core.told_arguments import told_arguments
 from ...core.units import asked_by_user, warn_of_units
+from ...core.upward import UP, check_up
+from ...kernels.drawing.layers import join_mattes
 from ...kernels.drawing.placing import make_normal_lines
 from ...kernels.lang import vec3, vec3i
 from ...kernels.memory import download, empty
 from ...kernels.meshes.mesh_measures import vertex_normals
+from .backgrounds import check_background, is_dark
 from .canvas import Canvas
-from .coloring import Coloring
 from .geometries import Named, Style, check_units, named_geometries, parts_of
-from .legends import draw_color_bar, draw_labels, draw_legend
 from .open3d_views import OPEN3D_KEYS, read_view
-from .parts import Lines, Part, Points, Triangles, Triple
+from .overlays import Overlays, check_bar, check_labels, check_legend, color_of
+from .parts import PLAIN_LINE, Lines, Part, Points, Triangles, Triple
 from .picture import Picture as Picture
-from .scene import Scene
-from .view import Frame, View
+from .scene import Drawing, Scene
+from .upward import direction_under, up_of
+from .view import Frame, Insets, View
 
-DIRECTION: Triple = (-0.65, 0.7, -0.75)  # down from the front right, as onto a doll's house
-UP: Triple = (0.0, 0.0, 1.0)
+BLACK, WHITE = (0.0, 0.0, 0.0), (1.0, 1.0, 1.0)
+PLAIN_BEFORE_DARK: Triple = (0.85, 0.85, 0.85)  # of lines without a colour
+NORMAL_COLOR: Triple = (0.1, 0.1, 0.1)
 NORMAL_SHARE = 0.02  # length of the lines along normals, as a share of the scene's longest side
 SHADINGS = ("smooth", "flat", "none")
 
@@ -54,11 +58,13 @@ def render(
     point_show_normal: bool = False,
     mesh_show_wireframe: bool = False,
     mesh_show_back_face: bool = True,
-    background: Triple = (1.0, 1.0, 1.0),
+    background: Triple | str = (1.0, 1.0, 1.0),
     shading: str | None = None,
     labels: Iterable[tuple[str, Any]] | None = None,
     legend: Any = None,
     color_bar: Any = None,
+    scale_bar: bool = False,
+    up: str | Triple | None = None,
     depth: bool = False,
     device: Any = None,
 ) -> Any:
@@ -74,7 +80,8 @@ def render(
         point_show_normal: Draw normals as lines.
         mesh_show_wireframe: Draw the edges of triangles over their faces.
         mesh_show_back_face: Draw triangles that look away; without them one sees into a closed room.
-        background: Red, green and blue, 0 to 1.
+        background: Red, green and blue, 0 to 1, or "white", "black", "grey", or "transparent", which makes a picture of
+            four channels.
         shading: "smooth" or "flat" lights all that is drawn at an angle, by normals of vertices or of faces; "none"
             shows colours as they are. None takes what suits: meshes are lit, smoothly if they have normals, except
             those with textures, which hold the light of the photographs; points that have normals and no colours of
@@ -82,14 +89,21 @@ def render(
         labels: Texts and the places [m] that they belong to: [("door", [1, 0, 2])]. One that would lie on an earlier
             one in the picture is left out: give those that matter most first.
         legend: Names and colours, [("before", (1, 0, 0))], or True for the names of the geometries.
-        color_bar: True for what the first `color_by` of the geometries means, or a Coloring.
+        color_bar: True for what the first `color_by` of the geometries means, or a Coloring. Where no camera is given,
+            neither it nor the legend lies over what is drawn.
+        scale_bar: Draw a bar of a round length, in the unit of the geometries, at the lower left: right at the depth of
+            the scene's middle; what is nearer looks longer. None where that does not lie before the camera.
+        up: What is up where no camera is given: "z", "y", "x" or a direction. None takes that of the first mesh which
+            says so, as those read from .glb and .gltf, else z.
         depth: Return depths, too.
         device: "cpu", "cuda:N"; None where the first geometry lies, to which the others are copied.
 
     Returns:
         A Picture: an array of shape [h, w, 3], uint8 RGB, that notebooks show and `loom.save_picture(path, picture)`
-        writes; each pixel is the mean of 2 x 2 samples.
-        With `depth` a pair of it and the depth along the optical axis [m], float32 [h, w], 0 where nothing is seen.
+        writes; each pixel is the mean of 2 x 2 samples. Shape [h, w, 4] with a transparent background: RGBA, colours
+        not multiplied by the opacity.
+        With `depth` a pair of it and the depth along the optical axis [m], float32 [h, w], 0 where nothing is seen;
+        geometries of an opacity below 1 do not count.
 
     Raises:
         TypeError: A geometry of another kind, or a camera that is none; says what is accepted.
@@ -99,9 +113,11 @@ def render(
         MemoryError: No room for so many pixels.
 
     Notes:
-        The same bits from run to run, with any number of threads, on the CPU and on CUDA. Some 80 B of memory a pixel;
-        the arrays of clouds and meshes on the device are shared. Where points crowd, those that lie behind another in
-        the same quarter of a pixel are left out before they are drawn as discs. What is not finite is not drawn.
+        The same bits from run to run, with any number of threads, on the CPU and on CUDA. Some 80 B of memory a pixel,
+        190 B where something is seen through; the arrays of clouds and meshes on the device are shared. Where points
+        crowd, those that lie behind another in the same quarter of a pixel are left out before they are drawn as discs.
+        What is not finite is not drawn. What is seen through is drawn in up to 16 layers (depth peeling, Everitt 2001):
+        each face of a mesh, and of a cloud what is foremost.
 
     Example:
         >>> import pointloom as loom
@@ -111,40 +127,67 @@ def render(
         (240, 320, 3)
         >>> loom.render(ball, {"zoom": 0.5, "front": [1, 0, 0], "up": [0, 0, 1]}, (64, 48)).shape
         (48, 64, 3)
+        >>> loom.render({"geometry": ball, "opacity": 0.4}, size=(64, 48), background="transparent").shape
+        (48, 64, 4)
     """
     width, height = check_size(size)
-    backdrop = check_color("background", background).tolist()
+    backdrop = check_background(background)
     if shading is not None and (not isinstance(shading, str) or shading not in SHADINGS):
         raise ValueError(f"shading: expected one of {', '.join(SHADINGS)} or None, got {shown(shading)}")
+    if not isinstance(scale_bar, bool | np.bool_):
+        raise TypeError(f"scale_bar: expected True or False, got {shown(scale_bar)}")
+    told = None if up is None else check_up(up)
     named = named_geometries(geometries)
-    check_units(geometry for _, geometry, _ in named)
+    upward = up_of((geometry, style.pose) for _, geometry, style in named) if told is None else told
+    unit = check_units(geometry for _, geometry, _ in named)
     place = device_of(named, device)
     for_all = Style(point_size=point_size, wireframe=mesh_show_wireframe or None, back_faces=mesh_show_back_face)
-    texts = _check_labels(labels)
-    entries = _check_legend(legend)
+    texts, entries = check_labels(labels), check_legend(legend)
+    groups = _groups_of(named, for_all, shading, place, on_dark=is_dark(backdrop))
+    parts = _all_of(groups)
+    if point_show_normal:
+        parts += _normals_of(parts, PLAIN_BEFORE_DARK if is_dark(backdrop) else NORMAL_COLOR)
+    scene = Scene(parts, place)
+    if entries is True:
+        entries = [(name, color_of(group)) for (name, _, _), group in zip(named, groups, strict=True) if group]
+    overlays = Overlays(texts, entries or [], check_bar(color_bar, parts), bool(scale_bar), unit, is_dark(backdrop))
+    view = resolve_view(camera, scene, width, height, rooms=overlays.rooms(width, height), up=upward)
+    drawing = scene.draw(view)
+    picture = _written(drawing, backdrop, overlays)
+    if not depth:
+        return picture
+    depths = download(drawing.depth())  # sync
+    return picture, depths.reshape(view.intrinsic.height, view.intrinsic.width).copy()
+
+
+def _groups_of(
+    named: Sequence[Named], for_all: Style, shading: str | None, place: Any, *, on_dark: bool
+) -> list[list[Part]]:
+    """The parts of each geometry, lit as `render` was asked to."""
     groups = [parts_of(geometry, style.over(for_all), place) for _, geometry, style in named]
     if shading is not None:
         groups = [
             parts if style.shaded is not None else [_shaded(part, shading) for part in parts]
             for parts, (_, _, style) in zip(groups, named, strict=True)
         ]
-    parts = _all_of(groups)
-    if point_show_normal:
-        parts += _normals_of(parts)
-    scene = Scene(parts, place)
-    view = resolve_view(camera, scene, width, height)
-    drawing = scene.draw(view, background=(backdrop[0], backdrop[1], backdrop[2]))
-    camera_size = view.intrinsic.width, view.intrinsic.height
-    if entries is True:
-        entries = [(name, _color_of(group)) for (name, _, _), group in zip(named, groups, strict=True) if group]
-    coloring = _check_bar(color_bar, parts)
-    if texts or entries or coloring is not None:
-        _write_on(Canvas(drawing.picture, *camera_size), _project(texts, view), entries or [], coloring)
-    picture = Picture(download(drawing.picture).reshape(*camera_size[::-1], 3).copy())  # sync
-    if not depth:
-        return picture
-    depths = download(drawing.depth())  # sync
-    return picture, depths.reshape(camera_size[::-1]).copy()
+    return [[_before_dark(part) for part in parts] for parts in groups] if on_dark else groups
+
+
+def _written(drawing: Drawing, background: Triple | None, overlays: Overlays) -> Picture:
+    """A drawing before a background, with what is written over it."""
+    camera = drawing.view.intrinsic
+    grounds = [drawing.before(color) for color in ((BLACK, WHITE) if background is None else (background,))]
+    for ground in grounds:
+        if overlays:
+            overlays.write(Canvas(ground, camera.width, camera.height), drawing.view, drawing.scene.middle)
+    pixels = download(join_mattes(*grounds) if background is None else grounds[0])  # sync
+    return Picture(pixels.reshape(camera.height, camera.width, -1).copy())
+
+
+def _before_dark(part: Part) -> Part:
+    """A part whose lines are light where they have no colour of their own."""
+    is_plain = isinstance(part, Lines) and part.plain == PLAIN_LINE
+    return dataclasses.replace(part, plain=PLAIN_BEFORE_DARK) if is_plain else part
 
 
 def _all_of(groups: list[list[Part]]) -> list[Part]:
@@ -156,16 +199,22 @@ def _all_of(groups: list[list[Part]]) -> list[Part]:
     return parts
 
 
-def resolve_view(camera: Any, scene: Scene, width: int, height: int) -> View:
+def resolve_view(
+    camera: Any, scene: Scene, width: int, height: int, *, rooms: Sequence[Insets] = (), up: Triple = UP
+) -> View:
     """The view that `render` and the viewer are asked for.
 
     Args:
         camera: As of `render`.
         scene: What is drawn.
         width, height: Of a view that brings no size [px].
+        rooms: Insets of which a view that is fitted leaves one: that which lets it be the closest.
+        up: What is up in such a view.
     """
     if camera is None:
-        return scene.fit(Frame(DIRECTION, UP, width, height))
+        direction = direction_under(up)
+        views = [scene.fit(Frame(direction, up, width, height, room)) for room in rooms or [(0, 0, 0, 0)]]
+        return max(views, key=lambda view: float(view.T_world_camera[:3, 3] @ view.T_world_camera[:3, 2]))
     if isinstance(camera, View):
         return camera
     if isinstance(camera, str | os.PathLike):
@@ -220,7 +269,7 @@ def device_of(named: Sequence[Named], device: Any) -> Any:
     return resolve_device(device)
 
 
-def _normals_of(parts: Sequence[Part]) -> list[Part]:
+def _normals_of(parts: Sequence[Part], color: Triple) -> list[Part]:
     """Lines along the normals of points."""
     clouds = [part for part in parts if isinstance(part, Points) and part.normals.size]
     if not clouds:
@@ -231,73 +280,5 @@ def _normals_of(parts: Sequence[Part]) -> list[Part]:
     for part in clouds:
         ends, indices = make_normal_lines(part.positions, part.normals, size)
         none = empty(0, vec3, part.positions.device)
-        lines.append(Lines(ends, part.origin, indices, none, width=1.0, plain=(0.1, 0.1, 0.1), pose=part.pose))
+        lines.append(Lines(ends, part.origin, indices, none, width=1.0, plain=color, pose=part.pose))
     return lines
-
-
-def _check_labels(labels: Any) -> list[tuple[str, NDArray[np.float64]]]:
-    found = []
-    for entry in check_list("labels", [] if labels is None else labels, "texts with places"):
-        text, place = _pair("labels", entry, "a text and a place")
-        found.append((check_name("labels", text), check_shape("labels", place, (3,))))
-    return found
-
-
-def _check_legend(legend: Any) -> Any:
-    if legend is None or legend is False or legend is True:
-        return legend
-    found = []
-    for entry in check_list("legend", legend, "names with colours"):
-        name, color = _pair("legend", entry, "a name and a colour")
-        red, green, blue = check_color("legend", color).tolist()
-        found.append((check_name("legend", name), (red, green, blue)))
-    return found
-
-
-def _pair(name: str, entry: Any, of: str) -> tuple[Any, Any]:
-    try:
-        first, second = entry
-    except (TypeError, ValueError) as error:
-        raise ValueError(f"{name}: expected {of} each, got {str(entry)[:60]}") from error
-    return first, second
-
-
-def _project(labels: Sequence[tuple[str, NDArray[np.float64]]], view: View) -> list[tuple[str, float, float]]:
-    """Labels with their places in the picture [px], of those before the camera."""
-    camera, T, found = view.intrinsic, view.T_world_camera, []
-    for text, place in labels:
-        x, y, z = ((place - T[:3, 3]) @ T[:3, :3]).tolist()
-        if z > 0:
-            found.append((text, camera.fx * x / z + camera.cx, camera.fy * y / z + camera.cy))
-    return found
-
-
-def _color_of(parts: Sequence[Part]) -> Triple:
-    """The colour by which a legend shows a geometry: its own, or the mean of its points' or vertices'."""
-    part = parts[0]
-    if not part.colors.size:
-        return part.plain
-    red, green, blue = np.clip(np.nanmean(download(part.colors)[:: max(1, part.colors.size // 10_000)], axis=0), 0, 1)
-    return float(red), float(green), float(blue)
-
-
-def _write_on(
-    canvas: Canvas, labels: list[tuple[str, float, float]], entries: list[Any], coloring: Coloring | None
-) -> None:
-    """Write the words of a picture over it."""
-    draw_labels(canvas, labels)
-    draw_legend(canvas, entries)
-    if coloring is not None:
-        draw_color_bar(canvas, coloring)
-
-
-def _check_bar(color_bar: Any, parts: Sequence[Part]) -> Coloring | None:
-    """What a colour bar shows."""
-    if color_bar is None or color_bar is False or isinstance(color_bar, Coloring):
-        return color_bar or None
-    if color_bar is not True:
-        raise TypeError(f"color_bar: expected True or a Coloring, got {type(color_bar).__name__}")
-    colorings = [part.coloring for part in parts if not isinstance(part, Lines) and part.coloring is not None]
-    if not colorings:
-        raise ValueError('color_bar: no cloud or mesh has "color_by"; pass {"geometry": cloud, "color_by": "height"}')
-    return colorings[0]

@@ -1,7 +1,8 @@
 """A scene of parts on its way into a picture: where each part is before the camera, and in which order they are drawn.
 
 All parts share one z-buffer, in which points are numbered first, then triangles, then lines. Lines of all geometries
-become one part, in float32 about the scene's middle: they are few, and each part costs launches.
+become one part, in float32 about the scene's middle: they are few, and each part costs launches. Parts that are seen
+through come in layers before that buffer (kernels/drawing/layers.py).
 """
 
 from __future__ import annotations
@@ -16,12 +17,14 @@ from numpy.typing import NDArray
 
 from ...kernels.algebra.camera import Camera
 from ...kernels.arrays.bounds import bound_points
+from ...kernels.drawing.layers import LAYERS, before_all, has_more, start_layer, take_words
 from ...kernels.drawing.lines import Pen, draw_lines
 from ...kernels.drawing.placing import find_extremes, place_points, shift_indices
 from ...kernels.drawing.points import SQUARE, Splat, count_in_squares, draw_points
 from ...kernels.drawing.shading import (
     SAMPLES,
     Region,
+    Veil,
     finish_picture,
     read_depth,
     shade_lines,
@@ -32,13 +35,14 @@ from ...kernels.drawing.surfaces import Surface, shade_surface
 from ...kernels.drawing.triangles import draw_triangles
 from ...kernels.drawing.z_buffer import DepthBuffer
 from ...kernels.drawing.z_buffer import View as PartView
-from ...kernels.lang import int32, uint8, vec2, vec3
-from ...kernels.memory import check_room, empty, upload
+from ...kernels.lang import float32, int32, uint8, vec2, vec3
+from ...kernels.memory import check_room, empty, full, upload
 from .parts import Lines, Matrix, Part, Points, Triangles, Triple
 from .view import Frame, View
 
 MOST_ELEMENTS = 2**31 - 1
 CELL_BYTES, PIXEL_BYTES = 16, 15  # the z-buffer and the one of points' middles; light and picture
+LAYER_BYTES = 28  # a cell, of what is seen through: two layers, another while it is made, what light is left
 LEAST_RADIUS = 0.71  # [cells] of lines: thinner ones would have gaps
 CLOSING = 2.2  # diameters a mean distance between neighbours: of random points 2 % stays open
 SPARSE = 0.8  # share of the squares of the picture in which neighbours are at most as far apart as discs are for
@@ -79,6 +83,11 @@ class Scene:
         self.high = np.zeros(3) if self.is_empty else corners.max(axis=0)
 
     @property
+    def middle(self) -> NDArray[np.float64]:
+        """The middle [m] of the box around all."""
+        return (self.low + self.high) / 2
+
+    @property
     def bounds(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         """The lowest and the highest corner [m] of the box around all."""
         return self.low, self.high
@@ -97,7 +106,7 @@ class Scene:
             reach.append(find_extremes(placed.part.positions, local) + offset)  # sync
         return frame.view(np.max(reach, axis=0), float((self.high - self.low).max()))
 
-    def draw(self, view: View, *, background: Triple) -> Drawing:
+    def draw(self, view: View, *, background: Triple = (1.0, 1.0, 1.0)) -> Drawing:
         """The scene as a camera sees it."""
         return Drawing(self, view, background)
 
@@ -113,6 +122,8 @@ class Drawing:
         camera = view.intrinsic
         cells = camera.width * SAMPLES, camera.height * SAMPLES
         need = cells[0] * cells[1] * CELL_BYTES + camera.width * camera.height * PIXEL_BYTES
+        veils = [placed for placed in scene.placed if _is_veil(placed)]
+        need += cells[0] * cells[1] * (LAYER_BYTES * bool(veils) + 8 * sum(isinstance(p.part, Points) for p in veils))
         check_room(scene.device, need, f"a picture of {camera.width} x {camera.height} pixels")
         self.scene, self.view, self.device = scene, view, scene.device
         self.camera = _in_cells(camera)
@@ -120,40 +131,72 @@ class Drawing:
         self.unit = _power_of_two(float(np.abs(corners).max()))
         self.buffer = DepthBuffer(*cells, scene.device)
         self.light = start_light(self.buffer)
+        self.left = full(cells[0] * cells[1] if veils else 0, 1.0, float32, self.device)
         self.stop = 0
-        self._draw()
-        self.picture = finish_picture(self.buffer, self.light, vec3(*background))
+        self._draw(veils)
+        self.picture = self.before(background)
+
+    def before(self, background: Triple) -> Any:
+        """The picture before a background."""
+        return finish_picture(self.buffer, self.light, self.left, vec3(*background))
 
     def depth(self) -> Any:
-        """The depth of each pixel [m], float32 on the device; 0 where nothing is seen."""
+        """The depth of each pixel [m], float32 on the device; 0 where nothing is seen but what is seen through."""
         first, last, closer = self.lines
         return read_depth(self.buffer, self.unit, lines=(first, last), closer=closer)
 
-    def _draw(self) -> None:
-        points = [p for p in self.scene.placed if isinstance(p.part, Points) and p.box is not None]
-        surfaces = [p for p in self.scene.placed if isinstance(p.part, Triangles) and p.box is not None]
-        shading = [(p, self._draw_points(p, p.part)) for p in points if isinstance(p.part, Points)]
+    def _draw(self, veils: Sequence[Placed]) -> None:
+        seen = [placed for placed in self.scene.placed if placed.box is not None]
+        points = [(p, p.part) for p in seen if isinstance(p.part, Points) and p.part.opacity == 1]
+        surfaces = [(p, p.part) for p in seen if isinstance(p.part, Triangles) and p.part.opacity == 1]
+        shown: list[tuple[Part, Region]] = [(part, self._draw_points(p, part, self.buffer)) for p, part in points]
         last_point = self.stop
-        shading += [(p, self._draw_surface(p, p.part)) for p in surfaces if isinstance(p.part, Triangles)]
-        self._draw_lines()
-        for placed, region in shading:
-            view, part = self._view_of(placed.part), placed.part
-            if isinstance(part, Points):
-                look = {"colors": part.colors, "normals": part.normals, "plain": vec3(*part.plain)}
-                shade_points(
-                    self.buffer,
-                    view,
-                    region,
-                    self.light,
-                    shaded=part.shaded,
-                    lit=part.lit,
-                    last_point=last_point,
-                    **look,
-                )
-            elif isinstance(part, Triangles):
-                shade_surface(self.buffer, view, region, self.light, self._surface(part))
+        shown += [(part, self._draw_surface(p, part, self.buffer)) for p, part in surfaces]
+        lines = self._draw_lines()
+        self._draw_layers(veils)
+        if lines is not None:
+            merged, region = lines
+            look: dict[str, Any] = {"colors": merged.colors, "plain": vec3(*merged.plain)}
+            shade_lines(self.buffer, region, self.light, veil=Veil(1.0, self.left), **look)
+        for part, region in shown:
+            self._shade(part, region, self.buffer, self.buffer, last_point)
 
-    def _draw_points(self, placed: Placed, part: Points) -> Region:
+    def _draw_layers(self, veils: Sequence[Placed]) -> None:
+        """Draw what is seen through before all that is solid, layer by layer, and take its light."""
+        clouds, surfaces = [], []
+        for placed in veils:
+            if isinstance(placed.part, Points):
+                own = DepthBuffer(self.buffer.width, self.buffer.height, self.device)
+                clouds.append((placed.part, self._draw_points(placed, placed.part, own), own))
+            else:
+                count = placed.part.indices.size // 3
+                surfaces.append((placed.part, Region(self._number(count), self.stop, self._rectangle(placed, 1.0))))
+        behind = before_all(self.buffer) if veils else None
+        for _ in range(LAYERS if veils else 0):
+            layer = start_layer(self.buffer, behind)
+            for _, _, own in clouds:
+                take_words(own, layer)
+            for part, region in surfaces:
+                self._draw_triangles(part, region, layer)
+            if not has_more(layer, self.buffer):  # sync
+                break
+            for part, region, own in clouds:
+                self._shade(part, region, layer, own, self.stop)
+            for part, region in surfaces:
+                self._shade(part, region, layer, layer, self.stop)
+            behind = layer.words
+
+    def _shade(self, part: Part, region: Region, buffer: DepthBuffer, around: DepthBuffer, last_point: int) -> None:
+        """Take the light of a part where a buffer shows it."""
+        view, veil = self._view_of(part), Veil(part.opacity, self.left)
+        if isinstance(part, Points):
+            look = {"colors": part.colors, "normals": part.normals, "plain": vec3(*part.plain), "shaded": part.shaded}
+            how = {"lit": part.lit, "last_point": last_point, "around": around, "veil": veil}
+            shade_points(buffer, view, region, self.light, **look, **how)
+        elif isinstance(part, Triangles):
+            shade_surface(buffer, view, region, self.light, self._surface(part), veil)
+
+    def _draw_points(self, placed: Placed, part: Points, buffer: DepthBuffer) -> Region:
         view = self._view_of(part)
         if part.metric and part.size is not None:
             splat = Splat(0.0, part.size / 2 / self.unit * self.camera.fx)
@@ -162,7 +205,7 @@ class Drawing:
         else:
             splat = self._closing_splat(placed, view)  # sync
         start = self._number(part.positions.size)
-        draw_points(part.positions, view, self.buffer, splat=splat, start=start)
+        draw_points(part.positions, view, buffer, splat=splat, start=start)
         return Region(start, self.stop, self._rectangle(placed, splat.radius / SAMPLES, splat.reach / SAMPLES))
 
     def _closing_splat(self, placed: Placed, view: PartView) -> Splat:
@@ -174,19 +217,22 @@ class Drawing:
         reach = CLOSING / 2 * float(np.quantile(depths * SQUARE / np.sqrt(counts), SPARSE))
         return Splat(least, reach, most)
 
-    def _draw_surface(self, placed: Placed, part: Triangles) -> Region:
-        start = self._number(part.indices.size // 3)
-        draw_triangles(part.positions, part.indices, self._view_of(part), self.buffer, cull=part.cull, start=start)
-        return Region(start, self.stop, self._rectangle(placed, 1.0))
+    def _draw_surface(self, placed: Placed, part: Triangles, buffer: DepthBuffer) -> Region:
+        region = Region(self._number(part.indices.size // 3), self.stop, self._rectangle(placed, 1.0))
+        self._draw_triangles(part, region, buffer)
+        return region
 
-    def _draw_lines(self) -> None:
-        """Draw all lines as one part, and add their light."""
+    def _draw_triangles(self, part: Triangles, region: Region, buffer: DepthBuffer) -> None:
+        draw_triangles(part.positions, part.indices, self._view_of(part), buffer, cull=part.cull, start=region.start)
+
+    def _draw_lines(self) -> tuple[Lines, Region] | None:
+        """Draw all lines as one part; it and its region, to be shaded."""
         lines = [p.part for p in self.scene.placed if isinstance(p.part, Lines) and p.box is not None]
         lines = sorted((part for part in lines if part.indices.size), key=lambda part: part.width)
         start, self.lines = self.stop, (self.stop, self.stop, 1.0)
         if not lines:
-            return
-        merged = merge_lines(lines, (self.scene.low + self.scene.high) / 2, self.device)
+            return None
+        merged = merge_lines(lines, self.scene.middle, self.device)
         view, drawn = self._view_of(merged), 0
         for width in dict.fromkeys(part.width for part in lines):
             count = sum(part.indices.size // 2 for part in lines if part.width == width)
@@ -195,9 +241,7 @@ class Drawing:
             draw_lines(merged.positions, run, view, self.buffer, pen=pen, start=self._number(count))
             drawn += count
             self.lines = start, self.stop, pen.closer
-        rectangle = 0, 0, self.view.intrinsic.width, self.view.intrinsic.height
-        region = Region(start, self.stop, rectangle)
-        shade_lines(self.buffer, region, self.light, colors=merged.colors, plain=vec3(*merged.plain))
+        return merged, Region(start, self.stop, (0, 0, self.view.intrinsic.width, self.view.intrinsic.height))
 
     def _number(self, count: int) -> int:
         """The index of the first of so many elements."""
@@ -258,6 +302,11 @@ def merge_lines(parts: Sequence[Lines], origin: NDArray[np.float64], device: Any
         place_points(given, np.eye(3), np.zeros(3), colors, corner // 2)
         first, corner = first + part.positions.size, corner + part.indices.size
     return Lines(positions, origin, indices, colors)
+
+
+def _is_veil(placed: Placed) -> bool:
+    """Whether a part is seen through; one of no opacity is not there at all."""
+    return placed.box is not None and not isinstance(placed.part, Lines) and 0 < placed.part.opacity < 1
 
 
 def _box_of(positions: Any) -> NDArray[np.float64] | None:

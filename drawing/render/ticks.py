@@ -1,4 +1,4 @@
-"""Round numbers along an axis: `choose_ticks`."""
+"""Round numbers along an axis: `choose_ticks`, `with_ends`."""
 
 from __future__ import annotations
 
@@ -71,6 +71,28 @@ def choose_ticks(low: float, high: float, most: int, *, whole: bool = False) -> 
     digits = max(0, exponent - power)
     texts = [_text((value - offset) / 10.0**exponent, digits) for value in values]
     return Ticks(low, high, tuple(values), tuple(texts), offset, exponent)
+
+
+def with_ends(ticks: Ticks, apart: float) -> Ticks:
+    """Ticks with both ends of the axis, to a digit more; those nearer to an end than a share of the axis go.
+
+    Example:
+        >>> with_ends(choose_ticks(0.13, 1.94, 4), 0.1).texts
+        ('0.13', '0.5', '1.0', '1.5', '1.94')
+    """
+    span = ticks.high - ticks.low
+    digits = len(ticks.texts[0].partition(".")[2]) if ticks.texts else 0
+    known = dict(zip(ticks.values, ticks.texts, strict=True))
+    near = [value for value in known if min(value - ticks.low, ticks.high - value) < apart * span]
+    ends = []
+    for end in (ticks.low, ticks.high):
+        same = next((text for value, text in known.items() if abs(value - end) <= 1e-9 * span), None)
+        number = (end - ticks.offset) / 10.0**ticks.exponent
+        is_short = float(f"{number:.{digits + 1}f}") == float(f"{number:.{digits}f}")
+        ends.append((end, same or _text(number, digits if is_short else digits + 1)))
+    inner = [(value, text) for value, text in known.items() if value not in near]
+    values, texts = zip(ends[0], *inner, ends[1], strict=True)
+    return dataclasses.replace(ticks, values=values, texts=texts)
 
 
 def count_ticks(length: int, size: int) -> int:

@@ -12,9 +12,9 @@ from ...core.checks import check_rows, check_shape
 from .axes import Area, Axes, draw_head
 from .canvas import BLACK, WHITE, Canvas
 from .colormaps import MISSING, check_colormap, colormap_table
-from .legends import letter_size, paint_bar
+from .legends import END_ROOM, letter_size, paint_bar
 from .plots import check_size, draw_curve, finite_range
-from .ticks import Ticks, choose_ticks, count_ticks, format_number
+from .ticks import Ticks, choose_ticks, count_ticks, format_number, with_ends
 
 ERROR = "error [m]"
 TRUTH = (0.55, 0.55, 0.55)
@@ -67,10 +67,11 @@ def trajectory_plot(
         _draw_path(canvas, whole, path, path, None, letters)
         return canvas
     largest = finite_range([errors])[1] or 1.0
-    ticks = choose_ticks(0.0, largest, count_ticks(whole.height // 2, letters))
     high = round(_UPPER * whole.height)
     if whole.height - high < _LOWEST * letters:
         high = whole.height
+    apart = END_ROOM * letters / max(high - 6 * letters, letters)  # of the bar, which is that much shorter
+    ticks = with_ends(choose_ticks(0.0, largest, count_ticks(whole.height // 2, letters)), min(apart, 0.5))
     bar = round(3.5 * letters) + max(canvas.text_width(text, letters) for text in ticks.texts)
     bar = max(bar, canvas.text_width(ticks.title(ERROR), letters) + letters)
     upper = Area(whole.left, whole.top, whole.width - bar, high)

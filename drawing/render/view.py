@@ -15,9 +15,11 @@ from ...core.checks import LARGEST_NUMBER, check_count, check_direction, check_r
 from .open3d_parameters import view_from_open3d, view_to_open3d
 
 Triple = tuple[float, float, float]
+Insets = tuple[int, int, int, int]  # [px] at the left, the top, the right and the bottom of a picture
 
 FIELD_OF_VIEW = 40.0  # [degrees] across the wider side: little perspective distortion
 MARGIN = 1.06  # the object fills all but 6 % of the picture
+LEAST_ROOM = 0.4  # of a picture's width and height that insets leave in any case
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
@@ -138,12 +140,13 @@ class Frame:
 
     Args:
         direction, up, width, height: As of `fit_view`.
+        insets: Bands at the edges of the picture that what is seen stays out of.
 
     Raises:
         ValueError: A size below 1, or a direction along `up`.
     """
 
-    def __init__(self, direction: Triple, up: Triple, width: int, height: int):
+    def __init__(self, direction: Triple, up: Triple, width: int, height: int, insets: Insets = (0, 0, 0, 0)):
         width, height = check_count("width", width), check_count("height", height)
         forward, upward = check_direction("direction", direction), check_direction("up", up)
         right = np.cross(forward, upward)
@@ -153,13 +156,17 @@ class Frame:
         self.R = np.column_stack([right, np.cross(forward, right), forward])
         focal = max(width, height) / 2 / math.tan(math.radians(FIELD_OF_VIEW / 2))
         self.intrinsic = PinholeCameraIntrinsic(width, height, focal, focal, (width - 1) / 2, (height - 1) / 2)
-        self.tans = width / 2 / focal / MARGIN, height / 2 / focal / MARGIN
+        left, top, right, bottom = insets
+        pairs = _shortened(left, right, width), _shortened(top, bottom, height)
+        # of the angles from the optical axis to both ends of what is free along each axis
+        sides = zip(pairs, (width, height), strict=True)
+        self.tans = [[(length / 2 - band) / focal / MARGIN for band in bands] for bands, length in sides]
 
     def directions(self) -> NDArray[np.float64]:
         """Directions in the world, shape [5, 3], along which it must be known how far what is seen reaches."""
         x, y, z = self.R.T
-        across, down = self.tans
-        return np.array([-x - across * z, x - across * z, -y - down * z, y - down * z, -z])
+        (left, right), (top, bottom) = self.tans
+        return np.array([-x - left * z, x - right * z, -y - top * z, y - bottom * z, -z])
 
     def view(self, reach: NDArray[np.float64] | None, extent: float) -> View:
         """The view from the place nearest to what is seen.
@@ -174,13 +181,22 @@ class Frame:
         T = np.eye(4)
         place, depths = np.array([0.0, 0.0, -3.0]), []
         if reach is not None:
-            for axis, tan in enumerate(self.tans):
+            for axis, tans in enumerate(self.tans):
                 low, high = -reach[2 * axis], reach[2 * axis + 1]
                 place[axis] = (low + high) / 2
-                depths.append((low - high) / (2 * tan))
+                depths.append((low - high) / sum(tans))
             place[2] = min(*depths, -reach[4] - 0.01 * (extent or 1.0))
+            for axis, (before, behind) in enumerate(self.tans):
+                place[axis] += (behind - before) * place[2] / 2
         T[:3, :3], T[:3, 3] = self.R, self.R @ place
         return View(self.intrinsic, T)
+
+
+def _shortened(first: int, last: int, length: int) -> tuple[float, float]:
+    """Two bands at the ends of a side, in proportion, such that they leave room between them."""
+    most = (1 - LEAST_ROOM) * length
+    share = min(1.0, most / (first + last)) if first + last else 1.0
+    return first * share, last * share
 
 
 def check_view(view: Any) -> View:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import functools
 import logging
 import tempfile
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -32,7 +32,7 @@ def told_to_page(action: Callable[..., None]) -> Callable[..., None]:
         try:
             action(self, client, *arguments)
         except (PointloomError, ValueError, TypeError, OSError, MemoryError) as error:
-            self.tell(client, str(error))
+            self.tell(client, str(error), error=True)
         except Exception:
             log.debug("what page %s asked for", client, exc_info=True)
 
@@ -49,11 +49,11 @@ class Actions:
     def __init__(self, viewer: Viewer):
         self.viewer = viewer
 
-    def tell(self, client: int, text: str) -> None:
+    def tell(self, client: int, text: str, *, error: bool = False) -> None:
         """Show a message in a page."""
         session = self.viewer.sessions.get(client)
         if session is not None:
-            session.client.add_notification("pointloom", text, auto_close_seconds=8.0)
+            session.client.notify("pointloom", text, error=error)
 
     def calling(self, callback: Callable[[int], None]) -> Callable[[int | None], None]:
         """A program's function as an action."""
@@ -113,10 +113,12 @@ class Actions:
         self.viewer.background = [value / 255 for value in color]
 
     @told_to_page
-    def set_visible(self, client: int, name: str, visible: bool) -> None:
-        """Show or hide a geometry."""
-        if name in self.viewer.items:
-            self.viewer.set_visible(name, visible)
+    def set_visible(self, client: int, names: Iterable[str], visible: bool) -> None:
+        """Show or hide geometries."""
+        with self.viewer.lock, self.viewer.batch():
+            for name in names:
+                if name in self.viewer.items:
+                    self.viewer.set_visible(name, visible)
 
     @told_to_page
     def color(self, client: int, by: str | None, colormap: str | None, limits: Any) -> None:
@@ -167,7 +169,7 @@ class Actions:
     def take_screenshot(self, client: int) -> None:
         """Have the page save a picture of what it shows, drawn here."""
         picture = self.viewer.screenshot(client=client)
-        self._send(client, "pointloom.png", encode_png(picture))
+        self._send(client, "pointloom.png", encode_png(picture), "image/png")
 
     @told_to_page
     def save_view(self, client: int) -> None:
@@ -177,7 +179,7 @@ class Actions:
         with tempfile.TemporaryDirectory(prefix="pointloom-") as folder:
             path = Path(folder) / "view.json"
             write_view(path, view, bounds)
-            self._send(client, "view.json", path.read_bytes())
+            self._send(client, "view.json", path.read_bytes(), "application/json")
 
     @told_to_page
     def load_view(self, client: int, content: bytes) -> None:
@@ -207,5 +209,5 @@ class Actions:
         with self.viewer.lock:
             self.viewer.point_size = self.viewer.point_size * factor
 
-    def _send(self, client: int, name: str, content: bytes) -> None:
-        self._session(client).client.send_file_download(name, content, save_immediately=True)
+    def _send(self, client: int, name: str, content: bytes, mime: str) -> None:
+        self._session(client).client.download(name, content, mime)

@@ -1,4 +1,4 @@
-"""Views and the cameras of viser: to the page and back."""
+"""Views and the cameras of pages: to the page and back."""
 
 from __future__ import annotations
 
@@ -12,20 +12,22 @@ from numpy.typing import NDArray
 
 from ...cameras.camera import PinholeCameraIntrinsic
 from ..render.open3d_views import OPEN3D_KEYS, read_view
+from ..render.upward import level_up
 from ..render.view import View
-from .items import Bounds, Frame, rotation
+from .items import Bounds, Frame
 
 if TYPE_CHECKING:
-    import viser
+    from .link import CameraState, PageCamera
 
 Vector = NDArray[np.float64]
 
-UP = np.array([0.0, 0.0, 1.0])
 
 # Nearest and farthest that is drawn, and the reach of the mouse wheel, in diagonals of the scene. A depth buffer of 24
 # bits then tells apart what lies 1e-4 diagonals apart at a distance of one diagonal.
 NEAR, FAR = 1e-3, 100.0
 CLOSEST, FARTHEST = 1e-4, 50.0
+
+AWAY = 500.0  # extents that the eye of a picture without perspective is away: then no point moves by a pixel
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
@@ -33,14 +35,20 @@ class Camera:
     """A camera of the page, in its coordinates.
 
     Args:
-        position, look_at, up: Shape [3].
+        position, pivot, up: Shape [3]; it turns about the pivot, and keeps `up` upright.
+        rotation: From the camera (x right, y down, z forward) to the page, shape [3, 3].
         fov: Of the height [rad].
     """
 
     position: Vector
-    look_at: Vector
+    rotation: Vector
+    pivot: Vector
     up: Vector
     fov: float
+
+    def fields(self) -> dict[str, Any]:
+        """As a page's camera is put there."""
+        return {field.name: getattr(self, field.name) for field in dataclasses.fields(self)}
 
 
 def camera_of(view: View, frame: Frame, bounds: Bounds, aspect: float | None = None) -> Camera:
@@ -60,75 +68,47 @@ def camera_of(view: View, frame: Frame, bounds: Bounds, aspect: float | None = N
     tangent = intrinsic.height / 2 / intrinsic.fy
     if aspect is not None:
         tangent = max(tangent, intrinsic.width / 2 / intrinsic.fx / aspect)
-    up = -T[:3, 1]
-    right = T[:3, 0]
-    if abs(right @ UP) < 1e-6 and up @ UP > 0.05:  # level: then it stays level as it is turned
-        up = UP
-    position = (eye - frame.origin) / frame.unit
-    return Camera(position, position + forward * reach / frame.unit, up, 2 * math.atan(tangent))
+    up = level_up(T[:3, 0], -T[:3, 1])  # level: then it stays level as it is turned
+    position = frame.to_page(eye)
+    pivot = position + forward * reach / frame.unit
+    return Camera(position, T[:3, :3].copy(), pivot, up.copy(), 2 * math.atan(tangent))
 
 
-def view_of(camera: viser.CameraHandle, frame: Frame, size: tuple[int, int]) -> View:
-    """The view of a page's camera, in the world's coordinates."""
+def view_of(camera: CameraState | PageCamera, frame: Frame, bounds: Bounds, size: tuple[int, int]) -> View:
+    """The view of a page's camera, in the world's coordinates.
+
+    Views have perspective: of a camera without, it is one from so far away that this is not seen.
+    """
     width, height = size
-    focal = height / 2 / math.tan(camera.fov / 2)
+    position, tangent = np.asarray(camera.position, np.float64), math.tan(camera.fov / 2)
+    if camera.orthographic:
+        forward = np.asarray(camera.rotation, np.float64)[:, 2]
+        depth = float((camera.pivot - position) @ forward)
+        extent = diagonal(bounds) / frame.unit
+        depth = depth if depth > 1e-9 * extent else extent
+        back = AWAY * max(depth, extent)
+        position, tangent = position - back * forward, tangent * depth / (depth + back)
+    focal = height / 2 / tangent
     T = np.eye(4)
-    T[:3, :3] = rotation(camera.wxyz)
-    T[:3, 3] = np.asarray(camera.position, np.float64) * frame.unit + frame.origin
+    T[:3, :3] = camera.rotation
+    T[:3, 3] = frame.to_world(position)
     return View(PinholeCameraIntrinsic(width, height, focal, focal, (width - 1) / 2, (height - 1) / 2), T)
 
 
-def set_camera(client: viser.ClientHandle, camera: Camera) -> None:
-    """Put a page's camera there."""
-    from .hub import send_camera
-
-    with client.atomic():
-        client.camera.up_direction = camera.up
-        client.camera.position = camera.position
-        client.camera.look_at = camera.look_at
-        client.camera.fov = camera.fov
-        send_camera(client, camera.position, camera.look_at, camera.up, camera.fov)
-
-
-def set_reach(client: viser.ClientHandle, frame: Frame, bounds: Bounds) -> None:
-    """Have a page draw all of the scene, and let its wheel go as near and as far as makes sense."""
+def reach_of(camera: Camera | PageCamera, frame: Frame, bounds: Bounds) -> dict[str, float]:
+    """How near and far a camera draws, and how near and far its wheel goes: from very far away, what is there."""
     size = diagonal(bounds) / frame.unit
-    with client.atomic():
-        client.camera.near, client.camera.far = NEAR * size, FAR * size
-        client.camera.min_orbit_distance, client.camera.max_orbit_distance = CLOSEST * size, FARTHEST * size
-
-
-def set_first_camera(server: viser.ViserServer, camera: Camera, frame: Frame, bounds: Bounds) -> None:
-    """Where pages that come later begin."""
-    first, size = server.initial_camera, diagonal(bounds) / frame.unit
-    first.near, first.far = NEAR * size, FAR * size
-    first.up = camera.up
-    first.position, first.look_at, first.fov = camera.position, camera.look_at, camera.fov
+    middle = frame.to_page((bounds[0] + bounds[1]) / 2)
+    distance = float((middle - camera.position) @ np.asarray(camera.rotation)[:, 2])
+    if distance <= FARTHEST * size:
+        return {"near": NEAR * size, "far": FAR * size, "closest": CLOSEST * size, "farthest": FARTHEST * size}
+    far = distance + 2 * size
+    return {"near": distance - 2 * size, "far": far, "closest": CLOSEST * size, "farthest": 4 * far}
 
 
 def diagonal(bounds: Bounds) -> float:
     """Of a box [m]; 1 of one without extent."""
     return float(np.linalg.norm(bounds[1] - bounds[0])) or 1.0
-
-
-def point_radius(pixels: float, points: Vector, view: View, frame: Frame, default: float) -> float:
-    """viser's size of points (a radius, in units of the page) at which they are some pixels wide.
-
-    Args:
-        pixels: Diameter on the screen.
-        points: Some of the cloud's points, shape [k, 3] [m].
-        view: From where.
-        frame: The page's coordinates.
-        default: Their distance [m] where none is seen.
-    """
-    local = (points - view.T_world_camera[:3, 3]) @ view.T_world_camera[:3, :3]
-    depth = local[:, 2]
-    camera = view.intrinsic
-    with np.errstate(divide="ignore", invalid="ignore"):
-        x, y = np.abs(local[:, 0] / depth * camera.fx), np.abs(local[:, 1] / depth * camera.fy)
-    seen = depth[(depth > 0) & (x < camera.width / 2) & (y < camera.height / 2)]
-    distance = float(np.median(seen)) if len(seen) else default
-    return pixels * distance / camera.fy / 2 / frame.unit
 
 
 def read_parameters(view: Any) -> View | dict[str, Any] | None:

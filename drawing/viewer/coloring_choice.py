@@ -8,10 +8,9 @@ from typing import Any
 
 from ...pcd.cloud import PointCloud
 from ..render.coloring import Coloring, color_cloud
+from ..render.colormaps import COLORMAPS as COLORMAPS
 from ..render.colormaps import check_colormap
 from .items import Item
-
-COLORMAPS = ("viridis", "turbo", "gray", "coolwarm", "jet")
 
 
 @dataclasses.dataclass(frozen=True)
@@ -57,6 +56,34 @@ class ColoringChoice:
         for item in items:  # limits are checked where they are used
             choice.of(item)
         return choice
+
+
+class Choices:
+    """What there is to colour by in a scene, in the order in which it came; kept up cloud by cloud."""
+
+    def __init__(self) -> None:
+        self._of: dict[str, tuple[str, ...]] = {}  # by item
+        self._counts: dict[str, int] = {}
+
+    def put(self, item: Item) -> None:
+        """An item has come, or is another one now."""
+        found = () if item.cloud is None else tuple(choices_of(item.cloud))
+        if found != self._of.get(item.name, ()):
+            for name in found:
+                self._counts[name] = self._counts.get(name, 0) + 1
+            self.drop(item.name)
+            self._of[item.name] = found
+
+    def drop(self, name: str) -> None:
+        """An item has gone."""
+        for choice in self._of.pop(name, ()):
+            self._counts[choice] -= 1
+            if not self._counts[choice]:
+                del self._counts[choice]
+
+    def names(self) -> tuple[str, ...]:
+        """All of them."""
+        return tuple(self._counts)
 
 
 def choices_of(cloud: PointCloud) -> list[str]:

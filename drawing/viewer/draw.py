@@ -116,7 +116,7 @@ def draw(
                 announce(viewer)
                 if open_browser and not unattended():
                     open_page(viewer)
-            viewer.add_all(named)
+            viewer.add_named(named)
             viewer.show_normals(point_show_normal)
             viewer.show_wireframe(mesh_show_wireframe)
         if notebook and not block:

@@ -1,4 +1,4 @@
-"""Who may talk to the viewer, and what they may say: the rules for requests and messages, apart from any server.
+"""Who may talk to the viewer, and what they may set: rules for requests and values, apart from any server.
 
 A server on a loopback port is open to every web page that the user's browser shows: a page may ask for
 http://127.0.0.1:8080 itself, or let its own name point to 127.0.0.1 (DNS rebinding) and read the answers as its own.
@@ -12,18 +12,11 @@ from __future__ import annotations
 import ipaddress
 import math
 import re
-import types
-from collections.abc import Callable, Mapping
-from typing import Any, Literal, Union, get_args, get_origin
-
-# Messages of a page are below 1 kB; only pictures and uploaded files are larger. Decoded, a list of empty lists takes
-# 56 times its bytes, so what is larger than a small message may hold no lists at all.
-MOST_BYTES = 8 << 20
-MOST_SMALL_BYTES = 256 << 10
+from collections.abc import Mapping, Sequence
+from typing import Any
 
 _HOST = re.compile(r"(?P<name>\[[0-9a-f:.]+\]|[a-z0-9._-]+)(:(?P<port>[0-9]{1,5}))?", re.IGNORECASE)
 _MOST_WHOLE = 2**53  # what a browser's numbers hold
-_BINARY = (0xC4, 0xC5, 0xC6)  # the first byte of msgpack's bin 8, 16 and 32
 
 
 def split_host(header: str) -> tuple[str, str] | None:
@@ -88,25 +81,25 @@ def _is_same(origin: str, host: tuple[str, str]) -> bool:
     )
 
 
-def response_headers(host: str) -> dict[str, str]:
+def response_headers(host: str, sources: Mapping[str, Sequence[str]] | None = None) -> dict[str, str]:
     """The headers of every answer, for a page that was asked for under this (checked) `Host`.
 
-    The page is one file with its scripts and styles inside, unpacked as it loads, and workers made of blobs; it may
-    reach nothing but its own websocket. Notebooks on this machine may frame it, other pages may not.
+    The page may run its own scripts and styles alone, which the policy names by their hashes, and reach nothing but its
+    own websocket. Notebooks on this machine may frame it, other pages may not.
+
+    Args:
+        host: As asked for.
+        sources: The hashes of the page's scripts and styles, by "script" and "style"; None for a page without.
     """
+    allowed = {kind: " ".join(f"'{one}'" for one in (sources or {}).get(kind, ())) for kind in ("script", "style")}
     policy = [
         "default-src 'none'",
-        "script-src 'self' 'unsafe-inline' 'unsafe-eval' blob:",
-        "style-src 'self' 'unsafe-inline'",
-        "img-src 'self' data: blob:",
-        "font-src 'self' data:",
-        "media-src 'self' data: blob:",
-        "worker-src 'self' blob:",
-        f"connect-src 'self' ws://{host} wss://{host} data: blob:",
+        "script-src " + (allowed["script"] or "'none'"),
+        "style-src " + (allowed["style"] or "'none'"),
+        "img-src data: blob:",
+        f"connect-src ws://{host} wss://{host}",
         "base-uri 'none'",
         "form-action 'none'",
-        "frame-src 'none'",
-        "object-src 'none'",
         "frame-ancestors 'self' http://localhost:* https://localhost:* http://127.0.0.1:* https://127.0.0.1:*",
     ]
     return {
@@ -116,68 +109,6 @@ def response_headers(host: str) -> dict[str, str]:
         "Cross-Origin-Resource-Policy": "same-origin",
         "Cache-Control": "no-store",
     }
-
-
-def read_message(raw: bytes, hints_of: Callable[[str], Mapping[str, Any] | None]) -> dict[str, Any] | None:
-    """A message of a page, checked field by field.
-
-    Args:
-        raw: As it came, msgpack.
-        hints_of: The names and types of the fields of a kind of message; None for a kind that is not listened to.
-
-    Returns:
-        Its fields with "type", None for one to be passed over.
-
-    Raises:
-        ValueError: no msgpack, or no message at all.
-    """
-    import msgspec  # comes with viser
-
-    try:
-        if len(raw) <= MOST_SMALL_BYTES:
-            fields = msgspec.msgpack.decode(raw)
-        else:
-            flat = msgspec.msgpack.decode(raw, type=dict[str, msgspec.Raw])
-            fields = {name: _decode_flat(bytes(value)) for name, value in flat.items()}
-    except (msgspec.MsgspecError, RecursionError, UnicodeDecodeError) as error:
-        raise ValueError(f"not a message: {error}") from error
-    if not isinstance(fields, dict) or not isinstance(fields.get("type"), str):
-        raise ValueError("not a message: a map with a type is expected")
-    hints = hints_of(fields["type"])
-    if hints is None or not all(
-        name == "type" or (name in hints and fits(fields[name], hints[name])) for name in fields
-    ):
-        return None
-    return fields
-
-
-def _decode_flat(raw: bytes) -> Any:
-    """A value that is no list and no map."""
-    import msgspec
-
-    return msgspec.msgpack.decode(raw, type=bytes if raw[0] in _BINARY else str | int | float | bool | None)
-
-
-def fits(value: Any, hint: Any) -> bool:
-    """Whether a decoded value is of the annotated type; numbers must be finite, whole ones may come as floats."""
-    kind, inner = get_origin(hint), get_args(hint)
-    if hint is Any:
-        return True
-    if kind is Literal:
-        return value in inner if isinstance(value, str | int) else value is None and None in inner
-    if kind in (Union, types.UnionType):
-        return any(fits(value, one) for one in inner)
-    if kind is tuple:
-        if not isinstance(value, list):
-            return False
-        inner = inner[:1] * len(value) if inner[1:] == (...,) else inner
-        return len(value) == len(inner) and all(map(fits, value, inner))
-    if kind is dict:
-        return isinstance(value, dict) and all(fits(k, inner[0]) and fits(v, inner[1]) for k, v in value.items())
-    if hint in (int, float):
-        number = isinstance(value, int | float) and not isinstance(value, bool) and math.isfinite(value)
-        return number and (hint is float or abs(value) <= _MOST_WHOLE)
-    return isinstance(value, type(None) if hint is None else hint)
 
 
 def control_value(value: Any, current: Any, *, low: Any = None, high: Any = None, options: Any = None) -> Any:
@@ -191,7 +122,7 @@ def control_value(value: Any, current: Any, *, low: Any = None, high: Any = None
         options: What may be chosen, None for free choice.
 
     Returns:
-        The value, a number brought within the limits.
+        The value, a number brought within the limits and of the control's type, a list as a tuple.
 
     Raises:
         ValueError: it is of another kind, or no option.
@@ -200,12 +131,16 @@ def control_value(value: Any, current: Any, *, low: Any = None, high: Any = None
     if kind is tuple:
         if not isinstance(value, list) or len(value) != len(current):
             raise ValueError(f"expected {len(current)} values, got {value!r:.80}")
-        return [control_value(a, b, low=low, high=high) for a, b in zip(value, current, strict=True)]
-    if not fits(value, kind) if kind in (int, float) else not isinstance(value, kind):
+        return tuple(control_value(a, b, low=low, high=high) for a, b in zip(value, current, strict=True))
+    if kind in (int, float):
+        if not isinstance(value, int | float) or isinstance(value, bool) or not math.isfinite(value):
+            raise ValueError(f"expected a number, got {value!r:.80}")
+        if kind is int and (value != int(value) or abs(value) > _MOST_WHOLE):
+            raise ValueError(f"expected a whole number, got {value!r:.80}")
+        value = value if low is None else max(value, low)
+        return kind(value if high is None else min(value, high))
+    if type(value) is not kind:
         raise ValueError(f"expected {kind.__name__}, got {value!r:.80}")
     if options is not None and value not in options:
         raise ValueError(f"expected one of {options}, got {value!r:.80}")
-    if kind in (int, float):
-        value = value if low is None else max(value, low)
-        value = value if high is None else min(value, high)
     return value

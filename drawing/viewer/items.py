@@ -8,15 +8,14 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ...core.quaternions import quaternions_to_rotations, rotations_to_quaternions
 from ...kernels.arrays.bounds import bound_points
 from ...kernels.memory import download
 from ...pcd.cloud import PointCloud
 from ..render.geometries import Style, bounds_of, parts_of
 from ..render.parts import Part, Points, Triangles
+from .extents import Bounds
 
 Matrix = NDArray[np.float64]
-Bounds = tuple[NDArray[np.float64], NDArray[np.float64]]
 
 # Extents [m] that a browser's camera works well in; others are drawn in another unit of length.
 SMALLEST, LARGEST = 0.05, 1e5
@@ -48,22 +47,24 @@ class Frame:
             unit = 10.0 ** np.floor(np.log10(extent))
         return cls((low + high) / 2, unit)
 
-    def place(self, origin: NDArray[np.float64], pose: Matrix | None) -> tuple[NDArray[Any], NDArray[np.float64]]:
-        """The quaternion (w, x, y, z) and the position in the page of what counts from `origin`."""
+    def place(self, origin: NDArray[np.float64], pose: Matrix | None) -> tuple[Matrix | None, NDArray[np.float64]]:
+        """The rotation (None: none) and the position in the page of what counts from `origin`."""
         if pose is None:
-            return np.array([1.0, 0.0, 0.0, 0.0]), (origin - self.origin) / self.unit
-        return quaternion(pose[:3, :3]), (pose[:3, :3] @ origin + pose[:3, 3] - self.origin) / self.unit
+            return None, self.to_page(origin)
+        return pose[:3, :3], self.to_page(pose[:3, :3] @ origin + pose[:3, 3])
 
+    def placing(self, origin: NDArray[np.float64], pose: Matrix | None) -> dict[str, Any]:
+        """The same and the scale, as nodes of the page take them."""
+        R, t = self.place(origin, pose)
+        return {"R": R, "t": t, "scale": 1 / self.unit}
 
-def quaternion(R: Matrix) -> NDArray[np.float64]:
-    """The unit quaternion (w, x, y, z) of a rotation."""
-    return np.roll(rotations_to_quaternions(R[None])[0], 1)
+    def to_page(self, places: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Places of the world [m] in the coordinates of the page."""
+        return (places - self.origin) / self.unit
 
-
-def rotation(q: Any) -> Matrix:
-    """The rotation of a quaternion (w, x, y, z)."""
-    xyzw = np.roll(np.asarray(q, np.float64) / np.linalg.norm(q), -1)
-    return quaternions_to_rotations(xyzw[None])[0]
+    def to_world(self, places: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Places in the page in the world [m]."""
+        return places * self.unit + self.origin
 
 
 @dataclasses.dataclass(eq=False)
@@ -98,6 +99,8 @@ class Item:
 
     def __post_init__(self):
         self._shown: NDArray[np.uint8] | None = None
+        self._label_counts: tuple[str, dict[int, int]] | None = None
+        self._moved: tuple[Matrix | None, Bounds | None] | None = None
         self._sample: NDArray[np.float64] | None = None
 
     @property
@@ -111,6 +114,11 @@ class Item:
         """Whether there are triangles."""
         return any(isinstance(part, Triangles) for part in self.parts)
 
+    @property
+    def triangle_count(self) -> int:
+        """How many triangles there are."""
+        return sum(part.indices.size // 3 for part in self.parts if isinstance(part, Triangles))
+
     def pose_of(self, part: Part) -> Matrix | None:
         """Where a part stands."""
         if self.pose is None or part.pose is None:
@@ -121,10 +129,13 @@ class Item:
         """The box around all that is drawn, moved by the pose; None where nothing is."""
         if self.bounds is None or self.pose is None:
             return self.bounds
-        ends = np.stack(self.bounds)
-        box = np.array([[ends[i, 0], ends[j, 1], ends[k, 2]] for i in (0, 1) for j in (0, 1) for k in (0, 1)])
-        moved = box @ self.pose[:3, :3].T + self.pose[:3, 3]
-        return moved.min(axis=0), moved.max(axis=0)
+        if self._moved is None or self._moved[0] is not self.pose:
+            # the middle moves, and half the extent turns: what reaches along an axis are the parts along it
+            R, t = self.pose[:3, :3], self.pose[:3, 3]
+            middle, half = (self.bounds[0] + self.bounds[1]) / 2, (self.bounds[1] - self.bounds[0]) / 2
+            place, reach = R @ middle + t, np.abs(R) @ half
+            self._moved = self.pose, (place - reach, place + reach)
+        return self._moved[1]
 
     @property
     def has_colors_in_tree(self) -> bool:
@@ -160,6 +171,15 @@ class Item:
             else:
                 self._shown = np.broadcast_to(to_bytes([part.plain]), (part.positions.size, 3))
         return self._shown[indices]
+
+    def label_counts(self, name: str) -> dict[int, int]:
+        """How many points have each value of an attribute of whole numbers; none of another cloud's attribute."""
+        if self.cloud is None or name not in self.cloud.attributes:
+            return {}
+        if self._label_counts is None or self._label_counts[0] != name:
+            values, numbers = np.unique(np.asarray(self.cloud[name]), return_counts=True)
+            self._label_counts = name, dict(zip(map(int, values), map(int, numbers), strict=True))
+        return self._label_counts[1]
 
     def sample(self) -> NDArray[np.float64]:
         """Some of the cloud's points where they stand in the world, shape [k, 3] [m]."""

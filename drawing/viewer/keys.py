@@ -8,15 +8,14 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    import viser
-
+    from .link import Command, Gui
     from .panel import Panel
 
 HOTKEYS = (
     *string.ascii_uppercase, *string.digits,
     "space", "enter", "escape", "tab", "backspace", "delete", "insert", "home", "end", "pageup", "pagedown",
     "arrowup", "arrowdown", "arrowleft", "arrowright",
-)  # fmt: skip  # viser's names of keys
+)  # fmt: skip
 STEP = 1.25  # by which a key changes the size of points
 
 
@@ -25,7 +24,7 @@ class Key:
     """A key.
 
     Args:
-        hotkeys: viser's names of the keys that do it.
+        hotkeys: The page's names of the keys that do it.
         shown: How they are called on the button.
         label: What it does.
         action: The method of `Actions`.
@@ -37,45 +36,46 @@ class Key:
     label: str
     action: str
     is_button: bool = True
+    group: str = "View"
 
 
-# "-", "=" and "plus" are no names that viser lists, though its page knows them: hence the others beside them.
+# "-", "=" and "plus" are no names that programs may give; keyboards without them have the others beside them.
 KEYS = (
     Key(("R",), "R", "Reset view", "reset_view"),
-    Key(("-", "pagedown"), "-", "Smaller points", "shrink_points", False),
-    Key(("plus", "=", "pageup"), "+", "Larger points", "grow_points", False),
-    Key(("N",), "N", "Normals", "toggle_normals", False),
-    Key(("W",), "W", "Wireframe", "toggle_wireframe", False),
+    Key(("-", "pagedown"), "-", "Smaller points", "shrink_points", False, "Points"),
+    Key(("plus", "=", "pageup"), "+", "Larger points", "grow_points", False, "Points"),
+    Key(("N",), "N", "Normals", "toggle_normals", False, "Points"),
+    Key(("W",), "W", "Wireframe", "toggle_wireframe", False, "Surfaces"),
     Key(("P",), "P", "Screenshot", "take_screenshot"),
-    Key(("C",), "C", "Next colours", "next_coloring", False),
-    Key(("0",), "0", "Own colours", "color_as_given", False),
-    Key(("1",), "1", "Colour by RGB", "color_by_rgb", False),
-    Key(("2",), "2", "Colour by x", "color_by_x", False),
-    Key(("3",), "3", "Colour by y", "color_by_y", False),
-    Key(("4",), "4", "Colour by height", "color_by_height", False),
-    Key(("9",), "9", "Colour by normal", "color_by_normal", False),
+    Key(("C",), "C", "Next colours", "next_coloring", False, "Colour"),
+    Key(("0",), "0", "Own colours", "color_as_given", False, "Colour"),
+    Key(("1",), "1", "Colour by RGB", "color_by_rgb", False, "Colour"),
+    Key(("2",), "2", "Colour by x", "color_by_x", False, "Colour"),
+    Key(("3",), "3", "Colour by y", "color_by_y", False, "Colour"),
+    Key(("4",), "4", "Colour by height", "color_by_height", False, "Colour"),
+    Key(("9",), "9", "Colour by normal", "color_by_normal", False, "Colour"),
     Key(("V",), "V", "Save view", "save_view"),
 )
 
 
-def bind_keys(server: viser.ViserServer, panel: Panel) -> list[Any]:
-    """Have every page know the keys; gives viser's handles of the commands."""
+def bind_keys(gui: Gui, panel: Panel) -> list[Command]:
+    """Have every page know the keys."""
     commands = []
     for key in KEYS:
         action: Callable[[Any], None] = getattr(panel.actions, key.action)
-        commands += [add_key(server, hotkey, key.label, action) for hotkey in key.hotkeys]
+        commands += [add_key(gui, hotkey, key.label, action, key.group) for hotkey in key.hotkeys]
     return commands
 
 
-def add_key(server: viser.ViserServer, hotkey: str, label: str, action: Callable[[Any], None]) -> Any:
-    """Have every page know a key that calls with the number of the page; viser's handle of the command."""
-    command = server.gui.add_command(label, hotkey=hotkey)  # type: ignore[arg-type]
+def add_key(gui: Gui, hotkey: str, label: str, action: Callable[[Any], None], group: str = "Program") -> Command:
+    """Have every page know a key that calls with the number of the page."""
+    command = gui.add_command(label, hotkey, group=group)
     command.on_trigger(lambda event: action(event.client_id))
     return command
 
 
 def check_hotkey(key: str) -> str:
-    """A key as viser names it; letters of either case.
+    """A key as the page names it; letters of either case.
 
     Raises:
         ValueError: No such key.

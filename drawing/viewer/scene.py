@@ -16,14 +16,16 @@ from ...core.errors import PointloomError
 from ...core.known_names import nearest_name
 from ...core.open3d_names import row_of, told
 from ..render.geometries import Named, check_units
-from ..render.parts import Triangles
+from ..render.parts import Triangles, Triple
+from ..render.upward import direction_under, up_of
 from ..render.view import View, fit_view
-from .camera import camera_of, diagonal, read_parameters, set_first_camera, set_reach
+from .camera import camera_of, diagonal, reach_of, read_parameters
 from .coloring_choice import ColoringChoice
 from .detail_tree import DetailTree
-from .items import Bounds, Frame, Item
+from .extents import Bounds, Extents
+from .items import Frame, Item
 from .keys import check_hotkey
-from .lights import light_evenly
+from .later import Later
 from .nodes import NORMAL_LENGTH, ItemNodes
 from .panel import Panel
 from .server import ViewerServer
@@ -31,18 +33,20 @@ from .sessions import POINT_SIZE, Session
 from .whole_cloud import FIRST
 
 if TYPE_CHECKING:
-    import viser
+    from .link import Node, PageClient
 
 log = logging.getLogger("pointloom.viewer")
 
+HINT = 'Nothing is shown yet. In the program, viewer.add("name", geometry) shows something here.'
 SMALLEST_POINT, LARGEST_POINT = 0.5, 40.0  # [px]
+OUTLINE, LEAST_OUTLINE = 100_000, 50  # points of clouds by which a view of everything is found; of each one at least
 _NOTHING: Bounds = (np.full(3, -1.0), np.full(3, 1.0))  # what is looked at where there is nothing
 
 
 class Scene:
     """The items, where they stand in the pages, and the pages themselves; `Viewer` is what programs use.
 
-    Whoever changes something holds `lock`: programs call from any thread, and pages from threads of viser's.
+    Whoever changes something holds `lock`: programs call from any thread, and pages from threads of theirs.
 
     Args:
         port, host, title: Of the server.
@@ -63,9 +67,11 @@ class Scene:
         size: tuple[int, int],
     ):
         self.max_points, self._size, self._background = max_points, size, background
+        self._has_own_background = bool((background != 1).any())  # a white one may follow a dark mode
         self._point_size, self.has_own_point_size = point_size, point_size != POINT_SIZE
         self.lock = threading.RLock()
         self.items: dict[str, Item] = {}
+        self.up: Triple | None = None  # in what `home` fits; None takes that of the first mesh that says so, else z
         self.sessions: dict[int, Session] = {}
         self.frame, self.coloring = Frame(np.zeros(3)), ColoringChoice()
         self.wireframe = self.normals = False
@@ -76,15 +82,21 @@ class Scene:
         self._ended = threading.Event()
         self._builders: list[threading.Thread] = []
         self._coming: dict[str, Item] = {}  # whose levels of detail are being built
+        self._extents = Extents()
+        self._point_count = self.triangle_count = 0  # of all clouds, and of all surfaces
+        self._told_bounds: Any = None  # as pages were told them
+        self._with_unit: dict[str, Any] = {}  # geometries that had one when they came
+        self._later = Later(self._catch_up, self.take_lock, self.lock.release)
+        self._shares_changed = False
         self.server = ViewerServer(host, port, title=title)
         self.url, self.ssh_line = self.server.url, self.server.ssh_line
         try:
             self.panel = Panel(self)  # type: ignore[arg-type]  # a Viewer
             self._paint_background()
-            light_evenly(self.server.viser)
+            self.server.pages.set_hint(HINT)
             self._aim_first_camera()
-            self.server.viser.on_client_connect(self._join)
-            self.server.viser.on_client_disconnect(self._leave)
+            self.server.pages.on_client_connect(self._join)
+            self.server.pages.on_client_disconnect(self._leave)
         except BaseException:
             self.server.close()
             raise
@@ -107,15 +119,17 @@ class Scene:
             return self._view
         if self._view is not None:
             return View.from_open3d(self.bounds, **self._view, width=self._size[0], height=self._size[1])
-        return fit_view(self._outline(), width=self._size[0], height=self._size[1])
+        up = self.up or up_of((item.geometry, item.style.pose) for item in self.items.values())
+        look: dict[str, Any] = {"direction": direction_under(up), "up": up}
+        return fit_view(self._outline(), **look, width=self._size[0], height=self._size[1])
 
     @property
     def bounds(self) -> Bounds:
         """The lowest and highest corner of what is in the scene [m]; a box of 2 m where nothing is."""
-        found = self._scene_bounds()
+        found = self._extents.union()
         return _NOTHING if found is None else found
 
-    def surface_nodes(self, name: str) -> list[tuple[Triangles, Any]]:
+    def surface_nodes(self, name: str) -> list[tuple[Triangles, Node]]:
         """The surfaces of a geometry and their nodes, which all pages share; none of what is not in the scene."""
         with self.lock:
             nodes = self._nodes.get(name)
@@ -158,22 +172,22 @@ class Scene:
 
     def budget_of(self, item: Item) -> int:
         """Points of a cloud that a page may hold: its share of `max_points`."""
-        total = sum(len(other.cloud) for other in self.items.values() if other.cloud is not None)
-        if item.cloud is None or total <= self.max_points:
+        if item.cloud is None or self._point_count <= self.max_points:
             return self.max_points
-        share = max(1, self.max_points * len(item.cloud) // total)
+        share = max(1, self.max_points * len(item.cloud) // self._point_count)
         return min(share, FIRST) if item.tree is None and item.name in self._coming else share
 
-    def _join(self, client: viser.ClientHandle) -> None:
+    def _join(self, client: PageClient) -> None:
         with self.lock:
             if self.closed:
                 return
             session = Session(self, client)  # type: ignore[arg-type]  # a Viewer
-            self.sessions[client.client_id] = session
+            self._later.now()
             with session.as_it_lasts():
                 session.start()
+                self.sessions[client.client_id] = session
 
-    def _leave(self, client: viser.ClientHandle) -> None:
+    def _leave(self, client: PageClient) -> None:
         with self.lock:
             session = self.sessions.pop(client.client_id, None)
             self._last_seen = time.monotonic()
@@ -195,17 +209,38 @@ class Scene:
 
     def _check_units(self, named: list[Named]) -> None:
         """Warn where the scene will have lengths in two units once these are in it."""
-        there = {name: item.geometry for name, item in self.items.items()}
-        check_units((there | {name: geometry for name, geometry, _ in named}).values())
+        coming = {name for name, _, _ in named}
+        there = next((geometry for name, geometry in self._with_unit.items() if name not in coming), None)
+        check_units([*([] if there is None else [there]), *(geometry for _, geometry, _ in named)])
+
+    def _take_in(self, item: Item) -> None:
+        """Have an item stand under its name, in place of the one before."""
+        before = self.items.get(item.name)
+        self._count(before, -1)
+        self.items[item.name] = item
+        self._count(item, 1)
+        self._with_unit.pop(item.name, None)
+        if getattr(item.geometry, "unit", None) is not None:
+            self._with_unit[item.name] = item.geometry
+        self._extents.put(item.name, item.world_bounds())
+
+    def _count(self, item: Item | None, sign: int) -> None:
+        """Points more or less, and whether clouds have other shares of what a page may hold then."""
+        if item is None:
+            return
+        self.triangle_count += sign * item.triangle_count
+        if item.cloud is not None and len(item.cloud):
+            was_over = self._point_count > self.max_points
+            self._point_count += sign * len(item.cloud)
+            self._shares_changed |= was_over or self._point_count > self.max_points
 
     def _show(self, item: Item) -> None:
         """Send a geometry to all pages."""
         nodes = self._nodes.get(item.name)
         if nodes is None:
-            nodes = self._nodes[item.name] = ItemNodes(self.server.viser, self.lock, self.frame, item)
+            nodes = self._nodes[item.name] = ItemNodes(self.server.pages, self.frame, item, wireframe=self.wireframe)
         else:
             nodes.show(item)
-        nodes.set_wireframe(self.wireframe)
         nodes.set_normals(self._normal_length())
         for session in self._open_sessions():
             with session.as_it_lasts():
@@ -217,10 +252,10 @@ class Scene:
             sessions, builders = list(self.sessions.values()), self._builders
             for session in sessions:
                 session.close()
-            for nodes in self._nodes.values():
-                nodes.forget()
             self.sessions, self._nodes, self.items, self._coming, self._builders = {}, {}, {}, {}, []
-        return [*sessions, *builders]
+            self._extents, self._with_unit = Extents(), {}
+            self._later.close()
+        return [*sessions, *builders, self._later]
 
     def _build_levels(self, item: Item) -> None:
         """Build the levels of detail of a cloud, if it is large, while a part of it is shown; the lock is held."""
@@ -233,6 +268,7 @@ class Scene:
         builder.start()
 
     def _build(self, item: Item) -> None:
+        self._tell_building()
         try:
             assert item.cloud is not None
             tree = None if self.closed else DetailTree.from_cloud(item.cloud)
@@ -249,12 +285,22 @@ class Scene:
                     with session.as_it_lasts():
                         session.show(item)
                         session.tell()
+            self._tell_building()
         finally:
             self.lock.release()
 
+    def _tell_building(self) -> None:
+        """Say in the pages of which clouds levels of detail are being built."""
+        coming, pages = list(self._coming), self.server.pages
+        others = f" and {len(coming) - 1} more" if len(coming) > 1 else ""
+        pages.set_progress(f"a first look; preparing all points of {coming[0]}{others}" if coming else "")
+
     def _take_out(self, name: str) -> None:
         self._coming.pop(name, None)
-        self.items.pop(name, None)
+        self._with_unit.pop(name, None)
+        self._extents.drop(name)
+        self._count(self.items.pop(name, None), -1)
+        self.panel.drop_item(name)
         nodes = self._nodes.pop(name, None)
         if nodes is not None:
             nodes.close()
@@ -262,25 +308,37 @@ class Scene:
             with session.as_it_lasts():
                 session.hide(name)
 
-    def _changed(self, look: bool, *, listed: bool = True) -> None:
-        """After the scene has changed: the shares of large clouds, the panel, what is drawn near and far."""
-        for session in self._open_sessions():
-            with session.as_it_lasts():
-                session.share_anew()
-        if listed:
-            self.panel.list_items()
-        self.panel.show_legend()
+    def _changed(self, look: bool) -> None:
+        """After the scene has changed: what follows from it comes within a frame, once for many changes."""
+        if look:
+            self._aim_first_camera()
+            self._reach()
+            for session in self._open_sessions():
+                with session.as_it_lasts():
+                    session.go_home()
+        self._later.ask()
+
+    def _catch_up(self) -> None:
+        """What follows from changes: shares of large clouds, what is drawn near and far, what panel and tools say."""
+        shares, self._shares_changed = self._shares_changed, False
+        self.panel.catch_up()
+        self.server.pages.set_hint("" if self.items else HINT)
         self._reach()
         for session in self._open_sessions():
             with session.as_it_lasts():
-                if look:
-                    session.go_home()
+                if shares:
+                    session.share_anew()
                 session.tell()
                 session.refresh_tools()
 
+    def catch_up(self) -> None:
+        """Do at once what would follow from changes within a frame."""
+        with self.lock:
+            self._later.now()
+
     def _settle(self) -> None:
         """Choose the page's coordinates when the first geometry is there."""
-        found = self._scene_bounds()
+        found = self._extents.union()
         if found is not None:
             self.frame = Frame.around(found)
             for item in self.items.values():
@@ -291,7 +349,7 @@ class Scene:
         nodes = self._nodes.pop(item.name, None)
         if nodes is not None:
             nodes.close()
-            self._nodes[item.name] = ItemNodes(self.server.viser, self.lock, self.frame, item)
+            self._nodes[item.name] = ItemNodes(self.server.pages, self.frame, item, wireframe=self.wireframe)
         for session in self._open_sessions():
             with session.as_it_lasts():
                 session.hide(item.name)
@@ -317,37 +375,37 @@ class Scene:
             kind = TypeError if isinstance(error, TypeError) else ValueError
             raise kind(f"view of {', '.join(given)}: {error}") from error
 
-    def _scene_bounds(self) -> Bounds | None:
-        found = [bounds for item in self.items.values() if (bounds := item.world_bounds()) is not None]
-        if not found:
-            return None
-        return np.min([low for low, _ in found], axis=0), np.max([high for _, high in found], axis=0)
-
     def _outline(self) -> NDArray[np.float64]:
-        """Points that a view of everything has to show."""
-        found = []
+        """Points that a view of everything has to show: some of each cloud, and the corners of all else."""
+        if not len(self._extents):
+            return np.stack(_NOTHING)
+        clouds = [item for item in self.items.values() if item.cloud is not None and item.bounds is not None]
+        each = OUTLINE // max(len(clouds), 1)
+        if each < LEAST_OUTLINE:  # of so many that their boxes tell as much
+            return self._extents.corners()
+        found = [item.sample()[:: -(-len(item.sample()) // each)] for item in clouds]
+        boxes = Extents()
         for item in self.items.values():
-            bounds = item.world_bounds()
-            if item.cloud is not None and bounds is not None:
-                found.append(item.sample())
-            elif bounds is not None:
-                ends = np.stack(bounds)
-                found.append([[ends[i, 0], ends[j, 1], ends[k, 2]] for i in (0, 1) for j in (0, 1) for k in (0, 1)])
-        return np.vstack(found) if found else np.stack(_NOTHING)
+            if item.cloud is None:
+                boxes.put(item.name, item.world_bounds())
+        return np.vstack([*found, boxes.corners()])
 
     def _reach(self) -> None:
-        self._aim_first_camera()
+        """Pages draw all of the scene; their wheels go as near and as far as makes sense."""
+        low, high = map(self.frame.to_page, self.bounds)
+        if [low.tolist(), high.tolist()] != self._told_bounds:
+            self._told_bounds = [low.tolist(), high.tolist()]
+            self.server.pages.set_bounds(low, high)
         for session in self._open_sessions():
             with session.as_it_lasts():
-                set_reach(session.client, self.frame, self.bounds)
+                session.set_reach()
 
     def _aim_first_camera(self) -> None:
         camera = camera_of(self.home(), self.frame, self.bounds)
-        set_first_camera(self.server.viser, camera, self.frame, self.bounds)
+        self.server.pages.set_first_camera(**camera.fields(), **reach_of(camera, self.frame, self.bounds))
 
     def _paint_background(self) -> None:
-        color = np.rint(self._background * 255).astype(np.uint8)
-        self.server.viser.scene.set_background_image(np.broadcast_to(color, (1, 1, 3)).copy(), format="png")
+        self.server.pages.set_background(self._background, own=self._has_own_background)
 
 
 def check_color(color: Any) -> NDArray[np.float64]:

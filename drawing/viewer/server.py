@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import contextlib
 import errno
 import getpass
 import math
@@ -11,11 +10,10 @@ import socket
 from typing import TYPE_CHECKING, Any
 
 from ...core.errors import PointloomError
-from .forks import disown_port, own_port
 from .guard import RequestGuard, is_loopback
 
 if TYPE_CHECKING:
-    import viser
+    from .link import PageServer
 
 MOST_PORTS = 20  # that are tried, from the one asked for
 
@@ -29,23 +27,23 @@ class ViewerExtraError(PointloomError, ImportError):
 
 
 class ViewerServer:
-    """viser's server, made safe to leave open beside a browser.
+    """A server for the viewer's page that is safe to leave open beside a browser.
 
-    It answers only requests that name this machine, and only the page that it served itself may connect
-    (`guard.py`); what a page says is checked before anything acts on it (`hub.py`). Nothing is printed.
+    It answers only requests that name this machine and hold its token, and only the page that it served itself may
+    connect (`guard.py`); what a page says is checked before anything acts on it (`link/wire.py`). Nothing is printed.
 
     Args:
-        host: The address to listen on. 127.0.0.1 is reached from this machine alone; with any other, anybody who
-            reaches the port sees the data, since there is no password.
+        host: The address to listen on. 127.0.0.1 is reached from this machine alone; any other by whoever reaches the
+            port, and what goes over is not encrypted. The page is for those alone who know the URL with its token.
         port: The port; where it is taken, the next free one of 20. 0 takes any.
         title: Of the page.
 
     Attributes:
-        viser: The `viser.ViserServer`.
+        pages: The link to all pages that look.
         port: The port that it listens on.
         moved_from: The port asked for where that was taken, else None: to be said to the user.
-        url: Where the page is.
-        ssh_line: What to run on one's own machine to reach it there, under the same port.
+        url: Where the page is, with the token without which it is not shown.
+        ssh_line: What to run on one's own machine to reach it there, under the same URL.
         exposed: Whether others than this machine may reach it.
 
     Raises:
@@ -54,9 +52,9 @@ class ViewerServer:
         ImportError: the extra is not installed; with the line that installs it.
 
     Notes:
-        Takes up to 32 pages at once, messages of theirs of up to 8 MiB, and drops one that does not read for a
+        Takes up to 32 pages at once, messages of theirs of up to 1 MiB, and drops one that does not read for a
         minute. Threads and port are given back by `close`, which the end of the process does as well. A child that is
-        forked off has a server that is closed.
+        forked off holds neither port nor pages.
     """
 
     def __init__(self, host: str = "127.0.0.1", port: int = 8080, *, title: str = "pointloom"):
@@ -65,77 +63,53 @@ class ViewerServer:
         if not isinstance(host, str) or not host:
             raise ValueError(f"host: expected an address such as 127.0.0.1, got {host!r}")
         try:
-            from .hub import GuardedViser
+            from .link import PageServer
         except ImportError as error:
             if (error.name or "").split(".")[0] == "pointloom":
                 raise
-            raise ViewerExtraError('the viewer needs the package viser: pip install "pointloom[viewer]"') from error
+            raise ViewerExtraError(
+                'the viewer needs the package websockets: pip install "pointloom[viewer]"'
+            ) from error
         bound = _bind(host, port)
-        self._viser: viser.ViserServer | None = None
+        self._pages: PageServer | None = None
         self.host, self.port = host, int(bound.getsockname()[1])
         self.moved_from = port if port not in (0, self.port) else None
         address = bound.getsockname()[0]
         self.exposed = not is_loopback(address)
-        self._door = bound.dup()  # of the same listening socket, whoever else holds it
         try:
-            self._viser = GuardedViser(bound, _guard(host) if self.exposed else RequestGuard(), title)
+            self._pages = PageServer(bound, _guard(host) if self.exposed else RequestGuard(), title)
         except BaseException:
             bound.close()
-            self._door.close()
             raise
-        own_port(self)
-        self.url = f"http://{_shown_host(host, address)}:{self.port}"
+        self.url = f"http://{_shown_host(host, address)}:{self.port}/?token={self._pages.token}"
         self.ssh_line = _ssh_line(address, self.port)
 
     @property
-    def viser(self) -> viser.ViserServer:
-        """The server of viser's; an error after `close`."""
-        if self._viser is None:
+    def pages(self) -> PageServer:
+        """The link to all pages that look; an error after `close`."""
+        if self._pages is None:
             raise ViewerError("the viewer is closed: open another")
-        return self._viser
+        return self._pages
 
     @property
     def last_request(self) -> float:
-        """When the page was last asked for, and given (`time.monotonic`); minus infinity before, and when closed."""
-        return -math.inf if self._viser is None else self._viser._websock_server.last_request  # type: ignore
+        """When the page was last asked for, and given (`time.monotonic`); minus infinity once closed."""
+        return -math.inf if self._pages is None else self._pages.last_asked
 
     @property
     def closed(self) -> bool:
         """Whether `close` was called."""
-        return self._viser is None
-
-    def ask_for_sign(self, client: viser.ClientHandle) -> None:
-        """Have a page send its camera once it has worked off all that it was sent before.
-
-        Told the field of view that it has, a page changes nothing and answers; `camera.fov` would not send that.
-        """
-        from viser._messages import SetCameraFovMessage
-
-        client._websock_connection.queue_message(SetCameraFovMessage(client.camera.fov))
-
-    def disconnect_all(self) -> None:
-        """Cut off every page; each connects again by itself, as a new client."""
-        self.viser._websock_server.disconnect_all_clients()
+        return self._pages is None
 
     def say_end(self, text: str) -> None:
         """Tell all pages why the viewer is about to be closed; it stays there."""
-        for client in self.viser.get_clients().values():
-            client.add_notification("This viewer is closed", text, auto_close_seconds=None)
+        self.pages.end(text)
 
     def close(self) -> None:
         """Send the pages away and free port, threads and memory; twice is no error."""
-        server, self._viser = self._viser, None
-        if server is None:
-            return
-        server.stop()
-        disown_port(self)
-        with contextlib.suppress(OSError):
-            self._door.shutdown(socket.SHUT_RDWR)  # closes it in processes too that have it from this one
-        self._door.close()
-
-    def forget(self) -> None:
-        """Be closed in a forked child, where no thread serves and the sockets are closed: the parent goes on."""
-        self._viser = None
+        pages, self._pages = self._pages, None
+        if pages is not None:
+            pages.stop()
 
     def __enter__(self) -> ViewerServer:
         return self

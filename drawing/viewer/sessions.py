@@ -6,113 +6,142 @@ import contextlib
 import logging
 import threading
 import time
-import warnings
 from collections.abc import Callable, Iterator
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ...core.errors import PointloomError
 from ..render.view import View
-from .camera import camera_of, diagonal, point_radius, set_camera, set_reach, view_of
+from .camera import Camera, camera_of, reach_of, view_of
 from .items import Item
-from .lights import Lamps
 from .pacing import Pace
 from .whole_cloud import WholeCloud
 
 if TYPE_CHECKING:
-    import viser
-
+    from .link import PageCamera, PageClient
     from .viewer import Viewer
 
 POINT_SIZE = 3.0  # [px] of points that have no size of their own, until the panel says another
 REST = 0.25  # [s] without motion after which a camera rests
 log = logging.getLogger("pointloom.viewer")
 
-# viser says once for each page that went away that nobody will see what it is sent, which is all right here.
-warnings.filterwarnings("ignore", message="Queued a .* on a closed connection")
-
 
 class Session:
-    """A page from when it connects until it goes; one that reconnects is another.
+    """A page from when it connects until it goes; one that connects again is another.
 
     Args:
         viewer: The viewer.
-        client: viser's handle of the page.
+        client: The page.
 
     Attributes:
         streams: The clouds of the page by the names of their items.
     """
 
-    def __init__(self, viewer: Viewer, client: viser.ClientHandle):
+    def __init__(self, viewer: Viewer, client: PageClient):
         self.viewer, self.client, self.closed = viewer, client, False
         self.streams: dict[str, Any] = {}
         self._budgets: dict[str, int] = {}
+        self._unfinished: dict[str, WholeCloud] = {}  # of which steps are left to send
+        self._in_levels: set[str] = set()  # whose number of points goes with the view
+        self._counts: dict[str, tuple[int, int]] = {}  # points that are drawn and that there are, as far as was told
+        self._drawn = self._total = 0
         self._callbacks: list[Callable[[View], None]] = []
         self._moved, self._timer = time.monotonic(), None
-        self._canvas, self._sizes = (0, 0), {}
         self._put, self._put_shape = np.zeros(3), 0  # where the camera was put, and the shape of the page then
         self._line: Any = None
-        self._lamps: Lamps | None = None
         self._toolbox: Any = None
-        self._pace = Pace(self._ask_for_sign)
+        self._pace = Pace(client.ask_for_sign)
         self._feeder: threading.Thread | None = None
         self._leaving: list[Any] = []  # what goes once the page has what comes in its place
-        self._camera: tuple[Any, ...] = ()
+        self._state: Any = None
+        self._reach: dict[str, float] = {}
 
     def start(self) -> None:
         """Show the scene to the page; the viewer's lock is held."""
-        self._take_size(self.client.camera)
-        self.go_home()
-        self._lamps = Lamps(self.client)
-        self._line = self.viewer.panel.add_line(self.client)
-        for item in self.viewer.items.values():
-            self.show(item)
-        self._toolbox = self.viewer.panel.add_tools(self)
-        self.tell()
+        with self.client.atomic():
+            self.go_home()
+            self._line = self.viewer.panel.add_line(self.client)
+            for item in self.viewer.items.values():
+                self.show(item)
+            self._toolbox = self.viewer.panel.add_tools(self)
+            self.tell()
+        self.client.on_sign(lambda _: self._pace.answer())
         self.client.camera.on_update(self._on_camera)
         self.feed()
 
     def camera_view(self) -> View:
-        """What the page shows, in the world's coordinates and the pixels of its canvas."""
-        return view_of(self.client.camera, self.viewer.frame, self._size())
+        """What the page shows, in the world's coordinates and the pixels of its picture."""
+        return self.view_of(self.client.camera.state)
+
+    def view_of(self, camera: Any) -> View:
+        """What the page shows with its camera so."""
+        return view_of(camera, self.viewer.frame, self.viewer.bounds, camera.size)
 
     def rest(self, callback: Callable[[View], None]) -> None:
         """Call back with the view each time that the camera has rested for a quarter of a second."""
         self._callbacks.append(callback)
 
     def go_home(self) -> None:
-        """Look from where the viewer was told to, or from where all is seen; draw all of it."""
-        bounds = self.viewer.bounds
-        set_reach(self.client, self.viewer.frame, bounds)
+        """Look from where the viewer was told to, or from where all is seen."""
         self.look_from(self.viewer.home())
 
     def look_from(self, view: View) -> None:
         """Put the camera there."""
-        width, height = self._size()
-        camera = camera_of(view, self.viewer.frame, self.viewer.bounds, width / height)
-        self._put, self._put_shape = camera.position, _shape(self._canvas)
-        set_camera(self.client, camera)
+        width, height = self.client.camera.size
+        self._put_camera(camera_of(view, self.viewer.frame, self.viewer.bounds, width / height))
+
+    def look_as(self, state: Any) -> None:
+        """Put the camera as it was at some time (`client.camera.state`)."""
+        self._reach = reach_of(state, self.viewer.frame, self.viewer.bounds)
+        fields = {name: getattr(state, name) for name in ("position", "rotation", "fov", "pivot", "orthographic")}
+        self.client.camera.put(**fields, **self._reach)
+
+    def set_reach(self) -> None:
+        """Have the page draw all of the scene, and let its wheel go as near and as far as makes sense."""
+        reach = reach_of(self.client.camera, self.viewer.frame, self.viewer.bounds)
+        if reach != self._reach:
+            self._reach = reach
+            self.client.camera.put(**reach)
 
     def show(self, item: Item) -> None:
         """Show a cloud, or other points in place of it."""
-        stream = self.streams.get(item.name)
-        same = self._budgets.get(item.name) == self.viewer.budget_of(item)
+        stream, name = self.streams.get(item.name), item.name
+        same = self._budgets.get(name) == self.viewer.budget_of(item)
         if item.cloud is None:
-            self.hide(item.name)
+            self.hide(name)
         elif isinstance(stream, WholeCloud) and item.tree is None and same:
             stream.replace(item)
         elif isinstance(stream, WholeCloud) and self._has_levels(item):
-            self._leaving.append(self.streams.pop(item.name))
-            self.streams[item.name] = self._open(item)
+            self._leaving.append(self.streams.pop(name))
+            self.streams[name] = self._open(item)
         else:
-            self.hide(item.name)
-            self.streams[item.name] = self._open(item)
+            self.hide(name)
+            self.streams[name] = self._open(item)
+        self._note(name)
         self.feed()
+
+    def set_pose(self, item: Item) -> None:
+        """An item stands somewhere else."""
+        stream = self.streams.get(item.name)
+        if stream is not None:
+            stream.set_pose(item.pose_of(item.parts[0]))
+
+    def set_visible(self, item: Item) -> None:
+        """An item is shown or hidden."""
+        stream = self.streams.get(item.name)
+        if stream is not None:
+            stream.set_visible(item.visible)
+            self._note(item.name)
+
+    def set_colors(self, item: Item) -> None:
+        """An item has other colours."""
+        stream = self.streams.get(item.name)
+        if stream is not None:
+            stream.set_colors(item.colors_of)
 
     def feed(self) -> None:
         """Send what is left of clouds step by step, as fast as the page takes it; the viewer's lock is held."""
-        if self._feeder is None and any(self._waiting()) and not self.closed:
+        if self._feeder is None and self._unfinished and not self.closed:
             self._feeder = threading.Thread(target=self._feed, name="pointloom-feed", daemon=True)
             self._feeder.start()
 
@@ -137,32 +166,35 @@ class Session:
         stream = self.streams.pop(name, None)
         if stream is not None:
             stream.close()
+        self._note(name)
 
     def resize_points(self) -> None:
-        """Give points the size that the panel says, as seen from here."""
-        view = self.camera_view()
+        """Give points the size that the panel says."""
         for name, stream in self.streams.items():
-            item = self.viewer.items[name]
-            if isinstance(stream, WholeCloud):
-                stream.set_point_size(self._radius(item, view))
-            elif self.viewer.has_own_point_size or item.style.point_size is not None:
-                stream.set_point_size(2 * self._radius(item, view))
+            stream.set_point_size(*self._size_of(self.viewer.items[name]))
+
+    def count_anew(self) -> None:
+        """Note how many points of each cloud are drawn, where much has changed."""
+        for name in list(self.streams):
+            self._note(name)
 
     @contextlib.contextmanager
     def as_it_lasts(self) -> Iterator[None]:
-        """What is done to a page that goes meanwhile is in vain, and no error."""
+        """Nothing that goes wrong with one page reaches the program, or the other pages."""
         try:
             yield
-        except RuntimeError:
-            if self.client.client_id in self.viewer.server.viser.get_clients():
-                raise
-            self.closed = True
+        except Exception:
+            if self.client.is_open:
+                log.warning("page %d of the viewer", self.client.client_id, exc_info=True)
+            else:
+                self.closed = True
 
     def tell(self) -> None:
-        """Say how many points of how many are drawn."""
+        """Say what is drawn: points of how many, triangles."""
         if self._line is not None and not self.closed:
-            streams = self.streams.values()
-            self._line.content = told(sum(s.drawn for s in streams), sum(s.total for s in streams))
+            for name in self._in_levels:
+                self._note(name)
+            self._line.value = told(self._drawn, self._total, self.viewer.triangle_count)
 
     def close(self) -> None:
         """The page has gone."""
@@ -170,10 +202,10 @@ class Session:
         if self._timer is not None:
             self._timer.cancel()
         self._pace.close()
-        stop = getattr(self._toolbox, "close", None)
-        if stop is not None:
-            stop()
+        if self._toolbox is not None:
+            self._toolbox.close()
         self.streams.clear()
+        self._unfinished.clear()
         self._leaving.clear()
         self._callbacks.clear()
 
@@ -185,19 +217,16 @@ class Session:
 
     # -- what is sent -------------------------------------------------------------------------------------------------
 
-    def _waiting(self) -> Iterator[WholeCloud]:
-        return (stream for stream in self.streams.values() if isinstance(stream, WholeCloud) and stream.waits)
-
     def _feed(self) -> None:
         while self._pace.wait() and self.viewer.take_lock():
             try:
-                stream = None if self.closed else next(self._waiting(), None)
-                if stream is None:
+                name = None if self.closed else next(iter(self._unfinished), None)
+                if name is None:
                     self._feeder = None  # what comes from now on starts another
                     return
-                with self.as_it_lasts():
-                    stream.send_next()
-                    self.tell()
+                self._unfinished[name].send_next()
+                self._note(name)
+                self.tell()
             except Exception:  # of one page: the viewer goes on
                 log.debug("a page's next step", exc_info=True)
                 self._feeder = None
@@ -205,9 +234,22 @@ class Session:
             finally:
                 self.viewer.lock.release()
 
-    def _ask_for_sign(self) -> None:
-        with contextlib.suppress(RuntimeError, AssertionError, PointloomError):  # the page has gone
-            self.viewer.server.ask_for_sign(self.client)
+    def _note(self, name: str) -> None:
+        """Keep up what is told of a cloud: whether it is whole, and how many points of it are drawn."""
+        stream = self.streams.get(name)
+        before = self._counts.pop(name, (0, 0))
+        now = (0, 0) if stream is None else (stream.drawn, stream.total)
+        if stream is not None:
+            self._counts[name] = now
+        self._drawn, self._total = self._drawn + now[0] - before[0], self._total + now[1] - before[1]
+        if isinstance(stream, WholeCloud) and stream.waits:
+            self._unfinished[name] = stream
+        else:
+            self._unfinished.pop(name, None)
+        if stream is None or isinstance(stream, WholeCloud):
+            self._in_levels.discard(name)
+        else:
+            self._in_levels.add(name)
 
     def _pause(self) -> bool:
         """Between the steps of a stream."""
@@ -225,14 +267,13 @@ class Session:
     def _open(self, item: Item) -> Any:
         budget, frame = self.viewer.budget_of(item), self.viewer.frame
         self._budgets[item.name] = budget
+        size, metric = self._size_of(item)
+        sizes: dict[str, Any] = {"budget": budget, "point_size": size, "metric": metric}
         if not self._has_levels(item):
-            radius = self._radius(item, self.camera_view())
-            return WholeCloud(self.client, f"/cloud/{item.number}", item, frame=frame, budget=budget, point_size=radius)
+            return WholeCloud(self.client, item, frame=frame, **sizes)
         from .streaming import CloudStream
 
-        stream = CloudStream(
-            self.client, f"/levels/{item.number}", item.tree, origin=frame.origin, budget=budget, pause=self._pause
-        )
+        stream = CloudStream(self.client, item.tree, origin=frame.origin, pause=self._pause, **sizes)
         pose = item.pose_of(item.parts[0])
         if pose is not None:
             stream.set_pose(pose)
@@ -244,44 +285,35 @@ class Session:
     def _has_levels(self, item: Item) -> bool:
         return item.tree is not None and self.viewer.frame.unit == 1
 
-    def _radius(self, item: Item, view: View) -> float:
-        part, frame = item.points, self.viewer.frame
+    def _size_of(self, item: Item) -> tuple[float | None, bool]:
+        """The diameter of an item's points and whether it is in metres; None of levels that close gaps."""
+        part, viewer = item.points, self.viewer
         assert part is not None
         if part.metric and part.size is not None:
-            return part.size / 2 / frame.unit
-        pixels = self.viewer.point_size * (1.0 if part.size is None else part.size / POINT_SIZE)
-        return point_radius(pixels, item.sample(), view, frame, diagonal(self.viewer.bounds))
+            return part.size, True
+        if self._has_levels(item) and not viewer.has_own_point_size and part.size is None:
+            return None, True
+        return viewer.point_size * (1.0 if part.size is None else part.size / POINT_SIZE), False
 
-    def _size(self) -> tuple[int, int]:
-        """The canvas without the page's coarser drawing while it is slow: the largest of one shape that was seen."""
-        return self._sizes.get(_shape(self._canvas), self._canvas)
+    def _put_camera(self, camera: Camera) -> None:
+        self._put, self._put_shape = camera.position, _shape(self.client.camera.size)
+        self._reach = reach_of(camera, self.viewer.frame, self.viewer.bounds)
+        self.client.camera.put(**camera.fields(), **self._reach)
 
-    def _take_size(self, camera: viser.CameraHandle) -> None:
-        size = (max(1, int(camera.image_width)), max(1, int(camera.image_height)))
-        if _shape(size) != _shape(self._canvas):
-            self._sizes.clear()
-        self._canvas = size
-        self._sizes[_shape(size)] = max(size, self._sizes.get(_shape(size), size))
-
-    def _on_camera(self, camera: viser.CameraHandle) -> None:
-        self._pace.answer()
-        self._take_size(camera)
-        now = (*camera.wxyz, *camera.position, *camera.look_at, camera.fov, camera.image_width, camera.image_height)
-        if now == self._camera:
-            return  # it was only asked for a sign
-        self._camera, self._moved = now, time.monotonic()
-        if self._lamps is not None and not self.closed:
-            with self.as_it_lasts():
-                self._lamps.follow(camera)
+    def _on_camera(self, camera: PageCamera) -> None:
+        if camera.state is self._state:
+            return
+        self._state, self._moved = camera.state, time.monotonic()
         if self._timer is None and not self.closed:
             self._wait(REST)
 
     def _fit_anew(self) -> None:
         """Show all again where the page has another shape since, and nobody has moved the camera."""
-        if _shape(self._canvas) != self._put_shape:
+        shape = _shape(self.client.camera.size)
+        if shape != self._put_shape:
             if np.allclose(self.client.camera.position, self._put, rtol=1e-4, atol=0):
                 self.look_from(self.viewer.home())
-            self._put_shape = _shape(self._canvas)
+            self._put_shape = shape
 
     def _wait_anew(self, seconds: float) -> None:
         """Rest after so long, whatever was waited for."""
@@ -314,8 +346,7 @@ class Session:
                 return
             self._fit_anew()
             view = self.camera_view()
-            self.resize_points()
-            streams = list(self.streams.values())
+            streams = [self.streams[name] for name in self._in_levels]
         for stream in streams:  # sends for a while: the program goes on meanwhile
             stream.look(view)
         with self.viewer.lock:
@@ -327,12 +358,21 @@ class Session:
             callback(view)
 
 
-def told(drawn: int, total: int) -> str:
-    """How many points are drawn, in words."""
-    if total < 1_000_000:
-        return f"{drawn:,} of {total:,} points" if drawn != total else f"{total:,} points"
-    millions = f"{total / 1e6:.3g}" if total < 1e9 else f"{total / 1e6:,.0f}"
-    return f"{drawn / 1e6:.1f} of {millions} million points"
+def told(drawn: int, total: int, triangles: int = 0) -> str:
+    """What is drawn, in words: points where there are clouds, triangles where there are surfaces."""
+    words = []
+    if total >= 1_000_000:
+        millions = f"{total / 1e6:.3g}" if total < 1e9 else f"{total / 1e6:,.0f}"
+        words.append(f"{drawn / 1e6:.1f} of {millions} million points")
+    elif total:
+        words.append(_counted(total, "point") if drawn == total else f"{drawn:,} of {_counted(total, 'point')}")
+    if triangles:
+        words.append(_counted(triangles, "triangle"))
+    return ", ".join(words)
+
+
+def _counted(count: int, name: str) -> str:
+    return f"{count:,} {name}{'' if count == 1 else 's'}"
 
 
 def _shape(size: tuple[int, int]) -> int:

@@ -9,10 +9,13 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ...core.upward import UP
 from ...meshing.mesh.mesh import TriangleMesh
 from ...pcd.cloud import PointCloud
 from ..render.geometries import Named, Style
+from ..render.parts import Triple
 from ..render.picture_files import check_picture, save_picture
+from ..render.upward import direction_under, up_of
 from ..render.view import View
 from .coloring_choice import choices_of, shown_coloring
 from .items import Item
@@ -23,6 +26,7 @@ from .whole_cloud import even_share
 if TYPE_CHECKING:
     from .viewer import Viewer
 
+SIZE = (1280, 960)  # [px] that a page's first view is fitted to
 MOST_DRAWN = 20_000_000  # points of a picture, where they are copied for it
 
 
@@ -69,6 +73,7 @@ def write_geometries(
     background: Any = (1.0, 1.0, 1.0),
     title: str = "pointloom",
     overwrite: bool = True,
+    up: Triple | None = None,
 ) -> dict[str, tuple[int, int]]:
     """Geometries as one page that needs no server.
 
@@ -80,6 +85,7 @@ def write_geometries(
         background: Red, green and blue, 0 to 1.
         title: Of the page.
         overwrite: Replace a file that exists.
+        up: What is up where no view is given; None takes that of the first mesh that says so, else z.
 
     Returns:
         Of each name how many points and vertices the page holds, and how many there are.
@@ -87,6 +93,7 @@ def write_geometries(
     Raises:
         FileError: The place cannot be written.
     """
+    from ..recording.film import view_frames
     from ..recording.page import write_page
     from ..recording.shapes import ShapeStore, pose_about, sketch
     from ..recording.timeline import Frame, Placed, Timeline
@@ -104,6 +111,9 @@ def write_geometries(
         numbers = tuple(store.add(shape) for shape in drawn.shapes)
         shown[name] = Placed(numbers, pose_about(drawn.pose, drawn.origin, origin))
     timeline = Timeline(origin, store.shapes, [Frame(shown)], title=title)
+    up = up or up_of((geometry, style.pose) for _, geometry, style in named)
+    if view is None and up != UP:
+        view = view_frames(timeline, (direction_under(up), up), *SIZE)
     write_page(path, timeline, view=view, background=tuple(background), overwrite=overwrite)
     return {name: (drawn.drawn, drawn.total) for name, drawn in sketches.items()}
 

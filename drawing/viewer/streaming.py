@@ -1,6 +1,6 @@
 """What of a cloud a client of the viewer is sent: the nodes that matter for where its camera rests.
 
-A node is one point cloud of viser's scene, below a frame that carries the cloud's pose. Nodes come coarse first in
+A node is one point cloud of the page's scene, below a frame that carries the cloud's pose. Nodes come coarse first in
 batches that are swapped in at once, each hiding what the view no longer needs, so the browser never holds much more
 than its budget in view. Hidden nodes stay in the browser, twice the budget of points, and come back without being
 sent again.
@@ -8,12 +8,10 @@ sent again.
 
 from __future__ import annotations
 
-import contextlib
 import dataclasses
 import threading
-import warnings
 from collections.abc import Callable, Iterator
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,12 +19,14 @@ from numpy.typing import NDArray
 from ...core.checks import check_count, check_positive, check_rigid, check_shape
 from ..render.view import View, check_view
 from .detail_tree import DetailTree
-from .items import quaternion
 from .wishes import ColorsOf, Keep, Sent, Wish
+
+if TYPE_CHECKING:
+    from .link import PageClient
 
 PLAIN = (89, 128, 158)  # of clouds without colours, as in pictures
 
-# Of one batch: two megabytes, and fewer messages than the 128 that viser sends at a time.
+# Of one batch: two megabytes.
 _BATCH_POINTS, _BATCH_NODES = 200_000, 24
 _FIRST_POINTS = 100_000  # of a view of which nothing is there yet
 
@@ -44,44 +44,41 @@ _NOTHING, _MORE, _OVERTAKEN = "nothing", "more", "overtaken"  # of what is to do
 
 _PASSES = 6  # over a view of which parts are hidden, until the budget is used
 
-# viser says once for each client that went away that nobody will see what it is sent, which is all right here.
-warnings.filterwarnings("ignore", message="Queued a .* on a closed connection")
-
 
 class CloudStream:
     """One cloud for one client.
 
     Args:
-        client: viser's ClientHandle; a session that connects again needs a new stream.
-        name: Name of the cloud in the client's scene; its nodes lie below.
+        client: The page; one that connects again needs a new stream.
         tree: The cloud.
         origin: World position of the scene's zero [m], shape [3].
         budget: Points at most.
-        point_size: Diameter [m]; None for one that closes most gaps, anew for each view, and larger where coarse nodes
-            are all there is.
+        point_size: Diameter [px], or with `metric` [m]; None for one that closes most gaps, anew for each view, and
+            larger where coarse nodes are all there is.
+        metric: See `point_size`.
         pause: Called between the batches of a view, until the client can take the next; says whether it is still
             there. None sends them one after the other.
 
     Notes:
-        Safe from several threads: whoever asks last is served, and who is overtaken returns. A client that has gone
-        away raises nothing. A cloud within the budget is sent whole.
+        Safe from several threads: whoever asks last is served, and who is overtaken returns. A page that has gone is
+        sent nothing more. A cloud within the budget is sent whole.
     """
 
     def __init__(
         self,
-        client: Any,
-        name: str,
+        client: PageClient,
         tree: DetailTree,
         *,
         origin: Any,
         budget: int,
         point_size: float | None = None,
+        metric: bool = False,
         pause: Callable[[], bool] | None = None,
     ):
-        self._client, self._tree, self._name = client, tree, "/" + name.strip("/")
+        self._client, self._tree = client, tree
         self._origin = check_shape("origin", origin, (3,))
         self._budget = check_count("budget", budget)
-        self._wish = Wish(size=_checked_size(point_size))
+        self._wish = Wish(size=_checked_size(point_size), metric=metric)
         self._version, self._is_closed, self._pause = 0, False, pause
         self._asking, self._working = threading.Lock(), threading.Lock()
         self._sent: dict[int, Sent] = {}  # hidden ones in the order in which they were hidden
@@ -89,10 +86,7 @@ class CloudStream:
         self._pose, self._drawn, self._size = np.eye(4), 0, 0.0
         self._steps = np.maximum(tree.halves * _HALF_STEP, _LEAST_HALF_STEP)
         self._steps[tree.halves > _FLOAT16_MAX] = np.inf
-        self._frame: Any = None
-        with self._to_client():
-            self._frame = client.scene.add_frame(self._name, show_axes=False)
-            self._place()
+        self._frame = client.scene.add_group(**self._placing())
 
     @property
     def drawn(self) -> int:
@@ -106,7 +100,7 @@ class CloudStream:
 
     @property
     def point_size(self) -> float:
-        """The diameter [m] that most points are drawn with; 0 before the first view."""
+        """The diameter that most points are drawn with: of one that was set, its own; else [m]; 0 before a view."""
         return self._size
 
     def look(self, view: View) -> None:
@@ -130,23 +124,23 @@ class CloudStream:
         """
         self._ask(keep=keep, keeping=self._wish.keeping + 1)
 
-    def set_point_size(self, size: float | None) -> None:
-        """The diameter of points [m]; None for one that closes most gaps."""
-        self._ask(size=_checked_size(size))
+    def set_point_size(self, size: float | None, metric: bool = False) -> None:
+        """The diameter of points [px], or with `metric` [m]; None for one that closes most gaps."""
+        self._ask(size=_checked_size(size), metric=metric)
 
     def set_visible(self, visible: bool) -> None:
         """Show or hide the cloud."""
-        with self._working, self._to_client():
+        with self._working:
             if not self._is_closed:
                 self._frame.visible = bool(visible)
 
     def set_pose(self, T: Any) -> None:
         """Move the cloud: T_world_cloud, 4x4; what is near enough is chosen anew."""
         pose = check_rigid("T", T)
-        with self._working, self._to_client():
+        with self._working:
             self._pose = pose
             if not self._is_closed:
-                self._place()
+                self._frame.place(**self._placing())
         self._ask()
 
     def close(self) -> None:
@@ -156,8 +150,7 @@ class CloudStream:
         with self._working:
             if self._is_closed:
                 return
-            with self._to_client():
-                self._frame.remove()
+            self._frame.remove()
             self._is_closed, self._drawn = True, 0
             self._sent.clear()
 
@@ -176,7 +169,7 @@ class CloudStream:
                 return
 
     def _is_overtaken(self, version: int) -> bool:
-        return self._is_closed or version != self._version
+        return self._is_closed or version != self._version or not self._client.is_open
 
     def _serve(self, version: int, *, in_steps: bool) -> bool:
         """Do what is wished, or the next step of it; whether there is more to do."""
@@ -220,7 +213,7 @@ class CloudStream:
             made = [(i, self._make(i, bool(errors[i] > _MOST_ERROR), wish)) for i in batch]
             if self._is_overtaken(version):
                 return _OVERTAKEN
-            with self._to_client(), self._client.atomic():
+            with self._client.atomic():
                 for i, content in made:
                     self._put(i, content, sizes[i])
                 while spare and self._drawn > self._budget:
@@ -229,10 +222,10 @@ class CloudStream:
                 return _OVERTAKEN
             if in_steps and next(self._batches(nodes, errors, wish), None):
                 return _MORE
-        with self._to_client(), self._client.atomic():
+        with self._client.atomic():
             for i in spare:
                 self._hide(i)
-            self._resize(sizes)
+            self._resize(sizes, wish.is_metric)
             self._drop_hidden()
         return _NOTHING
 
@@ -261,12 +254,13 @@ class CloudStream:
         """What to do for a node, made ready: None to show what is there, else what sends it, or its colours, anew."""
         sent = self._sent.get(i)
         if sent is not None and sent.keeping == wish.keeping and (sent.is_exact or not is_exact):
-            if sent.coloring == wish.coloring or sent.handle is None:
+            if sent.coloring == wish.coloring or sent.node is None:
                 return None
             colors = self._colors(i, sent.mask, wish)
 
             def recolor(size: float) -> Sent:
-                sent.handle.colors, sent.coloring = colors, wish.coloring
+                sent.node.set(colors=colors)
+                sent.coloring = wish.coloring
                 return sent
 
             return recolor
@@ -278,21 +272,19 @@ class CloudStream:
         middle = node.middle - self._tree.origin
 
         def send(size: float) -> Sent:
+            if sent is not None and sent.node is not None:
+                sent.node.remove()
             if not len(positions):
-                if sent is not None and sent.handle is not None:
-                    sent.handle.remove()
-                return Sent(None, 0, mask, *tag, size)
-            handle = self._client.scene.add_point_cloud(
-                f"{self._name}/{i}",
-                positions,
+                return Sent(None, 0, mask, *tag, size, wish.is_metric)
+            node = self._client.scene.add_points(
+                np.asarray(positions, np.float32 if is_exact else np.float16),
                 colors,
-                point_size=size / 2,  # viser's is a radius
-                point_shape="circle",
-                precision="float32" if is_exact else "float16",
-                point_shading="flat",
-                position=tuple(middle.tolist()),
+                size=size,
+                metric=wish.is_metric,
+                parent=self._frame,
+                t=middle,
             )
-            return Sent(handle, len(positions), mask, *tag, size)
+            return Sent(node, len(positions), mask, *tag, size, wish.is_metric)
 
         return send
 
@@ -308,8 +300,8 @@ class CloudStream:
         self._drawn -= before.count if before is not None and was_visible else 0
         sent = before if content is None else content(size)
         assert sent is not None
-        if not sent.visible and sent.handle is not None:
-            sent.handle.visible = True
+        if not sent.visible and sent.node is not None:
+            sent.node.visible = True
         sent.visible = True
         self._sent[i] = sent
         self._kept[i] = sent.count
@@ -317,8 +309,8 @@ class CloudStream:
 
     def _hide(self, i: int) -> None:
         sent = self._sent.pop(i)
-        if sent.handle is not None:
-            sent.handle.visible = False
+        if sent.node is not None:
+            sent.node.visible = False
         sent.visible = False
         self._drawn -= sent.count
         self._sent[i] = sent
@@ -330,8 +322,8 @@ class CloudStream:
         for i, sent in reversed(hidden):
             room -= sent.count
             if room < 0:
-                if sent.handle is not None:
-                    sent.handle.remove()
+                if sent.node is not None:
+                    sent.node.remove()
                 del self._sent[i]
 
     # ------------------------------------------------------------------------------------------ sizes and places
@@ -354,32 +346,16 @@ class CloudStream:
         size = _FILLING * float(spacings[ranks[min(half, len(nodes) - 1)]])
         return self._size if self._size / _RESIZED < size < self._size * _RESIZED else size
 
-    def _resize(self, sizes: dict[int, float]) -> None:
+    def _resize(self, sizes: dict[int, float], is_metric: bool) -> None:
         for i, size in sizes.items():
             sent = self._sent[i]
-            if sent.handle is not None and sent.size != size:
-                sent.size, sent.handle.point_size = size, size / 2
+            if sent.node is not None and (sent.size, sent.metric) != (size, is_metric):
+                sent.size, sent.metric = size, is_metric
+                sent.node.set(size=size, metric=is_metric)
 
-    def _place(self) -> None:
-        """Put the frame where the pose has it.
-
-        viser sends no pose that differs from the last by less than a 100,000th; so each is preceded by another, which
-        takes its place before it is sent.
-        """
-        position = self._pose[:3, :3] @ self._tree.origin + self._pose[:3, 3] - self._origin
-        wxyz = quaternion(self._pose[:3, :3])
-        with self._client.atomic():
-            self._frame.position, self._frame.wxyz = tuple((position + 1.0).tolist()), tuple((-wxyz).tolist())
-            self._frame.position, self._frame.wxyz = tuple(position.tolist()), tuple(wxyz.tolist())
-
-    @contextlib.contextmanager
-    def _to_client(self) -> Iterator[None]:
-        """viser refuses, or warns where warnings are errors, once the client has gone or closed the scene."""
-        try:
-            yield
-        except (RuntimeError, UserWarning):
-            self._is_closed = True
-            self._drawn = 0
+    def _placing(self) -> dict[str, Any]:
+        """Where the frame is as the pose has it."""
+        return {"R": self._pose[:3, :3], "t": self._pose[:3, :3] @ self._tree.origin + self._pose[:3, 3] - self._origin}
 
 
 def _checked_size(size: float | None) -> float | None:

@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Mapping
 from types import MappingProxyType
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ...core.checks import check_count, check_name, check_rigid
 from ...pcd.cloud import PointCloud
@@ -17,15 +15,17 @@ from ..render.geometries import Named, named_geometries
 from ..render.open3d_views import OPEN3D_KEYS
 from ..render.view import View
 from .detail_tree import DetailTree
+from .ending import farewell
 from .items import Frame, make_item
+from .looks import Looks
 from .presence import LINGER, Presence
-from .scene import Scene, check_color, check_size
+from .scene import check_color, check_size
 from .sessions import POINT_SIZE
 
 MOST_POINTS = 2_000_000
 
 
-class Viewer(Scene):
+class Viewer(Looks):
     """A scene in the browser, kept up to date by a program: on this machine, or over SSH on another one.
 
     What Open3D's `Visualizer` does with add_geometry, update_geometry, poll_events and update_renderer is
@@ -102,10 +102,10 @@ class Viewer(Scene):
     # -- the scene ----------------------------------------------------------------------------------------------------
 
     def add(self, name: str, geometry: Any, **style: Any) -> None:
-        """Add a geometry to the scene; one of the same name goes.
+        """Add a geometry to the scene; one of the same name goes. Of many, `batch` makes one message.
 
         Args:
-            name: What it is called, in the page's list too.
+            name: What it is called, in the page's list too; those with a "/" are listed in groups: "cars/7".
             geometry: A cloud, mesh, box, line set, trajectory, voxel grid, frustum or another that `loom.render` draws.
             style: color, color_by, colormap, limits, point_size, metric, line_width, wireframe, back_faces, shaded,
                 pose, as of `loom.render`.
@@ -115,29 +115,50 @@ class Viewer(Scene):
         """
         check_name("name", name)
         colormap = {name: check_name(name, style[name]) for name in ("colormap",) if style.get(name) is not None}
-        self.add_all(named_geometries([{"geometry": geometry, "name": name, **style, **colormap}]))
+        self.add_named(named_geometries([{"geometry": geometry, "name": name, **style, **colormap}]))
 
-    def add_all(self, named: list[Named], trees: Mapping[str, DetailTree] = MappingProxyType({})) -> None:
-        """Add several geometries at once, as of `named_geometries`, some perhaps with levels of detail by name."""
-        with self.lock:
+    def add_all(self, geometries: Any) -> None:
+        """Add several geometries at once: all of them or, where one cannot be drawn, none.
+
+        Args:
+            geometries: A mapping of names to geometries, or a list of geometries or of dictionaries as `loom.draw`
+                takes them: {"geometry": g, "name": "floor", "color": (1, 0, 0)}. Several clouds without colours get
+                different ones. What has the name of one goes.
+
+        Raises:
+            TypeError: A geometry of no known kind.
+            ValueError: A key of style that there is none, or a value out of range.
+
+        Example:
+            >>> import numpy as np, pointloom as loom
+            >>> with loom.Viewer(port=0) as viewer:
+            ...     viewer.add_all({f"cars/{k}": np.full((1, 3), k) for k in range(3)})
+            ...     list(viewer.items)
+            ['cars/0', 'cars/1', 'cars/2']
+        """
+        self.add_named(named_geometries(geometries))
+
+    def add_named(self, named: list[Named], trees: Mapping[str, DetailTree] = MappingProxyType({})) -> None:
+        """Add what `named_geometries` gives, some perhaps with levels of detail by name."""
+        with self.lock, self.batch():
             self._check_open()
             self._check_units(named)
             made = []
             for name, geometry, style in named:
                 made.append(make_item(name, self._next_number, geometry, style, trees.get(name)))
                 self._next_number += 1
-            was_empty = self._scene_bounds() is None
+            was_empty = not len(self._extents)
             for item in made:
                 self._take_out(item.name)
-                self.items[item.name] = item
+                self._take_in(item)
                 self._color(item)
                 if item.tree is None and isinstance(item.geometry, PointCloud):
                     self._build_levels(item)
             if was_empty:
                 self._settle()
-            with self.server.viser.atomic():
-                for item in made:
-                    self._show(item)
+            for item in made:
+                self._show(item)
+                self.panel.put_item(item)
             self._changed(was_empty)
 
     def update(self, name: str, geometry: Any) -> None:
@@ -155,14 +176,15 @@ class Viewer(Scene):
             old = self._find(name)
             item = make_item(name, old.number, geometry, old.style)
             item.visible, item.pose = old.visible, old.pose
-            was_empty = self._scene_bounds() is None
+            was_empty = not len(self._extents)
             self._coming.pop(name, None)
-            self.items[name] = item
+            self._take_in(item)
             self._color(item)
             if was_empty:
                 self._settle()
             self._show(item)
-            self._changed(was_empty, listed=False)
+            self.panel.put_item(item)
+            self._changed(was_empty)
 
     def remove(self, name: str) -> None:
         """Take a geometry out of the scene.
@@ -178,7 +200,7 @@ class Viewer(Scene):
 
     def clear(self) -> None:
         """Take all out of the scene; what comes next is looked at anew."""
-        with self.lock:
+        with self.lock, self.batch():
             self._check_open()
             for name in list(self.items):
                 self._take_out(name)
@@ -203,10 +225,9 @@ class Viewer(Scene):
             self._nodes[name].set_pose()
             for session in self._open_sessions():
                 with session.as_it_lasts():
-                    if name in session.streams:
-                        session.streams[name].set_pose(item.pose_of(item.parts[0]))
-                    session.refresh_tools()
-            self._reach()
+                    session.set_pose(item)
+            self._extents.put(name, item.world_bounds())
+            self._changed(False)
 
     def set_visible(self, name: str, visible: bool) -> None:
         """Show or hide a geometry.
@@ -221,11 +242,9 @@ class Viewer(Scene):
             self._nodes[name].set_visible(item.visible)
             for session in self._open_sessions():
                 with session.as_it_lasts():
-                    if name in session.streams:
-                        session.streams[name].set_visible(item.visible)
-                    session.tell()
-                    session.refresh_tools()
-            self.panel.list_items()
+                    session.set_visible(item)
+            self.panel.put_item(item)
+            self._changed(False)
 
     # -- where from ---------------------------------------------------------------------------------------------------
 
@@ -271,102 +290,6 @@ class Viewer(Scene):
                 raise KeyError(f"client: no page {client!r}; there are {sorted(self.sessions)}")
             return self.sessions[client].camera_view()
 
-    # -- what is seen -------------------------------------------------------------------------------------------------
-
-    def screenshot(self, path: str | os.PathLike[str] | None = None, *, client: int | None = None) -> NDArray[np.uint8]:
-        """A picture of the scene as a page shows it, drawn here: no page needs to be open.
-
-        Args:
-            path: A .png file to write; None writes none.
-            client: The page whose view it is, as of `get_view`.
-
-        Returns:
-            Shape [h, w, 3], uint8.
-
-        Raises:
-            FileError: The place cannot be written.
-        """
-        from .stills import draw_scene
-
-        with self.lock:
-            return draw_scene(self, self.get_view(client), path, self.clip_of(client))
-
-    def save_html(self, path: str | os.PathLike[str], *, overwrite: bool = True) -> None:
-        """Write the scene as one page that needs neither server nor network, with at most `max_points` points.
-
-        Raises:
-            FileError: The place cannot be written.
-        """
-        from .stills import write_scene
-
-        with self.lock:
-            write_scene(self, path, overwrite=overwrite)
-
-    @property
-    def point_size(self) -> float:
-        """Diameter of points without one of their own [px]; others grow and shrink alike. Assign another."""
-        return self._point_size
-
-    @point_size.setter
-    def point_size(self, size: float) -> None:
-        with self.lock:
-            self._point_size, self.has_own_point_size = check_size(size), True
-            for session in self._open_sessions():
-                with session.as_it_lasts():
-                    session.resize_points()
-            self.panel.show_state()
-
-    @property
-    def background(self) -> NDArray[np.float64]:
-        """Red, green and blue, 0 to 1; assign another."""
-        return self._background.copy()
-
-    @background.setter
-    def background(self, color: Any) -> None:
-        with self.lock:
-            self._background = check_color(color)
-            self._paint_background()
-            self.panel.show_state()
-
-    def color_by(self, by: str | None, *, colormap: str | None = None, limits: Any = None) -> None:
-        """Colour the clouds by what is known of their points.
-
-        Args:
-            by: "rgb", "height", "normal", "label" or an attribute; None for their own colours. Clouds that have no such
-                thing keep theirs.
-            colormap, limits: Of values, as of `loom.render`.
-
-        Raises:
-            ValueError: No cloud has such a thing, or values out of range.
-        """
-        with self.lock:
-            for name, value in {"by": by, "colormap": colormap}.items():
-                check_name(name, "" if value is None else value)
-            self.coloring = self.coloring.checked(by, colormap, limits, self.items.values())
-            for item in self.items.values():
-                self._color(item)
-                for session in self._open_sessions():
-                    with session.as_it_lasts():
-                        if item.name in session.streams:
-                            session.streams[item.name].set_colors(item.colors_of)
-            self.panel.show_legend()
-
-    def show_wireframe(self, shown: bool) -> None:
-        """Show the edges of all surfaces."""
-        with self.lock:
-            self.wireframe = bool(shown)
-            for nodes in self._nodes.values():
-                nodes.set_wireframe(self.wireframe)
-            self.panel.show_state()
-
-    def show_normals(self, shown: bool) -> None:
-        """Show the normals of all clouds that have them, as lines; of more than 10,000 points, of some."""
-        with self.lock:
-            self.normals = bool(shown)
-            for nodes in self._nodes.values():
-                nodes.set_normals(self._normal_length())
-            self.panel.show_state()
-
     # -- its end ------------------------------------------------------------------------------------------------------
 
     def wait(self, seconds: float | None = None, *, linger: float = LINGER) -> bool:
@@ -386,12 +309,12 @@ class Viewer(Scene):
         return self._presence.wait(seconds, linger)
 
     def close(self) -> None:
-        """Free port, threads and memory; the pages say that the viewer is gone. Twice is no error."""
-        self._close("")
+        """Free port, threads and memory; pages say that the viewer is closed, and how to start it again."""
+        self._close(farewell())
 
     def _close(self, words: str) -> None:
-        """Close, where there are words with these in the pages."""
-        if words and not self.closed:
+        """Close, with these words in the pages."""
+        if not self.closed:
             self.server.say_end(words)
         self._ended.set()
         threads = self._let_go()

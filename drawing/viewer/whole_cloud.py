@@ -10,10 +10,11 @@ from numpy.typing import NDArray
 
 from ...kernels.memory import download
 from ..recording.shapes import spread_rows
+from ..render.parts import Points
 from .items import Frame, Item, Matrix
 
 if TYPE_CHECKING:
-    import viser
+    from .link import Node, PageClient
 
 Keep = Callable[[NDArray[np.float64], NDArray[np.int64]], NDArray[np.bool_]]
 
@@ -33,28 +34,38 @@ class WholeCloud:
 
     Args:
         client: The page.
-        name: Of its node.
         item: The cloud.
         frame: The page's coordinates.
         budget: Points that may be sent.
-        point_size: In units of the page.
+        point_size: Diameter of points [px], or with `metric` [m].
+        metric: See `point_size`.
     """
 
     def __init__(
-        self, client: viser.ClientHandle, name: str, item: Item, *, frame: Frame, budget: int, point_size: float
+        self, client: PageClient, item: Item, *, frame: Frame, budget: int, point_size: float, metric: bool = False
     ):
-        self._client, self._name, self._frame, self.budget = client, name, frame, budget
-        self._point_size, self._keep, self._visible = point_size, None, item.visible
+        self._client, self._frame, self.budget = client, frame, budget
+        self._size: dict[str, Any] = {"size": point_size, "metric": metric}
+        self._keep, self._visible = None, item.visible
         self._colors_of: Callable[[NDArray[np.int64]], NDArray[np.uint8]] = item.colors_of
-        self._handles: list[Any] = []
+        self._nodes: list[Node] = []
         self._sent: list[NDArray[np.int64]] = []  # which points each of them holds
         self._steps: list[NDArray[np.int64]] = []
+        self._is_lit = False
         self.replace(item)
 
     def replace(self, item: Item) -> None:
         """Show other points under the same name, all at once."""
         part = item.points
         assert part is not None
+        is_lit = bool(part.shaded and part.lit and part.normals.size)
+        with self._client.atomic():
+            if is_lit != self._is_lit:  # nodes either have normals or not
+                self.close()
+            self._is_lit = is_lit
+            self._replace(item, part)
+
+    def _replace(self, item: Item, part: Points) -> None:
         self._item, self._part, self._colors_of = item, part, item.colors_of
         self.total = part.positions.size
         positions = download(part.positions).reshape(-1, 3)
@@ -65,7 +76,7 @@ class WholeCloud:
         self._positions = np.asarray(rows[finite], np.float32)
         is_complete = not self.waits
         self._steps = in_steps(len(self._positions))
-        count = len(self._steps) if is_complete and self._handles else len(self._handles)
+        count = len(self._steps) if is_complete and self._nodes else len(self._nodes)
         self._send(min(max(count, 1), len(self._steps)))
 
     @property
@@ -76,12 +87,12 @@ class WholeCloud:
     @property
     def waits(self) -> bool:
         """Whether there are steps that the page does not have yet."""
-        return len(self._handles) < len(self._steps)
+        return len(self._nodes) < len(self._steps)
 
     def send_next(self) -> None:
         """Send the next step."""
         if self.waits:
-            self._send_step(len(self._handles))
+            self._send_step(len(self._nodes))
 
     def look(self, view: Any) -> None:
         """Nothing to do: the page has it all."""
@@ -90,50 +101,50 @@ class WholeCloud:
         """Show other colours; 3 B a point."""
         self._colors_of = colors_of
         with self._client.atomic():
-            for handle, sent in zip(self._handles, self._sent, strict=True):
-                handle.colors = colors_of(sent)
+            for node, sent in zip(self._nodes, self._sent, strict=True):
+                node.set(colors=colors_of(sent))
 
     def set_keep(self, keep: Keep | None) -> None:
         """Show only points for which this is true; None shows all."""
         self._keep = keep
-        self._send(len(self._handles))
+        self._send(len(self._nodes))
 
-    def set_point_size(self, size: float) -> None:
-        """The size in units of the page."""
-        self._point_size = size
+    def set_point_size(self, size: float, metric: bool = False) -> None:
+        """The diameter of points [px], or with `metric` [m]."""
+        self._size = {"size": size, "metric": metric}
         with self._client.atomic():
-            for handle in self._handles:
-                handle.point_size = size
+            for node in self._nodes:
+                node.set(**self._size)
 
     def set_visible(self, visible: bool) -> None:
         """Show or hide it."""
         self._visible = visible
         with self._client.atomic():
-            for handle in self._handles:
-                handle.visible = visible
+            for node in self._nodes:
+                node.visible = visible
 
     def set_pose(self, T: Matrix | None) -> None:
         """Move it: the item's pose is what counts."""
-        wxyz, position = self._frame.place(self._part.origin, self._item.pose_of(self._part))
+        R, t = self._frame.place(self._part.origin, self._item.pose_of(self._part))
         with self._client.atomic():
-            for handle in self._handles:
-                handle.wxyz, handle.position = wxyz, position
+            for node in self._nodes:
+                node.place(R, t)
 
     def close(self) -> None:
         """Take it out of the page."""
         with self._client.atomic():
-            for handle in self._handles:
-                handle.remove()
-        self._handles, self._sent, self._steps = [], [], []
+            for node in self._nodes:
+                node.remove()
+        self._nodes, self._sent, self._steps = [], [], []
 
     def _send(self, count: int) -> None:
         """Send so many steps, all at once, in place of those that are there."""
         with self._client.atomic():
             for number in range(count):
                 self._send_step(number)
-            for handle in self._handles[count:]:
-                handle.remove()
-        del self._handles[count:], self._sent[count:]
+            for node in self._nodes[count:]:
+                node.remove()
+        del self._nodes[count:], self._sent[count:]
 
     def _send_step(self, number: int) -> None:
         """Send what is kept of a step; points and colours arrive together."""
@@ -142,31 +153,31 @@ class WholeCloud:
         if self._keep is not None and len(positions):
             kept = self._keep(positions.astype(np.float64) + self._part.origin, sent)
             positions, sent = positions[kept], sent[kept]
-        colors = self._colors_of(sent)
-        if self._frame.unit != 1:
-            positions = (positions.astype(np.float64) / self._frame.unit).astype(np.float32)
-        wxyz, position = self._frame.place(self._part.origin, self._item.pose_of(self._part))
-        if number < len(self._handles):
-            self._sent[number], handle = sent, self._handles[number]
-            with self._client.atomic():
-                handle.points, handle.colors = positions, colors
-                handle.wxyz, handle.position = wxyz, position
+        R, t = self._frame.place(self._part.origin, self._item.pose_of(self._part))
+        looks = {"positions": positions, "colors": self._colors_of(sent), **self._light(sent)}
+        for array in looks.values():
+            array.flags.writeable = False  # made for the page alone: nobody has to copy it
+        looks |= self._size
+        if number < len(self._nodes):
+            self._sent[number] = sent
+            self._nodes[number].set(**looks)
+            self._nodes[number].place(R, t)
             return
-        self._handles.append(
-            self._client.scene.add_point_cloud(
-                self._name if number == 0 else f"{self._name}-{number}",
-                positions,
-                colors,
-                point_size=self._point_size,
-                point_shape="circle",
-                point_shading="flat",
-                precision="float32",
-                wxyz=wxyz,
-                position=position,
+        self._nodes.append(
+            self._client.scene.add_points(
+                **looks,
+                relief=self._part.shaded and not self._is_lit,
+                R=R,
+                t=t,
+                scale=1 / self._frame.unit,
                 visible=self._visible,
             )
         )
         self._sent.append(sent)
+
+    def _light(self, sent: NDArray[np.int64]) -> dict[str, NDArray[Any]]:
+        """Normals, where light falls on them."""
+        return {"normals": download(self._part.normals).reshape(-1, 3)[sent]} if self._is_lit else {}
 
 
 def in_steps(count: int) -> list[NDArray[np.int64]]:

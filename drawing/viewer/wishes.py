@@ -23,19 +23,26 @@ class Wish:
     colors_of: ColorsOf | None = None
     keep: Keep | None = None
     size: float | None = None
+    metric: bool = False  # whether that is in metres
     coloring: int = 0  # which of all colours so far
     keeping: int = 0  # and which rule of what is kept
+
+    @property
+    def is_metric(self) -> bool:
+        """Whether sizes are in metres; those that close gaps are."""
+        return self.size is None or self.metric
 
 
 @dataclasses.dataclass
 class Sent:
-    """A node in the browser: what it was made with; no handle where nothing of it is kept."""
+    """A node in the page: what it was made with; no node where nothing of it is kept."""
 
-    handle: Any
+    node: Any
     count: int
     mask: NDArray[np.bool_] | None
     is_exact: bool
     coloring: int
     keeping: int
     size: float
+    metric: bool
     visible: bool = True

@@ -52,6 +52,36 @@ class Region:
         self.pixels = self.wide * max(bottom - top, 0)
 
 
+@struct
+class Veil:
+    """How much of the light of a part reaches the camera where others lie before it that are seen through.
+
+    Parts are shaded from the front to the back, so that a cell's share is that of all before it.
+
+    Attributes:
+        opacity: Of the part, 0 to 1.
+        left: float [cells]: the share that has come past what was shaded so far; of size 0 where nothing is seen
+            through.
+    """
+
+    opacity: float
+    left: array(dtype=float)
+
+    def __init__(self, opacity: float, left: Scalars) -> None:
+        self.opacity, self.left = opacity, left
+
+
+@func
+def seen_share(cell: int, veil: Veil) -> float:
+    """The share of a part's light that a cell shows; what lies behind gets that much less."""
+    share = 1.0
+    if veil.left.shape[0] > 0:
+        left = veil.left[cell]
+        share = left * veil.opacity
+        veil.left[cell] = left - share
+    return share
+
+
 @func
 def light_face(normal: vec3, facing: vec3, ray: vec3) -> float:
     """The light on a surface, both sides of which are lit: from the camera, from above left of it, from everywhere.
@@ -147,9 +177,11 @@ def shade_points_kernel(
     lit: int,
     relief: int,
     last_point: int,
+    around: DepthBuffer,
+    veil: Veil,
     light: array(dtype=vec3),
 ):
-    """Add the colours of the cells that show points."""
+    """Add the colours of the cells that show points; what is around them in another buffer shades them."""
     i = tid()
     pixel = pixel_of(i, region, buffer)
     total = vec3(0.0, 0.0, 0.0)
@@ -171,16 +203,16 @@ def shade_points_kernel(
                     row = float(cell // buffer.width)
                     ray = ray_through(column, row, view)
                     color = color * light_face(view.rotation @ normals[point], ray, ray)
-            total = total + color
+            total = total + color * seen_share(cell, veil)
     if foremost >= 0:
         if relief == 1:
-            total = total * eye_dome(foremost, last_point, buffer)
+            total = total * eye_dome(foremost, last_point, around)
         light[pixel] = light[pixel] + total
 
 
 @kernel
 def shade_lines_kernel(
-    buffer: DepthBuffer, region: Region, colors: array(dtype=vec3), plain: vec3, light: array(dtype=vec3)
+    buffer: DepthBuffer, region: Region, colors: array(dtype=vec3), plain: vec3, veil: Veil, light: array(dtype=vec3)
 ):
     """Add the colours of the cells that show lines."""
     i = tid()
@@ -192,18 +224,27 @@ def shade_lines_kernel(
             color = plain
             if colors.shape[0] > 0:
                 color = clamp_color(colors[line])
-            total = total + color
+            total = total + color * seen_share(cell, veil)
     light[pixel] = light[pixel] + total
 
 
 @kernel
-def finish_picture_kernel(buffer: DepthBuffer, light: array(dtype=vec3), background: vec3, picture: array(dtype=uint8)):
+def finish_picture_kernel(
+    buffer: DepthBuffer,
+    light: array(dtype=vec3),
+    left: array(dtype=float),
+    background: vec3,
+    picture: array(dtype=uint8),
+):
     """The mean over the cells of each pixel, the background in those where nothing is seen."""
     i = tid()
     total = light[i]
     for cell in cells_of(i, buffer):
         if buffer.words[cell] == int64(NO_KEY):
-            total = total + background
+            share = 1.0
+            if left.shape[0] > 0:
+                share = left[cell]
+            total = total + background * share
     mean = total / float(SAMPLES * SAMPLES)
     for k in range(3):
         picture[3 * i + k] = color_byte(mean[k])
@@ -252,6 +293,8 @@ def shade_points(
     shaded: bool,
     lit: bool,
     last_point: int,
+    around: DepthBuffer,
+    veil: Veil,
 ) -> None:
     """Add the light of points.
 
@@ -264,21 +307,31 @@ def shade_points(
         shaded: Whether light falls at an angle; where it does not, what lies behind its neighbours is darker.
         lit: Whether it falls on normals.
         last_point: The index behind that of the last point of all, which alone cast such shades.
+        around: The buffer in which they lie; that of a cloud alone where it is seen through.
+        veil: What is before them.
     """
     lit = shaded and lit and normals.size > 0
-    look = [colors, normals, plain, int(lit), int(shaded and not lit), last_point]
+    look = [colors, normals, plain, int(lit), int(shaded and not lit), last_point, around, veil]
     launch(shade_points_kernel, region.pixels, [buffer, view, region, *look, light])
 
 
-def shade_lines(buffer: DepthBuffer, region: Region, light: Vectors, *, colors: Vectors, plain: vec3) -> None:
-    """Add the light of lines, each in its colour, or a plain one."""
-    launch(shade_lines_kernel, region.pixels, [buffer, region, colors, plain, light])
+def shade_lines(
+    buffer: DepthBuffer, region: Region, light: Vectors, *, colors: Vectors, plain: vec3, veil: Veil
+) -> None:
+    """Add the light of lines, each in its colour, or a plain one, behind a veil."""
+    launch(shade_lines_kernel, region.pixels, [buffer, region, colors, plain, veil, light])
 
 
-def finish_picture(buffer: DepthBuffer, light: Vectors, background: vec3) -> Bytes:
-    """The picture, uint8 [3 * pixels] on the device, of the light of all parts before a background."""
+def finish_picture(buffer: DepthBuffer, light: Vectors, left: Scalars, background: vec3) -> Bytes:
+    """The picture, uint8 [3 * pixels] on the device, of the light of all parts before a background.
+
+    Args:
+        buffer, light: As of `shade_points`.
+        left: As of a `Veil`.
+        background: Red, green and blue.
+    """
     picture = empty(3 * light.size, uint8, light.device)
-    launch(finish_picture_kernel, light.size, [buffer, light, background, picture])
+    launch(finish_picture_kernel, light.size, [buffer, light, left, background, picture])
     return picture
 
 

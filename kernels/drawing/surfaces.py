@@ -7,7 +7,7 @@ the middle of the pixel.
 
 from ..array_types import Array1, Bytes, Indices, Points, Vectors
 from ..lang import array, cross, dot, floor, func, int32, kernel, launch, sqrt, struct, tid, uint8, vec2, vec3
-from .shading import SAMPLES, Region, cells_of, clamp_color, element_at, light_face, pixel_of
+from .shading import SAMPLES, Region, Veil, cells_of, clamp_color, element_at, light_face, pixel_of, seen_share
 from .z_buffer import DepthBuffer, View, ray_through, to_camera
 
 EDGE_WIDTH = 0.5  # [px] of the half of an edge that lies in a triangle
@@ -157,7 +157,9 @@ def color_of(triangle: int, column: float, row: float, view: View, surface: Surf
 
 
 @kernel
-def shade_surface_kernel(buffer: DepthBuffer, view: View, region: Region, surface: Surface, light: array(dtype=vec3)):
+def shade_surface_kernel(
+    buffer: DepthBuffer, view: View, region: Region, surface: Surface, veil: Veil, light: array(dtype=vec3)
+):
     """Add the colours of the cells that show triangles."""
     i = tid()
     pixel = pixel_of(i, region, buffer)
@@ -176,19 +178,24 @@ def shade_surface_kernel(buffer: DepthBuffer, view: View, region: Region, surfac
                 alike += 1
     total = vec3(0.0, 0.0, 0.0)
     if alike == SAMPLES * SAMPLES and surface.texture_width == 0:
-        total = color_of(known, column, row, view, surface) * float(SAMPLES * SAMPLES)
+        share = 0.0
+        for cell in cells_of(pixel, buffer):
+            share = share + seen_share(cell, veil)
+        total = color_of(known, column, row, view, surface) * share
     elif shown > 0:
         for cell in cells_of(pixel, buffer):
             triangle = element_at(cell, region, buffer)
             if triangle >= 0:
                 x = float(cell % buffer.width)
                 y = float(cell // buffer.width)
-                total = total + color_of(triangle, x, y, view, surface)
+                total = total + color_of(triangle, x, y, view, surface) * seen_share(cell, veil)
     if shown > 0:
         light[pixel] = light[pixel] + total
 
 
-def shade_surface(buffer: DepthBuffer, view: View, region: Region, light: Vectors, surface: Surface) -> None:
+def shade_surface(
+    buffer: DepthBuffer, view: View, region: Region, light: Vectors, surface: Surface, veil: Veil
+) -> None:
     """Add the light of triangles.
 
     Args:
@@ -196,5 +203,6 @@ def shade_surface(buffer: DepthBuffer, view: View, region: Region, light: Vector
         region: The Region of the triangles.
         light: As of `start_light`.
         surface: The Surface.
+        veil: What is before them.
     """
-    launch(shade_surface_kernel, region.pixels, [buffer, view, region, surface, light])
+    launch(shade_surface_kernel, region.pixels, [buffer, view, region, surface, veil, light])

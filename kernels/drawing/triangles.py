@@ -11,9 +11,8 @@ coordinates", Graphics Hardware 1997).
 """
 
 from ..array_types import Indices, Points
-from ..arrays.packed_keys import offer_cell
 from ..lang import array, cross, dot, float32, floor, func, int32, int64, isfinite, kernel, launch, tid, vec3, vec4
-from .z_buffer import FAR_OUT, NEAR, DepthBuffer, View, is_before, project, ray_through, to_camera
+from .z_buffer import FAR_OUT, NEAR, DepthBuffer, View, is_before, offer_behind, project, ray_through, to_camera
 
 GRID = 256.0  # steps a cell to which corners are rounded
 STEPS = 256  # the same as a whole number
@@ -37,8 +36,21 @@ def on_grid(x: float) -> int64:
 
 
 @func
+def least_at_edge(dx: int64, dy: int64, buffer: DepthBuffer) -> int64:
+    """The least value of an edge function that is inside: 0, or 1 where cells on the edge are the neighbour's.
+
+    In layers a cell of both would be seen twice; of two neighbours, whose edges run against each other, one has it.
+    """
+    least = int64(0)
+    if buffer.behind.shape[0] > 0:
+        if dy < 0 or (dy == 0 and dx < 0):
+            least = 1
+    return least
+
+
+@func
 def draw_on_grid(a: vec3, b: vec3, c: vec3, cull: int, index: int, buffer: DepthBuffer):
-    """Draw a triangle of projected corners inside the guard band, edges included."""
+    """Draw a triangle of projected corners inside the guard band, edges included, in layers those that are its own."""
     ax = on_grid(a[0])
     ay = on_grid(a[1])
     bx = on_grid(b[0])
@@ -57,6 +69,9 @@ def draw_on_grid(a: vec3, b: vec3, c: vec3, cull: int, index: int, buffer: Depth
     # rows run down, so a triangle that is counterclockwise seen from before it has a negative area
     if area == 0 or (cull == 1 and area > 0):
         bottom = top - 1
+    least_u = least_at_edge((cx - bx) * sign, (cy - by) * sign, buffer)
+    least_v = least_at_edge((ax - cx) * sign, (ay - cy) * sign, buffer)
+    least_w = least_at_edge((bx - ax) * sign, (by - ay) * sign, buffer)
     scale = 1.0 / float32(area * sign)
     near_a = scale / a[2]
     near_b = scale / b[2]
@@ -68,9 +83,9 @@ def draw_on_grid(a: vec3, b: vec3, c: vec3, cull: int, index: int, buffer: Depth
         v = ((ax - cx) * (y - cy) - (ay - cy) * (x - cx)) * sign
         w = ((bx - ax) * (y - ay) - (by - ay) * (x - ax)) * sign
         for column in range(first, last + 1):
-            if u >= 0 and v >= 0 and w >= 0:
+            if u >= least_u and v >= least_v and w >= least_w:
                 inverse = float32(u) * near_a + float32(v) * near_b + float32(w) * near_c
-                offer_cell(row * buffer.width + column, 1.0 / inverse, index, buffer.words)
+                offer_behind(row * buffer.width + column, 1.0 / inverse, index, buffer)
             u = u - (cy - by) * sign * step
             v = v - (ay - cy) * sign * step
             w = w - (by - ay) * sign * step
@@ -122,6 +137,10 @@ def draw_unprojected(a: vec3, b: vec3, c: vec3, cull: int, index: int, view: Vie
     slack_a = -reach_of(ea, view)
     slack_b = -reach_of(eb, view)
     slack_c = -reach_of(ec, view)
+    if buffer.behind.shape[0] > 0:  # no cell may be seen twice
+        slack_a = 0.0
+        slack_b = 0.0
+        slack_c = 0.0
     volume = volume * sign
     for row in range(top, bottom + 1):
         for column in range(first, last + 1):
@@ -132,7 +151,7 @@ def draw_unprojected(a: vec3, b: vec3, c: vec3, cull: int, index: int, view: Vie
             if u >= slack_a and v >= slack_b and w >= slack_c and u + v + w > 0.0:
                 depth = volume / (u + v + w)
                 if depth > NEAR and isfinite(depth):
-                    offer_cell(row * buffer.width + column, depth, index, buffer.words)
+                    offer_behind(row * buffer.width + column, depth, index, buffer)
 
 
 @kernel

@@ -12,10 +12,10 @@ overflows nor vanishes.
 import numpy as np
 
 from ..algebra.camera import Camera
-from ..array_types import Device
-from ..arrays.packed_keys import NO_KEY
-from ..lang import array, func, int64, isfinite, mat33, struct, vec3
-from ..memory import full
+from ..array_types import Array1, Device
+from ..arrays.packed_keys import NO_KEY, pack_key
+from ..lang import array, atomic_min, func, int64, isfinite, mat33, struct, vec3
+from ..memory import empty, full
 
 NEAR = 1.0e-6  # of the unit: smaller depths are behind the camera
 FAR_OUT = 1.0e9  # [cells] where what is projected farther out is said to be: whole numbers of 32 bits hold it
@@ -45,14 +45,42 @@ class DepthBuffer:
     Attributes:
         width, height: Cells.
         words: int64 [height * width]: depth bits above an index, NO_KEY where nothing is seen.
+        behind: int64 [height * width]: words that `offer_behind` takes are larger than these; of size 0 where it
+            takes all.
     """
 
     width: int
     height: int
     words: array(dtype=int64)
+    behind: array(dtype=int64)
 
-    def __init__(self, width: int, height: int, device: Device) -> None:
-        self.width, self.height, self.words = width, height, full(width * height, NO_KEY, int64, device)
+    def __init__(
+        self,
+        width: int,
+        height: int,
+        device: Device,
+        *,
+        words: Array1[int64] | None = None,
+        behind: Array1[int64] | None = None,
+    ) -> None:
+        self.width, self.height = width, height
+        self.words = full(width * height, NO_KEY, int64, device) if words is None else words
+        self.behind = empty(0, int64, device) if behind is None else behind
+
+
+@func
+def offer_behind(cell: int, depth: float, index: int, buffer: DepthBuffer):
+    """Keep the nearer of a cell's content and this one, unless this one lies before what the cell looks behind.
+
+    As `offer_cell`: the plain read can only be too large, the atomic settles the race for the cell.
+    """
+    word = pack_key(depth, index)
+    if word < buffer.words[cell]:
+        least = int64(-1)
+        if buffer.behind.shape[0] > 0:
+            least = buffer.behind[cell]
+        if word > least:
+            atomic_min(buffer.words, cell, word)
 
 
 @func

@@ -21,13 +21,13 @@ from ...kernels.lang import int32, vec2, vec3
 from ...kernels.memory import clone, download, move, upload
 from ...kernels.meshes.mesh_edits import gather_corners, gather_triangles
 from ...pcd.point_arrays import PointArrays, read_only
-from ...pcd.units import InUnit
 from .mesh_attributes import MeshAttributes, each, rows_of
 from .mesh_questions import MeshQuestions
 from .mesh_rows import ATTRIBUTES, PER_TRIANGLE, PER_VERTEX, TEXTURE, as_triples, check_attributes, kind_and_count
+from .mesh_up import Upright
 
 
-class MeshArrays(InUnit, MeshQuestions):
+class MeshArrays(Upright, MeshQuestions):
     """The arrays of a mesh by name, checked where they are assigned; TriangleMesh adds the operations."""
 
     _device: Any
@@ -109,7 +109,7 @@ class MeshArrays(InUnit, MeshQuestions):
         place = self._origin if origin is None else origin
         textures = self._textures if "triangle_uvs" in kept else ()
         mesh = self.from_device_arrays(**kept, textures=textures, origin=place, library=self._library)
-        mesh._unit = self._unit
+        mesh._unit, mesh._up = self._unit, self._up
         return mesh
 
     @property
@@ -386,7 +386,7 @@ class MeshArrays(InUnit, MeshQuestions):
         state = {"arrays": pickled(self._arrays), "origin": self._origin, "device": str(self._device)}
         attributes = {kind: pickled(held) for kind, held in self._attributes.items()}
         state |= {"textures": self._textures, "library": self._library, "attributes": attributes}
-        return state | {"unit": self._unit}
+        return state | {"unit": self._unit, "up": self._up}
 
     def __setstate__(self, state: dict[str, Any]) -> None:
         """The mesh on the device that it was on; on the first GPU where there is another number of them.
@@ -396,5 +396,5 @@ class MeshArrays(InUnit, MeshQuestions):
         """
         self._device, self._origin = device_like("mesh", state["device"]), state["origin"]
         self._arrays, self._textures = unpickled(state["arrays"], self._device), state["textures"]
-        self._library, self._unit = state["library"], state.get("unit")
+        self._library, self._unit, self._up = state["library"], state.get("unit"), state.get("up")
         self._attributes = {kind: unpickled(state["attributes"][kind], self._device) for kind in ATTRIBUTES}

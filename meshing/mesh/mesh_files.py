@@ -10,7 +10,7 @@ import numpy as np
 
 from ...core.devices import resolve_device
 from ...core.errors import FileError
-from ...files.meshes.mesh_formats import MESH_READERS, read_mesh, write_mesh
+from ...files.meshes.mesh_formats import MESH_READERS, UPRIGHT, read_mesh, write_mesh
 from ...files.source import content_errors
 from ...files.table import MeshTable
 from ...pcd.point_arrays import PointArrays
@@ -69,7 +69,7 @@ def read_triangle_mesh(
             triangle_attributes=table.triangle_attributes,
             device=where,
         )
-    mesh.unit = table.unit
+    mesh.unit, mesh.up = table.unit, up if suffix in UPRIGHT else None
     return mesh
 
 

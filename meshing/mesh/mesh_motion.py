@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 from ...core.checks import check_color, check_transformation
 from ...core.coordinates import ORIGIN_LIMIT
 from ...core.dropped_results import returns_new
+from ...core.upward import up_under
 from ...kernels.algebra.transform import transform_points
 from ...kernels.extent.mean_covariance import mean_and_covariance
 from ...kernels.lang import vec3
@@ -54,7 +55,7 @@ class MeshMotion(MeshArrays, Movable):
             if "triangle_uvs" in self._arrays:
                 arrays["triangle_uvs"] = mesh_edits.flip_corners(self._arrays["triangle_uvs"])
         mesh = self.with_arrays(origin=origin, **arrays)
-        mesh._unit = unit_under(self._unit, A)
+        mesh._unit, mesh._up = unit_under(self._unit, A), up_under(self._up, A)
         return mesh
 
     def _enlarged(self, factor: float) -> Self:

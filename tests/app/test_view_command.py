@@ -242,9 +242,9 @@ def test_a_large_file_is_seen_while_it_is_read(tmp_path, rng, monkeypatch):
         shown.append({name: len(item.cloud) for name, item in viewer.items.items()})
         waited.append(options)
 
-    add_all, open_tree = loom.Viewer.add_all, DetailTree.from_file
+    add_named, open_tree = loom.Viewer.add_named, DetailTree.from_file
     viewers = []
-    monkeypatch.setattr(loom.Viewer, "add_all", lambda self, *given: (viewers.append(self), add_all(self, *given)))
+    monkeypatch.setattr(loom.Viewer, "add_named", lambda self, *given: (viewers.append(self), add_named(self, *given)))
     monkeypatch.setattr(
         DetailTree, "from_file", lambda *given, **more: (look(viewers[0]), open_tree(*given, **more))[1]
     )

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -11,8 +11,12 @@ from ....kernels.lang import int32, vec3
 from ....kernels.memory import download, upload
 from ....meshing.mesh.mesh import TriangleMesh
 from ...render.parts import Triangles
+from ..surfaces import surface_arrays
 from .clip_planes import Clip, clip_mesh
 from .stage import Stage
+
+if TYPE_CHECKING:
+    from ..link import Node
 
 STEPS = 200  # of a slider
 NO_PLANE = "none"
@@ -31,18 +35,18 @@ class ClipControls:
     def __init__(self, stage: Stage, folder: Any):
         self._stage = stage
         self._applied: dict[str, tuple[Any, ...]] = {}  # by item, what its stream was told: stream, planes, pose
-        self._cut: dict[str, tuple[tuple[Any, ...], list[Any]]] = {}  # by item, what was cut how, and our nodes
+        self._cut: dict[str, tuple[tuple[Any, ...], list[Node]]] = {}  # by item, what was cut how, and our nodes
         self._pending = False
         gui, ask = stage.client.gui, stage.ask
         with folder:
-            self.folder = gui.add_folder("Clip planes", expand_by_default=False)
+            self.folder = gui.add_folder("Clip planes", open=False)
         with self.folder:
             self._on = gui.add_checkbox("clip", False)
             low, high = self._box()
             self._ranges = []
             for axis in range(3):
                 ends = float(low[axis]), float(high[axis])
-                slider = gui.add_multi_slider("xyz"[axis], *ends, (ends[1] - ends[0]) / STEPS, ends)
+                slider = gui.add_range("xyz"[axis], *ends, (ends[1] - ends[0]) / STEPS, ends)
                 slider.on_update(lambda _: self._ask())
                 self._ranges.append(slider)
             self._plane = gui.add_dropdown("plane", (NO_PLANE, *NORMALS, AS_SEEN))
@@ -112,7 +116,9 @@ class ClipControls:
         if not clip.cuts:
             self._applied.clear()
         self._cut_surfaces(items, clip)
-        session.tell()
+        with self._stage.viewer.lock:
+            session.count_anew()
+            session.tell()
 
     def sync(self) -> None:
         """After the scene has changed: what came since is cut, too."""
@@ -143,46 +149,41 @@ class ClipControls:
         self.apply()
 
     def _cut_surfaces(self, items: dict[str, Any], clip: Clip) -> None:
-        """In this page, surfaces of our own stand for those that all pages share: a page's node hides its namesake."""
-        for name in [n for n, cut in self._cut.items() if not clip.cuts or n not in items]:
-            for node in self._cut.pop(name)[1]:
-                node.remove()
+        """In this page, surfaces of our own stand for those that all pages share, which are hidden in it."""
+        stage = self._stage
+        for name in [n for n in self._cut if not clip.cuts or n not in items]:
+            with stage.client.atomic():
+                self._drop_cut(name)
+                if name in items:
+                    for _, node in stage.viewer.surface_nodes(name):
+                        stage.client.scene.show_shared(node, items[name].visible)
         if not clip.cuts:
             return
         for name, item in items.items():
-            shared = self._stage.viewer.surface_nodes(name)
-            if not shared:
+            shared = stage.viewer.surface_nodes(name) if item.has_surface else []
+            told = clip, item.pose, item.visible, stage.viewer.wireframe, *(node for _, node in shared)
+            if not shared or _same(self._cut.get(name, (None, []))[0], told):
                 continue
-            told = clip, item.pose, item.visible, *(node for _, node in shared)
-            before, ours = self._cut.get(name, (None, []))
-            if _same(before, told):
-                continue
-            names = [node.name for _, node in shared]
-            for node in ours:
-                if node.name not in names:  # those of the same name are replaced
-                    node.remove()
-            self._cut[name] = told, [self._send_cut(item, part, node, clip) for part, node in shared]
+            with stage.client.atomic():
+                self._drop_cut(name)
+                cut = [self._send_cut(item, part, node, clip) for part, node in shared]
+            self._cut[name] = told, [node for node in cut if node is not None]
 
-    def _send_cut(self, item: Any, part: Triangles, shared: Any, clip: Clip) -> Any:
-        from ..surfaces import to_glb
+    def _drop_cut(self, name: str) -> None:
+        for node in self._cut.pop(name, (None, []))[1]:
+            node.remove()
 
-        frame, pose = self._stage.viewer.frame, item.pose_of(part)
+    def _send_cut(self, item: Any, part: Triangles, shared: Node, clip: Clip) -> Node | None:
+        scene, viewer = self._stage.client.scene, self._stage.viewer
+        scene.show_shared(shared, False)
+        pose = item.pose_of(part)
         left = clip_part(part, clip, pose)
-        data = to_glb(left) if left.indices.size else None
-        wxyz, position = frame.place(part.origin, pose)
-        scene: Any = self._stage.client.scene
-        if data is None:
-            return scene.add_frame(shared.name, show_axes=False)
-        return scene.add_glb(
-            shared.name,
-            data,
-            scale=1 / frame.unit,
-            wxyz=wxyz,
-            position=position,
-            visible=item.visible,
-            cast_shadow=False,
-            receive_shadow=False,
-        )
+        arrays = surface_arrays(left) if left.indices.size else None
+        if arrays is None:
+            return None
+        placing = viewer.frame.placing(part.origin, pose)
+        wireframe = viewer.wireframe or part.wireframe
+        return scene.add_surface(**arrays, **placing, wireframe=wireframe, visible=item.visible)
 
 
 def _same(before: tuple[Any, ...] | None, now: tuple[Any, ...]) -> bool:

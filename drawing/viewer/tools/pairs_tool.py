@@ -12,9 +12,9 @@ from numpy.typing import NDArray
 from ....core.units import LengthUnit
 from ....registration.rigid import invert_pose
 from ...render.view import View
+from .kept_files import file_in, keep_file, place_of_files
 from .measuring import length_text
 from .picking import Pick, Target, world_point
-from .polygon_tool import file_in
 from .stage import Color, Tool, check_room
 
 if TYPE_CHECKING:
@@ -31,6 +31,7 @@ class PairsTool(Tool):
     """Picks correspondences in turn in source and target, and registers the two from them."""
 
     label = "Register by pairs"
+    key = "J"
     hint = "Click a point of the source, then the same place in the target; after three pairs Enter registers."
 
     def __init__(self, stage, folder: Path | None = None):
@@ -46,12 +47,13 @@ class PairsTool(Tool):
         names, gui, ask = self.stage.clouds(), self.stage.client.gui, self.stage.ask
         if len(names) < 2:
             raise ValueError(f"two clouds are needed to register one onto the other; the scene shows {len(names)}")
-        self._source = gui.add_dropdown("source", names, initial_value=names[0])
-        self._target = gui.add_dropdown("target", names, initial_value=names[1])
+        self._source = gui.add_dropdown("source", names, names[0])
+        self._target = gui.add_dropdown("target", names, names[1])
         self._alone = gui.add_checkbox("show one at a time", False)
         self._refine = gui.add_checkbox("refine by ICP", True)
         self._distance = gui.add_number("distance, 0: chosen", 0.0, min=0.0, hint="in the clouds' unit, else in metres")
-        self._file = gui.add_text("file", "pairs.json", hint=f"written to {self._folder}, with the pose as .txt")
+        place = place_of_files(self.stage, self._folder)
+        self._file = gui.add_text("file", "pairs.json", hint=f"{place}, with the pose as .txt")
         buttons = (
             ("Register (Enter)", self.finish),
             ("Back to the old pose", self.undo_pose),
@@ -140,15 +142,20 @@ class PairsTool(Tool):
         path = file_in(self._folder, self._file.value, (".json",))
         text = path.with_suffix(".txt")
         for place in (path, text):
-            if place.exists():
+            if not self.stage.viewer.server.exposed and place.exists():
                 raise ValueError(f"{place.name} exists already: choose another name")
-        names = self._source.value, self._target.value
+        names, found = (self._source.value, self._target.value), self._found
         places = self._places(*(self.stage.cloud(name)[1] for name in names))
         from .correspondences import save_pairs, save_pose
 
-        save_pairs(path, names, self._rows(), *places, self._found)
-        save_pose(text, self._found.transformation)
-        self.stage.say(f"Saved {path.name} and {text.name}.")
+        kept = [
+            keep_file(self.stage, self._folder, one.name, (one.suffix,), write)
+            for one, write in (
+                (path, lambda to: save_pairs(to, names, self._rows(), *places, found)),
+                (text, lambda to: save_pose(to, found.transformation)),
+            )
+        ]
+        self.stage.say(f"The pairs are {kept[0]}, the pose is {kept[1]}.")
 
     # -- within -------------------------------------------------------------------------------------------------------
 

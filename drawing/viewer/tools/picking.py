@@ -192,7 +192,7 @@ def project(view: View, point: Any) -> tuple[float, float, float]:
 
 
 def describe_point(cloud: PointCloud, index: int, point: NDArray[np.float64] | None = None) -> Rows:
-    """What a cloud knows of a point, as labels and values for people; plain text, not yet escaped.
+    """What a cloud knows of a point, as labels and values for people; plain text.
 
     Args:
         cloud: The cloud.
@@ -238,20 +238,3 @@ def _value_text(value: Any) -> str:
     """One value of an attribute, or the components of one."""
     values = np.atleast_1d(np.asarray(value))
     return " ".join(f"{v}" if values.dtype.kind in "iub" else f"{float(v):.7g}" for v in values.ravel().tolist())
-
-
-def escaped(text: str) -> str:
-    """Text for a panel that reads Markdown, with nothing in it that would be markup; what no line shows is a space.
-
-    Names of attributes come from files, so that they may hold anything.
-    """
-    plain = "".join(c if c.isprintable() else " " for c in text)
-    return "".join(f"&#{ord(c)};" if c in _MARKUP else c for c in plain)
-
-
-_MARKUP = frozenset("&<>\"'`*_{}[]()#+!|~\\$:/@=^")
-
-
-def as_table(rows: Rows) -> str:
-    """Labels and values as a Markdown table, escaped."""
-    return "\n".join(["| | |", "|---|---|", *(f"| {escaped(label)} | {escaped(value)} |" for label, value in rows)])

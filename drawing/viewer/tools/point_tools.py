@@ -16,6 +16,7 @@ class PointTool(Tool):
     """Shows what is known of the point that is clicked on."""
 
     label = "Pick a point"
+    key = "I"
     hint = "Click on a point or a surface. Escape ends."
 
     def click(self, view: View, x: float, y: float) -> None:
@@ -46,6 +47,7 @@ class MeasureTool(Tool):
     """Measures along a path of clicks."""
 
     label = "Measure"
+    key = "M"
     hint = "Click on points or surfaces: two give a distance, more a path and angles. Backspace takes one back."
 
     def __init__(self, stage):

@@ -2,17 +2,17 @@
 
 from __future__ import annotations
 
-import re
+from functools import partial
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ....core.checks import shown
 from ....files.points.point_cloud import write_point_cloud
 from ....pcd.cloud import PointCloud
 from ...render.view import View
+from .kept_files import file_in, keep_file, place_of_files
 from .picking import project, ray_through
 from .polygon_crop import (
     AXES,
@@ -26,26 +26,18 @@ from .polygon_crop import (
 )
 from .stage import Tool, check_room, style_of
 
+if TYPE_CHECKING:
+    from ..link import CameraState
+
 STRAIGHT, FREE = "along an axis", "free view"
 CLOUD_SUFFIXES = (".ply", ".pcd", ".xyz", ".npz", ".las")
-_NAME = re.compile(r"[\w][\w .()+-]{0,99}")
-
-
-def file_in(folder: Path, name: str, suffixes: tuple[str, ...]) -> Path:
-    """The path of a file that a page asks for: a plain name in the program's own folder, and nothing else.
-
-    Raises:
-        ValueError: A name with folders in it, odd characters, or another suffix.
-    """
-    if not _NAME.fullmatch(name) or Path(name).name != name or Path(name).suffix.lower() not in suffixes:
-        raise ValueError(f"file: expected a plain name that ends in {' or '.join(suffixes)}, got {shown(name)}")
-    return folder / name
 
 
 class PolygonTool(Tool):
     """Draws a polygon, saves it as Open3D's cropped.json and shows what lies inside alone."""
 
     label = "Crop by polygon"
+    key = "K"
     hint = "Click the corners of a polygon; Enter crops, Backspace takes a corner back, Escape ends."
 
     def __init__(self, stage, folder: Path | None = None):
@@ -53,7 +45,7 @@ class PolygonTool(Tool):
         self._folder = Path.cwd() if folder is None else folder
         self._corners: list[NDArray[np.float64]] = []  # along an axis: in the world; in a free view: [px]
         self._drawn_in: View | None = None
-        self._before: View | None = None
+        self._before: CameraState | None = None
         self._undo: tuple[str, str] | None = None
 
     def start(self) -> None:
@@ -63,7 +55,7 @@ class PolygonTool(Tool):
             raise ValueError("there is no cloud to crop in the scene")
         self._cloud = gui.add_dropdown("cloud", names, visible=len(names) > 1)
         self._mode = gui.add_dropdown("view", (STRAIGHT, FREE))
-        self._file = gui.add_text("file", "cropped.json", hint=f"written to {self._folder}")
+        self._file = gui.add_text("file", "cropped.json", hint=place_of_files(self.stage, self._folder))
         buttons = (("Look along x", "X"), ("Look along y", "Y"), ("Look along z", "Z"))
         for label, axis in buttons:
             gui.add_button(label).on_click(lambda _, axis=axis: ask(lambda: self._align(axis)))
@@ -71,7 +63,7 @@ class PolygonTool(Tool):
         self._undo_button = gui.add_button("Undo crop", disabled=True)
         self._undo_button.on_click(lambda _: ask(self.undo_crop))
         self._mode.on_update(lambda _: ask(self._change_mode))
-        self._before = self.stage.view()
+        self._before = self.stage.camera()
         self._align()
 
     def stop(self) -> None:
@@ -113,23 +105,21 @@ class PolygonTool(Tool):
         view = self._drawn_in
         assert view is not None
         pose, polygon = stage.pose_of(item), self._on_screen(view)
-        volume = None
+        volume, name = None, self._file.value
+        file_in(self._folder, name, CLOUD_SUFFIXES if self._mode.value == FREE else (".json",))
         if self._mode.value == FREE:
-            path = file_in(self._folder, self._file.value, CLOUD_SUFFIXES)
             kept = seen_inside(cloud, view, polygon, pose=pose)
         else:
-            path = file_in(self._folder, self._file.value, (".json",))
             volume = polygon_to_volume(view, polygon, cloud, pose=pose)
             kept = indices_in_volume(cloud, volume, pose=pose)
         if not len(kept):
             raise ValueError("no point lies inside the polygon; Backspace takes corners back")
         cropped = item.select(kept)
         if volume is None:
-            write_point_cloud(path, cropped, overwrite=False)
-            told = f"{len(kept):,} of {len(cloud):,} points, saved to {path.name}."
+            told = f"{len(kept):,} of {len(cloud):,} points, {self._keep_cloud(cropped)}."
         else:
-            save_volume(volume, path)
-            told = f"{len(kept):,} of {len(cloud):,} points; the polygon is saved to {path.name}."
+            place = keep_file(stage, self._folder, name, (".json",), partial(save_volume, volume))
+            told = f"{len(kept):,} of {len(cloud):,} points; the polygon is {place}."
             told += _difference(cloud, view, polygon, kept, pose)
         self._swap(item, cropped)
         self._corners, self._drawn_in = [], None
@@ -156,6 +146,16 @@ class PolygonTool(Tool):
 
     # -- within -------------------------------------------------------------------------------------------------------
 
+    def _keep_cloud(self, cropped: PointCloud) -> str:
+        """Write what is cropped; where it is then."""
+        return keep_file(
+            self.stage,
+            self._folder,
+            self._file.value,
+            CLOUD_SUFFIXES,
+            lambda path: write_point_cloud(path, cropped, overwrite=False),
+        )
+
     def _swap(self, item: Any, cropped: Any) -> None:
         """Show the cropped cloud in place of the whole one."""
         viewer = self.stage.viewer
@@ -169,7 +169,6 @@ class PolygonTool(Tool):
             viewer.set_visible(item.name, False)
         self._undo, self._undo_button.disabled = (item.name, name), False
         self._list_clouds(name)
-        self.stage.keep_reach()
 
     def _list_clouds(self, chosen: str) -> None:
         names = self.stage.clouds()

@@ -20,19 +20,20 @@ from ....pcd.cloud import PointCloud
 from ....pcd.units import InUnit
 from ...render.parts import Triangles
 from ...render.view import View
-from ..camera import diagonal, set_reach
+from ..camera import diagonal
 from .clip_planes import Clip, hidden_points
-from .picking import Pick, Rows, Target, as_table, escaped, pick, project, ray_through
+from .picking import Pick, Rows, Target, pick, ray_through
 
 if TYPE_CHECKING:
     from ..items import Item
+    from ..link import CameraState, Node, Shown
     from ..sessions import Session
 
 Matrix = NDArray[np.float64]
 Color = tuple[int, int, int]
 
 MARK: Color = (230, 60, 20)
-MARK_RADIUS = 4.0  # [px]
+MARK_SIZE = 8.0  # [px]
 LINE_WIDTH = 2.5  # [px]
 MOST_CLICKS = 1000  # that a tool keeps
 
@@ -68,11 +69,9 @@ class Stage:
     def __init__(self, session: Session, run: Callable[[Callable[[], None]], bool]):
         self.session, self.viewer, self.client, self.run = session, session.viewer, session.client, run
         self.clip = Clip()
-        self.status: Any = None  # lines of the panel
-        self.rows: Any = None
-        self._nodes: list[Any] = []
-        self._count = 0
-        self._reach: tuple[float, float, float] | None = None
+        self.status: Shown  # words and a table of the panel, which the toolbox makes
+        self.rows: Shown
+        self._nodes: list[Node] = []
         self._hidden: dict[str, tuple[Any, Any, Any, Any]] = {}
 
     def ask(self, job: Callable[[], None]) -> None:
@@ -82,12 +81,13 @@ class Stage:
     # -- words --------------------------------------------------------------------------------------------------------
 
     def say(self, text: str) -> None:
-        """Show a line in the panel: plain text, whatever is in it."""
-        self.status.content = escaped(text)
+        """Show words in the panel."""
+        self.status.value = text
 
     def show(self, rows: Rows) -> None:
         """Show labels and values in the panel."""
-        self.rows.content = as_table(rows) if rows else ""
+        self.rows.value = rows
+        self.rows.visible = bool(rows)
 
     # -- what there is ------------------------------------------------------------------------------------------------
 
@@ -184,40 +184,28 @@ class Stage:
 
     def mark(self, view: View, place: NDArray[np.float64], text: str = "", color: Color = MARK) -> None:
         """A ball of a few pixels at a place of the world, and words beside it."""
-        frame = self.viewer.frame
-        depth = project(view, place)[2]
-        size = max(depth, 1e-3 * diagonal(self.viewer.bounds)) / view.intrinsic.fy / frame.unit
-        position = (place - frame.origin) / frame.unit
         with self.client.atomic():
-            self._nodes.append(
-                self.client.scene.add_icosphere(
-                    self._name(), MARK_RADIUS * size, color, subdivisions=1, position=position, cast_shadow=False
-                )
-            )
+            at = self.viewer.frame.to_page(place)
+            dot = self.client.scene.add_points(np.zeros((1, 3)), plain=color, size=MARK_SIZE, relief=False, t=at)
+            self._nodes.append(dot)
             if text:
-                self._nodes.append(
-                    self.client.scene.add_label(self._name(), text, position=position, anchor="bottom-left")
-                )
+                self._nodes.append(self.client.scene.add_label(text, at, anchor="bottom-left"))
 
     def label(self, place: NDArray[np.float64], text: str) -> None:
         """Words at a place of the world."""
-        frame = self.viewer.frame
-        position = (place - frame.origin) / frame.unit
-        self._nodes.append(self.client.scene.add_label(self._name(), text, position=position, anchor="bottom-center"))
+        at = self.viewer.frame.to_page(place)
+        self._nodes.append(self.client.scene.add_label(text, at, anchor="bottom-center"))
 
     def lines(self, places: NDArray[np.float64], color: Color = MARK, *, closed: bool = False) -> None:
         """A line along places of the world."""
-        frame = self.viewer.frame
         ends = np.vstack([places, places[:1]]) if closed else places
         if len(ends) < 2:
             return
-        local = ((ends - frame.origin) / frame.unit).astype(np.float32)
-        segments = np.stack([local[:-1], local[1:]], axis=1)
-        self._nodes.append(
-            self.client.scene.add_line_segments(
-                self._name(), segments, color, thickness=LINE_WIDTH, thickness_units="screen"
-            )
-        )
+        middle = ends.mean(axis=0)
+        frame = self.viewer.frame
+        local = ((ends - middle) / frame.unit).astype(np.float32)
+        segments, at = np.stack([local[:-1], local[1:]], axis=1), frame.to_page(middle)
+        self._nodes.append(self.client.scene.add_lines(segments, plain=color, width=LINE_WIDTH, t=at))
 
     def before_all(self, view: View, x: float, y: float) -> NDArray[np.float64]:
         """The place in the world that is seen at a pixel, nearer than anything in the scene where that can be."""
@@ -228,38 +216,23 @@ class Stage:
         eye, ray = ray_through(view, x, y)
         return eye + max(float(depths.min()) - 0.02 * size, 0.01 * size) * ray
 
-    def _name(self) -> str:
-        self._count += 1
-        return f"/tools/{self._count}"
-
     # -- the camera ---------------------------------------------------------------------------------------------------
 
     def view(self) -> View:
         """What the page shows."""
         return self.session.camera_view()
 
+    def camera(self) -> CameraState:
+        """The page's camera as it is, to come back to."""
+        return self.client.camera.state
+
     def look_from(self, view: View) -> None:
         """Put the camera there, however far away that is."""
-        frame, size = self.viewer.frame, diagonal(self.viewer.bounds)
-        middle = (self.viewer.bounds[0] + self.viewer.bounds[1]) / 2
-        distance = float((middle - view.T_world_camera[:3, 3]) @ view.T_world_camera[:3, 2])
-        near, far = max(distance - 2 * size, 1e-3 * size), distance + 2 * size
-        self._reach = near / frame.unit, far / frame.unit, 4 * far / frame.unit
-        self.keep_reach()
         self.session.look_from(view)
 
-    def keep_reach(self) -> None:
-        """Draw what lies far away, after the viewer has set the page's reach for something else."""
-        if self._reach is not None:
-            camera = self.client.camera
-            with self.client.atomic():
-                camera.near, camera.far, camera.max_orbit_distance = self._reach
-
-    def look_back(self, view: View) -> None:
-        """Put the camera where it was before, with the viewer's own reach."""
-        self._reach = None
-        set_reach(self.client, self.viewer.frame, self.viewer.bounds)
-        self.session.look_from(view)
+    def look_back(self, camera: CameraState) -> None:
+        """Put the camera where it was before."""
+        self.session.look_as(camera)
 
 
 def check_room(clicks: list[Any]) -> None:
@@ -284,10 +257,12 @@ class Tool:
 
     Attributes:
         label: On its button.
+        key: That starts and ends it.
         hint: What to do, shown as it starts.
     """
 
     label = ""
+    key: str | None = None
     hint = ""
 
     def __init__(self, stage: Stage):

@@ -18,6 +18,7 @@ from .polygon_tool import PolygonTool
 from .stage import Stage, Tool
 
 if TYPE_CHECKING:
+    from ..link import ClickEvent
     from ..sessions import Session
 
 MOST_WAITING = 64  # jobs that a page may ask for ahead of those that are done
@@ -39,7 +40,7 @@ class Toolbox:
 
     Args:
         session: The page.
-        folder: viser's folder in which the tools are; shared by all pages, while what is in it is this page's.
+        folder: Of the page's panel, in which the tools are.
         files: Where files are written; None: the folder that the program runs in.
     """
 
@@ -53,21 +54,22 @@ class Toolbox:
         self._controls: Any = None
         self.stage = Stage(session, self.run)
         gui = self._client.gui
+        self._folder = folder
         with folder:
-            self._folder = gui.add_folder(None)
-        with self._folder:
-            self._buttons = {kind: gui.add_button(kind.label) for kind in TOOLS}
+            self._buttons = {kind: gui.add_button(_with_key(kind)) for kind in TOOLS}
         # at the top of the panel while a tool is at work, where it is seen without scrolling
         self._top = gui.add_folder("Tool", order=0.5, visible=False)
         with self._top:
-            self.stage.status = gui.add_markdown("")
-            self.stage.rows = gui.add_markdown("")
+            self.stage.status = gui.add_words("")
+            self.stage.rows = gui.add_table((), visible=False)
         for kind, button in self._buttons.items():
-            button.on_click(self._asks(lambda _, kind=kind: self.run(lambda: self.toggle(kind))))
+            toggle = self._asks(lambda kind=kind: self.toggle(kind))
+            button.on_click(toggle)
+            gui.add_command(kind.label, kind.key, group="Tools").on_trigger(toggle)
         self.clip = ClipControls(self.stage, self._folder)
         for key, label, action in KEYS:
-            command = gui.add_command(label, hotkey=key)  # type: ignore[arg-type]
-            command.on_trigger(self._asks(lambda _, action=action: self.run(lambda: self._key(action))))
+            command = gui.add_command(label, key, group="Tools")
+            command.on_trigger(self._asks(lambda action=action: self._key(action)))
         session.rest(self._on_rest)
 
     # -- what drives it -----------------------------------------------------------------------------------------------
@@ -108,7 +110,7 @@ class Toolbox:
             raise
         self.tool = tool
         self._buttons[kind].color = ACTIVE
-        self._client.scene.on_click()(self._on_click)  # type: ignore[arg-type]  # coroutines are taken as well
+        self._client.scene.on_click(self._on_click)
 
     def stop(self) -> None:
         """End the tool, and take all of it out of the page."""
@@ -143,21 +145,14 @@ class Toolbox:
 
     # -- within -------------------------------------------------------------------------------------------------------
 
-    def _asks(self, callback: Callable[[Any], Any]) -> Callable[[Any], Any]:
-        """As viser runs it in the order in which the page's messages come: a coroutine, which only asks."""
+    def _asks(self, job: Callable[[], None]) -> Callable[[Any], Any]:
+        """A callback of the panel that has a job done in its turn."""
+        return lambda _: self.run(job)
 
-        async def ask(event: Any) -> None:
-            callback(event)
-
-        return ask
-
-    async def _on_click(self, event: Any) -> None:
-        view = self._session.camera_view()  # as it is with the click, not when its turn comes
-        x, y = (float(share) for share in event.screen_pos)
-        if not (0 <= x <= 1 and 0 <= y <= 1):
-            return
+    def _on_click(self, event: ClickEvent) -> None:
+        view = self._session.view_of(event.camera)  # as it was with the click, not when its turn comes
         camera = view.intrinsic
-        self.run(lambda: self._click(view, x * camera.width - 0.5, y * camera.height - 0.5))
+        self.run(lambda: self._click(view, event.x * camera.width - 0.5, event.y * camera.height - 0.5))
 
     def _click(self, view: View, x: float, y: float) -> None:
         if self.tool is not None:
@@ -176,7 +171,6 @@ class Toolbox:
     def _sync(self) -> None:
         self._is_stale = False
         self.clip.sync()
-        self.stage.keep_reach()
         if self.tool is not None:
             self.tool.refresh()
 
@@ -196,3 +190,9 @@ class Toolbox:
     def _tell(self, text: str) -> None:
         if not self._closed:
             self.stage.say(text)
+            self._top.visible = True  # of what could not begin as well
+
+
+def _with_key(kind: type[Tool]) -> str:
+    """What stands on the button of a tool."""
+    return kind.label if kind.key is None else f"{kind.label} ({kind.key})"

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from pointloom.drawing.recording import page as page_module
+from pointloom.drawing.page import sources
 from pointloom.drawing.recording.page import write_page
 
 from .scenes import SETTLED, wait_for
@@ -27,10 +27,10 @@ def open_recording(open_page, tmp_path):
 @pytest.fixture
 def changed_player(monkeypatch):
     """Change the text of the player before the page is written."""
-    plain = page_module._source
+    plain = sources.read_source
 
     def change(old: str, new: str) -> None:
-        assert any(old in plain(f"{name}.js") for name in page_module.SCRIPTS)
-        monkeypatch.setattr(page_module, "_source", lambda name: plain(name).replace(old, new))
+        assert any(old in plain(f"{name}.js") for name in sources.PLAYER)
+        monkeypatch.setattr(sources, "read_source", lambda name: plain(name).replace(old, new))
 
     return change

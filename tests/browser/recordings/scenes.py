@@ -80,7 +80,7 @@ def stage(page) -> np.ndarray:
     """The picture of the scene once nothing moves, without what lies over it."""
     page.evaluate(
         """() => {
-            for (const id of ["panel", "help", "help-button"]) document.getElementById(id).style.opacity = 0;
+            for (const id of ["panel", "help", "help-button", "overlay"]) document.getElementById(id).style.opacity = 0;
             document.getElementById("scene").style.outline = "none";
         }"""
     )

@@ -5,7 +5,6 @@ import dataclasses
 import hashlib
 import math
 import tracemalloc
-from importlib import resources
 
 import numpy as np
 import pytest
@@ -287,12 +286,6 @@ def test_what_is_no_timeline_and_a_folder_that_is_missing_are_errors(timeline, t
         write_page(tmp_path / "p.html", dataclasses.replace(timeline, fps=math.nan))
     with pytest.raises(FileError, match="does not exist"):
         write_page(tmp_path / "none" / "p.html", timeline)
-
-
-def test_the_sources_of_the_player_come_with_the_package():
-    folder = resources.files("pointloom.drawing.recording") / "page"
-    names = {each.name for each in folder.iterdir()}
-    assert names == {"player.html", "player.css", *(f"{name}.js" for name in page_module.SCRIPTS)}
 
 
 def test_the_page_takes_a_view_of_any_lens(timeline, tmp_path):

@@ -143,7 +143,7 @@ def test_no_points_have_no_colours(device):
         ("normal", {}, r"call cloud = cloud.estimate_normals\(\)"),
         ("pair", {}, "'pair' has 2 numbers a point"),
         ([1, 2, 3], {}, r"color_by: expected shape \[2\]"),
-        ("z", {"colormap": "rainbow"}, "colormap: expected one of viridis, turbo"),
+        ("z", {"colormap": "rainbow"}, "colormap: expected one of viridis, plasma"),
         ("z", {"limits": (2, 1)}, "low < high"),
         ("z", {"limits": (0, np.nan)}, "limits"),
         ("z", {"limits": 3}, "limits"),
@@ -163,6 +163,10 @@ def test_only_clouds_are_coloured():
 # Entries 0, 64, 128, 191 and 255 of matplotlib 3.11.
 QUARTERS = {
     "viridis": ["440154", "3b528b", "21918c", "5cc863", "fde725"],
+    "plasma": ["0d0887", "7e03a8", "cc4778", "f89441", "f0f921"],
+    "inferno": ["000004", "57106e", "bc3754", "f98c0a", "fcffa4"],
+    "magma": ["000004", "51127c", "b73779", "fb8761", "fcfdbf"],
+    "cividis": ["00224e", "434e6c", "7d7c78", "bbad6d", "fee838"],
     "turbo": ["30123b", "28bceb", "a4fc3c", "fb8122", "7a0403"],
     "gray": ["000000", "404040", "808080", "bfbfbf", "ffffff"],
     "coolwarm": ["3b4cc0", "8db0fe", "dddcdc", "f49a7b", "b40426"],

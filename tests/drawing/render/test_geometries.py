@@ -105,7 +105,7 @@ def test_refusals_say_what_was_given_and_how_to_go_on():
     with pytest.raises(TypeError, match=r"got open3d\S*\.VoxelGrid"):
         named_geometries(o3d.geometry.VoxelGrid())
     for path in ("scan.ply", Path("scan.ply")):
-        with pytest.raises(TypeError, match=r"'scan\.ply'; read files first: loom\.read_point_cloud"):
+        with pytest.raises(TypeError, match=r"files are read first: loom\.read_point_cloud, .*; got 'scan\.ply'"):
             named_geometries([path])
     with pytest.raises(TypeError, match="geometries: names: expected a string, got int"):
         named_geometries({1: loom.PointCloud(CUBE)})

@@ -13,7 +13,7 @@ import pointloom as loom
 from ...hostile import faults_of, missing_from, public_arguments, read_table
 
 CALLS = """
-loom.render(geometries=cloud, camera=view, size=(16, 12), point_size=2.0, background=(1, 1, 1), shading="flat", labels=[("a", [0, 0, 0])], legend=[("a", (1, 0, 0))], color_bar=None, device="cpu")
+loom.render(geometries=cloud, camera=view, size=(16, 12), point_size=2.0, background=(1, 1, 1), shading="flat", labels=[("a", [0, 0, 0])], legend=[("a", (1, 0, 0))], color_bar=None, scale_bar=True, up="y", device="cpu")
 loom.View(intrinsic=camera, T_world_camera=pose)
 loom.View.from_open3d(bounds=bounds, zoom=0.7, front=[0, 0, 1.0], lookat=[0, 0, 0.0], up=[0, 1.0, 0], field_of_view=60.0, width=16, height=12)
 view.to_open3d(bounds=bounds)

@@ -364,9 +364,10 @@ def test_labels_legends_and_colour_bars_are_drawn(device):
     cloud = loom.PointCloud(rng.random((500, 3)))
     shown = {"geometry": cloud, "name": "dust", "color_by": "height", "colormap": "jet"}
     size = (320, 240)
-    bare = loom.render(shown, None, size, device=device)
-    for extra in ({"labels": [("corner", [1, 1, 1])]}, {"legend": True}, {"color_bar": True}):
-        image = loom.render(shown, None, size, device=device, **extra)
+    view = loom.fit_view(cloud.points, width=320, height=240)
+    bare = loom.render(shown, view, device=device)
+    for extra in ({"labels": [("corner", [1, 1, 1])]}, {"legend": True}, {"color_bar": True}, {"scale_bar": True}):
+        image = loom.render(shown, view, device=device, **extra)
         assert 20 < (image != bare).any(axis=2).sum() < 0.5 * 320 * 240
     coloring = color_cloud(cloud, "height", colormap="jet")
     given = loom.render(shown, None, size, color_bar=coloring, device=device)
@@ -404,6 +405,10 @@ def test_a_picture_is_written_and_not_replaced_unasked(tmp_path):
         ({"size": (4, 4.5)}, TypeError, "size"),
         ({"size": (2**17, 4)}, ValueError, "size"),
         ({"background": (1.0, 1.0)}, ValueError, "background"),
+        ({"background": "mauve"}, ValueError, "background: expected one of white, black, grey, gray, transparent"),
+        ({"scale_bar": "yes"}, TypeError, "scale_bar: expected True or False"),
+        ({"up": "w"}, ValueError, "up: expected x, y, z or a direction"),
+        ({"up": (0, 0, 0)}, ValueError, "up: expected a direction"),
         ({"point_size": 0}, ValueError, "point_size"),
         ({"point_size": "big"}, TypeError, "point_size"),
         ({"shading": "shiny"}, ValueError, "shading"),

@@ -96,6 +96,14 @@ def titled():
     return {"geometry": cloud, "color_by": "height", "colormap": "turbo", "limits": (0, 0.8)}
 
 
+def veils():
+    """A surface and a cloud that are seen through, and what is behind them and between."""
+    ball = loom.TriangleMesh.create_sphere(0.4, 12).translate((1, 1, 0.3))
+    moved = loom.PointCloud(hills() + [0, 0, 0.5])
+    through = [{"geometry": mesh(), "opacity": 0.6}, {"geometry": moved, "opacity": 0.3, "color": (0, 0.3, 0.9)}]
+    return [*through, {"geometry": ball, "opacity": 0.5, "color": (0.9, 0.2, 0.1)}, boxes()[0]]
+
+
 PICTURES = {
     "cloud with colours": lambda: ([loom.PointCloud(hills(), colors=colors())], {}),
     "cloud with normals": lambda: (normals(), {}),
@@ -113,6 +121,8 @@ PICTURES = {
     "voxel grid": lambda: ({"geometry": voxels(), "wireframe": True}, {}),
     "labels and legend": lambda: ({"hills": mesh()}, {"legend": True, "labels": [("top", [1, 2, 0.9])]}),
     "colour bar": lambda: (titled(), {"color_bar": True}),
+    "seen through": lambda: (veils(), {"background": "black", "scale_bar": True}),
+    "without a background": lambda: (veils(), {"background": "transparent", "labels": [("top", [1, 2, 0.9])]}),
 }
 
 

@@ -1,10 +1,11 @@
-"""A page without a browser: what of viser and of the viewer the tools use, kept in lists."""
+"""Pages without a browser: `Page` keeps what it was sent; `StandIn` is a viewer with one, for tools."""
 
 from __future__ import annotations
 
-import asyncio
 import contextlib
+import json
 import threading
+from collections.abc import Iterator
 from types import SimpleNamespace
 from typing import Any
 
@@ -12,91 +13,204 @@ import numpy as np
 
 from pointloom.drawing.render.geometries import named_geometries
 from pointloom.drawing.render.view import View, fit_view
+from pointloom.drawing.viewer.extents import Extents
 from pointloom.drawing.viewer.items import Frame, make_item
+from pointloom.drawing.viewer.link import Gui, PageClient, Scene
+from pointloom.drawing.viewer.link.camera import FIRST
+from pointloom.drawing.viewer.link.delivery import Channel, Delivery
+from pointloom.drawing.viewer.link.wire import read
 from pointloom.drawing.viewer.tools.toolbox import Toolbox
 
 
-class Control:
-    """A control of the panel, or a node of the scene: values and callbacks."""
+class Seen(dict):
+    """A node, a control or another thing as the page knows it, its fields by name."""
 
-    def __init__(self, owner: list[Any] | None = None, **values: Any):
-        self.__dict__.update(values)
-        self._owner, self._callbacks = owner, []
-        if owner is not None:
-            owner.append(self)
-
-    def __enter__(self) -> Control:
-        return self
-
-    def __exit__(self, *_: Any) -> None:
-        pass
-
-    def on(self, callback: Any) -> Any:
-        self._callbacks.append(callback)
-        return callback
-
-    on_click = on_update = on_trigger = on
-
-    def fire(self) -> None:
-        for callback in self._callbacks:
-            answer = callback(SimpleNamespace(target=self))
-            if asyncio.iscoroutine(answer):
-                asyncio.run(answer)
-
-    def remove(self) -> None:
-        if self._owner is not None:
-            self._owner.remove(self)
+    __getattr__ = dict.__getitem__
 
 
-class Gui:
-    def __init__(self) -> None:
-        self.controls: list[Any] = []
-        self.keys: dict[str, Control] = {}
+class Page:
+    """A page: what waits for it is applied when somebody looks.
 
-    def __getattr__(self, name: str) -> Any:
-        if not name.startswith("add_"):
-            raise AttributeError(name)
-        return lambda label="", *values, **options: self._add(name[4:], label, values, options)
+    Args:
+        outbox: What waits for it.
+        delivery: By which it comes.
+        take: Takes what it says.
+        client: The program's handle of it.
 
-    def _add(self, kind: str, label: Any, values: tuple[Any, ...], options: dict[str, Any]) -> Control:
-        if kind == "command":
-            self.keys[options["hotkey"]] = Control(label=label)
-            return self.keys[options["hotkey"]]
-        first = {"dropdown": 0, "slider": 3, "multi_slider": 3}.get(kind, 0)
-        value = options.pop("initial_value", values[first] if len(values) > first else None)
-        if kind == "dropdown":
-            options["options"], value = tuple(values[0]), value if isinstance(value, str) else values[0][0]
-        if "slider" in kind:
-            options |= {"min": values[0], "max": values[1], "step": values[2]}
-        return Control(self.controls, kind=kind, label=label, value=value, content=label, color=None, **options)
+    Attributes:
+        taken: The operations of each message.
+    """
 
-    def find(self, label: str) -> Control:
-        return next(control for control in self.controls if control.label == label)
+    def __init__(self, outbox: Any, delivery: Delivery, take: Any, client: PageClient):
+        self._outbox, self._delivery, self._take, self.client = outbox, delivery, take, client
+        self._lock = threading.RLock()
+        self._nodes: dict[int, Seen] = {}
+        self._controls: dict[int, Seen] = {}
+        self._commands: dict[int, Seen] = {}
+        self._others: dict[str, list[Seen]] = {}
+        self._rows: dict[str, tuple[Any, ...]] = {}
+        self._camera = Seen()
+        self.taken: list[list[dict[str, Any]]] = []
+
+    # what it shows
+
+    @property
+    def nodes(self) -> dict[int, Seen]:
+        """The nodes by number."""
+        self.look()
+        return self._nodes
+
+    @property
+    def controls(self) -> dict[int, Seen]:
+        """The controls by number."""
+        self.look()
+        return self._controls
+
+    @property
+    def commands(self) -> list[Seen]:
+        """What keys and the palette start."""
+        self.look()
+        return list(self._commands.values())
+
+    @property
+    def camera(self) -> Seen:
+        """What its camera was put to."""
+        self.look()
+        return self._camera
+
+    @property
+    def rows(self) -> dict[str, tuple[Any, ...]]:
+        """The rows of its tree: label, visible, colour, by key."""
+        self.look()
+        return self._rows
+
+    def others(self, kind: str) -> list[Seen]:
+        """Operations of another kind, such as "notify", in their order."""
+        self.look()
+        return self._others.get(kind, [])
+
+    def control(self, label: str) -> Seen:
+        """The control of a label."""
+        return next(control for control in self.controls.values() if control.get("label") == label)
+
+    def of_kind(self, kind: str) -> list[Seen]:
+        """The controls of a kind."""
+        return [control for control in self.controls.values() if control.kind == kind]
+
+    def look(self) -> list[dict[str, Any]]:
+        """Take what waits; the operations that came."""
+        with self._lock:
+            came = []
+            while ops := self._delivery.take(self._outbox)[0]:
+                self.taken.append(ops)
+                came += ops
+                for op in ops:
+                    self._apply(op)
+            return came
+
+    @property
+    def own_bytes(self) -> int:
+        """Of what waits for it alone."""
+        return self._outbox.own_bytes
+
+    def _apply(self, op: dict[str, Any]) -> None:
+        name, fields = op["op"], Seen(op)
+        held = {"node": self._nodes, "control": self._controls, "command": self._commands}
+        if name in held:
+            held[name][op["id"]] = fields
+        elif name in ("set", "setcontrol"):
+            changed = (self._nodes if name == "set" else self._controls).get(op["id"])
+            if changed is not None:
+                changed.update({key: value for key, value in op.items() if key != "op"})
+        elif name in ("drop", "dropcontrol", "dropcommand"):
+            self._drop({"drop": self._nodes, "dropcontrol": self._controls}.get(name, self._commands), op["id"])
+        elif name == "camera":
+            self._camera.update(op)
+        elif name == "rows":
+            self._rows.update({key: tuple(row) for key, *row in op["put"]})
+            for key in op["drop"]:
+                self._rows.pop(key, None)
+        else:
+            self._others.setdefault(name, []).append(fields)
+
+    def _drop(self, held: dict[int, Seen], number: int) -> None:
+        held.pop(number, None)
+        for child in [child for child, one in held.items() if one.get("parent") == number]:
+            self._drop(held, child)
+
+    # what it says
+
+    def say(self, say: str, **fields: Any) -> None:
+        """Say something, through the checks that every message goes through; done when this returns."""
+        said = read(json.dumps({"say": say, **fields}))
+        if said is not None:
+            self._take(said)
+        self.settle()
+
+    def settle(self) -> None:
+        """Until all callbacks of the page have been called."""
+        done = threading.Event()
+        if self.client.worker.run(done.set, always=True):
+            assert done.wait(60)
+
+    def set(self, label: str, value: Any) -> None:
+        """Set a control."""
+        control = self.control(label)
+        control["value"] = value
+        self.say("value", id=control.id, value=value)
+
+    def press(self, label: str) -> None:
+        """Press a button."""
+        self.say("press", id=self.control(label).id)
+
+    def key(self, key: str) -> None:
+        """Press a key."""
+        for command in self.commands:
+            if command.hotkey == key:
+                self.say("command", id=command.id)
+
+    def move(self, position: Any, *, size: Any = None, **fields: Any) -> None:
+        """Move its camera, as its mouse does."""
+        state = self.client.camera.state
+        said = {"position": list(position), "rotation": state.rotation.ravel().tolist(), "fov": state.fov}
+        said |= {"pivot": state.pivot.tolist(), "size": list(size or state.size), "orthographic": state.orthographic}
+        self.say("camera", **(said | fields))
+
+    def answer(self) -> bool:
+        """Give the sign that was asked for last; whether one was."""
+        asked = [op["n"] for op in self.look() if op["op"] == "sign"]
+        if asked:
+            self.say("sign", n=asked[-1])
+        return bool(asked)
 
 
-class Client:
-    def __init__(self) -> None:
-        self.gui, self.nodes = Gui(), []
-        self.clicks: list[Any] = []
-        self.camera = SimpleNamespace(near=0.01, far=100.0, max_orbit_distance=1e4)
-        self.scene = self
+@contextlib.contextmanager
+def page_in(viewer: Any, size: tuple[int, int] = (800, 600)) -> Iterator[Page]:
+    """A page that looks at a viewer, which knows of it."""
+    visitor = viewer.server.pages._welcome({"say": "hello", "size": list(size), "version": 1}, lambda: None)
+    page = Page(visitor._outbox, viewer.server.pages._delivery, visitor.take, visitor._client)
+    page.settle()
+    try:
+        yield page
+    finally:
+        worker = page.client.worker
+        visitor.leave()
+        if worker._thread is not None:
+            worker._thread.join(10)
 
-    def atomic(self) -> Any:
-        return contextlib.nullcontext()
 
-    def on_click(self) -> Any:
-        return self.clicks.append
-
-    def remove_click_callback(self, callback: Any) -> None:
-        self.clicks.remove(callback)
-
-    def __getattr__(self, name: str) -> Any:
-        if not name.startswith("add_"):
-            raise AttributeError(name)
-        return lambda path, *values, **options: Control(self.nodes, kind=name[4:], name=path, values=values)
+def page_alone(size: tuple[int, int] = (1000, 800)) -> Page:
+    """A page of no viewer."""
+    delivery = Delivery()
+    shared, own = Channel(delivery, is_shared=True), Channel(delivery, is_shared=False)
+    state = type(FIRST)(**{**vars(FIRST), "size": size})
+    client = PageClient(own, 0, state, (Scene(shared), Gui(shared)))
+    return Page(delivery.join(own, lambda: None), delivery, client.take, client)
 
 
 class Stream:
+    """A cloud of the page, of which is kept what tools ask for."""
+
     def __init__(self) -> None:
         self.keep: Any = None
         self.visible = True
@@ -111,16 +225,20 @@ class Stream:
 class StandIn:
     """A viewer with one page, which looks where it is told at once."""
 
-    def __init__(self, files: Any, **geometries: Any):
+    wireframe = False
+
+    def __init__(self, files: Any, *, exposed: bool = False, **geometries: Any):
         self.viewer = self
-        self.lock, self.items, self._nodes = threading.RLock(), {}, {}
+        self.lock, self.items = threading.RLock(), {}
+        self.server = SimpleNamespace(exposed=exposed)
         self.streams: dict[str, Stream] = {}
-        self.client, self.closed, self.looked = Client(), False, []
+        self.page = page_alone()
+        self.client, self.closed, self.looked = self.page.client, False, []
         for name, geometry in geometries.items():
             self.add(name, geometry)
         self.frame = Frame.around(self.bounds)
-        self.now = fit_view(np.array(self.bounds), width=1000, height=800)
-        self.box = Toolbox(self, Control(), files=files)  # type: ignore[arg-type]
+        self.now = self.began = fit_view(np.array(self.bounds), width=1000, height=800)
+        self.box = Toolbox(self, self.client.gui.add_folder("Tools"), files=files)  # type: ignore[arg-type]
 
     # the viewer
 
@@ -140,19 +258,27 @@ class StandIn:
 
     @property
     def bounds(self) -> Any:
-        found = [item.world_bounds() for item in self.items.values()]
-        return np.min([low for low, _ in found], axis=0), np.max([high for _, high in found], axis=0)
+        extents = Extents()
+        for item in self.items.values():
+            extents.put(item.name, item.world_bounds())
+        return extents.union()
 
     def surface_nodes(self, name: str) -> Any:
-        return self._nodes[name].surfaces() if name in self._nodes else []
+        return []
 
     # the session
 
     def camera_view(self) -> View:
         return self.now
 
+    def view_of(self, camera: Any) -> View:
+        return self.now
+
     def look_from(self, view: View) -> None:
         self.now = view
+
+    def look_as(self, state: Any) -> None:
+        self.now = self.began
 
     def rest(self, callback: Any) -> None:
         self.looked.append(callback)
@@ -160,31 +286,45 @@ class StandIn:
     def tell(self) -> None:
         pass
 
+    def count_anew(self) -> None:
+        pass
+
     # the one who uses it
 
     def wait(self) -> None:
         """Until all is done that was asked for."""
+        self.page.settle()
         self.box._worker.submit(lambda: None).result(timeout=60)
 
     def press(self, label: str) -> None:
-        self.client.gui.find(label).fire()
+        """Press the button that begins with these words."""
+        labels = [str(control.get("label")) for control in self.page.controls.values() if control.kind == "button"]
+        self.page.press(next(one for one in labels if one == label or one.startswith(f"{label} (")))
+        self.wait()
+
+    def set(self, label: str, value: Any) -> None:
+        self.page.set(label, value)
         self.wait()
 
     def key(self, key: str) -> None:
-        self.client.gui.keys[key].fire()
+        self.page.key(key)
         self.wait()
 
     def click(self, x: float, y: float) -> None:
         camera = self.now.intrinsic
-        share = (x + 0.5) / camera.width, (y + 0.5) / camera.height
-        for callback in list(self.client.clicks):
-            asyncio.run(callback(SimpleNamespace(screen_pos=share)))
+        share = {"x": (x + 0.5) / camera.width, "y": (y + 0.5) / camera.height}
+        self.page.say("click", **share, shift=False, ctrl=False)
         self.wait()
 
     @property
+    def clicks(self) -> Any:
+        """Who is told of clicks."""
+        return self.client.scene.click_callbacks()
+
+    @property
     def told(self) -> str:
-        return self.box.stage.status.content
+        return self.box.stage.status.value
 
     @property
     def table(self) -> str:
-        return self.box.stage.rows.content
+        return "\n".join(f"| {label} | {text} |" for label, text in self.box.stage.rows.value)

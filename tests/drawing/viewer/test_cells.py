@@ -136,4 +136,4 @@ def test_the_page_of_the_oldest_is_told(kernel, monkeypatch):
         kernel.run("loom.draw(second)")
         loom.draw(np.eye(3), port=0, inline=False, width=64, height=48).close()
         assert first.closed
-        assert "the oldest" in hear_until(page, "NotificationShowMessage")["props"]["body"]
+        assert "the oldest" in hear_until(page, "end")["text"]

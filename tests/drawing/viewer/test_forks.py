@@ -1,14 +1,11 @@
 """Children of a program with a viewer: they hold neither its port nor its pages."""
 
 import os
-import socket
 import subprocess
 import sys
 from pathlib import Path
 
 import pytest
-
-from pointloom.drawing.viewer.server import ViewerServer
 
 ROOT = Path(__file__).resolve().parents[3]
 PARENT = """
@@ -46,14 +43,3 @@ def test_a_child_that_lives_on_holds_neither_port_nor_pages():
     environment = os.environ | {"PYTHONPATH": str(ROOT / "src")}
     found = subprocess.run([sys.executable, "-c", PARENT], capture_output=True, text=True, env=environment, timeout=60)
     assert (found.stdout.splitlines(), found.stderr) == (["True", "b'HTTP/1.1 404'", "b''", "True (0, 0)"], "")
-
-
-def test_a_closed_port_answers_nobody_though_another_process_holds_its_socket():
-    server = ViewerServer(port=0)
-    kept = server._door.dup()  # as in a child that no hook of Python's saw
-    server.close()
-    with pytest.raises(ConnectionRefusedError):
-        socket.create_connection(("127.0.0.1", server.port), timeout=5)
-    with ViewerServer(port=server.port) as again:
-        assert again.port == server.port
-    kept.close()

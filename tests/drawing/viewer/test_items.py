@@ -1,29 +1,23 @@
 """What the viewer makes of geometries before any page is there: coordinates, colours, surfaces, cameras, shares."""
 
+import dataclasses
 import math
 
 import numpy as np
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
 
 import pointloom as loom
 from pointloom.drawing.render.geometries import Style
-from pointloom.drawing.render.view import View, fit_view
-from pointloom.drawing.viewer.camera import camera_of, point_radius
+from pointloom.drawing.render.view import fit_view
+from pointloom.drawing.viewer.camera import camera_of, reach_of, view_of
 from pointloom.drawing.viewer.coloring_choice import ColoringChoice, choices_of
-from pointloom.drawing.viewer.items import Frame, make_item, quaternion, rotation, to_bytes
+from pointloom.drawing.viewer.items import Frame, make_item, to_bytes
+from pointloom.drawing.viewer.link import CameraState
 from pointloom.drawing.viewer.sessions import told
-from pointloom.drawing.viewer.surfaces import (
-    before_tone_mapping,
-    edges_beside,
-    linear_colors,
-    surface_arrays,
-    to_glb,
-    tone_mapped,
-)
+from pointloom.drawing.viewer.surfaces import line_arrays, surface_arrays
 from pointloom.drawing.viewer.whole_cloud import even_share
-from pointloom.meshing.mesh.mesh_files import read_triangle_mesh
+from pointloom.kernels.lang import vec3
+from pointloom.kernels.memory import upload
 
 UTM = np.array([500_000.0, 5_600_000.0, 300.0])
 SQUARE = [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]]
@@ -53,18 +47,12 @@ def test_a_scene_of_any_size_is_some_units_wide_in_the_page(scale):
         assert frame.unit == 1
 
 
-@given(st.floats(-math.pi, math.pi), st.floats(-math.pi, math.pi), st.floats(-math.pi, math.pi))
-def test_a_rotation_comes_back_from_its_quaternion(a, b, c):
-    R = (turn(a, 0) @ turn(b, 1) @ turn(c, 2))[:3, :3]
-    assert np.allclose(rotation(quaternion(R)), R, atol=1e-12)
-
-
 def test_a_pose_is_applied_about_the_world_s_zero_not_the_cloud_s():
     frame, T = Frame(UTM), turn(0.5)
     T[:3, 3] = [1, 2, 3]
     origin, local = UTM + np.array([10, 20, 30]), np.array([0.1, 0.2, 0.3])
-    wxyz, position = frame.place(origin, T)
-    seen = rotation(wxyz) @ local + position
+    R, t = frame.place(origin, T)
+    seen = R @ local + t
     assert np.allclose(seen, T[:3, :3] @ (origin + local) + T[:3, 3] - UTM, atol=1e-9)
 
 
@@ -140,101 +128,83 @@ def test_a_share_is_of_all_parts_of_a_cloud():
 
 
 @pytest.mark.parametrize(
-    ("drawn", "total", "text"),
+    ("drawn", "total", "triangles", "text"),
     [
-        (0, 0, "0 points"),
-        (1234, 1234, "1,234 points"),
-        (500, 1234, "500 of 1,234 points"),
-        (2_000_000, 100_000_000, "2.0 of 100 million points"),
-        (1_500_000, 1_500_000, "1.5 of 1.5 million points"),
-        (2_000_000, 1_234_000_000, "2.0 of 1,234 million points"),
+        (0, 0, 0, ""),
+        (0, 0, 70_000, "70,000 triangles"),
+        (0, 3, 1, "0 of 3 points, 1 triangle"),
+        (1234, 1234, 0, "1,234 points"),
+        (500, 1234, 12, "500 of 1,234 points, 12 triangles"),
+        (2_000_000, 100_000_000, 0, "2.0 of 100 million points"),
+        (1_500_000, 1_500_000, 0, "1.5 of 1.5 million points"),
+        (2_000_000, 1_234_000_000, 0, "2.0 of 1,234 million points"),
     ],
 )
-def test_the_page_says_how_many_points_it_draws(drawn, total, text):
-    assert told(drawn, total) == text
+def test_the_page_says_how_many_points_and_triangles_it_draws(drawn, total, triangles, text):
+    assert told(drawn, total, triangles) == text
 
 
 # -- surfaces ---------------------------------------------------------------------------------------------------------
 
 
-def read_back(data, tmp_path):
-    (tmp_path / "sent.glb").write_bytes(data)
-    return read_triangle_mesh(tmp_path / "sent.glb")
+def arrays_of(mesh, **style):
+    (part,) = make_item("mesh", 0, mesh, Style(**style)).parts
+    return part, surface_arrays(part)
 
 
-@pytest.mark.filterwarnings("ignore:.*what the extension KHR_materials")
-def test_a_mesh_is_sent_whole(tmp_path, device):
+def test_a_mesh_is_sent_whole(device):
     mesh = loom.TriangleMesh(np.array(SQUARE) + UTM, FACES, device=device).compute_vertex_normals()
-    (part,) = make_item("mesh", 0, mesh, Style()).parts
-    sent = read_back(to_glb(part), tmp_path)
-    assert np.allclose(np.asarray(sent.vertices) + part.origin, mesh.vertices, atol=1e-6)
-    assert np.asarray(sent.triangles).tolist() == FACES
-    assert np.allclose(sent.vertex_normals, mesh.vertex_normals)
+    part, sent = arrays_of(mesh)
+    assert np.allclose(sent["positions"] + part.origin, mesh.vertices, atol=1e-6)
+    assert sent["indices"].tolist() == FACES
+    assert np.allclose(sent["normals"], mesh.vertex_normals)
 
 
-def test_colors_come_out_of_the_page_s_tone_mapping_as_they_are(rng):
-    linear = linear_colors(0.35 + 0.4 * rng.random((200, 3)))
-    assert np.allclose(tone_mapped(before_tone_mapping(linear)), linear, atol=1e-5)
-    saturated = np.vstack([np.eye(3), 1 - np.eye(3), np.zeros((1, 3)), np.ones((1, 3))])
-    seen = tone_mapped(before_tone_mapping(saturated))
-    assert np.array_equal(seen > 0.3, saturated > 0.5)  # a pure green is darker, and no white
-    assert seen[-1].min() > 0.89  # 243 of 255
+def test_a_mesh_has_the_colours_of_its_vertices_or_the_warm_grey_of_our_pictures():
+    assert arrays_of(loom.TriangleMesh(SQUARE, FACES))[1]["plain"].tolist() == [204, 199, 189]
+    colored = loom.TriangleMesh(SQUARE, FACES, vertex_colors=np.tile([[1, 0, 0.5]], (4, 1)))
+    assert arrays_of(colored)[1]["colors"].tolist() == [[255, 0, 128]] * 4
+    assert "plain" not in arrays_of(colored)[1]
+    assert arrays_of(colored, color=(0, 1, 0))[1]["plain"].tolist() == [0, 255, 0]
 
 
 def test_light_falls_on_all_but_photographs():
-    part_of = lambda mesh, **style: make_item("mesh", 0, mesh, Style(**style)).parts[0]  # noqa: E731
     plain, colored = loom.TriangleMesh(SQUARE, FACES), loom.TriangleMesh(SQUARE, FACES, vertex_colors=np.ones((4, 3)))
-    assert b"KHR_materials_unlit" not in to_glb(part_of(plain))
-    assert b"KHR_materials_unlit" not in to_glb(part_of(colored))
-    assert b"KHR_materials_unlit" in to_glb(part_of(colored, shaded=False))
     picture = {"triangle_uvs": np.zeros((6, 2)), "textures": [np.zeros((2, 2, 3), np.uint8)]}
     textured = loom.TriangleMesh(SQUARE, FACES, **picture)
-    assert b"KHR_materials_unlit" in to_glb(part_of(textured))
-    assert b"KHR_materials_unlit" not in to_glb(part_of(textured, shaded=True))
-    assert b"KHR_materials_unlit" not in to_glb(part_of(textured, color=(1, 0, 0)))
-    assert b'"doubleSided":true' in to_glb(part_of(plain))
-    assert b'"doubleSided":false' in to_glb(part_of(plain, back_faces=False))
+    lit = lambda mesh, **style: arrays_of(mesh, **style)[1]["lit"]  # noqa: E731
+    assert lit(plain) and lit(colored) and lit(textured, shaded=True) and lit(textured, color=(1, 0, 0))
+    assert not lit(colored, shaded=False) and not lit(textured)
+    assert not arrays_of(plain)[1]["cull"] and arrays_of(plain, back_faces=False)[1]["cull"]
 
 
-@pytest.mark.filterwarnings("ignore:.*what the extension KHR_materials")
-def test_a_texture_goes_along(tmp_path):
+def test_a_texture_goes_along():
     texture = np.arange(4 * 4 * 3, dtype=np.uint8).reshape(4, 4, 3)
     uvs = np.array([[0, 0], [1, 0], [1, 1], [0, 0], [1, 1], [0, 1]], np.float32)
-    mesh = loom.TriangleMesh(SQUARE, FACES, triangle_uvs=uvs, textures=[texture])
-    (part,) = make_item("mesh", 0, mesh, Style()).parts
-    sent = read_back(to_glb(part), tmp_path)
-    assert (sent.textures[0] == texture).all()
-    assert np.allclose(sent.triangle_uvs, uvs)
+    part, sent = arrays_of(loom.TriangleMesh(SQUARE, FACES, triangle_uvs=uvs, textures=[texture]))
+    assert (sent["texture"] == texture).all()
+    assert np.allclose(sent["uvs"], np.stack([uvs[:, 0], 1 - uvs[:, 1]], axis=1))  # the page's v runs down
+    corners = sent["positions"][sent["indices"].ravel()] + part.origin
+    assert (corners == np.array(SQUARE)[np.ravel(FACES)]).all()
 
 
-def test_a_mesh_without_a_finite_triangle_is_not_sent():
+def test_what_is_not_finite_is_not_sent():
     empty = loom.TriangleMesh(np.zeros((0, 3)), np.zeros((0, 3), int))
-    assert [to_glb(part) for part in make_item("mesh", 0, empty, Style()).parts] in ([], [None])
-    holed = loom.TriangleMesh([*SQUARE[:3], [np.nan, 0, 0]], FACES)
-    (part,) = make_item("mesh", 0, holed, Style()).parts
-    positions, faces = surface_arrays(part)
-    assert np.isfinite(positions).all()
-    assert faces.tolist() == FACES[:1]
-
-
-def test_edges_lie_on_both_sides_of_the_faces():
-    (part,) = make_item("mesh", 0, loom.TriangleMesh(SQUARE, FACES), Style()).parts
-    positions, faces = edges_beside(part, 0.01)
-    assert len(faces) == 4
-    assert sorted({round(float(z), 4) for z in positions[:, 2]}) == [-0.0141, 0.0141]
+    assert [surface_arrays(part) for part in make_item("mesh", 0, empty, Style()).parts] in ([], [None])
+    _, holed = arrays_of(loom.TriangleMesh([*SQUARE[:3], [np.nan, 0, 0]], FACES))
+    assert np.isfinite(holed["positions"]).all() and holed["indices"].tolist() == FACES[:1]
+    (lines,) = make_item("lines", 0, loom.LineSet(SQUARE, [[0, 1], [2, 3], [1, 2]]), Style()).parts
+    places = np.array([*SQUARE[:3], [np.nan] * 3], np.float32)
+    part = dataclasses.replace(lines, positions=upload(places, vec3, lines.positions.device))
+    assert line_arrays(part)["ends"].tolist() == [SQUARE[:2], [SQUARE[1], SQUARE[2]]]
 
 
 # -- cameras ----------------------------------------------------------------------------------------------------------
 
 
 def seen_from(camera, frame, points, aspect):
-    """Where points are in a page, -1 to 1, by the page's own way of placing its camera."""
-    eye = camera.position * frame.unit + frame.origin
-    forward = camera.look_at - camera.position
-    forward = forward / np.linalg.norm(forward)
-    right = np.cross(forward, camera.up)
-    right = right / np.linalg.norm(right)
-    local = (points - eye) @ np.column_stack([right, np.cross(forward, right), forward])
+    """Where points are in a page, -1 to 1."""
+    local = (points - frame.to_world(camera.position)) @ camera.rotation
     tan = math.tan(camera.fov / 2)
     return local[:, :2] / local[:, 2:] / [tan * aspect, tan]
 
@@ -260,12 +230,45 @@ def test_a_narrow_page_sees_as_much_as_a_wide_one(rng):
         assert np.abs(seen_from(camera, Frame.around(bounds), points, aspect)).max() < 1
 
 
-def test_points_keep_their_size_on_the_screen():
-    points = np.zeros((1, 3))
-    sizes = []
-    for distance in (1.0, 10.0):
-        view = View.from_open3d(([-1, -1, -1], [1, 1, 1]), lookat=[0, 0, 0], zoom=distance, width=640, height=480)
-        radius = point_radius(4.0, points, view, Frame(np.zeros(3)), 1.0)
-        depth = view.T_world_camera[2, 3]
-        sizes.append(2 * radius * view.intrinsic.fy / depth)
-    assert np.allclose(sizes, 4.0)
+def state_of(camera, size=(800, 600), **changed):
+    return CameraState(camera.position, camera.rotation, camera.fov, size, camera.pivot, **changed)
+
+
+def test_a_view_comes_back_from_the_page_s_camera(rng):
+    points = 3e-4 * rng.random((40, 3)) + UTM
+    bounds = points.min(axis=0), points.max(axis=0)
+    frame, view = Frame.around(bounds), fit_view(points, width=800, height=600)
+    back = view_of(state_of(camera_of(view, frame, bounds)), frame, bounds, (800, 600))
+    assert np.allclose(back.T_world_camera, view.T_world_camera, atol=1e-9)
+    assert back.intrinsic.fx == pytest.approx(view.intrinsic.fx)
+
+
+@pytest.mark.parametrize("zoom", [1.0, 0.01])
+def test_a_camera_without_perspective_sees_what_a_view_from_very_far_away_shows(rng, zoom):
+    points = rng.random((40, 3)) + UTM
+    bounds = points.min(axis=0), points.max(axis=0)
+    frame, size = Frame.around(bounds), (800, 600)
+    camera = camera_of(fit_view(points, width=800, height=600), frame, bounds)
+    depth = zoom * (camera.pivot - camera.position) @ camera.rotation[:, 2]
+    near = CameraState(
+        camera.pivot - depth * camera.rotation[:, 2], camera.rotation, camera.fov, size, camera.pivot, orthographic=True
+    )
+    view = view_of(near, frame, bounds, size)
+    local = (points - frame.to_world(camera.pivot)) @ camera.rotation
+    expected = local[:, :2] / depth * (300 / math.tan(camera.fov / 2))  # the page's scale, at the depth of its pivot
+    seen = (points - view.T_world_camera[:3, 3]) @ view.T_world_camera[:3, :3]
+    pixels = seen[:, :2] / seen[:, 2:] * view.intrinsic.fx
+    shown = (np.abs(expected) < [400, 300]).all(axis=1)
+    assert np.abs(pixels - expected)[shown].max(initial=0) < 1
+    assert zoom < 1 or shown.mean() > 0.8
+
+
+@pytest.mark.parametrize("distance", [1.0, 40.0, 600.0])
+def test_the_scene_lies_between_what_is_drawn_nearest_and_farthest(distance):
+    bounds = np.full(3, -0.5), np.full(3, 0.5)
+    frame = Frame(np.zeros(3))
+    camera = CameraState(np.array([0, 0, -distance]), np.eye(3), 1.0, (800, 600), np.zeros(3))
+    reach = reach_of(camera, frame, bounds)
+    assert reach["near"] < distance - 0.5 and distance + 0.5 < reach["far"]
+    assert reach["closest"] < distance < reach["farthest"]
+    assert reach["far"] / reach["near"] <= 1e5

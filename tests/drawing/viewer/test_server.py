@@ -2,8 +2,13 @@
 
 from __future__ import annotations
 
+import base64
 import gc
+import gzip
+import hashlib
 import os
+import re
+import signal
 import socket
 import subprocess
 import sys
@@ -15,11 +20,26 @@ import weakref
 import numpy as np
 import pytest
 from websockets.exceptions import ConnectionClosed, InvalidStatus
+from websockets.sync.client import connect
 
 from pointloom.core.errors import PointloomError
 from pointloom.drawing.viewer.server import MOST_PORTS, ViewerError, ViewerServer
 
-from .pages import count, get, hear, is_well, page_of, send_raw, silent_line, wait_until
+from .pages import (
+    HELLO,
+    count,
+    get,
+    hear,
+    hear_until,
+    is_well,
+    line_of,
+    page_of,
+    say,
+    send_raw,
+    silent_line,
+    wait_until,
+    with_token,
+)
 
 
 @pytest.fixture
@@ -32,9 +52,10 @@ def free_port() -> int:
 
 
 def test_it_listens_on_this_machine_alone(server):
-    bound = server.viser._websock_server._bound  # type: ignore[attr-defined]
-    assert bound.getsockname() == ("127.0.0.1", server.port)
-    assert server.url == f"http://127.0.0.1:{server.port}"
+    other = "127.0.0.2"  # is this machine's too, and would reach whoever listens on every address
+    with pytest.raises(ConnectionRefusedError):
+        socket.create_connection((other, server.port), timeout=5)
+    assert server.url == f"http://127.0.0.1:{server.port}/?token={server.pages.token}"
     assert not server.exposed
     assert server.moved_from is None
 
@@ -85,7 +106,7 @@ def test_a_host_is_an_address(host):
 def test_beyond_this_machine_only_when_asked_and_it_is_said():
     with ViewerServer("0.0.0.0", port=0) as server:
         assert server.exposed
-        assert server.url == f"http://127.0.0.1:{server.port}"
+        assert server.url == f"http://127.0.0.1:{server.port}/?token={server.pages.token}"
         assert get(server, Host=f"192.168.1.5:{server.port}")[0] == 200
         assert get(server, Host=f"evil.example:{server.port}")[0] == 403
 
@@ -100,7 +121,7 @@ def test_localhost_and_the_other_loopback_are_loopback():
         except OSError:
             return
         with ViewerServer("::1", port=0) as server:
-            assert server.url == f"http://[::1]:{server.port}"
+            assert server.url == f"http://[::1]:{server.port}/?token={server.pages.token}"
             assert not server.exposed
 
 
@@ -112,38 +133,87 @@ def test_the_page_is_served_under_our_name(server):
     assert status == 200
     assert headers["content-type"] == "text/html; charset=utf-8"
     assert b"<title>pointloom</title>" in body
-    assert get(server, "/index.html?fixedDpr=1")[2] == body
     packed = get(server, Accept_Encoding="gzip, br")
     assert packed[1]["content-encoding"] == "gzip"
-    assert len(packed[2]) < len(body)
+    assert gzip.decompress(packed[2]) == body
+
+
+def test_a_page_that_is_known_goes_over_once(server):
+    tag = get(server)[1]["etag"]
+    for known in (tag, f"W/{tag}", f'"other", {tag}'):
+        status, headers, body = get(server, If_None_Match=known)
+        assert (status, body, headers["etag"]) == (304, b"", tag)
+    assert get(server, If_None_Match='"other"')[0] == 200
+    assert get(server)[1]["cache-control"] == "no-cache"
+    assert get(server, "/", If_None_Match=tag)[0] == 403
 
 
 def test_a_title_is_text():
     with ViewerServer(port=0, title="<script>x</script>&") as server:
-        assert b"<title>&lt;script>x&lt;/script>&amp;</title>" in get(server)[2]
+        assert b"<title>&lt;script&gt;x&lt;/script&gt;&amp;</title>" in get(server)[2]
+
+
+@pytest.mark.parametrize("query", ["", "?token=", "?token=wrong", "?token=%ff%00", "?token=\u00e4", "?Token={token}",
+    "?token={token}x", "?token={token}&token={token}", "?token[]={token}", "?" + "&" * 1000])  # fmt: skip
+def test_without_the_token_there_is_nothing_but_words(server, query):
+    path = "/" + query.format(token=server.pages.token)
+    answer = send_raw(server, f"GET {path} HTTP/1.1\r\nHost: 127.0.0.1\r\n\r\n".encode())
+    assert not answer or answer.startswith((b"HTTP/1.1 403 ", b"HTTP/1.1 400 "))
+    assert server.pages.token.encode() not in answer
+    assert b"<script" not in answer
+
+
+def test_who_comes_without_the_token_is_told_where_to_find_it(server):
+    status, headers, body = get(server, "/")
+    assert status == 403
+    assert headers["content-type"] == "text/html; charset=utf-8"
+    assert b"Open the whole address that the program printed" in body
+
+
+def test_a_websocket_without_the_token_gets_403(server):
+    for address in ("/live", "/live?token=", f"/live?token={'x' * 24}"):
+        with pytest.raises(InvalidStatus, match="403"):
+            connect(f"ws://127.0.0.1:{server.port}{address}", origin=f"http://127.0.0.1:{server.port}", proxy=None)
+
+
+def test_each_server_has_a_token_of_its_own_that_nobody_guesses(server):
+    with ViewerServer(port=0) as other:
+        assert other.pages.token != server.pages.token
+        assert len(other.pages.token) >= 22  # 128 bits and more
 
 
 def test_every_answer_tells_the_browser_what_it_may_not(server):
-    for answer in (get(server), get(server, "/other"), get(server, Host="evil.example")):
+    for answer in (get(server), get(server, "/"), get(server, "/other"), get(server, Host="evil.example")):
         headers = answer[1]
         assert "default-src 'none'" in headers["content-security-policy"]
+        assert "unsafe" not in headers["content-security-policy"]
         assert headers["x-content-type-options"] == "nosniff"
         assert headers["referrer-policy"] == "no-referrer"
         assert headers["cross-origin-resource-policy"] == "same-origin"
-        assert headers["cache-control"] == "no-store"
+        assert headers["cache-control"] == ("no-cache" if answer[0] == 200 else "no-store")
         assert "access-control-allow-origin" not in headers
         assert "server" not in headers
+
+
+def test_the_policy_names_the_scripts_and_styles_that_the_page_has(server):
+    _, headers, body = get(server)
+    inside = re.findall(rb"<(script|style)\b[^>]*>(.*?)</\1>", body, re.DOTALL)
+    assert inside
+    for _, text in inside:
+        assert (
+            f"'sha256-{base64.b64encode(hashlib.sha256(text).digest()).decode()}'" in headers["content-security-policy"]
+        )
 
 
 @pytest.mark.parametrize(
     "path",
     [
         "/etc/passwd", "/../../../../etc/passwd", "/%2e%2e/%2e%2e/etc/passwd", "/..%5c..%5cetc", "//etc/passwd", "/.",
-        "/index.html/", "/%00", "/hdri/x.hdr", "/INDEX.HTML", "/index.html%00.png", "http://127.0.0.1/", "*",
+        "/index.html", "/%00", "/live", "/LIVE", "/live/", "http://127.0.0.1/", "*",
     ],
 )  # fmt: skip
 def test_there_is_nothing_but_the_page(server, path):
-    status, _, body = get(server, path)
+    status, _, body = get(server, with_token(server, path))
     assert status == 404
     assert b"root:" not in body
 
@@ -167,14 +237,19 @@ def test_another_port_of_the_user_behind_ssh_is_answered(server):
 
 @pytest.mark.parametrize("origin", ["http://evil.example", "null", "http://127.0.0.1:1", None])
 def test_a_websocket_of_another_page_gets_403(server, origin):
-    with pytest.raises(InvalidStatus, match="403"), page_of(server, origin=origin, camera=False):
+    with pytest.raises(InvalidStatus, match="403"), line_of(server, origin=origin):
         pass
 
 
-def test_a_websocket_of_another_version_is_refused(server):
-    for offered in (["viser-v0.0.0"], None, ["chat"]):
-        with pytest.raises(InvalidStatus, match="426"), page_of(server, subprotocols=offered, camera=False):
+def test_a_page_of_another_version_is_told_to_load_again(server):
+    for offered in (None, ["chat"], ["viser-v1.1.1"]):
+        with pytest.raises(InvalidStatus, match="426"), line_of(server, subprotocols=offered):
             pass
+    for offered, version in ((["pointloom.0"], 1), (["pointloom.2"], 2), (["pointloom.1"], 2)):
+        with line_of(server, subprotocols=offered) as line, pytest.raises(ConnectionClosed) as ended:
+            say(line, {**HELLO, "version": version})
+            line.recv(timeout=5)
+        assert ended.value.rcvd.code == 4001
 
 
 @pytest.mark.parametrize("method", ["POST", "PUT", "DELETE", "OPTIONS", "CONNECT", "PATCH"])
@@ -218,26 +293,25 @@ def test_closing_twice_is_no_error_and_what_is_closed_says_so(capfd):
     server.close()
     assert server.closed
     with pytest.raises(ViewerError, match="closed"):
-        _ = server.viser
+        _ = server.pages
     assert capfd.readouterr() == ("", "")
 
 
 def test_closing_ends_the_threads():
     before = set(threading.enumerate())
     with ViewerServer(port=0) as server:
-        server.viser.on_client_connect(lambda client: None)
+        server.pages.on_client_connect(lambda client: None)
         with page_of(server) as line:
             hear(line)
     wait_until(lambda: {thread for thread in threading.enumerate() if thread.is_alive()} <= before)
 
 
-@pytest.mark.slow
 def test_closing_frees_the_memory():
     with ViewerServer(port=0) as server:
-        server.viser.scene.add_point_cloud("/cloud", np.zeros((100_000, 3), np.float32), (255, 0, 0))
+        server.pages.scene.add_points(np.zeros((100_000, 3), np.float32), plain=(255, 0, 0))
         with page_of(server) as line:
             hear(line)
-        died = weakref.ref(server.viser)
+        died = weakref.ref(server.pages)
     deadline = time.monotonic() + 5
     while died() is not None and time.monotonic() < deadline:
         time.sleep(0.02)
@@ -247,12 +321,50 @@ def test_closing_frees_the_memory():
 
 def test_closing_does_not_wait_for_a_page_that_does_not_read():
     with ViewerServer(port=0) as server:
-        server.viser.scene.add_point_cloud("/large", np.zeros((500_000, 3), np.float32), (255, 0, 0))
+        server.pages.scene.add_points(np.zeros((500_000, 3), np.float32), plain=(255, 0, 0))
         with silent_line(server):
             wait_until(lambda: count(server) == 1)
             start = time.monotonic()
             server.close()
             assert time.monotonic() - start < 2
+
+
+def test_pages_are_told_what_was_sent_last_before_they_are_sent_away():
+    with ViewerServer(port=0) as server, page_of(server) as line:
+        server.pages.end("The program has ended")
+        server.close()
+        assert hear_until(line, "end")["text"] == "The program has ended"
+        with pytest.raises(ConnectionClosed) as ended:
+            line.recv(timeout=5)
+        assert ended.value.rcvd.code == 1001
+
+
+@pytest.mark.filterwarnings("ignore:This process:DeprecationWarning")
+def test_a_child_keeps_neither_the_port_nor_a_page(free_port):
+    """A child that a library forks, as loaders of data do, has copies of all sockets."""
+    with ViewerServer(port=free_port) as server, page_of(server) as line:
+        child = os.fork()
+        if child == 0:
+            try:
+                server.pages.scene.add_group()
+                server.close()
+                time.sleep(30)
+            finally:
+                os._exit(0)
+        try:
+            server.pages.scene.add_label("still here", (0, 0, 0))
+            assert hear_until(line, "node", kind="label")["text"] == "still here"
+            server.close()
+            with pytest.raises(ConnectionClosed):
+                line.recv(timeout=5)
+            with pytest.raises(ConnectionRefusedError):
+                socket.create_connection(("127.0.0.1", free_port), timeout=5)
+            with ViewerServer(port=free_port) as second:
+                assert second.port == free_port
+                assert is_well(second)
+        finally:
+            os.kill(child, signal.SIGKILL)
+            os.waitpid(child, 0)
 
 
 def run_python(script: str, **settings) -> subprocess.CompletedProcess[str]:
@@ -278,7 +390,7 @@ def test_a_script_ends_silently_however_it_ends(end):
 import time
 from pointloom.drawing.viewer.server import ViewerServer
 server = ViewerServer(port=0)
-server.viser.scene.add_frame("/frame")
+server.pages.scene.add_group()
 try:
     {end.replace(chr(10), chr(10) + "    ") or "pass"}
     time.sleep(0.05)
@@ -292,8 +404,7 @@ except KeyboardInterrupt:
 def test_without_the_extra_the_line_to_run_is_said():
     script = """
         import sys
-        sys.modules["viser"] = None
-        sys.modules["msgspec"] = None
+        sys.modules["websockets"] = None
         from pointloom.drawing.viewer.server import ViewerServer
         from pointloom.core.errors import PointloomError
         try:

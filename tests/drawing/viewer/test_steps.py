@@ -1,6 +1,5 @@
 """The first picture comes soon: clouds arrive in steps, as fast as a page takes them, and levels while one looks."""
 
-import contextlib
 import os
 import subprocess
 import sys
@@ -9,7 +8,6 @@ import time
 
 import numpy as np
 import pytest
-from websockets.exceptions import ConnectionClosed
 
 import pointloom as loom
 from pointloom.drawing.viewer import pacing, scene, whole_cloud
@@ -19,10 +17,8 @@ from pointloom.drawing.viewer.tools.picking import project
 from pointloom.drawing.viewer.viewer import Viewer
 from pointloom.drawing.viewer.whole_cloud import in_steps
 
-from .pages import CAMERA, hear_until, page_of, say, wait_until
-from .stand_in import StandIn
-
-pytestmark = pytest.mark.filterwarnings("ignore:Queued a .* on a closed connection")
+from .pages import wait_until
+from .stand_in import StandIn, page_in
 
 RED = (1.0, 0.0, 0.0)
 
@@ -44,13 +40,15 @@ def stream_of(shown, name="cloud"):
 
 
 def line_of(shown):
-    return next(iter(shown.sessions.values()))._line.content
+    shown.catch_up()
+    return next(iter(shown.sessions.values()))._line.value
 
 
 def feeders():
     """The package's threads, but for those that share kernels."""
     names = [thread.name for thread in threading.enumerate()]
-    return [name for name in names if name.startswith("pointloom-") and not name.startswith("pointloom-cpu-")]
+    others = ("pointloom-cpu-", "pointloom-page")  # those of the server, and of its pages
+    return [name for name in names if name.startswith("pointloom-") and not name.startswith(others)]
 
 
 def test_each_point_is_in_one_step_and_each_step_everywhere():
@@ -65,7 +63,7 @@ def test_each_point_is_in_one_step_and_each_step_everywhere():
 
 
 def test_a_part_comes_at_once_and_the_rest_in_steps(small_steps, rng):
-    with Viewer(port=0) as shown, page_of(shown.server):
+    with Viewer(port=0) as shown, page_in(shown):
         wait_until(lambda: bool(shown.sessions))
         with shown.lock:
             shown.add("cloud", loom.PointCloud(rng.random((1000, 3))))
@@ -79,7 +77,7 @@ def test_a_part_comes_at_once_and_the_rest_in_steps(small_steps, rng):
 
 
 def test_what_is_there_is_replaced_at_once(small_steps, rng):
-    with Viewer(port=0) as shown, page_of(shown.server):
+    with Viewer(port=0) as shown, page_in(shown) as page:
         shown.add("cloud", loom.PointCloud(rng.random((1000, 3))))
         stream = stream_of(shown)
         wait_until(lambda: stream.drawn == 1000)
@@ -88,56 +86,49 @@ def test_what_is_there_is_replaced_at_once(small_steps, rng):
                 shown.update("cloud", loom.PointCloud(rng.random((count, 3))))
                 assert stream.drawn == count
             wait_until(lambda count=count: stream.drawn == count)
-            assert sum(len(handle.points) for handle in stream._handles) == count
+            assert sum(len(node.positions) for node in nodes_of(page, stream)) == count
+
+
+def nodes_of(page, stream):
+    return [page.nodes[node.id] for node in stream._nodes]
 
 
 def test_colours_size_pose_and_visibility_reach_all_steps(small_steps, rng):
-    with Viewer(port=0) as shown, page_of(shown.server):
+    with Viewer(port=0) as shown, page_in(shown) as page:
         shown.add("cloud", loom.PointCloud(rng.random((1000, 3)), colors=rng.random((1000, 3))))
         stream = stream_of(shown)
         wait_until(lambda: stream.drawn == 1000)
         shown.color_by("height")
-        colors = np.concatenate([handle.colors for handle in stream._handles])
+        colors = np.concatenate([node.colors for node in nodes_of(page, stream)])
         assert (colors == shown.items["cloud"].colors_of(np.concatenate(stream._sent))).all()
         shown.point_size = 9.0
-        assert len({handle.point_size for handle in stream._handles}) == 1
+        assert {node.size for node in nodes_of(page, stream)} == {9.0}
         T = np.eye(4)
         T[:3, 3] = 5.0
         shown.set_pose("cloud", T)
-        assert len({tuple(np.round(handle.position, 6)) for handle in stream._handles}) == 1
+        assert len({tuple(np.round(node.pose, 6)) for node in nodes_of(page, stream)}) == 1
         shown.set_visible("cloud", False)
-        assert not any(handle.visible for handle in stream._handles)
+        assert not any(node.visible for node in nodes_of(page, stream))
         stream.set_keep(lambda points, indices: indices < 10)
-        assert sum(len(handle.points) for handle in stream._handles) == 10
+        assert sum(len(node.positions) for node in nodes_of(page, stream)) == 10
         shown.remove("cloud")
-        assert stream._handles == []
+        assert stream._nodes == [] and page.nodes == {}
 
 
 def test_the_next_step_waits_for_the_page(small_steps, rng, monkeypatch):
     monkeypatch.setattr(pacing, "PATIENCE", 60.0)
-    with Viewer(port=0) as shown, page_of(shown.server) as page:
+    with Viewer(port=0) as shown, page_in(shown) as page:
         shown.add("cloud", loom.PointCloud(rng.random((1000, 3))))
         stream = stream_of(shown)
         wait_until(lambda: "pointloom-feed" in feeders())
         time.sleep(0.1)  # in which nothing comes
         assert stream.drawn == 100
-        answers = threading.Thread(target=answer, args=(page,), daemon=True)
-        answers.start()
-        wait_until(lambda: stream.drawn == 1000)
-    answers.join(10)
-
-
-def answer(page):
-    """Give a sign whenever the viewer asks for one, as a page does."""
-    with contextlib.suppress(ConnectionClosed, TimeoutError):
-        while True:
-            hear_until(page, "SetCameraFovMessage", 20.0)
-            say(page, CAMERA)
+        wait_until(lambda: page.answer() and stream.drawn == 1000)
 
 
 def test_closing_in_the_midst_of_it_leaves_no_thread(small_steps, rng, monkeypatch):
     monkeypatch.setattr(pacing, "PATIENCE", 60.0)
-    with Viewer(port=0, max_points=1000) as shown, page_of(shown.server):
+    with Viewer(port=0, max_points=1000) as shown, page_in(shown):
         shown.add("cloud", loom.PointCloud(rng.random((900, 3))))
         shown.add("large", loom.PointCloud(rng.random((3000, 3))))
         wait_until(lambda: "pointloom-feed" in feeders())
@@ -149,20 +140,22 @@ def test_closing_in_the_midst_of_it_leaves_no_thread(small_steps, rng, monkeypat
 def test_a_large_cloud_is_shown_in_part_while_its_levels_are_built(small_steps, rng, monkeypatch):
     may_go, build = threading.Event(), DetailTree.from_cloud
     monkeypatch.setattr(DetailTree, "from_cloud", lambda cloud: may_go.wait(30) and build(cloud))
-    with Viewer(port=0, max_points=20_000) as shown, page_of(shown.server):
+    with Viewer(port=0, max_points=20_000) as shown, page_in(shown) as page:
         shown.add("cloud", loom.PointCloud(rng.random((60_000, 3)), colors=rng.random((60_000, 3))))
         stream = stream_of(shown)
         wait_until(lambda: stream.drawn == 100)
         assert line_of(shown) == "100 of 60,000 points"
+        wait_until(lambda: page.others("progress")[-1].text == "a first look; preparing all points of cloud")
         may_go.set()
         wait_until(lambda: stream_of(shown) is not stream and 10_000 < stream_of(shown).drawn <= 20_000, 30.0)
-        wait_until(lambda: stream._handles == [], 30.0)
+        wait_until(lambda: stream._nodes == [], 30.0)
+        assert page.others("progress")[-1].text == ""
 
 
 def test_levels_of_what_was_replaced_meanwhile_are_let_go(small_steps, rng, monkeypatch):
     may_go, build = threading.Event(), DetailTree.from_cloud
     monkeypatch.setattr(DetailTree, "from_cloud", lambda cloud: may_go.wait(30) and build(cloud))
-    with Viewer(port=0, max_points=2000) as shown, page_of(shown.server):
+    with Viewer(port=0, max_points=2000) as shown, page_in(shown):
         shown.add("cloud", loom.PointCloud(rng.random((5000, 3))))
         shown.update("cloud", loom.PointCloud(rng.random((50, 3))))
         may_go.set()
@@ -172,7 +165,7 @@ def test_levels_of_what_was_replaced_meanwhile_are_let_go(small_steps, rng, monk
 
 
 def test_tools_learn_of_each_change_of_the_scene(rng):
-    with Viewer(port=0) as shown, page_of(shown.server):
+    with Viewer(port=0) as shown, page_in(shown):
         shown.add("cloud", loom.PointCloud(rng.random((10, 3))))
         stream_of(shown)
         (session,) = shown.sessions.values()
@@ -188,12 +181,13 @@ def test_tools_learn_of_each_change_of_the_scene(rng):
         ):
             asked.clear()
             change()
+            shown.catch_up()
             assert asked
 
 
 def test_pictures_show_what_clip_planes_and_crops_leave(rng):
     points = rng.random((4000, 3))
-    with Viewer(port=0) as shown, page_of(shown.server):
+    with Viewer(port=0) as shown, page_in(shown):
         shown.add("cloud", loom.PointCloud(points, colors=np.tile(RED, (4000, 1))))
         stream_of(shown)
         (session,) = shown.sessions.values()

@@ -3,7 +3,6 @@
 import contextlib
 import itertools
 import threading
-import warnings
 
 import numpy as np
 import pytest
@@ -18,39 +17,57 @@ UTM = np.array([512_345.0, 5_402_111.0, 240.0])
 BUDGET = 90_000
 
 
-class Handle:
-    """A node of the scene; writes are seen at once, or when the atomic block ends."""
+class Node:
+    """A node of the scene; changes are seen at once."""
 
-    def __init__(self, client, **values):
-        self.__dict__.update(values, client=client, removed=False)
+    def __init__(self, client, kind, number, parent=None, R=None, t=None, scale=1.0, visible=True, **values):
+        self.client, self.kind, self.id, self.parent, self.removed = client, kind, number, parent, False
+        self._visible, self.values = visible, values
+        self.place(R, t, told=False)
 
-    def __setattr__(self, name, value):
+    def place(self, R=None, t=None, scale=None, *, told=True):
+        self.R = np.eye(3) if R is None else np.asarray(R)
+        self.t = np.zeros(3) if t is None else np.asarray(t, np.float64)
+        if told:
+            self.client.messages.append(("place", self.id))
+
+    @property
+    def visible(self):
+        return self._visible
+
+    @visible.setter
+    def visible(self, visible):
         self.client.check(self)
-        if name in ("position", "wxyz") and np.allclose(value, self.__dict__[name]):
-            return  # as viser does
-        self.__dict__[name] = value
-        self.client.messages.append((name, self.name))
+        self._visible = visible
+        self.client.messages.append(("visible", self.id))
+
+    def set(self, **values):
+        self.client.check(self)
+        self.values.update(values)
+        self.client.messages.append(("set", self.id))
 
     def remove(self):
         self.client.check(self)
-        self.__dict__["removed"] = True
-        for name in [name for name in self.client.nodes if name == self.name or name.startswith(self.name + "/")]:
-            del self.client.nodes[name]
-        self.client.messages.append(("remove", self.name))
+        self.removed = True
+        for number in [n for n, node in self.client.nodes.items() if self in (node, node.parent)]:
+            del self.client.nodes[number]
+        self.client.messages.append(("remove", self.id))
+
+    def __getattr__(self, name):
+        return self.__dict__["values"][name]
 
 
 class Client:
-    """Stands for viser's ClientHandle."""
+    """Stands for a `PageClient`."""
 
     def __init__(self):
         self.scene, self.nodes, self.messages, self.swaps = self, {}, [], []
-        self.is_gone, self.depth, self.on_swap, self.threads = False, 0, None, []
+        self.is_open, self.depth, self.on_swap, self.threads = True, 0, None, []
+        self.numbers = itertools.count(1)
 
-    def check(self, handle=None):
-        if self.is_gone:
-            warnings.warn("Queued a PointCloudMessage on a closed connection", stacklevel=2)
-        if handle is not None and handle.removed:
-            raise RuntimeError("Cannot assign on a removed handle")
+    def check(self, node):
+        assert self.is_open, "nothing is sent to a page that has gone"
+        assert not node.removed
 
     @contextlib.contextmanager
     def atomic(self):
@@ -58,40 +75,48 @@ class Client:
         yield
         self.depth -= 1
         if not self.depth:
-            self.swaps.append(sum(len(node.points) for node in self.seen()))
+            self.swaps.append(sum(len(node.positions) for node in self.seen()))
             self.threads.append(threading.get_ident())
             if self.on_swap:
                 self.on_swap()
 
-    def add_frame(self, name, *, show_axes):
-        self.check()
-        values = {"name": name, "visible": True, "position": (0.0, 0.0, 0.0), "wxyz": (1.0, 0.0, 0.0, 0.0)}
-        self.nodes[name] = Handle(self, **values)
-        return self.nodes[name]
+    def add_group(self, **placing):
+        return self.add("group", placing)
 
-    def add_point_cloud(self, name, points, colors, *, precision, position, **style):
+    def add_points(self, positions, colors, **values):
         assert self.depth, "nodes are swapped in together"
-        self.check()
-        points = points.astype(np.dtype(precision))
-        assert np.isfinite(points).all()
-        assert colors.shape == points.shape and colors.dtype == np.uint8
-        values = {"points": points, "colors": np.array(colors), "position": position, "visible": True, **style}
-        self.nodes[name] = Handle(self, name=name, precision=precision, **values)
-        self.messages.append(("add", name))
-        return self.nodes[name]
+        assert np.isfinite(positions).all()
+        assert colors.shape == positions.shape and colors.dtype == np.uint8
+        return self.add("points", {"positions": positions, "colors": np.array(colors), **values})
+
+    def add(self, kind, values):
+        node = Node(self, kind, next(self.numbers), **values)
+        self.nodes[node.id] = node
+        self.messages.append(("add", node.id))
+        return node
 
     def seen(self):
-        return [node for node in self.nodes.values() if node.visible and hasattr(node, "points")]
+        return [node for node in self.nodes.values() if node.kind == "points" and node.visible]
 
-    def world(self, stream_name="/cloud"):
+    @property
+    def frame(self):
+        (frame,) = [node for node in self.nodes.values() if node.kind == "group"]
+        return frame
+
+    def world(self):
         """Positions that are seen, about the scene's zero, in float64."""
-        frame = self.nodes[stream_name]
-        parts = [node.points.astype(np.float64) + np.array(node.position) for node in self.seen()]
+        parts = [node.positions.astype(np.float64) + node.t for node in self.seen()]
+        assert all(node.parent is self.frame for node in self.seen())
         points = np.concatenate(parts) if parts else np.empty((0, 3))
-        return points @ rotation_of(frame.wxyz).T + np.array(frame.position)
+        return points @ self.frame.R.T + self.frame.t
 
     def count(self, kind):
         return sum(message[0] == kind for message in self.messages)
+
+
+def numbers_of(stream):
+    """The number in the tree of each node in the page."""
+    return {sent.node.id: i for i, sent in stream._sent.items() if sent.node is not None}
 
 
 def rotation_of(wxyz):
@@ -135,7 +160,7 @@ def client():
 
 @pytest.fixture
 def stream(client, tree):
-    return CloudStream(client, "cloud", tree, origin=UTM, budget=BUDGET)
+    return CloudStream(client, tree, origin=UTM, budget=BUDGET)
 
 
 def distances_to(points, among):
@@ -154,7 +179,7 @@ def test_points_are_sent_where_they_lie(client, stream, tree):
     precisions = []
     for view in (FAR, moved(FAR, 70.0), moved(FAR, 115.0)):
         stream.look(view)
-        precisions.append({node.precision for node in client.seen()})
+        precisions.append({str(node.positions.dtype) for node in client.seen()})
         sent = client.world() + UTM
         chosen = np.random.default_rng(1).choice(len(sent), 25, replace=False)
         gaps = distances_to(sent[chosen], POINTS)
@@ -167,11 +192,12 @@ def test_points_are_sent_where_they_lie(client, stream, tree):
 def test_the_first_points_come_soon_and_coarse(client, tree, monkeypatch):
     monkeypatch.setattr(streaming, "_BATCH_POINTS", 30_000)
     monkeypatch.setattr(streaming, "_FIRST_POINTS", 20_000)
-    whole = CloudStream(client, "cloud", tree, origin=UTM, budget=10**6)
+    whole = CloudStream(client, tree, origin=UTM, budget=10**6)
     whole.look(FAR)
-    names = [int(name.rsplit("/")[-1]) for kind, name in client.messages if kind == "add"]
+    tree_numbers = numbers_of(whole)
+    names = [tree_numbers[number] for kind, number in client.messages if kind == "add" and number in tree_numbers]
     assert len(client.swaps) > 3
-    assert 0 < client.swaps[1] < len(POINTS) / 2, "the first swap, behind that of the frame, is a part"
+    assert 0 < client.swaps[0] < len(POINTS) / 2, "the first swap is a part"
     assert tree.levels[names[0]] == 0
     assert tree.levels[names[-1]] == tree.levels.max()
 
@@ -185,7 +211,7 @@ def test_what_matters_comes_in_steps_as_the_client_takes_them(client, tree, monk
         whole.set_visible(True)  # no lock is held, so that others may go on
         return True
 
-    whole = CloudStream(client, "cloud", tree, origin=UTM, budget=10**6, pause=pause)
+    whole = CloudStream(client, tree, origin=UTM, budget=10**6, pause=pause)
     whole.look(FAR)
     assert whole.drawn == len(POINTS)
     assert len(seen) >= 3
@@ -195,13 +221,13 @@ def test_what_matters_comes_in_steps_as_the_client_takes_them(client, tree, monk
 
 def test_no_more_is_sent_to_a_client_that_went_in_a_pause(client, tree, monkeypatch):
     monkeypatch.setattr(streaming, "_BATCH_POINTS", 30_000)
-    whole = CloudStream(client, "cloud", tree, origin=UTM, budget=10**6, pause=lambda: False)
+    whole = CloudStream(client, tree, origin=UTM, budget=10**6, pause=lambda: False)
     whole.look(FAR)
     assert 0 < whole.drawn < len(POINTS)
 
 
 def test_a_cloud_within_the_budget_is_sent_whole(client, tree):
-    whole = CloudStream(client, "cloud", tree, origin=UTM, budget=len(POINTS))
+    whole = CloudStream(client, tree, origin=UTM, budget=len(POINTS))
     whole.look(moved(FAR, 95.0))
     assert whole.drawn == len(POINTS)
     sent = client.count("add")
@@ -219,7 +245,7 @@ def test_colours_go_with_their_points(client, stream, tree):
 
 
 def test_a_plain_cloud_is_plain(client):
-    stream = CloudStream(client, "c", DetailTree.from_cloud(loom.PointCloud(POINTS[:500])), origin=UTM, budget=1000)
+    stream = CloudStream(client, DetailTree.from_cloud(loom.PointCloud(POINTS[:500])), origin=UTM, budget=1000)
     stream.look(FAR)
     assert {tuple(c) for node in client.seen() for c in node.colors.tolist()} == {PLAIN}
 
@@ -244,10 +270,10 @@ def test_coming_back_shows_what_was_hidden(client, stream):
 
 def test_hidden_points_are_bounded(client, tree, monkeypatch):
     monkeypatch.setattr(streaming, "_HIDDEN", 1)
-    stream = CloudStream(client, "cloud", tree, origin=UTM, budget=40_000)
+    stream = CloudStream(client, tree, origin=UTM, budget=40_000)
     for aside in np.linspace(-45, 45, 9):
         stream.look(moved(FAR, 115.0, aside))
-        held = sum(len(node.points) for node in client.nodes.values() if hasattr(node, "points"))
+        held = sum(len(node.positions) for node in client.nodes.values() if node.kind == "points")
         assert held <= 2 * 40_000
     assert client.count("remove") > 0
 
@@ -278,7 +304,7 @@ def test_an_overtaken_look_stops(client, stream, monkeypatch):
     stream.look(FAR)
     thread.join()
     expected = Client()
-    CloudStream(expected, "cloud", stream._tree, origin=UTM, budget=BUDGET).look(other)
+    CloudStream(expected, stream._tree, origin=UTM, budget=BUDGET).look(other)
     assert np.array_equal(np.sort(client.world(), axis=0), np.sort(expected.world(), axis=0))
     assert client.threads.count(threading.get_ident()) == 1, "no batch behind the first"
 
@@ -291,7 +317,7 @@ def test_threads_end_with_what_was_asked_last(client, stream):
     for thread in threads:
         thread.join()
     stream.look(views[0])
-    assert stream.drawn == sum(len(node.points) for node in client.seen()) <= BUDGET
+    assert stream.drawn == sum(len(node.positions) for node in client.seen()) <= BUDGET
 
 
 def test_new_colours_reach_all_that_is_shown_and_come_back_right(client, stream):
@@ -339,19 +365,21 @@ def test_colours_of_a_cloud_with_hidden_points_fit(client, stream):
 def test_points_grow_with_the_gaps_between_them(client, stream):
     stream.look(FAR)
     far = stream.point_size
-    assert 2 * min(node.point_size for node in client.seen()) == far, "viser takes radii"
+    assert min(node.size for node in client.seen()) == far and all(node.metric for node in client.seen())
     stream.look(moved(FAR, 115.0))
     assert stream.point_size < 0.7 * far
-    stream.set_point_size(0.5)
-    assert {node.point_size for node in client.seen()} == {0.25}
-    stream.look(FAR)
-    assert {node.point_size for node in client.seen()} == {0.25}, "those that were hidden too"
+    for metric in (True, False):
+        stream.set_point_size(0.5, metric)
+        assert {(node.size, node.metric) for node in client.seen()} == {(0.5, metric)}
+        stream.look(FAR)
+        assert {(node.size, node.metric) for node in client.seen()} == {(0.5, metric)}, "those that were hidden too"
 
 
 def test_coarse_ends_of_what_is_drawn_have_larger_points(client, stream, tree):
     """Within a node that is drawn finer they would stand out."""
     stream.look(moved(FAR, 120.0))
-    sizes = {int(node.name.rsplit("/")[-1]): 2 * node.point_size for node in client.seen()}
+    tree_numbers = numbers_of(stream)
+    sizes = {tree_numbers[node.id]: node.size for node in client.seen()}
     nodes = sorted(sizes)
     refined = dict(zip(nodes, tree.are_refined(nodes), strict=True))
     assert any(refined.values())
@@ -375,22 +403,22 @@ def test_a_pose_moves_what_is_sent_and_what_is_chosen(client, stream):
 
 
 def test_a_pose_that_hardly_differs_is_sent_too(client, stream):
-    """viser leaves out changes below a 100,000th; a frame 10 km away would not follow steps of 10 cm."""
+    """A frame 10 km away follows steps of a centimetre."""
     stream.look(FAR)
     T = np.eye(4)
     T[0, 3] = 10_000.0
     stream.set_pose(T)
     T[0, 3] += 0.01
     stream.set_pose(T)
-    assert client.nodes["/cloud"].position[0] - (stream._tree.origin - UTM)[0] == pytest.approx(10_000.01, abs=1e-6)
+    assert client.frame.t[0] - (stream._tree.origin - UTM)[0] == pytest.approx(10_000.01, abs=1e-6)
 
 
 def test_visibility_is_one_message(client, stream):
     stream.look(FAR)
     del client.messages[:]
     stream.set_visible(False)
-    assert client.messages == [("visible", "/cloud")]
-    assert not client.nodes["/cloud"].visible
+    assert client.messages == [("visible", client.frame.id)]
+    assert not client.frame.visible
 
 
 def test_a_closed_stream_leaves_nothing_and_does_nothing(client, stream):
@@ -405,36 +433,29 @@ def test_a_closed_stream_leaves_nothing_and_does_nothing(client, stream):
     assert (client.nodes, stream.drawn) == ({}, 0)
 
 
-@pytest.mark.parametrize("act", ["look", "set_point_size", "set_visible", "set_pose", "set_colors", "close"])
-def test_a_client_that_has_gone_raises_nothing(client, stream, act):
+@pytest.mark.parametrize("act", ["look", "set_point_size", "set_colors", "set_keep"])
+def test_a_client_that_has_gone_is_sent_nothing_more(client, stream, act):
     stream.look(FAR)
-    client.is_gone = True
-    arguments = {"look": [moved(FAR, 80.0)], "set_point_size": [0.1], "set_visible": [False], "set_pose": [np.eye(4)],
-                 "set_colors": [lambda indices: np.zeros((len(indices), 3), np.uint8)], "close": []}  # fmt: skip
+    client.is_open = False
+    arguments = {"look": [moved(FAR, 80.0)], "set_point_size": [0.1], "set_keep": [lambda points, indices: indices > 9],
+                 "set_colors": [lambda indices: np.zeros((len(indices), 3), np.uint8)]}  # fmt: skip
+    before = len(client.messages)
     getattr(stream, act)(*arguments[act])
-    getattr(stream, act)(*arguments[act])
-
-
-def test_a_client_that_went_before_the_first_view_raises_nothing(client, tree):
-    client.is_gone = True
-    stream = CloudStream(client, "cloud", tree, origin=UTM, budget=BUDGET)
-    stream.look(FAR)
-    stream.set_visible(False)
-    stream.close()
+    assert len(client.messages) == before
 
 
 @pytest.mark.parametrize("points", [np.zeros((0, 3)), np.full((2, 3), np.nan), [[1.0, 2.0, 3.0]]], ids=str)
 def test_clouds_of_hardly_any_points(client, points):
-    stream = CloudStream(client, "c", DetailTree.from_cloud(loom.PointCloud(points)), origin=np.zeros(3), budget=10)
+    stream = CloudStream(client, DetailTree.from_cloud(loom.PointCloud(points)), origin=np.zeros(3), budget=10)
     stream.look(fit_view([[0, 0, 0], [1, 2, 3]]))
     assert stream.drawn == stream.total == np.isfinite(np.asarray(points)).all(axis=1).sum()
 
 
 def test_wrong_arguments_are_named(client, tree, stream):
     with pytest.raises(ValueError, match="budget"):
-        CloudStream(client, "c", tree, origin=UTM, budget=0)
+        CloudStream(client, tree, origin=UTM, budget=0)
     with pytest.raises(ValueError, match="origin"):
-        CloudStream(client, "c", tree, origin=[1, 2], budget=9)
+        CloudStream(client, tree, origin=[1, 2], budget=9)
     with pytest.raises(ValueError, match="point_size"):
         stream.set_point_size(-1)
     with pytest.raises(TypeError, match="view: expected a View, got int"):

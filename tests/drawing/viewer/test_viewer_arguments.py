@@ -10,12 +10,12 @@ import pytest
 import pointloom as loom
 
 from ...hostile import faults_of, hostile_clouds, read_table, warnings_of
-from .pages import page_of
-from .pages import wait_until as wait_for
+from .stand_in import page_in
 
 CALLS = """
 viewer.add(name="cloud", geometry=cloud)
 viewer.add(name="cloud", geometry=cloud, color=(1, 0, 0), color_by="height", colormap="jet", limits=(0, 1), point_size=2.0, line_width=1.0, pose=pose)
+viewer.add_all(geometries=[cloud])
 viewer.update(name="cloud", geometry=cloud)
 viewer.remove(name="cloud")
 viewer.set_pose(name="cloud", T=pose)
@@ -30,12 +30,12 @@ CASES = []
 for line in CALLS.strip().splitlines():
     ((function, expressions),) = read_table(line, {}).values()
     CASES += [(function, expressions, name) for name in expressions if name not in ("visible", "port")]
-WORDS = {"name": "geometries", "geometry": "geometries|points", "color_by": "by"}  # by which messages may name them
-
-
-def wait_until(claim, seconds=30.0):
-    """Of a machine that may have much else to do, or kernels to load."""
-    wait_for(claim, seconds)
+WORDS = {
+    "name": "geometries",
+    "geometries": "points",
+    "geometry": "geometries|points",
+    "color_by": "by",
+}  # by which messages may name them
 
 
 @pytest.fixture(scope="module")
@@ -44,7 +44,6 @@ def viewer():
         yield viewer
 
 
-@pytest.mark.filterwarnings("ignore:Queued a .* on a closed connection")
 @pytest.mark.parametrize(("function", "expressions", "argument"), CASES, ids=lambda value: str(value)[:24])
 def test_a_hostile_value_is_refused_by_name(viewer, function, expressions, argument):
     cloud = loom.PointCloud(np.random.default_rng(0).random((60, 3)))
@@ -63,10 +62,8 @@ def test_a_hostile_value_is_refused_by_name(viewer, function, expressions, argum
     assert not faults, "\n".join(faults)
 
 
-@pytest.mark.filterwarnings("ignore:Queued a .* on a closed connection")
 def test_clouds_of_all_kinds_are_shown_without_a_warning(viewer):
-    with page_of(viewer.server):
-        wait_until(lambda: viewer.sessions)
+    with page_in(viewer):
         for title, cloud in hostile_clouds().items():
 
             def show(cloud=cloud):

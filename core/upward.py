@@ -1,0 +1,47 @@
+"""Which way is up: `check_up`, `up_under`."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .checks import check_direction, shown
+
+Direction = tuple[float, float, float]
+
+UP: Direction = (0.0, 0.0, 1.0)  # where nothing says otherwise
+AXES: dict[str, Direction] = {"x": (1.0, 0.0, 0.0), "y": (0.0, 1.0, 0.0), "z": UP}
+
+
+def check_up(up: Any) -> Direction:
+    """The direction that is up, of length 1.
+
+    Raises:
+        TypeError: No text and no numbers.
+        ValueError: Another text than x, y and z, another shape, or no length.
+    """
+    if isinstance(up, str):
+        if up not in AXES:
+            raise ValueError(f"up: expected x, y, z or a direction, got {shown(up)}")
+        return AXES[up]
+    x, y, z = check_direction("up", up).tolist()
+    return x, y, z
+
+
+def up_under(up: Direction | None, A: NDArray[Any]) -> Direction | None:
+    """What is up behind a map with the 3x3 part A.
+
+    Example:
+        >>> up_under((0.0, 1.0, 0.0), np.array([[1, 0, 0], [0, 0, -1], [0, 1, 0]]))
+        (0.0, 0.0, 1.0)
+    """
+    if up is None:
+        return None
+    turned = np.asarray(A, np.float64) @ np.array(up)
+    length = float(np.linalg.norm(turned))
+    if not 0 < length < np.inf:
+        return None
+    x, y, z = (turned / length + 0.0).tolist()  # no -0
+    return x, y, z

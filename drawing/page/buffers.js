@@ -1,0 +1,307 @@
+/** What lives on the graphics card: programs, the buffers of nodes, and the picture that is drawn into. */
+const MANY_BALLS = 2_000; // more have fewer faces each
+
+class Program {
+  constructor(gl, vertex, fragment, instanced = false) {
+    this.gl = gl;
+    this.program = gl.createProgram();
+    for (const [kind, text] of [[gl.VERTEX_SHADER, vertex], [gl.FRAGMENT_SHADER, fragment]]) {
+      const shader = gl.createShader(kind);
+      gl.shaderSource(shader, `#version 300 es\n${instanced ? "#define INSTANCED\n" : ""}${text}`);
+      gl.compileShader(shader);
+      gl.attachShader(this.program, shader);
+      if (!gl.getShaderParameter(shader, gl.COMPILE_STATUS) && !gl.isContextLost()) {
+        throw new Error(`a shader does not compile: ${gl.getShaderInfoLog(shader)}`);
+      }
+    }
+    gl.linkProgram(this.program);
+    if (!gl.getProgramParameter(this.program, gl.LINK_STATUS) && !gl.isContextLost()) {
+      throw new Error(`a program does not link: ${gl.getProgramInfoLog(this.program)}`);
+    }
+    this.places = new Map();
+    this.values = new Map();
+  }
+
+  /** The place of a uniform; null, which is ignored, where the program has none of this name. */
+  at(name) {
+    if (!this.places.has(name)) this.places.set(name, this.gl.getUniformLocation(this.program, name));
+    return this.places.get(name);
+  }
+
+  /** Sets a number, or a whole one, unless it has this value: most of them are the same for most nodes. */
+  number(name, value) {
+    if (this.values.get(name) === value) return;
+    this.values.set(name, value);
+    this.gl.uniform1f(this.at(name), value);
+  }
+
+  whole(name, value) {
+    if (this.values.get(name) === value) return;
+    this.values.set(name, value);
+    this.gl.uniform1i(this.at(name), value);
+  }
+}
+
+/** Where the arrays of each kind go: the attribute, numbers a row, and whether a row serves a whole instance. */
+const VERTICES = { positions: [0, 3], normals: [1, 3], colors: [2, 3], uvs: [3, 2] };
+const SEGMENTS = { positions: [0, 6], colors: [2, 3] };
+const INSTANCES = { poses: [4, 12], colors: [2, 3] };
+const LAYOUTS = { points: VERTICES, triangles: VERTICES, lines: SEGMENTS, instances: INSTANCES };
+
+/** The arrays of a node on the card; nodes that show the same share it. */
+class Geometry {
+  /** `keep`: whether arrays are remembered, to be sent again to a card that forgot them. `changed`: a picture has come. */
+  constructor(gl, kind, props, keep, changed) {
+    Object.assign(this, { gl, kind, keep, changed, users: 1, buffers: {}, arrays: {}, texture: null, edges: null });
+    [this.shape, this.solid] = [props.shape, Boolean(props.solid)];
+    this.start(gl);
+  }
+
+  start(gl) {
+    Object.assign(this, { gl, buffers: {}, edges: null, every: 1, count: 0, uploads: 0 });
+    this.vertices = gl.createVertexArray();
+  }
+
+  get bytes() {
+    const held = Object.values(this.buffers).reduce((sum, { bytes }) => sum + bytes, 0);
+    return held + (this.edges?.bytes ?? 0) + (this.texture?.bytes ?? 0);
+  }
+
+  get kept() {
+    return Object.values(this.arrays).reduce((sum, { byteLength }) => sum + byteLength, 0);
+  }
+
+  /** Sends arrays, in place of those of the same names. */
+  send(arrays) {
+    const { gl } = this;
+    gl.bindVertexArray(this.vertices);
+    for (const [name, values] of Object.entries(arrays)) {
+      if (!values) continue;
+      if (this.keep) this.arrays[name] = values;
+      this.uploads += 1;
+      if (name === "texture") {
+        this.texture?.free();
+        this.texture = new Texture(gl, values, this.changed);
+      } else {
+        this.fill(name, values);
+      }
+    }
+    if (this.kind === "instances") this.sendShape();
+    this.layout();
+    if (arrays.indices || arrays.positions) this.dropEdges();
+  }
+
+  fill(name, values) {
+    const { gl } = this;
+    const target = name === "indices" ? gl.ELEMENT_ARRAY_BUFFER : gl.ARRAY_BUFFER;
+    let held = this.buffers[name];
+    if (!held) held = this.buffers[name] = { buffer: gl.createBuffer(), bytes: -1 };
+    gl.bindBuffer(target, held.buffer);
+    if (held.bytes === values.byteLength) gl.bufferSubData(target, 0, values);
+    else gl.bufferData(target, values, held.bytes < 0 ? gl.STATIC_DRAW : gl.DYNAMIC_DRAW);
+    Object.assign(held, { bytes: values.byteLength, numbers: values.length, ...kindOf(gl, values) });
+  }
+
+  /** The triangles or edges that each instance shows. */
+  sendShape() {
+    const fine = (this.buffers.poses?.numbers ?? 0) <= 12 * MANY_BALLS;
+    const made = `${this.shape} ${this.solid} ${fine}`;
+    if (made === this.made && this.buffers.corners) return;
+    this.made = made;
+    const { gl } = this;
+    const { positions, indices, normals } = this.solid ? solidShape(this.shape, fine) : { positions: edgeCorners(this.shape) };
+    this.fill("corners", positions);
+    if (indices) this.fill("indices", indices);
+    if (normals) this.fill("directions", normals);
+    this.round = Boolean(normals);
+    this.corners = indices ? indices.length : positions.length / 6;
+    for (const place of [0, 1]) gl.disableVertexAttribArray(place);
+    if (this.solid) this.point(0, 3, this.buffers.corners);
+    else for (const end of [0, 1]) this.point(end, 3, this.buffers.corners, { stride: 24, offset: 12 * end });
+    if (normals) this.point(1, 3, this.buffers.directions);
+  }
+
+  point(place, width, { buffer, type, bytesEach }, { stride = 0, offset = 0, divisor = 0 } = {}) {
+    const { gl } = this;
+    gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
+    gl.enableVertexAttribArray(place);
+    gl.vertexAttribPointer(place, width, type, bytesEach < 4 && type !== gl.HALF_FLOAT, stride, offset);
+    gl.vertexAttribDivisor(place, divisor);
+  }
+
+  rows(name, width) {
+    return this.buffers[name] ? Math.floor(this.buffers[name].numbers / width) : 0;
+  }
+
+  /** Says where in the buffers each attribute lies; arrays that are shorter than they should be are left out. */
+  layout() {
+    const { gl, kind, buffers, every } = this;
+    const [first, width] = kind === "instances" ? ["poses", 12] : ["positions", kind === "lines" ? 6 : 3];
+    const count = this.rows(first, width);
+    this.has = {};
+    gl.bindVertexArray(this.vertices);
+    for (const [name, [place, numbers]] of Object.entries(LAYOUTS[kind])) {
+      if (this.rows(name, numbers) < count || count === 0) continue;
+      this.has[name] = true;
+      const step = numbers * buffers[name].bytesEach;
+      if (name === "poses") {
+        for (const row of [0, 1, 2]) this.point(4 + row, 4, buffers.poses, { stride: step, offset: (row * step) / 3, divisor: 1 });
+      } else if (kind === "lines") {
+        this.pointEnds(place, buffers[name], this.rows(name, 6) >= count ? 6 : 3);
+      } else {
+        this.point(place, numbers, buffers[name], { stride: step * every, divisor: kind === "instances" ? 1 : 0 });
+      }
+    }
+    for (const name of ["normals", "colors", "uvs"]) {
+      const places = kind === "lines" ? [2, 3] : [VERTICES[name][0]];
+      if (LAYOUTS[kind][name] && !this.has[name]) for (const place of places) gl.disableVertexAttribArray(place);
+    }
+    gl.bindVertexArray(null);
+    this.elements = kind === "triangles" && buffers.indices ? buffers.indices.numbers : 0;
+    this.count = kind === "triangles" && !buffers.indices ? count - (count % 3) : this.elements || count;
+  }
+
+  /** Both ends of a segment, or what holds for the whole of it. */
+  pointEnds(place, held, numbers) {
+    const stride = numbers * held.bytesEach;
+    for (const end of [0, 1]) this.point(place + end, 3, held, { stride, offset: numbers === 6 ? (end * stride) / 2 : 0, divisor: 1 });
+  }
+
+  /** Of points one in `every`, at most 16: the rows between are stepped over, and a step has less than 256 bytes. */
+  thin(every) {
+    if (every === this.every) return;
+    this.every = every;
+    this.layout();
+  }
+
+  /** The sides of the triangles, from the card's own indices: nothing else has to remember them. */
+  makeEdges() {
+    const { gl } = this;
+    const { positions, indices } = this.buffers;
+    if (this.edges || !positions || this.count === 0) return;
+    let corners = null;
+    if (indices) {
+      corners = new Uint32Array(indices.numbers);
+      gl.bindVertexArray(this.vertices);
+      gl.getBufferSubData(gl.ELEMENT_ARRAY_BUFFER, 0, corners);
+    }
+    const sides = sidesOf(corners, this.count);
+    const buffer = gl.createBuffer();
+    this.edges = { vertices: gl.createVertexArray(), buffer, count: sides.length, bytes: sides.byteLength };
+    gl.bindVertexArray(this.edges.vertices);
+    this.point(0, 3, positions);
+    gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, buffer);
+    gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, sides, gl.STATIC_DRAW);
+    gl.bindVertexArray(null);
+  }
+
+  dropEdges() {
+    if (!this.edges) return;
+    this.gl.deleteBuffer(this.edges.buffer);
+    this.gl.deleteVertexArray(this.edges.vertices);
+    this.edges = null;
+  }
+
+  /** The card has forgotten all of it. */
+  forget() {
+    Object.assign(this, { buffers: {}, edges: null, vertices: null, texture: null, count: 0 });
+  }
+
+  free() {
+    const { gl } = this;
+    this.dropEdges();
+    this.texture?.free();
+    for (const { buffer } of Object.values(this.buffers)) gl.deleteBuffer(buffer);
+    gl.deleteVertexArray(this.vertices);
+    this.buffers = {};
+    this.count = 0;
+  }
+}
+
+/** How the card reads an array: 16-bit numbers without a sign are half floats, whole numbers shares of their largest. */
+function kindOf(gl, values) {
+  const types = { Float32Array: gl.FLOAT, Float16Array: gl.HALF_FLOAT, Uint16Array: gl.HALF_FLOAT, Int16Array: gl.SHORT };
+  return { type: types[values.constructor.name] ?? gl.UNSIGNED_BYTE, bytesEach: values.BYTES_PER_ELEMENT };
+}
+
+/** The sides of triangles; `corners` null: three vertices each in their order. */
+function sidesOf(corners, count) {
+  const sides = new Uint32Array(2 * count);
+  for (let i = 0; i < count; i++) {
+    const next = i % 3 === 2 ? i - 2 : i + 1;
+    sides[2 * i] = corners ? corners[i] : i;
+    sides[2 * i + 1] = corners ? corners[next] : next;
+  }
+  return sides;
+}
+
+/** Colours and depths of a picture as textures; with samples they are drawn beside and averaged into these. */
+class Target {
+  constructor(gl, width, height, samples) {
+    Object.assign(this, { gl, width, height });
+    this.colors = this.texture(gl.RGBA8);
+    this.depths = this.texture(gl.DEPTH_COMPONENT24);
+    this.frame = this.framebuffer((attachment, texture) =>
+      gl.framebufferTexture2D(gl.FRAMEBUFFER, attachment, gl.TEXTURE_2D, texture, 0), this.colors, this.depths);
+    if (samples === 0) return;
+    this.renders = [gl.RGBA8, gl.DEPTH_COMPONENT24].map((kind) => {
+      const render = gl.createRenderbuffer();
+      gl.bindRenderbuffer(gl.RENDERBUFFER, render);
+      gl.renderbufferStorageMultisample(gl.RENDERBUFFER, samples, kind, width, height);
+      return render;
+    });
+    this.sampled = this.framebuffer((attachment, render) =>
+      gl.framebufferRenderbuffer(gl.FRAMEBUFFER, attachment, gl.RENDERBUFFER, render), ...this.renders);
+  }
+
+  texture(kind) {
+    const { gl } = this;
+    const texture = gl.createTexture();
+    gl.bindTexture(gl.TEXTURE_2D, texture);
+    gl.texStorage2D(gl.TEXTURE_2D, 1, kind, this.width, this.height);
+    for (const filter of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER]) gl.texParameteri(gl.TEXTURE_2D, filter, gl.NEAREST);
+    return texture;
+  }
+
+  framebuffer(attach, colors, depths) {
+    const { gl } = this;
+    const frame = gl.createFramebuffer();
+    gl.bindFramebuffer(gl.FRAMEBUFFER, frame);
+    attach(gl.COLOR_ATTACHMENT0, colors);
+    attach(gl.DEPTH_ATTACHMENT, depths);
+    return frame;
+  }
+
+  bind(background) {
+    const { gl } = this;
+    gl.bindFramebuffer(gl.FRAMEBUFFER, this.sampled ?? this.frame);
+    gl.clearColor(...background, 0);
+    gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
+  }
+
+  /** Averages the samples of colours; of depths the card takes one. */
+  resolve() {
+    const { gl, width, height } = this;
+    if (!this.sampled) return;
+    gl.bindFramebuffer(gl.READ_FRAMEBUFFER, this.sampled);
+    gl.bindFramebuffer(gl.DRAW_FRAMEBUFFER, this.frame);
+    const parts = gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT;
+    gl.blitFramebuffer(0, 0, width, height, 0, 0, width, height, parts, gl.NEAREST);
+  }
+
+  read(program) {
+    const { gl } = this;
+    for (const [unit, name] of ["colors", "depths"].entries()) {
+      gl.activeTexture(gl.TEXTURE0 + unit);
+      gl.bindTexture(gl.TEXTURE_2D, this[name]);
+      gl.uniform1i(program.at(name), unit);
+    }
+  }
+
+  free() {
+    const { gl } = this;
+    for (const texture of [this.colors, this.depths]) gl.deleteTexture(texture);
+    for (const render of this.renders ?? []) gl.deleteRenderbuffer(render);
+    for (const frame of [this.frame, this.sampled]) if (frame) gl.deleteFramebuffer(frame);
+  }
+}

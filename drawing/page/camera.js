@@ -1,0 +1,236 @@
+/**
+ * The camera of one view: where it is, which way it looks, what it turns about, all in float64. `rotation` takes the
+ * camera's frame (x right, y down, z forward) to the scene's. Its lens is an angle over the view's height, or that of a
+ * `View` (whole numbers are the middles of pixels), scaled so that the View's whole picture fits into the middle.
+ * Pixels are those of the canvas; `box` is the part of it that the view has.
+ */
+const NEAREST_TO_POLE = 0.01; // radians between the view and "up"
+const AXES = { x: [1, 0, 0], y: [0, 1, 0], z: [0, 0, 1] };
+
+class Camera {
+  constructor(margin = 0.2) {
+    this.margin = margin; // of the scene's size, by which it is thought to be larger: helpers may lie around it
+    this.rotation = [1, 0, 0, 0, 0, -1, 0, 1, 0]; // along y, z up
+    [this.eye, this.pivot, this.up] = [[0, -3, 0], [0, 0, 0], [0, 0, 1]];
+    this.fov = 0.7;
+    this.lensOfView = null;
+    this.orthographic = false;
+    this.limits = {};
+    this.box = { x: 0, y: 0, width: 1, height: 1 };
+    this.setBounds([-1, -1, -1], [1, 1, 1]);
+  }
+
+  setBounds(low, high) {
+    this.bounds = [low, high];
+    this.corners = [0, 1, 2, 3, 4, 5, 6, 7].map((k) => [0, 1, 2].map((axis) => ((k >> axis) & 1 ? high : low)[axis]));
+    this.middle = scale(add(low, high), 0.5);
+    this.radius = length(subtract(high, low)) / 2;
+  }
+
+  /** The scene's size: what is drawn is measured in it, so that scenes of any size suit float32. */
+  get unit() {
+    return this.radius || this.pivotDepth() || 1;
+  }
+
+  /** Any of position, rotation, fov, lens, pivot, up, orthographic, near, far, closest, farthest. */
+  set({ position, rotation, fov, lens, pivot, up, orthographic, near, far, closest, farthest }) {
+    const moved = position || rotation;
+    const depth = this.pivotDepth();
+    if (position) this.eye = Array.from(position);
+    if (rotation) this.rotation = orthonormal(Array.from(rotation));
+    if (lens) this.lensOfView = lens;
+    if (fov) [this.fov, this.lensOfView] = [fov, null];
+    if (orthographic !== undefined) this.orthographic = Boolean(orthographic);
+    for (const [name, value] of Object.entries({ near, far, closest, farthest })) if (value > 0) this.limits[name] = value;
+    if (up && length(up) > 0) this.up = scale(up, 1 / length(up));
+    else if (rotation && Math.abs(dot(this.up, column(this.rotation, 0))) > 0.02) this.up = this.findUp();
+    if (pivot) this.pivot = this.onAxis(dot(subtract(pivot, this.eye), column(this.rotation, 2)), pivot);
+    else if (moved) this.pivot = this.onAxis(depth);
+  }
+
+  /** The place to turn about: `wanted` where it lies before the camera, else one on its axis. */
+  onAxis(depth, wanted = null) {
+    if (wanted && depth > 0) return Array.from(wanted);
+    return add(this.eye, scale(column(this.rotation, 2), Math.max(depth, 1e-6 * (this.radius || 1))));
+  }
+
+  /** Turns about what lies on the axis at the depth of the scene's middle. */
+  aimAtMiddle() {
+    const from = subtract(this.middle, this.eye);
+    const distance = length(from) || 1;
+    this.pivot = this.onAxis(Math.max(dot(from, column(this.rotation, 2)), 0.05 * distance));
+    this.up = this.findUp();
+  }
+
+  /** All that a view has of its own. */
+  state() {
+    const { rotation, eye, pivot, up, fov, lensOfView, orthographic } = this;
+    return { rotation: [...rotation], eye: [...eye], pivot: [...pivot], up: [...up], fov, lensOfView, orthographic };
+  }
+
+  describe() {
+    const { rotation, eye, pivot, up, orthographic, box } = this;
+    const fov = 2 * Math.atan(box.height / 2 / this.pixels().fy);
+    const size = [Math.max(1, Math.round(box.width)), Math.max(1, Math.round(box.height))];
+    return { position: [...eye], rotation: [...rotation], fov, pivot: [...pivot], up: [...up], orthographic, size };
+  }
+
+  /** The axis of the world that is upright in the picture; without one, the picture's own. */
+  findUp() {
+    const right = column(this.rotation, 0);
+    const upward = scale(column(this.rotation, 1), -1);
+    let best = upward;
+    let most = 0.02;
+    for (const axis of [[0, 0, 1], [0, 0, -1], [0, 1, 0], [0, -1, 0], [1, 0, 0], [-1, 0, 0]]) {
+      if (Math.abs(dot(axis, right)) < 0.02 && dot(axis, upward) > most + 1e-9) [best, most] = [axis, dot(axis, upward)];
+    }
+    return best;
+  }
+
+  pivotDepth() {
+    return dot(subtract(this.pivot, this.eye), column(this.rotation, 2));
+  }
+
+  /** The focal lengths and the middle in pixels of the canvas. */
+  pixels() {
+    const { x, y, width: w, height: h } = this.box;
+    if (this.lensOfView === null) {
+      const f = h / 2 / Math.tan(this.fov / 2);
+      return { fx: f, fy: f, x: x + w / 2, y: y + h / 2 };
+    }
+    const { width, height, fx, fy, cx, cy } = this.lensOfView;
+    const s = Math.min(w / width, h / height);
+    return { fx: fx * s, fy: fy * s, x: x + w / 2 + (cx + 0.5 - width / 2) * s, y: y + h / 2 + (cy + 0.5 - height / 2) * s };
+  }
+
+  /** What takes x, y (down) and z of the camera's frame, in units of the scene, to clip space. */
+  lens() {
+    const { fx, fy, x, y } = this.pixels();
+    const { box } = this;
+    const s = this.orthographic ? this.unit / this.pivotDepth() : 1;
+    const [across, down] = [x - box.x, y - box.y];
+    return [(2 * fx * s) / box.width, (-2 * fy * s) / box.height, (2 * across) / box.width - 1, 1 - (2 * down) / box.height];
+  }
+
+  /** Depths between which everything lies, or what of it the depth buffer can tell apart. */
+  depthRange() {
+    const forward = column(this.rotation, 2);
+    const depths = this.corners.map((corner) => dot(subtract(corner, this.eye), forward));
+    const slack = Math.max(this.margin, 1e-3) * this.unit;
+    const far = Math.max(...depths) + slack;
+    if (this.orthographic) return [Math.min(...depths) - slack, far];
+    const least = Math.min(1e-3 * Math.max(far, this.pivotDepth()), 0.05 * this.pivotDepth());
+    const near = Math.max(Math.min(...depths) - slack, least);
+    return [near, Math.max(far, 2 * near)];
+  }
+
+  /** What the depth buffer makes of depths in units of the scene: two factors. */
+  depthFactors([near, far]) {
+    if (this.orthographic) return [(2 * this.unit) / (far - near), -(far + near) / (far - near)];
+    return [(far + near) / (far - near), (-2 * far * near) / (far - near) / this.unit];
+  }
+
+  /** Where a place of the scene is on the canvas: pixels from the left and top, and depth. */
+  project(point) {
+    const { fx, fy, x, y } = this.pixels();
+    const from = subtract(point, this.eye);
+    const [a, b, z] = [0, 1, 2].map((k) => dot(column(this.rotation, k), from));
+    const by = this.orthographic ? this.pivotDepth() : z;
+    return [(fx * a) / by + x, (fy * b) / by + y, z];
+  }
+
+  /** The place of the scene at a pixel and a depth. */
+  unproject(px, py, depth) {
+    const { fx, fy, x, y } = this.pixels();
+    const by = this.orthographic ? this.pivotDepth() : depth;
+    return add(this.eye, turn(this.rotation, [((px - x) / fx) * by, ((py - y) / fy) * by, depth]));
+  }
+
+  /** Turns about the pivot by angles to the right and down; "up" stays up. */
+  orbit(right, down) {
+    const forward = column(this.rotation, 2);
+    const angle = Math.acos(clamp(dot(forward, this.up), -1, 1));
+    const most = Math.max(0, angle - NEAREST_TO_POLE);
+    const least = Math.min(0, angle - (Math.PI - NEAREST_TO_POLE));
+    const pitch = rotationAbout(column(this.rotation, 0), clamp(-down, least, most));
+    this.turnBy(multiply(rotationAbout(this.up, -right), pitch));
+  }
+
+  turnBy(rotation) {
+    this.eye = add(this.pivot, turn(rotation, subtract(this.eye, this.pivot)));
+    this.rotation = orthonormal(multiply(rotation, this.rotation));
+  }
+
+  /** Moves the picture by pixels, at the depth of the pivot. */
+  pan(dx, dy) {
+    const { x, y } = this.pixels();
+    const from = this.unproject(x, y, this.pivotDepth());
+    this.shift(subtract(from, this.unproject(x + dx, y + dy, this.pivotDepth())));
+  }
+
+  shift(by) {
+    this.eye = add(this.eye, by);
+    this.pivot = add(this.pivot, by);
+  }
+
+  /** Nearer (a factor below 1) or farther; what is at the pixel stays there. */
+  zoom(factor, px = this.pixels().x, py = this.pixels().y) {
+    const depth = this.pivotDepth();
+    const { closest = 1e-6 * this.unit, farthest = 1e4 * this.unit } = this.limits;
+    const kept = clamp(depth * factor, Math.min(closest, depth), Math.max(farthest, depth)) / depth;
+    const place = this.unproject(px, py, depth);
+    this.eye = add(place, scale(subtract(this.eye, place), kept));
+    this.pivot = add(place, scale(subtract(this.pivot, place), kept));
+  }
+
+  /** Turns about another place from now on, which comes to the middle. */
+  lookAt(place) {
+    const depth = Math.max(dot(subtract(place, this.eye), column(this.rotation, 2)), 1e-6 * this.unit);
+    const { x, y } = this.pixels();
+    this.eye = add(this.eye, subtract(place, this.unproject(x, y, depth)));
+    this.pivot = place;
+  }
+
+  /** Looks along an axis, "+x" to "-z", from as far as before. */
+  lookAlong(axis) {
+    this.face(scale(AXES[axis[1]], axis[0] === "-" ? -1 : 1));
+  }
+
+  /** Looks along a unit vector with "up" upright; along "up" itself, with another axis upright. */
+  face(forward) {
+    let upward = this.up;
+    if (Math.abs(dot(forward, upward)) > 0.9999) {
+      const along = dot(forward, this.up) > 0 ? 1 : -1;
+      upward = Math.abs(this.up[1]) > 0.9 ? [0, 0, along * Math.sign(this.up[1])] : [0, 1, 0];
+    }
+    const right = cross(forward, upward);
+    const x = scale(right, 1 / length(right));
+    const y = cross(forward, x);
+    const distance = length(subtract(this.pivot, this.eye));
+    this.rotation = [0, 1, 2].flatMap((k) => [x[k], y[k], forward[k]]);
+    this.eye = subtract(this.pivot, scale(forward, distance));
+  }
+
+  setUp(axis) {
+    this.up = axis;
+    this.face(scale(subtract(this.pivot, this.eye), 1 / length(subtract(this.pivot, this.eye))));
+  }
+
+  /** All of the scene's bounds from the present direction. */
+  fit() {
+    const { fx, fy } = this.pixels();
+    const half = Math.min(this.box.width / fx, this.box.height / fy) / 2; // tangent of half the smaller angle
+    const distance = ((this.radius || this.unit) * 1.05) / (this.orthographic ? half : Math.sin(Math.atan(half)));
+    this.pivot = this.middle;
+    this.eye = subtract(this.middle, scale(column(this.rotation, 2), distance));
+  }
+}
+
+/** A rotation without what rounding put into it. */
+function orthonormal(m) {
+  const x = scale(column(m, 0), 1 / length(column(m, 0)));
+  const z0 = cross(x, column(m, 1));
+  const z = scale(z0, 1 / length(z0));
+  const y = cross(z, x);
+  return [0, 1, 2].flatMap((k) => [x[k], y[k], z[k]]);
+}

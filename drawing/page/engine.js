@@ -1,0 +1,364 @@
+/**
+ * The engine: a tree of nodes drawn by WebGL 2 on one canvas, with its camera, for recordings and for live pages.
+ *
+ * new Engine(canvas, overlay, { onCamera, onClick, onLost, onDrawn, onTheme, onAxes, gizmo, scaleBar, margin })
+ *   canvas    fills its parent, whose size it follows; overlay: an element over it, for labels, gizmo and scale bar
+ *             (pointer events pass through it but at the gizmo).
+ *   onCamera(camera)               the camera of the view in use has changed; at most once a picture. As camera() gives it.
+ *   onClick(shareX, shareY, event) a press without motion, as shares 0..1 of the view's width and height. Where it
+ *                                  fell into another view, onCamera was called with that one's camera before.
+ *   onLost(ids)                    the card forgot everything; all came back but these nodes, whose arrays were not kept
+ *                                  (`keep: false`, or past the budget): they are dropped, the host adds them again.
+ *   onDrawn()                      a picture is done.      onTheme(dark)     the background became dark or light.
+ *   gizmo, scaleBar                whether there are any (true).    margin: by which bounds are widened for near and far.
+ *   Throws NoWebGL where there is no WebGL 2.
+ *
+ * Nodes (ids are any keys but 0, which is the scene; poses are 12 numbers, rows of 3x4, from the node to its parent)
+ *   add(id, parent, kind, props, arrays)   kind: group, points, triangles, lines, label, instances; takes the place of id.
+ *     props: pose, visible, keep and those of the kind: plain [r,g,b 0..255], size, metric, relief, opacity, lit, cull,
+ *     wireframe, width, text, anchor, shape, solid. `of: id` shares the other node's arrays on the card.
+ *     arrays: positions (Float32Array, or Uint16Array of half floats), colors (Uint8Array), normals (Int16Array),
+ *     indices (Uint32Array), uvs (Float32Array), texture (Uint8Array: a PNG or JPEG), poses (Float32Array [k,12]).
+ *     They go to the card as they are, without a copy; what is kept for a lost context is the same memory.
+ *   set(id, props, arrays), drop(id) with all below it, clear(), has(id). A parent that is not there is the scene.
+ *
+ * Camera (rotation: rows of R_world_camera, x right, y down, z forward; see camera.js)
+ *   setCamera({ position, rotation, fov, pivot, up, near, far, closest, farthest, orthographic }), any of them; the first
+ *   call is what home() comes back to. camera() -> { position, rotation, fov, pivot, up, orthographic, size [w, h] }
+ *   setHome(), home(), fit(), lookAlong("+x" ... "-z"), setUp("y" | "z" | [x, y, z]), setOrthographic(on), orbit(right, down)
+ *   setViews(1 | 2 | 4, linked): beside each other; linked ones turn, move and zoom together.
+ *   setBounds(low, high), setBackground([r, g, b 0..1], own): own false follows prefers-color-scheme,
+ *   setUnit("m" | any text | null: no scale bar)
+ *   commands(): [{ key, label, group, run }], for the host to bind to keys and to its palette.
+ *
+ * Pictures
+ *   looks: { pointFactor, wireframe, normals, light 0..2 }; after a change redraw(). redraw() draws soon, when something
+ *   has changed; settled() resolves when the picture with all changes so far is drawn whole.
+ *   pickDepth(x, y) -> depth [m] at a place of the canvas [CSS px], or null; pick(x, y) -> place or null;
+ *   project(point) -> [x, y, depth]; unproject(x, y, depth); screenshot() -> Promise of a Blob (PNG), labels included;
+ *   statistics() -> { draws, calls, uploads, bytes, kept, nodes, points, triangles, every, labels }; destroy()
+ */
+const KEPT_MEMORY = 2 ** 28; // bytes of arrays that are remembered for a card that forgets
+const DARK_BACKGROUND = [0.106, 0.118, 0.137];
+const MOST_PIXELS = 2; // of the canvas for one of CSS: more is not seen
+const KINDS = ["points", "triangles", "lines", "instances"];
+
+class Engine {
+  constructor(canvas, overlay, options = {}) {
+    const { gizmo = true, scaleBar = true, margin = 0.2 } = options;
+    Object.assign(this, { canvas, overlay, host: options, tree: new Tree(), geometries: new Set(), uploads: 0, draws: 0 });
+    this.painter = new Painter(canvas);
+    this.looks = { pointFactor: 1, wireframe: false, normals: false, light: 0 };
+    this.background = { color: [1, 1, 1], own: true };
+    this.views = new Views(margin);
+    this.first = null;
+    this.labels = new Labels(overlay);
+    this.gizmo = gizmo ? new Gizmo(overlay, (axis) => this.lookAlong(axis)) : null;
+    this.scaleBar = scaleBar ? new ScaleBar(overlay) : null;
+    this.pace = new Pace((every) => this.draw(every), () => this.painter.finished());
+    this.controls = new Controls(canvas, {
+      move: (name, ...values) => this.move(name, ...values),
+      use: (x, y) => this.use(x, y),
+      click: (x, y, event) => this.click(x, y, event),
+      doubleClick: (x, y) => this.turnAbout(x, y),
+    });
+    this.listen();
+    this.resize();
+  }
+
+  listen() {
+    this.listening = new AbortController();
+    const { signal } = this.listening;
+    this.canvas.addEventListener("webglcontextlost", (event) => event.preventDefault(), { signal });
+    this.canvas.addEventListener("webglcontextrestored", () => this.restore(), { signal });
+    this.scheme = window.matchMedia("(prefers-color-scheme: dark)");
+    this.scheme.addEventListener("change", () => this.paintBackground(), { signal });
+    this.sizes = new ResizeObserver(() => this.resize());
+    this.sizes.observe(this.canvas.parentElement);
+    this.paintBackground();
+  }
+
+  // Nodes
+
+  add(id, parent, kind, props = {}, arrays = {}) {
+    this.drop(id);
+    const node = this.tree.add(id, parent, kind);
+    const shared = props.of === undefined ? null : this.tree.get(props.of)?.geometry;
+    if (shared) {
+      node.geometry = shared;
+      node.kind = shared.kind;
+      shared.users += 1;
+    } else if (KINDS.includes(kind)) {
+      const keep = props.keep !== false && this.keptBytes() + bytesOf(arrays) <= KEPT_MEMORY;
+      node.geometry = new Geometry(this.painter.gl, kind, props, keep, () => this.redraw());
+      this.geometries.add(node.geometry);
+    } else if (kind === "label") {
+      node.label = {};
+    }
+    this.set(id, props, shared ? {} : arrays);
+  }
+
+  set(id, props = {}, arrays = {}) {
+    const node = this.tree.get(id);
+    if (!node || id === 0) return;
+    const { pose, visible, ...looks } = props;
+    if (pose) node.place(pose);
+    if (visible !== undefined) this.tree.show(node, Boolean(visible));
+    Object.assign(node.props, looks);
+    if (node.label) node.label = {};
+    const { geometry } = node;
+    if (geometry && (bytesOf(arrays) > 0 || geometry.uploads === 0)) {
+      const before = geometry.uploads;
+      geometry.send(arrays);
+      if (geometry.uploads > before) this.uploads += 1;
+    }
+    this.redraw();
+  }
+
+  has(id) {
+    return this.tree.get(id) !== undefined;
+  }
+
+  drop(id) {
+    for (const { geometry } of this.tree.drop(id)) {
+      if (!geometry) continue;
+      geometry.users -= 1;
+      if (geometry.users === 0) {
+        geometry.free();
+        this.geometries.delete(geometry);
+      }
+    }
+    this.redraw();
+  }
+
+  clear() {
+    for (const node of [...this.tree.root.children]) this.drop(node.id);
+  }
+
+  keptBytes() {
+    let bytes = 0;
+    for (const { kept } of this.geometries) bytes += kept;
+    return bytes;
+  }
+
+  /** Fills a card that forgot everything; what was not remembered is dropped, and the host is told. */
+  restore() {
+    this.painter.start();
+    for (const geometry of this.geometries) {
+      geometry.forget();
+      if (!geometry.keep) continue;
+      geometry.start(this.painter.gl);
+      geometry.send(geometry.arrays);
+      this.uploads += 1;
+    }
+    const lost = [...this.tree.nodes.values()].filter(({ geometry }) => geometry && !geometry.keep).map(({ id }) => id);
+    for (const id of lost) this.drop(id);
+    this.host.onLost?.(lost);
+    this.redraw();
+  }
+
+  // Camera and views
+
+  setCamera(camera) {
+    const follows = this.views.linked ? this.views.cameras : [this.views.camera];
+    const { position, rotation, pivot, ...others } = camera;
+    this.views.camera.set(camera);
+    for (const other of follows) if (other !== this.views.camera) other.set(others);
+    if (this.first === null && (position || rotation)) this.setHome();
+    this.changed();
+  }
+
+  /** What `home` comes back to from now on. */
+  setHome() {
+    this.first = this.views.camera.state();
+  }
+
+  home() {
+    if (this.first === null) return this.fit();
+    Object.assign(this.views.camera, structuredClone(this.first));
+    if (this.views.cameras.length > 1) this.setViews(this.views.cameras.length, this.views.linked);
+    return this.changed();
+  }
+
+  camera() {
+    return this.views.camera.describe();
+  }
+
+  /** One move of the view in use, and of those that are linked to it. */
+  move(name, ...values) {
+    this.views.move(name, ...values);
+    this.changed();
+  }
+
+  orbit(right, down) {
+    this.move("orbit", right, down);
+  }
+
+  fit() {
+    this.move("fit");
+  }
+
+  lookAlong(axis) {
+    this.move("lookAlong", axis);
+  }
+
+  setUp(axis) {
+    const up = AXES[axis] ?? axis;
+    this.views.each((camera) => camera.setUp(up));
+    this.changed();
+  }
+
+  setOrthographic(on) {
+    this.views.each((camera) => camera.set({ orthographic: on }));
+    this.changed();
+  }
+
+  setViews(count, linked = true) {
+    this.views.set(count, linked);
+    this.changed();
+  }
+
+  setBounds(low, high) {
+    this.views.each((camera) => camera.setBounds(Array.from(low), Array.from(high)));
+    this.redraw();
+  }
+
+  setUnit(unit) {
+    this.scaleBar?.setUnit(unit);
+    this.redraw();
+  }
+
+  /** Makes the view at a place of the canvas the one in use. */
+  use(x, y) {
+    const view = this.views.at(x, y);
+    if (view === this.views.active) return;
+    this.views.active = view;
+    this.changed();
+  }
+
+  click(x, y, event) {
+    const { box } = this.views.camera;
+    this.tellCamera();
+    this.host.onClick?.((x - box.x) / box.width, (y - box.y) / box.height, event);
+  }
+
+  turnAbout(x, y) {
+    this.use(x, y);
+    const place = this.pick(x, y);
+    if (place) this.move("lookAt", place);
+  }
+
+  changed() {
+    this.moved = true;
+    this.redraw();
+  }
+
+  tellCamera() {
+    if (!this.moved) return;
+    this.moved = false;
+    this.host.onCamera?.(this.camera());
+  }
+
+  // Pictures
+
+  setBackground(color, own = true) {
+    this.background = { color, own };
+    this.paintBackground();
+  }
+
+  paintBackground() {
+    const { color, own } = this.background;
+    const follows = !own && this.scheme.matches;
+    this.shownBackground = follows ? DARK_BACKGROUND : color;
+    const dark = dot(this.shownBackground, [0.299, 0.587, 0.114]) < 0.5;
+    this.overlay.dataset.theme = dark ? "dark" : "light";
+    if (dark !== this.dark) this.host.onTheme?.(dark);
+    this.dark = dark;
+    this.redraw();
+  }
+
+  resize() {
+    const { width, height } = this.canvas.parentElement.getBoundingClientRect();
+    const density = Math.min(window.devicePixelRatio || 1, MOST_PIXELS);
+    this.views.resize(width, height);
+    this.painter.resize(width, height, density);
+    this.labels.resize(width, height, density);
+    this.moved = true;
+    this.pace.now();
+  }
+
+  redraw() {
+    this.pace?.ask();
+  }
+
+  settled() {
+    return this.pace.atRest();
+  }
+
+  draw(every) {
+    if (this.painter.gl.isContextLost()) return;
+    const nodes = this.tree.seen();
+    this.draws += 1;
+    this.painter.draw(this.views, nodes, this.looks, this.shownBackground ?? this.background.color, every);
+    this.labels.draw(nodes, this.views, this.dark);
+    this.gizmo?.draw(this.views.camera);
+    this.scaleBar?.draw(this.views.camera);
+    this.tellCamera();
+    this.host.onDrawn?.();
+  }
+
+  pickDepth(x, y) {
+    return this.painter.depthAt(x, y, this.views.at(x, y));
+  }
+
+  pick(x, y) {
+    const depth = this.pickDepth(x, y);
+    return depth === null ? null : this.views.cameras[this.views.at(x, y)].unproject(x, y, depth);
+  }
+
+  project(point) {
+    return this.views.camera.project(point);
+  }
+
+  unproject(x, y, depth) {
+    return this.views.camera.unproject(x, y, depth);
+  }
+
+  /** What is shown as a PNG, with labels and the scale bar, without the gizmo. */
+  screenshot() {
+    const { canvas, painter } = this;
+    this.draw(1);
+    const copy = document.createElement("canvas");
+    Object.assign(copy, { width: canvas.width, height: canvas.height });
+    const context = copy.getContext("2d");
+    context.drawImage(canvas, 0, 0); // at once: the browser may empty it after this turn
+    context.drawImage(this.labels.canvas, 0, 0);
+    this.scaleBar?.paint(context, canvas, painter.density);
+    return new Promise((resolve, reject) =>
+      copy.toBlob((blob) => (blob ? resolve(blob) : reject(new Error("the picture is too large"))), "image/png"));
+  }
+
+  statistics() {
+    let bytes = 0;
+    for (const geometry of this.geometries) bytes += geometry.bytes;
+    const { calls, points, triangles, every } = this.painter;
+    const { draws, uploads } = this;
+    const nodes = this.tree.nodes.size - 1;
+    return { draws, calls, uploads, bytes, kept: this.keptBytes(), nodes, points, triangles, every, labels: this.labels.count };
+  }
+
+  commands() {
+    return commandsOf(this);
+  }
+
+  destroy() {
+    this.listening.abort();
+    this.controls.free();
+    this.sizes.disconnect();
+    this.clear();
+  }
+}
+
+function bytesOf(arrays) {
+  return Object.values(arrays).reduce((sum, values) => sum + (values?.byteLength ?? 0), 0);
+}

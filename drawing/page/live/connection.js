@@ -1,0 +1,140 @@
+/**
+ * The line to the program: it is opened again with growing pauses, and at once where the page comes back into sight or
+ * the machine to its network. `told` hears of each change: "connecting", "open", "lost", "ended", "old".
+ */
+const PAUSES = [500, 1000, 2000, 3500, 5000]; // milliseconds before a try; the last one again and again
+const GIVEN_UP = 20_000; // milliseconds without an answer after which the program has ended, for all that one knows
+const MOST_BYTES = 60 * 1024; // of one message, except for files; the program takes 64 KiB
+const MOST_FILE = 1024 * 1024;
+const BUSY = 256 * 1024; // bytes that wait to be sent: the camera is not told then
+const NO_HELLO = 1007; // how the program ends a line whose first words it does not know
+
+class Connection {
+  /** `received` is given each message's bytes; `hello` gives what is said first. */
+  constructor({ received, told, hello }) {
+    Object.assign(this, { received, told, hello });
+    this.state = "connecting";
+    this.tries = 0;
+    this.timer = null;
+    this.socket = null;
+    this.wasOpen = false;
+    this.lostAt = performance.now();
+    this.ending = null;
+    document.addEventListener("visibilitychange", () => this.onSight());
+    window.addEventListener("online", () => this.onNetwork());
+    window.addEventListener("pageshow", () => this.onSight());
+    window.addEventListener("pagehide", () => this.socket?.close());
+  }
+
+  get isOpen() {
+    return this.state === "open";
+  }
+
+  open() {
+    clearTimeout(this.timer);
+    this.timer = null;
+    const token = new URLSearchParams(location.search).get("token") ?? "";
+    const scheme = location.protocol === "https:" ? "wss" : "ws";
+    const folder = location.pathname.replace(/[^/]*$/, "");
+    const socket = new WebSocket(`${scheme}://${location.host}${folder}live?token=${encodeURIComponent(token)}`, PROTOCOL);
+    socket.binaryType = "arraybuffer";
+    socket.onopen = () => this.onOpen(socket);
+    socket.onmessage = (event) => this.onMessage(socket, event);
+    socket.onclose = (event) => this.onClose(socket, event);
+    this.socket = socket;
+  }
+
+  onOpen(socket) {
+    if (socket !== this.socket) return;
+    if (socket.protocol !== PROTOCOL) return this.refuse();
+    const again = this.wasOpen;
+    Object.assign(this, { tries: 0, wasOpen: true, wasHeard: false, ending: null });
+    this.tell("open", { again });
+    this.send(this.hello());
+  }
+
+  onMessage(socket, event) {
+    if (socket !== this.socket || typeof event.data === "string") return;
+    this.wasHeard = true;
+    this.received(event.data);
+  }
+
+  onClose(socket, event) {
+    if (socket !== this.socket) return;
+    this.socket = null;
+    if (event.code === NO_HELLO && !this.wasHeard) return this.refuse();
+    if (this.state === "open") this.lostAt = performance.now();
+    if (this.ending !== null || performance.now() - this.lostAt > GIVEN_UP) this.tell("ended", { text: this.ending ?? "" });
+    else this.tell(this.wasOpen ? "lost" : "connecting");
+    this.retry();
+  }
+
+  /** The program speaks another version than this page, which the browser has kept: only loading it again helps. */
+  refuse() {
+    const socket = this.socket;
+    this.socket = null;
+    socket?.close();
+    this.tell("old");
+  }
+
+  retry() {
+    if (this.state === "old" || document.hidden) return;
+    const pause = PAUSES[Math.min(this.tries, PAUSES.length - 1)];
+    this.tries += 1;
+    clearTimeout(this.timer);
+    this.timer = setTimeout(() => this.open(), pause);
+  }
+
+  /** Tries at once. */
+  hurry() {
+    if (this.state === "old") return;
+    this.tries = 0;
+    if (this.socket === null) this.open();
+  }
+
+  onSight() {
+    if (document.hidden) return;
+    if (this.isOpen) this.send({ say: "resume" });
+    else this.hurry();
+  }
+
+  /** All is sent anew. */
+  startAgain() {
+    this.onNetwork();
+  }
+
+  /** A line that was there before the network went is of no use, whatever it seems. */
+  onNetwork() {
+    const socket = this.socket;
+    if (socket && this.isOpen) {
+      this.onClose(socket, {});
+      socket.close();
+    }
+    this.hurry();
+  }
+
+  /** The program said that it ends. */
+  end(text) {
+    this.ending = text;
+    this.tell("ended", { text });
+  }
+
+  tell(state, more = {}) {
+    const before = this.state;
+    this.state = state;
+    this.told(state, { before, ...more });
+  }
+
+  /** Says something, if there is somebody to hear it; tells whether it went out. */
+  send(message, most = MOST_BYTES) {
+    if (!this.socket || this.socket.readyState !== WebSocket.OPEN) return false;
+    const text = JSON.stringify(message);
+    if (text.length > most || (text.length > most / 3 && new Blob([text]).size > most)) return false;
+    this.socket.send(text);
+    return true;
+  }
+
+  get isBusy() {
+    return (this.socket?.bufferedAmount ?? 0) > BUSY;
+  }
+}

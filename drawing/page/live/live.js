@@ -1,0 +1,263 @@
+/** Joins the parts of a live page: what the program says goes to scene, panel and words; what is done goes back. */
+const VERSION = 1;
+const ARRAYS_OF_NODES = ["positions", "colors", "normals", "indices", "uvs", "texture", "poses"];
+const KEPT_VIEW = 3000; // milliseconds after a new connection in which the page stays where it looked
+const NO_WEBGL_HERE =
+  "The scene is drawn with WebGL 2, which this browser does not offer here. Open the page in a current Chromium, Firefox " +
+  "or Safari, and switch hardware acceleration on where it is off.";
+
+class Live {
+  constructor() {
+    this.pageTitle = document.title;
+    this.keptUntil = 0;
+    this.signs = [];
+    this.clicks = false;
+    this.notices = new Notices({
+      list: byId("notices"), progress: byId("progress"), state: byId("state"), hint: byId("hint"), tryNow: () => this.connection.hurry(),
+    });
+    this.connection = new Connection({
+      received: (buffer) => this.receive(buffer), told: (state, more) => this.onState(state, more), hello: () => this.hello(),
+    });
+    const send = (message, most) => this.connection.send(message, most);
+    this.panel = new Panel({
+      root: byId("panel"), keys: byId("keys"), bar: byId("bar"), send,
+      notify: (title, text) => this.notices.notify(title, text, 8, "error"),
+      changed: () => this.onPanel(), isBusy: () => this.connection.isBusy,
+    });
+    this.commands = new Commands({ send, panel: this.panel });
+    this.palette = new Palette(byId("palette"), this.commands);
+    this.help = new Help(byId("help"), this.commands);
+    this.startEngine();
+    this.theme = new Theme({
+      changed: () => this.panel.redrawForTheme(),
+      ground: (color) => this.engine?.setBackground(color, true),
+    });
+    this.frame = new Frame({
+      body: document.body, side: byId("side"), edge: byId("edge"), grip: byId("grip"), toggled: (shown) => this.onFrame(shown),
+    });
+    this.operations = this.makeOperations();
+    this.addCommands();
+    this.fillToolbar();
+    this.theme.apply();
+    this.onPanel();
+  }
+
+  start() {
+    this.notices.setState("connecting");
+    this.connection.open();
+  }
+
+  startEngine() {
+    this.tellCamera = onceAPicture(() => this.sayCamera());
+    try {
+      this.engine = new Engine(byId("scene"), byId("overlay"), {
+        onCamera: () => this.tellCamera(),
+        onClick: (x, y, event) => this.onClick(x, y, event),
+        onLost: (ids) => ids.length > 0 && this.connection.startAgain(),
+      });
+    } catch (error) {
+      this.engine = null;
+      this.notices.notify("Nothing can be drawn here", error instanceof NoWebGL ? NO_WEBGL_HERE : error.message, 3600, "error");
+    }
+  }
+
+  // -- what the program says ------------------------------------------------------------------------------------------
+
+  /** One message, applied whole before the next picture; an operation that fails takes none of the others with it. */
+  receive(buffer) {
+    const { operations, arrays } = readBatch(buffer);
+    for (const operation of operations) {
+      try {
+        this.operations[operation.op]?.(operation, arrays);
+      } catch (error) {
+        console.error(`the operation ${operation.op} of the program failed: ${error.stack}`);
+      }
+    }
+  }
+
+  makeOperations() {
+    const { engine, panel, commands, notices } = this;
+    const parts = (operation, arrays) => splitArrays(operation, arrays);
+    return {
+      node: (op, arrays) => engine?.add(op.id, op.parent, op.kind, ...parts(op, arrays)),
+      set: (op, arrays) => engine?.set(op.id, ...parts(op, arrays)),
+      drop: ({ id }) => engine?.drop(id),
+      camera: (op) => this.putCamera(op),
+      background: ({ color, own }) => this.theme.setGround(color, own === true),
+      clicks: ({ on }) => this.setClicks(on),
+      bounds: ({ low, high }) => engine?.setBounds(low, high),
+      control: (op, arrays) => panel.add(op, arrays),
+      setcontrol: (op, arrays) => panel.set(op, arrays),
+      dropcontrol: ({ id }) => panel.drop(id),
+      rows: (op) => panel.rows(op),
+      command: (op) => commands.add(op),
+      dropcommand: ({ id }) => commands.drop(id),
+      notify: ({ title, text, seconds, kind }) => notices.notify(title, text, seconds, kind),
+      progress: ({ text, share }) => notices.setProgress(text ?? "", share ?? null),
+      hint: ({ text }) => notices.setHint(text ?? ""),
+      title: ({ text }) => this.setTitle(text),
+      download: ({ name, mime, data }, arrays) => saveAs(new Blob([arrays[data].data], { type: mime }), name),
+      sign: ({ n }) => this.onSign(n),
+      end: ({ text }) => this.connection.end(text ?? ""),
+      unit: ({ text }) => engine?.setUnit(text ?? null),
+      clear: () => this.clear(),
+    };
+  }
+
+  clear() {
+    this.engine?.clear();
+    this.panel.clear();
+    this.commands.clear();
+    this.notices.setProgress("");
+    this.notices.setHint("");
+    this.setClicks(false);
+  }
+
+  /** After a gap the page stays where it looked: the program only knows where pages begin. */
+  putCamera({ op, ...given }) {
+    if (performance.now() < this.keptUntil) {
+      for (const name of ["position", "rotation", "fov", "pivot", "up", "orthographic"]) delete given[name];
+    }
+    this.engine?.setCamera(given);
+  }
+
+  setTitle(text) {
+    byId("title").textContent = text || this.pageTitle;
+    document.title = text || this.pageTitle;
+  }
+
+  setClicks(on) {
+    this.clicks = on === true;
+    byId("picture").classList.toggle("clicks", this.clicks);
+  }
+
+  /** Answered when the picture with all that came before is drawn. */
+  async onSign(n) {
+    const socket = this.connection.socket;
+    if (this.engine) await this.engine.settled();
+    if (socket === this.connection.socket) this.connection.send({ say: "sign", n });
+  }
+
+  // -- what is said to the program ------------------------------------------------------------------------------------
+
+  hello() {
+    return { say: "hello", size: this.size(), version: VERSION };
+  }
+
+  size() {
+    const { width, height } = byId("picture").getBoundingClientRect();
+    return [width, height].map((side) => clamp(Math.round(side), 1, 16384));
+  }
+
+  sayCamera() {
+    if (this.engine) this.onLook();
+    if (!this.engine || !this.connection.isOpen) return;
+    if (this.connection.isBusy) return void setTimeout(this.tellCamera, 100);
+    const { position, rotation, fov, pivot, size, orthographic } = this.engine.camera();
+    this.connection.send({ say: "camera", position, rotation, fov, pivot, size, orthographic });
+  }
+
+  onClick(x, y, event) {
+    if (!this.clicks) return;
+    this.panel.sayPending();
+    this.sayCamera(); // the program asks what is seen there from where the page looks now
+    this.connection.send({ say: "click", x: clamp(x, 0, 1), y: clamp(y, 0, 1), shift: event.shiftKey, ctrl: event.ctrlKey || event.metaKey });
+  }
+
+  onState(state, { text, again, before }) {
+    document.documentElement.dataset.connection = state;
+    if (state === "ended" && before === "ended" && !text) return; // what was said first stays
+    this.notices.setState(state, { text, hadScene: this.connection.wasOpen });
+    if (state !== "open") return this.notices.setProgress("");
+    if (again) this.keptUntil = performance.now() + KEPT_VIEW;
+    if (again) setTimeout(this.tellCamera, 0);
+  }
+
+  // -- the page itself ------------------------------------------------------------------------------------------------
+
+  onPanel() {
+    document.body.classList.toggle("without-panel", byId("panel").children.length === 0);
+  }
+
+  onFrame(shown) {
+    this.panelButton?.setAttribute("aria-pressed", shown);
+  }
+
+  async savePicture() {
+    if (!this.engine) return;
+    const picture = await composePicture(await this.engine.screenshot(), byId("keys"));
+    const time = new Date().toISOString().slice(0, 19).replace("T", " ").replaceAll(":", ".");
+    saveAs(picture, `${byId("title").textContent || "scene"} ${time}.png`.replace(/[\\/:*?"<>|]/g, "_"));
+  }
+
+  addCommands() {
+    const { commands, panel } = this;
+    const isTimed = () => panel.timeline !== undefined;
+    const time = (label, keys, run) => commands.addOwn("Time", label, keys, () => run(panel.timeline), isTimed);
+    time("Play or pause", ["space"], (line) => line.toggle());
+    time("One back", ["arrowleft"], (line) => line.step(-1));
+    time("One on", ["arrowright"], (line) => line.step(1));
+    time("To the beginning", ["home"], (line) => line.go(0));
+    time("To the end", ["end"], (line) => line.go(line.steps.count));
+    for (const { key, label, group, run } of this.engine?.commands() ?? []) commands.addOwn(group || "View", label, [key].flat().filter(Boolean), run);
+    commands.addOwn("Page", "All commands", ["Ctrl+K"], () => this.palette.open());
+    commands.addOwn("Page", "Keys and commands", ["H", "?"], () => this.help.open());
+    commands.addOwn("Page", "Save the page's picture", ["Shift+P"], () => this.savePicture());
+    commands.addOwn("Page", "Light or dark", ["D"], () => this.theme.toggle());
+    commands.addOwn("Page", "Show or fold the panel", ["T"], () => this.frame.toggle());
+  }
+
+  /** What is done most, in one row; all of it is in the palette as well. */
+  fillToolbar() {
+    const { engine } = this;
+    const bar = new Toolbar(byId("tools"));
+    if (engine) {
+      const camera = () => engine.camera();
+      const pressed = (button, on) => button.setAttribute("aria-pressed", on);
+      const up = (axis) => [`${axis.toUpperCase()} up`, () => engine.setUp(axis), () => Math.abs(camera().up["xyz".indexOf(axis)]) > 0.9];
+      const along = ["+x", "-x", "+y", "-y", "+z", "-z"].map((axis) => [`Along ${axis.replace("-", "−")}`, () => engine.lookAlong(axis)]);
+      const views = (count, label) => [label, () => engine.setViews(count, true), () => engine.views.cameras.length === count];
+      const lights = ["Light where it suits", "Light everywhere", "No light"].map((label, light) => [
+        label, () => this.setLook("light", light), () => engine.looks.light === light,
+      ]);
+      bar.add("fit", "All of the scene", () => engine.fit(), { key: "F", narrow: true });
+      bar.addMenu("axes", "Look along an axis", [...along, null, up("z"), up("y")], { narrow: true });
+      this.lensButton = bar.add("orthographic", "Parallel lines stay parallel", () => engine.setOrthographic(!camera().orthographic), { key: "O" });
+      bar.addMenu("split", "Views beside each other", [views(1, "One view"), views(2, "Two views"), views(4, "Four views")]);
+      bar.addMenu("light", "Light", lights);
+      this.meshButton = bar.add("mesh", "Edges of triangles, in this page", () => this.setLook("wireframe", !engine.looks.wireframe));
+      pressed(this.lensButton, false);
+      pressed(this.meshButton, false);
+      bar.addGap();
+      bar.add("camera", "Save the page's picture", () => this.savePicture(), { key: "Shift+P" });
+    }
+    bar.add("search", "All commands", () => this.palette.open(), { key: "Ctrl+K", narrow: true });
+    bar.add("help", "Keys and commands", () => this.help.open(), { key: "H", narrow: true });
+    bar.add("theme", "Light or dark", () => this.theme.toggle(), { key: "D", narrow: true });
+    this.panelButton = bar.add("panel", "Show or fold the panel", () => this.frame.toggle(), { key: "T" });
+    this.panelButton.classList.add("for-panel");
+    this.onFrame(this.frame.isShown);
+  }
+
+  setLook(name, value) {
+    this.engine.looks[name] = value;
+    this.engine.redraw();
+    this.onLook();
+  }
+
+  /** The icons say what is on, whoever switched it. */
+  onLook() {
+    this.meshButton?.setAttribute("aria-pressed", this.engine.looks.wireframe);
+    this.lensButton?.setAttribute("aria-pressed", this.engine.camera().orthographic);
+  }
+}
+
+/** What is given of a node, parted into plain values and arrays. */
+function splitArrays({ op, id, parent, kind, ...props }, arrays) {
+  const given = {};
+  for (const name of ARRAYS_OF_NODES) {
+    if (typeof props[name] === "number") given[name] = arrays[props[name]].data;
+    delete props[name];
+  }
+  return [props, given];
+}

@@ -1,0 +1,190 @@
+/**
+ * The panel: which controls there are, where they lie, and what is said when they change. A control that stands at the
+ * edge of the picture or in the bar lies in no folder.
+ */
+const CONTROL_KINDS = {
+  folder: FolderControl, button: ButtonControl, buttons: ButtonsControl, checkbox: CheckboxControl, slider: SliderControl,
+  range: RangeControl, number: NumberControl, text: TextControl, dropdown: DropdownControl, rgb: RgbControl,
+  words: WordsControl, table: TableControl, image: ImageControl, upload: UploadControl, histogram: HistogramControl,
+  colorbar: ColorbarControl, legend: LegendControl, tree: TreeControl, timeline: TimelineControl,
+};
+const ARRAY_FIELDS = ["colors", "image"];
+
+class Panel {
+  /** `root`, `keys`, `bar` are where controls lie; `send` says something; `notify` shows words; `changed` is told of new rooms. */
+  constructor({ root, keys, bar, send, notify, changed, isBusy }) {
+    Object.assign(this, { root, keys, bar, send, notify, changed, isBusy });
+    this.controls = new Map();
+    this.folders = new Map(); // by path: whether somebody opened or closed it
+    this.themed = new Set();
+    this.pending = new Map();
+    this.flush = onceAPicture(() => this.sayPending());
+  }
+
+  // -- what the program says ------------------------------------------------------------------------------------------
+
+  add(op, arrays) {
+    const type = CONTROL_KINDS[op.kind];
+    if (!type) return;
+    this.drop(op.id);
+    const control = new type(op, this);
+    this.controls.set(op.id, control);
+    control.props = { parent: op.parent, order: op.order };
+    control.set(readArrays(op, arrays));
+    this.place(control);
+  }
+
+  set(op, arrays) {
+    const control = this.controls.get(op.id);
+    if (!control) return;
+    if (this.pending.has(op.id) && "value" in op) this.pending.delete(op.id); // the program's word is the later one
+    control.set(readArrays(op, arrays));
+    if ("order" in op || "parent" in op) this.place(control);
+  }
+
+  rows(op) {
+    this.controls.get(op.id)?.apply?.(op);
+  }
+
+  drop(id) {
+    const control = this.controls.get(id);
+    if (!control) return;
+    for (const inner of [...this.controls.values()]) if (inner.props.parent === id && inner !== control) this.drop(inner.id);
+    this.controls.delete(id);
+    this.pending.delete(id);
+    control.remove();
+    this.tellEmpty();
+  }
+
+  clear() {
+    for (const id of [...this.controls.keys()]) this.drop(id);
+  }
+
+  /** Puts a control where its order says; without one, behind those that came before. */
+  place(control) {
+    const host = this.hostOf(control);
+    const rank = ({ props, id }) => [props.order ?? Infinity, id];
+    const [order, id] = rank(control);
+    const next = [...host.children].find((element) => {
+      const other = this.controls.get(Number(element.dataset.control));
+      if (!other || other === control) return false;
+      const [otherOrder, otherId] = rank(other);
+      return otherOrder > order || (otherOrder === order && otherId > id);
+    });
+    host.insertBefore(control.element, next ?? null);
+    this.tellEmpty();
+    if (host === this.bar) this.onBarChanged();
+    if (host === this.keys) this.onKeysChanged();
+  }
+
+  hostOf(control) {
+    if (control.kind === "timeline") return this.bar;
+    if (control.kind === "colorbar" || control.kind === "legend") return this.keys;
+    return this.controls.get(control.props.parent)?.body ?? this.root;
+  }
+
+  tellEmpty() {
+    const isEmpty = this.root.children.length === 0;
+    if (isEmpty === this.isEmpty) return;
+    this.isEmpty = isEmpty;
+    this.changed();
+  }
+
+  // -- what the page says ---------------------------------------------------------------------------------------------
+
+  /** The last value of each control, once a picture. */
+  sayValue(id, value) {
+    this.pending.set(id, value);
+    this.flush();
+  }
+
+  sayPending() {
+    const values = [...this.pending];
+    this.pending.clear();
+    for (const [id, value] of values) this.send({ say: "value", id, value });
+  }
+
+  sayNow(id, value) {
+    this.sayPending();
+    return this.send({ say: "value", id, value });
+  }
+
+  press(id, value) {
+    this.sayPending();
+    this.send(value === undefined ? { say: "press", id } : { say: "press", id, value });
+  }
+
+  sayFile(id, name, text) {
+    this.sayPending();
+    return this.send({ say: "file", id, name, text }, MOST_FILE);
+  }
+
+  // -- what controls ask for ------------------------------------------------------------------------------------------
+
+  recallFolder(folder) {
+    return this.folders.get(folder.path());
+  }
+
+  rememberFolder(folder, open) {
+    this.folders.set(folder.path(), open);
+  }
+
+  onKeysChanged() {
+    this.keys.hidden = ![...this.keys.children].some((element) => !element.hidden);
+    this.changed();
+  }
+
+  onBarChanged() {
+    this.bar.hidden = ![...this.bar.children].some((element) => !element.hidden);
+    this.changed();
+  }
+
+  onTheme(run) {
+    this.themed.add(run);
+  }
+
+  offTheme(run) {
+    this.themed.delete(run);
+  }
+
+  redrawForTheme() {
+    for (const run of this.themed) run();
+  }
+
+  /** The time line that keys move, where there is one to be seen. */
+  get timeline() {
+    return [...this.controls.values()].find((control) => control.kind === "timeline" && !control.element.hidden && !control.props.disabled);
+  }
+
+  /** What can be pressed, for the palette: `{ label, group, run }`. */
+  actions() {
+    const found = [];
+    for (const control of this.controls.values()) {
+      if (!this.isReachable(control)) continue;
+      for (const [label, run] of control.actions()) if (label) found.push({ label, group: this.groupOf(control), run });
+    }
+    return found;
+  }
+
+  isReachable(control) {
+    for (let one = control; one; one = this.controls.get(one.props.parent)) {
+      if (one.props.visible === false || one.props.disabled) return false;
+    }
+    return true;
+  }
+
+  groupOf(control) {
+    for (let one = this.controls.get(control.props.parent); one; one = this.controls.get(one.props.parent)) {
+      if (one.props.label) return one.props.label;
+    }
+    return "Panel";
+  }
+}
+
+/** The fields that name arrays, with the arrays themselves. */
+function readArrays(op, arrays) {
+  const read = { ...op };
+  const fields = op.kind === "image" ? [...ARRAY_FIELDS, "value"] : ARRAY_FIELDS;
+  for (const name of fields) if (typeof op[name] === "number") read[name] = arrays[op[name]];
+  return read;
+}

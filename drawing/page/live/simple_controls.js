@@ -1,0 +1,206 @@
+/** Buttons, boxes, fields, choices, colours, words, tables, pictures, files. */
+class ButtonControl extends Control {
+  build() {
+    this.button = make("button", { type: "button", id: this.field, class: "wide" });
+    this.button.addEventListener("click", () => this.panel.press(this.id));
+    this.element.append(this.button);
+  }
+
+  setLabel(label) {
+    this.button.textContent = label;
+  }
+
+  update({ color }) {
+    if (color === undefined) return;
+    this.button.classList.toggle("tinted", Boolean(color));
+    this.button.style.setProperty("--tint", typeof color === "string" ? color : color ? cssColor(color) : "transparent");
+  }
+
+  actions() {
+    return [[this.props.label ?? "", () => this.button.click()]];
+  }
+}
+
+class ButtonsControl extends Control {
+  build() {
+    this.group = make("div", { class: "buttons", role: "group" });
+    this.element.append(this.name, this.group);
+  }
+
+  setLabel(label) {
+    this.name.textContent = label;
+    this.name.hidden = label === "";
+    this.group.setAttribute("aria-label", label || "choices");
+  }
+
+  update({ options }) {
+    if (!options) return;
+    this.group.replaceChildren(
+      ...options.map((option) => {
+        const button = make("button", { type: "button" }, option);
+        button.addEventListener("click", () => this.panel.press(this.id, option));
+        return button;
+      }),
+    );
+  }
+
+  actions() {
+    const title = this.props.label ? `${this.props.label}: ` : "";
+    return (this.props.options ?? []).map((option) => [`${title}${option}`, () => this.panel.press(this.id, option)]);
+  }
+}
+
+class CheckboxControl extends Control {
+  build() {
+    this.box = make("input", { type: "checkbox", id: this.field });
+    this.box.addEventListener("change", () => this.say(this.box.checked));
+    this.element.append(this.box, this.name);
+  }
+
+  update({ value }) {
+    if (value !== undefined) this.box.checked = value;
+  }
+
+  actions() {
+    return [[this.props.label ?? "", () => this.box.click()]];
+  }
+}
+
+const TYPING = 300; // milliseconds without a letter after which a text is told
+
+class TextControl extends Control {
+  build() {
+    this.input = make("input", { type: "text", id: this.field, autocomplete: "off", spellcheck: "false" });
+    this.input.addEventListener("input", () => {
+      clearTimeout(this.timer);
+      this.timer = setTimeout(() => this.tell(), TYPING);
+    });
+    this.input.addEventListener("change", () => this.tell());
+    this.element.append(this.name, this.input);
+  }
+
+  tell() {
+    clearTimeout(this.timer);
+    this.timer = null;
+    if (this.input.value !== this.props.value) this.say(this.input.value);
+  }
+
+  /** What somebody is typing is not taken from under their fingers. */
+  update({ value }) {
+    if (value !== undefined && !this.timer) this.input.value = value;
+  }
+}
+
+class DropdownControl extends Control {
+  build() {
+    this.select = make("select", { id: this.field });
+    this.select.addEventListener("change", () => this.say(this.select.value));
+    this.element.append(this.name, this.select);
+  }
+
+  update({ options, value }) {
+    if (options) this.select.replaceChildren(...options.map((option) => make("option", { value: option }, option)));
+    if (options || value !== undefined) this.select.value = this.props.value;
+  }
+}
+
+class RgbControl extends Control {
+  build() {
+    this.input = make("input", { type: "color", id: this.field });
+    this.output = make("span", { class: "dim" });
+    this.input.addEventListener("input", () => {
+      this.say([1, 3, 5].map((start) => parseInt(this.input.value.slice(start, start + 2), 16)));
+      this.output.textContent = this.input.value;
+    });
+    this.element.append(this.name, make("span", { class: "pair" }, this.output, this.input));
+  }
+
+  update({ value }) {
+    if (!value) return;
+    this.input.value = `#${value.map((part) => clamp(Math.round(part), 0, 255).toString(16).padStart(2, "0")).join("")}`;
+    this.output.textContent = this.input.value;
+  }
+}
+
+class WordsControl extends Control {
+  build() {
+    this.text = make("p", { class: "text" });
+    this.element.append(this.name, this.text);
+  }
+
+  update({ value }) {
+    if (value === undefined) return;
+    this.text.textContent = value;
+    this.text.hidden = value === "";
+  }
+}
+
+class TableControl extends Control {
+  build() {
+    this.table = make("table");
+    this.element.append(this.name, this.table);
+  }
+
+  update({ value }) {
+    if (!value) return;
+    this.table.hidden = value.length === 0;
+    const rows = value.map(([label, ...texts]) =>
+      make("tr", {}, make("th", { scope: "row" }, String(label)), ...texts.map((text) => make("td", {}, String(text)))),
+    );
+    this.table.replaceChildren(make("tbody", {}, ...rows));
+  }
+}
+
+class ImageControl extends Control {
+  build() {
+    this.image = make("img", { alt: "", id: this.field });
+    this.image.addEventListener("load", () => URL.revokeObjectURL(this.image.src));
+    this.element.append(this.name, this.image);
+  }
+
+  setLabel(label) {
+    super.setLabel(label);
+    this.image.alt = label;
+  }
+
+  update(changes) {
+    const bytes = changes.image ?? changes.value;
+    if (bytes?.data) this.image.src = URL.createObjectURL(new Blob([bytes.data], { type: "image/png" }));
+  }
+}
+
+class UploadControl extends Control {
+  build() {
+    this.input = make("input", { type: "file", hidden: true, tabindex: "-1" });
+    this.button = make("button", { type: "button", id: this.field, class: "wide" }, icon("upload"), make("span"));
+    this.button.addEventListener("click", () => this.input.click());
+    this.input.addEventListener("change", () => this.read());
+    this.element.append(this.button, this.input);
+  }
+
+  setLabel(label) {
+    this.button.lastChild.textContent = label;
+    this.input.setAttribute("aria-label", label);
+  }
+
+  update({ accept }) {
+    if (accept !== undefined) this.input.accept = accept ?? "";
+  }
+
+  async read() {
+    const [file] = this.input.files;
+    this.input.value = ""; // so that the same file may be chosen again
+    if (!file) return;
+    if (file.size > MOST_FILE) return this.panel.notify("This file is too large", `${file.name}: at most 1 MB can be read here.`);
+    try {
+      const sent = this.panel.sayFile(this.id, file.name, await file.text());
+      if (!sent) this.panel.notify("This file was not sent", `${file.name} is too large, or the program is not there.`);
+    } catch {
+      this.panel.notify("This file cannot be read", file.name);
+    }
+  }
+
+  actions() {
+    return [[this.props.label ?? "", () => this.button.click()]];
+  }
+}

@@ -1,0 +1,86 @@
+/**
+ * The tree of nodes: poses are composed in float64, and what is hidden hides all below it. A change of one node costs
+ * what lies below it; the list of what is drawn is made anew only when nodes come, go, or change whether they are seen.
+ */
+class SceneNode {
+  constructor(id, parent, kind) {
+    Object.assign(this, { id, parent, kind, props: {}, geometry: null, label: null });
+    this.children = new Set();
+    this.pose = IDENTITY;
+    this.visible = true;
+    this.composed = null;
+    parent?.children.add(this);
+  }
+
+  /** From this node to the scene. */
+  get world() {
+    this.composed ??= this.parent ? compose(this.parent.world, this.pose) : Float64Array.from(IDENTITY);
+    return this.composed;
+  }
+
+  place(pose) {
+    if (pose.length !== 12 || !Array.from(pose).every(Number.isFinite)) return;
+    this.pose = pose;
+    this.forget();
+  }
+
+  forget() {
+    if (this.composed === null) return; // then none below has one either
+    this.composed = null;
+    for (const child of this.children) child.forget();
+  }
+}
+
+class Tree {
+  constructor() {
+    this.root = new SceneNode(0, null, "group");
+    this.nodes = new Map([[0, this.root]]);
+    this.list = null;
+  }
+
+  get(id) {
+    return this.nodes.get(id);
+  }
+
+  add(id, parent, kind) {
+    const node = new SceneNode(id, this.nodes.get(parent) ?? this.root, kind);
+    this.nodes.set(id, node);
+    this.list = null;
+    return node;
+  }
+
+  show(node, visible) {
+    if (node.visible === visible) return;
+    node.visible = visible;
+    this.list = null;
+  }
+
+  /** Takes a node and all below it out, and gives them. */
+  drop(id) {
+    const top = this.nodes.get(id);
+    if (!top || top === this.root) return [];
+    top.parent.children.delete(top);
+    const gone = [top];
+    for (let k = 0; k < gone.length; k++) {
+      gone.push(...gone[k].children);
+      this.nodes.delete(gone[k].id);
+    }
+    this.list = null;
+    return gone;
+  }
+
+  /** The nodes that are seen, each after its parent, in the order in which they came. */
+  seen() {
+    if (this.list === null) {
+      this.list = [];
+      const waiting = [this.root];
+      while (waiting.length > 0) {
+        const node = waiting.pop();
+        if (!node.visible) continue;
+        if (node.geometry || node.label) this.list.push(node);
+        waiting.push(...[...node.children].reverse());
+      }
+    }
+    return this.list;
+  }
+}

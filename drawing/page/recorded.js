@@ -1,0 +1,98 @@
+/**
+ * A recording as nodes of the engine. A shape is sent when a frame first shows it and stays, unseen; what a frame shows
+ * are nodes that share the shapes' arrays. Past a budget those that were not shown for longest are freed, and sent again
+ * when needed; the budget is no limit for what two frames in a row need.
+ */
+const MEMORY_BUDGET = 2 ** 30; // bytes on the graphics card
+
+class Recorded {
+  constructor(engine, description, arrays) {
+    Object.assign(this, { engine, description, arrays });
+    this.placements = description.placements.map(([item, shapes, pose]) => ({ item, shapes, pose }));
+    this.hidden = new Set(); // items that are not to be drawn
+    this.used = new Map(); // of each shape on the card, when it was last needed
+    this.clock = 0;
+    this.sending = Promise.resolve();
+    this.shown = [];
+  }
+
+  async readPoses() {
+    this.poses = await this.arrays.read(this.description.poses);
+  }
+
+  /** Sends what these placements show and the card does not hold; resolves once all of it is there. */
+  send(placements) {
+    this.sending = this.sending.catch(() => {}).then(() => this.sendAll(placements)); // one after the other
+    return this.sending;
+  }
+
+  async sendAll(placements) {
+    this.clock += 1;
+    for (const number of new Set(placements.flatMap((placement) => this.placements[placement].shapes))) {
+      if (!this.engine.has(nameOf(number))) await this.sendShape(number);
+      this.used.set(number, this.clock);
+    }
+    this.free();
+  }
+
+  async sendShape(number) {
+    const { kind, positions, normals, colors, indices } = this.description.shapes[number];
+    const read = (array) => (array === undefined ? null : this.arrays.read(array));
+    const [places, directions, paints, corners] = await Promise.all([positions, normals, colors, indices].map(read));
+    const shape = { positions: places, normals: directions, colors: paints, indices: corners };
+    const sent = kind === "lines" ? { positions: segments(places, corners), colors: paints } : shape;
+    this.engine.add(nameOf(number), 0, kind, { visible: false, keep: false }, sent); // the page itself remembers them
+  }
+
+  /** Frees what neither this nor the last call needed, longest unused first, until the rest is within the budget. */
+  free() {
+    const unused = [...this.used].filter(([, when]) => when < this.clock - 1).sort((a, b) => a[1] - b[1]);
+    for (const [number] of unused) {
+      if (this.engine.statistics().bytes <= MEMORY_BUDGET) return;
+      this.engine.drop(nameOf(number));
+      this.used.delete(number);
+    }
+  }
+
+  /** Shows a frame; what has not been sent yet is left out. */
+  show(placements) {
+    const { engine } = this;
+    for (const { id } of this.shown) engine.drop(id);
+    this.shown = [];
+    for (const number of placements) {
+      const { item, shapes, pose } = this.placements[number];
+      for (const shape of shapes) {
+        const id = `${number} of ${this.shown.length}`;
+        if (engine.has(nameOf(shape))) engine.add(id, 0, "group", { ...this.looksOf(shape), pose: this.poseOf(pose), visible: !this.hidden.has(item) });
+        this.shown.push({ id, item });
+      }
+    }
+  }
+
+  poseOf(number) {
+    return this.poses.subarray(12 * number, 12 * number + 12);
+  }
+
+  looksOf(number) {
+    const { size, plain, wireframe, cull, unlit } = this.description.shapes[number];
+    return { of: nameOf(number), size, width: size, plain, wireframe, cull, lit: !unlit };
+  }
+
+  hide(item, hidden) {
+    this.hidden[hidden ? "add" : "delete"](item);
+    for (const shown of this.shown) if (shown.item === item) this.engine.set(shown.id, { visible: !hidden });
+  }
+}
+
+function nameOf(shape) {
+  return `shape ${shape}`;
+}
+
+/** Both ends of each segment. */
+function segments(positions, indices) {
+  const ends = new Float32Array(3 * indices.length);
+  for (let i = 0; i < indices.length; i++) {
+    for (let k = 0; k < 3; k++) ends[3 * i + k] = positions[3 * indices[i] + k];
+  }
+  return ends;
+}

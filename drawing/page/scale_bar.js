@@ -1,0 +1,60 @@
+/** A bar as long as a round length: exact where rays are parallel, else at the depth of what the camera turns about. */
+const SHORTEST_BAR = 90; // CSS px; the next round length is at most 2.5 times as long
+const METRES = [[1000, "km"], [1, "m"], [0.01, "cm"], [0.001, "mm"], [1e-6, "\u00b5m"]];
+
+class ScaleBar {
+  constructor(overlay) {
+    this.element = document.createElement("div");
+    this.element.className = "scale-bar";
+    this.element.hidden = true;
+    this.bar = document.createElement("i");
+    this.words = document.createElement("span");
+    this.element.append(this.words, this.bar);
+    overlay.append(this.element);
+    this.unit = null;
+  }
+
+  /** The unit of the scene's numbers; null for no bar. */
+  setUnit(unit) {
+    this.unit = unit;
+  }
+
+  draw(camera) {
+    this.element.hidden = this.unit === null;
+    if (this.unit === null) return;
+    const pixels = camera.pixels().fx / camera.pivotDepth(); // of one unit
+    const length = roundUp(SHORTEST_BAR / pixels);
+    Object.assign(this, { length, pixels: length * pixels });
+    this.bar.style.width = `${this.pixels.toFixed(1)}px`;
+    this.words.textContent = lengthInWords(length, this.unit);
+    this.element.title = camera.orthographic ? "" : "At the depth of the place that the view turns about";
+  }
+
+  /** The same bar in a picture, at its place over the canvas. */
+  paint(context, canvas, density) {
+    if (this.unit === null) return;
+    const [own, other] = [this.element.getBoundingClientRect(), canvas.getBoundingClientRect()];
+    const [left, bottom] = [own.left - other.left, own.bottom - other.top];
+    context.setTransform(density, 0, 0, density, 0, 0);
+    const color = getComputedStyle(this.element).color;
+    Object.assign(context, { strokeStyle: color, fillStyle: color, lineWidth: 2, font: LABEL_FONT, textAlign: "center" });
+    context.beginPath();
+    for (const [x, y] of [[0, -7], [0, -1], [this.pixels, -1], [this.pixels, -7]]) context.lineTo(left + x, bottom + y);
+    context.stroke();
+    context.fillText(this.words.textContent, left + this.pixels / 2, bottom - 9);
+  }
+}
+
+/** The least of 1, 2 and 5 times a power of ten that is not below a value. */
+function roundUp(value) {
+  const power = 10 ** Math.floor(Math.log10(value));
+  return [1, 2, 5, 10].map((digit) => digit * power).find((one) => one >= value * (1 - 1e-9)) ?? 10 * power;
+}
+
+/** "20 cm" of metres, "20 ft" of any other unit. */
+function lengthInWords(length, unit) {
+  const [by, name] = unit === "m" ? METRES.find(([size]) => length >= size * (1 - 1e-9)) ?? METRES.at(-1) : [1, unit];
+  const number = Number((length / by).toPrecision(6));
+  const text = number >= 1e6 || number < 1e-4 ? number.toExponential(0) : number.toLocaleString("en");
+  return `${text} ${name}`.trim();
+}

@@ -1,0 +1,24 @@
+"""The link between the program and the pages that look, over a websocket: docs/viewer-protocol.md."""
+
+from .camera import CameraState, PageCamera
+from .client import PageClient
+from .controls import Command, Handle, PanelEvent, Tree, UploadedFile
+from .gui import Gui
+from .scene import ClickEvent, Node, Scene
+from .server import PageServer
+
+__all__ = [
+    "CameraState",
+    "ClickEvent",
+    "Command",
+    "Gui",
+    "Handle",
+    "Node",
+    "PageCamera",
+    "PageClient",
+    "PageServer",
+    "PanelEvent",
+    "Scene",
+    "Tree",
+    "UploadedFile",
+]

@@ -1,0 +1,67 @@
+"""Arrays and numbers as they are sent: checked in the thread that gives them, and never changed afterwards."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ....core.checks import check_finite, check_number, check_shape
+
+SNORM = 32767
+
+
+def kept(values: Any, dtypes: Iterable[Any], *tail: int) -> NDArray[Any]:
+    """An array-like as rows of one of some types, that nobody changes: a read-only array itself, else a copy.
+
+    Args:
+        values: Shape [n, *tail].
+        dtypes: Which may stay; others become the first.
+        tail: The shape of a row.
+
+    Raises:
+        ValueError: another shape.
+    """
+    given = np.asarray(values)
+    first, *others = map(np.dtype, dtypes)
+    array = given if given.dtype in (first, *others) else given.astype(first)
+    array = np.ascontiguousarray(array)
+    if array.ndim != 1 + len(tail) or array.shape[1:] != tail:
+        expected = ", ".join(["n", *map(str, tail)])
+        raise ValueError(f"expected shape [{expected}], got {list(given.shape)}")
+    if array is given or np.shares_memory(array, given):
+        array = array if not array.flags.writeable else array.copy()
+    array.flags.writeable = False
+    return array
+
+
+def normals_kept(values: Any) -> NDArray[np.int16]:
+    """Unit normals [n, 3] in 16-bit integers; int16 is taken as it is."""
+    given = np.asarray(values)
+    if given.dtype != np.int16:
+        given = np.rint(np.nan_to_num(np.clip(given, -1, 1)) * SNORM).astype(np.int16)
+        given.flags.writeable = False
+    return kept(given, [np.int16], 3)
+
+
+def placing(R: Any, t: Any, scale: float) -> list[float]:
+    """Rotation [3, 3] (None: none), translation [3] (None: none) and scale as 12 numbers, rows of 3x4."""
+    pose = np.zeros((3, 4))
+    pose[:, :3] = np.eye(3) if R is None else check_finite("R", check_shape("R", R, (3, 3)))
+    pose[:, :3] *= check_number("scale", scale)
+    if t is not None:
+        pose[:, 3] = check_finite("t", check_shape("t", t, (3,)))
+    return pose.ravel().tolist()
+
+
+def triple(name: str, values: Any) -> list[float]:
+    """Three finite numbers."""
+    return check_finite(name, check_shape(name, values, (3,))).tolist()
+
+
+def color(name: str, values: Any) -> list[int]:
+    """Red, green and blue, 0 to 255."""
+    numbers = check_shape(name, values, (3,))
+    return np.clip(np.rint(check_finite(name, numbers)), 0, 255).astype(int).tolist()

@@ -1,0 +1,133 @@
+"""A page that looks: `PageClient`."""
+
+from __future__ import annotations
+
+import contextlib
+import itertools
+import logging
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+
+from .camera import CameraState, PageCamera
+from .delivery import Channel
+from .gui import Gui
+from .scene import ClickEvent, Scene
+from .wire import camera_of
+from .worker import Worker
+
+log = logging.getLogger("pointloom.viewer")
+
+
+class PageClient:
+    """A page from when it connects until it goes; one that connects again is another.
+
+    Nothing here raises because the page has gone.
+
+    Args:
+        channel: The way to it alone.
+        client_id: Its number.
+        first: Where its camera begins.
+        shared: The scene and the panel of all pages.
+
+    Attributes:
+        client_id: Its number.
+        scene: What it alone draws.
+        gui: What it alone has in its panel.
+        camera: Where it looks from.
+        is_open: Whether it is still connected.
+    """
+
+    def __init__(self, channel: Channel, client_id: int, first: CameraState, shared: tuple[Scene, Gui]):
+        self._channel, self.client_id, self.is_open = channel, client_id, True
+        self._shared_scene, self._shared_gui = shared
+        self.scene, self.gui = Scene(channel, self._shared_scene), Gui(channel)
+        self.camera = PageCamera(channel, first)
+        self.worker = Worker(f"pointloom-page-{client_id}")
+        self._on_sign: list[Callable[[PageClient], Any]] = []
+        self._signs = itertools.count(1)
+
+    def atomic(self) -> contextlib.AbstractContextManager[None]:
+        """Have the page apply together what this thread does within; may be nested."""
+        return self._channel.delivery.atomic()
+
+    def notify(self, title: str, text: str, seconds: float = 8.0, error: bool = False) -> None:
+        """Show a notice for some seconds."""
+        kind = "error" if error else "note"
+        op = {"op": "notify", "title": str(title), "text": str(text), "seconds": float(seconds), "kind": kind}
+        self._channel.send(op)
+
+    def download(self, name: str, content: bytes, mime: str = "application/octet-stream") -> None:
+        """Have the page save a file under that name, where its browser puts downloads."""
+        data = np.frombuffer(bytes(content), np.uint8)[:, None]
+        self._channel.send({"op": "download", "name": str(name), "mime": str(mime), "data": data})
+
+    def ask_for_sign(self) -> None:
+        """Have the page say when it has drawn all that it was sent before; of several, the last counts."""
+        self._channel.send({"op": "sign", "n": next(self._signs)})
+
+    def on_sign(self, callback: Callable[[PageClient], Any]) -> Callable[[PageClient], Any]:
+        """Call back with each sign."""
+        self._on_sign.append(callback)
+        return callback
+
+    # -- what the page says, in the server's thread -------------------------------------------------------------------
+
+    def take(self, said: dict[str, Any]) -> None:
+        """Act on a checked message: nothing here waits or runs a callback."""
+        handler = getattr(self, f"_take_{said['say']}", None)
+        if handler is None:
+            return
+        try:
+            handler(said)
+        except ValueError as error:
+            log.debug("page %d: %s", self.client_id, error)
+
+    def _take_camera(self, said: dict[str, Any]) -> None:
+        state = camera_of(said)
+        if state is None:
+            return
+        self.camera.state = state
+        for callback in self.camera.update_callbacks():
+            self.worker.run(callback, self.camera, about="camera")
+
+    def _take_sign(self, said: dict[str, Any]) -> None:
+        for callback in tuple(self._on_sign):
+            self.worker.run(callback, self, about="sign")
+
+    def _take_value(self, said: dict[str, Any]) -> None:
+        handle = self._find(said["id"])
+        if handle is None or not hasattr(handle, "said") or handle.disabled:
+            return
+        for callback, event in handle.said(self._channel, self.client_id, said["value"]):
+            self.worker.run(callback, event, about=None if handle.kind == "tree" else handle.id)
+
+    def _take_press(self, said: dict[str, Any]) -> None:
+        handle = self._find(said["id"])
+        if hasattr(handle, "pressed"):
+            self._call(handle.pressed(self.client_id, said.get("value")))
+
+    def _take_command(self, said: dict[str, Any]) -> None:
+        command = self._find(said["id"])
+        if hasattr(command, "triggered"):
+            self._call(command.triggered(self.client_id))
+
+    def _take_click(self, said: dict[str, Any]) -> None:
+        event = ClickEvent(
+            self.client_id, float(said["x"]), float(said["y"]), said["shift"], said["ctrl"], self.camera.state
+        )
+        for scene in (self.scene, self._shared_scene):
+            self._call([(callback, event) for callback in scene.click_callbacks()])
+
+    def _take_file(self, said: dict[str, Any]) -> None:
+        handle = self._find(said["id"])
+        if hasattr(handle, "brought"):
+            self._call(handle.brought(self.client_id, said["name"], said["text"]))
+
+    def _find(self, number: int) -> Any:
+        return self.gui.find(int(number)) or self._shared_gui.find(int(number))
+
+    def _call(self, calls: list[tuple[Callable[..., Any], Any]]) -> None:
+        for callback, event in calls:
+            self.worker.run(callback, event)

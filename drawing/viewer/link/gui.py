@@ -1,0 +1,287 @@
+"""The panel of all pages or of one: `Gui`."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any
+
+import numpy as np
+
+from ....core.checks import check_count, check_number
+from ....files.pictures.image_files import encode_png
+from .arrays import color, kept
+from .controls import Button, Check, Command, Folder, Handle, Input, Shown, Tree, Upload, next_order
+from .delivery import Channel
+
+
+class Gui:
+    """Controls of the panel. All `add_*` take `order`, `visible`, `disabled` and `hint` as well.
+
+    A value that a page sets in the panel of all is shown to the others; the panel of one page is its own.
+
+    Args:
+        channel: The way to the pages.
+    """
+
+    def __init__(self, channel: Channel):
+        self.channel = channel
+        self._handles: dict[int, Handle | Command] = {}
+        self._within = threading.local()
+
+    def add_folder(
+        self, label: str | None, *, order: float | None = None, open: bool = True, visible: bool = True
+    ) -> Folder:
+        """A part of the panel, to be used as a context manager; without a label only what lies in it is seen."""
+        return self._add(Folder(self, "folder", _fields(label, {"open": open, "visible": visible}, order=order)))
+
+    def add_button(self, label: str, *, color: str | None = None, **common: Any) -> Button:
+        """A button; `color` as CSS says it."""
+        checks: dict[str, Check] = {"color": _text_or_none}
+        return self._add(Button(self, "button", _fields(label, {"color": color}, **common), checks))
+
+    def add_button_group(self, label: str, options: Sequence[str], **common: Any) -> Button:
+        """Buttons side by side; the event's value is the one that was pressed."""
+        return self._add(Button(self, "buttons", _fields(label, {"options": options}, **common), {"options": _words}))
+
+    def add_checkbox(self, label: str, value: bool, **common: Any) -> Input:
+        """A switch."""
+        return self._input("checkbox", label, {"value": value}, {"value": bool}, common)
+
+    def add_slider(self, label: str, min: float, max: float, step: float, value: float, **common: Any) -> Input:
+        """A number to slide, brought within its ends."""
+        return self._input("slider", label, {"min": min, "max": max, "step": step, "value": value}, _SCALE, common)
+
+    def add_range(
+        self, label: str, min: float, max: float, step: float, value: tuple[float, float], **common: Any
+    ) -> Input:
+        """Two numbers to slide, low and high."""
+        fields = {"min": min, "max": max, "step": step, "value": value}
+        return self._input("range", label, fields, {**_SCALE, "value": _pair}, common)
+
+    def add_number(
+        self,
+        label: str,
+        value: float,
+        *,
+        step: float | None = None,
+        precision: int | None = None,
+        min: float | None = None,
+        max: float | None = None,
+        **common: Any,
+    ) -> Input:
+        """A number to write; a whole one stays whole."""
+        fields = {"step": step, "precision": precision, "min": min, "max": max, "value": value}
+        checks = {**dict.fromkeys(fields, _number_or_none), "value": _number_as_it_is}
+        return self._input("number", label, fields, checks, common)
+
+    def add_text(self, label: str, value: str, **common: Any) -> Input:
+        """A line to write."""
+        return self._input("text", label, {"value": value}, {"value": str}, common)
+
+    def add_dropdown(self, label: str, options: Sequence[str], value: str | None = None, **common: Any) -> Input:
+        """One of several words; the first unless `value` says another."""
+        words = _words(options)
+        fields = {"options": words, "value": words[0] if value is None else value}
+        return self._input("dropdown", label, fields, {"options": _words, "value": str}, common)
+
+    def add_rgb(self, label: str, value: Any, **common: Any) -> Input:
+        """A colour, 0 to 255 each."""
+        return self._input("rgb", label, {"value": value}, {"value": _rgb}, common)
+
+    def add_words(self, text: str, **common: Any) -> Shown:
+        """Plain text, its line breaks kept; its `value` is set by assignment."""
+        return self._shown("words", None, {"value": text}, {"value": str}, common)
+
+    def add_table(self, rows: Any, **common: Any) -> Shown:
+        """Rows of a label and a text; a mapping or pairs."""
+        return self._shown("table", None, {"value": rows}, {"value": _rows}, common)
+
+    def add_image(self, image: Any, *, label: str | None = None, **common: Any) -> Shown:
+        """A picture: the bytes of a PNG, or uint8 [h, w, 3 or 4]; its `image` is set by assignment."""
+        return self._shown("image", label, {"image": image}, {"image": _png}, common)
+
+    def add_upload_button(self, label: str, accept: str = "application/json", **common: Any) -> Upload:
+        """A button that brings a text file of up to 1 MiB; `accept` as HTML says it."""
+        return self._add(Upload(self, "upload", _fields(label, {"accept": accept}, **common), {"accept": str}))
+
+    def add_histogram(
+        self,
+        label: str,
+        counts: Any,
+        edges: tuple[float, float],
+        value: tuple[float, float],
+        *,
+        unit: str = "",
+        colors: Any = None,
+        **common: Any,
+    ) -> Input:
+        """How often values occur, with a range to drag by both ends.
+
+        Args:
+            label: What is counted.
+            counts: Of bins of one width [k].
+            edges: Where the first begins and the last ends.
+            value: The range.
+            unit: Of the values.
+            colors: uint8 [256, 3] over the range; None: one colour.
+            common: As for all.
+        """
+        fields: dict[str, Any] = {"counts": counts, "edges": edges, "value": value, "unit": unit, "colors": colors}
+        checks = {"counts": _counts, "edges": _pair, "value": _pair, "unit": str, "colors": _ramp}
+        return self._input("histogram", label, fields, checks, common)
+
+    def add_colorbar(self, title: str, ticks: Any, colors: Any, **common: Any) -> Shown:
+        """A colour bar beside the picture: ticks are pairs of a share 0 to 1 and a text, colors uint8 [256, 3]."""
+        fields = {"title": title, "ticks": ticks, "colors": colors}
+        return self._shown("colorbar", None, fields, {"title": str, "ticks": _ticks, "colors": _ramp}, common)
+
+    def add_legend(self, entries: Any, **common: Any) -> Shown:
+        """What colours mean: rows of a label, a colour (0 to 255 each) and a text."""
+        return self._shown("legend", None, {"entries": entries}, {"entries": _entries}, common)
+
+    def add_tree(self, on_change: Callable[[int, tuple[str, ...], bool], Any] | None = None, **common: Any) -> Tree:
+        """Names to show and hide; `on_change(client_id, keys, visible)` when a page does."""
+        return self._add(Tree(self, _fields(None, {}, **common), on_change))
+
+    def add_timeline(self, min: float, max: float, step: float, value: float, **common: Any) -> Input:
+        """A slider in the bar at the bottom, that can play; `playing` is set by assignment."""
+        fields = {"min": min, "max": max, "step": step, "value": value, "playing": False}
+        return self._input("timeline", None, fields, {**_SCALE, "playing": bool}, common)
+
+    def add_command(self, label: str, hotkey: str | None = None, *, group: str = "") -> Command:
+        """What a key or the palette starts: `hotkey` is a letter or a name such as "escape"."""
+        command = Command(self, str(label), hotkey, str(group))
+        with self.channel.delivery.lock:
+            self._handles[command.id] = command
+            op = {"op": "command", "id": command.id, "label": command.label, "hotkey": hotkey, "group": command.group}
+            self.channel.send(op)
+        return command
+
+    # -- for handles and pages ----------------------------------------------------------------------------------------
+
+    def enter(self, folder: Folder) -> None:
+        """What this thread adds from now on lies in the folder."""
+        self._folders().append(folder)
+
+    def leave(self) -> None:
+        """It lies where it lay before."""
+        self._folders().pop()
+
+    def forget(self, handle: Handle) -> None:
+        """Take a control out, with all that lies in it."""
+        with self.channel.delivery.lock:
+            for number in self.channel.drop("dropcontrol", handle.id):
+                gone: Any = self._handles.pop(number, None)
+                if gone is not None:
+                    gone._removed = True
+
+    def forget_command(self, command: Command) -> None:
+        """Take a command out."""
+        with self.channel.delivery.lock:
+            command._removed = True
+            self._handles.pop(command.id, None)
+            self.channel.drop("dropcommand", command.id)
+
+    def find(self, number: int) -> Any:
+        """The control or command of this number; None without."""
+        return self._handles.get(number)
+
+    def _folders(self) -> list[Folder]:
+        if not hasattr(self._within, "folders"):
+            self._within.folders = []
+        return self._within.folders
+
+    def _add(self, handle: Any) -> Any:
+        folders = self._folders()
+        parent = folders[-1].id if folders else 0
+        with self.channel.delivery.lock:
+            self._handles[handle.id] = handle
+            op = {"op": "control", "id": handle.id, "parent": parent, "kind": handle.kind}
+            self.channel.create({**op, **handle.first_op()})
+        return handle
+
+    def _input(
+        self, kind: str, label: str | None, fields: dict[str, Any], checks: dict[str, Check], common: Any
+    ) -> Input:
+        return self._add(Input(self, kind, _fields(label, fields, **common), checks))
+
+    def _shown(
+        self, kind: str, label: str | None, fields: dict[str, Any], checks: dict[str, Check], common: Any
+    ) -> Shown:
+        return self._add(Shown(self, kind, _fields(label, fields, **common), checks))
+
+
+def _fields(
+    label: str | None,
+    own: dict[str, Any],
+    *,
+    order: float | None = None,
+    visible: bool = True,
+    disabled: bool = False,
+    hint: str = "",
+) -> dict[str, Any]:
+    order = next_order() if order is None else order
+    return {"label": label, "order": order, "visible": visible, "disabled": disabled, "hint": hint, **own}
+
+
+def _text_or_none(value: Any) -> str | None:
+    return None if value is None else str(value)
+
+
+def _words(options: Sequence[str]) -> tuple[str, ...]:
+    words = tuple(str(one) for one in options)
+    if not words:
+        raise ValueError("options: expected at least one")
+    return words
+
+
+def _number(value: Any) -> float:
+    return check_number("number", value)
+
+
+def _number_or_none(value: Any) -> Any:
+    return None if value is None else _number_as_it_is(value)
+
+
+def _number_as_it_is(value: Any) -> Any:
+    return int(value) if isinstance(value, int | np.integer) and not isinstance(value, bool) else _number(value)
+
+
+def _pair(value: Any) -> tuple[float, float]:
+    low, high = map(_number, value)
+    if low > high:
+        raise ValueError(f"expected (low, high), got {value!r}")
+    return low, high
+
+
+def _rgb(value: Any) -> tuple[int, ...]:
+    return tuple(color("color", value))
+
+
+def _rows(rows: Any) -> tuple[tuple[str, str], ...]:
+    return tuple((str(label), str(text)) for label, text in (rows.items() if isinstance(rows, Mapping) else rows))
+
+
+def _ticks(ticks: Any) -> tuple[tuple[float, str], ...]:
+    return tuple((_number(share), str(text)) for share, text in ticks)
+
+
+def _entries(entries: Any) -> tuple[tuple[str, tuple[int, ...], str], ...]:
+    return tuple((str(label), _rgb(rgb), str(text)) for label, rgb, text in entries)
+
+
+def _ramp(colors: Any) -> Any:
+    return None if colors is None else kept(colors, [np.uint8], 3)
+
+
+def _counts(counts: Any) -> tuple[int, ...]:
+    return tuple(check_count("counts", int(one), minimum=0) for one in counts)
+
+
+def _png(image: Any) -> Any:
+    data = image if isinstance(image, bytes) else encode_png(np.ascontiguousarray(image, np.uint8))
+    return np.frombuffer(data, np.uint8)[:, None]
+
+
+_SCALE: dict[str, Check] = {"min": _number, "max": _number, "step": _number, "value": _number}

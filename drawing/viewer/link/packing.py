@@ -1,0 +1,99 @@
+"""Batches of operations as the page reads them: `pack`.
+
+A message is `u32 LE H | H bytes of JSON | arrays`; docs/viewer-protocol.md states it. Arrays are handed on as they are,
+in slices, so that a large one is never held twice.
+"""
+
+from __future__ import annotations
+
+import json
+import logging
+import struct
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+ALIGN = 8
+SLICE = 1 << 20  # bytes of a frame: what a page that does not read has in the server's buffers at most
+
+log = logging.getLogger("pointloom.viewer")
+Op = dict[str, Any]
+
+
+def pack(ops: list[Op]) -> Iterator[memoryview]:
+    """The pieces of a message that holds these operations.
+
+    Args:
+        ops: In order; arrays in their fields are sent as rows, those of one axis as rows of one number.
+
+    Yields:
+        Bytes, in order, at most `SLICE` each.
+    """
+    arrays: list[NDArray[Any]] = []
+    texts = [text for op in ops if (text := _write(op, arrays))]
+    described = [[kind_of(values), len(values), _width(values)] for values in arrays]
+    # Offsets stand in the JSON, whose length moves them: so they are counted from a place that is surely behind it.
+    size = sum(map(len, texts)) + len(texts) + 64 * len(arrays) + 64
+    start = _up(4 + size)
+    for entry, values in zip(described, arrays, strict=True):
+        entry.append(start)
+        start = _up(start + values.nbytes)
+    first = described[0][3] if described else 0
+    text = '{"do":[' + ",".join(texts) + '],"arrays":' + json.dumps(described, separators=(",", ":")) + "}"
+    header = text.encode("ascii")
+    header = header.ljust((first or _up(4 + len(header))) - 4)
+    yield from _slices(memoryview(struct.pack("<I", len(header)) + header))
+    for values in arrays:
+        if values.nbytes:
+            yield from _slices(memoryview(values).cast("B"))
+        if gap := -values.nbytes % ALIGN:
+            yield memoryview(bytes(gap))
+
+
+def kind_of(values: NDArray[Any]) -> str:
+    """How the page calls the type of an array's numbers."""
+    return f"{values.dtype.kind}{values.dtype.itemsize}"
+
+
+def bytes_of(op: Op) -> int:
+    """The bytes of the arrays in an operation, and some for itself."""
+    return 256 + sum(value.nbytes if isinstance(value, np.ndarray) else 0 for value in op.values())
+
+
+def _write(op: Op, arrays: list[NDArray[Any]]) -> str:
+    """The operation in JSON, its arrays by their numbers; "" for one that JSON cannot hold."""
+    count = len(arrays)
+    fields: Op = {}
+    for name, value in op.items():
+        if isinstance(value, np.ndarray):
+            fields[name] = len(arrays)
+            arrays.append(np.ascontiguousarray(value))
+        else:
+            fields[name] = value
+    try:
+        return json.dumps(fields, allow_nan=False, separators=(",", ":"), default=_plain)
+    except (TypeError, ValueError):
+        log.exception("an operation of the viewer could not be sent")
+        del arrays[count:]
+        return ""
+
+
+def _plain(value: Any) -> Any:
+    if isinstance(value, np.generic):
+        return value.item()
+    raise TypeError(f"{type(value).__name__} does not go into JSON")
+
+
+def _width(values: NDArray[Any]) -> int:
+    return int(np.prod(values.shape[1:], dtype=np.int64))
+
+
+def _up(offset: int) -> int:
+    return -(-offset // ALIGN) * ALIGN
+
+
+def _slices(data: memoryview) -> Iterator[memoryview]:
+    for start in range(0, len(data), SLICE):
+        yield data[start : start + SLICE]

@@ -1,0 +1,52 @@
+"""The page as it is served: its bytes, packed and not, its tag and the hashes of its scripts: `ServedPage`."""
+
+from __future__ import annotations
+
+import base64
+import gzip
+import hashlib
+import re
+
+_INLINE = re.compile(rb"<(script|style)\b[^>]*>(.*?)</\1>", re.DOTALL | re.IGNORECASE)
+
+
+class ServedPage:
+    """A page that holds all of its scripts and styles.
+
+    Args:
+        text: The page in UTF-8.
+
+    Attributes:
+        text: The same.
+        packed: Through gzip; the same bytes each time.
+        tag: What it is told apart from others by (an ETag).
+        sources: The hashes of what stands in it, by "script" and "style".
+    """
+
+    def __init__(self, text: bytes):
+        self.text, self.packed = text, gzip.compress(text, 6, mtime=0)
+        self.tag = f'"{hashlib.sha256(text).hexdigest()[:32]}"'
+        self.sources: dict[str, list[str]] = {"script": [], "style": []}
+        for kind, inside in _INLINE.findall(text):
+            digest = base64.b64encode(hashlib.sha256(inside).digest()).decode()
+            self.sources[kind.decode().lower()].append(f"sha256-{digest}")
+
+
+REFUSED = """<!doctype html>
+<html lang="en"><meta charset="utf-8"><meta name="viewport" content="width=device-width">
+<title>pointloom</title>
+<style>{style}</style>
+<h1>This address lacks its key</h1>
+<p>Open the whole address that the program printed, with <code>?token=</code> and what follows.</p>
+<p>A program that was started again printed a new one; the old one is of no use then.</p>
+</html>
+"""
+_STYLE = (
+    ":root{color-scheme:light dark}body{font:16px/1.5 system-ui,sans-serif;max-width:34em;margin:15vh auto;"
+    "padding:0 1em}h1{font-size:1.3em}code{white-space:nowrap}"
+)
+
+
+def refused_page() -> ServedPage:
+    """What is said to who comes without the token."""
+    return ServedPage(REFUSED.format(style=_STYLE).encode())

@@ -1,0 +1,274 @@
+"""The scene of all pages or of one: `Scene`, and what stands in it, `Node`."""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Callable
+from typing import Any
+
+from .arrays import placing
+from .camera import CameraState
+from .delivery import Channel
+from .properties import checked
+
+
+@dataclasses.dataclass(frozen=True, eq=False)
+class ClickEvent:
+    """A press on the picture without motion.
+
+    Attributes:
+        client_id: Of which page.
+        x: Share of the picture's width, from its left.
+        y: Share of its height, from its top.
+        shift: Whether the key was held.
+        ctrl: Whether the key was held.
+        camera: As it was with the click.
+    """
+
+    client_id: int
+    x: float
+    y: float
+    shift: bool
+    ctrl: bool
+    camera: CameraState
+
+
+class Node:
+    """Something in a scene; handles of scenes make it. What is removed, or whose page has gone, does nothing more.
+
+    Attributes:
+        id: Its number.
+        kind: "group", "points", "triangles", "lines", "label" or "instances".
+    """
+
+    def __init__(self, channel: Channel, kind: str, number: int, R: Any, t: Any, scale: float, visible: bool):
+        self._channel, self.kind, self.id = channel, kind, number
+        self._R, self._t, self._scale, self._visible = R, t, scale, visible
+        self._removed = False
+
+    def place(self, R: Any, t: Any, scale: float | None = None) -> None:
+        """Move it.
+
+        Args:
+            R: Rotation to its parent's frame, shape [3, 3]; None for none.
+            t: Where its origin stands there, shape [3]; None for its parent's.
+            scale: Of its own unit; None leaves it.
+        """
+        self._scale = self._scale if scale is None else scale
+        self._send({"pose": placing(R, t, self._scale)})
+
+    @property
+    def visible(self) -> bool:
+        """Whether it, and what hangs on it, is drawn."""
+        return self._visible
+
+    @visible.setter
+    def visible(self, visible: bool) -> None:
+        if bool(visible) != self._visible:
+            self._visible = bool(visible)
+            self._send({"visible": self._visible})
+
+    def set(self, **properties: Any) -> None:
+        """Change some of what it was added with, by the same names: positions, colors, size, wireframe, ..."""
+        self._send(checked(self.kind, properties))
+
+    def remove(self) -> None:
+        """Take it out, with all that hangs on it; twice is no error."""
+        if not self._removed:
+            self._removed = True
+            self._channel.drop("drop", self.id)
+
+    def _send(self, properties: dict[str, Any]) -> None:
+        if not self._removed and properties:
+            self._channel.send({"op": "set", "id": self.id, **properties})
+
+
+class Scene:
+    """What pages draw. All lengths are in the unit of the parent's frame; with no parent, of the page.
+
+    Arrays that are read-only are kept as they are and must not change; others are copied.
+
+    Args:
+        channel: The way to the pages.
+        shared: The scene of all pages, for that of one.
+    """
+
+    def __init__(self, channel: Channel, shared: Scene | None = None):
+        self._channel, self._shared = channel, shared
+        self._on_click: list[Callable[[ClickEvent], Any]] = []
+
+    def add_group(
+        self, parent: Node | None = None, *, R: Any = None, t: Any = None, scale: float = 1.0, visible: bool = True
+    ) -> Node:
+        """A frame that others hang on."""
+        return self._add("group", {}, parent, R, t, scale, visible)
+
+    def add_points(
+        self,
+        positions: Any,
+        colors: Any = None,
+        *,
+        plain: Any = None,
+        normals: Any = None,
+        size: float = 3.0,
+        metric: bool = False,
+        relief: bool = True,
+        opacity: float = 1.0,
+        parent: Node | None = None,
+        R: Any = None,
+        t: Any = None,
+        scale: float = 1.0,
+        visible: bool = True,
+    ) -> Node:
+        """Points.
+
+        Args:
+            positions: float32 or float16 [n, 3].
+            colors: uint8 [n, 3].
+            plain: One colour for all, 0 to 255 [3], where there are no `colors`.
+            normals: Unit [n, 3], or int16 with 32767 for 1.
+            size: Diameter [px], or with `metric` in the node's unit.
+            metric: See `size`.
+            relief: Whether eye-dome light falls on them.
+            opacity: 0 to 1.
+            parent: What they hang on.
+            R: Rotation to the parent's frame [3, 3].
+            t: Where their origin stands there [3].
+            scale: Of their unit.
+            visible: Whether they are drawn.
+        """
+        properties = {"positions": positions, "colors": colors, "plain": plain, "normals": normals, "size": size}
+        properties |= {"metric": metric, "relief": relief, "opacity": opacity}
+        return self._add("points", properties, parent, R, t, scale, visible)
+
+    def add_surface(
+        self,
+        positions: Any,
+        indices: Any,
+        *,
+        normals: Any = None,
+        colors: Any = None,
+        plain: Any = None,
+        uvs: Any = None,
+        texture: Any = None,
+        lit: bool = True,
+        cull: bool = False,
+        wireframe: bool = False,
+        opacity: float = 1.0,
+        parent: Node | None = None,
+        R: Any = None,
+        t: Any = None,
+        scale: float = 1.0,
+        visible: bool = True,
+    ) -> Node:
+        """Triangles.
+
+        Args:
+            positions: float32 [n, 3].
+            indices: Whole numbers of positions [m, 3].
+            normals: Unit [n, 3], or int16 with 32767 for 1.
+            colors: uint8 [n, 3].
+            plain: One colour for all, 0 to 255 [3].
+            uvs: Places in the texture [n, 2]; v = 0 is its top row.
+            texture: uint8 [h, w, 3].
+            lit: Whether light falls on them.
+            cull: Whether back faces are left out.
+            wireframe: Whether their edges are drawn over them.
+            opacity: 0 to 1.
+            parent: What they hang on; `R`, `t`, `scale`, `visible` as for points.
+        """
+        properties = {"positions": positions, "indices": indices, "normals": normals, "colors": colors, "plain": plain}
+        properties |= {"uvs": uvs, "texture": texture, "lit": lit, "cull": cull, "wireframe": wireframe}
+        return self._add("triangles", {**properties, "opacity": opacity}, parent, R, t, scale, visible)
+
+    def add_lines(
+        self,
+        ends: Any,
+        colors: Any = None,
+        *,
+        plain: Any = None,
+        width: float = 1.0,
+        parent: Node | None = None,
+        R: Any = None,
+        t: Any = None,
+        scale: float = 1.0,
+        visible: bool = True,
+    ) -> Node:
+        """Lines.
+
+        Args:
+            ends: Both ends of each [m, 2, 3].
+            colors: uint8, of each end [m, 2, 3] or of each line [m, 3].
+            plain: One colour for all, 0 to 255 [3].
+            width: [px].
+            parent: What they hang on; `R`, `t`, `scale`, `visible` as for points.
+        """
+        properties = {"ends": ends, "colors": colors, "plain": plain, "width": width}
+        return self._add("lines", properties, parent, R, t, scale, visible)
+
+    def add_label(
+        self, text: str, position: Any, *, anchor: str = "center", parent: Node | None = None, visible: bool = True
+    ) -> Node:
+        """Words at a place of the parent's frame [3]; `anchor` says which of their corners stands there."""
+        return self._add("label", {"text": text, "anchor": anchor}, parent, None, position, 1.0, visible)
+
+    def add_instances(
+        self,
+        shape: str,
+        poses: Any,
+        colors: Any = None,
+        *,
+        plain: Any = None,
+        solid: bool = False,
+        width: float = 1.0,
+        parent: Node | None = None,
+        R: Any = None,
+        t: Any = None,
+        scale: float = 1.0,
+        visible: bool = True,
+    ) -> Node:
+        """Many of one shape.
+
+        Args:
+            shape: "box" of side 1 about its origin, "ball" of diameter 1, or "frustum" with its apex at the origin and
+                the corners of its rectangle at (+-1, +-1, 1).
+            poses: From the unit shape to the node, rows of 3x4 that may scale [k, 3, 4].
+            colors: uint8 [k, 3].
+            plain: One colour for all, 0 to 255 [3].
+            solid: Whether faces are drawn, else edges alone.
+            width: Of edges [px].
+            parent: What they hang on; `R`, `t`, `scale`, `visible` as for points.
+        """
+        properties = {"shape": shape, "poses": poses, "colors": colors, "plain": plain, "solid": solid, "width": width}
+        return self._add("instances", properties, parent, R, t, scale, visible)
+
+    def show_shared(self, node: Node, visible: bool) -> None:
+        """Show or hide in this page alone what the scene of all pages holds, until that says otherwise."""
+        self._channel.send({"op": "set", "id": node.id, "visible": bool(visible)})
+
+    def on_click(self, callback: Callable[[ClickEvent], Any]) -> Callable[[ClickEvent], Any]:
+        """Call back with each click on the picture; pages tell of them from now on."""
+        self._on_click.append(callback)
+        self._channel.send({"op": "clicks", "on": True})
+        return callback
+
+    def remove_click_callback(self, callback: Callable[[ClickEvent], Any]) -> None:
+        """Call this one back no more."""
+        if callback in self._on_click:
+            self._on_click.remove(callback)
+        if not self._on_click and (self._shared is None or not self._shared.click_callbacks()):
+            self._channel.send({"op": "clicks", "on": False})
+
+    def click_callbacks(self) -> tuple[Callable[[ClickEvent], Any], ...]:
+        """Who is called."""
+        return tuple(self._on_click)
+
+    def _add(
+        self, kind: str, properties: dict[str, Any], parent: Node | None, R: Any, t: Any, scale: float, visible: bool
+    ) -> Node:
+        fields = checked(kind, {name: value for name, value in properties.items() if value is not None})
+        node = Node(self._channel, kind, self._channel.delivery.number(), R, t, scale, bool(visible))
+        above = 0 if parent is None else parent.id
+        op = {"op": "node", "id": node.id, "parent": above, "kind": kind, "pose": placing(R, t, scale)}
+        self._channel.create({**op, "visible": node.visible, **fields})
+        return node

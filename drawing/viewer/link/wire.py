@@ -1,0 +1,176 @@
+"""What pages say, checked before anything acts on it: `read`. Types and bounds stand in docs/viewer-protocol.md."""
+
+from __future__ import annotations
+
+import json
+import math
+from collections.abc import Callable, Mapping
+from typing import Any, NoReturn
+
+import numpy as np
+
+from .camera import FARTHEST, MOST_PIXELS, CameraState, nearest_rotation
+
+MOST_BYTES = 1 << 20  # of a message that brings a file
+MOST_SMALL_BYTES = 64 << 10  # of any other
+MOST_WHOLE = 2**53  # what a browser's numbers hold
+MOST_DEPTH = 8  # lists within lists
+
+Check = Callable[[Any], bool]
+
+
+def read(raw: str | bytes) -> dict[str, Any] | None:
+    """A message of a page, checked field by field.
+
+    Args:
+        raw: As it came.
+
+    Returns:
+        Its fields with "say", and no others; None for one to be passed over, unknown or with a field out of bounds.
+
+    Raises:
+        ValueError: no message at all.
+    """
+    if not isinstance(raw, str):
+        raise ValueError("not a message: text is expected")
+    if len(raw) > MOST_SMALL_BYTES and '"file"' not in raw[:64]:
+        raise ValueError(f"not a message: of {len(raw)} characters")
+    try:
+        fields = json.loads(raw, parse_constant=_refuse)
+    except (ValueError, RecursionError) as error:
+        raise ValueError(f"not a message: {error}") from None
+    if not isinstance(fields, dict) or not isinstance(fields.get("say"), str):
+        raise ValueError("not a message: an object that says something is expected")
+    checks = MESSAGES.get(fields["say"])
+    if checks is None or (len(raw) > MOST_SMALL_BYTES and fields["say"] != "file"):
+        return None
+    if not all(_has(fields, name, check) for name, check in checks.items()):
+        return None
+    return {"say": fields["say"], **{name: fields[name] for name in checks if name in fields}}
+
+
+def camera_of(fields: Mapping[str, Any]) -> CameraState | None:
+    """The camera that a checked message says; None where its rotation is none."""
+    rotation = nearest_rotation(np.reshape(fields["rotation"], (3, 3)))
+    if rotation is None:
+        return None
+    size = (int(fields["size"][0]), int(fields["size"][1]))
+    position, pivot = np.array(fields["position"], np.float64), np.array(fields["pivot"], np.float64)
+    return CameraState(position, rotation, float(fields["fov"]), size, pivot, fields["orthographic"])
+
+
+def is_number(value: Any) -> bool:
+    """Whether a value is a finite number; True and False are none."""
+    return isinstance(value, int | float) and not isinstance(value, bool) and is_finite(value)
+
+
+def is_finite(value: float) -> bool:
+    """Whether a number is finite as a float, which whole ones of thousands of digits are not."""
+    try:
+        return math.isfinite(value)
+    except OverflowError:
+        return False
+
+
+def is_whole(value: Any) -> bool:
+    """Whether a value is a whole number that a browser can hold."""
+    return is_number(value) and abs(value) <= MOST_WHOLE and value == int(value)
+
+
+def is_text(value: Any, most: int = MOST_SMALL_BYTES) -> bool:
+    """Whether a value is text that can be written as UTF-8."""
+    if not isinstance(value, str) or len(value) > most:
+        return False
+    try:
+        value.encode()
+    except UnicodeEncodeError:  # half of a pair: it would be an error wherever it is written
+        return False
+    return True
+
+
+def _refuse(constant: str) -> NoReturn:
+    raise ValueError(f"{constant} is no number of JSON")
+
+
+def _has(fields: dict[str, Any], name: str, check: Check) -> bool:
+    if name not in fields:
+        return check in OPTIONAL
+    return check(fields[name])
+
+
+def _is_switch(value: Any) -> bool:
+    return isinstance(value, bool)
+
+
+def _is_place(value: Any) -> bool:
+    return _numbers(value, 3, FARTHEST)
+
+
+def _is_matrix(value: Any) -> bool:
+    return _numbers(value, 9, 2.0)
+
+
+def _numbers(value: Any, count: int, most: float) -> bool:
+    return isinstance(value, list) and len(value) == count and all(is_number(one) and abs(one) < most for one in value)
+
+
+def _is_size(value: Any) -> bool:
+    return (
+        isinstance(value, list) and len(value) == 2 and all(is_whole(one) and 1 <= one <= MOST_PIXELS for one in value)
+    )
+
+
+def _is_angle(value: Any) -> bool:
+    return is_number(value) and 0 < value < math.pi
+
+
+def _is_share(value: Any) -> bool:
+    return is_number(value) and 0 <= value <= 1
+
+
+def _is_id(value: Any) -> bool:
+    return is_whole(value) and value >= 1
+
+
+def _is_version(value: Any) -> bool:
+    return is_whole(value) and value >= 1
+
+
+def _is_name(value: Any) -> bool:
+    return is_text(value, 255)
+
+
+def _is_content(value: Any) -> bool:
+    return is_text(value, MOST_BYTES)
+
+
+def _is_value(value: Any) -> bool:
+    """Anything that a control may have: text, a number, a switch, or short lists of those."""
+    waiting, depth = [value], 0
+    while waiting and depth < MOST_DEPTH:
+        if not all(isinstance(one, bool | list) or is_number(one) or is_text(one) for one in waiting):
+            return False
+        waiting = [inner for one in waiting if isinstance(one, list) for inner in one]
+        depth += 1
+    return not waiting
+
+
+def _is_pressed(value: Any) -> bool:
+    return value is None or is_text(value, 1024)
+
+
+OPTIONAL = {_is_pressed}
+MESSAGES: dict[str, dict[str, Check]] = {
+    "hello": {"size": _is_size, "version": _is_version},
+    "camera": {
+        **{"position": _is_place, "rotation": _is_matrix, "fov": _is_angle, "pivot": _is_place, "size": _is_size},
+        "orthographic": _is_switch,
+    },
+    "sign": {"n": _is_id},
+    "value": {"id": _is_id, "value": _is_value},
+    "press": {"id": _is_id, "value": _is_pressed},
+    "command": {"id": _is_id},
+    "click": {"x": _is_share, "y": _is_share, "shift": _is_switch, "ctrl": _is_switch},
+    "file": {"id": _is_id, "name": _is_name, "text": _is_content},
+    "resume": {},
+}
