@@ -11,7 +11,7 @@ from PIL import Image
 
 from ..notebook_output import still_jpeg
 
-CHANNELS = 3
+CHANNELS = 3, 4
 MOST_PNG_BYTES = 2**21  # in a notebook; what takes more is shown as a JPEG of at most 200 kB
 
 

@@ -12,7 +12,7 @@ import pointloom as loom
 from pointloom.drawing.viewer import cells
 from pointloom.drawing.viewer.cells import MOST_OPEN, keep, make_room
 
-from .pages import hear_until, page_of, wait_until
+from .pages import hear_until, visitor_of, wait_until
 
 
 class Kernel:
@@ -127,13 +127,13 @@ def test_a_cell_s_earlier_cloud_is_let_go_when_it_runs_again(kernel, capfd):
     assert capfd.readouterr() == ("", "")
 
 
-def test_the_page_of_the_oldest_is_told(kernel, monkeypatch):
+def test_the_visitor_of_the_oldest_is_told(kernel, monkeypatch):
     monkeypatch.setattr(cells, "MOST_OPEN", 1)
     kernel.run("loom.draw(first)")
     first = loom.draw(np.eye(3), port=0, inline=False, width=64, height=48)
-    with page_of(first.server) as page:
+    with visitor_of(first.server) as page:
         wait_until(lambda: first.sessions)
         kernel.run("loom.draw(second)")
         loom.draw(np.eye(3), port=0, inline=False, width=64, height=48).close()
         assert first.closed
-        assert "the oldest" in hear_until(page, "NotificationShowMessage")["props"]["body"]
+        assert "the oldest" in hear_until(page, "end")["text"]

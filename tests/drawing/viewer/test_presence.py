@@ -10,7 +10,7 @@ import pytest
 import pointloom as loom
 from pointloom.drawing.viewer.presence import LINGER, Presence
 
-from .pages import get, page_of, wait_until
+from .pages import get, visitor_of, wait_until
 
 
 @pytest.fixture
@@ -30,7 +30,7 @@ class Waiting:
 def test_wait_ends_a_while_after_the_last_page_has_gone(shown, capfd):
     waiting = Waiting(shown, 0.4)
     assert not waiting.over.wait(0.5)  # nobody was there yet
-    with page_of(shown.server):
+    with visitor_of(shown.server):
         wait_until(lambda: shown.sessions)
         assert not waiting.over.wait(0.5)
     assert waiting.over.wait(3)
@@ -39,14 +39,14 @@ def test_wait_ends_a_while_after_the_last_page_has_gone(shown, capfd):
 
 
 def test_a_page_that_is_loaded_again_keeps_the_wait_going_however_slow_the_line(shown, capfd):
-    with page_of(shown.server):
+    with visitor_of(shown.server):
         wait_until(lambda: shown.sessions)
     wait_until(lambda: not shown.sessions)
     waiting = Waiting(shown, 0.6)
     for _ in range(3):  # the page is asked for, and its websocket does not come for long
         assert not waiting.over.wait(0.4)
         assert get(shown.server)[0] == 200
-    with page_of(shown.server):
+    with visitor_of(shown.server):
         wait_until(lambda: "a page is open again" in told(capfd))
         assert not waiting.over.wait(0.7)
     assert waiting.over.wait(3)
