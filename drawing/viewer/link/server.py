@@ -211,4 +211,5 @@ def _let_go_in_child() -> None:
         server.let_go_in_child()
 
 
-os.register_at_fork(after_in_child=_let_go_in_child)
+if hasattr(os, "register_at_fork"):  # not on Windows, which has no forks either
+    os.register_at_fork(after_in_child=_let_go_in_child)
