@@ -443,6 +443,28 @@ def test_no_camera_of_a_page_reaches_the_program(shown, rng, name):
         assert node_of(shown, page, "other")
 
 
+@pytest.mark.parametrize(
+    ("odd", "size"),
+    [
+        ({"size": [16384, 1]}, (16384, 32)),
+        ({"size": [1, 1]}, (32, 32)),
+        ({"size": [16384, 16384]}, (5792, 5792)),
+        ({"fov": 1e-300}, (800, 600)),
+        ({"fov": 3.1415926}, (800, 600)),
+        ({"position": [9e11, 0, -9e11], "orthographic": True, "fov": 1e-300}, (800, 600)),
+    ],
+)
+def test_of_cameras_that_are_odd_a_picture_can_be_drawn(shown, page, rng, odd, size):
+    shown.add("cloud", cloud_of(rng.random((50, 3))))
+    shown.color_by("height")
+    page.move(**({"position": [1.0, 2.0, 3.0]} | odd))
+    view = shown.get_view()
+    assert (view.intrinsic.width, view.intrinsic.height) == size
+    assert np.isfinite(view.T_world_camera).all()
+    if size[0] * size[1] < 1e6:
+        assert shown.screenshot().shape == (*size[::-1], 3)
+
+
 @pytest.mark.parametrize("method", ["show", "set_pose", "tell", "set_reach", "look_from"])
 def test_what_goes_wrong_with_one_page_reaches_neither_the_program_nor_another_page(rng, method, monkeypatch):
     with Viewer(port=0) as shown, page_in(shown) as page, page_in(shown) as other:
