@@ -9,6 +9,8 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 from ....core.errors import PointloomError
 from ...render.view import View
 from ..logged import asked_by_page
@@ -207,7 +209,7 @@ class Toolbox:
     def _do(self, job: Callable[[], None]) -> None:
         try:
             if not self._closed:
-                with asked_by_page():
+                with asked_by_page(), np.errstate(all="ignore"):  # a camera may be anywhere
                     job()
         except (PointloomError, ValueError, TypeError, LookupError, OSError, MemoryError) as error:
             self._tell(str(error.args[0]) if isinstance(error, KeyError) and error.args else str(error))
