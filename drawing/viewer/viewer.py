@@ -16,7 +16,7 @@ from ..render.geometries import Named, named_geometries
 from ..render.open3d_views import OPEN3D_KEYS
 from ..render.view import View
 from .detail_tree import DetailTree
-from .ending import farewell
+from .ending import close_at_exit, farewell
 from .items import Frame, make_item
 from .logged import logged
 from .looks import Looks
@@ -84,6 +84,7 @@ class Viewer(Looks):
             check_color(background),
             (check_count("width", size[0]), check_count("height", size[1])),
         )
+        close_at_exit(self)
 
     def __repr__(self) -> str:
         return f"Viewer({self.url}, {len(self.shown)} geometries{', closed' if self.closed else ''})"

@@ -44,7 +44,7 @@ def test_buttons_sliders_keys_and_clicks_reach_the_program(viewer, open_page):
     page.locator("body").press("g")
     page.get_by_text("ValueError: that was the last scan").wait_for()
     size.value = 2
-    wait_until(page, lambda: page.get_by_role("slider", name="neighbours").input_value() == "1")  # steps from its low end
+    wait_until(page, lambda: page.get_by_role("slider", name="neighbours").input_value() == "1")  # steps
     (number,) = viewer.sessions
     box = page.locator("#picture").bounding_box()
     x, y, _ = project(viewer.get_view(number), POINTS[3])
