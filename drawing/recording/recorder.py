@@ -390,11 +390,7 @@ class Recorder:
 
 
 def check_picture_size(size: Any) -> tuple[int, int]:
-    """Width and height of pictures [px].
-
-    Raises:
-        TypeError, ValueError: No two whole numbers from 16 to 8192.
-    """
+    """Width and height of pictures [px], whole numbers from 16 to 8192."""
     if not isinstance(size, tuple | list) or len(size) != 2:
         raise ValueError(f"size: expected width and height, got {size!r}")
     limits: dict[str, Any] = {"minimum": 16, "maximum": 8192, "because": "frames are held whole"}

@@ -282,7 +282,9 @@ class Hooks:
             self.timeline.look(time)
 
     def save_recording(self, path: str | os.PathLike[str], **options: Any) -> None:
-        """Write what was logged since `set_time` as a recording, one frame a moment, seen from where a page looks.
+        """Write what was logged since `set_time` as a recording, one frame a moment.
+
+        It is seen from where a page looks, or `set_view` said; without either all of it is seen at all times.
 
         Args:
             path: .html (one file that plays from disk), .gif, .webp or .mp4.

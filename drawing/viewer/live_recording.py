@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ...core.checks import check_count, check_name, check_positive
+from ..recording.film import find_view
 from ..recording.recorder import FASTEST, MAX_FRAMES, MAX_POINTS, check_picture_size
 from ..recording.shapes import ShapeStore, Sketch, pose_about, sketch, spread_rows
 from ..recording.timeline import Frame, Placed, Timeline
@@ -37,6 +38,8 @@ def write_history(
 ) -> None:
     """Write the moments of a viewer as a recording, a frame each, in the colours that the pages show.
 
+    It is seen from where a page looks, or `set_view` said; without either all of it is seen at all times.
+
     Args:
         viewer: The viewer.
         path: .html, .gif, .webp or .mp4.
@@ -61,10 +64,12 @@ def write_history(
         history = viewer.timeline
         if history is None:
             raise ValueError("nothing was logged: call viewer.set_time(t) before what belongs to a moment")
-        moments, view = moments_of(history, max_frames), viewer.get_view()
+        moments = moments_of(history, max_frames)
+        view = viewer.get_view() if viewer.sessions or viewer.has_own_view else None
         notes = [f"{max_frames:,} of {len(history.times):,} moments"] if len(moments) < len(history.times) else []
     timeline = Drawn(viewer, most).timeline(moments)  # the program and its pages go on meanwhile
     timeline.title, timeline.fps = ", ".join([title, *notes] if title else notes), fps
+    view = find_view(view, timeline, None, *size)
     look = {"view": view, "background": tuple(ground), "overwrite": overwrite}
     write_recording(path, timeline, size=size, say=lambda *_: None, **look)
 

@@ -136,6 +136,11 @@ class Scene(Hooks):
         return fit_view(self._outline(), **look, width=self._size[0], height=self._size[1])
 
     @property
+    def has_own_view(self) -> bool:
+        """Whether `set_view` has said where pages look from at first."""
+        return self._view is not None
+
+    @property
     def bounds(self) -> Bounds:
         """The lowest and highest corner of what is in the scene [m]; a box of 2 m where nothing is."""
         found = self._extents.union()
