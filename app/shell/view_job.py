@@ -10,6 +10,7 @@ import numpy as np
 
 from ...core.atomic import check_writable
 from ...core.errors import FileError
+from ...core.progress import ReportProgress, say_nothing
 from ...core.reports import Fields, Report
 from ...core.timing import Clock
 from ...core.upward import check_up
@@ -89,11 +90,16 @@ class ViewJob:
         self.named: list[Named] = []
         self.trees: dict[str, DetailTree] = {}
 
-    def read(self) -> None:
-        """Read the files."""
+    def read(self, tell: ReportProgress = say_nothing) -> None:
+        """Read the files; `tell` is told of it as stderr is."""
         style = {"point_size": self.point_size} if self.point_size is not None else {}
         with Progress() as progress:
-            options: dict[str, Any] = {"max_points": self.max_points, "color_by": self.color_by, "progress": progress}
+
+            def report(stage: str, done: int, total: int) -> None:
+                progress(stage, done, total)
+                tell(stage, done, total)
+
+            options: dict[str, Any] = {"max_points": self.max_points, "color_by": self.color_by, "progress": report}
             named, trees = read_scene(list(self.files), style, **options)
         names = {
             name: INPUT for path, (name, _, _) in zip(self.files, named, strict=True) if str(path) in self._ends.names
@@ -143,7 +149,13 @@ class ViewJob:
             if first:
                 viewer.add_named(first)
                 open_up()
-            self.read()  # once it is known that there can be a server
+
+            def tell(stage: str, done: int, total: int) -> None:
+                share = min(done / total, 1.0) if total > 0 else None
+                viewer.tell_progress(f"a first look at {self.title}; {stage}", share)
+
+            self.read(tell)  # once it is known that there can be a server
+            viewer.tell_progress("")
             viewer.add_named(self.named, self.trees)
             for name, _, _ in first:
                 viewer.remove(name)

@@ -132,7 +132,7 @@ def named_geometries(geometries: Any) -> list[Named]:
     else:
         given = [(None, geometries)]
     found: list[Named] = []
-    taken: dict[str, int] = {}  # names, and the last number that was tried of each
+    taken: dict[str, int] = {}
     for name, value in given:
         geometry, style = value, Style()
         if isinstance(value, Mapping):
@@ -161,13 +161,12 @@ def _read_entry(entry: Mapping[Any, Any], name: str | None) -> tuple[str | None,
 
 
 def _free_name(name: str, taken: dict[str, int]) -> str:
-    """A name that is not taken, with a number where it has to be; takes it."""
+    """A name that is not taken; takes it. Of each name, the last number that was tried behind it."""
     number, free = taken.get(name, 1), name
     while free in taken:
         number += 1
         free = f"{name} {number}"
-    taken[name] = number
-    taken.setdefault(free, 1)
+    taken[name], taken[free] = number, taken.get(free, 1) if free != name else number
     return free
 
 

@@ -1,12 +1,35 @@
-"""What pages are told when the program ends: `farewell`."""
+"""The end of the program: pages are told of it, and how to start it again: `farewell`, `close_at_exit`."""
 
 from __future__ import annotations
 
+import atexit
+import contextlib
+import os
 import shlex
 import sys
+import weakref
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from .notebook import in_notebook
+
+if TYPE_CHECKING:
+    from .viewer import Viewer
+
+_open: weakref.WeakKeyDictionary[Viewer, int] = weakref.WeakKeyDictionary()  # and the process that opened each
+
+
+def close_at_exit(viewer: Viewer) -> None:
+    """Close a viewer at the end of the process, where nobody has done so before."""
+    _open[viewer] = os.getpid()
+
+
+@atexit.register
+def _close_all() -> None:
+    for viewer, process in list(_open.items()):
+        if process == os.getpid():  # a child of it has a copy, and no page
+            with contextlib.suppress(Exception):  # the interpreter is going
+                viewer.close()
 
 
 def farewell() -> str:

@@ -54,6 +54,20 @@ class Looks(Scene):
         with self.lock:
             return painted_labels(self._find(name))
 
+    def tell_progress(self, text: str, share: float | None = None) -> None:
+        """Say in the pages what the program is doing.
+
+        Args:
+            text: In a few words; "" once it is done.
+            share: How much of it is done, 0 to 1; None where nobody knows.
+
+        Raises:
+            TypeError, ValueError: No text, or no share.
+        """
+        with self.lock:
+            self._check_open()
+            self.server.pages.set_progress(check_name("text", text), share)
+
     def screenshot(self, path: str | os.PathLike[str] | None = None, *, client: int | None = None) -> NDArray[np.uint8]:
         """A picture of the scene as a page shows it, drawn here: no page needs to be open.
 

@@ -64,7 +64,7 @@ class Panel:
 
     def add_line(self, client: PageClient) -> Any:
         """The line of a page that says how many points and triangles it draws."""
-        return client.gui.add_words("", order=LINE)
+        return client.gui.add_words("", order=LINE, visible=False)
 
     def add_tools(self, session: Session) -> Any:
         """The tools of a page."""

@@ -21,11 +21,11 @@ from ..render.upward import direction_under, up_of
 from ..render.view import View, fit_view
 from .camera import camera_of, diagonal, reach_of, read_parameters
 from .coloring_choice import ColoringChoice
-from .detail_tree import DetailTree
 from .extents import Bounds, Extents
 from .items import Frame, Item
 from .keys import check_hotkey
 from .later import Later
+from .level_builder import LevelBuilder
 from .nodes import NORMAL_LENGTH, ItemNodes
 from .panel import Panel
 from .server import ViewerServer
@@ -80,8 +80,7 @@ class Scene:
         self._next_number = 0
         self._last_seen: float | None = None  # when a page went
         self._ended = threading.Event()
-        self._builders: list[threading.Thread] = []
-        self._coming: dict[str, Item] = {}  # whose levels of detail are being built
+        self._levels = LevelBuilder(self)  # type: ignore[arg-type]  # a Viewer
         self._extents = Extents()
         self._point_count = self.triangle_count = 0  # of all clouds, and of all surfaces
         self._told_bounds: Any = None  # as pages were told them
@@ -175,7 +174,7 @@ class Scene:
         if item.cloud is None or self._point_count <= self.max_points:
             return self.max_points
         share = max(1, self.max_points * len(item.cloud) // self._point_count)
-        return min(share, FIRST) if item.tree is None and item.name in self._coming else share
+        return min(share, FIRST) if item.tree is None and item.name in self._levels else share
 
     def _join(self, client: PageClient) -> None:
         with self.lock:
@@ -249,54 +248,23 @@ class Scene:
     def _let_go(self) -> list[Any]:
         """Close the pages and forget the scene; what is to be joined when the server is closed."""
         with self.lock:
-            sessions, builders = list(self.sessions.values()), self._builders
+            sessions, builders = list(self.sessions.values()), self._levels.let_go()
             for session in sessions:
                 session.close()
-            self.sessions, self._nodes, self.items, self._coming, self._builders = {}, {}, {}, {}, []
+            self.sessions, self._nodes, self.items = {}, {}, {}
             self._extents, self._with_unit = Extents(), {}
             self._later.close()
         return [*sessions, *builders, self._later]
 
-    def _build_levels(self, item: Item) -> None:
-        """Build the levels of detail of a cloud, if it is large, while a part of it is shown; the lock is held."""
-        if item.cloud is None or len(item.cloud) <= self.max_points:
-            return
-        self._coming[item.name] = item
-        self._builders = [builder for builder in self._builders if builder.is_alive()]
-        builder = threading.Thread(target=self._build, args=(item,), name="pointloom-levels", daemon=True)
-        self._builders.append(builder)
-        builder.start()
-
-    def _build(self, item: Item) -> None:
-        self._tell_building()
-        try:
-            assert item.cloud is not None
-            tree = None if self.closed else DetailTree.from_cloud(item.cloud)
-        except Exception:  # no memory for it: an even share is what can be shown
-            log.warning("%s is shown without levels of detail", item.name, exc_info=True)
-            tree = None
-        if not self.take_lock():
-            return
-        try:
-            if self._coming.get(item.name) is item:
-                del self._coming[item.name]
-                item.tree = tree
-                for session in self._open_sessions():
-                    with session.as_it_lasts():
-                        session.show(item)
-                        session.tell()
-            self._tell_building()
-        finally:
-            self.lock.release()
-
-    def _tell_building(self) -> None:
-        """Say in the pages of which clouds levels of detail are being built."""
-        coming, pages = list(self._coming), self.server.pages
-        others = f" and {len(coming) - 1} more" if len(coming) > 1 else ""
-        pages.set_progress(f"a first look; preparing all points of {coming[0]}{others}" if coming else "")
+    def show_levels(self, item: Item) -> None:
+        """The levels of a cloud are there; the lock is held."""
+        for session in self._open_sessions():
+            with session.as_it_lasts():
+                session.show(item)
+                session.tell()
 
     def _take_out(self, name: str) -> None:
-        self._coming.pop(name, None)
+        self._levels.forget(name)
         self._with_unit.pop(name, None)
         self._extents.drop(name)
         self._count(self.items.pop(name, None), -1)

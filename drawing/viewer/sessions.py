@@ -199,7 +199,8 @@ class Session:
         if self._line is not None and not self.closed:
             for name in self._in_levels:
                 self._note(name)
-            self._line.value = told(self._drawn, self._total, self.viewer.triangle_count)
+            text = told(self._drawn, self._total, self.viewer.triangle_count)
+            self._line.value, self._line.visible = text, bool(text)
 
     def close(self) -> None:
         """The page has gone."""

@@ -16,7 +16,7 @@ from ..render.geometries import Named, named_geometries
 from ..render.open3d_views import OPEN3D_KEYS
 from ..render.view import View
 from .detail_tree import DetailTree
-from .ending import farewell
+from .ending import close_at_exit, farewell
 from .items import Frame, make_item
 from .looks import Looks
 from .painted import warn_of_unsaved
@@ -84,6 +84,7 @@ class Viewer(Looks):
             check_color(background),
             (check_count("width", size[0]), check_count("height", size[1])),
         )
+        close_at_exit(self)
 
     def __repr__(self) -> str:
         return f"Viewer({self.url}, {len(self.items)} geometries{', closed' if self.closed else ''})"
@@ -157,7 +158,7 @@ class Viewer(Looks):
                 self._take_in(item)
                 self._color(item)
                 if item.tree is None and isinstance(item.geometry, PointCloud):
-                    self._build_levels(item)
+                    self._levels.build(item)
             if was_empty:
                 self._settle()
             for item in made:
@@ -181,7 +182,7 @@ class Viewer(Looks):
             item = make_item(name, old.number, geometry, old.style)
             item.visible, item.pose = old.visible, old.pose
             was_empty = not len(self._extents)
-            self._coming.pop(name, None)
+            self._levels.forget(name)
             self._take_in(item)
             self._color(item)
             if was_empty:

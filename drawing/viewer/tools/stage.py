@@ -188,9 +188,15 @@ class Stage:
                 node.remove()
 
     def mark(self, view: View, place: NDArray[np.float64], text: str = "", color: Color = MARK) -> None:
-        """A ball of a few pixels at a place of the world, and words beside it."""
+        """A dot of a few pixels at a place of the world, and words beside it.
+
+        It lies before the place by its own size: the points around it would cover it.
+        """
+        towards = view.T_world_camera[:3, 3] - place
+        depth = max(float(-towards @ view.T_world_camera[:3, 2]), 0.0)
+        nearer = min(MARK_SIZE * depth / view.intrinsic.fy, 0.5 * depth)
+        at = self.viewer.frame.to_page(place + nearer * towards / (float(np.linalg.norm(towards)) or 1.0))
         with self.client.atomic():
-            at = self.viewer.frame.to_page(place)
             dot = self.client.scene.add_points(np.zeros((1, 3)), plain=color, size=MARK_SIZE, relief=False, t=at)
             self._nodes.append(dot)
             if text:

@@ -35,15 +35,15 @@ def notebook(monkeypatch):
 
 
 @pytest.fixture
-def without_viser(monkeypatch):
+def without_extra(monkeypatch):
     """As where the extra is not installed."""
-    for name in [name for name in sys.modules if name.split(".")[0] == "viser" or name.endswith("drawing.viewer.hub")]:
+    for name in [name for name in sys.modules if name.startswith(("websockets", "pointloom.drawing.viewer.link"))]:
         monkeypatch.delitem(sys.modules, name)
     import_module = builtins.__import__
 
     def refuse(name, *rest, **more):
-        if name.split(".")[0] == "viser":
-            raise ModuleNotFoundError("No module named 'viser'", name="viser")
+        if name.split(".")[0] == "websockets":
+            raise ModuleNotFoundError("No module named 'websockets'", name="websockets")
         return import_module(name, *rest, **more)
 
     monkeypatch.setattr(builtins, "__import__", refuse)
@@ -81,7 +81,7 @@ def page_in(shown):
     return html.unescape(inner)
 
 
-def test_a_page_inside_comes_where_the_extra_is_missing(notebook, without_viser, cloud):
+def test_a_page_inside_comes_where_the_extra_is_missing(notebook, without_extra, cloud):
     page = loom.draw([cloud], width=320, height=240, front=[1, 0, 0], up=[0, 0, 1])
     assert isinstance(page, InlinePage)
     shown = page._repr_mimebundle_()
@@ -123,7 +123,7 @@ def test_a_page_inside_is_bounded_and_says_what_it_left_out(cloud, monkeypatch, 
     assert MOST_BYTES == 4 * 2**20
 
 
-def test_a_script_is_told_what_to_install(without_viser, cloud):
+def test_a_script_is_told_what_to_install(without_extra, cloud):
     with pytest.raises(ViewerExtraError, match=r'pip install "pointloom\[viewer\]"') as raised:
         loom.draw([cloud])
     assert isinstance(raised.value, ImportError)

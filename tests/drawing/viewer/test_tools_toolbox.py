@@ -43,7 +43,12 @@ def test_one_tool_is_at_work_at_a_time_and_its_button_ends_it(page):
 def test_a_picked_point_is_told_and_marked(page):
     page.press("Pick a point")
     click_on(page, waves()[777])
-    assert "| index | 777 |" in page.table and "| level | 777 |" in page.table and len(page.page.nodes) == 2
+    assert "| index | 777 |" in page.table and "| level | 777 |" in page.table
+    dot, words = page.page.nodes.values()
+    assert (dot.kind, words.text) == ("points", "777")
+    place = np.reshape(words.pose, (3, 4))[:, 3] + page.frame.origin
+    seen, clicked = (project(page.now, at)[:2] for at in (place, waves()[777]))
+    np.testing.assert_allclose(seen, clicked, atol=0.1)
     page.click(2, 2)
     assert "Nothing there" in page.told and page.table == "" and page.page.nodes == {}
 
@@ -100,6 +105,39 @@ def test_a_polygon_is_drawn_saved_cropped_and_undone(page, tmp_path):
     assert list(page.items) == ["waves"] and page.items["waves"].visible
     page.key("escape")
     assert page.now is before and page.page.nodes == {}
+
+
+def test_a_page_of_an_exposed_viewer_downloads_what_it_crops_and_writes_nothing(tmp_path):
+    page = StandIn(tmp_path, exposed=True, waves=loom.PointCloud(waves()))
+    page.press("Crop by polygon")
+    assert page.page.control("file").hint == "downloaded by this page"
+    for corner in ((300, 200), (700, 220), (640, 600)):
+        page.click(*corner)
+    page.key("enter")
+    kept = page.items["waves (cropped)"].cloud
+    (file,) = page.page.others("download")
+    assert file.name == "cropped.json" and "downloaded as cropped.json" in page.told
+    (tmp_path / "it").mkdir()
+    (tmp_path / "it" / "cropped.json").write_bytes(bytes(file.data))
+    volume = loom.SelectionPolygonVolume.from_json(tmp_path / "it" / "cropped.json")
+    np.testing.assert_array_equal(page.items["waves"].cloud.crop(volume).points, kept.points)
+    page.press("Undo crop")
+    page.set("view", "free view")
+    for corner in ((300, 200), (700, 220), (640, 600)):
+        page.click(*corner)
+    page.key("enter")
+    assert page.page.others("download")[1].name == "cropped.ply"
+    assert [path.name for path in tmp_path.iterdir()] == ["it"]
+    page.box.close()
+
+
+def test_where_a_file_was_written_is_said(page, tmp_path):
+    page.press("Crop by polygon")
+    assert page.page.control("file").hint == f"written to {tmp_path}"
+    for corner in ((300, 200), (700, 220), (640, 600)):
+        page.click(*corner)
+    page.key("enter")
+    assert f"saved to {tmp_path / 'cropped.json'}" in page.told
 
 
 def test_corners_stay_on_the_scene_as_the_view_is_moved_along(page):

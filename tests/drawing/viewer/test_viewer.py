@@ -167,6 +167,24 @@ def test_points_are_lit_as_in_our_pictures(shown, page, rng):
     assert reliefs == {"plain": False, "own colours": True, "flat": False}
 
 
+def test_clip_planes_cut_surfaces_in_one_page_alone(shown, page):
+    shown.add("ball", loom.TriangleMesh.create_sphere(1.0, 10))
+    ((_, node),) = shown._nodes["ball"]._nodes
+    with page_in(shown) as other:
+        page.set("z", [page.control("z").min, 0.0])
+        page.set("clip", True)
+        toolbox = session_of(shown)._toolbox
+        toolbox._worker.submit(lambda: None).result(60)
+        (cut,) = [one for one in page.nodes.values() if one.id != node.id]
+        middle = shown.frame.to_world(np.reshape(cut.pose, (3, 4))[:, 3])
+        places = cut.positions[cut.indices.ravel()] + middle
+        assert not page.nodes[node.id].visible and -1 <= places[:, 2].min() and places[:, 2].max() <= 1e-6
+        assert other.nodes[node.id].visible and len(other.nodes) == 1
+        page.set("clip", False)
+        toolbox._worker.submit(lambda: None).result(60)
+        assert page.nodes[node.id].visible and len(page.nodes) == 1
+
+
 def test_sizes_of_points_are_pixels_or_metres(shown, page, rng):
     shown.add("pixels", cloud_of(rng.random((50, 3))))
     shown.add("twice", cloud_of(rng.random((50, 3))), point_size=6)
@@ -793,6 +811,21 @@ def test_close_frees_port_threads_and_memory(rng):
     wait_until(lambda: threading.active_count() <= before)
     with Viewer(port=port) as again:
         assert again.server.port == port
+
+
+def test_pages_are_told_that_the_viewer_is_closed_and_how_to_start_it_again(monkeypatch):
+    for arguments, told in (
+        (["/usr/bin/pointloom", "view", "a scan.las"], "pointloom view 'a scan.las'"),
+        (["/home/me/show.py", "--secret"], "python show.py"),
+        ([""], "The program can open another viewer."),
+    ):
+        monkeypatch.setattr(sys, "argv", arguments)
+        with Viewer(port=0) as shown, page_in(shown) as page:
+            deliver = shown.server.pages.stop
+            monkeypatch.setattr(shown.server.pages, "stop", lambda page=page, deliver=deliver: (page.look(), deliver()))
+            shown.close()
+            (end,) = page.others("end")
+            assert end.text.startswith("The viewer has been closed.") and end.text.endswith(told)
 
 
 def test_wait_ends_a_while_after_the_last_page_has_gone(shown, monkeypatch):
