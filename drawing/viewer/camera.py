@@ -27,6 +27,10 @@ Vector = NDArray[np.float64]
 NEAR, FAR = 1e-3, 100.0
 CLOSEST, FARTHEST = 1e-4, 50.0
 
+# Of what a page says of its picture, what a picture can be drawn with here.
+NARROWEST, WIDEST = 1e-6, math.pi - 1e-3  # [rad]
+FEWEST_PIXELS, MOST_PIXELS = 32, 1 << 25  # along a side; in all, as of 8192 x 4096
+
 AWAY = 500.0  # extents that the eye of a picture without perspective is away: then no point moves by a pixel
 
 
@@ -79,8 +83,9 @@ def view_of(camera: CameraState | PageCamera, frame: Frame, bounds: Bounds, size
 
     Views have perspective: of a camera without, it is one from so far away that this is not seen.
     """
-    width, height = size
-    position, tangent = np.asarray(camera.position, np.float64), math.tan(camera.fov / 2)
+    width, height = picture_size(size)
+    position = np.asarray(camera.position, np.float64)
+    tangent = math.tan(min(max(camera.fov, NARROWEST), WIDEST) / 2)
     if camera.orthographic:
         forward = np.asarray(camera.rotation, np.float64)[:, 2]
         depth = float((camera.pivot - position) @ forward)
@@ -93,6 +98,13 @@ def view_of(camera: CameraState | PageCamera, frame: Frame, bounds: Bounds, size
     T[:3, :3] = camera.rotation
     T[:3, 3] = frame.to_world(position)
     return View(PinholeCameraIntrinsic(width, height, focal, focal, (width - 1) / 2, (height - 1) / 2), T)
+
+
+def picture_size(size: tuple[int, int]) -> tuple[int, int]:
+    """The size of a page's picture [px], brought within what a picture here may have."""
+    width, height = (max(FEWEST_PIXELS, side) for side in size)
+    scale = math.sqrt(min(1.0, MOST_PIXELS / (width * height)))
+    return max(FEWEST_PIXELS, int(width * scale)), max(FEWEST_PIXELS, int(height * scale))
 
 
 def reach_of(camera: Camera | PageCamera, frame: Frame, bounds: Bounds) -> dict[str, float]:

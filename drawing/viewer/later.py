@@ -56,6 +56,8 @@ class Later:
             if self._ended.is_set() or not self._take_lock():
                 return
             try:
+                if self._ended.is_set():  # while the lock was waited for
+                    return
                 if not was_asked and not self._asked.is_set():
                     self._thread = None  # who asks from now on starts another
                     return

@@ -9,6 +9,8 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 from ....core.errors import PointloomError
 from ...render.view import View
 from .clip_controls import ClipControls
@@ -198,7 +200,8 @@ class Toolbox:
     def _do(self, job: Callable[[], None]) -> None:
         try:
             if not self._closed:
-                job()
+                with np.errstate(all="ignore"):  # a camera may be anywhere
+                    job()
         except (PointloomError, ValueError, TypeError, LookupError, OSError, MemoryError) as error:
             self._tell(str(error.args[0]) if isinstance(error, KeyError) and error.args else str(error))
         except Exception:  # a page that goes meanwhile, or a fault of ours: the viewer goes on
