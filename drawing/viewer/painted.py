@@ -62,7 +62,7 @@ def painted_labels(item: Item) -> NDArray[np.uint8] | None:
     """A copy of the labels that were painted, which count as saved then; None where nothing was."""
     if item.painting is None:
         return None
-    item.painting.unsaved = 0
+    item.painting.mark_saved(item.painting.changes)
     return item.painting.labels.copy()
 
 

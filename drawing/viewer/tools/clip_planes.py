@@ -97,8 +97,8 @@ class Clip:
         def keep(points: Any, indices: Any = None) -> NDArray[np.bool_]:
             places = np.asarray(points) if T is None else np.asarray(points) @ T[:3, :3].T + T[:3, 3]
             kept = self.keep(places)
-            for rule in self.filters if cloud is not None else ():
-                passed = rule.keep_of(cloud, places, indices)
+            passes = [] if cloud is None else [rule.keep_of(cloud, places, indices) for rule in self.filters]
+            for passed in passes:
                 if passed is not None:
                     kept &= passed
             return kept

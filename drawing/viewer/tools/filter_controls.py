@@ -18,6 +18,7 @@ from .stage import Stage
 
 NOTHING = "nothing"
 TICK = 0.2  # [s] between the steps of a window that plays
+SYNC = 1.0  # [s] in which many changes of the scene are one: it is looked at whole
 STEPS = 100  # of a window that plays from end to end
 
 
@@ -37,6 +38,7 @@ class FilterControls:
         self._controls: list[Any] = []
         self._ticks: dict[int, Any] = {}
         self._timer: threading.Timer | None = None
+        self._waits: threading.Timer | None = None
         self._is_closed = False
         gui, ask = stage.client.gui, stage.ask
         with folder:
@@ -48,10 +50,17 @@ class FilterControls:
             self._clear = gui.add_button("Remove all filters", disabled=True)
         self._by.on_update(lambda _: ask(self._choose))
         self._clear.on_click(lambda _: ask(lambda: self._set({}, "Remove all filters")))
-        self.sync()
+        self._offer_names()
 
     def sync(self) -> None:
-        """After the scene has changed: offer what its clouds have."""
+        """After the scene has changed: offer what its clouds have, a second later at the latest; not at each change."""
+        if self._waits is None and not self._is_closed:
+            self._waits = threading.Timer(SYNC, lambda: self._stage.ask(self._offer_names))
+            self._waits.daemon = True
+            self._waits.start()
+
+    def _offer_names(self) -> None:
+        self._waits = None
         names: list[str] = []
         for item in self._stage.items():
             names += [name for name in filters_of(item.cloud) if name not in names] if item.cloud is not None else []
@@ -66,6 +75,8 @@ class FilterControls:
     def close(self) -> None:
         """The page has gone."""
         self._is_closed = True
+        if self._waits is not None:
+            self._waits.cancel()
         self._stop_playing()
 
     # -- the one that is looked at ------------------------------------------------------------------------------------

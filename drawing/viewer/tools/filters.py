@@ -159,7 +159,7 @@ def take_census(by: str, columns: list[NDArray[Any]]) -> Census:
     Example:
         >>> import numpy as np
         >>> found = take_census("intensity", [np.array([0.0, 1.0, np.nan, 4.0])])
-        >>> found.low, found.high, found.missing, found.counts.sum()
+        >>> found.low, found.high, found.missing, int(found.counts.sum())
         (0.0, 4.0, 1, 3)
     """
     total = sum(len(column) for column in columns)

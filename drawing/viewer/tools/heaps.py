@@ -256,7 +256,8 @@ def _span(heights: NDArray[np.float64], is_empty: NDArray[np.bool_]) -> NDArray[
     from scipy.sparse import coo_matrix
     from scipy.sparse.linalg import spsolve
 
-    found = is_empty & binary_propagation(np.isfinite(heights), mask=np.isfinite(heights) | is_empty)
+    reached: Any = binary_propagation(np.isfinite(heights), mask=np.isfinite(heights) | is_empty)
+    found: NDArray[np.bool_] = is_empty & reached
     count = int(found.sum())
     if not 0 < count <= MOST_FILLED:
         return np.zeros_like(found)
@@ -274,7 +275,8 @@ def _span(heights: NDArray[np.float64], is_empty: NDArray[np.bool_]) -> NDArray[
         columns.append(beside[is_unknown])
     row, column = np.concatenate([*rows, np.arange(count)]), np.concatenate([*columns, np.arange(count)])
     values = np.concatenate([np.full(len(row) - count, -1.0), diagonal])
-    heights[found] = spsolve(coo_matrix((values, (row, column)), (count, count)).tocsc(), right)
+    solved: Any = spsolve(coo_matrix((values, (row, column)), (count, count)).tocsc(), right)
+    heights[found] = solved
     return found
 
 

@@ -150,7 +150,7 @@ class Painting:
     Attributes:
         labels: uint8 [n].
         classes: By number.
-        unsaved: Gestures since the labels were saved.
+        changes: Gestures painted since the labels were saved, and those from before that were taken back since.
 
     Raises:
         ValueError: Labels that do not fit into a byte, or another shape.
@@ -175,7 +175,17 @@ class Painting:
             raise ValueError(f"{attribute}: labels of 0 to 255 are painted, these go from {low} to {high}")
         self.labels = given.astype(np.uint8)
         self.classes = usual_labels(attribute, np.unique(self.labels))
-        self.unsaved = 0
+        self.changes = (0, 0)
+
+    @property
+    def unsaved(self) -> int:
+        """How many gestures lie between the labels and those that were saved last, or more."""
+        return sum(self.changes)
+
+    def mark_saved(self, changes: tuple[int, int]) -> None:
+        """Labels were saved when there were so many changes; others may have come since."""
+        painted, taken = (max(now - then, 0) for now, then in zip(self.changes, changes, strict=True))
+        self.changes = painted, taken
 
     def add_class(self, number: int, name: str, color: Color) -> Label:
         """Another class, or another name and colour of one.
@@ -210,12 +220,13 @@ class Painting:
     def take_back(self, stroke: Stroke) -> None:
         """Give the points of a stroke back what they had."""
         self.labels[stroke.indices] = stroke.before
-        self.unsaved += 1
+        painted, taken = self.changes
+        self.changes = (painted - 1, taken) if painted else (0, taken + 1)
 
     def redo(self, stroke: Stroke) -> None:
         """Paint a stroke again."""
         self.labels[stroke.indices] = stroke.label
-        self.unsaved += 1
+        self.changes = self.changes[0] + 1, self.changes[1]
 
     def table(self) -> NDArray[np.uint8]:
         """The colour of each label, uint8 [256, 3]."""

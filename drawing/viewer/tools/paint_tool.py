@@ -208,10 +208,10 @@ class PaintTool(Tool):
         """Write the cloud with its labels, to the program's folder or by the page."""
         item, cloud = self.stage.cloud(self._cloud.value)
         painting = self._painting()
-        saved = painting.unsaved
+        saved = painting.changes
         whole = item.select(np.arange(len(cloud))) if item.has_colors_in_tree else cloud
         write = partial(write_point_cloud, cloud=whole, overwrite=False)
         place = keep_file(self.stage, self._folder, self._file.value, SUFFIXES, write)
-        painting.unsaved -= saved
+        painting.mark_saved(saved)
         self._show_changes(painting)
         self.stage.say(f"{len(cloud):,} points with {painting.attribute} are {place}.")

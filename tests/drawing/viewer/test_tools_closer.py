@@ -286,3 +286,16 @@ def test_clip_planes_and_crops_are_taken_back(page, tmp_path):
     page.key("escape")
     page.key("Ctrl+Z")
     assert page.page.control("clip").value is False and page.notices[-1] == "Taken back: Clip planes"
+
+
+def test_what_comes_can_be_filtered_by_as_well(page):
+    page.add("other", loom.PointCloud(heap().points, ring=np.arange(SIDE * SIDE) % 7))
+    page.box.run(page.box.filter._offer_names)
+    page.wait()
+    choose(page, "ring")
+    tick(page, "label 3", False)
+    keep = page.streams["other"].keep
+    assert keep(page.items["other"].cloud.points, np.arange(SIDE * SIDE)).sum() == np.sum(
+        np.arange(SIDE * SIDE) % 7 != 3
+    )
+    assert seen(page).all()

@@ -60,7 +60,7 @@ def test_strokes_are_taken_back_and_done_again_to_the_last_point(rng):
     for stroke in strokes:
         painting.redo(stroke)
     np.testing.assert_array_equal(painting.labels, after)
-    assert painting.unsaved == 9 and sum(painting.counts().values()) == 1000 and painting.classes[2].name == "ground"
+    assert painting.unsaved == 3 and sum(painting.counts().values()) == 1000 and painting.classes[2].name == "ground"
 
 
 def test_a_painted_cloud_holds_the_labels_and_leaves_the_given_one_alone(rng):
@@ -89,3 +89,18 @@ def test_classes_are_named_coloured_and_added():
 def test_labels_that_no_byte_holds_are_refused(labels):
     with pytest.raises(ValueError, match="label"):
         Painting("label", 2, labels)
+
+
+def test_what_is_taken_back_from_before_the_last_save_is_unsaved_again():
+    painting = Painting("label", 9)
+    first, second = painting.paint([1], 1), painting.paint([2], 1)
+    painting.mark_saved(painting.changes)
+    assert painting.unsaved == 0
+    third = painting.paint([3], 1)
+    painting.take_back(third)
+    assert painting.unsaved == 0
+    painting.take_back(second)
+    painting.take_back(first)
+    assert painting.unsaved == 2
+    painting.take_back(painting.paint([4], 2))
+    assert painting.unsaved == 2
