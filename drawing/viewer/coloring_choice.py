@@ -96,6 +96,11 @@ def choices_of(cloud: PointCloud) -> list[str]:
 def shown_coloring(items: Collection[Item]) -> Coloring | None:
     """The coloring that a legend tells: of the first cloud that is seen and has one with a meaning."""
     for item in items:
-        if item.visible and item.coloring is not None and item.coloring.kind != "rgb":
+        if item.visible and has_meaning(item):
             return item.coloring
     return None
+
+
+def has_meaning(item: Item) -> bool:
+    """Whether the colours of an item tell values or labels."""
+    return item.coloring is not None and item.coloring.kind != "rgb"

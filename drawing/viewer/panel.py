@@ -15,7 +15,7 @@ from ..render.coloring import Coloring, label_color
 from ..render.colormaps import colormap_table
 from ..render.ticks import choose_ticks, with_ends
 from .actions import Actions
-from .coloring_choice import COLORMAPS, Choices, shown_coloring
+from .coloring_choice import COLORMAPS, Choices, has_meaning, shown_coloring
 from .items import Item, to_bytes
 from .keys import KEYS, add_key, bind_keys
 from .tools.toolbox import Toolbox
@@ -46,6 +46,7 @@ class Panel:
         self._choices, self._is_told = Choices(), False  # whether choices and legend are those of the items
         self._legend: Shown | None = None
         self._told: Any = None  # what the legend says
+        self._colored: dict[str, Item] = {}  # items whose colours mean something
         self._add_colors(gui)
         with gui.add_folder("Scene", order=SCENE):
             self._tree = gui.add_tree(lambda client, names, shown: self.actions.set_visible(client, names, shown))
@@ -76,6 +77,10 @@ class Panel:
         """A geometry has come, or is another one, or shown or hidden now."""
         self._is_told = False
         self._choices.put(item)
+        if has_meaning(item):
+            self._colored[item.name] = item
+        else:
+            self._colored.pop(item.name, None)
         color = None if item.style.color is None else to_bytes([item.style.color])[0].tolist()
         self._tree.put(item.name, item.name, item.visible, color)
 
@@ -83,17 +88,22 @@ class Panel:
         """A geometry has gone."""
         self._is_told = False
         self._choices.drop(name)
+        self._colored.pop(name, None)
         self._tree.drop(name)
 
     def catch_up(self) -> None:
         """Tell what the colours mean, where items have come, changed or gone since."""
         if not self._is_told:
-            self.show_legend()
+            self._tell_colors()
 
     def show_legend(self) -> None:
-        """What the colours mean."""
+        """Tell what the colours mean, where those of any items have changed."""
+        self._colored = {item.name: item for item in self._viewer.items.values() if has_meaning(item)}
+        self._tell_colors()
+
+    def _tell_colors(self) -> None:
         self._is_told = True
-        choice, items = self._viewer.coloring, self._viewer.items.values()
+        choice, items = self._viewer.coloring, self._colored.values()
         known = (OWN, *self._choices.names())
         if known != tuple(self._by.options):
             self._by.options = known
@@ -155,7 +165,7 @@ class Panel:
     def _color(self, client: int | None, *, fit: bool = False) -> None:
         by = None if self._by.value == OWN else self._by.value
         limits = None if fit or by is None else (self._low.value, self._high.value)
-        coloring = shown_coloring(self._viewer.items.values())
+        coloring = shown_coloring(self._colored.values())
         if limits is not None and (coloring is None or coloring.limits is None):
             limits = None
         colormap = self._map.value if self._map.visible or self._viewer.coloring.colormap is not None else None

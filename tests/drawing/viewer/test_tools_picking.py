@@ -8,10 +8,8 @@ from pointloom.drawing.render.view import View, fit_view
 from pointloom.drawing.viewer.tools.clip_planes import Clip, hidden_points
 from pointloom.drawing.viewer.tools.picking import (
     Target,
-    as_table,
     coordinate_text,
     describe_point,
-    escaped,
     pick,
     pick_point,
     project,
@@ -205,11 +203,3 @@ def test_coordinates_have_the_digits_that_they_have():
     assert coordinate_text(5_412_345.25, 4e-6) == "5412345.25"
     assert coordinate_text(-0.0) == "0" and coordinate_text(np.nan) == "nan" and coordinate_text(-np.inf) == "-inf"
     assert float(coordinate_text(1.25e-9, 1e-16)) == 1.25e-9 and float(coordinate_text(3e20, 1e13)) == 3e20
-
-
-def test_names_from_files_are_text_and_never_markup():
-    name = "<img src=x onerror=alert(1)>|[a](javascript:b)\n# *c* `d`"
-    table = as_table([(name, "1\r2"), ("intensity", "-0.5")])
-    assert not set("<>`*[]()") & set(table.replace("|---|---|", ""))
-    assert table.count("\n") == 3 and "\r" not in table and "| intensity | -0.5 |" in table
-    assert escaped("height 3.5") == "height 3.5"

@@ -53,6 +53,16 @@ def test_a_picked_point_is_told_and_marked(page):
     assert "Nothing there" in page.told and page.table == "" and page.page.nodes == {}
 
 
+def test_names_from_files_are_shown_as_they_are_in_controls_of_plain_text(tmp_path):
+    name = "<img src=x onerror=alert(1)>|[a](javascript:b) *c* `d`"
+    page = StandIn(tmp_path, **{name: loom.PointCloud(waves())})
+    page.press("Pick a point")
+    click_on(page, waves()[777])
+    kinds = {control.kind for control in page.page.controls.values() if name in str(control.get("value"))}
+    assert kinds == {"table"} and f"| in | {name} |" in page.table
+    page.box.close()
+
+
 def test_a_surface_is_picked_where_it_is_met(tmp_path):
     page = StandIn(tmp_path, box=loom.TriangleMesh.create_box(1, 1, 1))
     page.press("Pick a point")

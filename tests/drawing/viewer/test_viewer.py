@@ -16,7 +16,7 @@ from pointloom.drawing.viewer.keys import KEYS
 from pointloom.drawing.viewer.sessions import Session
 from pointloom.drawing.viewer.viewer import Viewer
 
-from .pages import page_of
+from .pages import HELLO, line_of, say
 from .pages import wait_until as wait_for
 from .stand_in import page_in
 
@@ -66,7 +66,7 @@ def places_of(shown, node):
     return (node.positions @ pose[:, :3].T + pose[:, 3]) * shown.frame.unit + shown.frame.origin
 
 
-def line_of(page):
+def words_of(page):
     """What the page says that it draws."""
     return page.of_kind("words")[0].value
 
@@ -109,7 +109,7 @@ def test_points_that_are_not_finite_stay_out_of_the_page(shown, page, rng):
     node, stream = node_of(shown, page, "cloud"), session_of(shown).streams["cloud"]
     assert len(node.positions) == len(node.colors) == stream.drawn == 90
     assert stream.total == 100
-    assert line_of(page) == "90 of 100 points"
+    assert words_of(page) == "90 of 100 points"
 
 
 def test_more_points_than_the_budget_are_shared_among_the_clouds(rng):
@@ -131,7 +131,7 @@ def test_a_large_cloud_comes_in_levels_of_detail(rng):
         wait_until(lambda: shown.items["large"].tree is not None)
         stream = session_of(shown).streams["large"]
         wait_until(lambda: 10_000 < stream.drawn <= 20_000)
-        wait_until(lambda: line_of(page).endswith("of 60,000 points"))
+        wait_until(lambda: words_of(page).endswith("of 60,000 points"))
         wait_until(lambda: not session_of(shown)._leaving)
         clouds = lambda: [node for node in page.nodes.values() if node.kind == "points"]  # noqa: E731
         assert all(node.metric for node in clouds())  # of sizes that close gaps
@@ -153,7 +153,7 @@ def test_a_mesh_box_and_path_are_in_every_page(shown, page, rng):
             assert kinds == {"mesh": {"triangles"}, "box": {"lines"}, "path": {"lines"}, "voxels": {"triangles"}}
             (mesh,) = nodes["mesh"]
             assert mesh.plain == [204, 199, 189] and mesh.lit  # the warm grey of our pictures
-            assert line_of(one).endswith(" triangles") and "points" not in line_of(one)
+            assert words_of(one).endswith(" triangles") and "points" not in words_of(one)
 
 
 def test_points_are_lit_as_in_our_pictures(shown, page, rng):
@@ -178,7 +178,7 @@ def test_clip_planes_cut_surfaces_in_one_page_alone(shown, page):
         (cut,) = [one for one in page.nodes.values() if one.id != node.id]
         middle = shown.frame.to_world(np.reshape(cut.pose, (3, 4))[:, 3])
         places = cut.positions[cut.indices.ravel()] + middle
-        assert not page.nodes[node.id].visible and -1 <= places[:, 2].min() and places[:, 2].max() <= 1e-6
+        assert not page.nodes[node.id].visible and places[:, 2].min() >= -1 and places[:, 2].max() <= 1e-6
         assert other.nodes[node.id].visible and len(other.nodes) == 1
         page.set("clip", False)
         toolbox._worker.submit(lambda: None).result(60)
@@ -453,7 +453,7 @@ def test_what_goes_wrong_with_one_page_reaches_neither_the_program_nor_another_p
         shown.set_view(front=[1, 0, 0], up=[0, 0, 1])
         shown.catch_up()
         assert "cloud" in other.rows and len(node_of(shown, other, "cloud").positions) == 50
-        assert line_of(other) == "50 points"
+        assert words_of(other) == "50 points"
 
 
 def test_a_page_that_could_not_be_shown_the_scene_is_no_page(shown, rng, monkeypatch, caplog):
@@ -469,7 +469,8 @@ def test_a_page_that_could_not_be_shown_the_scene_is_no_page(shown, rng, monkeyp
 def test_a_page_that_goes_in_the_midst_of_updates_does_no_harm(shown, rng):
     shown.add("cloud", cloud_of(rng.random((2000, 3))))
     for _ in range(3):
-        with page_of(shown.server) as line:
+        with line_of(shown.server) as line:
+            say(line, HELLO)
             session_of(shown)
             line.socket.close()
             for _ in range(10):
@@ -759,7 +760,7 @@ def test_empty_things_are_shown_as_nothing(shown, page, rng):
     shown.show_wireframe(True)
     shown.color_by("height")
     shown.catch_up()
-    assert line_of(page) == "0 of 3 points"
+    assert words_of(page) == "0 of 3 points"
     shown.update("cloud", cloud_of(rng.random((10, 3)) + UTM))
     assert np.linalg.norm(shown.get_view().T_world_camera[:3, 3] - UTM) < 20
 
