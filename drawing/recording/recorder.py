@@ -132,7 +132,7 @@ class Recorder:
         self._max_frames = check_count("max_frames", max_frames, minimum=2)
         self._fps = check_positive("fps", fps, maximum=FASTEST)
         self._title, self._view, self._overwrite = check_name("title", title), check_look(view), bool(overwrite)
-        self._size, self._background = _check_size(size), background
+        self._size, self._background = check_picture_size(size), background
         self._say = check_progress(progress)
         check_recording(self.path, fps=self._fps, background=background, overwrite=self._overwrite)
         self._store, self._most_bytes = ShapeStore(), MOST_BYTES
@@ -390,7 +390,8 @@ def _fields_of(style: dict[str, Any]) -> dict[str, Any]:
     return style
 
 
-def _check_size(size: Any) -> tuple[int, int]:
+def check_picture_size(size: Any) -> tuple[int, int]:
+    """Width and height of pictures [px], whole numbers from 16 to 8192."""
     if not isinstance(size, tuple | list) or len(size) != 2:
         raise ValueError(f"size: expected width and height, got {size!r}")
     limits: dict[str, Any] = {"minimum": 16, "maximum": 8192, "because": "frames are held whole"}

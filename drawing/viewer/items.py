@@ -83,6 +83,7 @@ class Item:
         pose: Moves it, on top of the style's; 4x4 or None.
         coloring: The colours of the cloud in place of its own; None for those.
         tree: The levels of detail of a large cloud.
+        painting: The labels that are painted onto the cloud.
     """
 
     name: str
@@ -96,6 +97,7 @@ class Item:
     pose: Matrix | None = None
     coloring: Any = None
     tree: Any = None
+    painting: Any = None
 
     def __post_init__(self):
         self._shown: NDArray[np.uint8] | None = None

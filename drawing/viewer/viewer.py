@@ -18,6 +18,7 @@ from ..render.view import View
 from .detail_tree import DetailTree
 from .ending import close_at_exit, farewell
 from .items import Frame, make_item
+from .logged import logged
 from .looks import Looks
 from .scene import check_color, check_size
 from .sessions import POINT_SIZE
@@ -86,7 +87,7 @@ class Viewer(Looks):
         close_at_exit(self)
 
     def __repr__(self) -> str:
-        return f"Viewer({self.url}, {len(self.items)} geometries{', closed' if self.closed else ''})"
+        return f"Viewer({self.url}, {len(self.shown)} geometries{', closed' if self.closed else ''})"
 
     def _repr_mimebundle_(self, include: Any = None, exclude: Any = None) -> dict[str, Any]:
         """The page in a frame, for notebooks."""
@@ -142,6 +143,7 @@ class Viewer(Looks):
         """
         self.add_named(named_geometries(geometries))
 
+    @logged
     def add_named(self, named: list[Named], trees: Mapping[str, DetailTree] = MappingProxyType({})) -> None:
         """Add what `named_geometries` gives, some perhaps with levels of detail by name."""
         with self.lock, self.batch():
@@ -165,6 +167,7 @@ class Viewer(Looks):
                 self.panel.put_item(item)
             self._changed(was_empty)
 
+    @logged
     def update(self, name: str, geometry: Any) -> None:
         """Show another geometry under a name, all at once and without a flicker; style, pose and visibility stay.
 
@@ -190,6 +193,7 @@ class Viewer(Looks):
             self.panel.put_item(item)
             self._changed(was_empty)
 
+    @logged
     def remove(self, name: str) -> None:
         """Take a geometry out of the scene.
 
@@ -202,15 +206,17 @@ class Viewer(Looks):
             self._take_out(name)
             self._changed(False)
 
+    @logged
     def clear(self) -> None:
         """Take all out of the scene; what comes next is looked at anew."""
         with self.lock, self.batch():
             self._check_open()
-            for name in list(self.items):
+            for name in list(self.shown):
                 self._take_out(name)
             self.frame = Frame(np.zeros(3))
             self._changed(False)
 
+    @logged
     def set_pose(self, name: str, T: Any) -> None:
         """Move a geometry: 84 bytes for each page, whatever its size.
 
@@ -225,7 +231,7 @@ class Viewer(Looks):
         with self.lock:
             self._check_open()
             item = self._find(name)
-            item.pose = check_rigid("T", T)
+            item.pose = check_rigid("T", T).copy()  # the caller may go on with its own
             self._nodes[name].set_pose()
             for session in self._open_sessions():
                 with session.as_it_lasts():
@@ -233,6 +239,7 @@ class Viewer(Looks):
             self._extents.put(name, item.world_bounds())
             self._changed(False)
 
+    @logged
     def set_visible(self, name: str, visible: bool) -> None:
         """Show or hide a geometry.
 

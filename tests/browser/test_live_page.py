@@ -97,6 +97,8 @@ def test_ends_of_a_histogram_are_dragged(program, visit):
     page.mouse.move(at(0.8), plot["y"] + 20)
     page.mouse.down()
     page.mouse.move(at(0.5), plot["y"] + 20, steps=4)
+    bars.unit = "m"  # what the program sets meanwhile is shown, but no value is taken from under the finger
+    expect(control(page, bars).locator(".unit")).to_have_text("m")
     page.mouse.up()
     wait_until(page, lambda: program.last("histogram"), lambda: program.said, seconds=20)
     wait_until(page, lambda: abs(program.last("histogram")[1] - 50) < 4, lambda: program.said[-2:], seconds=20)
