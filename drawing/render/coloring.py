@@ -59,9 +59,13 @@ class Coloring:
     has_missing: bool = False
     label_colors: dict[int, Color] = dataclasses.field(default_factory=dict)
 
+    def color_of(self, label: int) -> Color:
+        """The colour of a label."""
+        return self.label_colors.get(label, label_color(label))
+
     def entries(self) -> list[tuple[str, Color]]:
         """Names and colours for a legend: of labels, and of what is missing."""
-        found = [(name, self.label_colors.get(label, label_color(label))) for label, name in self.names.items()]
+        found = [(name, self.color_of(label)) for label, name in self.names.items()]
         return found + [("none", MISSING)] * self.has_missing
 
 

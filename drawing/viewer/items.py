@@ -174,6 +174,12 @@ class Item:
                 self._shown = np.broadcast_to(to_bytes([part.plain]), (part.positions.size, 3))
         return self._shown[indices]
 
+    def relabel(self, cloud: PointCloud) -> None:
+        """Hold the same points with other attributes; what was given stays as it is."""
+        if isinstance(self.geometry, PointCloud):
+            self.geometry = cloud
+        self.cloud, self._label_counts = cloud, None
+
     def label_counts(self, name: str) -> dict[int, int]:
         """How many points have each value of an attribute of whole numbers; none of another cloud's attribute."""
         if self.cloud is None or name not in self.cloud.attributes:

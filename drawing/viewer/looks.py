@@ -40,6 +40,8 @@ class Looks(Scene):
     def painted(self, name: str) -> NDArray[np.uint8] | None:
         """The labels that pages have painted onto a cloud, which `viewer.items[name].cloud` holds as an attribute.
 
+        They count as saved then; of what nobody has saved, `close` warns in the log `pointloom.viewer`.
+
         Args:
             name: Of a cloud in the scene.
 

@@ -2,18 +2,22 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+import logging
+from collections.abc import Iterable
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ...pcd.cloud import PointCloud
 from .tools.filters import column_of
 from .tools.labels import Painting
 
 if TYPE_CHECKING:
     from .items import Item
     from .viewer import Viewer
+
+
+log = logging.getLogger("pointloom.viewer")
 
 
 def begin_painting(viewer: Viewer, name: str, attribute: str) -> Painting:
@@ -55,14 +59,27 @@ def show_painting(viewer: Viewer, name: str) -> None:
 
 
 def painted_labels(item: Item) -> NDArray[np.uint8] | None:
-    """A copy of the labels that were painted; None where nothing was."""
-    return None if item.painting is None else item.painting.labels.copy()
+    """A copy of the labels that were painted, which count as saved then; None where nothing was."""
+    if item.painting is None:
+        return None
+    item.painting.unsaved = 0
+    return item.painting.labels.copy()
+
+
+def unsaved_labels(items: Iterable[Item]) -> str:
+    """What was painted and neither saved nor asked for by the program, in words; "" where nothing was."""
+    found = [(item.name, item.painting.unsaved) for item in items if item.painting is not None]
+    return ", ".join(f"{count} change{'s' * (count != 1)} of {name}" for name, count in found if count)
+
+
+def warn_of_unsaved(items: Iterable[Item]) -> None:
+    """Say what goes as the viewer is closed."""
+    told = unsaved_labels(tuple(items))
+    if told:
+        log.warning("painted labels go that nobody saved: %s", told)
 
 
 def _put(item: Item) -> None:
     """The item's cloud is another one with the labels; the program's own stays as it is."""
     assert item.cloud is not None and item.painting is not None
-    painted: Any = item.painting.on(item.cloud)
-    if isinstance(item.geometry, PointCloud):
-        item.geometry = painted
-    item.cloud = painted
+    item.relabel(item.painting.on(item.cloud))

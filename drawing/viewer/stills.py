@@ -148,7 +148,7 @@ def clipped(geometry: Any, clip: Clip, pose: Any) -> Any:
         return clip_mesh(geometry, clip, pose=pose)
     if not isinstance(geometry, PointCloud) or not len(geometry):
         return geometry
-    return geometry.select_by_index(np.flatnonzero(clip.keeper(pose, geometry)(geometry.points)))
+    return geometry.select_by_index(np.flatnonzero(clip.keeper(pose, geometry)(geometry.points, None)))
 
 
 def _with_classes(cloud: PointCloud, item: Item) -> PointCloud:

@@ -20,6 +20,7 @@ from .ending import close_at_exit, farewell
 from .items import Frame, make_item
 from .logged import logged
 from .looks import Looks
+from .painted import warn_of_unsaved
 from .scene import check_color, check_size
 from .sessions import POINT_SIZE
 
@@ -323,6 +324,7 @@ class Viewer(Looks):
     def close(self) -> None:
         """Free port, threads and memory; pages say that the viewer is closed, and how to start it again."""
         if not self.closed:
+            warn_of_unsaved(self.items.values())
             self.server.pages.end(farewell())
         self._ended.set()
         threads = self._let_go()

@@ -97,12 +97,15 @@ def test_ends_of_a_histogram_are_dragged(program, visit):
     page.mouse.move(at(0.8), plot["y"] + 20)
     page.mouse.down()
     page.mouse.move(at(0.5), plot["y"] + 20, steps=4)
-    bars.unit = "m"  # what the program sets meanwhile is shown, but no value is taken from under the finger
-    expect(control(page, bars).locator(".unit")).to_have_text("m")
-    page.mouse.up()
     wait_until(page, lambda: program.last("histogram"), lambda: program.said, seconds=20)
     wait_until(page, lambda: abs(program.last("histogram")[1] - 50) < 4, lambda: program.said[-2:], seconds=20)
     assert program.last("histogram")[0] == 20.0
+    bars.value, bars.unit = (10.0, 90.0), "m"  # no value is taken from under the finger
+    expect(control(page, bars).locator(".unit")).to_have_text("m")
+    high = page.get_by_role("spinbutton", name="bars, high, as a number")
+    assert abs(float(high.input_value()) - 50) < 4
+    page.mouse.up()
+    expect(high).to_have_value("90")
 
 
 def test_what_the_program_sets_is_shown_as_text_in_its_order(program, visit):

@@ -98,7 +98,10 @@ def area_rows(found: PolygonArea, unit: LengthUnit | None) -> list[tuple[str, st
 
 def quantity_text(value: float, unit: LengthUnit | None, power: int = 1) -> str:
     """A length, area or volume with its unit; of an unknown one "units", "square units", "cubic units"."""
-    number = f"{value:.4f}" if value == 0 or 1e-2 <= abs(value) < 1e6 else f"{value:.6g}"
+    if power > 1 and 1e-3 <= abs(value) < 1e12:  # five digits: squares and cubes are known no better
+        number = f"{value:,.{max(0, 4 - math.floor(math.log10(abs(value))))}f}"
+    else:
+        number = f"{value:.4f}" if value == 0 or 1e-2 <= abs(value) < 1e6 else f"{value:.6g}"
     return f"{number} {_UNKNOWN[power] if unit is None else unit.symbol + _POWERS[power]}"
 
 

@@ -11,15 +11,15 @@ from typing import Any
 import numpy as np
 
 from ....core.units import symbol_of
-from ...render.colormaps import colormap_table
+from ...render.colormaps import ENTRIES, colormap_table
 from ..history import Change
 from .filters import CLASSES, TIMES, Census, Filter, column_in_world, filters_of, take_census
 from .stage import Stage
 
 NOTHING = "nothing"
 TICK = 0.2  # [s] between the steps of a window that plays
+SYNC = 1.0  # [s] in which many changes of the scene are one: it is looked at whole
 STEPS = 100  # of a window that plays from end to end
-_MAP = "viridis"  # where the colours in the scene show something else
 
 
 class FilterControls:
@@ -38,6 +38,7 @@ class FilterControls:
         self._controls: list[Any] = []
         self._ticks: dict[int, Any] = {}
         self._timer: threading.Timer | None = None
+        self._waits: threading.Timer | None = None
         self._is_closed = False
         gui, ask = stage.client.gui, stage.ask
         with folder:
@@ -49,10 +50,17 @@ class FilterControls:
             self._clear = gui.add_button("Remove all filters", disabled=True)
         self._by.on_update(lambda _: ask(self._choose))
         self._clear.on_click(lambda _: ask(lambda: self._set({}, "Remove all filters")))
-        self.sync()
+        self._offer_names()
 
     def sync(self) -> None:
-        """After the scene has changed: offer what its clouds have."""
+        """After the scene has changed: offer what its clouds have, a second later at the latest; not at each change."""
+        if self._waits is None and not self._is_closed:
+            self._waits = threading.Timer(SYNC, lambda: self._stage.ask(self._offer_names))
+            self._waits.daemon = True
+            self._waits.start()
+
+    def _offer_names(self) -> None:
+        self._waits = None
         names: list[str] = []
         for item in self._stage.items():
             names += [name for name in filters_of(item.cloud) if name not in names] if item.cloud is not None else []
@@ -67,6 +75,8 @@ class FilterControls:
     def close(self) -> None:
         """The page has gone."""
         self._is_closed = True
+        if self._waits is not None:
+            self._waits.cancel()
         self._stop_playing()
 
     # -- the one that is looked at ------------------------------------------------------------------------------------
@@ -101,15 +111,15 @@ class FilterControls:
 
     def _offer_range(self, census: Census, rule: Filter) -> list[Any]:
         gui = self._stage.client.gui
-        ends = max(rule.low, census.low), min(rule.high, census.high)
+        ends = _within(rule, census)
         unit = symbol_of(self._stage.unit(item.name for item in self._stage.items()))
         self._range = gui.add_histogram(
             census.by,
             census.counts.tolist(),
             (census.low, census.high),
-            ends if ends[0] <= ends[1] else (census.low, census.high),
+            ends,
             unit=unit if census.by in ("x", "y", "height") else "",
-            colors=self._colors(census.by),
+            colors=self._colors(census.by, ends),
         )
         self._range.on_update(lambda _: self._stage.ask(self._take_range))
         if census.kind != TIMES:
@@ -129,11 +139,19 @@ class FilterControls:
             tick.on_update(lambda _: self._stage.ask(self._take_classes))
         return [group, *self._ticks.values()]
 
-    def _colors(self, by: str) -> Any:
-        """The colours that the values have in the scene where they are shown there."""
-        coloring = self._stage.viewer.coloring
-        name = coloring.colormap if coloring.by == by and coloring.colormap else _MAP
-        return np.rint(255 * colormap_table(name)).astype(np.uint8)
+    def _colors(self, by: str, ends: tuple[float, float]) -> Any:
+        """The colours in the scene of values between two ends, uint8 [256, 3]; None where something else is shown."""
+        if self._stage.viewer.coloring.by != by:
+            return None
+        for item in self._stage.items():
+            coloring = item.coloring
+            if coloring is not None and coloring.limits is not None and coloring.colormap is not None:
+                low, high = coloring.limits
+                values = np.linspace(*ends, ENTRIES)
+                shares = np.clip((values - low) / (high - low), 0, 1) if high > low else np.zeros(ENTRIES)
+                table = colormap_table(coloring.colormap)
+                return np.rint(255 * table[np.rint(shares * (ENTRIES - 1)).astype(int)]).astype(np.uint8)
+        return None
 
     # -- what is said -------------------------------------------------------------------------------------------------
 
@@ -141,12 +159,18 @@ class FilterControls:
         census = self._census
         if census is not None:
             low, high = self._range.value
+            self._recolor()
             # a range at its end does not cut there: values beyond the bars are seen as well
             step = (census.high - census.low) * 1e-6
             self._change(
                 low=-math.inf if low <= census.low + step else float(low),
                 high=math.inf if high >= census.high - step else float(high),
             )
+
+    def _recolor(self) -> None:
+        """The bars' colours are told from one end of the range to the other."""
+        if self._census is not None:
+            self._range.colors = self._colors(self._census.by, self._range.value)
 
     def _take_classes(self) -> None:
         shown = frozenset(number for number, tick in self._ticks.items() if tick.value)
@@ -191,7 +215,8 @@ class FilterControls:
             for number, tick in self._ticks.items():
                 tick.value = rule.classes is None or number in rule.classes
         else:
-            self._range.value = max(rule.low, census.low), min(rule.high, census.high)
+            self._range.value = _within(rule, census)
+            self._recolor()
 
     # -- a window that plays ------------------------------------------------------------------------------------------
 
@@ -226,3 +251,9 @@ class FilterControls:
         timer, self._timer = self._timer, None
         if timer is not None:
             timer.cancel()
+
+
+def _within(rule: Filter, census: Census) -> tuple[float, float]:
+    """A rule's range as far as the bars reach."""
+    low, high = (min(max(end, census.low), census.high) for end in (rule.low, rule.high))
+    return low, high

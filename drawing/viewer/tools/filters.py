@@ -82,7 +82,7 @@ class Filter:
         Args:
             cloud: The cloud.
             places: Where they are in the world, shape [k, 3].
-            indices: Their numbers in the cloud, shape [k]; None for all of them in their order.
+            indices: Their numbers in the cloud, shape [k], or a slice; None for all of them in their order.
         """
         if not self.cuts:
             return None
@@ -159,7 +159,7 @@ def take_census(by: str, columns: list[NDArray[Any]]) -> Census:
     Example:
         >>> import numpy as np
         >>> found = take_census("intensity", [np.array([0.0, 1.0, np.nan, 4.0])])
-        >>> found.low, found.high, found.missing, found.counts.sum()
+        >>> found.low, found.high, found.missing, int(found.counts.sum())
         (0.0, 4.0, 1, 3)
     """
     total = sum(len(column) for column in columns)
@@ -180,8 +180,13 @@ def column_in_world(cloud: PointCloud, by: str, pose: Any = None) -> NDArray[Any
     """The values of a cloud by which a filter would look at it: coordinates are those of the world."""
     if by not in _AXES or by in cloud.attributes:
         return column_of(cloud, by)
-    places, axis = cloud.points, _AXES[by]
-    return places[:, axis] if pose is None else places @ pose[axis, :3] + pose[axis, 3]
+    rows, axis = download(cloud.device_array("points")).reshape(-1, 3), _AXES[by]
+    T = np.eye(4) if pose is None else np.asarray(pose, np.float64)
+    start = float(T[axis, :3] @ cloud.origin + T[axis, 3])
+    values = np.empty(len(rows))
+    for first in range(0, len(rows), _BLOCK):
+        values[first : first + _BLOCK] = rows[first : first + _BLOCK].astype(np.float64) @ T[axis, :3] + start
+    return values
 
 
 def _blocks(columns: list[NDArray[Any]]) -> Any:

@@ -17,6 +17,7 @@ from .picking import Pick
 from .profiles import Profile, profile_along, profile_csv, profile_picture, profile_rows
 from .seen_points import SeenPoints, gather_points
 
+PANEL, FILE = (340, 260), (1200, 560)  # [px] of a profile's picture in the panel, and of the one that is kept
 PLANE, LEVEL = "plane of the corners", "height"
 _WIDTH_SHARE = 0.01  # of a line's length: the width of a strip that nobody has said
 
@@ -50,7 +51,7 @@ class VolumeTool(PathTool):
     def start(self) -> None:
         """What may be chosen."""
         gui, ask = self.stage.client.gui, self.stage.ask
-        self._cell = gui.add_number("cell", 0.0, hint="side of the cells; 0 chooses one of some six points")
+        self._cell = gui.add_number("cell, 0: chosen", 0.0, min=0.0, hint="their side; chosen ones hold six points")
         self._base = gui.add_dropdown("base", (PLANE, LEVEL))
         self._level = gui.add_number("height", 0.0, visible=False)
         self._fill = gui.add_checkbox("fill empty cells", True)
@@ -125,7 +126,9 @@ class ProfileTool(PathTool):
     def start(self) -> None:
         """What may be chosen, and what can be kept."""
         gui, ask = self.stage.client.gui, self.stage.ask
-        self._width = gui.add_number("width", 0.0, hint="of the strip; 0 takes a hundredth of the line")
+        self._width = gui.add_number(
+            "width, 0: chosen", 0.0, min=0.0, hint="of the strip; chosen: a hundredth of the line"
+        )
         gui.add_button("Draw (Enter)").on_click(lambda _: ask(self.finish))
         gui.add_button("Begin anew").on_click(lambda _: ask(super(ProfileTool, self).finish))
         self._results = gui.add_folder(None)
@@ -149,19 +152,19 @@ class ProfileTool(PathTool):
         found = profile_along(seen.points, places, width=width)
         self._found = found, seen, unit
         self._show(self._picks)
-        self._draw(self._image())
+        self._draw(self._image(PANEL))
         stage.show(profile_rows(found, unit))
         stage.say(
             "All points of the strip count, whatever they lie on: the median is the ground only where no plants or "
             "buildings stand over it."
         )
 
-    def _image(self) -> Any:
+    def _image(self, size: tuple[int, int] = FILE) -> Any:
         assert self._found is not None
         found, seen, unit = self._found
         colors = [self.stage.item(name).colors_of(rows) for name, rows in seen.sources]
         every = np.concatenate([np.zeros((0, 3), np.uint8), *colors])
-        return profile_picture(found, unit, colors=every[found.rows])
+        return profile_picture(found, unit, colors=every[found.rows], size=size)
 
     def _draw(self, image: Any) -> None:
         if self._picture is not None:

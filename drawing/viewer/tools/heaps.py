@@ -130,11 +130,11 @@ def heap_rows(found: HeapVolume, unit: LengthUnit | None, coarser: HeapVolume | 
         ValueError: In degrees of longitude and latitude.
     """
     check_length(unit)
-    rows = [("above the base (cut)", quantity_text(found.cut, unit, 3))]
-    rows += [("below it (fill)", quantity_text(found.fill, unit, 3)), ("net", quantity_text(found.net, unit, 3))]
+    rows = [("above (cut)", quantity_text(found.cut, unit, 3))]
+    rows += [("below (fill)", quantity_text(found.fill, unit, 3)), ("net", quantity_text(found.net, unit, 3))]
     if coarser is not None:
-        rows.append(("net by cells twice as wide", quantity_text(coarser.net, unit, 3)))
-    rows += [("over", f"{quantity_text(found.area, unit, 2)}, from above")]
+        rows.append(("net, cells twice as wide", quantity_text(coarser.net, unit, 3)))
+    rows += [("area from above", quantity_text(found.area, unit, 2))]
     rows += [("cells", f"{found.cells:,} of {quantity_text(found.cell, unit)}, {found.points:,} points")]
     rows += [("base slopes", f"{found.slope:.2f}°")] if found.slope > 0.005 else []
     if found.empty > 0:
@@ -256,7 +256,8 @@ def _span(heights: NDArray[np.float64], is_empty: NDArray[np.bool_]) -> NDArray[
     from scipy.sparse import coo_matrix
     from scipy.sparse.linalg import spsolve
 
-    found = is_empty & binary_propagation(np.isfinite(heights), mask=np.isfinite(heights) | is_empty)
+    reached: Any = binary_propagation(np.isfinite(heights), mask=np.isfinite(heights) | is_empty)
+    found: NDArray[np.bool_] = is_empty & reached
     count = int(found.sum())
     if not 0 < count <= MOST_FILLED:
         return np.zeros_like(found)
@@ -274,7 +275,8 @@ def _span(heights: NDArray[np.float64], is_empty: NDArray[np.bool_]) -> NDArray[
         columns.append(beside[is_unknown])
     row, column = np.concatenate([*rows, np.arange(count)]), np.concatenate([*columns, np.arange(count)])
     values = np.concatenate([np.full(len(row) - count, -1.0), diagonal])
-    heights[found] = spsolve(coo_matrix((values, (row, column)), (count, count)).tocsc(), right)
+    solved: Any = spsolve(coo_matrix((values, (row, column)), (count, count)).tocsc(), right)
+    heights[found] = solved
     return found
 
 

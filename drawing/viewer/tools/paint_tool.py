@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from ....files.points.point_cloud import write_point_cloud
 from ...render.view import View
 from ..history import Change
-from ..painted import begin_painting, show_painting
+from ..painted import begin_painting, show_painting, unsaved_labels
 from .kept_files import keep_file, place_of_files
 from .labels import Painting, Stroke, brush, meant_points
 from .stage import Tool, check_room
@@ -26,7 +26,7 @@ class PaintTool(Tool):
     """Paints classes onto points that are seen, by a round brush or a polygon, and saves them with the cloud."""
 
     label = "Paint labels"
-    key = "L"
+    key = "G"
     hint = "Click on points: the brush gives them the class. Ctrl+Z takes it back."
 
     def __init__(self, stage: Any, folder: Path | None = None):
@@ -50,7 +50,6 @@ class PaintTool(Tool):
         self._radius = gui.add_slider("radius", 2.0, 200.0, 1.0, 20.0, hint="of the brush [px]")
         self._seen = gui.add_checkbox("seen points only", True, hint="else those behind them, too")
         gui.add_button("Paint the polygon (Enter)").on_click(lambda _: ask(self.finish))
-        self._legend = gui.add_legend([])
         self._file = gui.add_text("file", "labels.ply", hint=place_of_files(self.stage, self._folder))
         gui.add_button("Save the labels").on_click(lambda _: ask(self._save))
         self._cloud.on_update(lambda _: ask(self._begin))
@@ -62,8 +61,7 @@ class PaintTool(Tool):
 
     def stop(self) -> None:
         """Labels stay with the cloud; those that no file holds are told."""
-        unsaved = [(item.name, item.painting.unsaved) for item in self.stage.items() if item.painting is not None]
-        told = ", ".join(f"{count} changes of {name}" for name, count in unsaved if count)
+        told = unsaved_labels(self.stage.items())
         if told:
             self.stage.client.notify("pointloom", f"Not saved to a file yet: {told}. They stay until the program ends.")
 
@@ -119,7 +117,7 @@ class PaintTool(Tool):
             self._class.value = options[min(1, len(options) - 1)]
         self.stage.viewer.color_by(painting.attribute)
         self._show_class()
-        self._show_legend(painting)
+        self._show_changes(painting)
 
     def _painting(self) -> Painting:
         item, _ = self.stage.cloud(self._cloud.value)
@@ -157,7 +155,7 @@ class PaintTool(Tool):
 
     def _apply(self, item: Any, painting: Painting) -> None:
         show_painting(self.stage.viewer, item.name)
-        self._show_legend(painting)
+        self._show_changes(painting)
 
     def _number(self) -> int:
         return int(self._class.value.split(" ", 1)[0])
@@ -186,16 +184,9 @@ class PaintTool(Tool):
         self._class.options = tuple(f"{known.number} {known.name}" for known in painting.classes.values())
         self._class.value = f"{label.number} {label.name}"
         self._show_class()
-        self._show_legend(painting)
+        self._show_changes(painting)
 
-    def _show_legend(self, painting: Painting) -> None:
-        table = painting.table()
-        entries = []
-        for number, count in painting.counts().items():
-            known = painting.classes.get(number)
-            name = f"{number} {known.name}" if known is not None else f"{number}"
-            entries.append((name, table[number].tolist(), f"{count:,}"))
-        self._legend.entries = entries
+    def _show_changes(self, painting: Painting) -> None:
         changes = painting.unsaved
         self.stage.show([("not saved yet", f"{changes} change{'s' * (changes != 1)}")] if changes else [])
 
@@ -222,5 +213,5 @@ class PaintTool(Tool):
         write = partial(write_point_cloud, cloud=whole, overwrite=False)
         place = keep_file(self.stage, self._folder, self._file.value, SUFFIXES, write)
         painting.unsaved -= saved
-        self._show_legend(painting)
+        self._show_changes(painting)
         self.stage.say(f"{len(cloud):,} points with {painting.attribute} are {place}.")

@@ -83,3 +83,14 @@ def test_few_values_far_away_leave_the_bars_to_the_others(rng):
 def test_rules_that_make_no_sense_are_refused(given):
     with pytest.raises(ValueError, match="low"):
         Filter(**{"by": "v", **given})
+
+
+def test_nodes_of_a_large_cloud_are_filtered_by_the_numbers_of_their_points(rng):
+    cloud = loom.PointCloud(rng.random((20_000, 3)), intensity=rng.random(20_000))
+    tree = loom.DetailTree.from_cloud(cloud)
+    keep = Clip(high=[0.7, np.inf, np.inf], filters=(Filter("intensity", 0.25),)).keeper(None, cloud)
+    kept = np.zeros(20_000, bool)
+    for number in range(len(tree)):
+        rows = tree.node(number).indices
+        kept[rows] = keep(tree.points_of(number), rows)
+    np.testing.assert_array_equal(kept, (cloud["intensity"] >= 0.25) & (cloud.points[:, 0] <= 0.7))

@@ -71,7 +71,7 @@ def test_areas_are_in_the_unit_of_the_data():
     found = measure_polygon(square(2))
     assert dict(area_rows(found, FOOT))["area"] == "4.0000 ft²"
     assert dict(area_rows(found, None))["area"] == "4.0000 square units"
-    assert quantity_text(2.5e9, METRE, 3) == "2.5e+09 m³"
+    assert quantity_text(2.5e9, METRE, 3) == "2,500,000,000 m³"
     with pytest.raises(ValueError, match="project_to_utm"):
         area_rows(found, DEGREE)
 

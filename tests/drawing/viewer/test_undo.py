@@ -87,6 +87,7 @@ def test_painted_labels_are_the_viewers_and_in_its_colours(viewer):
     assert (viewer.painted("scan")[rows] == 7).all() and (given["label"] != 7).all()
     assert (item.colors_of(rows) == (255, 0, 255)).all() and item.coloring.names[7] == "kerb"
     assert (viewer.screenshot() == (255, 0, 255)).all(axis=2).sum() > 100
+    painting.paint(rows[:1], 0)
     with pytest.raises(ValueError, match="not saved yet"):
         begin_painting(viewer, "scan", "other")
     viewer.update("scan", given)
@@ -107,3 +108,12 @@ def test_pictures_of_a_page_leave_out_what_its_filters_hide(viewer):
         left = viewer.screenshot()
         drawn = [(picture != 255).any(axis=2).sum() for picture in (whole, left)]
         assert 0.3 * drawn[0] < drawn[1] < 0.8 * drawn[0]
+
+
+def test_labels_that_nobody_saved_are_told_as_the_viewer_is_closed(viewer, caplog):
+    painting = begin_painting(viewer, "scan", "label")
+    painting.paint([1, 2], 5)
+    viewer.painted("scan")
+    painting.paint([3], 6)
+    viewer.close()
+    assert "1 change of scan" in caplog.text
