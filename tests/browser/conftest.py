@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import contextlib
 import os
+import secrets
 import shutil
 import threading
 from collections.abc import Callable, Iterator
@@ -21,6 +22,7 @@ from playwright.sync_api import Browser, ConsoleMessage, Error, Page, sync_playw
 
 import pointloom as loom
 
+from .live_pages import OPEN, Program
 from .pixels import PATIENCE
 from .viewer_scenes import HEIGHT, WIDTH
 
@@ -145,3 +147,24 @@ def foreign_page() -> Iterator[str]:
     server.shutdown()
     server.server_close()
     thread.join()
+
+
+@pytest.fixture
+def program(monkeypatch: pytest.MonkeyPatch) -> Iterator[Program]:
+    """A program whose token is always the same, as if it had only been away."""
+    monkeypatch.setattr(secrets, "token_urlsafe", lambda _: "a-token-of-the-tests")
+    made = Program()
+    yield made
+    made.pages.stop()
+
+
+@pytest.fixture
+def visit(program: Program, open_page: Callable[..., Page]) -> Callable[..., Page]:
+    """Open the program's page and wait until it is connected: `visit(width=900, height=600, faults=True)`."""
+
+    def visit_one(*, width: int = 900, height: int = 600, faults: bool = True) -> Page:
+        page = open_page(program.url, width=width, height=height, faults=faults)
+        page.locator(OPEN).wait_for(state="attached")
+        return page
+
+    return visit_one

@@ -58,9 +58,8 @@ class Program:
 
     def wait_for(self, page: Page, kind: str, value: Any) -> None:
         """Until a page has said this."""
-        wait_until(
-            page, lambda: (kind, value) in self.said[-1:], lambda: f"{kind} {value!r} among {self.said}", seconds=20
-        )
+        tell = lambda: f"{kind} {value!r} among {self.said}"  # noqa: E731
+        wait_until(page, lambda: (kind, value) in self.said[-1:], tell, seconds=20)
 
 
 def control(page: Page, handle: Any) -> Any:

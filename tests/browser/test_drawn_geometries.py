@@ -108,9 +108,8 @@ def pixels_of(viewer: loom.Viewer, points: np.ndarray) -> np.ndarray:
     T_camera_world = np.linalg.inv(view.T_world_camera)
     x, y, z = T_camera_world[:3, :3] @ points.T + T_camera_world[:3, 3:]
     camera = view.intrinsic
-    return (
-        np.stack([camera.fx * x / z + camera.cx, camera.fy * y / z + camera.cy], -1) + 0.5
-    )  # whole numbers are middles
+    middles = np.stack([camera.fx * x / z + camera.cx, camera.fy * y / z + camera.cy], -1)
+    return middles + 0.5  # whole numbers are the middles of a View's pixels
 
 
 @pytest.mark.parametrize("origin", [(0, 0, 0), (691_000.0, 5_336_000.0, 520.0)], ids=["near", "UTM"])

@@ -1,57 +1,18 @@
-"""The live page in Chromium, driven by a link of a few lines: what is drawn, what controls say, what is said of the line."""
+"""The live page in Chromium, driven by a link of a few lines: what is drawn, what controls say, and of the line."""
 
 from __future__ import annotations
 
-import io
-import secrets
-from collections.abc import Callable, Iterator
 from typing import Any
 
 import numpy as np
 import pytest
-from PIL import Image
-from playwright.sync_api import Page, expect
+from playwright.sync_api import expect
 
 from .live_pages import OPEN, RAMP, Program, control
 from .pixels import count_pixels, picture, wait_for_picture, wait_until
 
 RED, BLUE, WHITE = (255, 0, 0), (0, 0, 255), (255, 255, 255)
 EVIL = "<script>document.title = 'evil'</script><img src=x onerror=alert(1)>"
-
-
-@pytest.fixture
-def program(monkeypatch: pytest.MonkeyPatch) -> Iterator[Program]:
-    """A program whose token is always the same, as if it had only been away."""
-    monkeypatch.setattr(secrets, "token_urlsafe", lambda _: "a-token-of-the-tests")
-    made = Program()
-    yield made
-    made.pages.stop()
-
-
-@pytest.fixture
-def visit(program: Program, open_page: Callable[..., Page]) -> Callable[..., Page]:
-    """Open the program's page and wait until it is connected: `visit(width=900, height=600, faults=True)`."""
-
-    def visit_one(*, width: int = 900, height: int = 600, faults: bool = True) -> Page:
-        page = open_page(program.url, width=width, height=height, faults=faults)
-        page.locator(OPEN).wait_for(state="attached")
-        return page
-
-    return visit_one
-
-
-def boxes(page: Page, *selectors: str) -> list[dict[str, float]]:
-    """Where elements are in the window."""
-    found = [page.locator(selector).bounding_box() for selector in selectors]
-    assert all(box is not None for box in found), dict(zip(selectors, found, strict=True))
-    return found  # type: ignore[return-value]
-
-
-def overlap(a: dict[str, float], b: dict[str, float]) -> bool:
-    """Whether two boxes share more than half a pixel."""
-    return all(
-        a[k] + 0.5 < b[k] + b[size] and b[k] + 0.5 < a[k] + a[size] for k, size in (("x", "width"), ("y", "height"))
-    )
 
 
 def test_a_batch_is_drawn_whole_and_then_signed(program, visit):
@@ -75,13 +36,13 @@ def test_a_batch_is_drawn_whole_and_then_signed(program, visit):
 def test_each_control_says_what_it_was_set_to(program, visit, tmp_path):
     gui, hear = program.pages.gui, program.hear
     check = hear(gui.add_checkbox("check", False))
-    slider = hear(gui.add_slider("slide", 0.0, 1.0, 0.1, 0.3))
+    hear(gui.add_slider("slide", 0.0, 1.0, 0.1, 0.3))
     number = hear(gui.add_number("number", 2.5, step=0.5, min=0.0, max=9.0))
     text = hear(gui.add_text("text", "before"))
     choice = hear(gui.add_dropdown("choice", ("one", "two")))
     color = hear(gui.add_rgb("colour", (1, 2, 3)))
-    span = hear(gui.add_range("span", 0.0, 10.0, 1.0, (2.0, 8.0)))
-    bars = hear(gui.add_histogram("bars", [1, 5, 9], (0.0, 100.0), (0.0, 50.0), unit="m", colors=RAMP))
+    hear(gui.add_range("span", 0.0, 10.0, 1.0, (2.0, 8.0)))
+    hear(gui.add_histogram("bars", [1, 5, 9], (0.0, 100.0), (0.0, 50.0), unit="m", colors=RAMP))
     button, group = hear(gui.add_button("press")), hear(gui.add_button_group("", ("left", "right")))
     upload = hear(gui.add_upload_button("bring", accept=""))
     time = hear(gui.add_timeline(0.0, 9.0, 1.0, 3.0))
@@ -136,10 +97,15 @@ def test_ends_of_a_histogram_are_dragged(program, visit):
     page.mouse.move(at(0.8), plot["y"] + 20)
     page.mouse.down()
     page.mouse.move(at(0.5), plot["y"] + 20, steps=4)
-    page.mouse.up()
     wait_until(page, lambda: program.last("histogram"), lambda: program.said, seconds=20)
     wait_until(page, lambda: abs(program.last("histogram")[1] - 50) < 4, lambda: program.said[-2:], seconds=20)
     assert program.last("histogram")[0] == 20.0
+    bars.value, bars.unit = (10.0, 90.0), "m"  # no value is taken from under the finger
+    expect(control(page, bars).locator(".unit")).to_have_text("m")
+    high = page.get_by_role("spinbutton", name="bars, high, as a number")
+    assert abs(float(high.input_value()) - 50) < 4
+    page.mouse.up()
+    expect(high).to_have_value("90")
 
 
 def test_what_the_program_sets_is_shown_as_text_in_its_order(program, visit):
@@ -285,6 +251,27 @@ def test_an_end_is_told_with_how_to_start_again(program, visit):
     expect(page.get_by_text("pointloom view scan.ply")).to_be_visible()
 
 
+def test_a_program_that_does_not_answer_for_long_has_ended(program, visit):
+    page = visit(faults=False)
+    page.clock.install()
+    program.pages.stop()
+    expect(page.get_by_text("Connection lost; trying again")).to_be_visible()
+    for _ in range(8):
+        page.clock.run_for(4_000)
+        page.wait_for_timeout(20)  # a try takes its own time
+    expect(page.get_by_text("The program has ended.")).to_be_visible()
+    expect(page.get_by_text("Start it again")).to_be_visible()
+
+
+def test_a_network_that_comes_back_is_taken_at_once(program, visit):
+    page = visit()
+    (first,) = program.pages.get_clients().values()
+    page.evaluate("window.dispatchEvent(new Event('online'))")
+    wait_until(page, lambda: not first.is_open, lambda: "still open", seconds=20)
+    wait_until(page, lambda: program.pages.get_clients(), lambda: "nobody", seconds=20)
+    page.locator(OPEN).wait_for(state="attached")
+
+
 def test_a_page_of_another_version_says_to_load_it_again(program, visit, monkeypatch):
     page = visit()
     monkeypatch.setattr("pointloom.drawing.viewer.link.hub.PROTOCOL", "pointloom.2")
@@ -293,104 +280,6 @@ def test_a_page_of_another_version_says_to_load_it_again(program, visit, monkeyp
     monkeypatch.undo()
     page.get_by_role("button", name="Load again").click()
     page.locator(OPEN).wait_for(state="attached")
-
-
-def test_on_a_phone_the_panel_is_a_sheet_below_the_picture(program, visit):
-    program.add_square(RED)
-    program.pages.gui.add_colorbar("height [m]", [(0.0, "0"), (1.0, "9")], RAMP)
-    program.pages.gui.add_timeline(0.0, 9.0, 1.0, 3.0)
-    check = program.pages.gui.add_checkbox("check", False)
-    page = visit(width=390, height=844)
-    grip = page.get_by_role("button", name="Controls")
-    expect(grip).to_have_attribute("aria-expanded", "false")
-    expect(control(page, check)).not_to_be_in_viewport()
-    closed, sheet, keys, bar = boxes(page, "#picture", "#side", "#keys", "#bar")
-    assert closed["height"] > 0.6 * 844
-    assert sheet["height"] < 60
-    for a, b in ((closed, sheet), (closed, keys), (closed, bar), (keys, bar), (bar, sheet)):
-        assert not overlap(a, b)
-    assert grip.bounding_box()["height"] >= 44
-    grip.click()
-    expect(control(page, check)).to_be_in_viewport()
-    opened, sheet = boxes(page, "#picture", "#side")
-    assert not overlap(opened, sheet)
-    assert control(page, check).bounding_box()["height"] >= 44
-    assert all(box.bounding_box()["width"] >= 44 for box in page.locator("#tools button:visible").all())
-    page.mouse.move(195, sheet["y"] + 20)
-    page.mouse.down()
-    page.mouse.move(195, 830, steps=5)
-    page.mouse.up()
-    expect(grip).to_have_attribute("aria-expanded", "false")
-
-
-def test_the_panel_and_what_colours_mean_lie_beside_the_picture(program, visit):
-    program.pages.gui.add_checkbox("check", False)
-    bar = program.pages.gui.add_colorbar("height [m]", [(0.0, "0"), (1.0, "9")], RAMP)
-    program.pages.gui.add_legend([("ground", (10, 20, 30), "12")])
-    page = visit()
-    found = boxes(page, "#picture", "#keys", "#side")
-    assert not any(overlap(a, b) for a, b in ((found[0], found[1]), (found[0], found[2]), (found[1], found[2])))
-    top = page.locator(".colorbar canvas.upright").bounding_box()
-    image = picture(page, panels=True)
-    x, y = round(top["x"] + 7), round(top["y"])
-    assert image[y + 3, x, 0] > 240  # the highest value on top
-    assert image[y + round(top["height"]) - 4, x, 2] > 240
-    page.get_by_role("separator", name="Width of the panel").press("ArrowLeft")
-    assert boxes(page, "#side")[0]["width"] == found[2]["width"] + 16
-    page.keyboard.press("t")
-    expect(page.locator("#side")).to_be_hidden()
-    page.keyboard.press("t")
-    bar.remove()
-    wait_until(page, lambda: page.locator(".colorbar").count() == 0, lambda: "still there", seconds=20)
-
-
-def test_dark_follows_the_reader_where_the_ground_is_not_the_programs(program, visit):
-    program.pages.set_background(np.array(WHITE) / 255, own=False)
-    page = visit()
-    dark = lambda image: float(image[300, 100].mean()) < 60  # noqa: E731
-    wait_for_picture(page, lambda image: not dark(image))
-    page.emulate_media(color_scheme="dark")
-    wait_for_picture(page, dark)
-    assert picture(page, panels=True)[20, 300].mean() < 60
-    program.pages.set_background(np.array(WHITE) / 255, own=True)
-    wait_for_picture(page, lambda image: not dark(image))
-    page.keyboard.press("d")
-    wait_until(page, lambda: picture(page, panels=True)[20, 300].mean() > 200, lambda: "still dark", seconds=20)
-
-
-def test_progress_hint_and_notices_are_told(program, visit):
-    program.pages.set_hint("Nothing is shown yet.")
-    program.pages.set_progress("Reading scan.ply …", 0.4)
-    page = visit()
-    expect(page.locator("#hint")).to_have_text("Nothing is shown yet.")
-    expect(page.get_by_role("progressbar")).to_have_attribute("aria-valuenow", "40")
-    expect(page.get_by_role("progressbar")).to_have_text("Reading scan.ply … 40 %")
-    program.pages.set_progress("")
-    program.pages.set_hint("")
-    expect(page.get_by_role("progressbar")).to_be_hidden()
-    expect(page.locator("#hint")).to_be_hidden()
-    program.pages.get_clients()[0].notify("It failed", "why", seconds=60, error=True)
-    expect(page.get_by_role("alert")).to_have_text("It failedwhy")
-    page.get_by_role("alert").get_by_role("button", name="Close").click()
-    expect(page.get_by_role("alert")).to_have_count(0)
-
-
-def test_files_are_saved_by_the_page(program, visit):
-    program.add_square(RED)
-    program.pages.gui.add_colorbar("height [m]", [(0.0, "0"), (1.0, "9")], RAMP)
-    page = visit()
-    wait_for_picture(page, lambda image: count_pixels(image, RED) > 10_000)
-    with page.expect_download() as download:
-        program.pages.get_clients()[0].download("cropped.json", b'{"a": 1}', "application/json")
-    assert download.value.suggested_filename == "cropped.json"
-    assert download.value.path().read_bytes() == b'{"a": 1}'
-    with page.expect_download() as download:
-        page.keyboard.press("Shift+P")
-    image = np.asarray(Image.open(io.BytesIO(download.value.path().read_bytes())).convert("RGB"))
-    picture_box, keys = boxes(page, "#picture", "#keys")
-    assert image.shape[:2] == (round(picture_box["height"]), round(picture_box["width"] + keys["width"]))
-    assert count_pixels(image, RED) > 10_000
-    assert count_pixels(image[:, -round(keys["width"]) :], BLUE, 60) > 100  # the lower end of the bar
 
 
 def test_clicks_are_told_when_asked_for_with_where_the_page_looks(program, visit):

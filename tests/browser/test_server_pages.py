@@ -111,9 +111,8 @@ def test_a_page_without_the_key_sees_nothing(server, open_page):
 
 
 def test_a_server_on_the_same_port_is_found_again(open_page, monkeypatch):
-    monkeypatch.setattr(
-        secrets, "token_urlsafe", lambda _: "a-token-of-the-tests"
-    )  # another one asks for a new address
+    # Another token would be another address, which a page does not know.
+    monkeypatch.setattr(secrets, "token_urlsafe", lambda _: "a-token-of-the-tests")
     with ViewerServer(port=0) as first:
         look_along_y(first)
         add_cloud(first, (0.0, 0.0, 0.0), RED)

@@ -19,6 +19,7 @@ class Control {
 
   /** Takes what the program sets; fields that it does not name stay. */
   set(changes) {
+    if (changes.value === undefined) delete changes.value; // it stays
     Object.assign(this.props, changes);
     const { label, visible, hint, disabled } = this.props;
     this.element.hidden = visible === false;

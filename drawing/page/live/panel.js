@@ -18,7 +18,24 @@ class Panel {
     this.folders = new Map(); // by path: whether somebody opened or closed it
     this.themed = new Set();
     this.pending = new Map();
+    this.held = null; // the control whose track somebody drags
+    this.late = new Map(); // what the program set meanwhile
+    this.listenToTracks();
     this.flush = onceAPicture(() => this.sayPending());
+  }
+
+  listenToTracks() {
+    document.addEventListener("pointerdown", ({ target }) => {
+      if (target.type === "range") this.held = Number(target.closest("[data-control]")?.dataset.control);
+    });
+    for (const kind of ["pointerup", "pointercancel"]) document.addEventListener(kind, () => this.letGo());
+  }
+
+  /** What the program set while a track was dragged is shown, where nothing was said after it. */
+  letGo() {
+    this.held = null;
+    for (const [id, value] of this.late) this.controls.get(id)?.set({ value });
+    this.late.clear();
   }
 
   // -- what the program says ------------------------------------------------------------------------------------------
@@ -37,7 +54,10 @@ class Panel {
   set(op, arrays) {
     const control = this.controls.get(op.id);
     if (!control) return;
-    if (this.pending.has(op.id) && "value" in op) this.pending.delete(op.id); // the program's word is the later one
+    if ("value" in op && (this.held === op.id || this.pending.has(op.id))) {
+      if (this.held === op.id) this.late.set(op.id, op.value); // not while somebody drags it
+      op = { ...op, value: undefined };
+    }
     control.set(readArrays(op, arrays));
     if ("order" in op || "parent" in op) this.place(control);
   }
@@ -95,6 +115,7 @@ class Panel {
   /** The last value of each control, once a picture. */
   sayValue(id, value) {
     this.pending.set(id, value);
+    this.late.delete(id);
     this.flush();
   }
 
