@@ -41,7 +41,7 @@ class Picture(np.ndarray[Any, np.dtype[np.uint8]]):
         return array[()] if return_scalar else np.asarray(array)
 
     def _is_whole(self) -> bool:
-        return self.ndim == 3 and self.shape[2] in (CHANNELS, CHANNELS + 1) and self.dtype == np.uint8 and self.size > 0
+        return self.ndim == 3 and self.shape[2] in CHANNELS and self.dtype == np.uint8 and self.size > 0
 
     def _repr_png_(self) -> bytes | None:
         """The picture in a notebook; nothing for a part that is none, such as one channel, and of a large one."""

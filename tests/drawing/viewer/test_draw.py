@@ -17,7 +17,7 @@ from pointloom.core.errors import PointloomError
 from pointloom.drawing.render.view import View
 from pointloom.drawing.viewer import draw as drawing
 
-from .pages import page_of
+from .pages import visitor_of
 from .pages import wait_until as wait_for
 
 ROOT = Path(__file__).resolve().parents[3]
@@ -142,7 +142,7 @@ def test_draw_waits_until_the_last_page_has_gone(cloud, monkeypatch):
     thread = threading.Thread(target=lambda: done.append(draw([cloud], block=None, linger=0.2)), daemon=True)
     thread.start()
     wait_until(lambda: made)
-    with page_of(made[0].server):
+    with visitor_of(made[0].server):
         wait_until(lambda: made[0].sessions)
         time.sleep(0.5)
         assert not done

@@ -117,7 +117,8 @@ def state(outputs):
 def test_a_cell_that_runs_again_leaves_one_viewer_and_one_cloud(many):
     turns = [state(many[f"same {turn}"]) for turn in range(5)]
     assert [len(turn["open"]) for turn in turns] == [1] * 5
-    assert turns[4]["threads"] <= turns[0]["threads"] and turns[0]["open"] == turns[4]["open"]
+    places = [turn["open"][0].partition("?")[0] for turn in turns]  # of each its own token
+    assert turns[4]["threads"] <= turns[0]["threads"] and places[0] == places[4]
     assert turns[4]["bytes"] - turns[1]["bytes"] < 150e6  # three more of them would have 216 MB
 
 
