@@ -30,6 +30,10 @@ _COLORMAPS = ("viridis", "plasma", "inferno", "magma", "cividis", "turbo", "gray
 @click.option("--screenshot", type=FILE, metavar="PNG", help="Draw a picture and end; needs no browser.")
 @click.option("--save-html", type=FILE, metavar="HTML", help="Write a page that needs no server and end.")
 @click.option("--no-open", is_flag=True, help="Do not open a browser.")
+@click.option(
+    "--linger", type=click.FloatRange(min=0), default=60, show_default=True, metavar="S",
+    help="How long the last page may be gone before the command ends [s]; inf never ends it.",
+)  # fmt: skip
 @click.option("--color-by", metavar="NAME", help="rgb, height, normal, label, or an attribute of the clouds.")
 @click.option("--colormap", type=click.Choice(_COLORMAPS), help="Of values; viridis if not given.")
 @click.option("--view", "view_file", type=FILE, metavar="JSON", help="Where from: a view as Open3D copies it (Ctrl+C).")
@@ -49,7 +53,7 @@ def view(
     """Show clouds, meshes, trajectories and TSDF volumes in the browser, on this machine or over SSH on another one.
 
     Where the page is, and the ssh line for a browser elsewhere, go to stderr. The command ends when the last page has
-    been closed for five seconds, or with Ctrl-C.
+    been gone for --linger seconds, which stderr says as it goes, or with Ctrl-C.
 
     \b
     clouds        .ply .pcd .npz .xyz .xyzn .xyzrgb .pts .csv .txt .bin .las .laz .e57

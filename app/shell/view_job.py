@@ -57,7 +57,7 @@ class ViewJob:
         up: Which axis is up; None takes that of the files.
         max_points: Of the page.
         force: Replace outputs that exist.
-        port, host, no_open: Of the server.
+        port, host, no_open, linger: Of the server.
 
     Raises:
         FileError: A file that is missing, damaged or of no kind that is shown.
@@ -165,7 +165,7 @@ class ViewJob:
                 open_up()
             if as_json:
                 print_json(self._ends.rename(self._report()).to_json() | {"url": viewer.url, "ssh": viewer.ssh_line})
-            viewer.wait()
+            viewer.wait(linger=self.server["linger"])
         return 0
 
     def _draw(self, named: list[Named], path: Path) -> None:

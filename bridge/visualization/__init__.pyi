@@ -1,5 +1,6 @@
 """The names of `open3d.visualization`."""
 
+from .o3d_visualizer import O3DVisualizer as O3DVisualizer
 from .polygon import SelectionPolygonVolume as SelectionPolygonVolume
 from .polygon import read_selection_polygon_volume as read_selection_polygon_volume
 from .render_option import MeshColorOption as MeshColorOption

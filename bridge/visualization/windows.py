@@ -2,17 +2,16 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Mapping
 from typing import Any
 
-import numpy as np
 from numpy.typing import ArrayLike
 
 from ...core.errors import PointloomError
 from ...core.open3d_names import row_of, told
 from ...drawing.viewer.draw import draw as draw_page
 from ..geometry import Geometry, Image
+from .o3d_visualizer import O3DVisualizer
 from .shown import checked, drawn
 from .visualizer import Visualizer, VisualizerWithKeyCallback
 
@@ -97,48 +96,61 @@ def draw(
     raw_mode: bool = False,
     point_size: int | None = None,
     line_width: int | None = None,
+    animation_time_step: float = 1.0,
+    animation_duration: float | None = None,
+    on_init: Callable[[O3DVisualizer], Any] | None = None,
+    on_animation_frame: Callable[[O3DVisualizer, float], Any] | None = None,
+    on_animation_tick: Callable[[O3DVisualizer, float, float], Any] | None = None,
     show_axes: bool | None = None,
     **others: Any,
 ) -> None:
-    """Show a geometry, a list of them, or of dictionaries with "geometry" and "name"; materials are not looked at."""
-    asked = [name for name, value in {"actions": actions, **others}.items() if value is not None and value is not False]
+    """Show a geometry, a list of them, or of dictionaries with "geometry" and "name"; materials are not looked at.
+
+    Functions of `actions` and of animations are called in a thread of the page, and may add and change geometries.
+    """
+    asked = [name for name, value in others.items() if value is not None and value is not False]
     if asked:
         raise PointloomError(f"{asked[0]}: pages have no such thing{told(row_of(asked[0], ('draw',)))}")
-    window = Visualizer()
-    option, control = window.get_render_option(), window.get_view_control()
-    option.background_color = np.asarray(bg_color, np.float64)[:3]
-    option.show_coordinate_frame = bool(show_axes)
-    option.point_size = option.point_size if point_size is None else float(point_size)
-    option.line_width = option.line_width if line_width is None else float(line_width)
+    window = O3DVisualizer(title, width, height)
+    try:
+        window.point_size = window.point_size if point_size is None else point_size
+        window.line_width = window.line_width if line_width is None else line_width
+        window.set_background(bg_color)
+        _fill(window, geometry, actions or ())
+        if lookat is not None and eye is not None and up is not None:
+            window.setup_camera(field_of_view, lookat, eye, up)
+        window.show_axes = bool(show_axes)
+        window.animation_time_step = animation_time_step
+        window.animation_duration = window.animation_duration if animation_duration is None else animation_duration
+        if on_init is not None:
+            on_init(window)
+        window.set_on_animation_frame(on_animation_frame)
+        window.set_on_animation_tick(on_animation_tick)
+        window._play_times()
+        window._window.run()
+    except KeyboardInterrupt:
+        pass  # as closing the window
+    finally:
+        window._window.destroy_window()
+
+
+def _fill(window: O3DVisualizer, geometry: Any, actions: Any) -> None:
+    """Give a window its buttons and its geometries."""
+    for name, callback in actions:
+        window.add_action(name, callback)
     alone = isinstance(geometry, Geometry | Image | Mapping)
-    entries = [geometry] if alone else list(geometry or [])
-    shapes = [one["geometry"] if isinstance(one, Mapping) else one for one in entries]
-
-    def look() -> None:
-        control._angle = float(field_of_view)
-        if up is not None:
-            control.set_up(up)
-        if lookat is not None:
-            control.set_lookat(lookat)
-        if eye is not None:
-            away = np.asarray(eye, np.float64) - control._lookat
-            side = float(np.max(control._bounds[1] - control._bounds[0])) or 1.0
-            control.set_front(away)
-            control.set_zoom(float(np.linalg.norm(away)) * math.tan(math.radians(field_of_view / 2)) / side)
-
-    _show(window, shapes, title, width, height, look)
+    for number, entry in enumerate([geometry] if alone else list(geometry or []), 1):
+        name = f"Object {number}"
+        window.add_geometry({"name": name, **entry} if isinstance(entry, Mapping) else name, entry)
+    window.reset_camera_to_default()
 
 
-def _show(
-    window: Visualizer, geometries: Any, name: str, width: int, height: int, look: Callable[[], None] | None = None
-) -> None:
+def _show(window: Visualizer, geometries: Any, name: str, width: int, height: int) -> None:
     """Show geometries until the window is closed."""
     window.create_window(name, width, height)
     try:
         for geometry in checked(geometries):
             window.add_geometry(geometry)
-        if look is not None:
-            look()
         window.update_renderer()
         window.run()
     except KeyboardInterrupt:

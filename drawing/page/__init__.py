@@ -1,1 +1,1 @@
-"""What recordings and the live viewer show in a browser: plain scripts, styles and pages, joined without a build step."""
+"""What recordings and live pages show in a browser: plain scripts, styles and pages, joined without a build step."""

@@ -1,4 +1,5 @@
 /** What lives on the graphics card: programs, the buffers of nodes, and the picture that is drawn into. */
+const SMALL = 2 ** 16; // bytes
 const MANY_BALLS = 2_000; // more have fewer faces each
 
 class Program {
@@ -51,10 +52,19 @@ const LAYOUTS = { points: VERTICES, triangles: VERTICES, lines: SEGMENTS, instan
 /** The arrays of a node on the card; nodes that show the same share it. */
 class Geometry {
   /** `keep`: whether arrays are remembered, to be sent again to a card that forgot them. `changed`: a picture has come. */
-  constructor(gl, kind, props, keep, changed) {
-    Object.assign(this, { gl, kind, keep, changed, users: 1, buffers: {}, arrays: {}, texture: null, edges: null });
-    [this.shape, this.solid] = [props.shape, Boolean(props.solid)];
+  constructor(gl, kind, keep, changed) {
+    Object.assign(this, { gl, kind, keep, changed, users: 1, arrays: {}, texture: null, shape: "box", solid: false });
     this.start(gl);
+  }
+
+  /** What the instances are. */
+  become(shape, solid) {
+    [this.shape, this.solid] = [shape, Boolean(solid)];
+  }
+
+  /** Remembers no arrays any more. */
+  letGo() {
+    [this.keep, this.arrays] = [false, {}];
   }
 
   start(gl) {
@@ -77,7 +87,7 @@ class Geometry {
     gl.bindVertexArray(this.vertices);
     for (const [name, values] of Object.entries(arrays)) {
       if (!values) continue;
-      if (this.keep) this.arrays[name] = values;
+      if (this.keep) this.arrays[name] = alone(values);
       this.uploads += 1;
       if (name === "texture") {
         this.texture?.free();
@@ -89,6 +99,15 @@ class Geometry {
     if (this.kind === "instances") this.sendShape();
     this.layout();
     if (arrays.indices || arrays.positions) this.dropEdges();
+  }
+
+  /** Takes an array away. */
+  remove(name) {
+    delete this.arrays[name];
+    if (!this.buffers[name]) return;
+    this.gl.deleteBuffer(this.buffers[name].buffer);
+    delete this.buffers[name];
+    this.layout();
   }
 
   fill(name, values) {
@@ -216,6 +235,11 @@ class Geometry {
     this.buffers = {};
     this.count = 0;
   }
+}
+
+/** A small array of a large message by itself, so that remembering it does not hold the rest. */
+function alone(values) {
+  return values.byteLength < SMALL && values.buffer.byteLength > 4 * values.byteLength ? values.slice() : values;
 }
 
 /** How the card reads an array: 16-bit numbers without a sign are half floats, whole numbers shares of their largest. */

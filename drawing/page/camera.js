@@ -8,8 +8,8 @@ const NEAREST_TO_POLE = 0.01; // radians between the view and "up"
 const AXES = { x: [1, 0, 0], y: [0, 1, 0], z: [0, 0, 1] };
 
 class Camera {
-  constructor(margin = 0.2) {
-    this.margin = margin; // of the scene's size, by which it is thought to be larger: helpers may lie around it
+  constructor(margin = 0.5) {
+    this.margin = margin; // of the scene's size, by which it is thought to be larger: things move before that is told
     this.rotation = [1, 0, 0, 0, 0, -1, 0, 1, 0]; // along y, z up
     [this.eye, this.pivot, this.up] = [[0, -3, 0], [0, 0, 0], [0, 0, 1]];
     this.fov = 0.7;
@@ -18,9 +18,13 @@ class Camera {
     this.limits = {};
     this.box = { x: 0, y: 0, width: 1, height: 1 };
     this.setBounds([-1, -1, -1], [1, 1, 1]);
+    this.bounded = false;
   }
 
+  /** The box around the scene. */
   setBounds(low, high) {
+    if (![...low, ...high].every(Number.isFinite)) return;
+    this.bounded = true;
     this.bounds = [low, high];
     this.corners = [0, 1, 2, 3, 4, 5, 6, 7].map((k) => [0, 1, 2].map((axis) => ((k >> axis) & 1 ? high : low)[axis]));
     this.middle = scale(add(low, high), 0.5);
@@ -114,14 +118,21 @@ class Camera {
 
   /** Depths between which everything lies, or what of it the depth buffer can tell apart. */
   depthRange() {
+    if (!this.bounded) return this.guessedRange();
     const forward = column(this.rotation, 2);
     const depths = this.corners.map((corner) => dot(subtract(corner, this.eye), forward));
     const slack = Math.max(this.margin, 1e-3) * this.unit;
-    const far = Math.max(...depths) + slack;
-    if (this.orthographic) return [Math.min(...depths) - slack, far];
+    if (this.orthographic) return [Math.min(...depths) - slack, Math.max(...depths) + slack];
+    const far = Math.max(...depths) + 4 * slack; // of what is far, room costs next to no precision
     const least = Math.min(1e-3 * Math.max(far, this.pivotDepth()), 0.05 * this.pivotDepth());
     const near = Math.max(Math.min(...depths) - slack, least);
     return [near, Math.max(far, 2 * near)];
+  }
+
+  /** The depths where nobody said how large the scene is. */
+  guessedRange() {
+    const { near = 1e-2 * this.pivotDepth(), far = 1e3 * this.pivotDepth() } = this.limits;
+    return this.orthographic ? [-far, far] : [near, Math.max(far, 2 * near)];
   }
 
   /** What the depth buffer makes of depths in units of the scene: two factors. */
@@ -216,10 +227,20 @@ class Camera {
     this.face(scale(subtract(this.pivot, this.eye), 1 / length(subtract(this.pivot, this.eye))));
   }
 
+  /** The tangent of half the smaller angle that the view has. */
+  reach() {
+    const { fx, fy } = this.pixels();
+    return Math.min(this.box.width / fx, this.box.height / fy) / 2;
+  }
+
+  /** Another distance from the pivot. */
+  recede(factor) {
+    this.eye = add(this.pivot, scale(subtract(this.eye, this.pivot), factor));
+  }
+
   /** All of the scene's bounds from the present direction. */
   fit() {
-    const { fx, fy } = this.pixels();
-    const half = Math.min(this.box.width / fx, this.box.height / fy) / 2; // tangent of half the smaller angle
+    const half = this.reach();
     const distance = ((this.radius || this.unit) * 1.05) / (this.orthographic ? half : Math.sin(Math.atan(half)));
     this.pivot = this.middle;
     this.eye = subtract(this.middle, scale(column(this.rotation, 2), distance));

@@ -19,9 +19,12 @@ function commandsOf(engine) {
     view("F", "all of the scene", () => engine.fit()),
     view("O", "parallel or perspective", () => engine.setOrthographic(!camera().orthographic)),
     view("U", "Y or Z up", () => engine.setUp(Math.abs(camera().up[2]) > 0.9 ? "y" : "z")),
-    ...["+x", "-x", "+y", "-y", "+z", "-z"].map((axis, k) => view(String(k + 1), `look along ${axis.replace("-", "\u2212")}`, () => engine.lookAlong(axis))),
-    view("V", "one, two, four views", () => engine.setViews({ 1: 2, 2: 4, 4: 1 }[engine.views.cameras.length], engine.views.linked)),
-    view("Shift+V", "views linked or free", () => (engine.views.linked = !engine.views.linked)),
+    ...["x", "y", "z"].flatMap((axis) => [
+      view(axis.toUpperCase(), `look along +${axis}`, () => engine.lookAlong(`+${axis}`)),
+      view(`Shift+${axis.toUpperCase()}`, `look along \u2212${axis}`, () => engine.lookAlong(`-${axis}`)),
+    ]),
+    view("M", "one, two, four views", () => engine.setViews({ 1: 2, 2: 4, 4: 1 }[engine.views.cameras.length], engine.views.linked)),
+    view("Shift+M", "views linked or free", () => (engine.views.linked = !engine.views.linked)),
     ...[["Left", -1, 0], ["Right", 1, 0], ["Up", 0, -1], ["Down", 0, 1]].map(([name, right, down]) =>
       view(`Shift+Arrow${name}`, `turn ${name.toLowerCase()}`, () => engine.orbit(KEY_TURN * right, KEY_TURN * down))),
     shown("+", "larger points", sized(STEP_OF_SIZE)),

@@ -7,6 +7,7 @@ class Controls {
   /** `move(name, ...values)` moves the view in use, `use(x, y)` says which that is, `click` and `doubleClick` what is pressed. */
   constructor(element, { move, use, click, doubleClick }) {
     Object.assign(this, { element, moveView: move, use, click, doubleClick });
+    element.style.touchAction = "none"; // fingers move the camera, not the page
     this.pointers = new Map();
     this.listening = new AbortController();
     const listen = (kind, run) => element.addEventListener(kind, run, { passive: false, signal: this.listening.signal });

@@ -10,7 +10,8 @@
  *   onLost(ids)                    the card forgot everything; all came back but these nodes, whose arrays were not kept
  *                                  (`keep: false`, or past the budget): they are dropped, the host adds them again.
  *   onDrawn()                      a picture is done.      onTheme(dark)     the background became dark or light.
- *   gizmo, scaleBar                whether there are any (true).    margin: by which bounds are widened for near and far.
+ *   gizmo, scaleBar                whether there are any (true).
+ *   margin                         by how much of the scene's size it may reach beyond its bounds, for near and far (0.5).
  *   Throws NoWebGL where there is no WebGL 2.
  *
  * Nodes (ids are any keys but 0, which is the scene; poses are 12 numbers, rows of 3x4, from the node to its parent)
@@ -27,9 +28,9 @@
  *   call is what home() comes back to. camera() -> { position, rotation, fov, pivot, up, orthographic, size [w, h] }
  *   setHome(), home(), fit(), lookAlong("+x" ... "-z"), setUp("y" | "z" | [x, y, z]), setOrthographic(on), orbit(right, down)
  *   setViews(1 | 2 | 4, linked): beside each other; linked ones turn, move and zoom together.
- *   setBounds(low, high), setBackground([r, g, b 0..1], own): own false follows prefers-color-scheme,
- *   setUnit("m" | any text | null: no scale bar)
- *   commands(): [{ key, label, group, run }], for the host to bind to keys and to its palette.
+ *   setBounds(low, high): near and far follow from it; until it is known, near and far of setCamera hold.
+ *   setBackground([r, g, b 0..1], own): own false follows prefers-color-scheme. setUnit("m" | any text | null: no scale bar)
+ *   commands(): [{ key, label, group, run }], for the host to bind to keys ("O", "Shift+X", "Shift+ArrowUp") and its palette.
  *
  * Pictures
  *   looks: { pointFactor, wireframe, normals, light 0..2 }; after a change redraw(). redraw() draws soon, when something
@@ -45,16 +46,15 @@ const KINDS = ["points", "triangles", "lines", "instances"];
 
 class Engine {
   constructor(canvas, overlay, options = {}) {
-    const { gizmo = true, scaleBar = true, margin = 0.2 } = options;
-    Object.assign(this, { canvas, overlay, host: options, tree: new Tree(), geometries: new Set(), uploads: 0, draws: 0 });
+    const { gizmo = true, scaleBar = true, margin = 0.5 } = options;
+    Object.assign(this, { canvas, overlay, host: options, tree: new Tree(), geometries: new Set(), uploads: 0, draws: 0, kept: 0 });
     this.painter = new Painter(canvas);
     this.looks = { pointFactor: 1, wireframe: false, normals: false, light: 0 };
     this.background = { color: [1, 1, 1], own: true };
     this.views = new Views(margin);
     this.first = null;
     this.labels = new Labels(overlay);
-    this.gizmo = gizmo ? new Gizmo(overlay, (axis) => this.lookAlong(axis)) : null;
-    this.scaleBar = scaleBar ? new ScaleBar(overlay) : null;
+    this.corners = new Corners(overlay, { gizmo, scaleBar, look: (axis, view) => this.lookAlong(axis, view) });
     this.pace = new Pace((every) => this.draw(every), () => this.painter.finished());
     this.controls = new Controls(canvas, {
       move: (name, ...values) => this.move(name, ...values),
@@ -89,8 +89,7 @@ class Engine {
       node.kind = shared.kind;
       shared.users += 1;
     } else if (KINDS.includes(kind)) {
-      const keep = props.keep !== false && this.keptBytes() + bytesOf(arrays) <= KEPT_MEMORY;
-      node.geometry = new Geometry(this.painter.gl, kind, props, keep, () => this.redraw());
+      node.geometry = new Geometry(this.painter.gl, kind, props.keep !== false, () => this.redraw());
       this.geometries.add(node.geometry);
     } else if (kind === "label") {
       node.label = {};
@@ -106,13 +105,20 @@ class Engine {
     if (visible !== undefined) this.tree.show(node, Boolean(visible));
     Object.assign(node.props, looks);
     if (node.label) node.label = {};
-    const { geometry } = node;
-    if (geometry && (bytesOf(arrays) > 0 || geometry.uploads === 0)) {
-      const before = geometry.uploads;
-      geometry.send(arrays);
-      if (geometry.uploads > before) this.uploads += 1;
-    }
+    if (node.geometry && node.props.of === undefined) this.send(node.geometry, looks, arrays);
     this.redraw();
+  }
+
+  /** What is new of a node's arrays; a plain colour takes the place of colours. */
+  send(geometry, { plain, shape, solid }, arrays) {
+    const bytes = bytesOf(arrays);
+    if (bytes > 0) this.uploads += 1;
+    this.kept -= geometry.kept;
+    if (plain && !arrays.colors) geometry.remove("colors");
+    if (this.kept + geometry.kept + bytes > KEPT_MEMORY) geometry.letGo();
+    geometry.become(shape ?? geometry.shape, solid ?? geometry.solid);
+    if (bytes > 0 || geometry.uploads === 0 || shape !== undefined || solid !== undefined) geometry.send(arrays);
+    this.kept += geometry.kept;
   }
 
   has(id) {
@@ -124,6 +130,7 @@ class Engine {
       if (!geometry) continue;
       geometry.users -= 1;
       if (geometry.users === 0) {
+        this.kept -= geometry.kept;
         geometry.free();
         this.geometries.delete(geometry);
       }
@@ -133,12 +140,6 @@ class Engine {
 
   clear() {
     for (const node of [...this.tree.root.children]) this.drop(node.id);
-  }
-
-  keptBytes() {
-    let bytes = 0;
-    for (const { kept } of this.geometries) bytes += kept;
-    return bytes;
   }
 
   /** Fills a card that forgot everything; what was not remembered is dropped, and the host is told. */
@@ -175,9 +176,10 @@ class Engine {
 
   home() {
     if (this.first === null) return this.fit();
+    const { linked, cameras } = this.views;
+    this.views.set(1, linked);
     Object.assign(this.views.camera, structuredClone(this.first));
-    if (this.views.cameras.length > 1) this.setViews(this.views.cameras.length, this.views.linked);
-    return this.changed();
+    return this.setViews(cameras.length, linked);
   }
 
   camera() {
@@ -198,7 +200,8 @@ class Engine {
     this.move("fit");
   }
 
-  lookAlong(axis) {
+  lookAlong(axis, view = this.views.active) {
+    this.views.active = view;
     this.move("lookAlong", axis);
   }
 
@@ -224,7 +227,7 @@ class Engine {
   }
 
   setUnit(unit) {
-    this.scaleBar?.setUnit(unit);
+    this.corners.unit = unit;
     this.redraw();
   }
 
@@ -301,8 +304,7 @@ class Engine {
     this.draws += 1;
     this.painter.draw(this.views, nodes, this.looks, this.shownBackground ?? this.background.color, every);
     this.labels.draw(nodes, this.views, this.dark);
-    this.gizmo?.draw(this.views.camera);
-    this.scaleBar?.draw(this.views.camera);
+    this.corners.draw(this.views);
     this.tellCamera();
     this.host.onDrawn?.();
   }
@@ -333,7 +335,7 @@ class Engine {
     const context = copy.getContext("2d");
     context.drawImage(canvas, 0, 0); // at once: the browser may empty it after this turn
     context.drawImage(this.labels.canvas, 0, 0);
-    this.scaleBar?.paint(context, canvas, painter.density);
+    this.corners.paint(context, canvas, painter.density);
     return new Promise((resolve, reject) =>
       copy.toBlob((blob) => (blob ? resolve(blob) : reject(new Error("the picture is too large"))), "image/png"));
   }
@@ -342,9 +344,9 @@ class Engine {
     let bytes = 0;
     for (const geometry of this.geometries) bytes += geometry.bytes;
     const { calls, points, triangles, every } = this.painter;
-    const { draws, uploads } = this;
+    const { draws, uploads, kept } = this;
     const nodes = this.tree.nodes.size - 1;
-    return { draws, calls, uploads, bytes, kept: this.keptBytes(), nodes, points, triangles, every, labels: this.labels.count };
+    return { draws, calls, uploads, bytes, kept, nodes, points, triangles, every, labels: this.labels.count };
   }
 
   commands() {
@@ -356,6 +358,8 @@ class Engine {
     this.controls.free();
     this.sizes.disconnect();
     this.clear();
+    this.overlay.replaceChildren();
+    this.painter.gl.getExtension("WEBGL_lose_context")?.loseContext(); // a browser has few, and frees them late
   }
 }
 

@@ -1,6 +1,6 @@
 /** The axes in a corner: x red, y green, z blue, as the view in use sees them; a press on an end looks along it. */
 const GIZMO_REACH = 30; // units of its box from the middle to the ends
-const SVG = Object.assign(document.createElement("div"), { innerHTML: "<svg></svg>" }).firstChild.namespaceURI;
+const SVG = new DOMParser().parseFromString("<svg></svg>", "text/html").body.firstChild.namespaceURI; // no address here
 
 class Gizmo {
   /** `look(axis)` looks along "+x" ... "-z". */

@@ -59,6 +59,7 @@ class Labels {
     context.fill();
     context.stroke();
     context.fillStyle = ink;
-    label.lines.forEach((line, k) => context.fillText(line, left + LABEL_ROOM[0] + 0.5, top + LABEL_ROOM[1] + LABEL_HEIGHT * (k + 0.5) + 1));
+    const [start, first] = [left + LABEL_ROOM[0] + 0.5, top + LABEL_ROOM[1] + LABEL_HEIGHT / 2 + 1];
+    label.lines.forEach((line, k) => context.fillText(line, start, first + LABEL_HEIGHT * k));
   }
 }

@@ -36,12 +36,14 @@ function rotationAbout([x, y, z], angle) {
 }
 
 /** From a shape's own frame to the camera's, in units of the scene's size: 12 numbers, column by column. */
-function modelToCamera(rotation, eye, pose, unit) {
-  const columns = [];
-  for (const k of [0, 1, 2, 3]) {
-    let v = [pose[k], pose[4 + k], pose[8 + k]];
-    if (k === 3) v = subtract(v, eye);
-    for (const axis of [0, 1, 2]) columns.push(dot(column(rotation, axis), v) / unit);
+function modelToCamera(r, eye, pose, unit) {
+  const columns = new Float32Array(12);
+  for (let k = 0; k < 4; k++) {
+    const last = k === 3;
+    const x = last ? pose[3] - eye[0] : pose[k];
+    const y = last ? pose[7] - eye[1] : pose[4 + k];
+    const z = last ? pose[11] - eye[2] : pose[8 + k];
+    for (let axis = 0; axis < 3; axis++) columns[3 * k + axis] = (r[axis] * x + r[3 + axis] * y + r[6 + axis] * z) / unit;
   }
   return columns;
 }
@@ -60,7 +62,8 @@ const IDENTITY = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0];
 function compose(a, b) {
   const product = new Float64Array(12);
   for (const row of [0, 4, 8]) {
-    for (const k of [0, 1, 2, 3]) product[row + k] = a[row] * b[k] + a[row + 1] * b[4 + k] + a[row + 2] * b[8 + k] + (k === 3 ? a[row + 3] : 0);
+    for (const k of [0, 1, 2, 3]) product[row + k] = a[row] * b[k] + a[row + 1] * b[4 + k] + a[row + 2] * b[8 + k];
+    product[row + 3] += a[row + 3];
   }
   return product;
 }

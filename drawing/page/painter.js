@@ -6,12 +6,22 @@ const GREY = [204, 199, 189]; // of surfaces without a colour: light and warm, a
 const BLUE = [89, 128, 158]; // of points and lines without a colour
 const LARGEST_POINT = 256; // px
 
+const PROGRAMS = {
+  points: [SOLID_VERTEX, POINT_FRAGMENT],
+  triangles: [SOLID_VERTEX, FACE_FRAGMENT],
+  lines: [LINE_VERTEX, LINE_FRAGMENT],
+  solids: [SOLID_VERTEX, FACE_FRAGMENT, true],
+  outlines: [LINE_VERTEX, LINE_FRAGMENT, true],
+  relief: [WHOLE_VERTEX, RELIEF_FRAGMENT],
+  probe: [WHOLE_VERTEX, PROBE_FRAGMENT],
+};
+
 class NoWebGL extends Error {}
 
 class Painter {
   constructor(canvas) {
     this.canvas = canvas;
-    this.gl = canvas.getContext("webgl2", { antialias: false, depth: false, alpha: false });
+    this.gl = canvas.getContext("webgl2", { antialias: false, depth: false, alpha: false, powerPreference: "high-performance" });
     if (!this.gl) throw new NoWebGL("this browser has no WebGL 2 here");
     this.density = 1;
     this.start();
@@ -20,20 +30,17 @@ class Painter {
   /** What a new or restored context needs. */
   start() {
     const { gl } = this;
-    const solid = (fragment, instanced) => new Program(gl, SOLID_VERTEX, fragment, instanced);
-    this.programs = {
-      points: solid(POINT_FRAGMENT),
-      triangles: solid(FACE_FRAGMENT),
-      lines: new Program(gl, LINE_VERTEX, LINE_FRAGMENT),
-      solids: solid(FACE_FRAGMENT, true),
-      outlines: new Program(gl, LINE_VERTEX, LINE_FRAGMENT, true),
-      relief: new Program(gl, WHOLE_VERTEX, RELIEF_FRAGMENT),
-      probe: new Program(gl, WHOLE_VERTEX, PROBE_FRAGMENT),
-    };
+    this.programs = {};
     this.target = null;
     this.samples = isSoftware(gl) ? 0 : Math.min(4, gl.getParameter(gl.MAX_SAMPLES));
     this.empty = gl.createVertexArray();
     this.largest = Math.min(LARGEST_POINT, gl.getParameter(gl.ALIASED_POINT_SIZE_RANGE)[1]);
+  }
+
+  /** A program, made when it is first needed: to compile one takes a while. */
+  program(name) {
+    this.programs[name] ??= new Program(this.gl, ...PROGRAMS[name]);
+    return this.programs[name];
   }
 
   resize(width, height, density) {
@@ -55,6 +62,9 @@ class Painter {
     this.frames = views.cameras.map((camera) => this.frameOf(camera));
     for (const frame of this.frames) this.drawView(frame, nodes);
     this.target.resolve();
+    gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+    gl.clearColor(...background.map((value) => 0.75 * value + 0.125), 1); // what parts the views
+    gl.clear(gl.COLOR_BUFFER_BIT);
     for (const frame of this.frames) this.showRelief(frame);
     gl.viewport(0, 0, canvas.width, canvas.height);
   }
@@ -110,7 +120,7 @@ class Painter {
 
   /** The program of a node, with what all nodes of a view share. */
   use(name) {
-    const program = this.programs[name];
+    const program = this.program(name);
     const { gl, frame } = this;
     gl.useProgram(program.program);
     if (this.used.has(program)) return program;
@@ -122,6 +132,7 @@ class Painter {
     program.whole("parallel", frame.parallel ? 1 : 0);
     program.whole("from_afar", frame.parallel ? 1 : 0);
     program.number("near", frame.near);
+    program.number("lift", 0.0005 * frame.pivot * frame.depthOf[0]);
     gl.uniform2f(program.at("window"), frame.box[2], frame.box[3]);
     gl.uniform2f(program.at("sizes"), 1, this.largest);
     program.whole("paint_normals", this.looks.normals ? 1 : 0);
@@ -193,8 +204,11 @@ class Painter {
       gl.activeTexture(gl.TEXTURE2);
       gl.bindTexture(gl.TEXTURE_2D, texture.texture);
     }
-    gl.enable(gl.POLYGON_OFFSET_FILL); // faces a little back, so that their edges are seen
-    gl.polygonOffset(1, 1);
+    // Faces lie a little back, so that points and edges on them are seen. By their slope only where edges are drawn: at an
+    // outline the face behind would come through.
+    const edged = kind === "triangles" && (props.wireframe || this.looks.wireframe);
+    gl.enable(gl.POLYGON_OFFSET_FILL);
+    gl.polygonOffset(edged ? 1 : 0, edged ? 1 : 4);
     if (props.cull || hiddenSide) gl.enable(gl.CULL_FACE); // corners run counterclockwise where a face is seen from its front
     gl.cullFace(hiddenSide ?? gl.BACK);
     if (kind === "instances") gl.drawElementsInstanced(gl.TRIANGLES, geometry.corners, gl.UNSIGNED_SHORT, 0, geometry.count);
@@ -203,7 +217,7 @@ class Painter {
     this.triangles += kind === "instances" ? (geometry.corners / 3) * geometry.count : geometry.count / 3;
     gl.disable(gl.CULL_FACE);
     gl.disable(gl.POLYGON_OFFSET_FILL);
-    if (kind === "triangles" && (props.wireframe || this.looks.wireframe)) this.drawEdges(program, geometry, plain);
+    if (edged) this.drawEdges(program, geometry, plain);
   }
 
   drawEdges(program, geometry, plain) {
@@ -226,8 +240,7 @@ class Painter {
 
   showRelief({ box, depthOf, parallel, pivot }) {
     const { gl } = this;
-    const { relief } = this.programs;
-    gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+    const relief = this.program("relief");
     gl.viewport(...box);
     gl.useProgram(relief.program);
     this.target.read(relief);
@@ -254,7 +267,7 @@ class Painter {
   /** The depth [m] of what a view showed last at or beside a place of the canvas [CSS px], or null. */
   depthAt(x, y, view) {
     const { gl } = this;
-    const { probe } = this.programs;
+    const probe = this.program("probe");
     const frame = this.frames?.[view];
     if (!frame || !this.target || gl.isContextLost()) return null;
     const corner = [x, this.canvas.height / this.density - y].map((v) => Math.round(v * this.density) - (PROBE >> 1));

@@ -98,7 +98,8 @@ class Player {
     if (event.ctrlKey || event.metaKey || event.altKey || /text|search|select/i.test(kind)) return;
     if (event.key === " " && /button|submit|checkbox/i.test(kind)) return;
     if (/^(Arrow|Home|End)/.test(event.key) && kind === "range") return;
-    const action = this.action(event.shiftKey && /^(Arrow|V$)/.test(event.key) ? `Shift+${event.key}` : event.key);
+    const name = { "=": "+" }[event.key] ?? (event.key.length === 1 ? event.key.toUpperCase() : event.key);
+    const action = (event.shiftKey ? this.action(`Shift+${name}`) : null) ?? this.action(name);
     if (!action) return;
     event.preventDefault();
     action();
@@ -115,8 +116,7 @@ class Player {
       H: () => this.toggleHelp(),
       "?": () => this.toggleHelp(),
     };
-    const wanted = { "=": "+" }[key] ?? (key.length === 1 ? key.toUpperCase() : key);
-    return own[wanted] ?? this.engine.commands().find((command) => command.key === wanted)?.run;
+    return own[key] ?? this.engine.commands().find((command) => command.key === key)?.run;
   }
 
   shownPlacements() {

@@ -63,7 +63,8 @@ class Recorded {
       const { item, shapes, pose } = this.placements[number];
       for (const shape of shapes) {
         const id = `${number} of ${this.shown.length}`;
-        if (engine.has(nameOf(shape))) engine.add(id, 0, "group", { ...this.looksOf(shape), pose: this.poseOf(pose), visible: !this.hidden.has(item) });
+        const placed = { pose: this.poseOf(pose), visible: !this.hidden.has(item) };
+        if (engine.has(nameOf(shape))) engine.add(id, 0, "group", { ...this.looksOf(shape), ...placed });
         this.shown.push({ id, item });
       }
     }

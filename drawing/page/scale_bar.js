@@ -14,19 +14,16 @@ class ScaleBar {
     this.unit = null;
   }
 
-  /** The unit of the scene's numbers; null for no bar. */
-  setUnit(unit) {
+  /** With the unit of the scene's numbers; null for no bar. */
+  draw(camera, unit) {
     this.unit = unit;
-  }
-
-  draw(camera) {
-    this.element.hidden = this.unit === null;
-    if (this.unit === null) return;
+    this.element.hidden = unit === null;
+    if (unit === null) return;
     const pixels = camera.pixels().fx / camera.pivotDepth(); // of one unit
     const length = roundUp(SHORTEST_BAR / pixels);
     Object.assign(this, { length, pixels: length * pixels });
     this.bar.style.width = `${this.pixels.toFixed(1)}px`;
-    this.words.textContent = lengthInWords(length, this.unit);
+    this.words.textContent = lengthInWords(length, unit);
     this.element.title = camera.orthographic ? "" : "At the depth of the place that the view turns about";
   }
 

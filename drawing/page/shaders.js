@@ -131,6 +131,7 @@ layout(location = 3) in vec3 color_b;
 ${TO_CLIP}
 ${PLACED}
 uniform float near;
+uniform float lift;
 uniform float size;
 uniform vec2 window;
 out vec3 v_color;
@@ -154,8 +155,8 @@ void main() {
   float onward = corner < 2 ? -0.5 : 0.5;
   vec4 place = corner < 2 ? start : end;
   place.xy += (vec2(-along.y, along.x) * across + along * onward) * size / window * place.w;
-  if (parallel) place.z -= 0.0005 * size; // a little nearer than the faces that they lie on
-  else place.z = (depth_of.x + depth_of.y / (place.w * 0.9995)) * place.w;
+  // a little nearer than the faces that it lies on
+  place.z = parallel ? place.z - lift : (depth_of.x + depth_of.y / (place.w * 0.9995)) * place.w;
   gl_Position = hidden ? vec4(0.0, 0.0, 2.0, 1.0) : place;
 #ifdef INSTANCED
   v_color = color;

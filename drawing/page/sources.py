@@ -17,7 +17,7 @@ from pathlib import Path
 FOLDER = Path(__file__).parent
 ENGINE = (
     *("matrices", "shaders", "buffers", "unit_shapes", "textures", "nodes", "camera", "views", "controls", "pace"),
-    *("labels", "gizmo", "scale_bar", "painter", "commands", "engine"),
+    *("labels", "gizmo", "scale_bar", "corners", "painter", "commands", "engine"),
 )
 PLAYER = (*ENGINE, "arrays", "recorded", "plots", "timeline", "player")
 

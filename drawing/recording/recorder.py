@@ -5,6 +5,7 @@ from __future__ import annotations
 import contextlib
 import dataclasses
 import os
+import warnings
 from collections.abc import Iterable, Mapping, Sequence
 from types import TracebackType
 from typing import Any
@@ -16,19 +17,24 @@ from ...core.checks import check_count, check_name, check_number, check_positive
 from ...core.paths import path_of
 from ...core.progress import ReportProgress
 from ...core.watching import watch
-from ..render.geometries import STYLE_KEYS, Style
+from ..render.geometries import Style
 from ..render.parts import Matrix, Triple
 from ..render.upward import direction_under, told_up
 from ..render.view import View
 from .film import check_look, find_view
+from .held import Held, fields_of, style_of
 from .script import Stage
 from .scripts import Scripts
-from .shapes import ShapeStore, Sketch, pose_about, sketch, usual_size
-from .timeline import Frame, Placed, Timeline
+from .shapes import ShapeStore, Sketch, sketch, usual_size
+from .timeline import Frame, Timeline
 from .writers import check_recording, write_recording
 
 MAX_POINTS, MAX_FRAMES, FASTEST = 200_000, 600, 100.0
 MOST_BYTES = 2**29  # of shapes; beyond, every second frame goes
+NOTHING = (
+    "nothing was recorded: no algorithm inside the block reports its steps, and step() was not called. Those that do "
+    "are listed in docs/recordings.md; add(name, geometry) and step() make frames of anything"
+)
 WORTH = 0.9  # of the bytes that stay where frames go: more, and what fills them is no matter of frames
 
 
@@ -76,8 +82,9 @@ def record(
     Notes:
         Results are the same bits with and without a recording; ICP waits for the device once an iteration meanwhile.
         An error or Ctrl-C ends the block as ever; what was recorded until then is written, and the title says so.
-        Other threads are not recorded. A shape that does not change is stored once; the memory is that of the shapes,
-        up to 512 MB, beyond which frames are dropped as beyond `max_frames`.
+        Where nothing was recorded, a warning says so, and no file is written. Other threads are not recorded. A shape
+        that does not change is stored once; the memory is that of the shapes, up to 512 MB, beyond which frames are
+        dropped as beyond `max_frames`.
 
     Example:
         >>> import os, tempfile, numpy as np, pointloom as loom
@@ -104,6 +111,10 @@ def record(
     )
 
 
+class NothingRecordedError(ValueError):
+    """There is no frame to write."""
+
+
 class Recorder:
     """A recording in the making; see `record`.
 
@@ -111,6 +122,8 @@ class Recorder:
         path: The file.
         max_points: As of `record`.
     """
+
+    _up: Triple | None = None  # in the first geometry that says so
 
     def __init__(
         self,
@@ -132,14 +145,13 @@ class Recorder:
         self._max_frames = check_count("max_frames", max_frames, minimum=2)
         self._fps = check_positive("fps", fps, maximum=FASTEST)
         self._title, self._view, self._overwrite = check_name("title", title), check_look(view), bool(overwrite)
-        self._size, self._background = _check_size(size), background
+        self._size, self._background = check_picture_size(size), background
         self._say = check_progress(progress)
         check_recording(self.path, fps=self._fps, background=background, overwrite=self._overwrite)
         self._store, self._most_bytes = ShapeStore(), MOST_BYTES
         self._origin: NDArray[np.float64] | None = None
         self._device: Any = None
-        self._up: Triple | None = None  # in the first geometry that says so
-        self._held: dict[str, _Held] = {}
+        self._held: dict[str, Held] = {}
         self._counts: dict[str, tuple[int, int]] = {}
         self._values: dict[str, float] = {}
         self._frames: list[Frame] = []
@@ -149,9 +161,16 @@ class Recorder:
         self._owner: Stage | None = None
         self._owners: dict[str, Stage] = {}
         self._watching = contextlib.ExitStack()
+        self._seen_from: View | None = None  # the view of what was written
 
     def __repr__(self) -> str:
         return f"Recorder({os.fspath(self.path)}, {len(self._frames)} frames, {len(self._store.shapes)} shapes)"
+
+    def _repr_mimebundle_(self, include: Any = None, exclude: Any = None) -> dict[str, Any]:
+        """The recording itself, for notebooks, once it is written."""
+        from .cell_output import recorder_output
+
+        return {"text/plain": repr(self)} if self._seen_from is None else recorder_output(self, self._seen_from)
 
     def __enter__(self) -> Recorder:
         if self._scripts is not None:
@@ -165,7 +184,10 @@ class Recorder:
         if self._is_discarded:
             return
         if error is None:
-            self.save()
+            try:
+                self.save()
+            except NothingRecordedError as nothing:
+                warnings.warn(f"no file is written: {nothing}", stacklevel=2)
         elif self._frames:
             try:
                 self.save(note=f"ended by {type(error).__name__}")
@@ -186,10 +208,10 @@ class Recorder:
             TypeError: No geometry, or another kind of argument.
             ValueError: A style that does not exist, or out of range.
         """
-        name, chosen = check_name("name", name), _style_of(style)
-        self._up = self._up or told_up(geometry, chosen.pose)
+        name, chosen = check_name("name", name), style_of(style)
         pose = self._held[name].pose if name in self._held and chosen.pose is None else None
         self._hold(name, sketch(geometry, chosen, self.max_points), chosen, pose)
+        self._up = self._up or told_up(geometry, chosen.pose)
 
     def update(self, name: str, geometry: Any, **style: Any) -> None:
         """Show another geometry under a name that is there, with its style and pose unless others are given.
@@ -199,7 +221,7 @@ class Recorder:
             TypeError, ValueError: As `add`.
         """
         held = self._known(name)
-        chosen = dataclasses.replace(held.style, **_fields_of(style))
+        chosen = dataclasses.replace(held.style, **fields_of(style))
         pose = held.pose if chosen.pose is None else None
         self._hold(name, sketch(geometry, chosen, self.max_points), chosen, pose)
 
@@ -270,7 +292,8 @@ class Recorder:
     def timeline(self) -> Timeline:
         """The recording so far."""
         frames = [*self._frames, *([] if self._last is None else [self._last])]
-        return Timeline(self.origin, self._store.shapes, frames, self._title_of(frames), self._fps)
+        name = self._title or self.path.stem
+        return Timeline(self.origin, self._store.shapes, frames, self._title_of(frames), self._fps, name)
 
     def discard(self) -> None:
         """Write nothing at the end of the block."""
@@ -283,7 +306,7 @@ class Recorder:
             note: Said in the title.
 
         Raises:
-            ValueError: Nothing was recorded.
+            ValueError: Nothing was recorded; at the end of the `with` block that is a warning.
             FileError: The place cannot be written, or ffmpeg failed.
         """
         if self._scripts is not None:
@@ -293,8 +316,7 @@ class Recorder:
         self._forget()
         timeline = self.timeline
         if not timeline.frames:
-            reason = "nothing was recorded: no algorithm inside the block reports its steps, and step() was not called"
-            raise ValueError(f"{os.fspath(self.path)}: {reason}")
+            raise NothingRecordedError(f"{os.fspath(self.path)}: {NOTHING}")
         if note:
             timeline.title = ", ".join([timeline.title, note] if timeline.title else [note])
         look = None if self._scripts is None else self._scripts.look
@@ -302,6 +324,7 @@ class Recorder:
         view = find_view(self._view, timeline, look, *self._size)
         options: dict[str, Any] = {"view": view, "background": self._background, "overwrite": self._overwrite}
         write_recording(self.path, timeline, size=self._size, say=self._say, device=self._device, **options)
+        self._seen_from = view
 
     # ------------------------------------------------------------------------------------------ internals
 
@@ -309,7 +332,7 @@ class Recorder:
         if self._origin is None and drawn.shapes:
             self._origin, self._device = drawn.origin.copy(), drawn.device
         numbers = tuple(self._store.add(shape) for shape in drawn.shapes)
-        self._held[name] = _Held(numbers, drawn.origin, style, drawn.pose if pose is None else pose)
+        self._held[name] = Held(numbers, drawn.origin, style, drawn.pose if pose is None else pose)
         self._counts[name] = drawn.drawn, drawn.total
         self._is_dirty = True
 
@@ -330,14 +353,14 @@ class Recorder:
         if len(drawn) > 1:  # points of one cloud are of one size, in however many parts they are
             whole = sum(len(geometry) for geometry, _ in drawn)
             drawn = [(geometry, {"point_size": usual_size(whole), **style}) for geometry, style in drawn]
-        styles = [_style_of(style) for _, style in drawn]
+        styles = [style_of(style) for _, style in drawn]
         sketches = [sketch(geometry, style, max_points) for (geometry, _), style in zip(drawn, styles, strict=True)]
         shapes = [shape for each in sketches for shape in each.shapes]
         count, all_points = sum(each.drawn for each in sketches), sum(each.total for each in sketches)
         counts = {"drawn": count, "total": all_points if total is None else total}
         self._hold(name, dataclasses.replace(sketches[0], shapes=shapes, **counts), styles[0], None)
 
-    def _known(self, name: str) -> _Held:
+    def _known(self, name: str) -> Held:
         if check_name("name", name) not in self._held:
             raise KeyError(f"{name!r} is not shown; add it first. Shown are {sorted(self._held)}")
         return self._held[name]
@@ -366,31 +389,12 @@ class Recorder:
         return ", ".join([self._title, *notes] if self._title else notes)
 
 
-@dataclasses.dataclass(frozen=True, eq=False)
-class _Held:
-    """What is shown under a name: the numbers of its shapes, where they count from, and how it is drawn and lies."""
+def check_picture_size(size: Any) -> tuple[int, int]:
+    """Width and height of pictures [px].
 
-    shapes: tuple[int, ...]
-    origin: NDArray[np.float64]
-    style: Style
-    pose: Matrix | None
-
-    def placed(self, origin: NDArray[np.float64]) -> Placed:
-        return Placed(self.shapes, pose_about(self.pose, self.origin, origin))
-
-
-def _style_of(style: dict[str, Any]) -> Style:
-    return Style(**_fields_of(style))
-
-
-def _fields_of(style: dict[str, Any]) -> dict[str, Any]:
-    unknown = [key for key in style if key not in STYLE_KEYS]
-    if unknown:
-        raise ValueError(f"style: expected {', '.join(STYLE_KEYS)}, got {unknown[0]!r}")
-    return style
-
-
-def _check_size(size: Any) -> tuple[int, int]:
+    Raises:
+        TypeError, ValueError: No two whole numbers from 16 to 8192.
+    """
     if not isinstance(size, tuple | list) or len(size) != 2:
         raise ValueError(f"size: expected width and height, got {size!r}")
     limits: dict[str, Any] = {"minimum": 16, "maximum": 8192, "because": "frames are held whole"}

@@ -57,10 +57,11 @@ class Frame:
 
 @dataclasses.dataclass(eq=False)
 class Timeline:
-    """A recording: shapes, frames, and where positions count from."""
+    """A recording: shapes, frames, and where positions count from; a browser's tab has its name, else its title."""
 
     origin: NDArray[np.float64]
     shapes: list[Shape] = dataclasses.field(default_factory=list)
     frames: list[Frame] = dataclasses.field(default_factory=list)
     title: str = ""
     fps: float = 10.0
+    name: str = ""

@@ -95,6 +95,8 @@ class Axes:
         """Draw dots at those places that lie inside the frame; style as of `Canvas.dots`."""
         places = np.column_stack([self.columns(x), self.rows(y)])
         is_inside = ((places >= (self.left, self.top)) & (places <= (self.right, self.bottom))).all(axis=1)
+        if style.get("colors") is not None:
+            style["colors"] = style["colors"][is_inside]
         if is_inside.any():
             self.canvas.dots(places[is_inside], **style)
 

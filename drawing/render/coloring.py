@@ -47,6 +47,7 @@ class Coloring:
         names: The labels that there are with their names, ascending, of labels; -1 is noise.
         title: What is shown, such as "height [m]".
         has_missing: Whether a value was not finite, and is grey.
+        label_colors: Colours of labels in place of the usual ones.
     """
 
     colors: Any
@@ -56,10 +57,15 @@ class Coloring:
     names: dict[int, str] = dataclasses.field(default_factory=dict)
     title: str = ""
     has_missing: bool = False
+    label_colors: dict[int, Color] = dataclasses.field(default_factory=dict)
+
+    def color_of(self, label: int) -> Color:
+        """The colour of a label."""
+        return self.label_colors.get(label, label_color(label))
 
     def entries(self) -> list[tuple[str, Color]]:
         """Names and colours for a legend: of labels, and of what is missing."""
-        found = [(name, label_color(label)) for label, name in self.names.items()]
+        found = [(name, self.color_of(label)) for label, name in self.names.items()]
         return found + [("none", MISSING)] * self.has_missing
 
 
@@ -164,7 +170,7 @@ def _color_attribute(values: Any, name: str, colormap: str | None, limits: tuple
     if kind.kind in "biu" and (name in _LABELS or not name) and colormap is None and limits is None:
         labels = cast(values, int32 if kind.itemsize < 4 or kind == np.int32 else int64)
         colors, seen = value_colors.color_labels(labels, PALETTE / 255, NOISE)
-        return Coloring(colors, "labels", names=_name_labels(seen, name), title=name or "label")
+        return Coloring(colors, "labels", names=name_labels(seen, name), title=name or "label")
     if values.dtype not in (float32, float64):
         values = cast(values, float32 if kind.itemsize <= 2 else float64)
     if limits is None:
@@ -184,7 +190,7 @@ def _find_limits(values: NDArray[Any]) -> tuple[float, float]:
     return (low, high) if low < high else (float(finite.min()), float(finite.max()))
 
 
-def _name_labels(seen: list[int], attribute: str) -> dict[int, str]:
+def name_labels(seen: list[int], attribute: str) -> dict[int, str]:
     """Names of labels: the standard's for classes of LAS, else their numbers."""
     names = {}
     for label in seen:

@@ -9,7 +9,10 @@ import numpy as np
 from numpy.typing import NDArray
 from PIL import Image
 
+from ..notebook_output import still_jpeg
+
 CHANNELS = 3, 4
+MOST_PNG_BYTES = 2**21  # in a notebook; what takes more is shown as a JPEG of at most 200 kB
 
 
 class Picture(np.ndarray[Any, np.dtype[np.uint8]]):
@@ -38,15 +41,19 @@ class Picture(np.ndarray[Any, np.dtype[np.uint8]]):
         return array[()] if return_scalar else np.asarray(array)
 
     def _is_whole(self) -> bool:
-        return self.ndim == 3 and self.shape[2] in CHANNELS and self.dtype == np.uint8 and self.size > 0
+        return self.ndim == 3 and self.shape[2] in (CHANNELS, CHANNELS + 1) and self.dtype == np.uint8 and self.size > 0
 
     def _repr_png_(self) -> bytes | None:
-        """The picture in a notebook; nothing for a part that is none, such as one channel."""
+        """The picture in a notebook; nothing for a part that is none, such as one channel, and of a large one."""
         if not self._is_whole():
             return None
         file = io.BytesIO()
         Image.fromarray(np.ascontiguousarray(self)).save(file, "PNG")
-        return file.getvalue()
+        return file.getvalue() if file.tell() <= MOST_PNG_BYTES else None
+
+    def _repr_jpeg_(self) -> bytes | None:
+        """A large picture in a notebook, smaller."""
+        return still_jpeg(np.asarray(self)) if self._is_whole() and self._repr_png_() is None else None
 
     def __repr__(self) -> str:
         if not self._is_whole():

@@ -149,7 +149,9 @@ class Drawing:
         seen = [placed for placed in self.scene.placed if placed.box is not None]
         points = [(p, p.part) for p in seen if isinstance(p.part, Points) and p.part.opacity == 1]
         surfaces = [(p, p.part) for p in seen if isinstance(p.part, Triangles) and p.part.opacity == 1]
-        shown: list[tuple[Part, Region]] = [(part, self._draw_points(p, part, self.buffer)) for p, part in points]
+        shown: list[tuple[Points | Triangles, Region]] = [
+            (part, self._draw_points(p, part, self.buffer)) for p, part in points
+        ]
         last_point = self.stop
         shown += [(part, self._draw_surface(p, part, self.buffer)) for p, part in surfaces]
         lines = self._draw_lines()
@@ -163,6 +165,8 @@ class Drawing:
 
     def _draw_layers(self, veils: Sequence[Placed]) -> None:
         """Draw what is seen through before all that is solid, layer by layer, and take its light."""
+        if not veils:
+            return
         clouds, surfaces = [], []
         for placed in veils:
             if isinstance(placed.part, Points):
@@ -171,8 +175,8 @@ class Drawing:
             else:
                 count = placed.part.indices.size // 3
                 surfaces.append((placed.part, Region(self._number(count), self.stop, self._rectangle(placed, 1.0))))
-        behind = before_all(self.buffer) if veils else None
-        for _ in range(LAYERS if veils else 0):
+        behind = before_all(self.buffer)
+        for _ in range(LAYERS):
             layer = start_layer(self.buffer, behind)
             for _, _, own in clouds:
                 take_words(own, layer)
@@ -186,14 +190,16 @@ class Drawing:
                 self._shade(part, region, layer, layer, self.stop)
             behind = layer.words
 
-    def _shade(self, part: Part, region: Region, buffer: DepthBuffer, around: DepthBuffer, last_point: int) -> None:
+    def _shade(
+        self, part: Points | Triangles, region: Region, buffer: DepthBuffer, around: DepthBuffer, last_point: int
+    ) -> None:
         """Take the light of a part where a buffer shows it."""
         view, veil = self._view_of(part), Veil(part.opacity, self.left)
         if isinstance(part, Points):
             look = {"colors": part.colors, "normals": part.normals, "plain": vec3(*part.plain), "shaded": part.shaded}
             how = {"lit": part.lit, "last_point": last_point, "around": around, "veil": veil}
             shade_points(buffer, view, region, self.light, **look, **how)
-        elif isinstance(part, Triangles):
+        else:
             shade_surface(buffer, view, region, self.light, self._surface(part), veil)
 
     def _draw_points(self, placed: Placed, part: Points, buffer: DepthBuffer) -> Region:

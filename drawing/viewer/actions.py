@@ -14,6 +14,8 @@ from ...files.pictures.image_files import encode_png
 from ..render.open3d_views import read_view, write_view
 from .coloring_choice import choices_of
 from .keys import STEP
+from .logged import asked_by_page
+from .recorded import remembered
 from .sessions import Session
 
 if TYPE_CHECKING:
@@ -30,7 +32,8 @@ def told_to_page(action: Callable[..., None]) -> Callable[..., None]:
         if client is None or self.viewer.closed:  # the program itself has set what the page shows
             return
         try:
-            action(self, client, *arguments)
+            with asked_by_page(), remembered(self.viewer, self.viewer.sessions.get(client)):
+                action(self, client, *arguments)
         except (PointloomError, ValueError, TypeError, OSError, MemoryError) as error:
             self.tell(client, str(error), error=True)
         except Exception:
@@ -117,7 +120,7 @@ class Actions:
         """Show or hide geometries."""
         with self.viewer.lock, self.viewer.batch():
             for name in names:
-                if name in self.viewer.items:
+                if name in self.viewer.shown:
                     self.viewer.set_visible(name, visible)
 
     @told_to_page
@@ -197,7 +200,7 @@ class Actions:
 
     def _items(self) -> list[Any]:
         with self.viewer.lock:
-            return list(self.viewer.items.values())
+            return list(self.viewer.shown.values())
 
     def _session(self, client: int) -> Session:
         session = self.viewer.sessions.get(client)

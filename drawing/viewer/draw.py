@@ -8,13 +8,16 @@ import sys
 import webbrowser
 from typing import Any
 
-from ...core.checks import check_count
+from ...core.checks import check_count, check_positive
 from ...core.errors import PointloomError
 from ...core.told_arguments import told_arguments
+from ..notebook_output import in_notebook
 from ..render.geometries import Named, named_geometries
 from ..render.picture import Picture
+from .cells import keep, make_room
 from .inline import InlinePage, inline_page, wants_inline
-from .notebook import in_notebook
+from .presence import LINGER
+from .server import ViewerError
 from .viewer import MOST_POINTS, Viewer
 
 
@@ -41,12 +44,14 @@ def draw(
     block: bool | None = None,
     open_browser: bool = True,
     inline: bool | None = None,
+    linger: float = LINGER,
 ) -> Viewer | InlinePage | Picture:
     """Show geometries in the browser, on this machine or over SSH on another one, or in a notebook.
 
     From a script it says on stderr where the page is, opens a browser where there is a display, and returns when the
-    last page has been closed for five seconds, or with Ctrl-C. In a notebook it returns at once and the cell shows the
-    page: live where the browser can reach a server of this machine, else as a page of its own inside the notebook.
+    last page has been closed for a minute (`linger`), or with Ctrl-C. In a notebook it returns at once and the cell
+    shows the page: live where the browser can reach a server of this machine, else as a page of its own inside the
+    notebook.
 
     Where the environment variable POINTLOOM_DRAW is "picture", so that a script runs unattended, nothing is opened and
     nothing waits: what would wait returns the picture that the page would begin with.
@@ -69,6 +74,7 @@ def draw(
             shown says so), and start no server: it can be turned and zoomed wherever the notebook is read. None does
             that in a notebook on Colab, Kaggle, JupyterHub, Binder, Databricks, in VS Code or reached over SSH, unless
             the environment variable POINTLOOM_INLINE says 1 (always) or 0 (never).
+        linger: How long the pages may be gone before the wait ends [s]; stderr says when the last one goes.
 
     Returns:
         The viewer, closed where `draw` waited. Inline, and in a notebook where no server can run, an `InlinePage`.
@@ -87,6 +93,7 @@ def draw(
     """
     named = _with_back_faces(named_geometries(geometries), mesh_show_back_face)
     size = (check_count("width", width), check_count("height", height))
+    linger = check_positive("linger", linger, allow_zero=True, allow_infinite=True)
     view = {"zoom": zoom, "front": front, "lookat": lookat, "up": up, "field_of_view": field_of_view}
     notebook = in_notebook()
     reason = wants_inline(inline, notebook=notebook and not block)
@@ -94,8 +101,9 @@ def draw(
         return inline_page(named, view, size, window_name, max_points, reason)
     if unattended() and (block or (block is None and not notebook)):
         return _picture(named, view, size, point_show_normal, mesh_show_wireframe)
+    options: dict[str, Any] = {"host": host, "title": window_name, "max_points": max_points, "size": size}
     try:
-        viewer = Viewer(port=port, host=host, title=window_name, max_points=max_points, size=size)
+        viewer = _open_in_cell(port, **options) if notebook and not block else Viewer(port=port, **options)
     except PointloomError as error:
         if not notebook:
             raise
@@ -114,7 +122,7 @@ def draw(
         if notebook and not block:
             return viewer
         if block is None or block:
-            wait_for_pages(viewer)
+            wait_for_pages(viewer, linger)
     except BaseException:
         viewer.close()
         raise
@@ -136,10 +144,10 @@ def unattended() -> bool:
     return mode == "picture"
 
 
-def wait_for_pages(viewer: Viewer) -> None:
+def wait_for_pages(viewer: Viewer, linger: float = LINGER) -> None:
     """Wait as `Viewer.wait` does, then close; Ctrl-C ends the wait as closing a window would."""
     try:
-        viewer.wait()
+        viewer.wait(linger=linger)
     except KeyboardInterrupt:
         pass
     finally:
@@ -168,6 +176,17 @@ def open_page(viewer: Viewer) -> bool:
         return webbrowser.open(viewer.url)
     except webbrowser.Error:
         return False
+
+
+def _open_in_cell(port: int, **options: Any) -> Viewer:
+    """A viewer in place of what this cell opened before; under any port where those asked for are taken."""
+    make_room()
+    try:
+        viewer = Viewer(port=port, **options)
+    except ViewerError:
+        viewer = Viewer(port=0, **options)
+    keep(viewer)
+    return viewer
 
 
 def _with_back_faces(named: list[Named], shown: bool) -> list[Named]:

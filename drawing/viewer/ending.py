@@ -11,7 +11,7 @@ import weakref
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from .notebook import in_notebook
+from ..notebook_output import in_notebook
 
 if TYPE_CHECKING:
     from .viewer import Viewer

@@ -6,7 +6,6 @@ It stays in the notebook's file, so its size is bounded, and what is beyond is s
 
 from __future__ import annotations
 
-import base64
 import os
 import sys
 import tempfile
@@ -16,17 +15,15 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ...files.pictures.image_files import encode_png
+from ..notebook_output import MOST_PAGE_BYTES as MOST_BYTES
+from ..notebook_output import MOST_WIDTH, page_output, still_output
 from ..render.geometries import Named, parts_of
 from ..render.scene import Scene
-from .notebook import page_frame_html, still_html
 from .stills import as_entry, write_geometries
 
 VARIABLE = "POINTLOOM_INLINE"
-MOST_BYTES = 4 * 2**20  # of a page in a notebook
 FIRST_POINTS = 200_000  # of a first try: about 16 bytes each, once they are packed
 SMALLER, TRIES = 0.9, 4  # how far below the share that would just fit, and how often
-STILL_WIDTH = 640  # [px] of the picture beside the page, for readers that run no scripts
 
 # What tells that the browser is not on the kernel's machine, or shows no frame of its ports.
 PLACES = (
@@ -57,13 +54,10 @@ class InlinePage:
         return f"InlinePage({'; '.join(self.notes)})"
 
     def _repr_mimebundle_(self, include: Any = None, exclude: Any = None) -> dict[str, Any]:
-        """The page in a frame, and the picture for what shows no frames."""
+        """The page in a frame, over the picture for what shows no frames."""
         if self.html is None:
-            shown = still_html(self.picture, self.notes)
-        else:
-            shown = page_frame_html(self.html, self.notes, self.picture, self._height)
-        encoded = base64.b64encode(encode_png(self.picture)).decode()
-        return {"text/plain": repr(self), "text/html": shown, "image/png": encoded}
+            return still_output(repr(self), self.notes, self.picture)
+        return page_output(repr(self), self.html, self.notes, self.picture, self._height)
 
 
 def wants_inline(inline: bool | None, *, notebook: bool) -> str | None:
@@ -111,7 +105,7 @@ def inline_page(
     """
     from ..render.render import device_of, render, resolve_view
 
-    width = min(size[0], STILL_WIDTH)
+    width = min(size[0], MOST_WIDTH)
     still = (width, max(1, round(size[1] * width / size[0])))
     place = device_of(named, None)
     scene = Scene([part for _, geometry, style in named for part in parts_of(geometry, style, place)], place)

@@ -83,6 +83,7 @@ class Item:
         pose: Moves it, on top of the style's; 4x4 or None.
         coloring: The colours of the cloud in place of its own; None for those.
         tree: The levels of detail of a large cloud.
+        painting: The labels that are painted onto the cloud.
     """
 
     name: str
@@ -96,6 +97,7 @@ class Item:
     pose: Matrix | None = None
     coloring: Any = None
     tree: Any = None
+    painting: Any = None
 
     def __post_init__(self):
         self._shown: NDArray[np.uint8] | None = None
@@ -171,6 +173,12 @@ class Item:
             else:
                 self._shown = np.broadcast_to(to_bytes([part.plain]), (part.positions.size, 3))
         return self._shown[indices]
+
+    def relabel(self, cloud: PointCloud) -> None:
+        """Hold the same points with other attributes; what was given stays as it is."""
+        if isinstance(self.geometry, PointCloud):
+            self.geometry = cloud
+        self.cloud, self._label_counts = cloud, None
 
     def label_counts(self, name: str) -> dict[int, int]:
         """How many points have each value of an attribute of whole numbers; none of another cloud's attribute."""

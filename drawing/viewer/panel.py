@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..render.coloring import Coloring, label_color
+from ..render.coloring import Coloring
 from ..render.colormaps import colormap_table
 from ..render.ticks import choose_ticks, with_ends
 from .actions import Actions
@@ -21,7 +21,7 @@ from .keys import KEYS, add_key, bind_keys
 from .tools.toolbox import Toolbox
 
 if TYPE_CHECKING:
-    from .link import Gui, PageClient, Shown
+    from .link import Command, Gui, PageClient, Shown
     from .sessions import Session
     from .viewer import Viewer
 
@@ -54,12 +54,15 @@ class Panel:
         self._add_view(gui)
         self._commands = bind_keys(gui, self)
 
-    def bind_key(self, key: str, label: str, callback: Callable[[int], None]) -> None:
+    def bind_key(self, key: str, label: str, callback: Callable[[int], None]) -> Command:
         """Have a key call a program, and nothing else."""
         for command in [command for command in self._commands if command.hotkey == key]:
             self._commands.remove(command)
             command.remove()
+        for session in self._viewer.sessions.values():
+            session.give_up_key(key)
         self._commands.append(add_key(self._gui, key, label, self.actions.calling(callback)))
+        return self._commands[-1]
 
     # -- pages --------------------------------------------------------------------------------------------------------
 
@@ -98,7 +101,7 @@ class Panel:
 
     def show_legend(self) -> None:
         """Tell what the colours mean, where those of any items have changed."""
-        self._colored = {item.name: item for item in self._viewer.items.values() if has_meaning(item)}
+        self._colored = {item.name: item for item in self._viewer.shown.values() if has_meaning(item)}
         self._tell_colors()
 
     def _tell_colors(self) -> None:
@@ -201,7 +204,7 @@ def legend_of(coloring: Coloring, items: Any) -> tuple[str, Any]:
         return "bar", (title, ticks, coloring.colormap)
     counts = counts_of(coloring, items)
     return "labels", tuple(
-        (name, tuple(to_bytes([label_color(label)])[0].tolist()), f"{counts[label]:,}" if label in counts else "")
+        (name, tuple(to_bytes([coloring.color_of(label)])[0].tolist()), f"{counts[label]:,}" if label in counts else "")
         for label, name in coloring.names.items()
     )
 

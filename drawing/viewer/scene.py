@@ -5,7 +5,6 @@ from __future__ import annotations
 import logging
 import threading
 import time
-from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -15,6 +14,7 @@ from ...core.checks import check_finite, check_name, check_positive, check_shape
 from ...core.errors import PointloomError
 from ...core.known_names import nearest_name
 from ...core.open3d_names import row_of, told
+from ...core.upward import check_up
 from ..render.geometries import Named, check_units
 from ..render.parts import Triangles, Triple
 from ..render.upward import direction_under, up_of
@@ -22,8 +22,8 @@ from ..render.view import View, fit_view
 from .camera import camera_of, diagonal, reach_of, read_parameters
 from .coloring_choice import ColoringChoice
 from .extents import Bounds, Extents
+from .hooks import Hooks
 from .items import Frame, Item
-from .keys import check_hotkey
 from .later import Later
 from .level_builder import LevelBuilder
 from .nodes import NORMAL_LENGTH, ItemNodes
@@ -43,7 +43,7 @@ OUTLINE, LEAST_OUTLINE = 100_000, 50  # points of clouds by which a view of ever
 _NOTHING: Bounds = (np.full(3, -1.0), np.full(3, 1.0))  # what is looked at where there is nothing
 
 
-class Scene:
+class Scene(Hooks):
     """The items, where they stand in the pages, and the pages themselves; `Viewer` is what programs use.
 
     Whoever changes something holds `lock`: programs call from any thread, and pages from threads of theirs.
@@ -70,8 +70,7 @@ class Scene:
         self._has_own_background = bool((background != 1).any())  # a white one may follow a dark mode
         self._point_size, self.has_own_point_size = point_size, point_size != POINT_SIZE
         self.lock = threading.RLock()
-        self.items: dict[str, Item] = {}
-        self.up: Triple | None = None  # in what `home` fits; None takes that of the first mesh that says so, else z
+        self.shown: dict[str, Item] = {}  # what pages see; `items` is what the program has
         self.sessions: dict[int, Session] = {}
         self.frame, self.coloring = Frame(np.zeros(3)), ColoringChoice()
         self.wireframe = self.normals = False
@@ -112,13 +111,27 @@ class Scene:
         """Whether `close` was called."""
         return self._ended.is_set()
 
+    _up: Triple | None = None
+
+    @property
+    def up(self) -> Triple | None:
+        """What is up where pages look from at first: "x", "y", "z" or a direction is assigned.
+
+        None takes that of the first mesh that says so, as those of .glb and .gltf, else z.
+        """
+        return self._up
+
+    @up.setter
+    def up(self, value: Any) -> None:
+        self._up = None if value is None else check_up(value)
+
     def home(self) -> View:
         """Where pages look from at first: what `set_view` said, else what shows all of the scene."""
         if isinstance(self._view, View):
             return self._view
         if self._view is not None:
             return View.from_open3d(self.bounds, **self._view, width=self._size[0], height=self._size[1])
-        up = self.up or up_of((item.geometry, item.style.pose) for item in self.items.values())
+        up = self._up or up_of((item.geometry, item.style.pose) for item in self.shown.values())
         look: dict[str, Any] = {"direction": direction_under(up), "up": up}
         return fit_view(self._outline(), **look, width=self._size[0], height=self._size[1])
 
@@ -133,24 +146,6 @@ class Scene:
         with self.lock:
             nodes = self._nodes.get(name)
             return [] if nodes is None else nodes.surfaces()
-
-    def on_key(self, key: str, callback: Callable[[int], None], label: str = "") -> None:
-        """Call back when a key is pressed in a page, in place of what it did there.
-
-        Args:
-            key: "A" to "Z", "0" to "9", "space", "enter", "escape", "tab", "backspace", "delete", "insert", "home",
-                "end", "pageup", "pagedown", "arrowup", "arrowdown", "arrowleft" or "arrowright".
-            callback: Called with the number of the page, in a thread of the pages; what it raises is shown there.
-            label: What the key does, for the list that Ctrl+K opens; "" for its name.
-
-        Raises:
-            ValueError: No such key.
-            TypeError: No function.
-        """
-        if not callable(callback):
-            raise TypeError(f"callback: expected a function, got {type(callback).__name__}")
-        with self.lock:
-            self.panel.bind_key(check_hotkey(key), check_name("label", label or key), callback)
 
     def take_lock(self) -> bool:
         """Take `lock`, for threads that `close` waits for, perhaps holding it; false once the viewer is closed."""
@@ -197,10 +192,10 @@ class Scene:
         return [session for session in self.sessions.values() if not session.closed]
 
     def _find(self, name: str) -> Item:
-        if check_name("name", name) not in self.items:
-            known = ", ".join(map(repr, self.items)) or "none"
+        if check_name("name", name) not in self.shown:
+            known = ", ".join(map(repr, self.shown)) or "none"
             raise KeyError(f"name: no geometry {name!r}; there are {known}")
-        return self.items[name]
+        return self.shown[name]
 
     def _check_open(self) -> None:
         if self.closed:
@@ -214,9 +209,9 @@ class Scene:
 
     def _take_in(self, item: Item) -> None:
         """Have an item stand under its name, in place of the one before."""
-        before = self.items.get(item.name)
+        before = self.shown.get(item.name)
         self._count(before, -1)
-        self.items[item.name] = item
+        self.shown[item.name] = item
         self._count(item, 1)
         self._with_unit.pop(item.name, None)
         if getattr(item.geometry, "unit", None) is not None:
@@ -251,10 +246,11 @@ class Scene:
             sessions, builders = list(self.sessions.values()), self._levels.let_go()
             for session in sessions:
                 session.close()
-            self.sessions, self._nodes, self.items = {}, {}, {}
+            self.sessions, self._nodes, self.shown = {}, {}, {}
             self._extents, self._with_unit = Extents(), {}
             self._later.close()
-        return [*sessions, *builders, self._later]
+            hooks = self._end_hooks()
+        return [*sessions, *builders, self._later, *hooks]
 
     def show_levels(self, item: Item) -> None:
         """The levels of a cloud are there; the lock is held."""
@@ -267,7 +263,7 @@ class Scene:
         self._levels.forget(name)
         self._with_unit.pop(name, None)
         self._extents.drop(name)
-        self._count(self.items.pop(name, None), -1)
+        self._count(self.shown.pop(name, None), -1)
         self.panel.drop_item(name)
         nodes = self._nodes.pop(name, None)
         if nodes is not None:
@@ -290,7 +286,7 @@ class Scene:
         """What follows from changes: shares of large clouds, what is drawn near and far, what panel and tools say."""
         shares, self._shares_changed = self._shares_changed, False
         self.panel.catch_up()
-        self.server.pages.set_hint("" if self.items else HINT)
+        self.server.pages.set_hint("" if self.shown else HINT)
         self._reach()
         for session in self._open_sessions():
             with session.as_it_lasts():
@@ -309,7 +305,7 @@ class Scene:
         found = self._extents.union()
         if found is not None:
             self.frame = Frame.around(found)
-            for item in self.items.values():
+            for item in self.shown.values():
                 self._take_nodes(item)
 
     def _take_nodes(self, item: Item) -> None:
@@ -347,13 +343,13 @@ class Scene:
         """Points that a view of everything has to show: some of each cloud, and the corners of all else."""
         if not len(self._extents):
             return np.stack(_NOTHING)
-        clouds = [item for item in self.items.values() if item.cloud is not None and item.bounds is not None]
+        clouds = [item for item in self.shown.values() if item.cloud is not None and item.bounds is not None]
         each = OUTLINE // max(len(clouds), 1)
         if each < LEAST_OUTLINE:  # of so many that their boxes tell as much
             return self._extents.corners()
         found = [item.sample()[:: -(-len(item.sample()) // each)] for item in clouds]
         boxes = Extents()
-        for item in self.items.values():
+        for item in self.shown.values():
             if item.cloud is None:
                 boxes.put(item.name, item.world_bounds())
         return np.vstack([*found, boxes.corners()])

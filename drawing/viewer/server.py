@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import errno
 import getpass
+import math
 import os
 import socket
 from typing import TYPE_CHECKING, Any
@@ -61,13 +62,15 @@ class ViewerServer:
         if not isinstance(host, str) or not host:
             raise ValueError(f"host: expected an address such as 127.0.0.1, got {host!r}")
         try:
-            from .link import PageServer
+            from .link.hub import Hub  # noqa: F401  it alone imports websockets
         except ImportError as error:
             if (error.name or "").split(".")[0] == "pointloom":
                 raise
             raise ViewerExtraError(
                 'the viewer needs the package websockets: pip install "pointloom[viewer]"'
             ) from error
+        from .link import PageServer
+
         bound = _bind(host, port)
         self._pages: PageServer | None = None
         self.host, self.port = host, int(bound.getsockname()[1])
@@ -90,9 +93,14 @@ class ViewerServer:
         return self._pages
 
     @property
+    def last_request(self) -> float:
+        """When the page was last asked for (`time.monotonic`); minus infinity when closed."""
+        return -math.inf if self._pages is None else self._pages.last_asked
+
+    @property
     def closed(self) -> bool:
-        """Whether `close` was called."""
-        return self._pages is None
+        """Whether `close` was called, or this is a forked child."""
+        return self._pages is None or self._pages.is_child
 
     def close(self) -> None:
         """Send the pages away and free port, threads and memory; twice is no error."""

@@ -61,7 +61,7 @@ class Session:
         with self.client.atomic():
             self.go_home()
             self._line = self.viewer.panel.add_line(self.client)
-            for item in self.viewer.items.values():
+            for item in self.viewer.shown.values():
                 self.show(item)
             self._toolbox = self.viewer.panel.add_tools(self)
             self.tell()
@@ -150,6 +150,20 @@ class Session:
         """What the page's clip planes leave; None before it has tools."""
         return None if self._toolbox is None else self._toolbox.stage.clip
 
+    @property
+    def history(self) -> Any:
+        """What was changed in the page; None before it has tools."""
+        return None if self._toolbox is None else self._toolbox.stage.history
+
+    def idle_stage(self) -> Any:
+        """What picks in the page; None while a tool is at work, which has the clicks, and before there are tools."""
+        return None if self._toolbox is None or self._toolbox.tool is not None else self._toolbox.stage
+
+    def give_up_key(self, key: str) -> None:
+        """A key calls the program from now on."""
+        if self._toolbox is not None and not self.closed:
+            self._toolbox.give_up_key(key)
+
     def refresh_tools(self) -> None:
         """The scene has changed: clip planes cut it, tools offer what there is."""
         if self._toolbox is not None and not self.closed:
@@ -157,7 +171,7 @@ class Session:
 
     def share_anew(self) -> None:
         """Give clouds their shares of the points that a page may hold, where those have changed."""
-        for item in self.viewer.items.values():
+        for item in self.viewer.shown.values():
             if item.name in self.streams and self._budgets[item.name] != self.viewer.budget_of(item):
                 self.show(item)
 
@@ -171,7 +185,7 @@ class Session:
     def resize_points(self) -> None:
         """Give points the size that the panel says."""
         for name, stream in self.streams.items():
-            stream.set_point_size(*self._size_of(self.viewer.items[name]))
+            stream.set_point_size(*self._size_of(self.viewer.shown[name]))
 
     def count_anew(self) -> None:
         """Note how many points of each cloud are drawn, where much has changed."""

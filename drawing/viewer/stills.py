@@ -46,7 +46,7 @@ def draw_scene(
         [as_entry(named) for named in shown_geometries(viewer, clip)],
         camera=view,
         background=tuple(viewer.background.tolist()),
-        color_bar=shown_coloring(viewer.items.values()),
+        color_bar=shown_coloring(viewer.shown.values()),
     )
     if path is not None:
         save_picture(path, picture)
@@ -127,12 +127,17 @@ def as_entry(named: Named) -> dict[str, Any]:
 
 def shown_geometries(viewer: Viewer, clip: Clip | None = None) -> list[Named]:
     """What the viewer shows, in the styles that it shows it in; clouds and meshes as clip planes leave them."""
-    shown = []
-    for item in viewer.items.values():
-        if item.visible:
-            geometry, style = item.geometry if item.cloud is None else with_colors(item), _style(viewer, item)
-            shown.append((item.name, geometry if clip is None else clipped(geometry, clip, style.pose), style))
-    return shown
+    return [shown_geometry(viewer, item, clip) for item in viewer.shown.values() if item.visible]
+
+
+def shown_geometry(viewer: Viewer, item: Item, clip: Clip | None = None) -> Named:
+    """A geometry of the viewer in the style that it is shown in, as clip planes leave it."""
+    geometry, style = item.geometry if item.cloud is None else with_colors(item), _style(viewer, item)
+    if clip is not None:
+        geometry = clipped(geometry, clip, style.pose)
+    if item.painting is not None and style.color_by == item.painting.attribute:
+        geometry, style = _with_classes(geometry, item), dataclasses.replace(style, color_by="rgb")
+    return item.name, geometry, style
 
 
 def clipped(geometry: Any, clip: Clip, pose: Any) -> Any:
@@ -143,7 +148,14 @@ def clipped(geometry: Any, clip: Clip, pose: Any) -> Any:
         return clip_mesh(geometry, clip, pose=pose)
     if not isinstance(geometry, PointCloud) or not len(geometry):
         return geometry
-    return geometry.select_by_index(np.flatnonzero(clip.keeper(pose)(geometry.points, np.arange(len(geometry)))))
+    return geometry.select_by_index(np.flatnonzero(clip.keeper(pose, geometry)(geometry.points)))
+
+
+def _with_classes(cloud: PointCloud, item: Item) -> PointCloud:
+    """A cloud in the colours of the classes that were painted onto it."""
+    colored = cloud.copy()
+    colored.colors = item.painting.table()[np.asarray(cloud[item.painting.attribute])]
+    return colored
 
 
 def with_colors(item: Item) -> PointCloud:

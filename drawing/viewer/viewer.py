@@ -2,28 +2,29 @@
 
 from __future__ import annotations
 
-import math
-import time
 from collections.abc import Mapping
 from types import MappingProxyType
 from typing import Any
 
 import numpy as np
 
-from ...core.checks import check_count, check_name, check_positive, check_rigid
+from ...core.checks import check_count, check_name, check_rigid
 from ...pcd.cloud import PointCloud
+from ..notebook_output import live_output
 from ..render.geometries import Named, named_geometries
 from ..render.open3d_views import OPEN3D_KEYS
 from ..render.view import View
 from .detail_tree import DetailTree
 from .ending import close_at_exit, farewell
 from .items import Frame, make_item
+from .logged import logged
 from .looks import Looks
+from .painted import warn_of_unsaved
+from .presence import LINGER, Presence
 from .scene import check_color, check_size
 from .sessions import POINT_SIZE
 
 MOST_POINTS = 2_000_000
-LEFT_ALONE = 5.0  # [s] after the last page has gone until `wait` ends: time enough to load it again
 
 
 class Viewer(Looks):
@@ -83,19 +84,17 @@ class Viewer(Looks):
             check_color(background),
             (check_count("width", size[0]), check_count("height", size[1])),
         )
+        self._presence = Presence(self)
         close_at_exit(self)
 
     def __repr__(self) -> str:
-        return f"Viewer({self.url}, {len(self.items)} geometries{', closed' if self.closed else ''})"
+        return f"Viewer({self.url}, {len(self.shown)} geometries{', closed' if self.closed else ''})"
 
     def _repr_mimebundle_(self, include: Any = None, exclude: Any = None) -> dict[str, Any]:
-        """The page in a frame, for notebooks."""
-        from .notebook import frame_html
-
+        """The page in a frame over a still of it, for notebooks."""
         if self.closed:
             return {"text/plain": repr(self)}
-        page = frame_html(self.url, self.ssh_line, self.screenshot(), self._size[1] * 2 // 3)
-        return {"text/plain": repr(self), "text/html": page}
+        return live_output(repr(self), self.url, self.ssh_line, self.screenshot(), self._size[1] * 2 // 3)
 
     def __enter__(self) -> Viewer:
         return self
@@ -142,6 +141,7 @@ class Viewer(Looks):
         """
         self.add_named(named_geometries(geometries))
 
+    @logged
     def add_named(self, named: list[Named], trees: Mapping[str, DetailTree] = MappingProxyType({})) -> None:
         """Add what `named_geometries` gives, some perhaps with levels of detail by name."""
         with self.lock, self.batch():
@@ -165,6 +165,7 @@ class Viewer(Looks):
                 self.panel.put_item(item)
             self._changed(was_empty)
 
+    @logged
     def update(self, name: str, geometry: Any) -> None:
         """Show another geometry under a name, all at once and without a flicker; style, pose and visibility stay.
 
@@ -190,6 +191,7 @@ class Viewer(Looks):
             self.panel.put_item(item)
             self._changed(was_empty)
 
+    @logged
     def remove(self, name: str) -> None:
         """Take a geometry out of the scene.
 
@@ -202,15 +204,17 @@ class Viewer(Looks):
             self._take_out(name)
             self._changed(False)
 
+    @logged
     def clear(self) -> None:
         """Take all out of the scene; what comes next is looked at anew."""
         with self.lock, self.batch():
             self._check_open()
-            for name in list(self.items):
+            for name in list(self.shown):
                 self._take_out(name)
             self.frame = Frame(np.zeros(3))
             self._changed(False)
 
+    @logged
     def set_pose(self, name: str, T: Any) -> None:
         """Move a geometry: 84 bytes for each page, whatever its size.
 
@@ -225,7 +229,7 @@ class Viewer(Looks):
         with self.lock:
             self._check_open()
             item = self._find(name)
-            item.pose = check_rigid("T", T)
+            item.pose = check_rigid("T", T).copy()  # the caller may go on with its own
             self._nodes[name].set_pose()
             for session in self._open_sessions():
                 with session.as_it_lasts():
@@ -233,6 +237,7 @@ class Viewer(Looks):
             self._extents.put(name, item.world_bounds())
             self._changed(False)
 
+    @logged
     def set_visible(self, name: str, visible: bool) -> None:
         """Show or hide a geometry.
 
@@ -296,27 +301,31 @@ class Viewer(Looks):
 
     # -- its end ------------------------------------------------------------------------------------------------------
 
-    def wait(self, seconds: float | None = None) -> bool:
-        """Wait until the last page has been gone for five seconds, after one was there, or the viewer is closed.
+    def wait(self, seconds: float | None = None, *, linger: float = LINGER) -> bool:
+        """Wait until the last page has been gone for a while, after one was there, or the viewer is closed.
+
+        When the last page goes, stderr says so and what ends the wait at once; a page that comes back, or is loaded
+        again, keeps it going.
 
         Args:
             seconds: At most so long, and then the answer is False; None has no end, and the answer is True.
+            linger: How long the pages may be gone [s]; `math.inf` waits for another page without end.
 
         Raises:
             KeyboardInterrupt: Ctrl-C.
+            ValueError: A time below zero.
         """
-        end = math.inf if seconds is None else time.monotonic() + check_positive("seconds", seconds, allow_zero=True)
-        while not self._ended.wait(min(0.2, max(end - time.monotonic(), 0.0))):
-            gone = self._last_seen
-            left = not self.sessions and gone is not None and time.monotonic() - gone > LEFT_ALONE
-            if left or time.monotonic() >= end:
-                return left
-        return True
+        return self._presence.wait(seconds, linger)
 
     def close(self) -> None:
         """Free port, threads and memory; pages say that the viewer is closed, and how to start it again."""
-        if not self.closed:
-            self.server.pages.end(farewell())
+        self._close(farewell())
+
+    def _close(self, words: str) -> None:
+        """Close; pages say these words."""
+        if not self.closed and not self.server.closed:
+            warn_of_unsaved(self.items.values())
+            self.server.pages.end(words)
         self._ended.set()
         threads = self._let_go()
         self.server.close()

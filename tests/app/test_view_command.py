@@ -57,6 +57,19 @@ def red_pixels(path):
 # -- pictures and pages -----------------------------------------------------------------------------------------------
 
 
+def test_what_is_up_is_told_or_that_of_the_file(tmp_path):
+    cone = loom.TriangleMesh.create_cone(0.5, 3.0)
+    loom.write_triangle_mesh(tmp_path / "cone.glb", cone, up="z")
+    loom.write_triangle_mesh(tmp_path / "cone.ply", loom.read_triangle_mesh(tmp_path / "cone.glb"))
+    spans = {}
+    for name, words in (("cone.glb", []), ("cone.ply", ["--up", "y"]), ("cone.ply", []), ("cone.glb", ["--up", "z"])):
+        files = ["--screenshot", tmp_path / "a.png", "--save-html", tmp_path / "a.html", "--force"]
+        answer("view", tmp_path / name, *words, *files)
+        rows, columns = np.nonzero((loom.read_color(tmp_path / "a.png") != 255).any(axis=2))
+        spans[name, *words] = np.ptp(rows) > 1.8 * np.ptp(columns)
+    assert list(spans.values()) == [True, True, False, False]
+
+
 def test_a_screenshot_needs_no_browser(cloud, mesh, trajectory, tmp_path):
     report = answer("view", cloud, mesh, trajectory, "--screenshot", tmp_path / "out.png")
     assert report["files"] == [str(tmp_path / "out.png")]
@@ -238,10 +251,11 @@ def test_the_page_is_told_on_stderr_and_ctrl_c_frees_the_port(cloud):
 
 def test_a_large_file_is_seen_while_it_is_read(tmp_path, rng, monkeypatch):
     loom.write_point_cloud(tmp_path / "large.ply", loom.PointCloud(rng.random((30_000, 3))))
-    shown = []
+    shown, waited = [], []
 
-    def look(viewer):
+    def look(viewer, **options):
         shown.append({name: len(item.cloud) for name, item in viewer.items.items()})
+        waited.append(options)
 
     add_named, open_tree = loom.Viewer.add_named, DetailTree.from_file
     viewers = []
@@ -250,7 +264,8 @@ def test_a_large_file_is_seen_while_it_is_read(tmp_path, rng, monkeypatch):
         DetailTree, "from_file", lambda *given, **more: (look(viewers[0]), open_tree(*given, **more))[1]
     )
     monkeypatch.setattr(loom.Viewer, "wait", look)
-    result = run("view", tmp_path / "large.ply", "--max-points", 10_000, "--port", 0, "--no-open")
+    result = run("view", tmp_path / "large.ply", "--max-points", 10_000, "--port", 0, "--no-open", "--linger", 5)
+    assert waited == [{}, {"linger": 5.0}]
     assert result.exit_code == 0 and result.stderr.count("viewer: http://127.0.0.1:") == 1
     assert shown == [{"large.ply: a first look": 10_000}, {"large.ply": 30_000}]
 

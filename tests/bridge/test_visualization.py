@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+import threading
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 
 import pointloom.open3d as o3d
 from pointloom.core.errors import PointloomError
 
-from ..drawing.viewer.pages import page_of, say, wait_until
+from ..drawing.viewer.pages import HELLO, line_of, say, wait_until
 from .pipeline_files import write_pipeline_files
 from .runner import differences, draw_nothing, found_by
 
@@ -177,11 +180,12 @@ def test_a_key_of_the_page_calls_the_program_in_its_loop(box, monkeypatch, capsy
         vis.register_key_callback(290, print)
     try:
         viewer = vis._viewer
-        with page_of(viewer.server) as page:
+        with line_of(viewer.server) as page:
+            say(page, HELLO)
             wait_until(lambda: viewer.sessions)
             for key in ("K", "space"):
                 command = next(command for command in viewer.panel._commands if command.hotkey == key)
-                say(page, {"type": "CommandTriggerMessage", "uuid": command._impl.uuid})
+                say(page, {"say": "command", "id": command.id})
             wait_until(lambda: vis._pressed.qsize() == 2)
             assert pressed == []  # in the program's own loop, not in a thread of the page
             assert vis.poll_events()
@@ -199,6 +203,87 @@ def test_a_key_of_the_page_calls_the_program_in_its_loop(box, monkeypatch, capsy
     finally:
         vis.destroy_window()
     assert viewer.closed
+
+
+@pytest.fixture
+def window(monkeypatch, capsys):
+    """The window of `draw` as a page that nobody has opened yet."""
+    monkeypatch.delenv("POINTLOOM_DRAW")
+    window = o3d.visualization.O3DVisualizer("parts", 640, 480)
+    yield window
+    window._window.destroy_window()
+
+
+def press(control, value=None):
+    """A page presses a button, or sets a value; until the program has been called."""
+    handle, done = control._handles[0], threading.Event()
+    for callback in handle._callbacks:
+        callback(SimpleNamespace(client_id=0, value=value, target=handle))
+    control._controls._calls.call(0, done.set)
+    assert done.wait(20)
+
+
+def test_actions_of_draw_are_buttons_that_call_with_the_window(box, window):
+    def make(vis):
+        vis.add_geometry({"name": "made", "geometry": o3d.geometry.TriangleMesh.create_sphere(0.5)})
+        vis.show_geometry("box", False)
+
+    window.add_geometry({"name": "box", "geometry": box, "is_visible": True, "material": None})
+    window.add_action("Make", make)
+    viewer = window._window._viewer
+    press(viewer._controls_made._folders["Actions"][1][0])
+    assert [(name, item.visible) for name, item in viewer.items.items()] == [("box", False), ("made", True)]
+    assert window.get_geometry("made").is_visible and not window.get_geometry("box").is_visible
+    with pytest.raises(ValueError, match="name: 'made' is shown already"):
+        window.add_geometry("made", box)
+    window.update_geometry("made", box)
+    window.remove_geometry("box")
+    with pytest.raises(KeyError, match="no geometry 'box'; there are 'made'"):
+        window.show_geometry("box", True)
+    assert viewer.items["made"].geometry.get_max_bound().tolist() == [1, 2, 3]
+
+
+def test_geometries_of_different_times_have_a_time_line(box, window):
+    for time in range(3):
+        moved = o3d.geometry.TriangleMesh(box).translate([time, 0, 0])
+        window.add_geometry({"name": f"box {time}", "geometry": moved, "time": time})
+    window._play_times()
+    viewer = window._window._viewer
+    for time in (2, 0, 1):
+        window.current_time = time
+        assert [name for name, item in viewer.shown.items() if item.visible] == [f"box {time}"]
+
+
+def test_an_animation_calls_while_its_box_is_ticked(box, window):
+    frames, ticks = [], []
+    window.set_on_animation_frame(lambda vis, time: frames.append((vis is window, time)))
+    window.set_on_animation_tick(lambda vis, passed, time: ticks.append(time))
+    window.animation_time_step, window.animation_duration = 0.5, 1.6
+    press(window._animate, True)
+    assert window.is_animating
+    for _ in range(8):
+        window._tick(0.25)
+    assert ticks == [0.25, 0.5, 0.75, 1.0, 1.25, 1.5, 0.0, 0.25]
+    assert frames == [(True, 0.5), (True, 1.0), (True, 1.5), (True, 0.0)]
+    press(window._animate, False)
+    assert not window.is_animating and not window._window._viewer._calls_made._beats
+
+
+def test_draw_without_a_page_takes_what_it_takes_with_one(box, tmp_path):
+    pictures = []
+
+    def look(vis):
+        vis.export_current_image(tmp_path / "a.png")
+        pictures.append(np.asarray(o3d.io.read_image(tmp_path / "a.png")))
+
+    o3d.visualization.draw(
+        [box, {"name": "hidden", "geometry": box, "is_visible": False, "time": 1.0}],
+        title="boxes", width=64, height=48, actions=[("Make", print)], lookat=[0.5, 1, 1.5], eye=[9, 1, 1.5],
+        up=[0, 0, 1], field_of_view=40.0, bg_color=(0, 0, 1, 1), show_axes=True, line_width=2, point_size=4,
+        animation_time_step=0.1, animation_duration=2.0, on_init=look, on_animation_frame=print,
+    )  # fmt: skip
+    assert pictures[0].shape == (48, 64, 3) and pictures[0][0, 0].tolist() == [0, 0, 255]
+    assert pictures[0][24, 32, 0] > 100
 
 
 def test_a_polygon_crops_clouds_and_meshes(tmp_path, rng):

@@ -35,8 +35,8 @@ FLAGS = [
     "--disable-background-networking", "--disable-component-update", "--disable-sync", "--disable-gpu-rasterization",
     f"--host-resolver-rules=MAP {REBOUND} 127.0.0.1",
 ]  # fmt: skip
-# What viser and its libraries say of themselves in software; anything else on the console fails the test.
-EXPECTED = ("THREE.Clock", "THREE.THREE.Clock", "GPU stall due to ReadPixels", "GroupMarkerNotSet", "swiftshader")
+# What the browser says of drawing in software; anything else on the console fails the test.
+EXPECTED = ("GPU stall due to ReadPixels", "GroupMarkerNotSet", "swiftshader")
 
 
 def pytest_ignore_collect(collection_path: Path, config: pytest.Config) -> bool | None:
@@ -83,8 +83,8 @@ class Visit:
 def open_page(browser: Browser) -> Iterator[Callable[..., Page]]:
     """Open a viewer's or a file's page: `open_page(url, width=640, height=480, offline=False, faults=True)`.
 
-    One pixel of the picture is one of the window (viser lowers its resolution otherwise). `page.visit` holds what the
-    page asked for and complained of; with `faults=False` complaints are the test's own business.
+    One pixel of the picture is one of the window. `page.visit` holds what the page asked for and complained of; with
+    `faults=False` complaints are the test's own business.
     """
     visits: list[tuple[Visit, bool]] = []
     contexts = []
@@ -96,8 +96,6 @@ def open_page(browser: Browser) -> Iterator[Callable[..., Page]]:
         page = context.new_page()
         page.visit = Visit(page)  # type: ignore[attr-defined]
         visits.append((page.visit, faults))  # type: ignore[attr-defined]
-        if url.startswith("http") and "?" not in url:
-            url = f"{url.rstrip('/')}/?fixedDpr=1"
         page.goto(url)
         return page
 

@@ -10,8 +10,18 @@ import numpy as np
 from PIL import Image
 from playwright.sync_api import Page
 
-# Panels, notices and the card that warns of software drawing lie over the canvas: out of the picture.
-CANVAS_ALONE = "body *:not(canvas):not(:has(canvas)) { visibility: hidden !important; }"
+# Panels, notices and what lies over the canvas: out of the picture. As a sheet that a script adopts, since the page's
+# policy takes no style that it does not know.
+CANVAS_ALONE = """(on) => {
+    window.canvasAlone ??= new CSSStyleSheet();
+    const shown = on ? "body *:not(#scene, .labels):not(:has(#scene, .labels)) { visibility: hidden !important; }" : "";
+    window.canvasAlone.replaceSync(shown);
+    document.adoptedStyleSheets = [window.canvasAlone];
+}"""
+CANVAS_BOX = """() => {
+    const { x, y, width, height } = document.getElementById("picture")?.getBoundingClientRect() ?? { width: 0 };
+    return width > 0 ? { x, y, width, height } : null;
+}"""
 PATIENCE = 90.0  # [s]; only a test that fails waits so long, and a busy machine is no failure
 SOME_FRAMES = """() => new Promise((done) => {
     const start = performance.now();
@@ -22,8 +32,14 @@ SOME_FRAMES = """() => new Promise((done) => {
 
 
 def picture(page: Page, *, panels: bool = False) -> np.ndarray:
-    """The page as uint8 [h, w, 3]; without its panels, what the canvas shows beneath them."""
-    png = page.screenshot(style=None if panels else CANVAS_ALONE, animations="allow", timeout=90_000)
+    """The page as uint8 [h, w, 3]; without its panels, what the canvas shows: of a live page the canvas alone."""
+    clip = None
+    if not panels:
+        page.evaluate(CANVAS_ALONE, True)
+        clip = page.evaluate(CANVAS_BOX)
+    png = page.screenshot(animations="allow", caret="initial", timeout=90_000, clip=clip)
+    if not panels:
+        page.evaluate(CANVAS_ALONE, False)
     return np.asarray(Image.open(io.BytesIO(png)).convert("RGB"))
 
 

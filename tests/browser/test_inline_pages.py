@@ -1,4 +1,4 @@
-"""The page that a notebook holds, taken out of its cell: it draws and turns in Chromium, and asks for nothing."""
+"""What a notebook's cell shows in Chromium: a page inside it that asks for nothing, a live one, and a still of it."""
 
 import numpy as np
 
@@ -29,6 +29,36 @@ def test_a_page_inside_a_notebook_draws_without_a_server_and_asks_for_nothing(op
     inside.wait_for_selector(SETTLED)
     assert (np.abs(picture_of(page).astype(int) - before) > 40).any(axis=-1).sum() > 1000
     assert [url for url in page.visit.requests if not url.startswith(("file:", "data:", "about:"))] == []
+
+
+# As JupyterLab puts an output into its page: scripts run once they are made anew.
+SHOW = """html => {
+  document.body.innerHTML = html;
+  for (const script of document.querySelectorAll("script")) {
+    const again = document.createElement("script");
+    again.textContent = script.textContent;
+    script.replaceWith(again);
+  }
+}"""
+IS_LIVE = "() => getComputedStyle(document.querySelector('iframe')).visibility === 'visible'"
+
+
+def test_a_live_frame_covers_its_still_while_the_viewer_lives_and_the_still_is_seen_later(open_page, foreign_page):
+    cloud = loom.PointCloud(np.random.default_rng(0).random((20_000, 3)))
+    with loom.draw(
+        {"geometry": cloud, "color": np.array(BRICK) / 255}, port=0, block=False, open_browser=False
+    ) as live:
+        cell = live._repr_mimebundle_()["text/html"]
+        page = open_page(foreign_page, width=700, height=800, faults=False)
+        page.evaluate(SHOW, cell)
+        page.wait_for_function(IS_LIVE)
+        inside = page.query_selector("iframe").content_frame()
+        inside.wait_for_selector("canvas")
+    page = open_page(foreign_page, width=700, height=800, faults=False)
+    page.evaluate(SHOW, cell)
+    page.wait_for_timeout(1000)  # for the browser's own page of a server that is gone
+    assert not page.evaluate(IS_LIVE)
+    assert count_pixels(picture_of(page), BRICK, 60) > 3000
 
 
 def picture_of(page):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import secrets
 from collections.abc import Iterator
 
 import numpy as np
@@ -15,20 +16,24 @@ from .pixels import count_pixels, wait_for_picture, wait_until
 RED, GREEN, BLUE = (255, 0, 0), (0, 255, 0), (0, 0, 255)
 
 
-def add_cloud(server: ViewerServer, name: str, middle: tuple[float, float, float], color: tuple[int, int, int]) -> None:
+def add_cloud(server: ViewerServer, middle: tuple[float, float, float], color: tuple[int, int, int]) -> None:
     points = np.random.default_rng(0).uniform(-0.5, 0.5, (4000, 3)) + middle
-    server.viser.scene.add_point_cloud(
-        name, points.astype(np.float32), color, point_size=0.03, point_shading="flat", precision="float32"
-    )
+    server.pages.scene.add_points(points.astype(np.float32), plain=color, size=0.03, metric=True, relief=False)
+
+
+def look_along_y(server: ViewerServer) -> None:
+    """From five units before the scene, z up."""
+    ahead = np.array([[1.0, 0, 0], [0, 0, 1], [0, -1, 0]])
+    server.pages.set_first_camera(position=(0, -5, 0), rotation=ahead, fov=1.2, pivot=(0, 0, 0), up=(0, 0, 1))
+    server.pages.set_bounds((-2, -1, -1), (2, 1, 1))
 
 
 @pytest.fixture
 def server() -> Iterator[ViewerServer]:
     with ViewerServer(port=0) as server:
-        server.viser.initial_camera.position = (0.0, -5.0, 0.0)
-        server.viser.initial_camera.look_at = (0.0, 0.0, 0.0)
-        for name, x, color in (("/red", -1.5, RED), ("/green", 0.0, GREEN), ("/blue", 1.5, BLUE)):
-            add_cloud(server, name, (x, 0.0, 0.0), color)
+        look_along_y(server)
+        for x, color in ((-1.5, RED), (0.0, GREEN), (1.5, BLUE)):
+            add_cloud(server, (x, 0.0, 0.0), color)
         yield server
 
 
@@ -49,7 +54,8 @@ def test_one_page_is_served_and_nothing_is_asked_of_others(server, open_page):
     wait_for_picture(page, all_there)
     own = f"//127.0.0.1:{server.port}"
     assert page.visit.requests_elsewhere() == []
-    assert {url.partition(":")[0] for url in page.visit.requests if own in url} == {"http", "ws", "blob"}
+    assert {url.partition(":")[0] for url in page.visit.requests if own in url} == {"http", "ws"}
+    assert sum(own in url for url in page.visit.requests) == 2  # the page, and its line
     assert page.visit.faults == []
 
 
@@ -63,7 +69,7 @@ def test_a_page_that_would_load_from_elsewhere_is_stopped(server, open_page):
 
 FOREIGN = """async ([page, socket]) => {
     const opened = new Promise(done => {
-        const line = new WebSocket(socket, "viser-v%s");
+        const line = new WebSocket(socket, "pointloom.1");
         line.onopen = () => done("opened"); line.onerror = () => done("refused"); });
     const read = mode => fetch(page, {mode}).then(answer => answer.type + answer.status, () => "failed");
     const frame = document.createElement("iframe");
@@ -73,20 +79,18 @@ FOREIGN = """async ([page, socket]) => {
 
 
 def test_a_page_of_another_port_can_neither_connect_nor_read(server, open_page, foreign_page):
-    import viser
-
     page, statuses = open_page(foreign_page + "/?", faults=False), []
     network = page.context.new_cdp_session(page)  # what a page is not told
     network.on("Network.responseReceivedExtraInfo", lambda answer: statuses.append(answer["statusCode"]))
     network.send("Network.enable")
-    socket = server.url.replace("http", "ws")
-    opened, read, read_blind = page.evaluate(FOREIGN % viser.__version__, [server.url + "/", socket])
+    socket = server.url.replace("http", "ws").replace("/?", "/live?")
+    opened, read, read_blind = page.evaluate(FOREIGN, [server.url, socket])
     wait_until(page, lambda: statuses.count(403) == 2, lambda: statuses)
     assert any("Unexpected response code: 403" in fault for fault in page.visit.faults), page.visit.faults
     assert opened == "refused"
     assert (read, read_blind) == ("failed", "failed")
     # A notebook on this machine may show the viewer in a frame: the page around it cannot look inside.
-    wait_for_picture(page, lambda image: len(server.viser.get_clients()) == 1)
+    wait_for_picture(page, lambda image: len(server.pages.get_clients()) == 1)
     assert page.evaluate("() => { try { return frames[0].document.title } catch (error) { return error.name } }") == (
         "SecurityError"
     )
@@ -95,19 +99,28 @@ def test_a_page_of_another_port_can_neither_connect_nor_read(server, open_page, 
 def test_a_name_that_was_turned_to_this_machine_gets_nothing(server, open_page):
     page = open_page("about:blank", faults=False)
     for name, status in ((REBOUND, 403), ("127.0.0.1", 200)):
-        answer = page.goto(f"http://{name}:{server.port}/")
+        answer = page.goto(server.url.replace("127.0.0.1", name))
         assert answer.status == status, name
-        assert ("viser" in answer.text().lower()) == (status == 200)
+        assert ("<canvas" in answer.text()) == (status == 200)
 
 
-def test_a_server_on_the_same_port_is_found_again(open_page):
+def test_a_page_without_the_key_sees_nothing(server, open_page):
+    page = open_page(server.url.partition("?")[0], faults=False)
+    page.get_by_text("This address lacks its key").wait_for()
+    assert page.locator("canvas").count() == 0
+
+
+def test_a_server_on_the_same_port_is_found_again(open_page, monkeypatch):
+    monkeypatch.setattr(
+        secrets, "token_urlsafe", lambda _: "a-token-of-the-tests"
+    )  # another one asks for a new address
     with ViewerServer(port=0) as first:
-        first.viser.initial_camera.position, first.viser.initial_camera.look_at = (0.0, -5.0, 0.0), (0.0, 0.0, 0.0)
-        add_cloud(first, "/red", (0.0, 0.0, 0.0), RED)
+        look_along_y(first)
+        add_cloud(first, (0.0, 0.0, 0.0), RED)
         page = open_page(first.url, faults=False)  # the attempts to reconnect show on the console
         wait_for_picture(page, lambda image: count_pixels(image, RED) > 700)
     with ViewerServer(port=first.port) as second:
         assert second.moved_from is None
-        add_cloud(second, "/blue", (0.0, 0.0, 0.0), BLUE)
+        add_cloud(second, (0.0, 0.0, 0.0), BLUE)
         image = wait_for_picture(page, lambda image: count_pixels(image, BLUE) > 700)
         assert count_pixels(image, RED) == 0

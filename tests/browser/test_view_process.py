@@ -36,9 +36,9 @@ def test_the_command_shows_a_file_until_ctrl_c(open_page, tmp_path):
         process = subprocess.Popen(command, stdout=out, stderr=err, stdin=subprocess.DEVNULL, env=environment)
     try:
         wait_until(page, lambda: "viewer: http" in said.read_text() or process.poll() is not None, said.read_text)
-        found = re.search(r"viewer: (http://127\.0\.0\.1:(\d+))", said.read_text())
+        found = re.search(r"viewer: (http://127\.0\.0\.1:(\d+)/\S*)", said.read_text())
         assert found, said.read_text()
-        page.goto(f"{found[1]}/?fixedDpr=1")
+        page.goto(found[1])
         wait_for_picture(page, lambda image: count_pixels(image, RED) > 700)
         assert page.title() == "cloud.ply" and page.visit.faults == []
         process.send_signal(signal.SIGINT)

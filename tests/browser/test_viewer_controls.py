@@ -51,7 +51,7 @@ def test_n_and_w_show_and_hide_normals_and_edges(show):
         toggle(key, expected=True)
         toggle(key, expected=False)
     wait_for_picture(page, lambda image: changed(image, before) < 100)
-    page.locator("input[type=text], input[inputmode=decimal]").first.focus()
+    page.get_by_role("spinbutton").first.focus()
     page.keyboard.press("w")  # a letter, there
     toggle("n", expected=True)  # what was sent before has come before
     assert not viewer.wireframe

@@ -7,7 +7,7 @@ import contextlib
 import numpy as np
 from websockets.exceptions import ConnectionClosed
 
-from ..drawing.viewer.pages import CAMERA, page_of, say
+from ..drawing.viewer.pages import CAMERA, HELLO, line_of, say
 from .pixels import count_pixels, picture, wait_for_picture, wait_until, wait_until_still
 from .viewer_scenes import BLUE, BRICK, HEIGHT, RED, WIDTH, at, brick, changed, grid_cloud, press, sphere
 
@@ -16,7 +16,7 @@ def test_a_page_that_reconnects_sees_everything_again(show):
     viewer, page = show([{"geometry": grid_cloud(), "color": (1, 0, 0)}, brick(sphere(), pose=at(3.0))])
     wait_for_picture(page, lambda image: count_pixels(image, RED) > 300 and count_pixels(image, BRICK) > 2_000)
     first = set(viewer.sessions)
-    viewer.server.disconnect_all()
+    viewer.server.pages.disconnect_all()
     viewer.add("late", grid_cloud(), color=(0, 0, 1), pose=at(-2.0))
     wait_until(page, lambda: viewer.sessions and first.isdisjoint(viewer.sessions), lambda: (first, viewer.sessions))
     least = {RED: 300, BRICK: 2_000, BLUE: 300}
@@ -37,16 +37,16 @@ def test_two_pages_of_one_viewer_look_elsewhere_at_once(show, open_page):
     assert not np.allclose(first, second, atol=0.05)
 
 
-GARBAGE = (b"", b"\xc1", bytes(range(256)) * 8, b"\xdd\xff\xff\xff\xff", b"\x91" * 100_000, bytes(9 << 20), "text")
+GARBAGE = ("", "no JSON", "[1, 2]", "[" * 60_000, '{"say":"camera","fov":NaN}', "x" * 70_000, b"\x00bytes")
 NONSENSE = (
-    {"type": "NoSuchMessage"},
-    {"type": "ResetSceneMessage"},
-    {"type": "RunJavascriptMessage", "source": "document.title = 'taken'"},
-    {"type": "SceneNodeUpdateMessage", "name": "/", "updates": {"visible": False}},
-    {"type": "GuiUpdateMessage", "uuid": "nobody's", "updates": {"value": 1}},
-    {"type": "ShareUrlRequest"},
-    CAMERA | {"position": [float("nan")] * 3},
+    {"say": "no such thing"},
+    {"say": "clear"},
+    {"say": "download", "name": "/etc/passwd"},
+    {"say": "value", "id": 1, "value": {"a": []}},
+    {"say": "value", "id": 10**9, "value": 1},
+    CAMERA | {"position": [1e300] * 3},
     CAMERA | {"fov": -1e308},
+    CAMERA | {"size": [70_000, 0]},
 )
 
 
@@ -55,12 +55,16 @@ def test_strangers_who_send_nonsense_disturb_no_page(show):
     wait_for_picture(page, lambda image: count_pixels(image, RED) > 700)
     before, own, title = wait_until_still(page), set(viewer.sessions), page.title()
     for data in GARBAGE:
-        with contextlib.suppress(ConnectionClosed), page_of(viewer.server) as stranger:
+        with contextlib.suppress(ConnectionClosed), line_of(viewer.server) as stranger:
+            say(stranger, HELLO)
             stranger.send(data)
-    with page_of(viewer.server) as stranger:
-        for message in NONSENSE:
+    with line_of(viewer.server) as stranger:
+        for message in (HELLO, *NONSENSE):
             say(stranger, message)
+        wait_until(page, lambda: len(viewer.sessions) == 2, lambda: viewer.sessions)
     wait_until(page, lambda: set(viewer.sessions) == own, lambda: viewer.sessions)
     assert changed(wait_until_still(page), before) < 20 and page.title() == title
+    viewer.add("late", grid_cloud(), color=(0, 0, 1), pose=at(2.0))  # nothing of it reaches the program's own threads
+    viewer.remove("late")
     press(page, "+")
     wait_for_picture(page, lambda image: count_pixels(image, RED) > 1.2 * count_pixels(before, RED))

@@ -172,7 +172,9 @@ def test_a_picture_shows_itself(shapes, tmp_path):
     picture = loom.render(shapes["mesh"], size=(32, 24))
     assert repr(picture) == "Picture(32 x 24)" and isinstance(picture, Picture)
     np.testing.assert_array_equal(np.asarray(Image.open(io.BytesIO(picture._repr_png_()))), picture)
-    assert picture[:10]._repr_png_() and picture[..., 0]._repr_png_() is None
+    assert picture[:10]._repr_png_() and picture[..., 0]._repr_png_() is None and picture._repr_jpeg_() is None
+    noise = Picture(np.random.default_rng(0).integers(0, 256, (900, 1000, 3), np.uint8))
+    assert noise._repr_png_() is None and 50_000 < len(noise._repr_jpeg_() or b"") <= 200_000
     assert isinstance(np.hstack([picture, np.asarray(picture)]), Picture)
     assert type(picture / 2) is np.ndarray and type(picture.mean(axis=2)) is np.ndarray and picture.max() <= 255
     loom.save_picture(tmp_path / "a.png", picture)

@@ -81,15 +81,25 @@ class Commands {
     run();
   }
 
-  /** Ctrl+K is the one chord of ours. */
+  /** Chords with Ctrl: Ctrl+K, and those of the program. While one writes, a field's own chords stay the field's. */
   onChord(event) {
-    if (!(event.ctrlKey || event.metaKey) || event.altKey || event.shiftKey || event.key.toLowerCase() !== "k") return;
+    if (!(event.ctrlKey || event.metaKey) || event.altKey || event.isComposing) return;
+    const name = `Ctrl+${event.shiftKey ? "Shift+" : ""}${event.key.toUpperCase()}`;
+    if (name !== "Ctrl+K" && controlKind(event.target) === "text") return;
+    const run = this.find(name);
+    if (!run) return; // the browser's own
     event.preventDefault();
-    this.own.find(({ keys }) => keys.includes("Ctrl+K"))?.run();
+    run();
   }
 
   leaveField(event, kind, name) {
     if (kind === "text" && name === "escape" && !event.defaultPrevented) event.target.blur();
+  }
+
+  /** Whether the program has a key. */
+  isTaken(key) {
+    const name = key === "+" ? "plus" : key;
+    return [...this.ofProgram.values()].some(({ keys }) => keys.some((one) => sameKey(one, name)));
   }
 
   find(name) {

@@ -7,7 +7,7 @@ const GIVEN_UP = 20_000; // milliseconds without an answer after which the progr
 const MOST_BYTES = 60 * 1024; // of one message, except for files; the program takes 64 KiB
 const MOST_FILE = 1024 * 1024;
 const BUSY = 256 * 1024; // bytes that wait to be sent: the camera is not told then
-const NO_HELLO = 1007; // how the program ends a line whose first words it does not know
+const OTHER_VERSION = 4001; // how the program ends a line to a page of another version
 
 class Connection {
   /** `received` is given each message's bytes; `hello` gives what is said first. */
@@ -48,21 +48,20 @@ class Connection {
     if (socket !== this.socket) return;
     if (socket.protocol !== PROTOCOL) return this.refuse();
     const again = this.wasOpen;
-    Object.assign(this, { tries: 0, wasOpen: true, wasHeard: false, ending: null });
+    Object.assign(this, { tries: 0, wasOpen: true, ending: null });
     this.tell("open", { again });
     this.send(this.hello());
   }
 
   onMessage(socket, event) {
     if (socket !== this.socket || typeof event.data === "string") return;
-    this.wasHeard = true;
     this.received(event.data);
   }
 
   onClose(socket, event) {
     if (socket !== this.socket) return;
     this.socket = null;
-    if (event.code === NO_HELLO && !this.wasHeard) return this.refuse();
+    if (event.code === OTHER_VERSION) return this.refuse();
     if (this.state === "open") this.lostAt = performance.now();
     if (this.ending !== null || performance.now() - this.lostAt > GIVEN_UP) this.tell("ended", { text: this.ending ?? "" });
     else this.tell(this.wasOpen ? "lost" : "connecting");
@@ -94,8 +93,9 @@ class Connection {
 
   onSight() {
     if (document.hidden) return;
-    if (this.isOpen) this.send({ say: "resume" });
-    else this.hurry();
+    if (this.socket?.readyState === WebSocket.OPEN) return this.send({ say: "resume" });
+    if (this.socket?.readyState !== WebSocket.CONNECTING) this.socket = null; // closed while the page was put aside
+    this.hurry();
   }
 
   /** All is sent anew. */

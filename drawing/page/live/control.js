@@ -38,7 +38,8 @@ class Control {
   }
 
   setHint(hint) {
-    this.element.title = hint;
+    if (hint) this.element.title = hint;
+    else this.element.removeAttribute("title");
     for (const element of this.inputs()) {
       if (hint) element.setAttribute("aria-description", hint);
       else element.removeAttribute("aria-description");

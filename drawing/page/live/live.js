@@ -2,6 +2,10 @@
 const VERSION = 1;
 const ARRAYS_OF_NODES = ["positions", "colors", "normals", "indices", "uvs", "texture", "poses"];
 const KEPT_VIEW = 3000; // milliseconds after a new connection in which the page stays where it looked
+// Keys of the engine that programs have for tools, and what they are here.
+const OTHER_KEYS = { M: "S", "Shift+M": "Shift+S" };
+const OF_PROGRAMS = ["R", "N", "W", "+", "-"]; // what programs do by these keys is the same for all pages: not offered twice
+const LONGEST_MOVE = 2000; // milliseconds after which a sign is given though the picture does not come to rest
 const NO_WEBGL_HERE =
   "The scene is drawn with WebGL 2, which this browser does not offer here. Open the page in a current Chromium, Firefox " +
   "or Safari, and switch hardware acceleration on where it is off.";
@@ -65,7 +69,13 @@ class Live {
 
   /** One message, applied whole before the next picture; an operation that fails takes none of the others with it. */
   receive(buffer) {
-    const { operations, arrays } = readBatch(buffer);
+    let batch;
+    try {
+      batch = readBatch(buffer);
+    } catch (error) {
+      return console.error(`a message of the program could not be read: ${error.message}`);
+    }
+    const { operations, arrays } = batch;
     for (const operation of operations) {
       try {
         this.operations[operation.op]?.(operation, arrays);
@@ -134,7 +144,7 @@ class Live {
   /** Answered when the picture with all that came before is drawn. */
   async onSign(n) {
     const socket = this.connection.socket;
-    if (this.engine) await this.engine.settled();
+    if (this.engine) await Promise.race([this.engine.settled(), whileSeen(LONGEST_MOVE)]);
     if (socket === this.connection.socket) this.connection.send({ say: "sign", n });
   }
 
@@ -199,12 +209,15 @@ class Live {
     time("One on", ["arrowright"], (line) => line.step(1));
     time("To the beginning", ["home"], (line) => line.go(0));
     time("To the end", ["end"], (line) => line.go(line.steps.count));
-    for (const { key, label, group, run } of this.engine?.commands() ?? []) commands.addOwn(group || "View", label, [key].flat().filter(Boolean), run);
     commands.addOwn("Page", "All commands", ["Ctrl+K"], () => this.palette.open());
     commands.addOwn("Page", "Keys and commands", ["H", "?"], () => this.help.open());
     commands.addOwn("Page", "Save the page's picture", ["Shift+P"], () => this.savePicture());
     commands.addOwn("Page", "Light or dark", ["D"], () => this.theme.toggle());
     commands.addOwn("Page", "Show or fold the panel", ["T"], () => this.frame.toggle());
+    for (const { key, label, group, run } of this.engine?.commands() ?? []) {
+      const isThere = () => !OF_PROGRAMS.includes(key) || !commands.isTaken(key);
+      commands.addOwn(group || "View", label, [OTHER_KEYS[key] ?? key], run, isThere);
+    }
   }
 
   /** What is done most, in one row; all of it is in the palette as well. */
@@ -252,11 +265,19 @@ class Live {
   }
 }
 
+/** Resolves after a time in which the page was to be seen: one that is not seen draws nothing. */
+async function whileSeen(milliseconds) {
+  do {
+    await new Promise((done) => setTimeout(done, milliseconds));
+  } while (document.hidden);
+}
+
 /** What is given of a node, parted into plain values and arrays. */
 function splitArrays({ op, id, parent, kind, ...props }, arrays) {
   const given = {};
   for (const name of ARRAYS_OF_NODES) {
     if (typeof props[name] === "number") given[name] = arrays[props[name]].data;
+    else if (props[name] === null) given[name] = null; // taken away
     delete props[name];
   }
   return [props, given];

@@ -49,6 +49,8 @@ class Notices {
 
   /** How the line to the program is; said only when it is not as it should be. */
   setState(name, { text = "", hadScene = true } = {}) {
+    if (this.told === name + text) return; // said already
+    this.told = name + text;
     clearTimeout(this.waiting);
     this.isOld = name === "old";
     if (name === "open") {

@@ -55,6 +55,7 @@ class Palette {
   }
 
   onKey(event) {
+    if (!this.dialog.open) return; // for a moment the focus is still here
     const count = this.found.length;
     const moves = { ArrowDown: 1, ArrowUp: -1, PageDown: 8, PageUp: -8 };
     if (event.key in moves && count > 0) {

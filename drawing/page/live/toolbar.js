@@ -13,7 +13,7 @@ class Toolbar {
   add(name, label, run, { key = null, narrow = false } = {}) {
     const title = key ? `${label} (${shownKey(key)})` : label;
     const button = iconButton(name, label, run, { title, class: narrow ? "icon" : "icon wide-only", tabindex: -1 });
-    if (key) button.setAttribute("aria-keyshortcuts", key);
+    if (key) button.setAttribute("aria-keyshortcuts", key.replace("Ctrl", "Control"));
     this.root.append(button);
     if (this.root.querySelectorAll('[tabindex="0"]').length === 0) button.tabIndex = 0;
     return button;

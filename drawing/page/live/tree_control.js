@@ -76,7 +76,7 @@ class TreeControl extends Control {
   tell(keys, visible) {
     if (keys.length === 0) return;
     this.rows.set(keys, visible);
-    this.draw();
+    this.render(); // at once: who listens to the page hears the new state with the press
     let [part, size] = [[], 0];
     for (const key of keys) {
       const bytes = 3 * String(key).length + 4;

@@ -45,7 +45,7 @@ class TreeRows {
 
   isOpen(group) {
     if (this.filter !== "") return this.opened.get(`${group.path}?`) ?? true;
-    return this.opened.get(group.path) ?? group.total <= OPEN_UP_TO;
+    return this.opened.get(group.path) ?? (group.total <= OPEN_UP_TO || group.isOnly);
   }
 
   toggle(group, open = !this.isOpen(group)) {
@@ -61,6 +61,7 @@ class TreeRows {
     this.root = root;
     this.list = [];
     const walk = (group, depth) => {
+      for (const inner of group.groups.values()) inner.isOnly = group.groups.size + group.leaves.length === 1;
       const all = [...group.groups.values()].map((inner) => ({ name: inner.name, inner })).concat(group.leaves);
       all.sort((a, b) => byName(a.name, b.name));
       all.forEach(({ name, inner, row }, index) => {

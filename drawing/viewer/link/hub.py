@@ -125,11 +125,6 @@ class Hub:
         with contextlib.suppress(RuntimeError):
             self._loop.call_soon_threadsafe(lambda: [line.transport.abort() for line in tuple(self.lines)])
 
-    def sockets(self) -> list[socket.socket]:
-        """What a child of this process has copies of."""
-        lines = [line.transport.get_extra_info("socket") for line in tuple(self.lines)]
-        return [self._bound, *(line for line in lines if line is not None)]
-
     # -- the thread ---------------------------------------------------------------------------------------------------
 
     def _run(self, ready: threading.Event) -> None:

@@ -100,7 +100,7 @@ class Outbox:
         if (found := self._waiting.get(key)) is not None:
             waiting, first, before = found
             merge(waiting, op)
-            after = bytes_of(waiting) if own or before else 0
+            after = bytes_of(waiting) if before else 0
             self.own_bytes += after - before
             self._waiting[key] = (waiting, first, after)
             if first != batch:

@@ -5,11 +5,9 @@ from __future__ import annotations
 import contextlib
 import itertools
 import logging
-import os
 import secrets
 import socket
 import threading
-import weakref
 from collections.abc import Callable
 from typing import Any
 
@@ -20,15 +18,14 @@ from .arrays import triple
 from .camera import FIRST, CameraState, camera_fields, moved
 from .client import PageClient
 from .delivery import Channel, Delivery
+from .forks import disown_port, own_port
 from .gui import Gui
-from .hub import Hub
 from .packing import Op
 from .page import ServedPage
 from .scene import Scene
 
 TOKEN_BYTES = 18
 log = logging.getLogger("pointloom.viewer")
-_servers: weakref.WeakSet[PageServer] = weakref.WeakSet()
 
 
 class PageServer:
@@ -45,9 +42,13 @@ class PageServer:
         scene: What all pages draw, those that come later as well.
         gui: What all have in their panels.
         token: What the page's address must hold.
+        port: That it listens on.
+        is_child: This is a forked child's copy: the pages are its parent's.
     """
 
     def __init__(self, bound: socket.socket, guard: RequestGuard, title: str = "pointloom"):
+        from .hub import Hub  # the one file that needs websockets, an extra
+
         self.token = secrets.token_urlsafe(TOKEN_BYTES)
         self._delivery = Delivery()
         self._channel = Channel(self._delivery, is_shared=True)
@@ -55,11 +56,13 @@ class PageServer:
         self._clients: dict[int, PageClient] = {}
         self._numbers = itertools.count()
         self._first: CameraState = FIRST
+        self.is_child = False
         self._on_connect: list[Callable[[PageClient], Any]] = []
         self._on_disconnect: list[Callable[[PageClient], Any]] = []
         self._hub = Hub(bound, guard, ServedPage(live_page(title)), self.token, self._welcome)
         self._channel.send({"op": "title", "text": title})
-        _servers.add(self)
+        self.port = int(bound.getsockname()[1])
+        own_port(self)
 
     # -- pages --------------------------------------------------------------------------------------------------------
 
@@ -138,7 +141,7 @@ class PageServer:
         """Send the pages away and free port, thread and memory; twice is no error."""
         self._hub.stop()
         self._delivery.close()
-        _servers.discard(self)
+        disown_port(self)
 
     # -- in the server's thread ---------------------------------------------------------------------------------------
 
@@ -164,19 +167,11 @@ class PageServer:
             client.worker.run(callback, client, always=True)
         client.worker.end()
 
-    def let_go_in_child(self) -> None:
-        """After a fork, in the child: the pages are its parent's."""
+    def forget(self) -> None:
+        """In a forked child, whose copies of the sockets are closed already: the pages are its parent's."""
         self._delivery.lock = threading.RLock()
-        with contextlib.suppress(OSError):
-            nothing = os.open(os.devnull, os.O_RDWR)
-            for line in self._hub.sockets():
-                # Whoever closes that number later closes the copy of /dev/null. Closing the socket itself would do so
-                # too, but its loop would take it for open, and close what has its number by then.
-                if line.fileno() >= 0:
-                    os.dup2(nothing, line.fileno())
-            os.close(nothing)
         self._delivery.close()
-        self._clients = {}
+        self._clients, self.is_child = {}, True
 
 
 class _Visitor:
@@ -203,11 +198,3 @@ class _Visitor:
     def leave(self) -> None:
         """It has gone."""
         self._server._leave(self._client, self._channel)
-
-
-def _let_go_in_child() -> None:
-    for server in tuple(_servers):
-        server.let_go_in_child()
-
-
-os.register_at_fork(after_in_child=_let_go_in_child)

@@ -11,6 +11,7 @@ from ....kernels.lang import int32, vec3
 from ....kernels.memory import download, upload
 from ....meshing.mesh.mesh import TriangleMesh
 from ...render.parts import Triangles
+from ..history import Change
 from ..surfaces import surface_arrays
 from .clip_planes import Clip, clip_mesh
 from .stage import Stage
@@ -54,6 +55,7 @@ class ClipControls:
             self._flip = gui.add_checkbox("other side", False)
             gui.add_button("Whole scene").on_click(lambda _: ask(self.reset))
         self._normal = (0.0, 0.0, 1.0)
+        self._settings = self._all_settings()  # as they were applied last
         self._plane.on_update(lambda _: ask(self._choose_plane))
         for control in (self._on, self._place, self._flip):
             control.on_update(lambda _: self._ask())
@@ -76,8 +78,9 @@ class ClipControls:
 
     def clip(self) -> Clip:
         """What the controls say."""
+        rules = self._stage.filters
         if not self._on.value:
-            return Clip()
+            return Clip(filters=rules)
         low, high = self._box()
         ends = []
         for slider in self._ranges:
@@ -86,32 +89,49 @@ class ClipControls:
             ends.append((-np.inf if a <= slider.min else a, np.inf if b >= slider.max else b))
         box = [min(a, b) for a, b in ends], [max(a, b) for a, b in ends]
         if self._plane.value == NO_PLANE:
-            return Clip(*box)
+            return Clip(*box, filters=rules)
         normal = np.array(self._normal) * (-1 if self._flip.value else 1)
         corners = np.array([[a, b, c] for a in (low[0], high[0]) for b in (low[1], high[1]) for c in (low[2], high[2])])
         heights = corners @ normal
         share = 1 - self._place.value if self._flip.value else self._place.value
-        return Clip(*box, normal=normal, offset=float(heights.min() + share * np.ptp(heights)))
+        offset = float(heights.min() + share * np.ptp(heights))
+        return Clip(*box, normal=normal, offset=offset, filters=rules)
 
     def apply(self) -> None:
         """Hide what the planes hide, in clouds and surfaces, and show all else."""
         self._pending = False
         self._stage.clip = self.clip()
         self._hide(self._stage.clip)
+        before, self._settings = self._settings, self._all_settings()
+        if self._settings != before:
+            after = self._settings
+            change = Change("Clip planes", lambda: self._restore(before), lambda: self._restore(after), "clip planes")
+            self._stage.history.add(change)
+
+    def _all_settings(self) -> tuple[Any, ...]:
+        ends = tuple(slider.value for slider in self._ranges)
+        return self._on.value, ends, self._plane.value, self._normal, self._place.value, self._flip.value
+
+    def _restore(self, settings: tuple[Any, ...]) -> None:
+        """Have the controls stand as they did."""
+        self._on.value, ends, self._plane.value, self._normal, self._place.value, self._flip.value = settings
+        for slider, value in zip(self._ranges, ends, strict=True):
+            slider.value = value
+        self.apply()
 
     def _hide(self, clip: Clip) -> None:
         session = self._stage.session
         with self._stage.viewer.lock:
-            items = dict(self._stage.viewer.items)
+            items = dict(self._stage.viewer.shown)
             streams = dict(session.streams)
         for name, stream in streams.items():
             item = items.get(name)
             known = self._applied.get(name)
             if item is None or item.points is None or (known is None and not clip.cuts):
                 continue
-            told = stream, clip, item.pose
+            told = stream, clip, item.pose, item.cloud
             if not _same(known, told):
-                stream.set_keep(clip.keeper(item.pose_of(item.points)) if clip.cuts else None)
+                stream.set_keep(clip.keeper(item.pose_of(item.points), item.cloud) if clip.cuts else None)
                 self._applied[name] = told
         if not clip.cuts:
             self._applied.clear()
@@ -151,13 +171,13 @@ class ClipControls:
     def _cut_surfaces(self, items: dict[str, Any], clip: Clip) -> None:
         """In this page, surfaces of our own stand for those that all pages share, which are hidden in it."""
         stage = self._stage
-        for name in [n for n in self._cut if not clip.cuts or n not in items]:
+        for name in [n for n in self._cut if not clip.planes_cut or n not in items]:
             with stage.client.atomic():
                 self._drop_cut(name)
                 if name in items:
                     for _, node in stage.viewer.surface_nodes(name):
                         stage.client.scene.show_shared(node, items[name].visible)
-        if not clip.cuts:
+        if not clip.planes_cut:
             return
         for name, item in items.items():
             shared = stage.viewer.surface_nodes(name) if item.has_surface else []

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from ....core.units import LengthUnit
 from ....registration.rigid import invert_pose
 from ...render.view import View
+from ..history import Change
 from .kept_files import file_in, keep_file, place_of_files
 from .measuring import length_text
 from .picking import Pick, Target, world_point
@@ -114,6 +115,7 @@ class PairsTool(Tool):
         if self._was is None or self._was[0] != source.name:
             self._was = source.name, before
         self._found = found
+        self._remember(source.name, before, self.stage.item(source.name).pose)
         self._show(stage.view())
         stage.show(_rows(found, unit))
         note = f" {found.note[0].upper()}{found.note[1:]}." if found.note else ""
@@ -131,7 +133,7 @@ class PairsTool(Tool):
         """Put the source where it was before the first registration."""
         if self._was is not None:
             (name, pose), self._was, self._found = self._was, None, None
-            if name in self.stage.viewer.items:
+            if name in self.stage.viewer.shown:
                 self.stage.viewer.set_pose(name, np.eye(4) if pose is None else pose)
             self._show(self.stage.view())
 
@@ -185,6 +187,18 @@ class PairsTool(Tool):
         own = source.points.pose
         self.stage.viewer.set_pose(source.name, world if own is None else world @ invert_pose(own))
 
+    def _remember(self, name: str, before: Matrix | None, after: Matrix | None) -> None:
+        """The page's history can go back to the pose before."""
+
+        def goes_to(pose: Matrix | None) -> Any:
+            def go() -> None:
+                self.stage.item(name)
+                self.stage.viewer.set_pose(name, np.eye(4) if pose is None else pose)
+
+            return go
+
+        self.stage.history.add(Change(f"Register {name} by pairs", goes_to(before), goes_to(after)))
+
     def _restart(self) -> None:
         self._picks, self._found = [], None
         self._show(self.stage.view())
@@ -211,7 +225,7 @@ class PairsTool(Tool):
         with self.stage.viewer.lock:
             for choice in (self._source, self._target):
                 stream = session.streams.get(choice.value)
-                item = self.stage.viewer.items.get(choice.value)
+                item = self.stage.viewer.shown.get(choice.value)
                 if stream is not None and item is not None:
                     stream.set_visible(item.visible and name in (None, choice.value))
 

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import dataclasses
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from typing import Any
 
 import numpy as np
@@ -54,12 +54,14 @@ class Pick:
         index: The point's index in its cloud, or None on a surface.
         point: Where it is in the world [m], float64 [3].
         triangle: The triangle's number on a surface, else None.
+        attributes: What the cloud knows of the point by name, its "color" and "normal" too; for `Viewer.on_pick`.
     """
 
     name: str
     index: int | None
     point: NDArray[np.float64]
     triangle: int | None = None
+    attributes: Mapping[str, Any] = dataclasses.field(default_factory=dict)
 
 
 def pick_point(

@@ -1,15 +1,10 @@
-"""The tools that need nothing but points: asking for one, and measuring between them."""
+"""The tool that asks for a point; path_tool.py measures between several."""
 
 from __future__ import annotations
 
-import itertools
-
-import numpy as np
-
 from ...render.view import View
-from .measuring import length_text, measurements
-from .picking import Pick, coordinate_text, describe_row
-from .stage import Tool, check_room
+from .picking import coordinate_text, describe_row
+from .stage import Tool
 
 
 class PointTool(Tool):
@@ -41,50 +36,3 @@ class PointTool(Tool):
         """Forget the point."""
         self.stage.clear()
         self.stage.show([])
-
-
-class MeasureTool(Tool):
-    """Measures along a path of clicks."""
-
-    label = "Measure"
-    key = "M"
-    hint = "Click on points or surfaces: two give a distance, more a path and angles. Backspace takes one back."
-
-    def __init__(self, stage):
-        super().__init__(stage)
-        self._picks: list[Pick] = []
-
-    def click(self, view: View, x: float, y: float) -> None:
-        """One point more."""
-        found = self.stage.pick(view, x, y)
-        if found is None:
-            self.stage.say("Nothing there: click nearer to a point.")
-            return
-        check_room(self._picks)
-        self._picks.append(found)
-        self._show(view)
-
-    def undo(self) -> None:
-        """One point less."""
-        if self._picks:
-            self._picks.pop()
-            self._show(self.stage.view())
-
-    def finish(self) -> None:
-        """Begin anew."""
-        self._picks = []
-        self._show(self.stage.view())
-
-    def _show(self, view: View) -> None:
-        stage = self.stage
-        places = np.array([found.point for found in self._picks]).reshape(-1, 3)
-        stage.clear()
-        for place in places:
-            stage.mark(view, place)
-        stage.lines(places)
-        stage.show([])
-        unit = stage.unit(found.name for found in self._picks)
-        for a, b in itertools.pairwise(places if unit is None or unit.metres is not None else []):
-            stage.label((a + b) / 2, length_text(float(np.linalg.norm(b - a)), unit))
-        stage.show(measurements(places, unit))
-        stage.say(self.hint)

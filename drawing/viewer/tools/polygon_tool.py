@@ -10,8 +10,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ....files.points.point_cloud import write_point_cloud
+from ....kernels.memory import download
 from ....pcd.cloud import PointCloud
 from ...render.view import View
+from ..history import Change
 from .kept_files import file_in, keep_file, place_of_files
 from .picking import project, ray_through
 from .polygon_crop import (
@@ -112,15 +114,18 @@ class PolygonTool(Tool):
         else:
             volume = polygon_to_volume(view, polygon, cloud, pose=pose)
             kept = indices_in_volume(cloud, volume, pose=pose)
-        if not len(kept):
+        seen = self._seen_of(item.name, kept)
+        if not len(seen):
             raise ValueError("no point lies inside the polygon; Backspace takes corners back")
-        cropped = item.select(kept)
+        cropped = item.select(seen)
         if volume is None:
-            told = f"{len(kept):,} of {len(cloud):,} points, {self._keep_cloud(cropped)}."
+            told = f"{len(seen):,} of {len(cloud):,} points, {self._keep_cloud(cropped)}."
         else:
             place = keep_file(stage, self._folder, name, (".json",), partial(save_volume, volume))
-            told = f"{len(kept):,} of {len(cloud):,} points; the polygon is {place}."
+            told = f"{len(seen):,} of {len(cloud):,} points; the polygon is {place}."
             told += _difference(cloud, view, polygon, kept, pose)
+        if len(seen) < len(kept):
+            told += f" {len(kept) - len(seen):,} more inside are hidden by clip planes or filters, and left out."
         self._swap(item, cropped)
         self._corners, self._drawn_in = [], None
         stage.clear()
@@ -134,14 +139,7 @@ class PolygonTool(Tool):
     def undo_crop(self) -> None:
         """Show the whole cloud again."""
         if self._undo is not None:
-            whole, part = self._undo
-            self._undo, self._undo_button.disabled = None, True
-            with self.stage.viewer.lock:
-                if part in self.stage.viewer.items:
-                    self.stage.viewer.remove(part)
-                if whole in self.stage.viewer.items:
-                    self.stage.viewer.set_visible(whole, True)
-            self._list_clouds(whole)
+            self._uncrop(*self._undo)
             self.stage.say("All points are shown again.")
 
     # -- within -------------------------------------------------------------------------------------------------------
@@ -156,19 +154,47 @@ class PolygonTool(Tool):
             lambda path: write_point_cloud(path, cropped, overwrite=False),
         )
 
+    def _seen_of(self, name: str, rows: NDArray[np.int32]) -> NDArray[np.int32]:
+        """Some points of a cloud without those that clip planes and filters hide."""
+        hidden = next(target.hidden for target in self.stage.targets([name]) if target.cloud is not None)
+        return rows if hidden is None else rows[download(hidden)[rows] == 0]  # sync
+
     def _swap(self, item: Any, cropped: Any) -> None:
-        """Show the cropped cloud in place of the whole one."""
+        """Show the cropped cloud in place of the whole one; the page's history can go back."""
         viewer = self.stage.viewer
         with viewer.lock:
             name, number = f"{item.name} (cropped)", 2
-            while name in viewer.items:
+            while name in viewer.shown:
                 name, number = f"{item.name} (cropped {number})", number + 1
+            self._crop(item, name, cropped)
+        label, nbytes = f"Crop {item.name} (the file stays)", cropped.points.nbytes
+        undo, redo = (lambda: self._uncrop(item.name, name)), (lambda: self._crop(item, name, cropped))
+        self.stage.history.add(Change(label, undo, redo, nbytes=nbytes))
+
+    def _crop(self, item: Any, name: str, cropped: Any) -> None:
+        viewer = self.stage.viewer
+        with viewer.lock:
+            if item.name not in viewer.shown or name in viewer.shown:
+                raise ValueError(f"{item.name} is no longer in the scene, or {name} is there already")
             viewer.add(name, cropped, **style_of(item))
             if item.pose is not None:
                 viewer.set_pose(name, item.pose)
             viewer.set_visible(item.name, False)
         self._undo, self._undo_button.disabled = (item.name, name), False
         self._list_clouds(name)
+
+    def _uncrop(self, whole: str, part: str) -> None:
+        """The whole cloud in place of the cropped one."""
+        viewer = self.stage.viewer
+        self._undo, self._undo_button.disabled = None, True
+        with viewer.lock:
+            if part not in viewer.shown and whole not in viewer.shown:
+                raise ValueError(f"{whole} is no longer in the scene")
+            if part in viewer.shown:
+                viewer.remove(part)
+            if whole in viewer.shown:
+                viewer.set_visible(whole, True)
+        self._list_clouds(whole)
 
     def _list_clouds(self, chosen: str) -> None:
         names = self.stage.clouds()

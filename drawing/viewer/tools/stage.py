@@ -21,7 +21,9 @@ from ....pcd.units import InUnit
 from ...render.parts import Triangles
 from ...render.view import View
 from ..camera import diagonal
+from ..history import History
 from .clip_planes import Clip, hidden_points
+from .filters import Filter
 from .picking import Pick, Rows, Target, pick, ray_through
 
 if TYPE_CHECKING:
@@ -63,12 +65,15 @@ class Stage:
         run: Has something done in the order in which things are asked for; says whether it will be.
 
     Attributes:
-        clip: What clip planes leave to be seen.
+        clip: What clip planes and filters leave to be seen.
+        filters: The rules that points have to meet.
+        history: What was changed in the page.
     """
 
     def __init__(self, session: Session, run: Callable[[Callable[[], None]], bool]):
         self.session, self.viewer, self.client, self.run = session, session.viewer, session.client, run
-        self.clip = Clip()
+        self.clip, self.history = Clip(), History()
+        self.filters: tuple[Filter, ...] = ()
         self.status: Shown  # words and a table of the panel, which the toolbox makes
         self.rows: Shown
         self._nodes: list[Node] = []
@@ -94,7 +99,7 @@ class Stage:
     def items(self) -> list[Item]:
         """What is shown, in the order of the scene."""
         with self.viewer.lock:
-            return [item for item in self.viewer.items.values() if item.visible]
+            return [item for item in self.viewer.shown.values() if item.visible]
 
     def clouds(self) -> list[str]:
         """The names of the clouds that are shown and hold points."""
@@ -107,7 +112,7 @@ class Stage:
             ValueError: It has gone.
         """
         with self.viewer.lock:
-            found = self.viewer.items.get(name)
+            found = self.viewer.shown.get(name)
         if found is None:
             raise ValueError(f"{name} is no longer in the scene")
         return found
@@ -131,7 +136,7 @@ class Stage:
         """
         wanted = {*names}
         with self.viewer.lock:
-            geometries = [item.geometry for name, item in self.viewer.items.items() if name in wanted]
+            geometries = [item.geometry for name, item in self.viewer.shown.items() if name in wanted]
         known = [g.unit for g in geometries if isinstance(g, InUnit) and g.unit is not None]
         for other in known[1:]:
             if not is_same(known[0], other):
@@ -168,8 +173,8 @@ class Stage:
             return None
         assert item.cloud is not None
         known = self._hidden.get(item.name)
-        if known is None or known[0] is not item or known[1] is not self.clip or known[2] is not pose:
-            known = item, self.clip, pose, hidden_points(item.cloud, self.clip, pose=pose)
+        if known is None or known[0] is not item.cloud or known[1] is not self.clip or known[2] is not pose:
+            known = item.cloud, self.clip, pose, hidden_points(item.cloud, self.clip, pose=pose)
             self._hidden[item.name] = known
         return known[3]
 

@@ -13,9 +13,14 @@ import numpy as np
 
 from ....core.errors import PointloomError
 from ...render.view import View
+from ..logged import asked_by_page
 from .clip_controls import ClipControls
+from .filter_controls import FilterControls
+from .ground_tools import AreaTool, ProfileTool, VolumeTool
+from .paint_tool import PaintTool
 from .pairs_tool import PairsTool
-from .point_tools import MeasureTool, PointTool
+from .path_tool import MeasureTool
+from .point_tools import PointTool
 from .polygon_tool import PolygonTool
 from .stage import Stage, Tool
 
@@ -30,7 +35,11 @@ KEYS = (
     ("backspace", "Take back the last click", "undo"),
     ("enter", "Finish", "finish"),
 )
-TOOLS: tuple[type[Tool], ...] = (PointTool, MeasureTool, PolygonTool, PairsTool)
+HISTORY_KEYS = (("Ctrl+Z", "Take back the last change", "undo"), ("Ctrl+Shift+Z", "Do it again", "redo"))
+TOOLS: tuple[type[Tool], ...] = (
+    *(PointTool, MeasureTool, AreaTool, VolumeTool, ProfileTool),
+    *(PolygonTool, PairsTool, PaintTool),
+)
 
 log = logging.getLogger("pointloom.viewer")
 
@@ -64,14 +73,20 @@ class Toolbox:
         with self._top:
             self.stage.status = gui.add_words("")
             self.stage.rows = gui.add_table((), visible=False)
+        self._commands: list[Any] = []
         for kind, button in self._buttons.items():
             toggle = self._asks(lambda kind=kind: self.toggle(kind))
             button.on_click(toggle)
-            gui.add_command(kind.label, kind.key, group="Tools").on_trigger(toggle)
+            self._commands.append(gui.add_command(kind.label, kind.key, group="Tools"))
+            self._commands[-1].on_trigger(toggle)
         self.clip = ClipControls(self.stage, self._folder)
+        self.filter = FilterControls(self.stage, self._folder, self.clip.apply)
         for key, label, action in KEYS:
             command = gui.add_command(label, key, group="Tools")
             command.on_trigger(self._asks(lambda action=action: self._key(action)))
+        for key, label, action in HISTORY_KEYS:
+            command = gui.add_command(label, key, group="Tools")
+            command.on_trigger(self._asks(lambda action=action: self._go(action)))
         session.rest(self._on_rest)
 
     # -- what drives it -----------------------------------------------------------------------------------------------
@@ -97,7 +112,7 @@ class Toolbox:
     def start(self, kind: type[Tool]) -> None:
         """Begin with a tool; the one before ends."""
         self.stop()
-        tool = kind(self.stage, self._files) if kind in (PolygonTool, PairsTool) else kind(self.stage)  # type: ignore[call-arg]
+        tool = kind(self.stage, self._files) if kind in (PolygonTool, PairsTool, PaintTool) else kind(self.stage)  # type: ignore[call-arg]
         gui = self._client.gui
         with self._top:
             self._controls = gui.add_folder(None)
@@ -130,6 +145,12 @@ class Toolbox:
             self.stage.show([])
             self._top.visible = False
 
+    def give_up_key(self, key: str) -> None:
+        """A key calls the program from now on: the tool that it began is begun by its button."""
+        for command in [command for command in self._commands if command.hotkey == key]:
+            self._commands.remove(command)
+            command.remove()
+
     def toggle(self, kind: type[Tool]) -> None:
         """Begin with a tool, or end it where it is at work."""
         if isinstance(self.tool, kind):
@@ -143,6 +164,7 @@ class Toolbox:
             self._closed = True
         self._worker.shutdown(wait=False, cancel_futures=True)
         self.clip.close()
+        self.filter.close()
         self.tool = None
 
     # -- within -------------------------------------------------------------------------------------------------------
@@ -167,11 +189,19 @@ class Toolbox:
         elif self.tool is not None:
             getattr(self.tool, action)()
 
+    def _go(self, way: str) -> None:
+        """Take the last change back, or do it again, and say so."""
+        told = getattr(self.stage.history, way)()
+        self.stage.say(told)
+        if self.tool is None:
+            self._client.notify("pointloom", told, seconds=3.0)
+
     def _on_rest(self, _: View) -> None:
         self.refresh()
 
     def _sync(self) -> None:
         self._is_stale = False
+        self.filter.sync()
         self.clip.sync()
         if self.tool is not None:
             self.tool.refresh()
@@ -179,7 +209,7 @@ class Toolbox:
     def _do(self, job: Callable[[], None]) -> None:
         try:
             if not self._closed:
-                with np.errstate(all="ignore"):  # a camera may be anywhere
+                with asked_by_page(), np.errstate(all="ignore"):  # a camera may be anywhere
                     job()
         except (PointloomError, ValueError, TypeError, LookupError, OSError, MemoryError) as error:
             self._tell(str(error.args[0]) if isinstance(error, KeyError) and error.args else str(error))

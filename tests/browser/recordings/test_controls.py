@@ -107,6 +107,23 @@ def test_keys_change_sizes_normals_edges_and_light(open_recording):
     assert count_pixels(first, GREEN, 2) < 500
 
 
+def test_keys_look_along_axes_in_parallel_from_several_sides(open_recording):
+    page = open_recording(two_clouds(2))
+    first, seen = page.evaluate("recording.project([0.5, 0.2, 0])"), stage(page)
+    page.keyboard.press("o")
+    page.keyboard.press("Shift+Z")
+    near, far = (page.evaluate(f"recording.project([0.5, 0.2, {z}])") for z in (0.5, -0.5))
+    np.testing.assert_allclose(near[:2], far[:2], atol=1e-9)
+    assert abs(far[2] - near[2] - 1) < 1e-9
+    page.keyboard.press("m")
+    assert count_pixels(stage(page)[:, 325:], RED, 60) > 500 and page.locator(".gizmo").count() == 2
+    page.keyboard.press("m")
+    page.keyboard.press("m")
+    page.keyboard.press("r")
+    np.testing.assert_allclose(page.evaluate("recording.project([0.5, 0.2, 0])"), first)
+    np.testing.assert_array_equal(stage(page), seen)
+
+
 def test_a_name_that_is_unticked_is_not_drawn(open_recording):
     page = open_recording(two_clouds(), view=from_above())
     page.uncheck("#items li:first-child input")

@@ -7,8 +7,11 @@ from importlib import resources
 import pytest
 
 from pointloom.drawing.page import sources
+from pointloom.drawing.viewer.link.page import ServedPage
 
 MOST_BYTES = 45_000  # of the engine, compressed: a page of it is open before one has noticed
+MOST_LIVE_BYTES = 100_000  # of the whole page, compressed, and of what it has beside the engine
+MOST_PANEL_BYTES = 40_000
 DECLARED = r"^(?:const|let|class|function|async function) (\w+)"
 
 
@@ -22,7 +25,24 @@ def test_the_engine_is_small():
     assert len(gzip.compress(script.encode(), mtime=0)) < MOST_BYTES
 
 
-@pytest.mark.parametrize("names", [sources.PLAYER])
+def test_the_live_page_is_small_and_asks_nobody():
+    page = sources.live_page("a title")
+    engine = sources.join_scripts(sources.ENGINE) + sources.read_source("engine.css")
+    size = len(gzip.compress(page, mtime=0))
+    assert size < MOST_LIVE_BYTES
+    assert size - len(gzip.compress(engine.encode(), mtime=0)) < MOST_PANEL_BYTES
+    text = page.decode().replace("http://www.w3.org/", "")  # names of the elements of pictures, which nobody asks for
+    assert not re.search(r"https?://|@import|\bimport\(|\beval\(|new Function|\son[a-z]+=|style=\"", text)
+
+
+def test_the_live_page_shows_its_title_as_text_and_names_its_hashes():
+    served = ServedPage(sources.live_page('<script>alert("1")</script> {{script}}'))
+    text = served.text.decode()
+    assert text.count("&lt;script&gt;alert(&quot;1&quot;)&lt;/script&gt; {{script}}") == 2
+    assert {kind: [one] for kind, one in sources.live_hashes().items()} == served.sources
+
+
+@pytest.mark.parametrize("names", [sources.PLAYER, sources.LIVE])
 def test_no_name_is_declared_by_two_modules(names):
     """They are joined into one function, in which the second one would be an error."""
     declared = [name for each in names for name in re.findall(DECLARED, sources.read_source(f"{each}.js"), re.M)]

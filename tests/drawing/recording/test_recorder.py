@@ -18,6 +18,8 @@ from pointloom.drawing.recording import recorder as recorder_module
 from pointloom.drawing.recording.shapes import spread_rows
 from pointloom.drawing.recording.timeline import Timeline
 
+from .reading import Page
+
 CAMERA = loom.PinholeCameraIntrinsic(32, 24, 30.0, 30.0, 15.5, 11.5)
 DEPTH = (1.0 + 0.1 * np.sin(np.mgrid[:24, :32].sum(axis=0) / 4)).astype(np.float32)
 SHIFT = np.array([0.03, -0.02, 0.01])
@@ -360,10 +362,29 @@ def test_an_error_before_the_first_frame_leaves_no_file(path):
     assert not path.exists()
 
 
-def test_a_block_in_which_nothing_happens_is_an_error(path):
-    with pytest.raises(ValueError, match="nothing was recorded"), loom.record(path):
+def test_a_block_in_which_nothing_happens_warns_and_the_program_goes_on(path):
+    match = r"no file is written: .*nothing was recorded.*step\(\)"
+    with pytest.warns(UserWarning, match=match) as told, loom.record(path) as r:
         pass
-    assert not path.exists()
+    assert not path.exists() and told[0].filename == __file__
+    assert r._repr_mimebundle_() == {"text/plain": repr(r)}
+    with pytest.raises(ValueError, match="nothing was recorded"):
+        r.save()
+    with pytest.raises(KeyError, match="mine"), loom.record(path):  # and no warning beside it
+        raise KeyError("mine")
+
+
+@pytest.mark.parametrize(
+    ("title", "most", "tab", "above"),
+    [("", 200, "a walk", ""), ("mine", 200, "mine", "mine"), ("", 5, "a walk", "cloud: 5 of 10 points")],
+)
+def test_the_tab_has_the_title_or_the_name_of_the_file(tmp_path, title, most, tab, above):
+    path = tmp_path / "a walk.html"
+    with loom.record(path, title=title, max_points=most) as r:
+        r.add("cloud", bumps(10))
+        r.step()
+    page = Page(path)
+    assert (page.title, page.description["title"]) == (tab, above)
 
 
 def test_a_recording_can_be_thrown_away(path):
@@ -474,9 +495,10 @@ def test_what_the_user_takes_away_stays_away(path):
 
 def test_two_recordings_of_one_call_hold_the_same(tmp_path):
     cloud, other = loom.PointCloud(bumps()), loom.PointCloud(bumps() + SHIFT)
-    with loom.record(tmp_path / "a.html") as outer, loom.record(tmp_path / "b.html") as inner:
+    (tmp_path / "inner").mkdir()
+    with loom.record(tmp_path / "a.html") as outer, loom.record(tmp_path / "inner" / "a.html") as inner:
         loom.registration.registration_icp(other, cloud, 0.2)
-    assert (tmp_path / "a.html").read_bytes() == (tmp_path / "b.html").read_bytes()
+    assert (tmp_path / "a.html").read_bytes() == (tmp_path / "inner" / "a.html").read_bytes()
     assert len(outer.timeline.frames) == len(inner.timeline.frames) > 2
 
 

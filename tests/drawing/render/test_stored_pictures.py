@@ -99,7 +99,7 @@ def titled():
 def veils():
     """A surface and a cloud that are seen through, and what is behind them and between."""
     ball = loom.TriangleMesh.create_sphere(0.4, 12).translate((1, 1, 0.3))
-    moved = loom.PointCloud(hills() + [0, 0, 0.5])
+    moved = loom.PointCloud(hills() + np.array([0, 0, 0.5]))
     through = [{"geometry": mesh(), "opacity": 0.6}, {"geometry": moved, "opacity": 0.3, "color": (0, 0.3, 0.9)}]
     return [*through, {"geometry": ball, "opacity": 0.5, "color": (0.9, 0.2, 0.1)}, boxes()[0]]
 

@@ -4,6 +4,9 @@ import numpy as np
 import pytest
 
 import pointloom as loom
+from pointloom.core.upward import check_up
+from pointloom.drawing.render.upward import direction_under, level_up
+from pointloom.drawing.render.view import fit_view
 
 
 @pytest.mark.parametrize("offset", [(0, 0, 0), (5e5, 5.4e6, 300.0)])
@@ -39,3 +42,13 @@ def test_a_view_wants_a_camera_and_a_rigid_pose():
         loom.View(np.eye(3), np.eye(4))
     with pytest.raises(ValueError, match="T_world_camera"):
         loom.View(camera, 2 * np.eye(4))
+
+
+@pytest.mark.parametrize("up", ["x", "y", "z"])
+def test_a_camera_is_level_to_the_axis_that_its_view_was_fitted_to(up):
+    axis = np.array(check_up(up))
+    x, y, z = direction_under(check_up(up))
+    T = fit_view([[0, 0, 0], [1, 2, 3]], direction=(x, y, z), up=tuple(axis.tolist())).T_world_camera
+    assert level_up(T[:3, 0], -T[:3, 1]).tolist() == axis.tolist()
+    tilted = np.array([0.36, 0.48, 0.8])  # level to none
+    assert level_up(np.cross(tilted, [0.8, -0.6, 0.0]), tilted) is tilted

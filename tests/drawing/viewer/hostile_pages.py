@@ -41,10 +41,9 @@ def hostile_messages(ids: Sequence[int]) -> Iterator[str]:
         yield json.dumps({"say": name, "id": 1})
 
 
-def near_messages(handles: Sequence[Any], count: int, seed: int = 0) -> Iterator[str]:
+def near_messages(ids: Sequence[int], count: int, seed: int = 0) -> Iterator[str]:
     """Random messages most of whose fields are right."""
     picker = random.Random(seed)
-    ids = [handle.id for handle in handles]
     for _ in range(count):
         name = picker.choice(tuple(KNOWN))
         message: dict[str, Any] = {"say": name, **KNOWN[name]}

@@ -73,6 +73,14 @@ def line_of(server: ViewerServer, **settings: Any) -> Iterator[ClientConnection]
 
 
 @contextlib.contextmanager
+def visitor_of(server: ViewerServer) -> Iterator[ClientConnection]:
+    """A page that has said hello, and lets the program choose its camera."""
+    with line_of(server) as line:
+        say(line, HELLO)
+        yield line
+
+
+@contextlib.contextmanager
 def page_of(server: ViewerServer, **settings: Any) -> Iterator[ClientConnection]:
     """A page that has said hello and where its camera is, and was heard."""
     with line_of(server, **settings) as line:

@@ -229,7 +229,7 @@ class StandIn:
 
     def __init__(self, files: Any, *, exposed: bool = False, **geometries: Any):
         self.viewer = self
-        self.lock, self.items = threading.RLock(), {}
+        self.lock, self.shown = threading.RLock(), {}
         self.server = SimpleNamespace(exposed=exposed)
         self.streams: dict[str, Stream] = {}
         self.page = page_alone()
@@ -242,24 +242,28 @@ class StandIn:
 
     # the viewer
 
+    @property
+    def items(self) -> dict[str, Any]:
+        return self.shown
+
     def add(self, name: str, geometry: Any, **style: Any) -> None:
         ((name, geometry, made),) = named_geometries([{"geometry": geometry, "name": name, **style}])
-        self.items[name] = make_item(name, len(self.items), geometry, made)
+        self.shown[name] = make_item(name, len(self.shown), geometry, made)
         self.streams[name] = Stream()
 
     def remove(self, name: str) -> None:
-        del self.items[name], self.streams[name]
+        del self.shown[name], self.streams[name]
 
     def set_pose(self, name: str, T: Any) -> None:
-        self.items[name].pose = T
+        self.shown[name].pose = T
 
     def set_visible(self, name: str, visible: bool) -> None:
-        self.items[name].visible = visible
+        self.shown[name].visible = visible
 
     @property
     def bounds(self) -> Any:
         extents = Extents()
-        for item in self.items.values():
+        for item in self.shown.values():
             extents.put(item.name, item.world_bounds())
         return extents.union()
 

@@ -16,7 +16,6 @@ import pointloom as loom
 from pointloom.core.errors import PointloomError
 from pointloom.drawing.render.view import View
 from pointloom.drawing.viewer import draw as drawing
-from pointloom.drawing.viewer import viewer as viewers
 
 from .pages import page_of
 from .pages import wait_until as wait_for
@@ -125,6 +124,7 @@ def test_nothing_to_draw_is_an_empty_page(geometries):
         (np.zeros((1, 3)), {"width": 0}, ValueError),
         (np.zeros((1, 3)), {"zoom": -1}, ValueError),
         (np.zeros((1, 3)), {"port": 70_000}, ValueError),
+        (np.zeros((1, 3)), {"linger": -1}, ValueError),
         (np.zeros((1, 3)), {"host": "no.such.host.invalid"}, PointloomError),
     ],
 )
@@ -136,11 +136,10 @@ def test_hostile_arguments_leave_no_server(geometries, options, error):
 
 
 def test_draw_waits_until_the_last_page_has_gone(cloud, monkeypatch):
-    monkeypatch.setattr(viewers, "LEFT_ALONE", 0.2)
     made, done = [], []
     announce = drawing.announce
     monkeypatch.setattr(drawing, "announce", lambda viewer: (made.append(viewer), announce(viewer)))
-    thread = threading.Thread(target=lambda: done.append(draw([cloud], block=None)), daemon=True)
+    thread = threading.Thread(target=lambda: done.append(draw([cloud], block=None, linger=0.2)), daemon=True)
     thread.start()
     wait_until(lambda: made)
     with page_of(made[0].server):

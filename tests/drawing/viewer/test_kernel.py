@@ -1,5 +1,6 @@
 """Cells that a real kernel of Jupyter's runs: what they show, how large it is, and that words come through."""
 
+import json
 import os
 
 import pytest
@@ -27,19 +28,48 @@ CELLS = {
     "    small = loom.simplify_mesh(loom.TriangleMesh.create_sphere(resolution=40), triangles=500)",
     "warning": "cloud.translate([1, 0, 0])\ncloud.estimate_normals(radius=0.01)\nNone",
 }
+STATE = (
+    "import gc, json, os, threading\n"
+    "from pointloom.drawing.viewer.cells import _opened\n"
+    "gc.collect()\n"
+    "print(json.dumps({'open': [viewer().url for _, viewer in _opened if viewer() and not viewer().closed],\n"
+    "    'threads': threading.active_count(),\n"
+    "    'bytes': int(open('/proc/self/statm').read().split()[1]) * os.sysconf('SC_PAGE_SIZE')}))"
+)
+LARGE = (
+    "points = np.random.default_rng(0).random((6_000_000, 3), np.float32)\n"
+    "viewer = loom.draw(loom.PointCloud(points), inline=False, max_points=6_000_000)"
+)
+MANY = {
+    "start": CELLS["start"],
+    "alone": STATE,
+    **{f"same {turn}": f"{LARGE}\n{STATE}" for turn in range(5)},
+    **{f"cell {number}": f"loom.draw([cloud], 'of cell {number}', 64, 48, inline=False)" for number in range(25)},
+    "all": STATE,
+}
 
 
 @pytest.fixture(scope="module")
 def outputs():
     """What each cell gave: a list of outputs by the cell's name."""
-    book = nbformat.v4.new_notebook(cells=[nbformat.v4.new_code_cell(source) for source in CELLS.values()])
+    return run(CELLS)
+
+
+@pytest.fixture(scope="module")
+def many():
+    """The same of a notebook with many viewers."""
+    return run(MANY)
+
+
+def run(cells):
+    book = nbformat.v4.new_notebook(cells=[nbformat.v4.new_code_cell(source) for source in cells.values()])
     client = nbclient.NotebookClient(book, timeout=120, kernel_name="python3")
     unset = {name: os.environ.pop(name, None) for name in ("POINTLOOM_INLINE",)}
     try:
         client.execute()
     finally:
         os.environ.update({name: value for name, value in unset.items() if value is not None})
-    return {name: cell.outputs for name, cell in zip(CELLS, book.cells, strict=True)}
+    return {name: cell.outputs for name, cell in zip(cells, book.cells, strict=True)}
 
 
 def shown(outputs, kind):
@@ -53,13 +83,14 @@ def words(outputs, stream):
 @pytest.mark.parametrize("cell", ["inline", "open3d's name"])
 def test_a_cell_that_draws_inline_holds_a_bounded_page(outputs, cell):
     page = shown(outputs[cell], "text/html")
-    assert page.startswith("<iframe srcdoc=") and "of 300,000 points" in page
-    assert 500_000 < len(page) < 5 * 2**20 and len(shown(outputs[cell], "image/png")) < 2**20
+    assert "<iframe srcdoc=" in page and "of 300,000 points" in page
+    assert 500_000 < len(page) < 5 * 2**20 and 5_000 < len(shown(outputs[cell], "image/jpeg")) < 270_000
 
 
 def test_a_cell_that_draws_live_holds_a_frame_of_the_server(outputs):
     page = shown(outputs["live"], "text/html")
-    assert '<iframe src="http://127.0.0.1:' in page and len(page) < 2**20
+    assert 'data-src="http://127.0.0.1:' in page and len(page) < 300_000
+    assert 5_000 < len(shown(outputs["live"], "image/jpeg")) < 270_000
     assert "text/html" not in outputs["closed"][0].data and "closed" in shown(outputs["closed"], "text/plain")
 
 
@@ -77,3 +108,24 @@ def test_progress_records_and_warnings_come_through(outputs):
     assert words(outputs["progress"], "stdout").startswith("True ")
     assert "pointloom: " in words(outputs["records"], "stderr")
     assert "DroppedResultWarning" in words(outputs["warning"], "stderr")
+
+
+def state(outputs):
+    return json.loads(words(outputs, "stdout"))
+
+
+def test_a_cell_that_runs_again_leaves_one_viewer_and_one_cloud(many):
+    turns = [state(many[f"same {turn}"]) for turn in range(5)]
+    assert [len(turn["open"]) for turn in turns] == [1] * 5
+    assert turns[4]["threads"] <= turns[0]["threads"] and turns[0]["open"] == turns[4]["open"]
+    assert turns[4]["bytes"] - turns[1]["bytes"] < 150e6  # three more of them would have 216 MB
+
+
+def test_each_of_many_cells_gets_a_viewer_and_the_last_ones_stay_open(many):
+    urls = [
+        shown(many[f"cell {number}"], "text/html").partition('data-src="')[2].partition('"')[0] for number in range(25)
+    ]
+    assert all(url.startswith("http://127.0.0.1:") for url in urls)
+    after = state(many["all"])
+    assert after["open"] == urls[-16:]
+    assert after["threads"] - state(many["alone"])["threads"] <= 3 * 16

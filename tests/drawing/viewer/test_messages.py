@@ -146,7 +146,8 @@ def test_hostile_messages_reach_no_call_of_the_program(server):
     worker.start()
     try:
         with page_of(server) as evil:
-            for message in (*hostile_messages([handle.id for handle in handles]), *near_messages(handles, 300)):
+            ids = [handle.id for handle in handles]
+            for message in (*hostile_messages(ids), *near_messages(ids, 300)):
                 evil.send(message)
             move_to(evil, 0.5)
             wait_until(lambda: client_of(server).camera.fov == 0.5)  # the same line is still heard

@@ -11,7 +11,7 @@ import pytest
 import pointloom as loom
 from pointloom.core.errors import FileError, PointloomError
 from pointloom.drawing.render.view import View
-from pointloom.drawing.viewer import scene, viewer
+from pointloom.drawing.viewer import scene
 from pointloom.drawing.viewer.keys import KEYS
 from pointloom.drawing.viewer.sessions import Session
 from pointloom.drawing.viewer.viewer import Viewer
@@ -492,8 +492,9 @@ def test_a_page_that_goes_in_the_midst_of_updates_does_no_harm(shown, rng):
     shown.add("cloud", cloud_of(rng.random((2000, 3))))
     for _ in range(3):
         with line_of(shown.server) as line:
+            before = set(shown.sessions)
             say(line, HELLO)
-            session_of(shown)
+            wait_until(lambda before=before: set(shown.sessions) - before)
             line.socket.close()
             for _ in range(10):
                 shown.update("cloud", cloud_of(rng.random((2000, 3))))
@@ -849,16 +850,6 @@ def test_pages_are_told_that_the_viewer_is_closed_and_how_to_start_it_again(monk
             shown.close()
             (end,) = page.others("end")
             assert end.text.startswith("The viewer has been closed.") and end.text.endswith(told)
-
-
-def test_wait_ends_a_while_after_the_last_page_has_gone(shown, monkeypatch):
-    monkeypatch.setattr(viewer, "LEFT_ALONE", 0.3)
-    done = threading.Event()
-    threading.Thread(target=lambda: (shown.wait(), done.set()), daemon=True).start()
-    assert not done.wait(0.6)  # nobody was there yet
-    with page_in(shown):
-        assert not done.wait(0.6)
-    assert done.wait(3)
 
 
 def test_wait_for_some_seconds_says_whether_it_is_over(shown):

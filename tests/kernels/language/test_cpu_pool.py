@@ -318,7 +318,8 @@ def test_ctrl_c_ends_a_program_in_the_midst_of_launches():
 
     That was 51 of 3,000 presses; nothing else lost one.
     """
-    program = textwrap.dedent(THIN) + "print('begun', flush=True)\nwhile True:\n    thin()\n"
+    takes = "import signal\nsignal.signal(signal.SIGINT, signal.default_int_handler)\n"  # jobs of a shell ignore it
+    program = takes + textwrap.dedent(THIN) + "print('begun', flush=True)\nwhile True:\n    thin()\n"
     command = [sys.executable, "-c", program]
     environment = os.environ | {"POINTLOOM_CPU_THREADS": "2"}
     with subprocess.Popen(

@@ -1,0 +1,300 @@
+"""O3DVisualizer: the window of `open3d.visualization.draw`, whose buttons, times and animations are those of a page."""
+
+from __future__ import annotations
+
+import dataclasses
+import enum
+import math
+from collections.abc import Callable, Mapping
+from typing import Any
+
+import numpy as np
+
+from ...core.checks import check_callback, check_name, check_number, check_positive
+from ...core.errors import PointloomError
+from ...core.known_names import KnownNames
+from .shown import drawn
+from .visualizer import FilePath, Visualizer
+
+ANIMATE = "Animate"
+RATE = 30.0  # [Hz] of animations
+Function = Callable[..., Any]
+
+
+class TickResult(enum.Enum):
+    """What a function of `set_on_animation_tick` gives; pages follow either way."""
+
+    NO_CHANGE = 0
+    REDRAW = 1
+
+
+@dataclasses.dataclass
+class DrawObject:
+    """What a window knows of a geometry; not to be changed.
+
+    Attributes:
+        name, geometry, group, time, is_visible: As `add_geometry` was told, or `show_geometry` since.
+    """
+
+    name: str
+    geometry: Any
+    group: str = ""
+    time: float = 0.0
+    is_visible: bool = True
+
+
+class O3DVisualizer(KnownNames):
+    """The window that functions given to `draw` are called with; it is a page, or a picture where none is opened.
+
+    Where geometries have different times, the page has a time line: at each time those of that time are seen.
+    """
+
+    TickResult = TickResult
+
+    def __init__(self, title: str = "Open3D", width: int = 1024, height: int = 768):
+        self._window, self._objects = Visualizer(), dict[str, DrawObject]()
+        self._window.create_window(check_name("title", title), width, height)
+        self._buttons: dict[str, Function] = {}
+        self._on_frame: Function | None = None
+        self._on_tick: Function | None = None
+        self._stop: Callable[[], None] | None = None
+        self._animate: Any = None  # the box in the page
+        self._time, self._step, self._end = 0.0, 1.0, math.inf
+
+    def __repr__(self) -> str:
+        return f"O3DVisualizer({self.title!r}, {len(self._objects)} geometries)"
+
+    # -- what it shows ------------------------------------------------------------------------------------------------
+
+    def add_geometry(
+        self,
+        name: str | Mapping[str, Any],
+        geometry: Any = None,
+        material: Any = None,
+        group: str = "",
+        time: float = 0.0,
+        is_visible: bool = True,
+    ) -> None:
+        """Show a geometry under a name, or a dictionary with "name", "geometry" and more; materials are not looked at.
+
+        Raises:
+            ValueError: The name is taken.
+        """
+        if isinstance(name, Mapping):
+            known = {"name", "geometry", "group", "time", "is_visible"}
+            self.add_geometry(**{key: value for key, value in name.items() if key in known})
+            return
+        if check_name("name", name) in self._objects:
+            raise ValueError(f"name: {name!r} is shown already; remove_geometry({name!r}) takes it out")
+        one = DrawObject(name, geometry, check_name("group", group), check_number("time", time), bool(is_visible))
+        shape, viewer = drawn(geometry), self._window._viewer
+        self._objects[name] = one
+        if one.is_visible:
+            self._window._geometries[name] = geometry
+        if viewer is not None:
+            viewer.add(name, shape, **self._window._style(shape))
+            if not one.is_visible:
+                viewer.set_visible(name, False)
+
+    def update_geometry(self, name: str, geometry: Any, update_flags: int = 0) -> None:
+        """Show another geometry under a name."""
+        one, shape = self.get_geometry(name), drawn(geometry)
+        one.geometry = geometry
+        if one.is_visible:
+            self._window._geometries[name] = geometry
+        if self._window._viewer is not None:
+            self._window._viewer.update(name, shape)
+
+    def remove_geometry(self, name: str) -> None:
+        """Show it no more."""
+        self.get_geometry(name)
+        del self._objects[name]
+        self._window._geometries.pop(name, None)
+        if self._window._viewer is not None:
+            self._window._viewer.remove(name)
+
+    def show_geometry(self, name: str, show: bool) -> None:
+        """Show or hide a geometry."""
+        one = self.get_geometry(name)
+        one.is_visible = bool(show)
+        if one.is_visible:
+            self._window._geometries[name] = one.geometry
+        else:
+            self._window._geometries.pop(name, None)
+        if self._window._viewer is not None:
+            self._window._viewer.set_visible(name, one.is_visible)
+
+    def get_geometry(self, name: str) -> DrawObject:
+        """What is known of a geometry.
+
+        Raises:
+            KeyError: There is none of that name.
+        """
+        if name not in self._objects:
+            raise KeyError(f"name: no geometry {name!r}; there are {', '.join(map(repr, self._objects)) or 'none'}")
+        return self._objects[name]
+
+    def _play_times(self) -> None:
+        """Have the page's time line show at each time the geometries of that time."""
+        times = sorted({one.time for one in self._objects.values()})
+        viewer = self._window._viewer
+        if viewer is None or len(times) < 2:
+            return
+        for time in times:
+            viewer.set_time(time)
+            for one in self._objects.values():
+                viewer.set_visible(one.name, one.is_visible and one.time == time)
+        viewer.show_time(times[0])
+
+    # -- what calls the program ---------------------------------------------------------------------------------------
+
+    def add_action(self, name: str, callback: Function) -> None:
+        """Add a button that calls a function with this window, in a thread of the page."""
+        self._buttons[check_name("name", name)] = callback
+        if self._window._viewer is not None:
+            self._window._viewer.add_button(name, lambda page: callback(self), folder="Actions")
+
+    def set_on_animation_frame(self, callback: Function | None) -> None:
+        """Have a function called with this window and the time, every `animation_time_step`, while it animates."""
+        self._on_frame = check_callback("callback", callback)
+        self._offer_animation()
+
+    def set_on_animation_tick(self, callback: Function | None) -> None:
+        """Have a function called with this window, the seconds since its last call and the time, while it animates."""
+        self._on_tick = check_callback("callback", callback)
+        self._offer_animation()
+
+    @property
+    def is_animating(self) -> bool:
+        """Whether functions of animations are called; assign, or tick the page's box."""
+        return self._stop is not None
+
+    @is_animating.setter
+    def is_animating(self, animates: bool) -> None:
+        stop, self._stop = self._stop, None
+        if stop is not None:
+            stop()
+        if animates and self._window._viewer is not None:
+            self._stop = self._window._viewer.on_frame(self._tick, RATE)
+        if self._animate is not None:
+            self._animate.value = bool(animates)
+
+    @property
+    def current_time(self) -> float:
+        """Of the animation [s]; assign another."""
+        return self._time
+
+    @current_time.setter
+    def current_time(self, time: float) -> None:
+        self._time = check_number("current_time", time)
+        viewer = self._window._viewer
+        if viewer is not None and viewer.timeline is not None:
+            viewer.show_time(self._time)
+
+    @property
+    def animation_time_step(self) -> float:
+        """Between two frames of an animation [s]; assign another."""
+        return self._step
+
+    @animation_time_step.setter
+    def animation_time_step(self, seconds: float) -> None:
+        self._step = check_positive("animation_time_step", seconds)
+
+    @property
+    def animation_duration(self) -> float:
+        """How long an animation lasts before it begins again [s], infinity for ever; assign another."""
+        return self._end
+
+    @animation_duration.setter
+    def animation_duration(self, seconds: float) -> None:
+        self._end = check_positive("animation_duration", seconds, allow_infinite=True)
+
+    def _offer_animation(self) -> None:
+        viewer = self._window._viewer
+        if self._animate is None and viewer is not None and (self._on_frame or self._on_tick):
+            self._animate = viewer.add_checkbox(ANIMATE, False, self._take_animate, folder="Animation")
+
+    def _take_animate(self, animates: bool) -> None:
+        self.is_animating = animates
+
+    def _tick(self, seconds: float) -> None:
+        before, time = self._time, self._time + seconds
+        self.current_time = time if time < self._end else 0.0
+        if self._on_tick is not None:
+            self._on_tick(self, seconds, self._time)
+        if self._on_frame is not None and self._time // self._step != before // self._step:
+            self._on_frame(self, self._time)
+
+    # -- how it shows it ----------------------------------------------------------------------------------------------
+
+    @property
+    def title(self) -> str:
+        """What it is called."""
+        return self._window.get_window_name()
+
+    @property
+    def point_size(self) -> float:
+        """Diameter of points [px]; assign another."""
+        return self._window.get_render_option().point_size
+
+    @point_size.setter
+    def point_size(self, pixels: float) -> None:
+        self._window.get_render_option().point_size = float(pixels)
+        self.post_redraw()
+
+    @property
+    def line_width(self) -> float:
+        """Width of lines [px]; assign another."""
+        return self._window.get_render_option().line_width
+
+    @line_width.setter
+    def line_width(self, pixels: float) -> None:
+        self._window.get_render_option().line_width = float(pixels)
+        self.post_redraw()
+
+    @property
+    def show_axes(self) -> bool:
+        """Whether a coordinate frame is shown; assign."""
+        return self._window.get_render_option().show_coordinate_frame
+
+    @show_axes.setter
+    def show_axes(self, shown: bool) -> None:
+        self._window.get_render_option().show_coordinate_frame = bool(shown)
+        self.post_redraw()
+
+    def set_background(self, bg_color: Any, bg_image: Any = None) -> None:
+        """Another colour behind it all, 0 to 1."""
+        if bg_image is not None:
+            raise PointloomError("bg_image: pages have a colour behind the scene, no picture")
+        self._window.get_render_option().background_color = np.asarray(bg_color, np.float64)[:3]
+        self.post_redraw()
+
+    def reset_camera_to_default(self) -> None:
+        """Look at all of it."""
+        self._window.reset_view_point(True)
+        self.post_redraw()
+
+    def setup_camera(self, field_of_view: float, center: Any, eye: Any, up: Any) -> None:
+        """Look from `eye` at `center`, with an angle [degrees]."""
+        control = self._window.get_view_control()
+        away = np.asarray(eye, np.float64) - np.asarray(center, np.float64)
+        side = float(np.max(control._bounds[1] - control._bounds[0])) or 1.0
+        angle = check_positive("field_of_view", field_of_view, maximum=179.0)
+        control._angle = angle
+        control.set_up(up)
+        control.set_lookat(center)
+        control.set_front(away)
+        control.set_zoom(float(np.linalg.norm(away)) * math.tan(math.radians(angle / 2)) / side)
+        self.post_redraw()
+
+    def post_redraw(self) -> None:
+        """Show view and options as they are now."""
+        self._window.update_renderer()
+
+    def export_current_image(self, path: FilePath) -> None:
+        """Write a picture of what it shows, .png or .jpg."""
+        self._window.capture_screen_image(path)
+
+    def close(self) -> None:
+        """Close it."""
+        self._window.close()

@@ -1,0 +1,44 @@
+"""A recording below the cell of a notebook that ends with it: `recorder_output`."""
+
+from __future__ import annotations
+
+import os
+from typing import TYPE_CHECKING, Any
+
+from ...core.wording import format_bytes
+from ..notebook_output import MOST_PAGE_BYTES, MOST_WIDTH, media_output, page_output, still_output
+from .film import Film
+
+if TYPE_CHECKING:
+    from ..render.view import View
+    from .recorder import Recorder
+
+MEDIA = {".gif": "image/gif", ".webp": "image/webp", ".mp4": "video/mp4"}
+BESIDE = 120  # [px] of a page's height for what stands around the picture
+
+
+def recorder_output(recorder: Recorder, view: View) -> dict[str, Any]:
+    """What was written, where it has at most 4 MB, else its last frame and where the file is; by kinds of content.
+
+    Args:
+        recorder: Of a recording that was written.
+        view: That its frames are seen from.
+    """
+    path, text = recorder.path, repr(recorder)
+    width = min(recorder._size[0], MOST_WIDTH)
+    height = max(1, round(recorder._size[1] * width / recorder._size[0]))
+    timeline = recorder.timeline
+    film = Film(timeline, view, width, height, recorder._background, recorder._device)
+    picture, shown = film.draw(len(film) - 1), os.fspath(path)
+    try:
+        size = path.stat().st_size
+        data = path.read_bytes() if size <= MOST_PAGE_BYTES else None
+    except OSError as error:
+        return still_output(text, [f"the last frame; {shown} cannot be read: {error.strerror or error}"], picture)
+    if data is None:
+        more = f"{format_bytes(size)}, where a notebook takes {format_bytes(MOST_PAGE_BYTES)}: open it in a browser"
+        return still_output(text, [f"the last frame of {shown} ({more})"], picture)
+    notes, kind = [f"{shown}, {format_bytes(size)}"], MEDIA.get(path.suffix.lower())
+    if kind is not None:
+        return media_output(text, kind, data, notes, picture)
+    return page_output(text, data.decode("utf-8"), notes, picture, height * 2 // 3 + BESIDE)

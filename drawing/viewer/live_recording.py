@@ -1,0 +1,116 @@
+"""What a viewer has logged since `set_time`, as a recording."""
+
+from __future__ import annotations
+
+import dataclasses
+import os
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ...core.checks import check_count, check_name, check_positive
+from ..recording.recorder import FASTEST, MAX_FRAMES, MAX_POINTS, check_picture_size
+from ..recording.shapes import ShapeStore, Sketch, pose_about, sketch, spread_rows
+from ..recording.timeline import Frame, Placed, Timeline
+from ..recording.writers import check_recording, write_recording
+from .items import Item
+from .live_timeline import LiveTimeline, State
+from .stills import shown_geometry
+
+if TYPE_CHECKING:
+    from .viewer import Viewer
+
+Moment = tuple[str, dict[str, State]]
+
+
+def write_history(
+    viewer: Viewer,
+    path: str | os.PathLike[str],
+    *,
+    fps: float = 10.0,
+    size: tuple[int, int] = (960, 720),
+    max_points: int = MAX_POINTS,
+    max_frames: int = MAX_FRAMES,
+    title: str = "",
+    background: Any = None,
+    overwrite: bool = True,
+) -> None:
+    """Write the moments of a viewer as a recording, a frame each, in the colours that the pages show.
+
+    Args:
+        viewer: The viewer.
+        path: .html, .gif, .webp or .mp4.
+        fps: Frames a second.
+        size: Width and height of an animation [px].
+        max_points: Clouds of more points are sampled, meshes of more vertices simplified.
+        max_frames: Of more moments so many are taken, spread evenly, the newest among them.
+        title: Stands above the frames.
+        background: Red, green and blue, 0 to 1; None for the viewer's.
+        overwrite: Replace a file that exists.
+
+    Raises:
+        ValueError: Nothing was logged, or an option out of range.
+        FileError: The place cannot be written.
+    """
+    fps, size = check_positive("fps", fps, maximum=FASTEST), check_picture_size(size)
+    most, max_frames = check_count("max_points", max_points), check_count("max_frames", max_frames, minimum=2)
+    ground = viewer.background.tolist() if background is None else background
+    check_recording(path, fps=fps, background=ground, overwrite=overwrite)
+    title = check_name("title", title)
+    with viewer.lock:
+        history = viewer.timeline
+        if history is None:
+            raise ValueError("nothing was logged: call viewer.set_time(t) before what belongs to a moment")
+        moments, view = moments_of(history, max_frames), viewer.get_view()
+        notes = [f"{max_frames:,} of {len(history.times):,} moments"] if len(moments) < len(history.times) else []
+    timeline = Drawn(viewer, most).timeline(moments)  # the program and its pages go on meanwhile
+    timeline.title, timeline.fps = ", ".join([title, *notes] if title else notes), fps
+    look = {"view": view, "background": tuple(ground), "overwrite": overwrite}
+    write_recording(path, timeline, size=size, say=lambda *_: None, **look)
+
+
+def moments_of(history: LiveTimeline, most: int) -> list[Moment]:
+    """What each moment is called and what was there; of more than `most` some, spread evenly, the newest among them."""
+    count = len(history.times)
+    rows = count - 1 - spread_rows(count, most)[::-1]
+    return [(history.text_of(history.times[row]), history.scene_at(history.dropped + row)) for row in rows.tolist()]
+
+
+class Drawn:
+    """The geometries of moments as shapes, each drawn once.
+
+    Args:
+        viewer: The viewer.
+        max_points: As of `write_history`.
+    """
+
+    def __init__(self, viewer: Viewer, max_points: int):
+        self._viewer, self._max_points = viewer, max_points
+        self._store = ShapeStore()
+        self._sketches: dict[Item, tuple[Sketch, tuple[int, ...]]] = {}
+        self._origin: Any = None
+
+    def timeline(self, moments: list[Moment]) -> Timeline:
+        """A frame for each moment."""
+        frames = []
+        for label, scene in moments:
+            shown = {name: self._placed(state) for name, state in scene.items() if state.visible}
+            frames.append(Frame(shown, label))
+        return Timeline(np.zeros(3) if self._origin is None else self._origin, self._store.shapes, frames)
+
+    def _placed(self, state: State) -> Placed:
+        drawn, numbers = self._sketch(state.item)
+        pose = drawn.pose
+        if state.pose is not None:
+            pose = state.pose if pose is None else state.pose @ pose
+        return Placed(numbers, pose_about(pose, drawn.origin, self._origin))
+
+    def _sketch(self, item: Item) -> tuple[Sketch, tuple[int, ...]]:
+        found = self._sketches.get(item)
+        if found is None:
+            _, geometry, style = shown_geometry(self._viewer, item)
+            drawn = sketch(geometry, dataclasses.replace(style, pose=item.style.pose), self._max_points)
+            if self._origin is None:
+                self._origin = drawn.origin.copy()
+            found = self._sketches[item] = drawn, tuple(self._store.add(shape) for shape in drawn.shapes)
+        return found

@@ -1,0 +1,358 @@
+"""What a program shows when, while it runs: `LiveTimeline`; the viewer's calls tell it by `logged`.
+
+A moment holds what changed in it: a geometry by reference, a pose as a matrix. So a moment costs what changed, however
+much is in the scene, and what the scene was is found by the last change of each name.
+"""
+
+from __future__ import annotations
+
+import bisect
+import dataclasses
+import logging
+import math
+from collections.abc import Iterable, Iterator, Mapping
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ...core.checks import check_name, check_number, check_positive, check_rigid
+from .items import Item, Matrix, make_item
+
+if TYPE_CHECKING:
+    from .viewer import Viewer
+
+HISTORY_BYTES = 2**30
+ENTRY = 400  # bytes of a change without its arrays: a pose, and what Python takes for it
+SMALL = 256  # bytes of arrays that count as part of it
+SPARSE = 4  # whole times that lie farther apart in the mean are gone through by another step
+KEPT = 0.9  # of the bytes, once there were too many: so that not each change drops a moment
+FULL = "The history is full: its oldest moments go, as new ones come."
+log = logging.getLogger("pointloom.viewer")
+
+
+@dataclasses.dataclass(frozen=True, eq=False)
+class State:
+    """A geometry at a moment.
+
+    Attributes:
+        item: What is drawn; where it stands and whether it is seen do not count, as they change.
+        pose: Where it stands, 4x4 or None.
+        visible: Whether it is seen.
+    """
+
+    item: Item
+    pose: Matrix | None
+    visible: bool
+
+
+class LiveTimeline:
+    """The moments of a viewer; whoever calls holds the viewer's lock.
+
+    Args:
+        viewer: The viewer.
+        most_bytes: Of what the history holds; beyond, the oldest moments go.
+
+    Attributes:
+        times: Of the moments that are held, ascending.
+        bytes: What is held: arrays that several moments share count once.
+    """
+
+    def __init__(self, viewer: Viewer, most_bytes: float):
+        self._viewer, self._most_bytes = viewer, check_positive("history_bytes", most_bytes)
+        self.times: list[float] = []
+        self.bytes, self.dropped = 0, 0  # moments that have gone: the first of `times` has this number
+        self._tracks: dict[str, list[tuple[int, State | None]]] = {}
+        self._touched: list[set[str]] = []  # the names that changed, by moment
+        self._arrays: dict[int, tuple[int, int]] = {}  # by address: how many hold it, its bytes
+        self._shown: int | None = None  # the number of the moment that pages look at; None follows the newest
+        self.is_whole = True  # whether all times are whole numbers
+        self._control: Any = None
+        self._told = 0.0  # the value that it was given last
+        self._unbuilt: set[Item] = set()  # whose levels of detail were being built when another came in their place
+
+    @property
+    def is_live(self) -> bool:
+        """Whether pages see the newest moment."""
+        return self._shown is None
+
+    @property
+    def time(self) -> float:
+        """Of the moment that pages see."""
+        return self.times[-1 if self._shown is None else self._shown - self.dropped]
+
+    # -- what the program does ----------------------------------------------------------------------------------------
+
+    def set_time(self, t: Any) -> None:
+        """Begin a moment."""
+        time = check_number("t", t)
+        if self.times and time < self.times[-1]:
+            raise ValueError(f"t: expected no time before the newest moment, {self.times[-1]:g}, got {time:g}")
+        if self.times and time == self.times[-1]:
+            return
+        is_first = not self.times
+        self.is_whole = self.is_whole and hasattr(t, "__index__")
+        self.times.append(time)
+        self._touched.append(set())
+        if is_first:
+            self.take_scene()
+        self._tell()
+
+    def take_scene(self, names: Iterable[Any] = ()) -> None:
+        """Take down what pages see of some names, or without any of all, as of the newest moment."""
+        items = self._viewer.shown
+        for name in tuple(names) or [*items, *(known for known in self._tracks if known not in items)]:
+            self._log(name, items.get(name))
+
+    # what the viewer's calls of these names do while pages look at an earlier moment
+
+    def add_named(self, named: list[Any], trees: Mapping[str, Any] | None = None) -> None:
+        """Geometries that come."""
+        self._viewer._check_units(named)
+        items = [make_item(n, self._take_number(), g, style, (trees or {}).get(n)) for n, g, style in named]
+        for item in items:
+            self._put(item.name, State(item, None, True))
+
+    def update(self, name: str, geometry: Any) -> None:
+        """Another geometry under a name."""
+        old = self._find(name)
+        item = make_item(name, old.item.number, geometry, old.item.style)
+        self._put(name, State(item, old.pose, old.visible))
+
+    def remove(self, name: str) -> None:
+        """A geometry that goes."""
+        self._find(name)
+        self._put(name, None)
+
+    def clear(self) -> None:
+        """All go."""
+        for name in self.names():
+            self._put(name, None)
+
+    def set_pose(self, name: str, T: Any) -> None:
+        """A geometry that moves."""
+        self._put(name, dataclasses.replace(self._find(name), pose=check_rigid("T", T)))
+
+    def set_visible(self, name: str, visible: bool) -> None:
+        """A geometry that is shown or hidden."""
+        self._put(name, dataclasses.replace(self._find(name), visible=bool(visible)))
+
+    def names(self) -> list[str]:
+        """What there is at the newest moment."""
+        return [name for name, track in self._tracks.items() if track[-1][1] is not None]
+
+    def newest(self) -> dict[str, Item]:
+        """What there is at the newest moment, as items of their own."""
+        states = {name: self._find(name) for name in self.names()}
+        return {n: dataclasses.replace(s.item, pose=s.pose, visible=s.visible) for n, s in states.items()}
+
+    # -- what pages look at -------------------------------------------------------------------------------------------
+
+    def scene_at(self, number: int) -> dict[str, State]:
+        """What there is at a moment, by its number."""
+        found = {}
+        for name, track in self._tracks.items():
+            place = bisect.bisect_right(track, number, key=lambda entry: entry[0])
+            state = track[place - 1][1] if place else None
+            if state is not None:
+                found[name] = state
+        return found
+
+    def look(self, t: float | None) -> None:
+        """Show the newest moment that is not after a time, in all pages; None follows the newest."""
+        self._look(t)
+        self._tell()
+
+    def _look(self, t: float | None) -> None:
+        newest = self.dropped + len(self.times) - 1
+        number = newest
+        if t is not None:
+            number = self.dropped + max(bisect.bisect_right(self.times, t) - 1, 0)
+        if number != (newest if self._shown is None else self._shown):
+            self._show(self.scene_at(number))
+        self._shown = None if number == newest else number
+
+    def _show(self, scene: dict[str, State]) -> None:
+        viewer = self._viewer
+        is_new = not len(viewer._extents) and not viewer.frame.origin.any()
+        coming = {item for name, item in viewer.shown.items() if name in viewer._levels}
+        with viewer.server.pages.atomic():
+            for name in [name for name in viewer.shown if name not in scene]:
+                viewer._take_out(name)
+            for name, state in scene.items():
+                item = state.item
+                if viewer.shown.get(name) is not item:
+                    item.pose, item.visible = state.pose, state.visible
+                    self._put_in(item)
+                    continue
+                if not _is_same_pose(item.pose, state.pose):
+                    type(viewer).set_pose.__wrapped__(viewer, name, np.eye(4) if state.pose is None else state.pose)
+                if item.visible != state.visible:
+                    type(viewer).set_visible.__wrapped__(viewer, name, state.visible)
+            if is_new:
+                viewer._settle()
+            viewer._changed(is_new)
+        self._unbuilt |= {item for item in coming if viewer.shown.get(item.name) is not item}
+
+    def _put_in(self, item: Item) -> None:
+        viewer = self._viewer
+        viewer._levels.forget(item.name)
+        viewer._take_in(item)
+        viewer._color(item)
+        if item in self._unbuilt:
+            self._unbuilt.discard(item)
+            viewer._levels.build(item)
+        viewer._show(item)
+        viewer.panel.put_item(item)
+
+    def close(self) -> None:
+        """Let all go."""
+        self._tracks, self._arrays, self._unbuilt, self.bytes = {}, {}, set(), 0
+
+    # -- the control in the page --------------------------------------------------------------------------------------
+
+    def text_of(self, time: float) -> str:
+        """A time in words."""
+        return f"{time:.0f}" if self.is_whole else f"{time:.6g} s"
+
+    @property
+    def step(self) -> float:
+        """Between two values of the page's time line: 1, or at most what lies between two moments in the mean."""
+        mean = (self.times[-1] - self.times[0]) / max(len(self.times) - 1, 1)
+        if self.is_whole and mean < SPARSE:
+            return 1
+        power = 10.0 ** math.floor(math.log10(mean)) if mean > 0 else 1.0
+        return next(power * digit for digit in (5, 2, 1) if power * digit <= mean * (1 + 1e-9))
+
+    def _tell(self) -> None:
+        """Say in the pages which moments there are, and which one they see."""
+        if len(self.times) < 2:
+            return
+        kind = int if self.is_whole else float
+        first, last, value = kind(self.times[0]), kind(self.times[-1]), kind(self.time)
+        with self._viewer.server.pages.atomic():
+            if self._control is None:
+                self._control = self._viewer.server.pages.gui.add_timeline(first, last, self.step, value)
+                self._control.on_update(self._on_update)
+                return
+            self._control.min, self._control.max, self._control.step = first, last, self.step
+            self._control.value = self._told = value
+
+    def _on_update(self, event: Any) -> None:
+        """A page has dragged it; what it says meanwhile stays, what the program said meanwhile does not."""
+        viewer = self._viewer
+        if event.client_id is None or not viewer.take_lock():
+            return
+        try:
+            if viewer.timeline is self:
+                self._look(None if event.value > self.times[-1] - self.step / 2 else event.value + self.step / 1000)
+                if self._control.value == self._told:
+                    self._control.value = event.value
+        finally:
+            viewer.lock.release()
+
+    def _take_number(self) -> int:
+        self._viewer._next_number += 1
+        return self._viewer._next_number - 1
+
+    # -- what is held -------------------------------------------------------------------------------------------------
+
+    def _find(self, name: str) -> State:
+        track = self._tracks.get(check_name("name", name))
+        state = track[-1][1] if track else None
+        if state is None:
+            known = ", ".join(map(repr, self.names())) or "none"
+            raise KeyError(f"name: no geometry {name!r}; there are {known}")
+        return state
+
+    def _log(self, name: str, item: Item | None) -> None:
+        """A name as it is now in the scene, where that is not as it was."""
+        track = self._tracks.get(name)
+        old = track[-1][1] if track else None
+        if item is None:
+            if old is not None:
+                self._put(name, None)
+        elif old is None or old.item is not item or old.visible != item.visible or old.pose is not item.pose:
+            self._put(name, State(item, item.pose, item.visible))
+
+    def _put(self, name: str, state: State | None) -> None:
+        newest = self.dropped + len(self.times) - 1
+        track = self._tracks.setdefault(name, [])
+        if state is not None:
+            self._hold(state, 1)
+        if track and track[-1][0] == newest:
+            old, track[-1] = track[-1][1], (newest, state)
+            if old is not None:
+                self._hold(old, -1)
+        else:
+            track.append((newest, state))
+            self._touched[-1].add(name)
+        if self.bytes > self._most_bytes:
+            self._drop_oldest()
+
+    def _hold(self, state: State, change: int) -> None:
+        """Count what a state holds, once more or once less."""
+        self.bytes += change * ENTRY
+        for address, size in _arrays_of(state.item):
+            count = self._arrays.get(address, (0, size))[0]
+            if count + change > 0:
+                self._arrays[address] = count + change, size
+            else:
+                self._arrays.pop(address, None)
+            if (count == 0) != (count + change == 0):
+                self.bytes += change * size
+
+    def _drop_oldest(self) -> None:
+        """Drop moments until nine tenths of the bytes are left, but never the newest nor what it shows."""
+        count = 0
+        while self.bytes > KEPT * self._most_bytes and count < len(self.times) - 1:
+            count += 1
+            start = self.dropped + count
+            for name in self._touched[count]:
+                self._forget_before(name, start)
+        if count == 0:
+            return
+        if self.dropped == 0:
+            log.warning("%s", FULL)
+            for client in self._viewer.server.pages.get_clients().values():
+                client.notify("pointloom", FULL)
+        self._unbuilt &= {state.item for track in self._tracks.values() for _, state in track if state is not None}
+        del self.times[:count], self._touched[:count]
+        self.dropped += count
+        if self._shown is not None and self._shown < self.dropped:  # what is looked at has gone
+            self._show(self.scene_at(self.dropped))
+            self._shown = self.dropped if len(self.times) > 1 else None
+        self._tell()
+
+    def _forget_before(self, name: str, start: int) -> None:
+        """Let go of what a name was before a moment that has its own state of it."""
+        track = self._tracks[name]
+        while len(track) > 1 and track[1][0] <= start:
+            old = track.pop(0)[1]
+            if old is not None:
+                self._hold(old, -1)
+        if track[0][1] is None and len(track) == 1:
+            del self._tracks[name]
+
+
+def _is_same_pose(a: Matrix | None, b: Matrix | None) -> bool:
+    if a is None or b is None:
+        return a is b
+    return a is b or np.array_equal(a, b)
+
+
+def _arrays_of(item: Item) -> Iterator[tuple[int, int]]:
+    """The address and the bytes of each array that an item holds."""
+    held: list[Any] = [getattr(part, field.name) for part in item.parts for field in dataclasses.fields(part)]
+    if item.cloud is not None:
+        held += [item.cloud.device_array(name) for name in item.cloud.attributes]
+    seen = set()
+    for array in held:
+        if isinstance(array, np.ndarray):
+            address, size = array.__array_interface__["data"][0], array.nbytes
+        elif hasattr(array, "ptr") and hasattr(array, "capacity"):
+            address, size = array.ptr, array.capacity
+        else:
+            continue
+        if address and size > SMALL and address not in seen:
+            seen.add(address)
+            yield address, size

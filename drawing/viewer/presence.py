@@ -1,0 +1,62 @@
+"""Whether somebody still looks at a viewer, and what is said on stderr when the last page goes: `Presence`."""
+
+from __future__ import annotations
+
+import math
+import sys
+import threading
+import time
+from typing import TYPE_CHECKING
+
+from ...core.checks import check_positive
+
+if TYPE_CHECKING:
+    from .viewer import Viewer
+
+LOOK = 0.2  # [s] between looks
+LINGER = 60.0  # [s] after the last page has gone: pages that load again over a slow line, or after a gap, come back
+
+
+class Presence:
+    """The pages of a viewer as those who wait for them see them."""
+
+    def __init__(self, viewer: Viewer):
+        self._viewer, self._told, self._lock = viewer, False, threading.Lock()
+
+    def wait(self, seconds: float | None, linger: float) -> bool:
+        """What `Viewer.wait` does."""
+        linger = check_positive("linger", linger, allow_zero=True, allow_infinite=True)
+        end = math.inf if seconds is None else time.monotonic() + check_positive("seconds", seconds, allow_zero=True)
+        viewer = self._viewer
+        while not viewer._ended.wait(min(LOOK, max(end - time.monotonic(), 0.0))):
+            gone = viewer._last_seen
+            seen = None if gone is None else max(gone, viewer.server.last_request)
+            left = self._is_over(bool(viewer.sessions), seen, linger)
+            if left or time.monotonic() >= end:
+                return left
+        return True
+
+    def _is_over(self, is_open: bool, seen: float | None, linger: float) -> bool:
+        """Whether the last page has been gone for so long; says so when it goes, and when one comes back.
+
+        Args:
+            is_open: Whether a page is connected.
+            seen: When one was last connected or asked for (`time.monotonic`); None where there was none yet.
+            linger: How long pages may be gone [s].
+        """
+        with self._lock:
+            if is_open or seen is None:
+                if self._told:
+                    self._told = False
+                    _say("a page is open again")
+                return False
+            over = time.monotonic() - seen >= linger
+            if not self._told and linger > 0 and not over:
+                self._told = True
+                ending = "waiting for another" if math.isinf(linger) else f"ending in {linger:g} s"
+                _say(f"the last page has closed; {ending} (open {self._viewer.url} again to stay, Ctrl-C ends now)")
+            return over
+
+
+def _say(line: str) -> None:
+    print(line, file=sys.stderr, flush=True)

@@ -1,0 +1,64 @@
+"""What a program hangs on the page, by mouse and keyboard in Chromium."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import pointloom as loom
+from pointloom.drawing.viewer.tools.picking import project
+
+from .pixels import wait_until
+
+POINTS = np.array([[0.0, 0, 0], [2, 0, 0], [0, 2, 0], [1, 1, 0]])
+
+
+@pytest.fixture
+def viewer():
+    with loom.Viewer(port=0) as viewer:
+        viewer.add("scan", loom.PointCloud(POINTS), point_size=9)
+        yield viewer
+
+
+def test_buttons_sliders_keys_and_clicks_reach_the_program(viewer, open_page):
+    pressed, picks = [], []
+
+    def press(page):
+        pressed.append(size.value)
+        if len(pressed) == 2:
+            raise ValueError("that was the last scan")
+
+    size = viewer.add_slider("neighbours", 1, 9, 5)
+    viewer.add_button("Next scan", press, hotkey="G")
+    viewer.on_pick(picks.append)
+    page = open_page(viewer.url)
+    wait_until(lambda: viewer.sessions)
+    page.get_by_role("slider", name="neighbours").press("ArrowRight")
+    page.get_by_role("button", name="Next scan (G)").click()
+    wait_until(lambda: pressed == [6])
+    page.locator("body").press("g")
+    page.get_by_text("ValueError: that was the last scan").wait_for()
+    size.value = 2
+    wait_until(lambda: page.get_by_role("slider", name="neighbours").input_value() == "2")
+    (number,) = viewer.sessions
+    box = page.locator("canvas").first.bounding_box()
+    x, y, _ = project(viewer.get_view(number), POINTS[3])
+    page.mouse.click(box["x"] + x + 0.5, box["y"] + y + 0.5)
+    wait_until(lambda: [pick.index for pick in picks] == [3])
+
+
+def test_the_time_line_goes_back_and_follows_again(viewer, open_page):
+    for frame in range(4):
+        viewer.set_time(frame)
+        viewer.update("scan", loom.PointCloud(POINTS + [frame, 0, 0]))
+    page = open_page(viewer.url)
+    track = page.get_by_role("slider", name="Time")
+    track.press("Home")
+    wait_until(lambda: viewer.shown["scan"].cloud.points[0][0] == 0)
+    viewer.set_time(4)
+    viewer.update("scan", loom.PointCloud(POINTS + [4, 0, 0]))
+    track.press("ArrowRight")
+    wait_until(lambda: viewer.shown["scan"].cloud.points[0][0] == 1)
+    assert viewer.items["scan"].cloud.points[0][0] == 4
+    track.press("End")
+    wait_until(lambda: viewer.shown["scan"].cloud.points[0][0] == 4 and viewer.timeline.is_live)

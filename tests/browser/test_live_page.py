@@ -1,0 +1,412 @@
+"""The live page in Chromium, driven by a link of a few lines: what is drawn, what controls say, what is said of the line."""
+
+from __future__ import annotations
+
+import io
+import secrets
+from collections.abc import Callable, Iterator
+from typing import Any
+
+import numpy as np
+import pytest
+from PIL import Image
+from playwright.sync_api import Page, expect
+
+from .live_pages import OPEN, RAMP, Program, control
+from .pixels import count_pixels, picture, wait_for_picture, wait_until
+
+RED, BLUE, WHITE = (255, 0, 0), (0, 0, 255), (255, 255, 255)
+EVIL = "<script>document.title = 'evil'</script><img src=x onerror=alert(1)>"
+
+
+@pytest.fixture
+def program(monkeypatch: pytest.MonkeyPatch) -> Iterator[Program]:
+    """A program whose token is always the same, as if it had only been away."""
+    monkeypatch.setattr(secrets, "token_urlsafe", lambda _: "a-token-of-the-tests")
+    made = Program()
+    yield made
+    made.pages.stop()
+
+
+@pytest.fixture
+def visit(program: Program, open_page: Callable[..., Page]) -> Callable[..., Page]:
+    """Open the program's page and wait until it is connected: `visit(width=900, height=600, faults=True)`."""
+
+    def visit_one(*, width: int = 900, height: int = 600, faults: bool = True) -> Page:
+        page = open_page(program.url, width=width, height=height, faults=faults)
+        page.locator(OPEN).wait_for(state="attached")
+        return page
+
+    return visit_one
+
+
+def boxes(page: Page, *selectors: str) -> list[dict[str, float]]:
+    """Where elements are in the window."""
+    found = [page.locator(selector).bounding_box() for selector in selectors]
+    assert all(box is not None for box in found), dict(zip(selectors, found, strict=True))
+    return found  # type: ignore[return-value]
+
+
+def overlap(a: dict[str, float], b: dict[str, float]) -> bool:
+    """Whether two boxes share more than half a pixel."""
+    return all(
+        a[k] + 0.5 < b[k] + b[size] and b[k] + 0.5 < a[k] + a[size] for k, size in (("x", "width"), ("y", "height"))
+    )
+
+
+def test_a_batch_is_drawn_whole_and_then_signed(program, visit):
+    page = visit()
+    signed: list[Any] = []
+    (client,) = program.pages.get_clients().values()
+    client.on_sign(signed.append)
+    with program.pages.atomic():
+        first = program.add_square(RED)
+    wait_for_picture(page, lambda image: count_pixels(image, RED) > 20_000)
+    with program.pages.atomic():
+        first.remove()
+        program.add_square(BLUE)
+        client.ask_for_sign()
+    wait_until(page, lambda: signed, lambda: "no sign", seconds=20)
+    image = picture(page)
+    assert count_pixels(image, BLUE) > 20_000
+    assert count_pixels(image, RED) == 0
+
+
+def test_each_control_says_what_it_was_set_to(program, visit, tmp_path):
+    gui, hear = program.pages.gui, program.hear
+    check = hear(gui.add_checkbox("check", False))
+    slider = hear(gui.add_slider("slide", 0.0, 1.0, 0.1, 0.3))
+    number = hear(gui.add_number("number", 2.5, step=0.5, min=0.0, max=9.0))
+    text = hear(gui.add_text("text", "before"))
+    choice = hear(gui.add_dropdown("choice", ("one", "two")))
+    color = hear(gui.add_rgb("colour", (1, 2, 3)))
+    span = hear(gui.add_range("span", 0.0, 10.0, 1.0, (2.0, 8.0)))
+    bars = hear(gui.add_histogram("bars", [1, 5, 9], (0.0, 100.0), (0.0, 50.0), unit="m", colors=RAMP))
+    button, group = hear(gui.add_button("press")), hear(gui.add_button_group("", ("left", "right")))
+    upload = hear(gui.add_upload_button("bring", accept=""))
+    time = hear(gui.add_timeline(0.0, 9.0, 1.0, 3.0))
+    page = visit()
+
+    control(page, check).get_by_role("checkbox").check()
+    program.wait_for(page, "checkbox", True)
+    page.get_by_role("slider", name="slide").press("ArrowRight")
+    program.wait_for(page, "slider", 0.4)
+    page.get_by_role("spinbutton", name="slide, as a number").fill("0.85")
+    page.keyboard.press("Enter")
+    program.wait_for(page, "slider", 0.85)  # exactly, though no step lies there
+    control(page, number).locator("input").fill("77")
+    page.keyboard.press("Tab")
+    program.wait_for(page, "number", 9.0)
+    control(page, number).locator("input").press("ArrowDown")
+    program.wait_for(page, "number", 8.5)
+    control(page, text).locator("input").fill("after")
+    program.wait_for(page, "text", "after")
+    control(page, choice).locator("select").select_option("two")
+    program.wait_for(page, "dropdown", "two")
+    control(page, color).locator("input").fill("#ff8000")
+    program.wait_for(page, "rgb", (255, 128, 0))
+    low, high = (page.get_by_role("slider", name=f"span, {end}") for end in ("low", "high"))
+    low.press("ArrowRight")
+    program.wait_for(page, "range", (3.0, 8.0))
+    high.press("Home")
+    program.wait_for(page, "range", (3.0, 3.0))  # the ends do not pass each other
+    page.get_by_role("slider", name="bars, high").press("End")
+    program.wait_for(page, "histogram", (0.0, 100.0))
+    control(page, button).get_by_role("button").click()
+    program.wait_for(page, "button", None)
+    control(page, group).get_by_role("button", name="right").click()
+    program.wait_for(page, "buttons", "right")
+    (tmp_path / "view.json").write_text('{"a": "ä"}', encoding="utf-8")
+    control(page, upload).locator("input").set_input_files(tmp_path / "view.json")
+    wait_until(page, lambda: program.last("upload"), lambda: program.said, seconds=20)
+    assert (program.last("upload").name, program.last("upload").text) == ("view.json", '{"a": "ä"}')
+    page.locator("#scene").press("ArrowRight")
+    program.wait_for(page, "timeline", 4.0)
+    assert control(page, time).locator("output").inner_text() == "4 / 9"
+    page.locator("#scene").press("Space")
+    wait_until(page, lambda: program.last("timeline") > 5, lambda: program.said[-3:], seconds=20)
+    assert dict(program.said).keys() >= {"button", "buttons"}
+
+
+def test_ends_of_a_histogram_are_dragged(program, visit):
+    bars = program.hear(program.pages.gui.add_histogram("bars", [1, 5, 9, 2], (0.0, 100.0), (20.0, 80.0)))
+    page = visit()
+    plot = control(page, bars).locator(".plot").bounding_box()
+    at = lambda share: plot["x"] + share * plot["width"]  # noqa: E731
+    page.mouse.move(at(0.8), plot["y"] + 20)
+    page.mouse.down()
+    page.mouse.move(at(0.5), plot["y"] + 20, steps=4)
+    page.mouse.up()
+    wait_until(page, lambda: program.last("histogram"), lambda: program.said, seconds=20)
+    wait_until(page, lambda: abs(program.last("histogram")[1] - 50) < 4, lambda: program.said[-2:], seconds=20)
+    assert program.last("histogram")[0] == 20.0
+
+
+def test_what_the_program_sets_is_shown_as_text_in_its_order(program, visit):
+    gui = program.pages.gui
+    with gui.add_folder(EVIL, order=2):
+        words = gui.add_words(f"two\nlines {EVIL}")
+        gui.add_table([(EVIL, "1.5 m")])
+    with gui.add_folder("first", order=1):
+        check = gui.add_checkbox(EVIL, False)
+        button = gui.add_button("a button", hint=EVIL)
+    page = visit()
+    expect(page.locator("summary")).to_have_text(["first", EVIL])
+    check.value, button.disabled, words.value = True, True, "three"
+    expect(control(page, check).get_by_label(EVIL)).to_be_checked()
+    expect(control(page, button).get_by_role("button")).to_be_disabled()
+    expect(control(page, words)).to_have_text("three")
+    check.visible = False
+    expect(control(page, check)).to_be_hidden()
+    program.pages.get_clients()[0].notify(EVIL, EVIL, seconds=60)
+    expect(page.locator(".notice strong")).to_have_text(EVIL)
+    page.keyboard.press("Control+k")
+    assert page.locator("script").count() == 1
+    assert page.locator("img").count() == 0
+    assert page.title() == "a title"
+
+
+def test_ten_thousand_rows_have_the_elements_of_those_in_sight(program, visit):
+    changes: list[tuple[tuple[str, ...], bool]] = []
+    tree = program.pages.gui.add_tree(lambda _, keys, visible: changes.append((keys, visible)))
+    labels = {f"k{k}": f"tiles/{k // 100:02d}/box {k}" for k in range(10_000)}
+    with program.pages.atomic():
+        for key, label in labels.items():
+            tree.put(key, label, True)
+    page = visit(height=900)
+    heard = lambda: sum(len(keys) for keys, _ in changes)  # noqa: E731
+    filtered = {key for key, label in labels.items() if "box" in label and "99" in label}
+
+    def wait_for(count: int) -> None:
+        wait_until(page, lambda: heard() == count, heard, seconds=20)
+        changes.clear()
+
+    expect(page.locator(".tree .count")).to_have_text("10,000 of 10,000 shown")
+    assert page.locator(".tree-row").count() < 60
+    page.get_by_role("treeitem", name="07", exact=True).locator(".tick").click()
+    wait_for(100)
+    assert {key for key, is_shown in tree.value.items() if not is_shown} == {f"k{k}" for k in range(700, 800)}
+    page.get_by_placeholder("Filter").fill("99 box")
+    expect(page.locator(".tree .count")).to_contain_text(f"{len(filtered)} of 10,000 names")
+    page.get_by_role("button", name="None", exact=True).click()
+    wait_for(len(filtered) - 1)  # k799 was hidden already
+    assert not any(tree.value[key] for key in filtered)
+    page.get_by_placeholder("Filter").fill("")
+    page.get_by_role("button", name="All", exact=True).click()
+    wait_for(100 + len(filtered) - 1)
+    page.get_by_role("tree").press("Space")  # on the group that holds all: more keys than one message may hold
+    wait_until(page, lambda: heard() == 10_000, heard, seconds=20)
+    assert len(changes) > 1
+    assert not any(tree.value.values())
+
+
+def test_the_palette_finds_each_command_once_with_all_its_keys(program, visit):
+    for key in ("plus", "=", "pageup"):
+        program.pages.gui.add_command("Larger points", key).on_trigger(lambda _: program.said.append(("command", "+")))
+    program.hear(program.pages.gui.add_button("Measure (M)"))
+    page = visit()
+    page.keyboard.press("Control+k")
+    labels = page.locator("#palette li .label").all_inner_texts()
+    assert len({label.lower() for label in labels}) == len(labels)
+    assert {"Larger points", "Measure", "Keys and commands"} <= set(labels)
+    row = page.locator("#palette li", has_text="Larger points")
+    assert row.locator("kbd").all_inner_texts() == ["+", "=", "Page up"]
+    page.keyboard.type("measure")
+    expect(page.get_by_role("option")).to_have_count(1)
+    page.keyboard.press("Enter")
+    program.wait_for(page, "button", None)
+    expect(page.locator("#palette")).to_be_hidden()
+    page.keyboard.press("Control+k")
+    page.keyboard.type("larger")
+    page.keyboard.press("Enter")
+    program.wait_for(page, "command", "+")
+    assert program.said == [("button", None), ("command", "+")]
+
+
+def test_keys_are_the_programs_first_and_none_while_one_types(program, visit):
+    command = program.pages.gui.add_command("Our own", "H")
+    command.on_trigger(lambda event: program.said.append(("command", event.client_id)))
+    text = program.pages.gui.add_text("text", "")
+    page = visit()
+    page.keyboard.press("h")
+    program.wait_for(page, "command", 0)
+    control(page, text).locator("input").press("h")
+    page.keyboard.press("Escape")
+    page.keyboard.press("?")
+    help_ = page.locator("#help")
+    expect(help_).to_be_visible()
+    assert [kbd for kbd in help_.locator("dt", has_text="H").all_inner_texts() if kbd == "H"] == ["H"]
+    page.keyboard.press("Escape")
+    expect(help_).to_be_hidden()
+    command.remove()
+    last = program.pages.gui.add_words("it has gone")
+    expect(control(page, last)).to_be_visible()
+    page.keyboard.press("h")
+    expect(help_).to_be_visible()
+    assert program.said == [("command", 0)]
+
+
+def test_a_gap_keeps_the_scene_and_where_the_page_looks(program, visit):
+    program.add_square(RED)
+    with program.pages.gui.add_folder("folder", open=False):
+        program.pages.gui.add_words("within")
+    page = visit(faults=False)
+    first = count_pixels(wait_for_picture(page, lambda image: count_pixels(image, RED) > 20_000), RED)
+    page.mouse.move(200, 300)
+    page.mouse.wheel(0, 400)
+    page.locator("summary").click()
+    smaller = wait_for_picture(page, lambda image: 1000 < count_pixels(image, RED) < 0.5 * first)
+    expected = count_pixels(smaller, RED)
+    program.pages.stop()
+    expect(page.get_by_text("Connection lost; trying again")).to_be_visible()
+    assert 0.9 < count_pixels(picture(page), RED) / expected < 1.1
+    again = Program(program.port)
+    try:
+        again.add_square(RED)
+        again.add_square(BLUE).place(np.eye(3), (5, 0, 0))
+        with again.pages.gui.add_folder("folder", open=False):
+            again.pages.gui.add_words("another")
+        expect(page.get_by_text("another")).to_be_visible()  # the folder that was opened is open
+        expect(page.locator("#state")).to_be_hidden()
+        assert 0.9 < count_pixels(picture(page), RED) / expected < 1.1
+        (client,) = again.pages.get_clients().values()
+        wait_until(page, lambda: client.camera.position[2] > 4, lambda: client.camera.position, seconds=20)
+    finally:
+        again.pages.stop()
+
+
+def test_an_end_is_told_with_how_to_start_again(program, visit):
+    page = visit(faults=False)
+    program.pages.end("Start it again: pointloom view scan.ply")
+    program.pages.stop()
+    expect(page.get_by_text("The program has ended.")).to_be_visible()
+    expect(page.get_by_text("pointloom view scan.ply")).to_be_visible()
+    page.wait_for_timeout(1500)  # tries to connect do not take the words away
+    expect(page.get_by_text("pointloom view scan.ply")).to_be_visible()
+
+
+def test_a_page_of_another_version_says_to_load_it_again(program, visit, monkeypatch):
+    page = visit()
+    monkeypatch.setattr("pointloom.drawing.viewer.link.hub.PROTOCOL", "pointloom.2")
+    program.pages.disconnect_all()
+    expect(page.get_by_role("button", name="Load again")).to_be_visible()
+    monkeypatch.undo()
+    page.get_by_role("button", name="Load again").click()
+    page.locator(OPEN).wait_for(state="attached")
+
+
+def test_on_a_phone_the_panel_is_a_sheet_below_the_picture(program, visit):
+    program.add_square(RED)
+    program.pages.gui.add_colorbar("height [m]", [(0.0, "0"), (1.0, "9")], RAMP)
+    program.pages.gui.add_timeline(0.0, 9.0, 1.0, 3.0)
+    check = program.pages.gui.add_checkbox("check", False)
+    page = visit(width=390, height=844)
+    grip = page.get_by_role("button", name="Controls")
+    expect(grip).to_have_attribute("aria-expanded", "false")
+    expect(control(page, check)).not_to_be_in_viewport()
+    closed, sheet, keys, bar = boxes(page, "#picture", "#side", "#keys", "#bar")
+    assert closed["height"] > 0.6 * 844
+    assert sheet["height"] < 60
+    for a, b in ((closed, sheet), (closed, keys), (closed, bar), (keys, bar), (bar, sheet)):
+        assert not overlap(a, b)
+    assert grip.bounding_box()["height"] >= 44
+    grip.click()
+    expect(control(page, check)).to_be_in_viewport()
+    opened, sheet = boxes(page, "#picture", "#side")
+    assert not overlap(opened, sheet)
+    assert control(page, check).bounding_box()["height"] >= 44
+    assert all(box.bounding_box()["width"] >= 44 for box in page.locator("#tools button:visible").all())
+    page.mouse.move(195, sheet["y"] + 20)
+    page.mouse.down()
+    page.mouse.move(195, 830, steps=5)
+    page.mouse.up()
+    expect(grip).to_have_attribute("aria-expanded", "false")
+
+
+def test_the_panel_and_what_colours_mean_lie_beside_the_picture(program, visit):
+    program.pages.gui.add_checkbox("check", False)
+    bar = program.pages.gui.add_colorbar("height [m]", [(0.0, "0"), (1.0, "9")], RAMP)
+    program.pages.gui.add_legend([("ground", (10, 20, 30), "12")])
+    page = visit()
+    found = boxes(page, "#picture", "#keys", "#side")
+    assert not any(overlap(a, b) for a, b in ((found[0], found[1]), (found[0], found[2]), (found[1], found[2])))
+    top = page.locator(".colorbar canvas.upright").bounding_box()
+    image = picture(page, panels=True)
+    x, y = round(top["x"] + 7), round(top["y"])
+    assert image[y + 3, x, 0] > 240  # the highest value on top
+    assert image[y + round(top["height"]) - 4, x, 2] > 240
+    page.get_by_role("separator", name="Width of the panel").press("ArrowLeft")
+    assert boxes(page, "#side")[0]["width"] == found[2]["width"] + 16
+    page.keyboard.press("t")
+    expect(page.locator("#side")).to_be_hidden()
+    page.keyboard.press("t")
+    bar.remove()
+    wait_until(page, lambda: page.locator(".colorbar").count() == 0, lambda: "still there", seconds=20)
+
+
+def test_dark_follows_the_reader_where_the_ground_is_not_the_programs(program, visit):
+    program.pages.set_background(np.array(WHITE) / 255, own=False)
+    page = visit()
+    dark = lambda image: float(image[300, 100].mean()) < 60  # noqa: E731
+    wait_for_picture(page, lambda image: not dark(image))
+    page.emulate_media(color_scheme="dark")
+    wait_for_picture(page, dark)
+    assert picture(page, panels=True)[20, 300].mean() < 60
+    program.pages.set_background(np.array(WHITE) / 255, own=True)
+    wait_for_picture(page, lambda image: not dark(image))
+    page.keyboard.press("d")
+    wait_until(page, lambda: picture(page, panels=True)[20, 300].mean() > 200, lambda: "still dark", seconds=20)
+
+
+def test_progress_hint_and_notices_are_told(program, visit):
+    program.pages.set_hint("Nothing is shown yet.")
+    program.pages.set_progress("Reading scan.ply …", 0.4)
+    page = visit()
+    expect(page.locator("#hint")).to_have_text("Nothing is shown yet.")
+    expect(page.get_by_role("progressbar")).to_have_attribute("aria-valuenow", "40")
+    expect(page.get_by_role("progressbar")).to_have_text("Reading scan.ply … 40 %")
+    program.pages.set_progress("")
+    program.pages.set_hint("")
+    expect(page.get_by_role("progressbar")).to_be_hidden()
+    expect(page.locator("#hint")).to_be_hidden()
+    program.pages.get_clients()[0].notify("It failed", "why", seconds=60, error=True)
+    expect(page.get_by_role("alert")).to_have_text("It failedwhy")
+    page.get_by_role("alert").get_by_role("button", name="Close").click()
+    expect(page.get_by_role("alert")).to_have_count(0)
+
+
+def test_files_are_saved_by_the_page(program, visit):
+    program.add_square(RED)
+    program.pages.gui.add_colorbar("height [m]", [(0.0, "0"), (1.0, "9")], RAMP)
+    page = visit()
+    wait_for_picture(page, lambda image: count_pixels(image, RED) > 10_000)
+    with page.expect_download() as download:
+        program.pages.get_clients()[0].download("cropped.json", b'{"a": 1}', "application/json")
+    assert download.value.suggested_filename == "cropped.json"
+    assert download.value.path().read_bytes() == b'{"a": 1}'
+    with page.expect_download() as download:
+        page.keyboard.press("Shift+P")
+    image = np.asarray(Image.open(io.BytesIO(download.value.path().read_bytes())).convert("RGB"))
+    picture_box, keys = boxes(page, "#picture", "#keys")
+    assert image.shape[:2] == (round(picture_box["height"]), round(picture_box["width"] + keys["width"]))
+    assert count_pixels(image, RED) > 10_000
+    assert count_pixels(image[:, -round(keys["width"]) :], BLUE, 60) > 100  # the lower end of the bar
+
+
+def test_clicks_are_told_when_asked_for_with_where_the_page_looks(program, visit):
+    program.add_square(RED)
+    page = visit()
+    clicks: list[Any] = []
+    box = page.locator("#picture").bounding_box()
+    place = (box["x"] + 0.25 * box["width"], box["y"] + 0.75 * box["height"])
+    page.mouse.click(*place)
+    program.pages.scene.on_click(clicks.append)
+    page.locator("#picture.clicks").wait_for()
+    page.keyboard.down("Shift")
+    page.mouse.click(*place)
+    page.keyboard.up("Shift")
+    wait_until(page, lambda: clicks, lambda: "no click", seconds=20)
+    (click,) = clicks
+    assert (click.x, click.y) == pytest.approx((0.25, 0.75), abs=0.01)
+    assert (click.shift, click.ctrl) == (True, False)
+    assert click.camera.size == (round(box["width"]), round(box["height"]))
