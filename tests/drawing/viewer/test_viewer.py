@@ -492,8 +492,9 @@ def test_a_page_that_goes_in_the_midst_of_updates_does_no_harm(shown, rng):
     shown.add("cloud", cloud_of(rng.random((2000, 3))))
     for _ in range(3):
         with line_of(shown.server) as line:
+            before = set(shown.sessions)
             say(line, HELLO)
-            session_of(shown)
+            wait_until(lambda before=before: set(shown.sessions) - before)
             line.socket.close()
             for _ in range(10):
                 shown.update("cloud", cloud_of(rng.random((2000, 3))))
