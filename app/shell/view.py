@@ -21,7 +21,7 @@ _COLORMAPS = ("viridis", "plasma", "inferno", "magma", "cividis", "turbo", "gray
 )  # fmt: skip
 @click.option(
     "--host", default="127.0.0.1", show_default=True, metavar="ADDRESS",
-    help="The address to listen on. With another, whoever reaches this machine sees the files.",
+    help="The address to listen on. With another, whoever has the address with its token sees the files.",
 )  # fmt: skip
 @click.option(
     "--max-points", type=click.IntRange(min=1), default=2_000_000, show_default=True, metavar="N",

@@ -153,7 +153,7 @@ def announce(viewer: Viewer) -> None:
         lines.append(f"port {viewer.server.moved_from} is taken; the next free one is {viewer.server.port}")
     lines.append(f"viewer: {viewer.url} (Ctrl-C ends it)")
     if viewer.server.exposed:
-        lines.append(f"listening on {viewer.server.host}: whoever reaches this machine sees the scene")
+        lines.append(f"listening on {viewer.server.host}: whoever has this address with its token sees the scene")
     if "SSH_CONNECTION" in os.environ:
         lines.append(f"from your own machine first: {viewer.ssh_line}")
     print("\n".join(lines), file=sys.stderr, flush=True)

@@ -61,13 +61,15 @@ class ViewerServer:
         if not isinstance(host, str) or not host:
             raise ValueError(f"host: expected an address such as 127.0.0.1, got {host!r}")
         try:
-            from .link import PageServer
+            from .link.hub import Hub  # noqa: F401  it alone imports websockets
         except ImportError as error:
             if (error.name or "").split(".")[0] == "pointloom":
                 raise
             raise ViewerExtraError(
                 'the viewer needs the package websockets: pip install "pointloom[viewer]"'
             ) from error
+        from .link import PageServer
+
         bound = _bind(host, port)
         self._pages: PageServer | None = None
         self.host, self.port = host, int(bound.getsockname()[1])

@@ -36,7 +36,7 @@ class Viewer(Looks):
 
     Args:
         port: Of the server; where it is taken, the next free one. 0 takes any.
-        host: The address that it listens on. With another than 127.0.0.1 whoever reaches the machine sees the scene.
+        host: The address that it listens on. With another than 127.0.0.1 the network reaches it too.
         title: Of the page.
         max_points: Of all clouds together in one page; of more, levels of detail are sent, as the camera rests.
         point_size: Diameter of points that have none of their own [px].

@@ -106,10 +106,13 @@ class Hub:
         self.lines: dict[ServerConnection, Visitor | None] = {}
         self._loop = asyncio.new_event_loop()
         self._stopping = asyncio.Event()
+        self._failure: BaseException | None = None
         ready = threading.Event()
         self._thread = threading.Thread(target=self._run, args=(ready,), name="pointloom-pages", daemon=True)
         self._thread.start()
         ready.wait()
+        if self._failure is not None:
+            raise self._failure
 
     def stop(self) -> None:
         """Send the pages away, free the port and end the thread; twice is no error."""
@@ -143,6 +146,10 @@ class Hub:
                 task.cancel()
             loop.run_until_complete(asyncio.gather(*left, return_exceptions=True))
             loop.run_until_complete(loop.shutdown_asyncgens())
+        except BaseException as error:
+            if ready.is_set():
+                raise
+            self._failure = error
         finally:
             ready.set()
             asyncio.set_event_loop(None)

@@ -47,7 +47,7 @@ def pack(ops: list[Op]) -> Iterator[memoryview]:
     yield from _slices(memoryview(struct.pack("<I", len(header)) + header))
     for values in arrays:
         if values.nbytes:
-            yield from _slices(memoryview(values).cast("B"))
+            yield from _slices(values.reshape(-1).view(np.uint8).data)
         if gap := -values.nbytes % ALIGN:
             yield memoryview(bytes(gap))
 

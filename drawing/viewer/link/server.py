@@ -21,7 +21,6 @@ from .camera import FIRST, CameraState, camera_fields, moved
 from .client import PageClient
 from .delivery import Channel, Delivery
 from .gui import Gui
-from .hub import Hub
 from .packing import Op
 from .page import ServedPage
 from .scene import Scene
@@ -48,6 +47,8 @@ class PageServer:
     """
 
     def __init__(self, bound: socket.socket, guard: RequestGuard, title: str = "pointloom"):
+        from .hub import Hub  # the one file that needs websockets, an extra
+
         self.token = secrets.token_urlsafe(TOKEN_BYTES)
         self._delivery = Delivery()
         self._channel = Channel(self._delivery, is_shared=True)
@@ -210,4 +211,5 @@ def _let_go_in_child() -> None:
         server.let_go_in_child()
 
 
-os.register_at_fork(after_in_child=_let_go_in_child)
+if hasattr(os, "register_at_fork"):  # not on Windows, which has no forks either
+    os.register_at_fork(after_in_child=_let_go_in_child)

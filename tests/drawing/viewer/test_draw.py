@@ -84,7 +84,7 @@ def test_a_port_that_is_taken_is_told_with_the_next_one(cloud, capfd):
 
 def test_an_open_door_is_told(cloud, capfd):
     with draw([cloud], host="0.0.0.0"):
-        assert "whoever reaches this machine sees the scene" in capfd.readouterr().err
+        assert "whoever has this address with its token sees the scene" in capfd.readouterr().err
 
 
 def test_open3d_s_parameters_count(cloud):

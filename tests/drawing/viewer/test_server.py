@@ -342,7 +342,8 @@ def test_pages_are_told_what_was_sent_last_before_they_are_sent_away():
 @pytest.mark.filterwarnings("ignore:This process:DeprecationWarning")
 def test_a_child_keeps_neither_the_port_nor_a_page(free_port):
     """A child that a library forks, as loaders of data do, has copies of all sockets."""
-    with ViewerServer(port=free_port) as server, page_of(server) as line:
+    with ViewerServer(port=free_port) as server, page_of(server) as line, silent_line(server, buffer=1 << 20) as deaf:
+        wait_until(lambda: count(server) == 2)
         child = os.fork()
         if child == 0:
             try:
@@ -357,6 +358,9 @@ def test_a_child_keeps_neither_the_port_nor_a_page(free_port):
             server.close()
             with pytest.raises(ConnectionClosed):
                 line.recv(timeout=5)
+            deaf.settimeout(5)
+            while deaf.recv(1 << 16):  # to its end, which a copy of the line would keep from coming
+                pass
             with pytest.raises(ConnectionRefusedError):
                 socket.create_connection(("127.0.0.1", free_port), timeout=5)
             with ViewerServer(port=free_port) as second:
