@@ -227,10 +227,20 @@ class Camera {
     this.face(scale(subtract(this.pivot, this.eye), 1 / length(subtract(this.pivot, this.eye))));
   }
 
+  /** The tangent of half the smaller angle that the view has. */
+  reach() {
+    const { fx, fy } = this.pixels();
+    return Math.min(this.box.width / fx, this.box.height / fy) / 2;
+  }
+
+  /** Another distance from the pivot. */
+  recede(factor) {
+    this.eye = add(this.pivot, scale(subtract(this.eye, this.pivot), factor));
+  }
+
   /** All of the scene's bounds from the present direction. */
   fit() {
-    const { fx, fy } = this.pixels();
-    const half = Math.min(this.box.width / fx, this.box.height / fy) / 2; // tangent of half the smaller angle
+    const half = this.reach();
     const distance = ((this.radius || this.unit) * 1.05) / (this.orthographic ? half : Math.sin(Math.atan(half)));
     this.pivot = this.middle;
     this.eye = subtract(this.middle, scale(column(this.rotation, 2), distance));

@@ -176,9 +176,10 @@ class Engine {
 
   home() {
     if (this.first === null) return this.fit();
+    const { linked, cameras } = this.views;
+    this.views.set(1, linked);
     Object.assign(this.views.camera, structuredClone(this.first));
-    if (this.views.cameras.length > 1) this.setViews(this.views.cameras.length, this.views.linked);
-    return this.changed();
+    return this.setViews(cameras.length, linked);
   }
 
   camera() {

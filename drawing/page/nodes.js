@@ -62,7 +62,7 @@ class Tree {
     top.parent.children.delete(top);
     const gone = [top];
     for (let k = 0; k < gone.length; k++) {
-      gone.push(...gone[k].children);
+      for (const child of gone[k].children) gone.push(child);
       this.nodes.delete(gone[k].id);
     }
     this.list = null;
@@ -73,13 +73,12 @@ class Tree {
   seen() {
     if (this.list === null) {
       this.list = [];
-      const waiting = [this.root];
-      while (waiting.length > 0) {
-        const node = waiting.pop();
-        if (!node.visible) continue;
+      const walk = (node) => {
+        if (!node.visible) return;
         if (node.geometry || node.label) this.list.push(node);
-        waiting.push(...[...node.children].reverse());
-      }
+        for (const child of node.children) walk(child);
+      };
+      walk(this.root);
     }
     return this.list;
   }

@@ -21,7 +21,7 @@ class NoWebGL extends Error {}
 class Painter {
   constructor(canvas) {
     this.canvas = canvas;
-    this.gl = canvas.getContext("webgl2", { antialias: false, depth: false, alpha: false });
+    this.gl = canvas.getContext("webgl2", { antialias: false, depth: false, alpha: false, powerPreference: "high-performance" });
     if (!this.gl) throw new NoWebGL("this browser has no WebGL 2 here");
     this.density = 1;
     this.start();

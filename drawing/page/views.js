@@ -17,9 +17,10 @@ class Views {
     return this.cameras[this.active];
   }
 
-  /** Another number of views: the first stays, the others look from its sides and from above. */
+  /** Another number of views: the first stays, the others look from its sides and from above. Each shows as much as before. */
   set(count, linked) {
     const first = this.camera;
+    const reach = first.reach();
     this.linked = linked;
     this.active = 0;
     this.cameras = [first];
@@ -38,6 +39,7 @@ class Views {
       this.cameras[3].face(scale(others[1], -1));
     }
     this.resize(this.width, this.height);
+    for (const camera of this.cameras) camera.recede(reach / camera.reach());
   }
 
   resize(width, height) {
@@ -73,7 +75,7 @@ class Views {
       if (other === camera) continue;
       if (name === "orbit") other.orbit(...values);
       other.shift(by);
-      other.eye = add(other.pivot, scale(subtract(other.eye, other.pivot), ratio));
+      other.recede(ratio);
     }
   }
 }
