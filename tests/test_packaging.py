@@ -65,6 +65,12 @@ def test_the_wheel_holds_every_module_of_the_tree(wheel):
     assert {name for name in wheel.namelist() if name.endswith(".py")} == modules_of_the_tree()
 
 
+def test_the_wheel_holds_the_scripts_styles_and_pages_of_the_browser(wheel):
+    paths = [path for path in (ROOT / "drawing" / "page").rglob("*") if path.suffix in {".js", ".css", ".html"}]
+    assert len(paths) > 20
+    assert {f"pointloom/{path.relative_to(ROOT).as_posix()}" for path in paths} <= set(wheel.namelist())
+
+
 def test_the_wheel_holds_nothing_outside_the_package(wheel):
     dist_info = f"pointloom-{PROJECT['project']['version']}.dist-info"
     data = dist_info.replace(".dist-info", ".data")

@@ -19,6 +19,7 @@ class Pace {
 
   /** Draws soon: thinned where it must be, and whole when nothing more is asked for a moment. */
   ask() {
+    if (this.asked && this.waiting) return; // a picture is to come, and it shows this too
     this.tell(false);
     this.asked = true;
     clearTimeout(this.timer);
@@ -39,7 +40,11 @@ class Pace {
     this.asked = false;
     clearTimeout(this.timer);
     const start = performance.now();
-    this.draw(every);
+    try {
+      this.draw(every);
+    } catch (error) {
+      console.error(error); // the next picture may be well, and has to be asked for
+    }
     await this.finished();
     this.count += 1;
     if (this.count > 2) this.note(performance.now() - start, every); // the first compile programs and take buffers in

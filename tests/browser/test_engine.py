@@ -250,9 +250,8 @@ def test_a_card_that_forgets_is_filled_from_what_was_kept(engine):
     )
     assert engine.evaluate("told.lost") == [[3]]
     same = "engine.tree.get(4).geometry.arrays.positions === window.sent"
-    engine.evaluate(
-        "window.sent = new Float32Array(60_000); engine.add(4, 0, 'points', { visible: false }, { positions: sent })"
-    )
+    engine.evaluate("window.sent = new Float32Array(60_000)")
+    engine.evaluate("engine.add(4, 0, 'points', { visible: false }, { positions: sent })")
     assert engine.evaluate(same)  # what is kept is what came, not a copy of it
     np.testing.assert_array_equal(seen(engine), before)
 

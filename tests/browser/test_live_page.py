@@ -105,7 +105,7 @@ def test_ends_of_a_histogram_are_dragged(program, visit):
     high = page.get_by_role("spinbutton", name="bars, high, as a number")
     assert abs(float(high.input_value()) - 50) < 4
     page.mouse.up()
-    expect(high).to_have_value("90")
+    expect(high).to_have_value("90.0")
 
 
 def test_what_the_program_sets_is_shown_as_text_in_its_order(program, visit):

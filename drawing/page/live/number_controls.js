@@ -234,7 +234,8 @@ class HistogramControl extends Control {
     const { edges = [0, 1], value, unit = "" } = this.props;
     this.thumbs.unit = this.unit.textContent = unit ?? "";
     this.unit.hidden = this.unit.textContent === "";
-    this.thumbs.setRange(edges[0], edges[1], (edges[1] - edges[0]) / 1000, null);
+    const span = edges[1] - edges[0];
+    this.thumbs.setRange(edges[0], edges[1], span / 1000, span > 0 ? clamp(Math.ceil(-Math.log10(span / 500)), 0, 9) : null);
     this.thumbs.show(value ?? edges);
     this.draw();
   }
@@ -258,7 +259,7 @@ class HistogramControl extends Control {
       const share = high > low ? clamp((middle - low) / (high - low), 0, 1) : 0.5;
       const row = 3 * Math.round(share * 255);
       context.fillStyle = colors?.data ? cssColor(colors.data.subarray(row, row + 3)) : plain;
-      context.globalAlpha = isIn ? 1 : 0.22;
+      context.globalAlpha = (isIn ? 1 : 0.22) * (colors?.data ? 1 : 0.6);
       const [left, right] = [bin, bin + 1].map((edge) => Math.round((edge / counts.length) * width * density) / density);
       const tall = count > 0 ? Math.max(1, (Math.sqrt(count) / most) * (BAR_HEIGHT - 4)) : 0;
       context.fillRect(left, BAR_HEIGHT - tall, Math.max(right - left, 1 / density), tall);
