@@ -35,7 +35,8 @@ def wave(count):
     x, y = rng.random((2, count), np.float32) * 10
     return np.column_stack([x, y, np.sin(2 * x) * np.cos(3 * y) * 0.3]).astype(np.float32)
 def paint(points):
-    return np.clip(np.column_stack([points[:, 0] * 25, points[:, 1] * 25, 128 + points[:, 2] * 300]), 0, 255).astype(np.uint8)
+    x, y, z = points.T
+    return np.clip(np.column_stack([x * 25, y * 25, 128 + z * 300]), 0, 255).astype(np.uint8)
 def sheet(k):
     x, y = np.mgrid[:k, :k].astype(np.float32) / k
     i = np.arange(k * k).reshape(k, k)
@@ -57,13 +58,20 @@ POINTS = {
     "rerun": "rr.log('cloud', rr.Points3D(points, colors=colors), static=True)",
 }
 OBJECTS = {
-    "pointloom": "box = loom.TriangleMesh.create_box(0.5, 0.5, 0.5)\n"
-    "def add(k): viewer.add(f'boxes/{k // 100}/{k}', box, pose=at(k))\ndef move(k): viewer.set_pose(f'boxes/{k // 100}/{k}', at(k))",
-    "viser": "handles = {}\n"
-    "def add(k): handles[k] = server.scene.add_box(f'/boxes/{k // 100}/{k}', dimensions=(0.5, 0.5, 0.5), position=at(k)[:3, 3])\n"
-    "def move(k): handles[k].position = at(k)[:3, 3] + 0.1",
-    "rerun": "def add(k): rr.log(f'boxes/{k // 100}/{k}', rr.Boxes3D(half_sizes=[[0.25] * 3], centers=[at(k)[:3, 3]]), static=True)\n"
-    "def move(k): rr.log(f'boxes/{k // 100}/{k}', rr.Transform3D(translation=at(k)[:3, 3]), static=True)",
+    "pointloom": """
+box = loom.TriangleMesh.create_box(0.5, 0.5, 0.5)
+def add(k): viewer.add(name(k), box, pose=at(k))
+def move(k): viewer.set_pose(name(k), at(k))
+""",
+    "viser": """
+handles = {}
+def add(k): handles[k] = server.scene.add_box(name(k), dimensions=(0.5, 0.5, 0.5), position=at(k)[:3, 3])
+def move(k): handles[k].position = at(k)[:3, 3] + 0.1
+""",
+    "rerun": """
+def add(k): rr.log(name(k), rr.Boxes3D(half_sizes=[[0.25] * 3], centers=[at(k)[:3, 3]]), static=True)
+def move(k): rr.log(name(k), rr.Transform3D(translation=at(k)[:3, 3]), static=True)
+""",
 }
 MESHES = {
     "pointloom": "viewer.add('mesh', loom.TriangleMesh(corners, triangles))",
@@ -81,6 +89,7 @@ def scenes() -> dict[str, dict[str, str]]:
     head = "corners, triangles = sheet(1582)\n# timed\n"
     made["triangles-5M"] = {who: head + call for who, call in MESHES.items()}
     at = "def at(k):\n    T = np.eye(4)\n    T[:3, 3] = k % 100, k // 100 % 100, 0\n    return T\n"
+    at += "def name(k): return f'boxes/{k // 100}/{k}'\n"
     told = (
         "import time\n# timed\ncosts = []\nfor k in range(COUNT):\n    t = time.process_time()\n    add(k)\n"
         "    costs.append(time.process_time() - t)\nt = time.process_time()\nfor k in range(100): move(k)\n"

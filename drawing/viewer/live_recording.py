@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ...core.checks import check_count, check_name, check_positive
+from ...core.paths import path_of
 from ..recording.film import find_view
 from ..recording.recorder import FASTEST, MAX_FRAMES, MAX_POINTS, check_picture_size
 from ..recording.shapes import ShapeStore, Sketch, pose_about, sketch, spread_rows
@@ -58,7 +59,8 @@ def write_history(
     fps, size = check_positive("fps", fps, maximum=FASTEST), check_picture_size(size)
     most, max_frames = check_count("max_points", max_points), check_count("max_frames", max_frames, minimum=2)
     ground = viewer.background.tolist() if background is None else background
-    check_recording(path, fps=fps, background=ground, overwrite=overwrite)
+    place = path_of(path)
+    check_recording(place, fps=fps, background=ground, overwrite=overwrite)
     title = check_name("title", title)
     with viewer.lock:
         history = viewer.timeline
@@ -71,7 +73,7 @@ def write_history(
     timeline.title, timeline.fps = ", ".join([title, *notes] if title else notes), fps
     view = find_view(view, timeline, None, *size)
     look = {"view": view, "background": tuple(ground), "overwrite": overwrite}
-    write_recording(path, timeline, size=size, say=lambda *_: None, **look)
+    write_recording(place, timeline, size=size, say=lambda *_: None, **look)
 
 
 def moments_of(history: LiveTimeline, most: int) -> list[Moment]:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import bisect
 import dataclasses
+import inspect
 import logging
 import math
 from collections.abc import Iterable, Iterator, Mapping
@@ -185,9 +186,9 @@ class LiveTimeline:
                     self._put_in(item)
                     continue
                 if not _is_same_pose(item.pose, state.pose):
-                    type(viewer).set_pose.__wrapped__(viewer, name, np.eye(4) if state.pose is None else state.pose)
+                    inspect.unwrap(type(viewer).set_pose)(viewer, name, np.eye(4) if state.pose is None else state.pose)
                 if item.visible != state.visible:
-                    type(viewer).set_visible.__wrapped__(viewer, name, state.visible)
+                    inspect.unwrap(type(viewer).set_visible)(viewer, name, state.visible)
             if is_new:
                 viewer._settle()
             viewer._changed(is_new)

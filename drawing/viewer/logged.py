@@ -6,7 +6,7 @@ import contextlib
 import functools
 import threading
 from collections.abc import Callable, Iterator
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeVar, cast
 
 from ...core.errors import PointloomError
 
@@ -15,6 +15,7 @@ if TYPE_CHECKING:
 
 EARLIER = "The time line shows an earlier moment; go to its end to change the scene."
 _asker = threading.local()
+Change = TypeVar("Change", bound=Callable[..., None])
 
 
 @contextlib.contextmanager
@@ -27,7 +28,7 @@ def asked_by_page() -> Iterator[None]:
         _asker.is_page = before
 
 
-def logged(change: Callable[..., None]) -> Callable[..., None]:
+def logged(change: Change) -> Change:
     """Have a call of the viewer belong to the moment of `set_time`; it does as ever where that was never called.
 
     While the pages look at an earlier moment, the program's changes go into the history alone.
@@ -52,4 +53,4 @@ def logged(change: Callable[..., None]) -> Callable[..., None]:
             else:
                 raise PointloomError(EARLIER)
 
-    return run
+    return cast(Change, run)

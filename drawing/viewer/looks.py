@@ -84,7 +84,8 @@ class Looks(Scene):
         from .stills import draw_scene
 
         with self.lock:
-            return draw_scene(self, self.get_view(client), path, self.clip_of(client))
+            viewer: Any = self  # a Viewer
+            return draw_scene(viewer, viewer.get_view(client), path, self.clip_of(client))
 
     def save_html(self, path: str | os.PathLike[str], *, overwrite: bool = True) -> None:
         """Write the scene as one page that needs neither server nor network, with at most `max_points` points.
@@ -95,7 +96,7 @@ class Looks(Scene):
         from .stills import write_scene
 
         with self.lock:
-            write_scene(self, path, overwrite=overwrite)
+            write_scene(self, path, overwrite=overwrite)  # type: ignore[arg-type]  # a Viewer
 
     @property
     def point_size(self) -> float:

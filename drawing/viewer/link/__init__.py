@@ -2,7 +2,7 @@
 
 from .camera import CameraState, PageCamera
 from .client import PageClient
-from .controls import Command, Handle, PanelEvent, Tree, UploadedFile
+from .controls import Command, Handle, PanelEvent, Shown, Tree, UploadedFile
 from .gui import Gui
 from .scene import ClickEvent, Node, Scene
 from .server import PageServer
@@ -19,6 +19,7 @@ __all__ = [
     "PageServer",
     "PanelEvent",
     "Scene",
+    "Shown",
     "Tree",
     "UploadedFile",
 ]
