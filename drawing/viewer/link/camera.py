@@ -16,6 +16,7 @@ from .delivery import Channel
 
 FARTHEST = 1e12
 MOST_PIXELS = 16384
+LEAST_ANGLE = 1e-4  # that a field of view differs from 0 and from pi [rad]: its tangent is a divisor
 ORTHONORMAL = 1e-3  # that |R R^T - 1| of what a page says may be
 _NUMBERS = ("near", "far", "closest", "farthest")
 
@@ -144,6 +145,7 @@ def camera_fields(fields: dict[str, Any]) -> dict[str, Any]:
             sent[name] = check_angle(name, value)
             if sent[name] >= math.pi:
                 raise ValueError(f"fov: expected less than pi, got {value!r}")
+            sent[name] = min(max(sent[name], LEAST_ANGLE), math.pi - LEAST_ANGLE)
         elif name in _NUMBERS:
             sent[name] = check_positive(name, check_number(name, value))
         elif name == "orthographic":

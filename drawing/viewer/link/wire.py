@@ -9,7 +9,7 @@ from typing import Any, NoReturn
 
 import numpy as np
 
-from .camera import FARTHEST, MOST_PIXELS, CameraState, nearest_rotation
+from .camera import FARTHEST, LEAST_ANGLE, MOST_PIXELS, CameraState, nearest_rotation
 
 MOST_BYTES = 1 << 20  # of a message that brings a file
 MOST_SMALL_BYTES = 64 << 10  # of any other
@@ -121,7 +121,7 @@ def _is_size(value: Any) -> bool:
 
 
 def _is_angle(value: Any) -> bool:
-    return is_number(value) and 0 < value < math.pi
+    return is_number(value) and LEAST_ANGLE <= value <= math.pi - LEAST_ANGLE
 
 
 def _is_share(value: Any) -> bool:

@@ -86,6 +86,7 @@ def test_a_page_says_hello_first(server, first):
 
 BAD_CAMERAS = [
     {"size": [70_000, 600]}, {"size": [0, 600]}, {"size": [800.5, 600]}, {"size": [800]}, {"fov": 0}, {"fov": -1},
+    {"fov": 5e-324}, {"fov": 3.14159265},
     {"fov": 4}, {"fov": True}, {"position": [1e300, 0, 0]}, {"position": [0, 0]}, {"position": [None, 0, 0]},
     {"rotation": [0] * 9}, {"rotation": [1] * 9}, {"rotation": [1, 0, 0, 0, 1, 0, 0, 0, -1]},
     {"rotation": [1.1, 0, 0, 0, 1, 0, 0, 0, 1]}, {"rotation": [1e308] * 9}, {"rotation": [[1, 0, 0]] * 3},
