@@ -212,6 +212,12 @@ class Scene(Hooks):
         there = next((geometry for name, geometry in self._with_unit.items() if name not in coming), None)
         check_units([*([] if there is None else [there]), *(geometry for _, geometry, _ in named)])
 
+    def _page_unit(self) -> str | None:
+        """What a length of the page is in; None where nobody knows, or not all of the scene is in one unit."""
+        units = {geometry.unit for geometry in self._with_unit.values()} - {None}
+        unit = units.pop() if len(units) == 1 and self.frame.unit == 1 else None
+        return None if unit is None or unit.metres is None else unit.symbol
+
     def _take_in(self, item: Item) -> None:
         """Have an item stand under its name, in place of the one before."""
         before = self.shown.get(item.name)
@@ -292,6 +298,7 @@ class Scene(Hooks):
         shares, self._shares_changed = self._shares_changed, False
         self.panel.catch_up()
         self.server.pages.set_hint("" if self.shown else HINT)
+        self.server.pages.set_unit(self._page_unit())
         self._reach()
         for session in self._open_sessions():
             with session.as_it_lasts():

@@ -16,7 +16,7 @@ CREATE = {"node": "node", "control": "control"}
 CHANGE = {"set": "node", "setcontrol": "control"}
 DROP = {"drop": "node", "dropcontrol": "control", "dropcommand": "command"}
 # One of each: the newest counts. Those that are kept are told to pages that come later.
-KEPT = {"background", "clicks", "bounds", "progress", "hint", "title"}
+KEPT = {"background", "clicks", "bounds", "progress", "hint", "title", "unit"}
 NEWEST = KEPT | {"sign", "end"}
 MESSAGE_BYTES = 8 << 20  # small batches that wait are sent as one message of about so much
 MOST_NOTICES = 64  # that wait for a page

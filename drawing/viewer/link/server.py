@@ -128,6 +128,10 @@ class PageServer:
         """The page's title."""
         self._channel.send({"op": "title", "text": str(text)})
 
+    def set_unit(self, text: str | None) -> None:
+        """The unit of the page's coordinates, for its scale bar; None where there is none to say."""
+        self._channel.send({"op": "unit", "text": None if text is None else str(text)})
+
     def set_progress(self, text: str, share: float | None = None) -> None:
         """What is being done, and how much of it is; "" once it is done."""
         share = None if share is None else check_share("share", share)

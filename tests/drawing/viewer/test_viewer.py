@@ -883,3 +883,21 @@ def test_a_program_can_use_a_viewer_in_a_block(rng):
         assert "1 geometries" in repr(shown) or "1 geometr" in repr(shown)
     assert "closed" in repr(shown)
     assert scene.Scene in Viewer.__mro__
+
+
+def test_pages_know_the_unit_of_their_scale_bar_where_all_of_the_scene_is_in_one(shown):
+    def told(page):
+        shown.catch_up()
+        page.look()
+        return page.others("unit")[-1].text
+
+    with page_in(shown) as page:
+        shown.add("here", loom.PointCloud([[0, 0, 0], [1, 1, 1]]))
+        assert told(page) is None  # nobody knows
+        shown.add("feet", loom.PointCloud([[0, 0, 0], [2, 2, 2]], unit="ft"))
+        assert told(page) == "ft"
+        with pytest.warns(loom.UnitWarning):
+            shown.add("metres", loom.PointCloud([[0, 0, 0], [3, 3, 3]], unit="m"))
+        assert told(page) is None
+        shown.remove("feet")
+        assert told(page) == "m"
