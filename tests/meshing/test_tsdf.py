@@ -195,6 +195,7 @@ def test_a_threshold_that_makes_no_sense_is_refused(threshold):
             extract(threshold)
 
 
+@pytest.mark.filterwarnings("ignore:depth_scale, depth_max")  # true of 1e30 m
 @settings(deadline=None, derandomize=True, max_examples=15)
 @given(
     st.lists(
