@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from ...kernels.memory import download
 from ..recording.shapes import spread_rows
 from ..render.parts import Points
-from .items import Frame, Item, Matrix
+from .items import Frame, Item, Matrix, finite_rows
 
 if TYPE_CHECKING:
     from .link import Node, PageClient
@@ -71,9 +71,9 @@ class WholeCloud:
         positions = download(part.positions).reshape(-1, 3)
         chosen = even_share(self.total, self.budget)
         rows = positions if chosen is None else positions[chosen]
-        finite = np.isfinite(rows).all(axis=1)
+        finite = finite_rows(rows)
         self._indices = np.flatnonzero(finite) if chosen is None else chosen[finite]
-        self._positions = np.asarray(rows[finite], np.float32)
+        self._positions = np.asarray(rows if finite.all() else rows[finite], np.float32)
         is_complete = not self.waits
         self._steps = in_steps(len(self._positions))
         count = len(self._steps) if is_complete and self._nodes else len(self._nodes)
