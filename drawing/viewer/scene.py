@@ -19,6 +19,7 @@ from ..render.geometries import Named, check_units
 from ..render.parts import Triangles, Triple
 from ..render.upward import direction_under, up_of
 from ..render.view import View, fit_view
+from .arrivals import Arrivals
 from .camera import camera_of, diagonal, reach_of, read_parameters
 from .coloring_choice import ColoringChoice
 from .extents import Bounds, Extents
@@ -85,7 +86,7 @@ class Scene(Hooks):
         self._told_bounds: Any = None  # as pages were told them
         self._with_unit: dict[str, Any] = {}  # geometries that had one when they came
         self._later = Later(self._catch_up, self.take_lock, self.lock.release)
-        self._shares_changed = False
+        self._shares_changed, self._arrivals = False, Arrivals(self)
         self.server = ViewerServer(host, port, title=title)
         self.url, self.ssh_line = self.server.url, self.server.ssh_line
         try:
@@ -288,6 +289,7 @@ class Scene(Hooks):
         if look:
             self._aim_first_camera()
             self._reach()
+            self._arrivals.fitted()
             for session in self._open_sessions():
                 with session.as_it_lasts():
                     session.go_home()
@@ -300,6 +302,7 @@ class Scene(Hooks):
         self.server.pages.set_hint("" if self.shown else HINT)
         self.server.pages.set_unit(self._page_unit())
         self._reach()
+        self._arrivals.fit()
         for session in self._open_sessions():
             with session.as_it_lasts():
                 if shares:

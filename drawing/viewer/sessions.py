@@ -12,10 +12,12 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ..render.view import View
+from .arrivals import Homes
 from .camera import Camera, camera_of, reach_of, view_of
 from .items import Item
 from .pacing import Pace
 from .whole_cloud import WholeCloud
+from .words import told
 
 if TYPE_CHECKING:
     from .link import PageCamera, PageClient
@@ -48,6 +50,7 @@ class Session:
         self._callbacks: list[Callable[[View], None]] = []
         self._moved, self._timer = time.monotonic(), None
         self._put, self._put_shape = np.zeros(3), 0  # where the camera was put, and the shape of the page then
+        self._homes = Homes()
         self._line: Any = None
         self._toolbox: Any = None
         self._pace = Pace(client.ask_for_sign)
@@ -83,10 +86,20 @@ class Session:
 
     def go_home(self) -> None:
         """Look from where the viewer was told to, or from where all is seen."""
-        self.look_from(self.viewer.home())
+        self._look_from(self.viewer.home())
+        self._homes.put(self._put)
+
+    def go_home_if_still(self) -> None:
+        """See all of what has come, where nobody has moved the camera since it saw all, and no tool is at work."""
+        if self._homes.are_at(self.client.camera.position) and getattr(self._toolbox, "tool", None) is None:
+            self.go_home()
 
     def look_from(self, view: View) -> None:
         """Put the camera there."""
+        self._homes.leave()
+        self._look_from(view)
+
+    def _look_from(self, view: View) -> None:
         width, height = self.client.camera.size
         self._put_camera(camera_of(view, self.viewer.frame, self.viewer.bounds, width / height))
 
@@ -327,7 +340,7 @@ class Session:
         shape = _shape(self.client.camera.size)
         if shape != self._put_shape:
             if np.allclose(self.client.camera.position, self._put, rtol=1e-4, atol=0):
-                self.look_from(self.viewer.home())
+                self.go_home()
             self._put_shape = shape
 
     def _wait_anew(self, seconds: float) -> None:
@@ -371,23 +384,6 @@ class Session:
             self.tell()
         for callback in tuple(self._callbacks):
             callback(view)
-
-
-def told(drawn: int, total: int, triangles: int = 0) -> str:
-    """What is drawn, in words: points where there are clouds, triangles where there are surfaces."""
-    words = []
-    if total >= 1_000_000:
-        millions = f"{total / 1e6:.3g}" if total < 1e9 else f"{total / 1e6:,.0f}"
-        words.append(f"{drawn / 1e6:.1f} of {millions} million points")
-    elif total:
-        words.append(_counted(total, "point") if drawn == total else f"{drawn:,} of {_counted(total, 'point')}")
-    if triangles:
-        words.append(_counted(triangles, "triangle"))
-    return ", ".join(words)
-
-
-def _counted(count: int, name: str) -> str:
-    return f"{count:,} {name}{'' if count == 1 else 's'}"
 
 
 def _shape(size: tuple[int, int]) -> int:

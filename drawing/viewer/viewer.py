@@ -163,6 +163,7 @@ class Viewer(Looks):
             for item in made:
                 self._show(item)
                 self.panel.put_item(item)
+            self._arrivals.note()
             self._changed(was_empty)
 
     @logged

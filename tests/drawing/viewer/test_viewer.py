@@ -901,3 +901,26 @@ def test_pages_know_the_unit_of_their_scale_bar_where_all_of_the_scene_is_in_one
         assert told(page) is None
         shown.remove("feet")
         assert told(page) == "m"
+
+
+def test_what_is_added_beyond_the_view_is_shown_until_somebody_moves_the_camera(shown, page, rng):
+    def is_seen(place):
+        shown.catch_up()
+        page.look()
+        view = shown.get_view()
+        x, y, depth = view.intrinsic.matrix @ (
+            (np.array(place) - view.T_world_camera[:3, 3]) @ view.T_world_camera[:3, :3]
+        )
+        x, y = x / depth, y / depth
+        return bool(depth > 0 and 0 <= x < view.intrinsic.width and 0 <= y < view.intrinsic.height)
+
+    shown.add("one", loom.PointCloud(rng.random((100, 3))))
+    assert is_seen([0.5, 0.5, 0.5]) and not is_seen([40, 0, 0])
+    for k in range(1, 5):
+        shown.add(f"box {k}", loom.PointCloud(rng.random((100, 3)) + np.array([10 * k, 0, 0])))
+        assert is_seen([10 * k, 0, 0])
+    shown.update("box 4", loom.PointCloud(rng.random((100, 3)) + np.array([500, 0, 0])))
+    assert not is_seen([500, 0, 0])  # what only moves takes no camera with it
+    page.move(shown.get_view().T_world_camera[:3, 3] * 1.1)
+    shown.add("far", loom.PointCloud(rng.random((100, 3)) + np.array([0, 900, 0])))
+    assert not is_seen([0, 900, 0])
