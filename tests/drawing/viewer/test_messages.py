@@ -341,7 +341,7 @@ def test_what_waits_for_one_page_is_bounded(server, monkeypatch):
             return count(server) == 0
 
         wait_until(is_dropped_as_more_comes, 20)
-        assert not client.is_open
+        wait_until(lambda: not client.is_open)
 
 
 def test_updates_of_a_page_that_reads_nothing_take_no_more_than_one(server):
