@@ -9,6 +9,7 @@ import pointloom as loom
 from pointloom.drawing.viewer.tools.picking import project
 
 from .pixels import wait_until as wait_for
+from .pixels import wait_until_still
 
 POINTS = np.array([[0.0, 0, 0], [2, 0, 0], [0, 2, 0], [1, 1, 0]])
 
@@ -45,6 +46,7 @@ def test_buttons_sliders_keys_and_clicks_reach_the_program(viewer, open_page):
     page.get_by_text("ValueError: that was the last scan").wait_for()
     size.value = 2
     wait_until(page, lambda: page.get_by_role("slider", name="neighbours").input_value() == "1")  # steps
+    wait_until_still(page)  # the panel takes its room first, and the scene is fitted anew
     (number,) = viewer.sessions
     box = page.locator("#picture").bounding_box()
     x, y, _ = project(viewer.get_view(number), POINTS[3])

@@ -87,7 +87,8 @@ def test_many_points_move_thinned_and_are_drawn_whole_at_rest(open_recording):
     wait_for(page, "recording.statistics().frame >= 6")
     page.keyboard.press("Space")
     wait_for(page, SETTLED)
-    assert statistics(page)["every"] == 1 and statistics(page)["uploads"] == 2
+    wait_for(page, "recording.statistics().every === 1")
+    assert statistics(page)["uploads"] == 2
     image = stage(page)
     assert is_reddish(image).sum() > 5000 and is_color(image, BLUE, 130).sum() > 5000
 
