@@ -137,25 +137,37 @@ def _most(points: NDArray[Any]) -> NDArray[np.float64]:
     return np.zeros((1, 3))
 
 
+def finite_rows(rows: NDArray[Any]) -> NDArray[np.bool_]:
+    """Which rows [n, 3] are finite, bool [n]; by columns, as NumPy takes six times as long along rows so short."""
+    finite = np.isfinite(rows)
+    return finite[:, 0] & finite[:, 1] & finite[:, 2]
+
+
 @quiet()
 def finite_box(points: NDArray[Any]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """The lowest and highest coordinates of the finite points, as float64 [3] each; zeros where none is finite."""
+    return box_of_finite(points) or (np.zeros(3), np.zeros(3))
+
+
+@quiet()
+def box_of_finite(points: NDArray[Any]) -> tuple[NDArray[np.float64], NDArray[np.float64]] | None:
+    """The lowest and highest coordinates of the finite points, as float64 [3] each; None where none is finite."""
+    if not len(points):
+        return None
     if points.dtype.kind != "f":
         points = points.astype(np.float64)
     # By columns: NumPy's reduction along the first of two axes is five times slower for rows of three.
     low = np.array([column.min(initial=np.inf) for column in points.T])
     high = np.array([column.max(initial=-np.inf) for column in points.T])
     if not (np.isfinite(low).all() and np.isfinite(high).all()):
-        finite = points[np.isfinite(points).all(axis=1)]
+        finite = points[finite_rows(points)]
         if not len(finite):
-            return np.zeros(3), np.zeros(3)
+            return None
         low, high = finite.min(axis=0), finite.max(axis=0)
     return low.astype(np.float64), high.astype(np.float64)
 
 
 def describe_bounds(points: NDArray[Any]) -> dict[str, list[float]] | None:
     """The box around the finite points in JSON's types, as `format_bounds` takes it; None where none is finite."""
-    if not np.isfinite(points).all(axis=1).any():
-        return None
-    low, high = finite_box(points)
-    return {"min": low.tolist(), "max": high.tolist()}
+    box = box_of_finite(points)
+    return None if box is None else {"min": box[0].tolist(), "max": box[1].tolist()}

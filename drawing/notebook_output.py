@@ -40,9 +40,14 @@ for (const frame of document.querySelectorAll('iframe[name="%(name)s"]')) {
 </script>"""
 
 
+def ipython_shell() -> Any:
+    """IPython's shell that this runs in; None where there is none."""
+    return getattr(sys.modules.get("IPython"), "get_ipython", lambda: None)()
+
+
 def in_notebook() -> bool:
     """Whether this runs in the kernel of a notebook, which shows what a cell ends with."""
-    shell = getattr(sys.modules.get("IPython"), "get_ipython", lambda: None)()
+    shell = ipython_shell()
     return type(shell).__name__ == "ZMQInteractiveShell" or getattr(shell, "kernel", None) is not None
 
 

@@ -6,10 +6,11 @@ neither ports nor memory run out in a kernel that lives for days. Viewers are he
 
 from __future__ import annotations
 
-import sys
 import threading
 import weakref
 from typing import TYPE_CHECKING, Any, NamedTuple
+
+from ..notebook_output import ipython_shell
 
 if TYPE_CHECKING:
     from .viewer import Viewer
@@ -55,8 +56,7 @@ def _this_run() -> _Run | None:
     JupyterLab and VS Code tell the name of a cell with each request; where it is missing, cells of the same text count
     as one.
     """
-    shell = getattr(sys.modules.get("IPython"), "get_ipython", lambda: None)()
-    get_parent = getattr(shell, "get_parent", None)
+    get_parent = getattr(ipython_shell(), "get_parent", None)
     if get_parent is None:
         return None
     request: Any = get_parent()

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import atexit
 import contextlib
-import os
 import shlex
 import sys
 import weakref
@@ -16,18 +15,18 @@ from ..notebook_output import in_notebook
 if TYPE_CHECKING:
     from .viewer import Viewer
 
-_open: weakref.WeakKeyDictionary[Viewer, int] = weakref.WeakKeyDictionary()  # and the process that opened each
+_open: weakref.WeakSet[Viewer] = weakref.WeakSet()
 
 
 def close_at_exit(viewer: Viewer) -> None:
     """Close a viewer at the end of the process, where nobody has done so before."""
-    _open[viewer] = os.getpid()
+    _open.add(viewer)
 
 
 @atexit.register
 def _close_all() -> None:
-    for viewer, process in list(_open.items()):
-        if process == os.getpid():  # a child of it has a copy, and no page
+    for viewer in list(_open):
+        if not viewer.server.closed:  # as a forked child's copy is, which has no page
             with contextlib.suppress(Exception):  # the interpreter is going
                 viewer.close()
 

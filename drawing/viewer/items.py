@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ...core.coordinates import finite_box
+from ...core.coordinates import box_of_finite, finite_rows
 from ...kernels.arrays.bounds import bound_points
 from ...kernels.memory import download
 from ...pcd.cloud import PointCloud
@@ -216,22 +216,14 @@ def make_item(name: str, number: int, geometry: Any, style: Style, tree: Any = N
     return Item(name, number, geometry, style, parts, cloud, _bounds(parts), tree=tree)
 
 
-def finite_rows(rows: NDArray[Any]) -> NDArray[np.bool_]:
-    """Which rows [n, 3] are finite, bool [n]; by columns, as NumPy takes six times as long along rows so short."""
-    finite = np.isfinite(rows)
-    return finite[:, 0] & finite[:, 1] & finite[:, 2]
-
-
 def _bounds(parts: list[Part]) -> Bounds | None:
     """The box around parts; None where nothing is drawn."""
     one = parts[0] if len(parts) == 1 and parts[0].pose is None else None
     if one is not None and one.positions.device.is_cpu and 0 < one.positions.size <= SMALL:
         # the first launch of a kernel starts its compiler, which takes longer than all else before the first picture
         rows = download(one.positions).reshape(-1, 3)
-        if not finite_rows(rows).any():
-            return None
-        low, high = finite_box(rows)
-        return low + one.origin, high + one.origin
+        box = box_of_finite(rows)
+        return None if box is None else (box[0] + one.origin, box[1] + one.origin)
     drawn = [part for part in parts if part.positions.size and bound_points(part.positions)[2]]
     return bounds_of(drawn) if drawn else None
 

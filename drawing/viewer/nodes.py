@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from ...core.coordinates import finite_rows
 from ...kernels.memory import download
 from ..render.parts import Lines, Part, Points, Triangles
 from .items import Frame, Item
@@ -80,7 +81,7 @@ class ItemNodes:
         step = -(-part.positions.size // MOST_NORMALS)
         feet = download(part.positions).reshape(-1, 3)[::step]
         heads = feet + np.float32(length) * download(part.normals).reshape(-1, 3)[::step]
-        finite = np.isfinite(heads).all(axis=1)
+        finite = finite_rows(heads)
         if finite.any():
             ends = np.stack([feet[finite], heads[finite]], axis=1)
             self._normals = self._pages.scene.add_lines(ends, plain=NORMAL_COLOR, **self._placed(part))

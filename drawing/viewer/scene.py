@@ -83,7 +83,6 @@ class Scene(Hooks):
         self._levels = LevelBuilder(self)  # type: ignore[arg-type]  # a Viewer
         self._extents = Extents()
         self._point_count = self.triangle_count = 0  # of all clouds, and of all surfaces
-        self._told_bounds: Any = None  # as pages were told them
         self._with_unit: dict[str, Any] = {}  # geometries that had one when they came
         self._later = Later(self._catch_up, self.take_lock, self.lock.release)
         self._shares_changed, self._arrivals = False, Arrivals(self)
@@ -371,10 +370,7 @@ class Scene(Hooks):
 
     def _reach(self) -> None:
         """Pages draw all of the scene; their wheels go as near and as far as makes sense."""
-        low, high = map(self.frame.to_page, self.bounds)
-        if [low.tolist(), high.tolist()] != self._told_bounds:
-            self._told_bounds = [low.tolist(), high.tolist()]
-            self.server.pages.set_bounds(low, high)
+        self.server.pages.set_bounds(*map(self.frame.to_page, self.bounds))
         for session in self._open_sessions():
             with session.as_it_lasts():
                 session.set_reach()

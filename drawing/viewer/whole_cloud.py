@@ -8,10 +8,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ...core.coordinates import finite_rows
 from ...kernels.memory import download
 from ..recording.shapes import spread_rows
 from ..render.parts import Points
-from .items import Frame, Item, Matrix, finite_rows
+from .items import Frame, Item, Matrix
 
 if TYPE_CHECKING:
     from .link import Node, PageClient

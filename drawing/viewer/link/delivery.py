@@ -60,7 +60,7 @@ class Delivery:
     def send(self, channel: Channel, op: Op, gone: Iterable[int] = ()) -> None:
         """Note an operation; of one that drops something, with the numbers of all that goes."""
         with self.lock:
-            if self.closed:
+            if self.closed or (channel.is_shared and self._shown.holds(op)):
                 return
             if self._open == 0:
                 self._batch += 1

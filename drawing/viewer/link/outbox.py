@@ -158,6 +158,10 @@ class Shown:
     def __init__(self) -> None:
         self._ops: dict[Key, Op] = {}
 
+    def holds(self, op: Op) -> bool:
+        """Whether an operation of which there is one of each says what was said last."""
+        return op["op"] in KEPT and self._ops.get(key_of(op)) == op
+
     def put(self, op: Op, gone: Iterable[int]) -> None:
         """Note an operation that all pages get; those that show nothing lasting are passed over."""
         name = op["op"]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 from collections.abc import Callable
-from typing import Any
+from typing import Any, TypedDict, Unpack
 
 from .arrays import placing
 from .camera import CameraState
@@ -83,6 +83,24 @@ class Node:
             self._channel.send({"op": "set", "id": self.id, **properties})
 
 
+class Placement(TypedDict, total=False):
+    """Where a node stands.
+
+    Attributes:
+        parent: What it hangs on; None for the scene.
+        R: Rotation to the parent's frame [3, 3]; None for none.
+        t: Where its origin stands there [3]; None for the parent's.
+        scale: Of its unit, 1 if not given.
+        visible: Whether it is drawn, as it is if not given.
+    """
+
+    parent: Node | None
+    R: Any
+    t: Any
+    scale: float
+    visible: bool
+
+
 class Scene:
     """What pages draw. All lengths are in the unit of the parent's frame; with no parent, of the page.
 
@@ -97,11 +115,9 @@ class Scene:
         self._channel, self._shared = channel, shared
         self._on_click: list[Callable[[ClickEvent], Any]] = []
 
-    def add_group(
-        self, parent: Node | None = None, *, R: Any = None, t: Any = None, scale: float = 1.0, visible: bool = True
-    ) -> Node:
+    def add_group(self, **placed: Unpack[Placement]) -> Node:
         """A frame that others hang on."""
-        return self._add("group", {}, parent, R, t, scale, visible)
+        return self._add("group", {}, **placed)
 
     def add_points(
         self,
@@ -114,11 +130,7 @@ class Scene:
         metric: bool = False,
         relief: bool = True,
         opacity: float = 1.0,
-        parent: Node | None = None,
-        R: Any = None,
-        t: Any = None,
-        scale: float = 1.0,
-        visible: bool = True,
+        **placed: Unpack[Placement],
     ) -> Node:
         """Points.
 
@@ -131,15 +143,11 @@ class Scene:
             metric: See `size`.
             relief: Whether eye-dome light falls on them.
             opacity: 0 to 1.
-            parent: What they hang on.
-            R: Rotation to the parent's frame [3, 3].
-            t: Where their origin stands there [3].
-            scale: Of their unit.
-            visible: Whether they are drawn.
+            placed: Where they stand, as `Placement` has it.
         """
         properties = {"positions": positions, "colors": colors, "plain": plain, "normals": normals, "size": size}
         properties |= {"metric": metric, "relief": relief, "opacity": opacity}
-        return self._add("points", properties, parent, R, t, scale, visible)
+        return self._add("points", properties, **placed)
 
     def add_surface(
         self,
@@ -155,11 +163,7 @@ class Scene:
         cull: bool = False,
         wireframe: bool = False,
         opacity: float = 1.0,
-        parent: Node | None = None,
-        R: Any = None,
-        t: Any = None,
-        scale: float = 1.0,
-        visible: bool = True,
+        **placed: Unpack[Placement],
     ) -> Node:
         """Triangles.
 
@@ -175,24 +179,14 @@ class Scene:
             cull: Whether back faces are left out.
             wireframe: Whether their edges are drawn over them.
             opacity: 0 to 1.
-            parent: What they hang on; `R`, `t`, `scale`, `visible` as for points.
+            placed: Where they stand, as `Placement` has it.
         """
         properties = {"positions": positions, "indices": indices, "normals": normals, "colors": colors, "plain": plain}
         properties |= {"uvs": uvs, "texture": texture, "lit": lit, "cull": cull, "wireframe": wireframe}
-        return self._add("triangles", {**properties, "opacity": opacity}, parent, R, t, scale, visible)
+        return self._add("triangles", {**properties, "opacity": opacity}, **placed)
 
     def add_lines(
-        self,
-        ends: Any,
-        colors: Any = None,
-        *,
-        plain: Any = None,
-        width: float = 1.0,
-        parent: Node | None = None,
-        R: Any = None,
-        t: Any = None,
-        scale: float = 1.0,
-        visible: bool = True,
+        self, ends: Any, colors: Any = None, *, plain: Any = None, width: float = 1.0, **placed: Unpack[Placement]
     ) -> Node:
         """Lines.
 
@@ -201,16 +195,16 @@ class Scene:
             colors: uint8, of each end [m, 2, 3] or of each line [m, 3].
             plain: One colour for all, 0 to 255 [3].
             width: [px].
-            parent: What they hang on; `R`, `t`, `scale`, `visible` as for points.
+            placed: Where they stand, as `Placement` has it.
         """
         properties = {"ends": ends, "colors": colors, "plain": plain, "width": width}
-        return self._add("lines", properties, parent, R, t, scale, visible)
+        return self._add("lines", properties, **placed)
 
     def add_label(
         self, text: str, position: Any, *, anchor: str = "center", parent: Node | None = None, visible: bool = True
     ) -> Node:
         """Words at a place of the parent's frame [3]; `anchor` says which of their corners stands there."""
-        return self._add("label", {"text": text, "anchor": anchor}, parent, None, position, 1.0, visible)
+        return self._add("label", {"text": text, "anchor": anchor}, parent=parent, t=position, visible=visible)
 
     def add_instances(
         self,
@@ -221,11 +215,7 @@ class Scene:
         plain: Any = None,
         solid: bool = False,
         width: float = 1.0,
-        parent: Node | None = None,
-        R: Any = None,
-        t: Any = None,
-        scale: float = 1.0,
-        visible: bool = True,
+        **placed: Unpack[Placement],
     ) -> Node:
         """Many of one shape.
 
@@ -237,10 +227,10 @@ class Scene:
             plain: One colour for all, 0 to 255 [3].
             solid: Whether faces are drawn, else edges alone.
             width: Of edges [px].
-            parent: What they hang on; `R`, `t`, `scale`, `visible` as for points.
+            placed: Where they stand, as `Placement` has it.
         """
         properties = {"shape": shape, "poses": poses, "colors": colors, "plain": plain, "solid": solid, "width": width}
-        return self._add("instances", properties, parent, R, t, scale, visible)
+        return self._add("instances", properties, **placed)
 
     def show_shared(self, node: Node, visible: bool) -> None:
         """Show or hide in this page alone what the scene of all pages holds, until that says otherwise."""
@@ -264,7 +254,15 @@ class Scene:
         return tuple(self._on_click)
 
     def _add(
-        self, kind: str, properties: dict[str, Any], parent: Node | None, R: Any, t: Any, scale: float, visible: bool
+        self,
+        kind: str,
+        properties: dict[str, Any],
+        *,
+        parent: Node | None = None,
+        R: Any = None,
+        t: Any = None,
+        scale: float = 1.0,
+        visible: bool = True,
     ) -> Node:
         fields = checked(kind, {name: value for name, value in properties.items() if value is not None})
         node = Node(self._channel, kind, self._channel.delivery.number(), R, t, scale, bool(visible))
