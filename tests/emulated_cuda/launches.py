@@ -33,7 +33,7 @@ class State(ctypes.Structure):
     _fields_ = (
         ("base", ctypes.c_uint64),
         ("size", ctypes.c_uint64),
-        *((name, ctypes.c_void_p) for name in ("bytes", "valid", "written", "tracks")),
+        *((name, ctypes.c_void_p) for name in ("bytes", "valid", "written", "tracks", "byte_tracks")),
         ("launch", ctypes.c_uint32),
         ("block_threads", ctypes.c_uint32),
         ("interval", ctypes.c_int32),
@@ -98,7 +98,8 @@ class Launches:
         self.state = State.in_dll(self.runtime, "EMULATOR")
         self.state.base, self.state.size = memory.base, SPAN
         self.state.bytes, self.state.valid = memory.bytes, memory.valid
-        self.state.written, self.state.tracks = memory.written, memory.tracks
+        self.state.written = memory.written
+        self.state.tracks, self.state.byte_tracks = memory.tracks, memory.byte_tracks
         self.counters = findings.counters = counters.Counters(self.runtime)
 
     # ------------------------------------------------------------------------------------------ modules

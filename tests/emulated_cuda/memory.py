@@ -7,12 +7,12 @@ from collections import OrderedDict
 
 from .findings import CudaFault
 
-SPAN = 1 << 42  # device addresses; none is used twice, so that a use after release is always seen
+SPAN = 1 << 41  # device addresses; none is used twice, so that a use after release is always seen
 SMALL_SPAN = SPAN // 4  # arrays up to LARGE lie here
 LARGE, CHUNK = 1 << 16, 1 << 20
 ALIGNMENT, GAP = 512, 256  # of addresses, as cudaMalloc has it; between arrays at least
 FRESH, RELEASED = 0xCB, 0xDB
-TRACK_BYTES = 28  # of struct Track, one for four bytes
+TRACK_BYTES = 32  # of struct Track: one for four bytes, and one for each byte that was touched by itself
 PAGE = 4096
 _PROT_NONE, _PROT_READ_WRITE = 0, 3
 _MAP_PRIVATE, _MAP_ANONYMOUS, _MAP_NORESERVE, _MADV_DONTNEED = 2, 0x20, 0x4000, 4
@@ -35,7 +35,8 @@ class Memory:
 
     Device addresses lie in a range without any access rights: a host that follows one dies at once. Kernels and copies
     go through `base -> bytes`; `valid` says of each eight bytes how many belong to a live array, `written` of each byte
-    whether it was written, `tracks` who touched it last.
+    whether it was written, `tracks` and `byte_tracks` who touched
+    it last.
     """
 
     def __init__(self, room: int, *, uninitialised: bool, races: bool) -> None:
@@ -45,6 +46,7 @@ class Memory:
         self.valid = _map(SPAN // 8, _PROT_READ_WRITE)
         self.written = _map(SPAN, _PROT_READ_WRITE) if uninitialised else 0
         self.tracks = _map(SPAN // 4 * TRACK_BYTES, _PROT_READ_WRITE) if races else 0
+        self.byte_tracks = _map(SPAN * TRACK_BYTES, _PROT_READ_WRITE) if races else 0
         self.next_small, self.next_large = ALIGNMENT, SMALL_SPAN
         self.live: dict[int, tuple[int, str]] = {}  # address -> size, who made it
         self.released: OrderedDict[int, tuple[int, str]] = OrderedDict()
@@ -112,7 +114,8 @@ class Memory:
 
     def _forget(self, offset: int, size: int) -> None:
         """Hand whole pages back to the system: the addresses are never used again."""
-        for area, scale in ((self.bytes, 1), (self.written, 1), (self.tracks, TRACK_BYTES // 4)):
+        tracks = ((self.tracks, TRACK_BYTES // 4), (self.byte_tracks, TRACK_BYTES))
+        for area, scale in ((self.bytes, 1), (self.written, 1), *tracks):
             first = -(-(area + offset * scale) // PAGE) * PAGE
             last = (area + (offset + size) * scale) // PAGE * PAGE
             if area and last > first:

@@ -61,6 +61,30 @@ def bytes_of_a_word_kernel(a: wp.array(dtype=wp.uint8)):
 
 
 @wp.kernel(enable_backward=False)
+def own_byte_kernel(a: wp.array(dtype=wp.uint8)):
+    i = wp.tid()
+    a[i] = a[i] + wp.uint8(1)
+
+
+@wp.kernel(enable_backward=False)
+def byte_of_another_kernel(a: wp.array(dtype=wp.uint8)):
+    i = wp.tid()
+    if i > 0:
+        a[i] = a[i - 1] + wp.uint8(1)
+
+
+@wp.kernel(enable_backward=False)
+def two_writes_of_a_byte_kernel(a: wp.array(dtype=wp.uint8)):
+    a[wp.tid() // 64] = wp.uint8(1 + wp.tid())
+
+
+@wp.kernel(enable_backward=False)
+def own_half_kernel(a: wp.array(dtype=wp.uint16)):
+    i = wp.tid()
+    a[i] = a[i] + wp.uint16(1)
+
+
+@wp.kernel(enable_backward=False)
 def tiles_kernel(a: wp.array(dtype=int), out: wp.array(dtype=int)):
     i = wp.tid()
     x = a[i] + 0
@@ -101,7 +125,9 @@ def main() -> None:
     numbers = (two_writes_kernel, same_value_kernel, own_element_kernel, read_of_another_kernel, atomics_kernel)
     for kernel in (*numbers, atomic_and_plain_kernel):
         wp.launch(kernel, 128, [wp.zeros(256, dtype=int, device=DEVICE)], device=DEVICE)
-    wp.launch(bytes_of_a_word_kernel, 128, [wp.zeros(128, dtype=wp.uint8, device=DEVICE)], device=DEVICE)
+    for kernel in (bytes_of_a_word_kernel, own_byte_kernel, byte_of_another_kernel, two_writes_of_a_byte_kernel):
+        wp.launch(kernel, 128, [wp.zeros(128, dtype=wp.uint8, device=DEVICE)], device=DEVICE)
+    wp.launch(own_half_kernel, 128, [wp.zeros(128, dtype=wp.uint16, device=DEVICE)], device=DEVICE)
     given, out = wp.zeros(256, dtype=int, device=DEVICE), wp.zeros(4, dtype=int, device=DEVICE)
     wp.launch(tiles_kernel, 256, [given, out], device=DEVICE, block_dim=64)
     device = installed()

@@ -89,12 +89,12 @@ typedef struct Thread {
     u32 traced;             /* which of the traces it is */
 } Thread;
 
-/* The last accesses to four bytes, for the race detector. */
+/* The last accesses to four bytes, or to one, for the race detector. */
 typedef struct Track {
     u32 write_launch, writer, read_launch, reader;
+    u32 split_launch; /* of four bytes: the launch that touches one or two of them alone, and so has a track for each */
     u16 write_barriers, read_barriers;
     u16 write_syncs, read_syncs; /* of the warp */
-    u8 write_bytes, read_bytes;
     u8 atomic, many_readers; /* 1: lanes of one warp, 2: of several */
 } Track;
 
@@ -104,6 +104,7 @@ typedef struct Emulator {
     u8 *valid;      /* of each 8 bytes, how many belong to a live array */
     u8 *written;    /* 1 for each byte that was written; NULL: not looked at */
     Track *tracks;  /* one for each 4 bytes; NULL: races not looked at */
+    Track *byte_tracks;
     u32 launch, block_threads;
     s32 interval, countdown; /* mean memory accesses between switches of threads (0: none), and those left */
     u64 random;

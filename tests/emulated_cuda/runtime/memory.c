@@ -55,45 +55,60 @@ static int unordered(const Thread *t, u32 other, u16 barriers, u16 syncs)
     return barriers == barriers_of(t) && !(same_warp(t, other) && syncs != syncs_of(t));
 }
 
-static void track_read(Thread *t, Track *k, u8 bytes, u64 address, u32 statement)
+static void track_read(Thread *t, Track *k, u64 address, u32 statement)
 {
     u32 now = EMULATOR.launch;
-    if (k->write_launch == now && (k->write_bytes & bytes) && unordered(t, k->writer, k->write_barriers, k->write_syncs))
+    if (k->write_launch == now && unordered(t, k->writer, k->write_barriers, k->write_syncs))
         emulator_note(t, k->atomic ? NOTE_ATOMIC_AND_PLAIN : NOTE_READ_AND_WRITE, address, statement, k->writer);
     if (k->read_launch != now)
         k->many_readers = 0;
     else if (k->reader != t->global && k->many_readers < 2)
         k->many_readers = same_warp(t, k->reader) ? 1 : 2;
-    if (k->read_launch != now)
-        k->read_bytes = 0;
     k->read_launch = now;
     k->reader = t->global;
     k->read_barriers = barriers_of(t);
     k->read_syncs = syncs_of(t);
-    k->read_bytes |= bytes;
 }
 
-static void track_write(Thread *t, Track *k, u8 bytes, u64 address, u32 access, u32 statement)
+static void track_write(Thread *t, Track *k, u64 address, u32 access, u32 statement)
 {
     u32 now = EMULATOR.launch;
     int atomic = access == ATOMIC;
-    if (k->write_launch == now && (k->write_bytes & bytes) && unordered(t, k->writer, k->write_barriers, k->write_syncs)
+    if (k->write_launch == now && unordered(t, k->writer, k->write_barriers, k->write_syncs)
         && !(atomic && k->atomic))
         emulator_note(t, atomic || k->atomic ? NOTE_ATOMIC_AND_PLAIN : NOTE_TWO_WRITES, address, statement, k->writer);
     int current = !t->block || k->read_barriers == barriers_of(t);
     if (k->many_readers == 1 && same_warp(t, k->reader))
         current = current && k->read_syncs == syncs_of(t);
-    if (k->read_launch == now && (k->read_bytes & bytes)
+    if (k->read_launch == now
         && (unordered(t, k->reader, k->read_barriers, k->read_syncs) || (k->many_readers && current)))
         emulator_note(t, atomic ? NOTE_ATOMIC_AND_PLAIN : NOTE_READ_AND_WRITE, address, statement, k->reader);
-    if (k->write_launch != now || k->writer != t->global)
-        k->write_bytes = 0;
     k->write_launch = now;
     k->writer = t->global;
     k->write_barriers = barriers_of(t);
     k->write_syncs = syncs_of(t);
-    k->write_bytes |= bytes;
     k->atomic = (u8)atomic;
+}
+
+static void track(Thread *t, Track *k, u64 address, u32 access, u32 statement)
+{
+    if (access == LOAD)
+        track_read(t, k, address, statement);
+    else
+        track_write(t, k, address, access, statement);
+}
+
+/* Arrays of one or two bytes an element have threads side by side in a word, which do not meet. */
+static void track_bytes(Thread *t, Track *word, u64 offset, u32 size, u32 access, u32 statement)
+{
+    Track *each = EMULATOR.byte_tracks + (offset & ~3ull);
+    if (word->split_launch != EMULATOR.launch) {
+        word->split_launch = EMULATOR.launch;
+        for (u32 k = 0; k < 4; k++)
+            each[k] = *word;
+    }
+    for (u32 k = 0; k < size; k++)
+        track(t, each + (offset & 3) + k, EMULATOR.base + offset + k, access, statement);
 }
 
 void emulator_track(Thread *t, u64 address, u32 size, u32 access, u32 statement, const void *value)
@@ -101,12 +116,16 @@ void emulator_track(Thread *t, u64 address, u32 size, u32 access, u32 statement,
     u64 offset = address - EMULATOR.base;
     if (access == STORE && value && memcmp(value, EMULATOR.bytes + offset, size) == 0)
         return;
-    u8 bytes = size < 4 ? (u8)(((1u << size) - 1) << (offset & 3)) : 15;
-    for (u64 word = offset >> 2; word <= (offset + size - 1) >> 2; word++) {
-        if (access == LOAD)
-            track_read(t, EMULATOR.tracks + word, bytes, address, statement);
+    if (size < 4) {
+        track_bytes(t, EMULATOR.tracks + (offset >> 2), offset, size, access, statement);
+        return;
+    }
+    for (u64 at = offset; at < offset + size; at += 4) {
+        Track *word = EMULATOR.tracks + (at >> 2);
+        if (word->split_launch == EMULATOR.launch)
+            track_bytes(t, word, at, 4, access, statement);
         else
-            track_write(t, EMULATOR.tracks + word, bytes, address, access, statement);
+            track(t, word, EMULATOR.base + at, access, statement);
     }
 }
 
