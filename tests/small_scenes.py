@@ -17,11 +17,11 @@ import digest_scenes  # noqa: E402
 import scenes  # noqa: E402
 from digest_on_clouds import ON_CLOUDS  # noqa: E402
 from digest_once import ONCE  # noqa: E402
-from digests import digest  # noqa: E402
+from digests import digest, parts_of  # noqa: E402
 
 sys.path.remove(BENCHMARKS)
 
-__all__ = ["ONCE", "ON_CLOUDS", "ON_HOST", "SmallScenes", "digest"]
+__all__ = ["ONCE", "ON_CLOUDS", "ON_HOST", "SmallScenes", "digest", "digest_scenes", "parts_of"]
 
 COUNT = 1_009  # points of the small surface; no block size divides it
 # Files, pickles and boxes never leave the host; hulls are SciPy's, some shapes NumPy's.

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from ...core.errors import FileError
 from ...kernels.lang import float32, launch, uint8, vec4
-from ...kernels.memory import empty, upload, write
+from ...kernels.memory import copy, empty, upload, write
 from ...kernels.stereo.brightness import resize_brightness_kernel
 from .last_used import LastUsed
 from .posed_pictures import PosedCamera
@@ -91,6 +91,9 @@ def plane_slots(count: int, size: int, device: Any) -> Slots:
     return Slots(count, size, vec4, device)
 
 
-def put_planes(slots: Slots, first: int, planes: NDArray[np.float32]) -> None:
-    """Write a map of planes, [n, 4], into a slot."""
-    write(slots.values[first : first + len(planes)], planes)
+def put_planes(slots: Slots, first: int, planes: Any) -> None:
+    """Write a map of planes into a slot: a device array [n], or NumPy [n, 4]."""
+    if isinstance(planes, np.ndarray):
+        write(slots.values[first : first + len(planes)], planes)
+    else:
+        copy(slots.values, planes, count=planes.size, offset=first)

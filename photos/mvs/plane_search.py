@@ -13,21 +13,24 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...cameras.camera import PinholeCameraIntrinsic
+from ...kernels.array_types import Array1
 from ...kernels.lang import launch, vec4
-from ...kernels.memory import download, empty, upload
+from ...kernels.memory import clone, download, empty, upload
 from ...kernels.stereo.inverse_planes import refine_planes_kernel
 from ...kernels.stereo.patch_costs import Reference, Sources
 from ...kernels.stereo.patch_match import Turn, spread_planes, start_planes
+from ...kernels.stereo.place_planes import TOLERANCE, plane_priors
+from ...kernels.stereo.plain_places import find_places
 from ...kernels.stereo.plane_prior import judge_places, take_priors
 from ...kernels.stereo.plane_results import finish_planes
 from ...registration.rigid import invert_pose
 from .depth_maps import DepthMap
 from .picture_slots import Picture, Slots, picture_slots, plane_slots, put_brightness, put_planes, read_picture
-from .plane_priors import fit_priors
 from .posed_pictures import PosedCamera
 
 Matrix = NDArray[np.float64]
 SLOT_BYTES = 20  # a pixel: its brightness and its plane
+PLANE_BYTES = 16  # a pixel
 SEED_STEP = 7919  # between the seeds of one picture and the next, of one phase and the next
 LEAST_SIDE = 24  # [px] of a picture that is worth a phase of its own
 MOST_SEED = 0x7FFFFFFF
@@ -91,14 +94,19 @@ class Setting:
 
 @dataclasses.dataclass(frozen=True)
 class Found:
-    """The planes of a picture so far, float32 [pixels, 4], in memory or in a file."""
+    """The planes of a picture so far: vec4 [pixels] on the device, or float32 [pixels, 4] in memory or in a file."""
 
-    planes: NDArray[np.float32] | Path
+    planes: Array1[vec4] | NDArray[np.float32] | Path
     camera: PinholeCameraIntrinsic
 
-    def read(self) -> NDArray[np.float32]:
+    def read(self) -> Any:
         """The planes."""
         return np.load(self.planes) if isinstance(self.planes, Path) else self.planes
+
+    def on(self, device: Any) -> Array1[vec4]:
+        """The planes on the device, to be changed."""
+        planes = self.read()
+        return upload(planes, vec4, device) if isinstance(planes, np.ndarray) else clone(planes)
 
 
 def plan_for(cameras: Sequence[PosedCamera]) -> tuple[Phase, ...]:
@@ -108,9 +116,11 @@ def plan_for(cameras: Sequence[PosedCamera]) -> tuple[Phase, ...]:
 
 
 def find_depth(setting: Setting, folder: Path | None, say: Any) -> Iterator[DepthMap]:
-    """The depth maps of all pictures in order; planes are kept in `folder` meanwhile, in memory where it is None."""
-    plan = plan_for(setting.cameras)
+    """The depth maps of all pictures in order; planes that have no room on the device are kept in
+    `folder` meanwhile, in memory where it is None."""
+    plan, stay = plan_for(setting.cameras), _stay_on_device(setting)
     count, found = len(setting.cameras), [None] * len(setting.cameras)
+    folder = None if stay else folder
     with tempfile.TemporaryDirectory(prefix=".planes-", dir=folder) if folder else contextlib.nullcontext() as place:
         for number, phase in enumerate(plan):
             walk = _Walk(setting, number, phase, found)
@@ -121,9 +131,16 @@ def find_depth(setting: Setting, folder: Path | None, say: Any) -> Iterator[Dept
                 if number == len(plan) - 1:
                     yield _no_depth(setting.cameras[i]) if planes is None else walk.result(i, planes)
                 elif planes is not None:
-                    fresh[i] = _kept(planes, walk.cameras[i], place, number, i)
+                    camera = walk.cameras[i]
+                    fresh[i] = Found(planes, camera) if stay else _kept(planes, camera, place, number, i)
             _drop(found)
             found = fresh
+
+
+def _stay_on_device(setting: Setting) -> bool:
+    """Whether the planes of all pictures have room on the device, those of two phases, beside what is matched."""
+    size = sum(each.intrinsic.width * each.intrinsic.height for each in setting.cameras)
+    return (SLOT_BYTES + 2 * PLANE_BYTES) * size <= setting.device_bytes
 
 
 def _kept(planes: Any, camera: PinholeCameraIntrinsic, place: str | None, number: int, index: int) -> Found:
@@ -178,7 +195,7 @@ class _Walk:
         if before is None:
             planes = empty(size, vec4, device)
         else:
-            planes = upload(before.read(), vec4, device)
+            planes = before.on(device)
             columns, rows = before.camera.width, before.camera.height
             if (columns, rows) != (reference.width, reference.height):
                 coarse, planes = planes, empty(size, vec4, device)
@@ -194,18 +211,12 @@ class _Walk:
                 )  # fmt: skip
                 spread_planes(turn, reference, sources, planes, costs)
         if phase.prior:
-            priors = upload(self._priors(index, planes, seed), vec4, device)
-            take_priors(chosen, phase.geometric, reference, sources, priors, planes, costs)
+            judged = judge_places(reference, sources, planes)
+            places = find_places(judged, reference.width)
+            if places is not None:
+                priors = plane_priors(places, judged, planes, TOLERANCE / reference.pixels_per, seed)
+                take_priors(chosen, phase.geometric, reference, sources, priors, planes, costs)
         return planes
-
-    def _priors(self, index: int, planes: Any, seed: int) -> NDArray[np.float32]:
-        """The planes that plain pixels might have and their weights, [pixels, 4]."""
-        reference, sources = self.views(index)
-        size = (reference.height, reference.width)
-        judged = np.array(download(judge_places(reference, sources, planes))).reshape(*size, 2)
-        hypotheses = np.array(download(planes)).reshape(*size, 4)
-        priors = fit_priors(judged[..., 0], judged[..., 1] > 0, hypotheses, reference.pixels_per, seed)
-        return priors.reshape(-1, 4)
 
     def result(self, index: int, planes: Any) -> DepthMap:
         """The depth map that planes come to."""

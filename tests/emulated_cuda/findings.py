@@ -38,7 +38,8 @@ NOTES = (
     "meeting without all lanes",
 )
 COUNTED = (
-    *("launches", "threads", "graphs", "graphs made", "copies to host", "copies to device", "bytes to host"),
+    *("launches", "launches asked for", "threads", "graphs", "graphs made", "copies to host", "copies to device"),
+    "bytes to host",
     *("bytes to device", "waits", "allocations", "modules compiled"),
 )
 _HERE = str(Path(__file__).parent)

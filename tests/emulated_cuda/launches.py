@@ -179,6 +179,7 @@ class Launches:
         self, _, kernel, dim, max_blocks, block_dim, grid_stride, cluster, shared, args, stream, apic
     ):
         found = self.streams.named(kernel)
+        self.findings.counts["launches asked for"] += 1  # by the host, those that a graph records among them
         block_dim = block_dim if block_dim > 0 else 256
         limit = min(MAX_THREADS, found.kernel.max_threads)
         if block_dim > limit:

@@ -286,6 +286,7 @@ class Streams:
         return 0 if self.named(event).passed is not None else NOT_READY
 
     def wp_cuda_event_synchronize(self, event):
+        self.findings.counts["waits"] += 1
         self._flush_until(self.named(event))
         self.findings.happened("(wait)")
         return True

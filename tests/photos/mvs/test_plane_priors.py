@@ -4,49 +4,60 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+import warp as wp
+from scipy import ndimage
 
-from pointloom.photos.mvs.plane_priors import fit_priors
+from pointloom.kernels.lang import vec2, vec4
+from pointloom.kernels.memory import download, upload
+from pointloom.kernels.stereo.place_planes import TOLERANCE, plane_priors
+from pointloom.kernels.stereo.plain_places import find_places
 
 WIDTH, HEIGHT = 80, 60
 v, u = np.mgrid[:HEIGHT, :WIDTH].astype(np.float64)
 PIXELS_PER = 50.0
 
 
-def given(w: np.ndarray, sure: np.ndarray, plain: np.ndarray, seed: int = 0) -> np.ndarray:
-    planes = np.stack([w, w * 0, w * 0, w * 0], axis=-1).astype(np.float32)
-    return fit_priors(plain.astype(np.float32), sure, planes, PIXELS_PER, seed)
+def given(device: str, w: np.ndarray, sure: np.ndarray, plain: np.ndarray, seed: int = 0) -> np.ndarray:
+    """The priors, or 0 where there are none, [h, w, 4]."""
+    place = wp.get_device(device)
+    judged = upload(np.stack([plain, sure], axis=-1).astype(np.float32).reshape(-1, 2), vec2, place)
+    planes = upload(np.stack([w, w * 0, w * 0, w * 0], axis=-1).astype(np.float32).reshape(-1, 4), vec4, place)
+    places = find_places(judged, w.shape[1])
+    if places is None:
+        return np.zeros((*w.shape, 4), np.float32)
+    return download(plane_priors(places, judged, planes, TOLERANCE / PIXELS_PER, seed)).reshape(*w.shape, 4)
 
 
 def frame(width: int) -> np.ndarray:
     return (u < width) | (v < width) | (u >= WIDTH - width) | (v >= HEIGHT - width)
 
 
-def test_a_plain_place_takes_the_plane_of_what_is_sure_around_it():
+def test_a_plain_place_takes_the_plane_of_what_is_sure_around_it(device):
     w, textured = 0.5 + 0.002 * u - 0.001 * v, frame(10)
     noisy = w + np.random.default_rng(0).normal(0, 0.1 / PIXELS_PER, w.shape)
-    priors = given(noisy, textured, ~textured)
+    priors = given(device, noisy, textured, ~textured)
     np.testing.assert_allclose(priors[~textured][:, 0], w[~textured], atol=0.1 / PIXELS_PER)
     np.testing.assert_allclose(priors[~textured][:, 1:3], np.tile([0.002, -0.001], ((~textured).sum(), 1)), atol=1e-4)
     assert (priors[~textured][:, 3] == 1).all()
     assert not priors[textured].any()
 
 
-def test_what_lies_before_a_wall_does_not_bend_its_plane():
+def test_what_lies_before_a_wall_does_not_bend_its_plane(device):
     w, textured = 0.5 + 0.002 * u - 0.001 * v, frame(10)
     before = np.where(textured & (u < 40) & (v < 20), 0.9, w)
-    priors = given(before, textured, ~textured)
+    priors = given(device, before, textured, ~textured)
     np.testing.assert_allclose(priors[~textured][:, 0], w[~textured], atol=1e-3)
 
 
-def test_two_walls_of_one_colour_have_a_plane_each():
+def test_two_walls_of_one_colour_have_a_plane_each(device):
     w, textured = 0.5 + 0.004 * np.minimum(u, WIDTH - u), frame(10)
-    priors = given(w, textured, ~textured)
+    priors = given(device, w, textured, ~textured)
     off = np.abs(priors[..., 0] - w)[~textured]
     assert (off < 0.01).mean() > 0.9  # all but about the corner, which nothing marks
 
 
 @pytest.mark.parametrize("kind", ["nothing sure", "a line", "a mess", "a speck"])
-def test_where_no_plane_is_certain_there_is_no_prior(kind):
+def test_where_no_plane_is_certain_there_is_no_prior(device, kind):
     w, textured = 0.5 + 0.002 * u, frame(10)
     sure, plain = textured, ~textured
     if kind == "nothing sure":
@@ -58,10 +69,42 @@ def test_where_no_plane_is_certain_there_is_no_prior(kind):
     else:
         plain = (np.abs(u - 40) < 3) & (np.abs(v - 30) < 3)
         sure = ~plain
-    assert not given(w, sure, plain).any()
+    assert not given(device, w, sure, plain).any()
 
 
-def test_the_same_planes_come_twice():
+def test_the_same_planes_come_twice(device):
     w, textured = 0.5 + 0.002 * u, frame(10)
     noisy = w + np.random.default_rng(0).normal(0, 0.3 / PIXELS_PER, w.shape)
-    assert given(noisy, textured, ~textured).tobytes() == given(noisy, textured, ~textured).tobytes()
+    assert given(device, noisy, textured, ~textured).tobytes() == given(device, noisy, textured, ~textured).tobytes()
+
+
+def random_picture(seed: int) -> tuple[np.ndarray, np.ndarray]:
+    """Plain and sure pixels in speckles and bands."""
+    rng = np.random.default_rng(seed)
+    plain = ndimage.gaussian_filter(rng.normal(size=u.shape), 3) > 0.02
+    return plain, rng.random(u.shape) < 0.3
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_places_are_what_hangs_together_and_what_is_sure_about_them(device, seed):
+    plain, sure = random_picture(seed)
+    judged = np.stack([plain, sure], axis=-1).astype(np.float32).reshape(-1, 2)
+    places = find_places(upload(judged, vec2, wp.get_device(device)), WIDTH)
+    assert places is not None
+    labels, count = ndimage.label(plain)
+    large = [k for k in range(1, count + 1) if (labels == k).sum() >= 64]
+    assert places.count == len(large)
+    expected = []
+    for number, k in enumerate(sorted(large, key=lambda k: np.flatnonzero(labels == k)[0])):
+        near = ndimage.binary_dilation(labels == k, iterations=3) & sure
+        expected += [(number << 32) | pixel for pixel in np.flatnonzero(near)]
+    assert download(places.pairs).tolist() == expected
+    lengths = download(places.lasts) - download(places.firsts)
+    assert lengths.sum() == len(expected)
+
+
+def test_a_pixel_takes_the_plane_of_what_is_near_it(device):
+    w, textured = np.where(u < WIDTH // 2, 0.5, 0.7), frame(10)
+    priors = given(device, w, textured, ~textured)
+    inner = ~textured & (np.abs(u - WIDTH // 2) > 4)
+    np.testing.assert_allclose(priors[inner][:, 0], w[inner], atol=1e-6)

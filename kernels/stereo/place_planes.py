@@ -1,0 +1,323 @@
+"""Planes of plain places: the one that most sure pixels in and around a place lie on, and then another of the rest.
+
+RANSAC (Fischler and Bolles 1981) for all places at once: a thread a place and trial draws three pixels and counts some
+of the others; the best plane is fitted to those on it by least squares, twice. Each pixel of a place then takes the
+plane of the nearest of some of the pixels that lie on one.
+
+TRIALS threads a place look at MOST_TRIED pixels each, PARTS threads sum the moments. The sums are in float64 and of
+fixed order; random numbers are functions of the seed, the place and the trial. 40 B a pair of a place and a sure pixel.
+"""
+
+from ..array_types import Array1
+from ..arrays.prefix_sum import inclusive_scan
+from ..arrays.random import random_below, random_bits
+from ..lang import (
+    array,
+    float32,
+    float64,
+    func,
+    int32,
+    int64,
+    kernel,
+    launch,
+    sqrt,
+    struct,
+    tid,
+    vec2,
+    vec3d,
+    vec4,
+    vector,
+)
+from ..memory import empty, full, zeros
+from .plain_places import Places, pixel_of, place_of
+
+TRIALS = 100
+MOST_TRIED = 600  # sure pixels that a trial is counted on
+ROUNDS = 2  # planes of a place: more of them cannot each have LEAST_SHARE
+REFITS = 2
+PARTS = 32  # threads that sum the moments of a place
+SEEDS = 256  # pixels of a place that are asked which plane they lie on
+LEAST_SUPPORT = 20  # sure pixels that lie on a plane
+LEAST_SHARE = 0.35  # of all that are sure there: less, and scattered errors make planes of their own
+LEAST_SPREAD = 3.0  # [px] of them across their longest direction: a line has many planes
+LEAST_TRIANGLE = 50.0  # [px^2] twice the area of three pixels that say how a plane leans
+TOLERANCE = 0.5  # [px in the sources] beside a plane
+
+vec9d = vector(9, float64)
+
+
+@struct
+class Consensus:
+    """What is found so far.
+
+    Attributes:
+        left: int32 [pairs]: 1 where a pair lies on no plane yet.
+        listed: int32 [pairs]: those that are left, of each place from its first on.
+        remaining: int32 [places]: how many.
+        lying: int32 [pairs]: the round whose plane a pair lies on, from 1; 0: none.
+        scores: int32 [places * TRIALS]: pixels on the plane of a trial; -1: it is none.
+        tried: vec3d [places * TRIALS]: its inverse depth at pixel 0, 0 and the slopes across and down.
+        fits: vec3d [places]: the plane of this round.
+        alive: int32 [places]: 1 while planes are found.
+        found: vec3d [places * ROUNDS]: planes that stand.
+        count: int32 [places]: how many of them.
+        moments: vec9d [places * PARTS].
+        tolerance: Of inverse depths.
+    """
+
+    left: array(dtype=int32)
+    listed: array(dtype=int32)
+    remaining: array(dtype=int32)
+    lying: array(dtype=int32)
+    scores: array(dtype=int32)
+    tried: array(dtype=vec3d)
+    fits: array(dtype=vec3d)
+    alive: array(dtype=int32)
+    found: array(dtype=vec3d)
+    count: array(dtype=int32)
+    moments: array(dtype=vec9d)
+    tolerance: float64
+
+    def __init__(self, places: Places, tolerance: float) -> None:
+        device, pairs, count = places.device, places.pairs.size, places.count
+        self.left, self.listed = full(pairs, 1, int32, device), empty(pairs, int32, device)
+        self.lying, self.remaining = zeros(pairs, int32, device), empty(count, int32, device)
+        self.scores, self.tried = empty(count * TRIALS, int32, device), empty(count * TRIALS, vec3d, device)
+        self.fits, self.alive = empty(count, vec3d, device), full(count, 1, int32, device)
+        self.found, self.count = empty(count * ROUNDS, vec3d, device), zeros(count, int32, device)
+        self.moments, self.tolerance = empty(count * PARTS, vec9d, device), tolerance
+
+
+@func
+def height_at(plane: vec3d, pixel: int, width: int) -> float64:
+    """The inverse depth of a plane at a pixel."""
+    return plane[0] + plane[1] * float64(pixel % width) + plane[2] * float64(pixel // width)
+
+
+@func
+def least_of(place: int, places: Places) -> float64:
+    """The pixels that a plane needs."""
+    return max(float64(LEAST_SUPPORT), float64(LEAST_SHARE) * float64(places.lasts[place] - places.firsts[place]))
+
+
+@kernel
+def list_left_kernel(places: Places, sums: array(dtype=int32), state: Consensus):
+    """Close the gaps in the list of a place, by running sums of what is left."""
+    j = tid()
+    place = place_of(places.pairs[j])
+    first = places.firsts[place]
+    before = sums[first] - state.left[first]
+    if state.left[j] != 0:
+        state.listed[first + sums[j] - before - 1] = j
+    if j == places.lasts[place] - 1:
+        state.remaining[place] = sums[j] - before
+
+
+@kernel
+def begin_round_kernel(places: Places, state: Consensus):
+    """A place with too few pixels left has no more planes."""
+    k = tid()
+    least = least_of(k, places)
+    if places.lasts[k] == places.firsts[k] or float64(state.remaining[k]) < least:
+        state.alive[k] = 0
+
+
+@kernel
+def try_planes_kernel(seed: int, round: int, places: Places, planes: array(dtype=vec4), state: Consensus):
+    """A plane through three pixels at random, and how many of the others lie on it."""
+    i = tid()
+    k = i // TRIALS
+    score = -1
+    plane = vec3d(float64(0.0))
+    if state.alive[k] != 0:
+        first = places.firsts[k]
+        count = state.remaining[k]
+        a = pixel_of(places.pairs[state.listed[first + random_below(random_bits(seed, i, 3 * round), count)]])
+        b = pixel_of(places.pairs[state.listed[first + random_below(random_bits(seed, i, 3 * round + 1), count)]])
+        c = pixel_of(places.pairs[state.listed[first + random_below(random_bits(seed, i, 3 * round + 2), count)]])
+        bu = float64(b % places.width - a % places.width)
+        bv = float64(b // places.width - a // places.width)
+        cu = float64(c % places.width - a % places.width)
+        cv = float64(c // places.width - a // places.width)
+        area = bu * cv - cu * bv
+        if abs(area) > float64(LEAST_TRIANGLE):
+            w = float64(planes[a][0])
+            wb = float64(planes[b][0]) - w
+            wc = float64(planes[c][0]) - w
+            du = (wb * cv - wc * bv) / area
+            dv = (wc * bu - wb * cu) / area
+            plane = vec3d(w - du * float64(a % places.width) - dv * float64(a // places.width), du, dv)
+            score = 0
+            step = (count + MOST_TRIED - 1) // MOST_TRIED
+            looks = (count + step - 1) // step
+            for j in range(looks):
+                pixel = pixel_of(places.pairs[state.listed[first + j * step]])
+                if abs(height_at(plane, pixel, places.width) - float64(planes[pixel][0])) < state.tolerance:
+                    score += 1
+    state.scores[i] = score
+    state.tried[i] = plane
+
+
+@kernel
+def choose_planes_kernel(state: Consensus):
+    """The first of the best trials."""
+    k = tid()
+    best = int(-1)
+    most = int(-1)
+    trials = int(TRIALS)
+    for t in range(trials):
+        if state.scores[k * TRIALS + t] > most:
+            most = state.scores[k * TRIALS + t]
+            best = t
+    if best < 0:
+        state.alive[k] = 0
+    else:
+        state.fits[k] = state.tried[k * TRIALS + best]
+
+
+@kernel
+def sum_moments_kernel(places: Places, planes: array(dtype=vec4), state: Consensus):
+    """Moments of the pixels on a plane about the place's first: x, y, z, xx, xy, yy, xz, yz and how many."""
+    i = tid()
+    k = i // PARTS
+    total = vec9d(float64(0.0))
+    if state.alive[k] != 0:
+        first = places.firsts[k]
+        start = pixel_of(places.pairs[first])
+        w = float64(planes[start][0])
+        plane = state.fits[k]
+        turns = (state.remaining[k] - i % PARTS + PARTS - 1) // PARTS
+        for turn in range(turns):
+            pixel = pixel_of(places.pairs[state.listed[first + i % PARTS + turn * PARTS]])
+            depth = float64(planes[pixel][0])
+            if abs(height_at(plane, pixel, places.width) - depth) < state.tolerance:
+                x = float64(pixel % places.width - start % places.width)
+                y = float64(pixel // places.width - start // places.width)
+                z = depth - w
+                total += vec9d(x, y, z, x * x, x * y, y * y, x * z, y * z, float64(1.0))
+    state.moments[i] = total
+
+
+@kernel
+def fit_planes_kernel(places: Places, planes: array(dtype=vec4), state: Consensus):
+    """The plane of least squares; none of pixels that lie about a line, or of too few."""
+    k = tid()
+    if state.alive[k] == 0:
+        return
+    total = vec9d(float64(0.0))
+    parts = int(PARTS)
+    for p in range(parts):
+        total += state.moments[k * PARTS + p]
+    n = total[8]
+    state.alive[k] = 0
+    if n >= least_of(k, places):
+        mx = total[0] / n
+        my = total[1] / n
+        mz = total[2] / n
+        xx = total[3] / n - mx * mx
+        xy = total[4] / n - mx * my
+        yy = total[5] / n - my * my
+        xz = total[6] / n - mx * mz
+        yz = total[7] / n - my * mz
+        narrow = (xx + yy - sqrt((xx - yy) * (xx - yy) + 4.0 * xy * xy)) * 0.5  # their spread across, squared
+        if narrow >= float64(LEAST_SPREAD * LEAST_SPREAD):
+            whole = xx * yy - xy * xy
+            du = (xz * yy - yz * xy) / whole
+            dv = (yz * xx - xz * xy) / whole
+            start = pixel_of(places.pairs[places.firsts[k]])
+            middle = float64(planes[start][0]) + mz - du * (mx + float64(start % places.width))
+            state.fits[k] = vec3d(middle - dv * (my + float64(start // places.width)), du, dv)
+            state.alive[k] = 1
+
+
+@kernel
+def keep_planes_kernel(round: int, state: Consensus):
+    """Planes that are still there stand."""
+    k = tid()
+    if state.alive[k] != 0:
+        state.found[k * ROUNDS + round] = state.fits[k]
+        state.count[k] = round + 1
+
+
+@kernel
+def take_support_kernel(round: int, places: Places, planes: array(dtype=vec4), state: Consensus):
+    """Pixels on the plane of this round are left no more."""
+    j = tid()
+    k = place_of(places.pairs[j])
+    if state.alive[k] != 0 and state.left[j] != 0:
+        pixel = pixel_of(places.pairs[j])
+        if abs(height_at(state.fits[k], pixel, places.width) - float64(planes[pixel][0])) < state.tolerance:
+            state.lying[j] = round + 1
+            state.left[j] = 0
+
+
+@func
+def nearest_round(i: int, k: int, places: Places, state: Consensus) -> int:
+    """The round of the plane that the nearest of some pixels lies on; of equally near ones the first."""
+    found = int(0)
+    least = int64(0x7FFFFFFFFFFFFFFF)
+    first = places.firsts[k]
+    count = places.lasts[k] - first
+    step = (count + SEEDS - 1) // SEEDS
+    looks = (count + step - 1) // step
+    for look in range(looks):
+        j = look * step
+        lying = state.lying[first + j]
+        if lying != 0:
+            pixel = pixel_of(places.pairs[first + j])
+            x = int64(pixel % places.width - i % places.width)
+            y = int64(pixel // places.width - i // places.width)
+            if x * x + y * y < least:
+                least = x * x + y * y
+                found = lying
+    return max(found, 1) - 1
+
+
+@kernel
+def write_priors_kernel(judged: array(dtype=vec2), places: Places, state: Consensus, priors: array(dtype=vec4)):
+    """The plane of each plain pixel, and how plain it is."""
+    i = tid()
+    prior = vec4(0.0)
+    if places.labels[i] >= 0:
+        k = places.numbers[places.labels[i]]
+        if k >= 0 and state.count[k] > 0:
+            round = 0
+            if state.count[k] > 1:
+                round = nearest_round(i, k, places, state)
+            plane = state.found[k * ROUNDS + round]
+            w = float32(height_at(plane, i, places.width))
+            prior = vec4(w, float32(plane[1]), float32(plane[2]), judged[i][0])
+    priors[i] = prior
+
+
+def plane_priors(
+    places: Places, judged: Array1[vec2], planes: Array1[vec4], tolerance: float, seed: int
+) -> Array1[vec4]:
+    """The plane of each plain pixel and how much it weighs.
+
+    Args:
+        places: The plain places of the picture.
+        judged: How plain each pixel is, 0 to 1, and 1 where its depth is sure: device array [pixels].
+        planes: Hypotheses, device array [pixels].
+        tolerance: Inverse depth beside a plane.
+        seed: Chooses the pixels that planes are tried through; not negative.
+
+    Returns:
+        Inverse depth, its two slopes, the weight, or 0: device array [pixels]. Waits for nothing.
+    """
+    state, pairs, count = Consensus(places, tolerance), places.pairs.size, places.count
+    sums = empty(pairs, int32, places.device)
+    for k in range(ROUNDS):
+        inclusive_scan(state.left, sums)
+        launch(list_left_kernel, pairs, [places, sums, state])
+        launch(begin_round_kernel, count, [places, state])
+        launch(try_planes_kernel, count * TRIALS, [seed, k, places, planes, state])
+        launch(choose_planes_kernel, count, [state])
+        for _ in range(REFITS):
+            launch(sum_moments_kernel, count * PARTS, [places, planes, state])
+            launch(fit_planes_kernel, count, [places, planes, state])
+        launch(keep_planes_kernel, count, [k, state])
+        launch(take_support_kernel, pairs, [k, places, planes, state])
+    priors = empty(planes.size, vec4, places.device)
+    launch(write_priors_kernel, planes.size, [judged, places, state, priors])
+    return priors

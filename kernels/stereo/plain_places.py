@@ -1,0 +1,225 @@
+"""Plain places of a picture, and the pixels with sure depth in and around each of them.
+
+A place is what hangs together of plain pixels by their sides. A sure pixel counts for each place that has a pixel
+within AROUND steps to the sides: farther off other things begin. What counts for a place stands side by side in one
+list.
+
+One thread a pixel: 25 looks at labels for a sure one, twice. 12 B a pixel, and 32 B a pair of a place and a sure pixel.
+"""
+
+from ..array_types import Array1, Device, Indices, Integers, Keys
+from ..arrays.prefix_sum import exclusive_scan
+from ..arrays.select import positions_of
+from ..arrays.sort import argsort_keys
+from ..arrays.union_find import flatten_sets_kernel, unite
+from ..lang import array, atomic_add, func, int32, int64, kernel, launch, struct, tid, uint8, vec2
+from ..memory import empty, fill, zeros
+
+AROUND = 3  # [px] steps from a plain pixel
+LEAST_AREA = 64  # [px] of a place that is worth a plane
+PIXEL_BITS = 32  # of a pair's key: its pixel; above them its place
+
+
+@struct
+class Places:
+    """Plain places with what is sure about them.
+
+    Attributes:
+        labels: int32 [pixels]: the lowest pixel of a pixel's place; -1 where it is not plain.
+        numbers: int32 [pixels]: at the lowest pixel of a place its number; -1 of places that are too small.
+        count: How many places have numbers.
+        pairs: int64 [pairs]: the number of a place and a sure pixel, as `place << 32 | pixel`, ascending.
+        firsts, lasts: int32 [count]: the pairs of each place; the last is excluded.
+        width: Of the picture [px].
+    """
+
+    labels: array(dtype=int32)
+    numbers: array(dtype=int32)
+    count: int
+    pairs: array(dtype=int64)
+    firsts: array(dtype=int32)
+    lasts: array(dtype=int32)
+    width: int
+
+    def __init__(self, labels: Integers, numbers: Integers, count: int, pairs: Keys, width: int) -> None:
+        device = labels.device
+        self.labels, self.numbers, self.count, self.pairs, self.width = labels, numbers, count, pairs, width
+        self.firsts, self.lasts = zeros(count, int32, device), zeros(count, int32, device)
+        launch(bound_pairs_kernel, pairs.size, [pairs, self.firsts, self.lasts])
+
+    @property
+    def device(self) -> Device:
+        """Where they lie."""
+        return self.labels.device
+
+
+@func
+def pixel_of(pair: int64) -> int:
+    """The pixel of a pair."""
+    return int(pair & int64(0xFFFFFFFF))
+
+
+@func
+def place_of(pair: int64) -> int:
+    """The number of its place."""
+    return int(pair >> int64(PIXEL_BITS))
+
+
+@kernel
+def label_plain_kernel(judged: array(dtype=vec2), labels: array(dtype=int32)):
+    """Each plain pixel is a place of its own."""
+    i = tid()
+    label = -1
+    if judged[i][0] > 0.0:
+        label = i
+    labels[i] = label
+
+
+@kernel
+def unite_plain_kernel(width: int, labels: array(dtype=int32)):
+    """Make one place of neighbours."""
+    i = tid()
+    if labels[i] >= 0:
+        if i % width + 1 < width and labels[i + 1] >= 0:
+            unite(labels, i, i + 1)
+        if i + width < labels.shape[0] and labels[i + width] >= 0:
+            unite(labels, i, i + width)
+
+
+@kernel
+def count_areas_kernel(labels: array(dtype=int32), areas: array(dtype=int32)):
+    """Whole numbers: their sum is the same in any order."""
+    i = tid()
+    if labels[i] >= 0:
+        atomic_add(areas, labels[i], 1)
+
+
+@kernel
+def mark_places_kernel(areas: array(dtype=int32), large: array(dtype=uint8)):
+    """Lowest pixels of the places that are large enough."""
+    i = tid()
+    mark = 0
+    if areas[i] >= LEAST_AREA:
+        mark = 1
+    large[i] = uint8(mark)
+
+
+@kernel
+def number_places_kernel(roots: array(dtype=int32), numbers: array(dtype=int32)):
+    """The number of each of them."""
+    k = tid()
+    numbers[roots[k]] = k
+
+
+@func
+def place_near(i: int, dx: int, dy: int, width: int, labels: array(dtype=int32), numbers: array(dtype=int32)) -> int:
+    """The number of the place of a pixel beside another; -1 without one."""
+    x = i % width + dx
+    y = i // width + dy
+    found = -1
+    if x >= 0 and x < width and y >= 0 and y * width + x < labels.shape[0]:
+        label = labels[y * width + x]
+        if label >= 0:
+            found = numbers[label]
+    return found
+
+
+@func
+def is_first(
+    i: int, dx: int, dy: int, place: int, width: int, labels: array(dtype=int32), numbers: array(dtype=int32)
+) -> bool:
+    """Whether no pixel before that one, row by row, has a part of the same place."""
+    before = int(0)
+    rows = int(dy + AROUND + 1)
+    for r in range(rows):
+        v = r - AROUND
+        reach = AROUND - abs(v)
+        columns = int(2 * reach + 1)
+        for c in range(columns):
+            u = c - reach
+            if v < dy or u < dx:
+                if place_near(i, u, v, width, labels, numbers) == place:
+                    before += 1
+    return before == 0
+
+
+@kernel
+def list_near_kernel(
+    judged: array(dtype=vec2),
+    width: int,
+    labels: array(dtype=int32),
+    numbers: array(dtype=int32),
+    offsets: array(dtype=int32),
+    counts: array(dtype=int32),
+    keys: array(dtype=int64),
+):
+    """Count the places about each sure pixel; or list them, where there are keys."""
+    i = tid()
+    count = int(0)
+    if judged[i][1] > 0.0:
+        rows = int(2 * AROUND + 1)
+        for r in range(rows):
+            dy = r - AROUND
+            reach = AROUND - abs(dy)
+            columns = int(2 * reach + 1)
+            for c in range(columns):
+                dx = c - reach
+                place = place_near(i, dx, dy, width, labels, numbers)
+                if place >= 0:
+                    if is_first(i, dx, dy, place, width, labels, numbers):
+                        if keys.shape[0] > 0:
+                            keys[offsets[i] + count] = (int64(place) << int64(PIXEL_BITS)) | int64(i)
+                        count += 1
+    if keys.shape[0] == 0:
+        counts[i] = count
+
+
+@kernel
+def bound_pairs_kernel(pairs: array(dtype=int64), firsts: array(dtype=int32), lasts: array(dtype=int32)):
+    """Where the pairs of each place begin and end."""
+    j = tid()
+    place = place_of(pairs[j])
+    if j == 0 or place_of(pairs[max(j - 1, 0)]) != place:
+        firsts[place] = j
+    if j == pairs.shape[0] - 1 or place_of(pairs[min(j + 1, pairs.shape[0] - 1)]) != place:
+        lasts[place] = j + 1
+
+
+def find_places(judged: Array1[vec2], width: int) -> Places | None:
+    """The plain places of a picture.
+
+    Args:
+        judged: How plain each pixel is, 0 to 1, and 1 where its depth is sure: device array [pixels].
+        width: Of the picture [px].
+
+    Returns:
+        The places; None where there is none that is large enough, or nothing sure about any (two syncs).
+    """
+    device, size = judged.device, judged.size
+    labels, areas = empty(size, int32, device), zeros(size, int32, device)
+    launch(label_plain_kernel, size, [judged, labels])
+    launch(unite_plain_kernel, size, [width, labels])
+    launch(flatten_sets_kernel, size, [labels])
+    launch(count_areas_kernel, size, [labels, areas])
+    large: Array1[uint8] = empty(size, uint8, device)
+    launch(mark_places_kernel, size, [areas, large])
+    roots = positions_of(large)  # sync
+    if not roots.size:
+        return None
+    numbers = areas  # of no more use
+    fill(numbers, -1)
+    launch(number_places_kernel, roots.size, [roots, numbers])
+    pairs = _list_pairs(judged, width, labels, numbers, roots)
+    return Places(labels, numbers, roots.size, pairs, width) if pairs.size else None
+
+
+def _list_pairs(judged: Array1[vec2], width: int, labels: Indices, numbers: Integers, roots: Indices) -> Keys:
+    """What is sure about each place, ascending."""
+    device, size = judged.device, judged.size
+    counts, none = empty(size, int32, device), empty(0, int64, device)
+    launch(list_near_kernel, size, [judged, width, labels, numbers, empty(0, int32, device), counts, none])
+    offsets, total = exclusive_scan(counts)  # sync
+    keys = empty(total, int64, device)
+    if total:
+        launch(list_near_kernel, size, [judged, width, labels, numbers, offsets, counts, keys])
+    return argsort_keys(keys, PIXEL_BITS + max(1, (roots.size - 1).bit_length()))[0]
