@@ -11,6 +11,7 @@ import numpy as np
 import scenes
 from bench_pose_graph import DISTANCE
 from digest_depth_maps import estimated_depth_maps, plain_depth_maps
+from digest_drawing import DRAWN
 from digest_mvs import filtered_depth_maps, fused_depth_maps
 from digest_on_clouds import SIZE, cloud_file, depth_lens, icp, there_and_back
 from digest_scenes import TURNED, UTM, Place, Scenes, about, loom, pose_of, reg
@@ -643,4 +644,4 @@ ONCE: dict[str, Callable[[Scenes], Any]] = {
         reg().evaluate_trajectory(d.path, d.true_path, align=align, lengths=[2, 3]) for align in (True, "first", None)
     ],
     "evaluate_trajectory, scale": lambda d: reg().evaluate_trajectory(d.path, d.true_path, with_scale=True, delta=2),
-}
+} | DRAWN

@@ -12,6 +12,8 @@ from numpy.typing import NDArray
 
 from ...core.checks import check_color, check_list, check_name, check_shape
 from ...core.units import LengthUnit
+from ...kernels.arrays.select import gather_rows
+from ...kernels.arrays.subsets import step_rows
 from ...kernels.memory import download
 from .canvas import BLACK, WHITE, Canvas
 from .coloring import Coloring
@@ -19,6 +21,8 @@ from .legends import color_bar_size, draw_color_bar, draw_labels, draw_legend, l
 from .parts import Lines, Part, Triple
 from .scale_bars import draw_scale_bar
 from .view import Insets, View
+
+SAMPLE = 10_000  # colours that the mean of a legend comes from, and up to twice as many
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
@@ -107,7 +111,9 @@ def color_of(parts: Sequence[Part]) -> Triple:
     part = parts[0]
     if not part.colors.size:
         return part.plain
-    red, green, blue = np.clip(np.nanmean(download(part.colors)[:: max(1, part.colors.size // 10_000)], axis=0), 0, 1)
+    count, device = part.colors.size, part.colors.device
+    some = gather_rows(part.colors, step_rows(count, max(1, count // SAMPLE), device))
+    red, green, blue = np.clip(np.nanmean(download(some), axis=0), 0, 1)  # sync
     return float(red), float(green), float(blue)
 
 

@@ -47,6 +47,7 @@ COLUMNS = {  # of the table: what the device counts
     "up": "copies to device",
     "bytes": "bytes to host",
 }
+FILES = ("write and read", "read_las_chunks", "tsdf, save and load", "mesh, write", "pose graph, write and read")
 _textured = digest_scenes.textured
 
 
@@ -79,7 +80,7 @@ def operations(scenes: DeviceScenes) -> dict[str, Callable[[], Any]]:
         name: lambda on_cloud=on_cloud: on_cloud(scenes.surface) for name, on_cloud in ON_CLOUDS.items()
     }
     found |= {name: lambda once=once: once(scenes) for name, once in ONCE.items() if not name.endswith("far")}
-    return {name: work for name, work in found.items() if not name.startswith((*ON_HOST, "write and read"))}
+    return {name: work for name, work in found.items() if not name.startswith((*ON_HOST, *FILES, "ransac, checkers"))}
 
 
 @contextmanager

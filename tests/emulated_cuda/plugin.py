@@ -72,7 +72,8 @@ class EmulatedCudaPlugin:
         parameters = item.callspec.params if hasattr(item, "callspec") else {}
         if str(parameters.get("device", "")).startswith("cpu"):
             return False
-        return not self.quick or item.nodeid.startswith(FOLDER) or quick_set.holds(item.nodeid)
+        own = item.nodeid.startswith(FOLDER) and item.get_closest_marker("slow") is None
+        return not self.quick or own or quick_set.holds(item.nodeid)
 
     @pytest.hookimpl(wrapper=True)
     def pytest_runtest_call(self, item: pytest.Item) -> Iterator[None]:

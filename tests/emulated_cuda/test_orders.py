@@ -17,8 +17,11 @@ ON_SCENES = (
     *("tsdf, integrate", "tsdf, extract", "tsdf, ray_cast", "marching_cubes", "iterate_odometry"),
     *("ransac, pairs", "ransac, features", "fast global", "robust registration", "register_globally"),
     *("icp, coloured", "icp, overlap", "icp, degeneracy", "registration_icp_batch", "multi_scale_icp"),
-    *("mesh, ", "rays, ", "scene, ", "color_map"),
+    *("mesh, ", "rays, ", "scene, ", "color_map", "render, "),
+    *("mvs, ", "rgbd odometry", "deskew_point_cloud", "undistort_picture", "tsdf, fuse_volumes"),
 )
+
+LONG = ("slam, DenseSLAM", "odometry", "odometry, as measured", "run_system", "SLAC", "register_fragments")
 
 
 @pytest.fixture(scope="module")
@@ -51,4 +54,10 @@ def test_results_on_clouds_do_not_depend_on_the_order_of_threads(small, same_in_
     [name for name in ONCE if name.startswith(ON_SCENES) and not name.startswith(ON_HOST) and not name.endswith("far")],
 )
 def test_results_of_scenes_do_not_depend_on_the_order_of_threads(small, same_in_all_orders, operation):
+    same_in_all_orders(lambda: ONCE[operation](small))
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("operation", LONG)
+def test_results_of_whole_runs_do_not_depend_on_the_order_of_threads(small, same_in_all_orders, operation):
     same_in_all_orders(lambda: ONCE[operation](small))
