@@ -34,5 +34,7 @@ DRAWN: dict[str, Callable[[Any], Any]] = {
     "render, see-through": lambda d: drawn(
         [{"geometry": d.ball, "opacity": 0.4}, d.surface.cloud], background="transparent"
     ),
-    "render, scene": lambda d: drawn(scene_of(d), labels=[("here", [0, 0, 0])], mesh_show_wireframe=True, scale_bar=True),
+    "render, scene": lambda d: drawn(
+        scene_of(d), labels=[("here", [0, 0, 0])], mesh_show_wireframe=True, scale_bar=True
+    ),
 }

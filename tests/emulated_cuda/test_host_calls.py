@@ -1,7 +1,7 @@
 """What every operation asks of the device and takes from it: launches, graphs, waits, copies, bytes, to the number.
 
-Python takes some 20 microseconds a launch and a wait 10, more than most of these kernels run. What an operation takes to
-the host beyond its result does not grow with its input: what does is listed here, with the reason.
+Python takes some 20 microseconds a launch and a wait 10, more than most of these kernels run. What an operation takes
+to the host beyond its result does not grow with its input: what does is listed here, with the reason.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from .host_calls import TABLE, DeviceScenes, device_clouds, measured, operations
 from .settings import Order
 
 ROWS = json.loads(TABLE.read_text())
-LONG = ("slam, ", "odometry", "run_odometry", "iterate_odometry", "run_system", "SLAC", "register_fragments", "mvs, fuse")
+LONG = ("slam, ", "odometry", "run_odometry", "iterate_", "run_system", "SLAC", "register_fragments", "mvs, fuse")
 MOST_BYTES = 8_192  # beyond the result: numbers of rounds, of levels, of samples
 # What grows with the input, and why.
 GROWING = {
