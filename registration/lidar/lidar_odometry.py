@@ -17,6 +17,7 @@ from ...core.checks import check_count, check_positive, check_rigid
 from ...core.devices import check_same_device, resolve_device
 from ...core.units import METRE, common_unit
 from ...core.watching import report
+from ...kernels.odometry.map_aligner import MapAligner
 from ...kernels.odometry.odometry_sampling import first_in_voxels
 from ...kernels.odometry.voxel_map import VoxelMap
 from ...pcd.cloud import PointCloud
@@ -26,7 +27,15 @@ from .deskewing import point_times
 from .lidar_steps import FIRST_SCAN, NO_POINTS, OdometryStep, OdometrySummary, summarize_steps
 from .lidar_track import Aside, Known, Next
 from .raw_scan import RawScan
-from .scan_matching import START_RINGS, AdaptiveThreshold, ScanMatch, match_scan, start_guesses, wide_guesses
+from .scan_matching import (
+    PLANE_VOXELS,
+    START_RINGS,
+    AdaptiveThreshold,
+    ScanMatch,
+    match_scan,
+    start_guesses,
+    wide_guesses,
+)
 
 Matrix = NDArray[np.float64]
 
@@ -123,6 +132,7 @@ class LidarOdometry:
         self._steps: list[OdometryStep] = []
         self._known = Known(AdaptiveThreshold(initial, least, self.max_range, initial * initial))
         self._next: Next | None = None
+        self._aligner = MapAligner(PLANE_VOXELS)
 
     @property
     def steps(self) -> list[OdometryStep]:
@@ -254,12 +264,13 @@ class LidarOdometry:
         few = first_in_voxels(sparse, START_VOXELS * self.voxel_size, self.min_range, self.max_range)
         further = start_guesses(predicted, threshold.initial) if is_start and not has_prior else []
         reach = 0.0 if has_prior or not self._known.is_young(index) else START_RINGS[-1] * threshold.initial
-        match = match_scan(sparse, voxel_map, predicted, sigma, further, few if further else None, kept, reach)
+        match = match_scan(
+            self._aligner, sparse, voxel_map, predicted, sigma, further, few if further else None, kept, reach
+        )
         step = self._step_of(match, predicted, sigma, has_prior)
         if step.disagreement > DOUBTED_DISAGREEMENT or step.is_predicted:
-            again = match_scan(
-                sparse, voxel_map, predicted, sigma, wide_guesses(predicted, self._last_pose()), few, kept
-            )
+            guesses = wide_guesses(predicted, self._last_pose())
+            again = match_scan(self._aligner, sparse, voxel_map, predicted, sigma, guesses, few, kept)
             turned = self._step_of(again, predicted, sigma, has_prior)
             if turned.is_sound and (turned.disagreement < step.disagreement or not step.is_sound):
                 return turned
