@@ -46,3 +46,34 @@ def test_a_scan_waits_for_its_sizes_and_for_its_pose(emulated, is_straightened):
     assert odometry.steps[-1].is_sound
     assert (asked["waits"], asked["graphs made"], asked["graphs"]) == (2, 0, 1)
     assert (fourth["waits"], fourth["graphs made"]) == ((4, 0) if is_straightened else (2, 0))
+
+
+def frame_of_a_relief(k: float):
+    """A frame of a relief with stripes, a little farther on for another k."""
+    v, u = np.mgrid[:72, :96]
+    depth = 1.5 + 0.2 * np.sin((u + k) / 13) * np.cos(v / 11) + 0.1 * np.sin((v - k) / 7)
+    shade = 127 + 60 * np.sin((u + k) / 3 + v / 9) + 50 * np.cos(v / 4 - (u + k) / 17)
+    camera = loom.PinholeCameraIntrinsic(96, 72, 90.0, 90.0, 47.5, 35.5)
+    return loom.odometry.OdometryFrame(depth.astype(np.float32), camera, shade.astype(np.uint8), device=DEVICE)
+
+
+def test_frames_of_the_same_size_share_a_graph_and_wait_once(emulated):
+    from pointloom.kernels.rgbd.alignment import MOST_KEPT, _descents, clear_descents
+
+    clear_descents()
+    first, second, third = (frame_of_a_relief(k) for k in range(3))
+    align = loom.odometry.align_frames
+    asked = asked_for(emulated, lambda: align(first, second))
+    assert (asked["graphs made"], asked["waits"]) == (1, 1)
+    results = []
+    asked = asked_for(emulated, lambda: results.append(align(second, third)))
+    assert (asked["graphs made"], asked["graphs"], asked["waits"]) == (0, 1, 1)
+    clear_descents()
+    fresh = align(second, third)  # what was kept of other frames says nothing
+    np.testing.assert_array_equal(results[0].transformation, fresh.transformation)
+    np.testing.assert_array_equal(results[0].information, fresh.information)
+    for k in range(2 * MOST_KEPT):
+        camera = loom.PinholeCameraIntrinsic(64 + 8 * k, 48, 60.0, 60.0, 31.5, 23.5)
+        frame = loom.odometry.OdometryFrame(np.ones((48, 64 + 8 * k), np.float32), camera, device=DEVICE)
+        align(frame, frame)
+    assert len(_descents) == MOST_KEPT
