@@ -32,7 +32,8 @@ class Scan:
         self.points = [memory.upload(rng.random((count, 3)), vec3, where) for _ in range(2)]
         self.times = memory.upload(rng.random(count), float64, where)
         self.origin, self.out = vec3d(0.5, 0.25, 0.125), memory.zeros(count, vec3, where)
-        self.motion = ScrewMotion(0.0, 1.0, np.array([0.0, 0.0, 0.01, 1.0, 0.0, 0.0]))
+        span = memory.upload(np.array([0.0, 1.0]), float64, where)
+        self.motion = ScrewMotion(span, np.array([0.0, 0.0, 0.01, 1.0, 0.0, 0.0]))
         self.count, self.device = count, device
 
     def all(self, k: int) -> list[Any]:
@@ -42,7 +43,7 @@ class Scan:
     def flat(self, k: int) -> list[Any]:
         """As the compilers take them."""
         m = self.motion
-        motion = [m.first, m.last, m.axis, m.angle, m.velocity]
+        motion = [m.span, m.axis, m.angle, m.velocity]
         return [self.points[k % 2], self.times, self.origin, *motion, self.out]
 
     def repeat(self, launch: Callable[[int], Any]) -> Callable[[], np.ndarray]:

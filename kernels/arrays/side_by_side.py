@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike
 from ..array_types import AnyArray, Device, DeviceArray, Element
 from ..lang import uint8
 from ..language.device_lock import turn_on
-from ..memory import download, upload
+from ..memory import download, upload, write
 
 ALIGNMENT = 256  # bytes: that of an allocation of its own
 
@@ -40,18 +40,26 @@ class SideBySide:
     """
 
     def __init__(self, values: dict[str, tuple[ArrayLike, Any]], device: Device) -> None:
-        hosts, size = {}, 0
         self._places: dict[str, tuple[int, tuple[int, ...], np.dtype]] = {}
+        self._size = 0
         for name, (value, dtype) in values.items():
-            scalar = wp.dtype_to_numpy(getattr(dtype, "_wp_scalar_type_", dtype))
-            host = hosts[name] = np.ascontiguousarray(value, dtype=scalar)
-            self._places[name] = (size, host.shape, host.dtype)
-            size += -(-max(host.nbytes, 1) // ALIGNMENT) * ALIGNMENT
-        content = np.zeros(size, np.uint8)
-        for name, (first, _, _) in self._places.items():
-            content[first : first + hosts[name].nbytes] = hosts[name].reshape(-1).view(np.uint8)
+            host = _as_elements(value, dtype)
+            self._places[name] = (self._size, host.shape, host.dtype)
+            self._size += -(-max(host.nbytes, 1) // ALIGNMENT) * ALIGNMENT
+        content = self._content(values)
         self._whole = upload(content, uint8, device)
         self.arrays = {name: self._part(name, dtype) for name, (_, dtype) in values.items()}
+
+    def _content(self, values: dict[str, tuple[ArrayLike, Any]]) -> np.ndarray:
+        content = np.zeros(self._size, np.uint8)
+        for name, (first, _, _) in self._places.items():
+            host = _as_elements(*values[name])
+            content[first : first + host.nbytes] = host.reshape(-1).view(np.uint8)
+        return content
+
+    def rewrite(self, values: dict[str, tuple[ArrayLike, Any]]) -> None:
+        """Write other values of the same shapes over all arrays, in one copy."""
+        write(self._whole, self._content(values))
 
     def _part(self, name: str, dtype: type[Element]) -> DeviceArray[Element, Any]:
         first, shape, _ = self._places[name]
@@ -67,3 +75,7 @@ class SideBySide:
             size = int(np.prod(shape)) * dtype.itemsize
             chosen[name] = whole[first : first + size].view(dtype).reshape(shape)
         return chosen
+
+
+def _as_elements(value: ArrayLike, dtype: Any) -> np.ndarray:
+    return np.ascontiguousarray(value, dtype=wp.dtype_to_numpy(getattr(dtype, "_wp_scalar_type_", dtype)))

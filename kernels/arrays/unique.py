@@ -98,15 +98,10 @@ class UniqueKeys:
         copy(self.starts, upload(np.array([keys.size]), int32, device), count=1, offset=self.count)
 
     def _find_at_once(self, sorted_keys: Keys) -> None:
-        n, device = sorted_keys.size, sorted_keys.device
-        ranks = empty(n + 2, int32, device)
-        launch(mark_heads_kernel, n, [sorted_keys, ranks])
-        inclusive_scan(ranks[:n], ranks[:n])
-        keys, starts = empty(n, int64, device), empty(n + 1, int32, device)  # of any number, so as not to wait for it
-        launch(write_heads_kernel, n, [sorted_keys, ranks, keys, starts])
-        self.count, low, high = download(ranks[n - 1 :]).tolist()  # sync
+        self.keys, self.starts, told = write_heads(sorted_keys)
+        self.count, low, high = download(told).tolist()  # sync
         self._last = (high << 32) | (low & 0xFFFF_FFFF)
-        self.keys, self.starts = keys[: self.count], starts[: self.count + 1]
+        self.keys, self.starts = self.keys[: self.count], self.starts[: self.count + 1]
 
     def counts(self) -> Integers:
         """How often each key occurs, int32 [m]."""
@@ -123,3 +118,19 @@ class UniqueKeys:
             self._last = None
             self.count -= 1
             self.keys, self.starts = self.keys[: self.count], self.starts[: self.count + 1]
+
+
+def write_heads(sorted_keys: Keys) -> tuple[Keys, Integers, Integers]:
+    """The distinct ones of at least one sorted key of a GPU: nothing waits for their number.
+
+    Returns:
+        (keys, starts, told): as those of UniqueKeys, but with room for n of them; and int32 [3], their number and the
+        last key, its low half first.
+    """
+    n, device = sorted_keys.size, sorted_keys.device
+    ranks = empty(n + 2, int32, device)
+    launch(mark_heads_kernel, n, [sorted_keys, ranks])
+    inclusive_scan(ranks[:n], ranks[:n])
+    keys, starts = empty(n, int64, device), empty(n + 1, int32, device)
+    launch(write_heads_kernel, n, [sorted_keys, ranks, keys, starts])
+    return keys, starts, ranks[n - 1 :]

@@ -30,7 +30,7 @@ from ..lang import (
     vec3,
     vec3d,
 )
-from ..memory import download, empty, full
+from ..memory import empty, full
 
 RUN = 4096  # times a thread on the CPU: its two atomics cost less than 1 % of its reads
 TINY_ANGLE = 1.0e-12  # [rad] below it a rotation is none in float32
@@ -41,20 +41,19 @@ class ScrewMotion:
     """The motion of a scanner during one turn: a screw of constant velocity.
 
     Attributes:
-        first, last: Times of its beginning and end.
+        span: float64 [2], times of its beginning and end.
         axis, angle: Of its rotation, a unit vector and [rad].
         velocity: Its translation [m] along the screw.
     """
 
-    first: float64
-    last: float64
+    span: array(dtype=float64)
     axis: vec3
     angle: float
     velocity: vec3
 
-    def __init__(self, first: float, last: float, twist: np.ndarray) -> None:
+    def __init__(self, span: Doubles, twist: np.ndarray) -> None:
         """The motion whose logarithm is `twist`, (rotation, translation), float64 [6]."""
-        self.first, self.last, self.angle = first, last, math.sqrt(float(twist[:3] @ twist[:3]))
+        self.span, self.angle = span, math.sqrt(float(twist[:3] @ twist[:3]))
         axis = twist[:3] / self.angle if self.angle > 0 else twist[:3]
         self.axis, self.velocity = vec3(*map(float, axis)), vec3(*map(float, twist[3:]))
 
@@ -101,42 +100,55 @@ def bound_times_kernel(points: array(dtype=vec3), times: array(dtype=float64), r
 
 
 @kernel
+def fold_times_kernel(ends: array(dtype=float64), span: array(dtype=float64)):
+    """The first and the last of all times, from those of each row of ends."""
+    i = tid()
+    low = float64(INFINITY)
+    high = -float64(INFINITY)
+    for k in range(ends.shape[0] // 2):
+        low = min(low, -ends[2 * k])
+        high = max(high, ends[2 * k + 1])
+    span[i] = low
+    span[i + 1] = high
+
+
+@kernel
 def deskew_points_kernel(
     points: array(dtype=vec3), times: array(dtype=float64), origin: vec3d, motion: ScrewMotion, out: array(dtype=vec3)
 ):
     """Each point as seen at the last time; NaN where its time is none."""
     i = tid()
+    first = motion.span[0]
+    last = motion.span[1]
     share = 0.0
-    if motion.last > motion.first:
-        share = float((times[i] - motion.last) / (motion.last - motion.first))
+    if last > first:
+        share = float((times[i] - last) / (last - first))
     p = narrow(widen(points[i]) + origin)
     out[i] = move_along_screw(p, share, motion)
 
 
-def bound_times(points: Points, times: Doubles) -> tuple[float, float]:
-    """(first, last) of the times of measured points, on the host; (inf, -inf) where there are none. One sync."""
+def bound_times(points: Points, times: Doubles) -> Doubles:
+    """The first and the last time of measured points, float64 [2] on the device; inf and -inf where there are none."""
     runs = Runs(points.size, points.device, RUN)
-    ends = full(2 * runs.rows, -INFINITY, float64, points.device)
+    ends, span = full(2 * runs.rows, -INFINITY, float64, points.device), empty(2, float64, points.device)
     launch(bound_times_kernel, runs.threads, [points, times, runs, ends])
-    first, last = download(ends).reshape(-1, 2).max(axis=0).tolist()  # sync
-    return 0.0 - first, last
+    launch(fold_times_kernel, 1, [ends, span])
+    return span
 
 
-def deskew_points(
-    points: Points, times: Doubles, origin: np.ndarray, first: float, last: float, twist: np.ndarray
-) -> Points:
-    """Points as seen at time `last`.
+def deskew_points(points: Points, times: Doubles, origin: np.ndarray, span: Doubles, twist: np.ndarray) -> Points:
+    """Points as seen at the last time.
 
     Args:
         points: Device array of vec3 relative to `origin` [3], in the sensor's frame at each point's own time.
-        times: float64 device array; a time outside first..last counts by the same motion.
-        first, last: Beginning and end of the turn.
+        times: float64 device array; a time outside the span counts by the same motion.
+        span: Beginning and end of the turn, as `bound_times` gives them; nothing moves where they are not apart.
         twist: (rotation, translation), float64 [6]: the logarithm of the sensor's motion from first to last.
 
     Returns:
         Device array of vec3 about zero.
     """
     out = empty(points.size, vec3, points.device)
-    motion = ScrewMotion(first, last, twist)
+    motion = ScrewMotion(span, twist)
     launch(deskew_points_kernel, points.size, [points, times, vec3d(*origin), motion, out])
     return out

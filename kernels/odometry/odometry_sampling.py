@@ -6,16 +6,18 @@ points of one the least number stays there. 16 B of table a point, twice; one at
 """
 
 import math
+from collections.abc import Sequence
 
 import numpy as np
 
 from ..algebra.transform import narrow, widen
 from ..array_types import Mask, Points
 from ..arrays.hash_table import EMPTY, insert_entry
+from ..arrays.prefix_sum import inclusive_scan
 from ..arrays.select import gather_rows, positions_of
 from ..arrays.unique import UniqueKeys
-from ..lang import array, float64, func, int64, isfinite, kernel, launch, tid, uint8, vec3, vec3d
-from ..memory import empty, full, zeros
+from ..lang import NAN, array, float64, func, int32, int64, isfinite, kernel, launch, tid, uint8, vec3, vec3d
+from ..memory import download, empty, full, zeros
 from .local_cells import LocalCells, cell_holding, local_key
 
 ENTRY_BITS = 63  # of an entry in the table: a voxel's key above a point's number
@@ -82,6 +84,37 @@ def mark_firsts_kernel(groups: UniqueKeys, marks: array(dtype=uint8)):
     marks[groups.order[groups.starts[i]]] = 1
 
 
+@kernel
+def count_entries_kernel(entries: array(dtype=int64), index_bits: int, ranks: array(dtype=int32)):
+    """As mark_entries_kernel, for a sum of the marks."""
+    i = tid()
+    entry = entries[i]
+    if entry != int64(EMPTY):
+        ranks[int(entry & ((1 << int64(index_bits)) - 1))] = 1
+
+
+@kernel
+def keep_firsts_kernel(
+    points: array(dtype=vec3),
+    ranks: array(dtype=int32),
+    level: int,
+    kept: array(dtype=vec3),
+    counts: array(dtype=int32),
+):
+    """The marked points in their order, then such as no voxel takes; and their number. Ranks are sums of the marks."""
+    i = tid()
+    total = ranks[ranks.shape[0] - 1]
+    before = 0
+    if i > 0:
+        before = ranks[i - 1]
+    if ranks[i] > before:
+        kept[before] = points[i]
+    if i >= total:
+        kept[i] = vec3(NAN, NAN, NAN)
+    if i == 0:
+        counts[level] = total
+
+
 def shift_points(points: Points, origin: np.ndarray) -> Points:
     """The points about zero instead of about an origin [3]; the array itself where that is zero."""
     if not any(origin):
@@ -107,10 +140,7 @@ def first_in_voxels(points: Points, voxel_size: float, least: float, most: float
     """
     if points.size == 0:
         return points
-    reach = math.ceil(most / voxel_size) + 1
-    cells = LocalCells(voxel_size, (0, 0, 0), reach)
-    if cells.bits > 20:
-        raise ValueError(f"voxel_size: {voxel_size} makes {2 * reach:,} voxels of the range; take larger ones")
+    cells = _cells_within(most, voxel_size)
     marks = zeros(points.size, uint8, points.device)
     index_bits = (points.size - 1).bit_length()
     if cells.key_bits + index_bits <= ENTRY_BITS:
@@ -122,6 +152,40 @@ def first_in_voxels(points: Points, voxel_size: float, least: float, most: float
     else:
         _mark_by_sorting(points, least, most, cells, marks)
     return gather_rows(points, positions_of(marks))  # sync
+
+
+def thin_in_turn(points: Points, voxel_sizes: Sequence[float], least: float, most: float) -> list[Points]:
+    """As `first_in_voxels`, with voxels of each size [m], each time of those that stayed before; one sync on CUDA."""
+    index_bits = max(points.size - 1, 0).bit_length()
+    chain = [_cells_within(most, size) for size in voxel_sizes]
+    if not points.device.is_cuda or not points.size or max(c.key_bits for c in chain) + index_bits > ENTRY_BITS:
+        thinned = []
+        for size in voxel_sizes:
+            points = first_in_voxels(points, size, least, most)
+            thinned.append(points)
+        return thinned
+    device, n = points.device, points.size
+    capacity = 1 << (2 * n - 1).bit_length()
+    counts, levels = empty(len(chain), int32, device), []
+    for level, cells in enumerate(chain):  # over as many as there could be, so as not to wait for their number
+        ranks, entries = zeros(n, int32, device), full(capacity, EMPTY, int64, device)
+        launch(enter_points_kernel, n, [points, least, most, cells, index_bits, capacity - 1, entries])
+        launch(count_entries_kernel, capacity, [entries, index_bits, ranks])
+        inclusive_scan(ranks, ranks)
+        kept = empty(n, vec3, device)
+        launch(keep_firsts_kernel, n, [points, ranks, level, kept, counts])
+        points = kept
+        levels.append(kept)
+    return [kept[:count] for kept, count in zip(levels, download(counts).tolist(), strict=True)]  # sync
+
+
+def _cells_within(most: float, voxel_size: float) -> LocalCells:
+    """The voxels of a range about the sensor."""
+    reach = math.ceil(most / voxel_size) + 1
+    cells = LocalCells(voxel_size, (0, 0, 0), reach)
+    if cells.bits > 20:
+        raise ValueError(f"voxel_size: {voxel_size} makes {2 * reach:,} voxels of the range; take larger ones")
+    return cells
 
 
 def _mark_by_sorting(points: Points, least: float, most: float, cells: LocalCells, marks: Mask) -> None:

@@ -18,16 +18,18 @@ import numpy as np
 
 from ..algebra.rigid_solve import move
 from ..algebra.transform import narrow, widen
-from ..array_types import Device, Points
+from ..array_types import Device, Keys, Points
 from ..arrays.block_keys import block_key, key_block
 from ..arrays.changes import Changes, note_change
 from ..arrays.hash_table import HashTable, list_keys, number_new
-from ..arrays.prefix_sum import exclusive_scan
+from ..arrays.prefix_sum import exclusive_scan, inclusive_scan
 from ..arrays.select import positions_of
-from ..arrays.unique import UniqueKeys
+from ..arrays.sort import argsort_keys
+from ..arrays.unique import UniqueKeys, write_heads
 from ..lang import (
     array,
     float64,
+    func,
     int32,
     int64,
     isfinite,
@@ -41,8 +43,9 @@ from ..lang import (
     vec3d,
     vec3i,
 )
-from ..memory import copy, empty, zeros
+from ..memory import Readback, copy, empty, full, zeros
 from .local_cells import LocalCells, cell_holding, key_cell, local_key, place_in_cell
+from .touched_voxels import TouchedVoxels, find_voxels_kernel, number_voxels_kernel, store_voxels_kernel
 
 # voxels from the start along each axis: keys have 21 bits an axis, and searches look one further
 CELL_LIMIT = 2**20 - 2
@@ -61,6 +64,7 @@ class VoxelMap:
         table: The HashTable of the keys.
         counts: int32 [capacity], points of each voxel.
         places: vec3 [capacity * room], each voxel's points from its low corner [m].
+        totals: int32 [2], on CUDA the voxels after the last change of an even number and of an odd one.
         changes: How often points were added.
     """
 
@@ -71,21 +75,37 @@ class VoxelMap:
     table: HashTable
     counts: array(dtype=int32)
     places: array(dtype=vec3)
+    totals: array(dtype=int32)
     changes: Changes
 
     def __init__(self, voxel_size: float, room: int, device: Device) -> None:
         """An empty map of voxels with this edge [m] and room for so many points each."""
         self.voxel_size, self.room, self.device = voxel_size, room, device
         self.sqspacing = voxel_size * voxel_size / room
-        self.changes, self.capacity = Changes(0, device), 0
+        self._begin(0)
+        self.capacity = 0
         self._grow(1024)
         self.table = HashTable(device)
 
+    def _begin(self, count: int) -> None:
+        """Begin to count changes of so many voxels."""
+        self.totals, self.changes = full(2, count, int32, self.device), Changes(count, self.device)
+        self._told, self._read = Readback(self.totals), (0, count)
+
     @property
     def count(self) -> int:
-        """Voxels that hold points."""
+        """Voxels that hold points; a sync on CUDA where nothing has waited for the device since some were added."""
         self._settle()
-        return self.changes.value
+        return self._known()
+
+    def _known(self) -> int:
+        """The voxels after the last change, which on CUDA the device has counted."""
+        number = self.changes.count
+        if not self.device.is_cuda:
+            return self.changes.value
+        if self._read[0] != number:
+            self._read = (number, int(self._told.read()[number & 1]))  # sync
+        return self._read[1]
 
     @property
     def additions(self) -> int:
@@ -98,7 +118,7 @@ class VoxelMap:
         self.changes.settle(self._list_keys)
 
     def _list_keys(self) -> None:
-        self.table = list_keys(self.keys, self.changes.value)
+        self.table = list_keys(self.keys, self._known())
 
     def cell_of(self, place: np.ndarray) -> list[int]:
         """The voxel of a place [m] on the host."""
@@ -127,8 +147,11 @@ class VoxelMap:
         local = LocalCells(self.voxel_size, center, cells)
         keys, places = empty(points.size, int64, self.device), empty(points.size, vec3, self.device)
         launch(encode_points_kernel, points.size, [points, mat44d(*pose.ravel()), local, keys, places])
-        groups = UniqueKeys(keys, local.key_bits)  # sync
-        groups.drop_last(local.skipped)  # sync
+        if self.device.is_cuda:
+            self._insert_unread(keys, local, places)
+            return
+        groups = UniqueKeys(keys, local.key_bits)
+        groups.drop_last(local.skipped)
         self._insert(groups, local, places)
 
     def _insert(self, groups: UniqueKeys, local: LocalCells, places: Points) -> None:
@@ -136,7 +159,7 @@ class VoxelMap:
         touched = empty(groups.count, int64, self.device)
         launch(widen_keys_kernel, groups.count, [groups, local, touched])
         voxels, missing = self.table.find(touched)
-        rows = positions_of(missing)  # sync
+        rows = positions_of(missing)
         count = known + rows.size
         self._grow(count)
         self.changes.begin(count)
@@ -147,13 +170,35 @@ class VoxelMap:
         launch(insert_points_kernel, groups.count, [voxels, groups, places, known, self])
         self.changes.end()
 
+    def _insert_unread(self, keys: Keys, local: LocalCells, places: Points) -> None:
+        """As `_insert`, over as many voxels as there could be: nothing waits for their number."""
+        n = keys.size
+        most = self.count + n
+        self._grow(most)
+        sorted_keys, order = argsort_keys(keys, local.key_bits)
+        heads, starts, told = write_heads(sorted_keys)
+        self._told.forget()
+        self.changes.begin(None)
+        if 2 * most > self.table.capacity:
+            self.table = list_keys(self.keys, most - n, 2 * most)
+        voxels, fresh = empty(n, int32, self.device), empty(n, int32, self.device)
+        touched = TouchedVoxels(heads, order, starts, told, voxels, fresh)
+        after = self.changes.number & 1
+        launch(find_voxels_kernel, n, [touched, local, self.table])
+        inclusive_scan(fresh, fresh)
+        launch(number_voxels_kernel, n, [touched, local, after, self.totals, self.keys, self.table])
+        launch(store_voxels_kernel, most, [self.keys, after, self.totals, self.table])
+        launch(insert_touched_kernel, n, [touched, places, self])
+        self.changes.end()
+        self._told.send()
+
     def _grow(self, count: int) -> None:
         if count <= self.capacity:
             return
         capacity = max(count, 2 * self.capacity)
         if capacity * self.room > 2**31 - 1:
             raise ValueError(f"max_points_per_voxel: {self.room} x {capacity:,} voxels are more than 2^31 points")
-        known = self.changes.value
+        known = self._known()
         keys, counts = empty(capacity, int64, self.device), zeros(capacity, int32, self.device)
         places = empty(capacity * self.room, vec3, self.device)
         if known:
@@ -176,7 +221,8 @@ class VoxelMap:
         kept._grow(rows.size + rows.size // 2)
         launch(gather_keys_kernel, rows.size, [self.keys, rows, 0, kept.keys])
         launch(gather_voxels_kernel, rows.size, [rows, self.counts, self.places, kept])
-        kept.table, kept.changes = list_keys(kept.keys, rows.size), Changes(rows.size, self.device)
+        kept.table = list_keys(kept.keys, rows.size)
+        kept._begin(rows.size)
         return kept
 
     def points(self, near: np.ndarray) -> tuple[Points, list[float]]:
@@ -225,21 +271,24 @@ def gather_keys_kernel(keys: array(dtype=int64), rows: array(dtype=int32), first
     out[first + i] = keys[rows[i]]
 
 
-@kernel
-def insert_points_kernel(
-    voxels: array(dtype=int32), groups: UniqueKeys, new_places: array(dtype=vec3), known: int, voxel_map: VoxelMap
+@func
+def take_points(
+    voxel: int,
+    known: int,
+    begin: int,
+    end: int,
+    order: array(dtype=int32),
+    new_places: array(dtype=vec3),
+    voxel_map: VoxelMap,
 ):
     """Take the new points of one voxel in their own order, while there is room and none is near."""
-    i = tid()
-    note_change(i, voxel_map.changes)
-    voxel = voxels[i]
     first = voxel * voxel_map.room
     count = 0
     if voxel < known:
         count = voxel_map.counts[voxel]
-    for j in range(groups.starts[i], groups.starts[i + 1]):
+    for j in range(begin, end):
         if count < voxel_map.room:
-            p = new_places[groups.order[j]]
+            p = new_places[order[j]]
             near = 0
             for slot in range(first, first + count):
                 d = p - voxel_map.places[slot]
@@ -249,6 +298,27 @@ def insert_points_kernel(
                 voxel_map.places[first + count] = p
                 count += 1
     voxel_map.counts[voxel] = count
+
+
+@kernel
+def insert_points_kernel(
+    voxels: array(dtype=int32), groups: UniqueKeys, new_places: array(dtype=vec3), known: int, voxel_map: VoxelMap
+):
+    """Take the new points of one voxel."""
+    i = tid()
+    note_change(i, voxel_map.changes)
+    take_points(voxels[i], known, groups.starts[i], groups.starts[i + 1], groups.order, new_places, voxel_map)
+
+
+@kernel
+def insert_touched_kernel(touched: TouchedVoxels, new_places: array(dtype=vec3), voxel_map: VoxelMap):
+    """Take the new points of one touched voxel."""
+    i = tid()
+    note_change(i, voxel_map.changes)
+    known = voxel_map.totals[1 - int(voxel_map.changes.number & 1)]
+    voxel = touched.voxels[i]
+    if voxel >= 0:
+        take_points(voxel, known, touched.starts[i], touched.starts[i + 1], touched.order, new_places, voxel_map)
 
 
 @kernel

@@ -12,24 +12,30 @@ of it lies on more planes in the same directions: walls and furniture of all roo
 Per point: one search for the nearest, 40 B read and 90 operations in a reduction; once more beside the planes.
 """
 
+from collections.abc import Sequence
+from typing import Any
+
 import numpy as np
 
 from ..algebra.rigid_solve import move, turn
 from ..algebra.transform import narrow, widen
+from ..array_types import Array1, Integers, Vectors
 from ..arrays.packed_keys import key_index, key_number
-from ..arrays.select import positions_of
 from ..lang import (
     array,
     cross,
     dot,
     float64,
     func,
+    int32,
     int64,
     kernel,
     launch,
+    length,
     mat44d,
     reduce,
     reduction,
+    sqrt,
     struct,
     tid,
     uint8,
@@ -37,10 +43,10 @@ from ..lang import (
     vec3d,
     vector,
 )
-from ..memory import download, empty, upload
+from ..memory import copy, download, empty, zeros
 from ..search.nearest_point import NO_POINT, find_nearest
 from ..surface.hollow_side import Surface
-from .main_planes import find_main_planes, leave_out_planes
+from .main_planes import MainPlanes, find_main_planes, leave_out_planes
 
 middle_sums = vector(5, float64)  # count, x, y, z, squares
 evidence_sums = vector(46, float64)  # normal matrices of the near and of the matched, then four counts
@@ -48,6 +54,7 @@ motions = vector(6, float64)
 NEAR_AT, AGREEING_AT, MATCHED_AT, ALIGNED_AT = 42, 43, 44, 45
 
 PLANES = 3  # fix a pose
+MOST_DIRECTIONS = 6  # of as many planes, and square to two of them
 # In distances of a match, which are 1.5 voxels: from a plane to the points that it is fitted to, half a voxel; to those
 # that lie on it, a voxel; to those whose normals it bends, the three voxels of a normal's neighbourhood.
 FITTED, ON_PLANE, BENT = 0.35, 0.75, 2.0
@@ -88,13 +95,13 @@ class Overlap:
         moved, turned: The points and normals of the one under the pose.
         nearest: The key of each one's nearest point on the other, or NO_POINT.
         points, normals: Those of the other.
-        middle: Of the moved points that have a nearest one [m].
-        scale: One over their root mean square distance from there [1 / m].
+        middle: vec3d [1], of the moved points that have a nearest one [m].
+        scale: float64 [1], one over their root mean square distance from there [1 / m].
         distance: Of agreeing points [m].
         cosine: Least of the angle between agreeing normals.
         tight: Distance [m] along the normal at which the weight of a match has fallen to zero, as a parabola.
         frame: Normals of the planes that are left out, and those square to two of them; none before.
-        frame_size: How many they are.
+        frame_size: int32 [1], how many they are.
     """
 
     moved: array(dtype=vec3)
@@ -102,13 +109,13 @@ class Overlap:
     nearest: array(dtype=int64)
     points: array(dtype=vec3)
     normals: array(dtype=vec3)
-    middle: vec3d
-    scale: float64
+    middle: array(dtype=vec3d)
+    scale: array(dtype=float64)
     distance: float
     cosine: float
     tight: float
     frame: array(dtype=vec3)
-    frame_size: int
+    frame_size: array(dtype=int32)
 
     def __init__(
         self,
@@ -120,11 +127,12 @@ class Overlap:
         cosine: float,
         tight: float,
     ) -> None:
-        """Arguments as of `weigh_overlap`. One sync."""
+        """Arguments as of `weigh_overlaps`."""
         count, device = source.points.size, source.device
         self.points, self.normals = target.points, target.normals
         self.distance, self.cosine, self.tight = distance, cosine, tight
-        self.frame, self.frame_size = empty(1, vec3, device), 0
+        self.frame, self.frame_size = empty(MOST_DIRECTIONS, vec3, device), zeros(1, int32, device)
+        self.middle, self.scale = empty(1, vec3d, device), empty(1, float64, device)
         self.moved, self.turned = empty(count, vec3, device), empty(count, vec3, device)
         arguments = [source.points, source.normals, mat44d(*pose.ravel().tolist()), self.moved, self.turned]
         launch(move_surface_kernel, count, arguments)
@@ -132,41 +140,57 @@ class Overlap:
         self.find_middle()
 
     def find_middle(self) -> None:
-        """The middle and the scale of the points that have a nearest one. One sync."""
-        count = self.moved.size
-        total = download(reduce(sum_near, count, [self.moved, self.nearest]))[0]  # sync
-        points = max(float(total[0]), 1.0)
-        self.middle = total[1:4] / points
-        radius = max(float(total[4]) / points - float(self.middle @ self.middle), 0.0) ** 0.5
-        self.scale = 1.0 / max(radius, 1e-30)
+        """The middle and the scale of the points that have a nearest one."""
+        total = reduce(sum_near, self.moved.size, [self.moved, self.nearest])
+        launch(find_middle_kernel, 1, [total, self])
 
     def leave_out_planes(self) -> None:
-        """Take the nearest point from the points on the planes that most matches lie on. Some 13 syncs."""
+        """Take the nearest point from the points on the planes that most matches lie on."""
         count = self.moved.size
         mask = empty(count, uint8, self.moved.device)
         launch(mask_matched_kernel, count, [self, mask])
         fitted, slab, edge = (share * self.distance for share in (FITTED, ON_PLANE, BENT))
-        planes = find_main_planes(self.moved, self.turned, positions_of(mask), PLANES, fitted, slab, self.cosine)
+        planes = find_main_planes(self.moved, self.turned, mask, PLANES, fitted, slab, self.cosine)
         leave_out_planes(self.moved, self.turned, planes, slab, self.cosine, edge, self.nearest)
         self.find_middle()
-        frame = directions_of(planes[1])
-        if len(frame):
-            self.frame, self.frame_size = upload(frame, vec3, self.moved.device), len(frame)
+        find_directions(planes, self.frame, self.frame_size)
 
-    def weigh(self) -> np.ndarray:
-        """The sums of `sum_evidence`, float64 [46] on the host. One sync."""
-        return download(reduce(sum_evidence, self.moved.size, [self]))[0].copy()  # sync
+    def weigh(self) -> Array1[Any]:
+        """The sums of `sum_evidence`, a device array of one."""
+        return reduce(sum_evidence, self.moved.size, [self])
 
 
-def directions_of(normals: np.ndarray) -> np.ndarray:
-    """Unit normals of planes, and those square to any two of them that stand square to each other: float32 [k, 3]."""
-    found = list(normals)
-    for i in range(len(normals)):
-        for j in range(i):
-            if abs(normals[i] @ normals[j]) < SQUARE:
-                third = np.cross(normals[i], normals[j])
-                found.append(third / np.linalg.norm(third))
-    return np.array(found, np.float32).reshape(-1, 3)
+@kernel
+def find_middle_kernel(total: array(dtype=middle_sums), overlap: Overlap):
+    """The middle and the scale of points from their sums. One thread."""
+    i = tid()
+    points = max(total[i][0], float64(1.0))
+    middle = vec3d(total[i][1] / points, total[i][2] / points, total[i][3] / points)
+    radius = sqrt(max(total[i][4] / points - dot(middle, middle), float64(0.0)))
+    overlap.middle[i] = middle
+    overlap.scale[i] = 1.0 / max(radius, float64(1e-30))
+
+
+@kernel
+def find_directions_kernel(planes: MainPlanes, directions: array(dtype=vec3), count: array(dtype=int32)):
+    """Unit normals of planes, and those square to any two of them that stand square to each other. One thread."""
+    i = tid()
+    found = planes.count[i]
+    for k in range(planes.count[i]):
+        directions[k] = planes.directions[k]
+        for j in range(k):
+            a = planes.directions[k]
+            b = planes.directions[j]
+            if abs(dot(a, b)) < SQUARE:
+                third = cross(a, b)
+                directions[found] = third * (1.0 / length(third))
+                found += 1
+    count[i] = found
+
+
+def find_directions(planes: MainPlanes, directions: Vectors, count: Integers) -> None:
+    """Write the directions of planes and their number, int32 [1]; at most MOST_DIRECTIONS of PLANES."""
+    launch(find_directions_kernel, 1, [planes, directions, count])
 
 
 @func
@@ -192,7 +216,7 @@ def match_weight(overlap: Overlap, i: int) -> float:
 def is_aligned(overlap: Overlap, i: int) -> int:
     """Whether a point looks the way of a plane that is left out, or square to two of them."""
     aligned = 0
-    for k in range(overlap.frame_size):
+    for k in range(overlap.frame_size[0]):
         if abs(dot(overlap.frame[k], overlap.turned[i])) > ALIGNED:
             aligned = 1
     return aligned
@@ -217,7 +241,7 @@ def sum_evidence(overlap: Overlap) -> evidence_sums:
     out = evidence_sums(0.0)
     if overlap.nearest[i] != int64(NO_POINT):
         n = widen(overlap.turned[i])
-        r = (widen(overlap.moved[i]) - overlap.middle) * overlap.scale
+        r = (widen(overlap.moved[i]) - overlap.middle[0]) * overlap.scale[0]
         c = cross(r, n)
         agreeing = float64(0.0)
         matched = float64(0.0)
@@ -239,10 +263,8 @@ def sum_evidence(overlap: Overlap) -> evidence_sums:
     return out
 
 
-def weigh_overlap(
-    source: Surface,
-    target: Surface,
-    pose: np.ndarray,
+def weigh_overlaps(
+    pairs: Sequence[tuple[Surface, Surface, np.ndarray]],
     distance: float,
     near: float,
     cosine: float,
@@ -250,11 +272,10 @@ def weigh_overlap(
     *,
     beside_planes: bool = False,
 ) -> np.ndarray:
-    """The evidence that one surface gives for a pose onto another.
+    """The evidence that surfaces give for poses onto others, of all of them with one wait.
 
     Args:
-        source, target: Surfaces.
-        pose: float64 [4, 4] between coordinates about the clouds' origins.
+        pairs: Source, target and pose, float64 [4, 4] between coordinates about the clouds' origins, each.
         distance: Of agreeing points [m].
         near: Distance [m] within which a point should have met the other surface.
         cosine: Least of the angle between agreeing normals.
@@ -262,11 +283,16 @@ def weigh_overlap(
         beside_planes: Leave out the points on the three planes that most matches lie on, and on their edges.
 
     Returns:
-        float64 [46] on the host: the upper triangles of two normal matrices row by row, then the counts at NEAR_AT,
-        AGREEING_AT and MATCHED_AT, and at ALIGNED_AT what counts of the matched ones in the directions of the planes
-        that are left out. Two syncs, and some 13 more beside planes.
+        float64 [pairs, 46] on the host: the upper triangles of two normal matrices row by row, then the counts at
+        NEAR_AT, AGREEING_AT and MATCHED_AT, and at ALIGNED_AT what counts of the matched ones in the directions of the
+        planes that are left out. One sync.
     """
-    overlap = Overlap(source, target, pose, distance, near, cosine, tight)
-    if beside_planes:
-        overlap.leave_out_planes()
-    return overlap.weigh()
+    if not pairs:
+        return np.empty((0, len(evidence_sums(0.0))))
+    gathered = empty(len(pairs), evidence_sums, pairs[0][0].device)
+    for k, (source, target, pose) in enumerate(pairs):
+        overlap = Overlap(source, target, pose, distance, near, cosine, tight)
+        if beside_planes:
+            overlap.leave_out_planes()
+        copy(gathered, overlap.weigh(), count=1, offset=k)
+    return download(gathered).copy()  # sync

@@ -18,7 +18,8 @@ import numpy as np
 
 from ..algebra.rigid_solve import move
 from ..algebra.transform import widen
-from ..array_types import Points
+from ..array_types import Integers, Points
+from ..arrays.bounds import bound_points
 from ..extent.hull_filter import grid_place, locate_direction
 from ..lang import (
     INFINITY,
@@ -80,13 +81,13 @@ class Sight:
         launch(count_hidden_kernel, self.place_count * runs, [points, points.size, self, counts])
         return download(counts)  # sync
 
-    def count_in_the_way(self, points: Points, pose: np.ndarray) -> np.ndarray:
-        """How many of some points under a pose stand before the surface, seen from each place: int32 [k]. One sync."""
+    def count_in_the_way(self, points: Points, pose: np.ndarray) -> Integers:
+        """How many of some points under a pose stand before the surface, seen from each place: int32 [k]."""
         counts = zeros(self.place_count, int32, self.device)
         runs = -(-points.size // RUN)
         arguments = [points, points.size, mat44d(*pose.ravel().tolist()), self, counts]
         launch(count_in_the_way_kernel, self.place_count * runs, arguments)
-        return download(counts)  # sync
+        return counts
 
 
 @func
@@ -166,17 +167,16 @@ def find_sight(points: Points, margin: float) -> Sight | None:
         margin: Distance [m] that two surfaces are apart at least where one hides the other.
 
     Returns:
-        The sight; None where no place shows the cloud. Some three syncs. The same bits from run to run.
+        The sight; None where no place shows the cloud. Two syncs. The same bits from run to run.
     """
     if not points.size:
         return None
     some = contiguous(points[:: max(1, -(-points.size // SAMPLE))])
-    there = download(some).astype(np.float64)  # sync
-    low, high = there.min(axis=0), there.max(axis=0)
+    low, high = (corner.astype(np.float64) for corner in bound_points(some)[:2])  # sync
     step = (high - low) / PLACES
     axes = [low[k] + step[k] * (np.arange(PLACES) + 0.5) for k in range(3)]
     places = np.stack(np.meshgrid(*axes, indexing="ij"), -1).reshape(-1, 3)
-    hidden = Sight(some, places, margin).count_hidden(some) / len(there)
+    hidden = Sight(some, places, margin).count_hidden(some) / some.size
     order = np.argsort(hidden, kind="stable")
     kept = order[hidden[order] <= hidden[order[0]] + EQUAL]
     if hidden[order[0]] > HIDDEN:

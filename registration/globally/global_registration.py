@@ -19,16 +19,7 @@ from ..icp.evaluation import evaluate_registration
 from ..result import RegistrationResult
 from ..rigid import to_world
 from .ransac import no_pose
-from .rating import (
-    Evidence,
-    Witness,
-    compare_surfaces,
-    complete,
-    moved_samples,
-    rate_surfaces,
-    refine_poses,
-    surface_of,
-)
+from .rating import Evidence, Witness, compare_under, complete, moved_samples, rate_surfaces, refine_poses, surface_of
 from .robust_global import find_poses
 
 FEATURE_RADIUS = 5.5  # [voxels] of the neighbourhood that a feature describes
@@ -178,9 +169,12 @@ def _choose(
     """
     first = refine_poses(source.surface, target.surface, poses, distance, FIRST_STEPS if refine else 0)
     poses = np.array([result.transformation for result in first])
-    wholes = [compare_surfaces(source.surface, target.surface, pose, distance) for pose in poses]
+    wholes = compare_under(source.surface, target.surface, poses, distance)
     order = _apart(source.surface, poses, np.argsort([-found.odds for found in wholes], kind="stable"), distance)
-    found = {k: complete(wholes[k], source, target, poses[k], distance) for k in order}
+    likely = [k for k in order if wholes[k].score > 0.5]
+    beside = compare_under(source.surface, target.surface, poses[likely], distance, beside_planes=True)
+    rests = dict(zip(likely, beside, strict=True))
+    found = {k: complete(wholes[k], source, target, poses[k], distance, rests.get(k)) for k in order}
     best = max((k for k in order if found[k].score > 0.5), key=lambda k: found[k].rest, default=order[0])
     result = first[best]
     if refine:

@@ -9,8 +9,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ...core.checks import check_positive, check_transformation
-from ...kernels.memory import download
-from ...kernels.poses.overlap_evidence import ALIGNED_AT, MATCHED_AT, weigh_overlap
+from ...kernels.memory import contiguous, download, join
+from ...kernels.poses.overlap_evidence import ALIGNED_AT, MATCHED_AT, weigh_overlaps
 from ...kernels.poses.sight import Sight, find_sight
 from ...kernels.surface.hollow_side import Surface
 from ...pcd.cloud import PointCloud
@@ -247,11 +247,22 @@ def rate_surfaces(source: Witness, target: Witness, pose: NDArray[np.float64], d
     return complete(found, source, target, pose, distance)
 
 
-def complete(found: Evidence, source: Witness, target: Witness, pose: NDArray[np.float64], distance: float) -> Evidence:
-    """The evidence of `compare_surfaces`, with the rest and the view where what is found so far speaks for the pose."""
+def complete(
+    found: Evidence,
+    source: Witness,
+    target: Witness,
+    pose: NDArray[np.float64],
+    distance: float,
+    beside: Evidence | None = None,
+) -> Evidence:
+    """The evidence of `compare_surfaces`, with the rest and the view where what is found so far speaks for the pose.
+
+    `beside` is the evidence beside planes where that was asked for already.
+    """
     if found.score <= 0.5:
         return found
-    beside = compare_surfaces(source.surface, target.surface, pose, distance, beside_planes=True)
+    if beside is None:
+        beside = compare_surfaces(source.surface, target.surface, pose, distance, beside_planes=True)
     enough = max(beside.matches / ENOUGH_BESIDE, beside.matches / (PART_BESIDE * found.matches))
     square = min(max((beside.aligned - FEW_ALIGNED) / (MANY_ALIGNED - FEW_ALIGNED), 0.0), 1.0)
     chance = (1.0 - min(1.0, enough)) * square
@@ -266,29 +277,45 @@ def count_blocked(source: Witness, target: Witness, pose: NDArray[np.float64]) -
 
     Each way the place counts from which the fewest do, since nobody says where the sensor was.
     """
-    counts = [0]
+    counted = []
     for watched, other, T in ((target, source, pose), (source, target, invert_pose(pose))):
         if watched.sight is not None:
-            counts.append(int(watched.sight.count_in_the_way(other.surface.points, T).min()))
-    return float(max(counts))
+            counted.append(watched.sight.count_in_the_way(other.surface.points, T))
+    if not counted:
+        return 0.0
+    counts = np.split(download(join(counted)), np.cumsum([way.size for way in counted])[:-1])  # sync
+    return float(max(way.min() for way in counts))
 
 
 def compare_surfaces(
     source: Surface, target: Surface, pose: NDArray[np.float64], distance: float, *, beside_planes: bool = False
 ) -> Evidence:
     """The evidence for a rigid pose between the coordinates about the clouds' origins: the weaker of both ways."""
-    both = []
-    for a, b, T in ((source, target, pose), (target, source, invert_pose(pose))):
-        limits = distance, NEAR * distance, COSINE, TIGHT * distance
-        sums = weigh_overlap(a, b, T, *limits, beside_planes=beside_planes)
-        if not sums[MATCHED_AT]:
-            return NO_EVIDENCE
+    return compare_under(source, target, pose[None], distance, beside_planes=beside_planes)[0]
+
+
+def compare_under(
+    source: Surface, target: Surface, poses: NDArray[np.float64], distance: float, *, beside_planes: bool = False
+) -> list[Evidence]:
+    """As `compare_surfaces`, for each of some poses, with one wait for all of them."""
+    pairs = [way for T in poses for way in ((source, target, T), (target, source, invert_pose(T)))]
+    limits = distance, NEAR * distance, COSINE, TIGHT * distance
+    sums = weigh_overlaps(pairs, *limits, beside_planes=beside_planes)  # sync
+    return [_evidence_of(both) for both in sums.reshape(len(poses), 2, -1)]
+
+
+def _evidence_of(both: NDArray[np.float64]) -> Evidence:
+    """The weaker evidence of two ways' sums."""
+    if not both[:, MATCHED_AT].all():
+        return NO_EVIDENCE
+    found = []
+    for sums in both:
         near, matched = symmetric_matrices(sums[:42].reshape(2, 21))
         ridge = RIDGE * np.trace(near) / 6 * np.eye(6)
         share = float(np.trace(np.linalg.solve(near + ridge, matched))) / 6
         firmness = max(float(np.linalg.eigvalsh(matched / sums[MATCHED_AT])[0]), 0.0)
-        both.append((share, firmness, float(sums[MATCHED_AT]), float(-sums[ALIGNED_AT] / sums[MATCHED_AT])))
-    share, firmness, matches, square = np.min(both, axis=0).tolist()
+        found.append((share, firmness, float(sums[MATCHED_AT]), float(-sums[ALIGNED_AT] / sums[MATCHED_AT])))
+    share, firmness, matches, square = np.min(found, axis=0).tolist()
     return Evidence(share, firmness, matches, aligned=-square)
 
 
@@ -305,5 +332,6 @@ def refine_poses(
 
 def moved_samples(surface: Surface, poses: NDArray[np.float64]) -> NDArray[np.float64]:
     """Some 64 points of a surface under poses, float64 [k, p, 3]: how far poses lie apart, in metres."""
-    points = download(surface.points)[:: max(1, len(surface) // SAMPLES)].astype(np.float64)  # sync
+    some = surface.points[:: max(1, len(surface) // SAMPLES)]
+    points = download(contiguous(some)).astype(np.float64)  # sync
     return np.einsum("kij,pj->kpi", poses[:, :3, :3], points) + poses[:, None, :3, 3]

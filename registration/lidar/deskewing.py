@@ -57,8 +57,8 @@ def deskew_point_cloud(cloud: PointCloud, T_start_end: ArrayLike, timestamps: Ar
     if times is None:
         names = ", ".join(TIME_NAMES)
         raise ValueError(f"timestamps: the cloud has no attribute of the names {names}; give timestamps=")
-    first, last = bound_times(cloud.device_array("points"), times)
-    moved = move_points(cloud.device_array("points"), times, cloud.origin, first, last, twist_of(T))
+    span = bound_times(cloud.device_array("points"), times)
+    moved = move_points(cloud.device_array("points"), times, cloud.origin, span, twist_of(T))
     arrays = {name: cloud.device_array(name) for name in cloud.device_arrays} | {"points": moved}
     deskewed = type(cloud).from_device_arrays(arrays, np.zeros(3), cloud.array_library)
     deskewed.grid = cloud.grid

@@ -10,14 +10,14 @@ from dataclasses import replace
 from typing import Any
 
 import numpy as np
-import warp as wp
 from numpy.typing import ArrayLike, NDArray
 
 from ...core.checks import check_count, check_positive, check_rigid
 from ...core.devices import check_same_device, resolve_device
 from ...core.units import METRE, common_unit
 from ...core.watching import report
-from ...kernels.odometry.odometry_sampling import first_in_voxels
+from ...kernels.odometry.map_aligner import MapAligner
+from ...kernels.odometry.odometry_sampling import thin_in_turn
 from ...kernels.odometry.voxel_map import VoxelMap
 from ...pcd.cloud import PointCloud
 from ...pcd.point_arrays import check_cloud
@@ -25,8 +25,16 @@ from ..rigid import invert_pose
 from .deskewing import point_times
 from .lidar_steps import FIRST_SCAN, NO_POINTS, OdometryStep, OdometrySummary, summarize_steps
 from .lidar_track import Aside, Known, Next
-from .raw_scan import RawScan
-from .scan_matching import START_RINGS, AdaptiveThreshold, ScanMatch, match_scan, start_guesses, wide_guesses
+from .raw_scan import RawScan, Thinned
+from .scan_matching import (
+    PLANE_VOXELS,
+    START_RINGS,
+    AdaptiveThreshold,
+    ScanMatch,
+    match_scan,
+    start_guesses,
+    wide_guesses,
+)
 
 Matrix = NDArray[np.float64]
 
@@ -62,8 +70,9 @@ class LidarOdometry:
     Notes:
         Memory O(map): 12 B times `max_points_per_voxel` a voxel. The map is exact after any length of travel: its
         points are float32 inside voxels counted by whole numbers, its poses float64. The same bits from run to run
-        and for any number of threads. Up to half a dozen host synchronisations a scan, none in the ICP loop. A scan
-        whose `register` was interrupted (Ctrl-C, no memory) is part of the run or is not: `len(steps)` tells.
+        and for any number of threads. One host synchronisation for the sizes of a thinned scan, one for all its loops,
+        and the same again where it is straightened twice. A scan whose `register` was interrupted (Ctrl-C, no memory)
+        is part of the run or is not: `len(steps)` tells.
 
         Beside the paper:
 
@@ -123,6 +132,7 @@ class LidarOdometry:
         self._steps: list[OdometryStep] = []
         self._known = Known(AdaptiveThreshold(initial, least, self.max_range, initial * initial))
         self._next: Next | None = None
+        self._aligner = MapAligner(PLANE_VOXELS)
 
     @property
     def steps(self) -> list[OdometryStep]:
@@ -197,14 +207,14 @@ class LidarOdometry:
         voxel_map = self._empty_map(scan.device) if known.map is None else known.map
         motion, has_prior = (known.motion, False) if motion is None else (motion, True)
         predicted = self._last_pose() @ motion
-        kept = self._thin(raw, motion)
-        step = self._match(voxel_map, kept, predicted, has_prior=has_prior, is_start=not known.has_motion)
+        thinned = self._thin(raw, motion)
+        step = self._match(voxel_map, thinned, predicted, has_prior=has_prior, is_start=not known.has_motion)
         if raw.times is not None and step.is_sound and step.iterations:
             if known.first is not None:
-                step, kept, voxel_map = self._straighten_start(known.first, raw, step, voxel_map)
+                step, thinned, voxel_map = self._straighten_start(known.first, raw, step, voxel_map)
             elif known.threshold.error_of(invert_pose(predicted) @ step.pose) > known.threshold.min_motion:
-                step, kept = self._straighten_again(raw, step, voxel_map)
-        self._next = self._place(step, kept, voxel_map, predicted, raw)
+                step, thinned = self._straighten_again(raw, step, voxel_map)
+        self._next = self._place(step, thinned, voxel_map, predicted, raw)
         self._next.join(self.max_range)
         self._adopt(self._next)
         report("scan", odometry=self, scan=scan, step=self._steps[-1])
@@ -235,31 +245,29 @@ class LidarOdometry:
     def _last_pose(self) -> Matrix:
         return self._steps[-1].pose if self._steps else np.eye(4)
 
-    def _thin(self, raw: RawScan, motion: Matrix) -> wp.array:
-        """The points that join the map, about the sensor at the end of the scan."""
-        size = MAP_VOXELS * self.voxel_size
-        return first_in_voxels(raw.straightened(motion), size, self.min_range, self.max_range)
+    def _thin(self, raw: RawScan, motion: Matrix) -> Thinned:
+        """A scan about the sensor at its end, thinned three times."""
+        sizes = [share * self.voxel_size for share in (MAP_VOXELS, SCAN_VOXELS, START_VOXELS)]
+        return Thinned(*thin_in_turn(raw.straightened(motion), sizes, self.min_range, self.max_range))
 
     def _match(
-        self, voxel_map: VoxelMap, kept: wp.array, predicted: Matrix, *, has_prior: bool = False, is_start: bool = False
+        self, voxel_map: VoxelMap, scan: Thinned, predicted: Matrix, *, has_prior: bool = False, is_start: bool = False
     ) -> OdometryStep:
         """The pose of the thinned scan, and how it was found."""
         threshold = self._known.threshold
         index, sigma = len(self._steps), threshold.value(self.poses)
-        if kept.size == 0:
+        if scan.kept.size == 0:
             return OdometryStep(index, predicted, sigma, 0, 0.0, 0.0, 0, False, True, NO_POINTS)
         if voxel_map.count == 0:
             return OdometryStep(index, predicted, sigma, 0, 0.0, 0.0, 0, True, False, FIRST_SCAN)
-        sparse = first_in_voxels(kept, SCAN_VOXELS * self.voxel_size, self.min_range, self.max_range)
-        few = first_in_voxels(sparse, START_VOXELS * self.voxel_size, self.min_range, self.max_range)
         further = start_guesses(predicted, threshold.initial) if is_start and not has_prior else []
         reach = 0.0 if has_prior or not self._known.is_young(index) else START_RINGS[-1] * threshold.initial
-        match = match_scan(sparse, voxel_map, predicted, sigma, further, few if further else None, kept, reach)
+        few = scan.few if further else None
+        match = match_scan(self._aligner, scan.sparse, voxel_map, predicted, sigma, further, few, scan.kept, reach)
         step = self._step_of(match, predicted, sigma, has_prior)
         if step.disagreement > DOUBTED_DISAGREEMENT or step.is_predicted:
-            again = match_scan(
-                sparse, voxel_map, predicted, sigma, wide_guesses(predicted, self._last_pose()), few, kept
-            )
+            guesses = wide_guesses(predicted, self._last_pose())
+            again = match_scan(self._aligner, scan.sparse, voxel_map, predicted, sigma, guesses, scan.few, scan.kept)
             turned = self._step_of(again, predicted, sigma, has_prior)
             if turned.is_sound and (turned.disagreement < step.disagreement or not step.is_sound):
                 return turned
@@ -277,12 +285,13 @@ class LidarOdometry:
             match.ways_to_rivals(), has_prior,
         )  # fmt: skip
 
-    def _place(self, step: OdometryStep, kept: wp.array, voxel_map: VoxelMap, predicted: Matrix, raw: RawScan) -> Next:
+    def _place(self, step: OdometryStep, scan: Thinned, voxel_map: VoxelMap, predicted: Matrix, raw: RawScan) -> Next:
         """What becomes of a scan: it joins the map if it lies on it, or with the one before if it lies on that."""
-        known, last_pose, parts = self._known, self._last_pose(), ((kept, step.pose),)
+        known, last_pose, kept = self._known, self._last_pose(), scan.kept
+        parts = ((kept, step.pose),)
         aside = None
         if step.iterations and not step.is_sound:
-            beside = None if known.aside is None else self._match_aside(known.aside, voxel_map, kept, predicted)
+            beside = None if known.aside is None else self._match_aside(known.aside, voxel_map, scan, predicted)
             if beside is not None and known.aside is not None:
                 step, parts = beside, ((known.aside.points, known.aside.pose), (kept, beside.pose))
             else:
@@ -297,37 +306,37 @@ class LidarOdometry:
         after = replace(known.after(step, last_pose, aside), threshold=threshold, map=voxel_map, first=first)
         return Next(step, after, voxel_map.additions, parts)
 
-    def _match_aside(self, aside: Aside, like: VoxelMap, kept: wp.array, predicted: Matrix) -> OdometryStep | None:
+    def _match_aside(self, aside: Aside, like: VoxelMap, scan: Thinned, predicted: Matrix) -> OdometryStep | None:
         """The step of a scan that lies on the one before it, which lies beside the map; None where it does not."""
         alone = aside.map_like(like, self.max_range)
-        step = self._match(alone, kept, predicted, is_start=not self._known.has_motion)
+        step = self._match(alone, scan, predicted, is_start=not self._known.has_motion)
         return replace(step, has_joined=True) if step.is_sound else None
 
-    def _straighten_again(self, raw: RawScan, step: OdometryStep, voxel_map: VoxelMap) -> tuple[OdometryStep, wp.array]:
+    def _straighten_again(self, raw: RawScan, step: OdometryStep, voxel_map: VoxelMap) -> tuple[OdometryStep, Thinned]:
         """Register a scan once more whose motion was not the one predicted, straightened with the one found."""
-        kept = self._thin(raw, invert_pose(self._last_pose()) @ step.pose)
-        again = self._match(voxel_map, kept, step.pose)
-        return (again if again.is_sound else step), kept
+        thinned = self._thin(raw, invert_pose(self._last_pose()) @ step.pose)
+        again = self._match(voxel_map, thinned, step.pose)
+        return (again if again.is_sound else step), thinned
 
     def _straighten_start(
         self, first: RawScan, second: RawScan, step: OdometryStep, voxel_map: VoxelMap
-    ) -> tuple[OdometryStep, wp.array, VoxelMap]:
+    ) -> tuple[OdometryStep, Thinned, VoxelMap]:
         """Register the second scan once more: only now is there a motion to straighten the first two with.
 
         Without this the map would begin with a scan as skewed as the start was fast, and keep it.
         """
         start = self._last_pose()
-        kept = self._thin(second, invert_pose(start) @ step.pose)
+        thinned = self._thin(second, invert_pose(start) @ step.pose)
         for _ in range(START_TURNS):
             motion = invert_pose(start) @ step.pose
             straight = self._empty_map(voxel_map.device)
-            straight.add(self._thin(first, motion), start, self.max_range)
+            straight.add(self._thin(first, motion).kept, start, self.max_range)
             again = self._match(straight, self._thin(second, motion), step.pose)
             if not again.is_sound:
                 break
             step, voxel_map = again, straight
-            kept = self._thin(second, invert_pose(start) @ step.pose)
-        return step, kept, voxel_map
+            thinned = self._thin(second, invert_pose(start) @ step.pose)
+        return step, thinned, voxel_map
 
     def _prune(self) -> None:
         """Drop what is out of range, not at every scan: what stays longer is never reached by a scan."""

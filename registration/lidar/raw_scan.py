@@ -31,7 +31,15 @@ class RawScan:
     def straightened(self, motion: Matrix) -> wp.array:
         """The points about the sensor at the end of the scan, which it reached by this motion (eqs. 2 to 4)."""
         if self.times is not None and not np.array_equal(motion, np.eye(4)):
-            first, last = bound_times(self.points, self.times)
-            if first < last:
-                return deskew_points(self.points, self.times, self.origin, first, last, twist_of(motion))
+            span = bound_times(self.points, self.times)
+            return deskew_points(self.points, self.times, self.origin, span, twist_of(motion))
         return shift_points(self.points, self.origin)
+
+
+@dataclass(frozen=True, eq=False)
+class Thinned:
+    """A scan about the sensor, thinned in turn: for the map, to be registered, and to try many starts with."""
+
+    kept: wp.array
+    sparse: wp.array
+    few: wp.array

@@ -8,12 +8,14 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 import warp as wp
 from numpy.typing import NDArray
 
-from ...kernels.odometry.map_icp import CONVERGED, LOST, MapPairs, align_to_map
+from ...kernels.odometry.map_aligner import Leg, MapAligner, Reached
+from ...kernels.odometry.map_course import CHEAPEST, CONVERGED, LOST, OF_FIRST
 from ...kernels.odometry.pose_probes import compare_poses
 from ...kernels.odometry.voxel_map import VoxelMap
 from ..rigid import make_pose, nearest_rotation, pose_of, rotation_vector
@@ -85,6 +87,7 @@ class ScanMatch:
 
 
 def match_scan(
+    aligner: MapAligner,
     points: wp.array,
     voxel_map: VoxelMap,
     guess: Matrix,
@@ -102,6 +105,7 @@ def match_scan(
     guess, from what was found, and from further guesses, and the scan lies where their cost is least.
 
     Args:
+        aligner: What brings it there: all these loops are one course.
         points: Device array of vec3, finite, at least one.
         voxel_map: The map, not empty.
         guess: T_map_sensor to begin with.
@@ -111,41 +115,58 @@ def match_scan(
         dense: More points of the scan, to tell with what it fixes; None takes `points`.
         reach: How far [m] from the guess other places are looked for along what the scan tells little of.
     """
-    size = voxel_map.voxel_size
-    pairs = MapPairs(points, voxel_map, PLANE_VOXELS * size)
-    far = _align(pairs, guess, SIGMAS * sigma, sigma / 3, ROUGH, to_planes=False)
+    size, count = voxel_map.voxel_size, points.size
+    limit, coarse, fine = JUDGED_VOXELS * size, COARSE_KERNEL * size**2, FINE_KERNEL * size**2
+    near = _leg(guess, count if few is None else few.size, limit, coarse, ROUGH, few=few is not None)
+    legs = [
+        _leg(guess, count, SIGMAS * sigma, sigma / 3, ROUGH, to_planes=False, is_needed=True),
+        near,
+        replace(near, start=OF_FIRST),
+        *(replace(near, pose=start) for start in further),
+        _leg(guess, count, limit, fine, TOLERANCE, start=CHEAPEST),
+    ]
+    aligner.load(points, few, voxel_map)
+    found, told = aligner.run(legs)  # sync
+    far = _match_of(found[0], legs[0], count, np.zeros((6, 6)))
     if not far.is_found:
         return far
-    limit, coarse, fine = JUDGED_VOXELS * size, COARSE_KERNEL * size**2, FINE_KERNEL * size**2
-    tried = pairs if few is None else MapPairs(few, voxel_map, PLANE_VOXELS * size)
-    near = [_align(tried, start, limit, coarse, ROUGH, to_planes=True) for start in (guess, far.pose, *further)]
-    best = min((match for match in near if match.is_found), key=lambda match: match.cost, default=far)
-    last = _align(pairs, best.pose, limit, fine, TOLERANCE, to_planes=True)
-    turns = far.turns + last.turns + sum(match.turns for match in near)
+    last = _match_of(found[-1], legs[-1], count, told)
+    turns = sum(reached.turns for reached in found)
     if not last.is_found:
         return replace(far, turns=turns)
     dense, rivals = points if dense is None else dense, ()
-    for way in weak_ways(last.told, points.size) if reach > 0 else ():
-        last, others = _search_along(pairs, dense, last, guess, way, reach)
+    for way in weak_ways(last.told, count) if reach > 0 else ():
+        last, others = _search_along(aligner, points, voxel_map, dense, last, guess, way, reach)
         turns, rivals = turns + last.turns, rivals + others
-    free = open_directions(dense, voxel_map, last.pose, last.told, points.size)
+    free = open_directions(dense, voxel_map, last.pose, last.told, count)
     if free is None or free.is_blind:
         return replace(last, turns=turns, open=None if further else free, rivals=rivals)
     start = free.taken_from(last.pose, guess)
-    held = _align(pairs, start, limit, fine, TOLERANCE, to_planes=True, held=free.weight())
+    held = _align(aligner, _leg(start, count, limit, fine, TOLERANCE, is_held=True), count, free.weight())
     return replace(held if held.is_found else replace(last, pose=start), turns=turns + held.turns, open=free)
 
 
 def _search_along(
-    pairs: MapPairs, dense: wp.array, found: ScanMatch, guess: Matrix, way: Matrix, reach: float
+    aligner: MapAligner,
+    points: wp.array,
+    voxel_map: VoxelMap,
+    dense: wp.array,
+    found: ScanMatch,
+    guess: Matrix,
+    way: Matrix,
+    reach: float,
 ) -> tuple[ScanMatch, tuple[Matrix, ...]]:
     """Where a scan lies best along a direction of which it tells little, and other places where it lies as well.
 
     Like doors in a corridor fit at every period: of places that fit alike, the one next to the guess is taken.
     """
-    size, voxel_map = pairs.voxel_map.voxel_size, pairs.voxel_map
+    size, count = voxel_map.voxel_size, points.size
     starts, worst = places_along(dense, voxel_map, found.pose, guess, way, reach)
-    tried = [_align(pairs, T, JUDGED_VOXELS * size, FINE_KERNEL * size**2, ROUGH, to_planes=True) for T in starts]
+    leg = _leg(guess, count, JUDGED_VOXELS * size, FINE_KERNEL * size**2, ROUGH)
+    legs = [replace(leg, pose=T) for T in starts]
+    tried = (
+        [_match_of(*pair, count, found.told) for pair in zip(aligner.run(legs)[0], legs, strict=True)] if legs else []
+    )
     places = [found, *(match for match in tried if match.is_found)]
     rises = compare_poses(dense, JUDGING_POINTS, voxel_map, np.array([match.pose for match in places]), size)
     best = places[int(np.argmin(rises[:, 0] / np.maximum(rises[:, 2], 1)))]
@@ -154,11 +175,8 @@ def _search_along(
     )
     alike = [match for match, is_worse in zip(places, rises_clearly(rises[1:]), strict=True) if not is_worse]
     chosen = min(alike, key=lambda match: _distance(match.pose, guess))
-    chosen = (
-        chosen
-        if chosen is found
-        else _align(pairs, chosen.pose, JUDGED_VOXELS * size, FINE_KERNEL * size**2, TOLERANCE, to_planes=True)
-    )
+    if chosen is not found:
+        chosen = _align(aligner, replace(leg, pose=chosen.pose, tolerance=TOLERANCE), count)
     others = [
         match.pose
         for match, (total, _, seen, _) in zip(places, rises[1:], strict=True)
@@ -173,26 +191,32 @@ def _distance(A: Matrix, B: Matrix) -> float:
     return float(np.linalg.norm(A[:3, 3] - B[:3, 3]))
 
 
-def _align(
-    pairs: MapPairs,
-    guess: Matrix,
+def _leg(
+    pose: Matrix,
+    count: int,
     max_distance: float,
-    kernel_scale: float,
+    scale: float,
     tolerance: float,
     *,
-    to_planes: bool,
-    held: Matrix | None = None,
-) -> ScanMatch:
+    to_planes: bool = True,
+    **more: Any,
+) -> Leg:
+    return Leg(pose, max_distance, scale, tolerance, LOST_SHARE * count, MAX_TURNS, to_planes, **more)
+
+
+def _align(aligner: MapAligner, leg: Leg, count: int, held: Matrix | None = None) -> ScanMatch:
     """Where a guess leads to."""
-    count = pairs.points.size
-    T, state, turns, inliers, sqsum, cost, disagreement, told = align_to_map(
-        pairs, guess, max_distance, kernel_scale,
-        least=LOST_SHARE * count, tolerance=tolerance, turns=MAX_TURNS, to_planes=to_planes, held=held,
-    )  # fmt: skip
-    pose = guess if state == LOST else make_pose(nearest_rotation(T[:3, :3]), T[:3, 3])
+    (reached,), told = aligner.run([leg], held)
+    return _match_of(reached, leg, count, told)
+
+
+def _match_of(reached: Reached, leg: Leg, count: int, told: Matrix) -> ScanMatch:
+    T, is_found = reached.pose, reached.state != LOST
     return ScanMatch(
-        pose, state != LOST, state == CONVERGED, turns, inliers, inliers / count, sqsum, cost, disagreement, told
-    )
+        make_pose(nearest_rotation(T[:3, :3]), T[:3, 3]) if is_found else leg.pose, is_found,
+        reached.state == CONVERGED, reached.turns, reached.paired, reached.paired / count, reached.sqsum, reached.cost,
+        reached.disagreement, told,
+    )  # fmt: skip
 
 
 def start_guesses(pose: Matrix, threshold: float) -> list[Matrix]:

@@ -147,7 +147,8 @@ def test_a_scan_lies_where_the_loop_written_out_puts_it(device, kitti_pair, tole
     from pointloom.core.devices import resolve_device
     from pointloom.kernels.lang import vec3
     from pointloom.kernels.memory import upload
-    from pointloom.kernels.odometry.map_icp import CONVERGED, MapPairs, align_to_map
+    from pointloom.kernels.odometry.map_aligner import Leg, MapAligner
+    from pointloom.kernels.odometry.map_course import CONVERGED
     from pointloom.kernels.odometry.voxel_map import VoxelMap
 
     where = resolve_device(device)
@@ -179,18 +180,18 @@ def test_a_scan_lies_where_the_loop_written_out_puts_it(device, kitti_pair, tole
         S = np.eye(4)
         S[:3, :3], S[:3, 3] = Rotation.from_rotvec(step[:3]).as_matrix(), step[3:]
         T = S @ T
-    options = {"least": 6, "tolerance": 1e-9, "turns": 500, "to_planes": reach > 0}
-    answer = align_to_map(MapPairs(upload(source, vec3, where), voxel_map, reach), np.eye(4), 0.9, kappa, **options)
-    pose, state, _, inliers, sqsum, cost, disagreement, told = answer
-    assert state == CONVERGED
-    np.testing.assert_allclose(pose, T, atol=tolerances.odometry_pose)
-    assert inliers == found.sum()
-    np.testing.assert_allclose(sqsum, (r**2).sum(), rtol=1e-4)
+    aligner = MapAligner(reach)
+    aligner.load(upload(source, vec3, where), None, voxel_map)
+    (end,), told = aligner.run([Leg(np.eye(4), 0.9, kappa, 1e-9, 6, 500, to_planes=reach > 0)])
+    assert end.state == CONVERGED
+    np.testing.assert_allclose(end.pose, T, atol=tolerances.odometry_pose)
+    assert end.paired == found.sum()
+    np.testing.assert_allclose(end.sqsum, (r**2).sum(), rtol=1e-4)
     telling = np.array([not reach or np.any(known[row][1]) for row in rows[found].tolist()])
     alone = len(source) - len(r)
     costs = 1 - kappa / (kappa + squares)
-    np.testing.assert_allclose(cost, (costs[telling].sum() + alone) / (telling.sum() + alone), rtol=1e-3)
-    np.testing.assert_allclose(disagreement, costs[telling].mean(), rtol=1e-3)
+    np.testing.assert_allclose(end.cost, (costs[telling].sum() + alone) / (telling.sum() + alone), rtol=1e-3)
+    np.testing.assert_allclose(end.disagreement, costs[telling].mean(), rtol=1e-3)
     if reach:  # what planes tell is about the sensor's own place
         normals = np.array([known[row][1] for row in rows[found].tolist() if np.ndim(known[row][1])])
         at = (x - T[:3, 3])[[bool(np.ndim(known[row][1])) for row in rows[found].tolist()]]
@@ -291,16 +292,18 @@ def test_a_scan_takes_as_many_turns_as_it_may_and_says_so(device, rng, turns):
     from pointloom.core.devices import resolve_device
     from pointloom.kernels.lang import vec3
     from pointloom.kernels.memory import upload
-    from pointloom.kernels.odometry.map_icp import EXHAUSTED, MapPairs, align_to_map
+    from pointloom.kernels.odometry.map_aligner import Leg, MapAligner
+    from pointloom.kernels.odometry.map_course import EXHAUSTED
     from pointloom.kernels.odometry.voxel_map import VoxelMap
 
     where = resolve_device(device)
     points = rng.uniform(-3, 3, (400, 3)).astype(np.float32)
     voxel_map = VoxelMap(1.0, 20, where)
     voxel_map.add(upload(points, vec3, where), np.eye(4), 150.0)
-    pairs = MapPairs(upload(points + np.float32(0.1), vec3, where), voxel_map, 0.0)
-    _, state, taken, *_ = align_to_map(pairs, np.eye(4), 0.9, 0.2, least=6, tolerance=0.0, turns=turns)
-    assert (state, taken) == (EXHAUSTED, turns)
+    aligner = MapAligner(0.0)
+    aligner.load(upload(points + np.float32(0.1), vec3, where), None, voxel_map)
+    (end,), _ = aligner.run([Leg(np.eye(4), 0.9, 0.2, 0.0, 6, turns)])
+    assert (end.state, end.turns) == (EXHAUSTED, turns)
 
 
 @pytest.mark.parametrize(("shift", "count"), [(0.0, 1), (0.05, 1), (0.1, 1), (0.11, 2)])

@@ -7,13 +7,17 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 import pointloom as loom
+from pointloom.kernels.lang import int32, vec3
+from pointloom.kernels.memory import empty
+from pointloom.kernels.poses.main_planes import MainPlanes
 from pointloom.kernels.poses.overlap_evidence import (
     AGREEING_AT,
     ALIGNED_AT,
     MATCHED_AT,
+    MOST_DIRECTIONS,
     NEAR_AT,
-    directions_of,
-    weigh_overlap,
+    find_directions,
+    weigh_overlaps,
 )
 from pointloom.kernels.surface.hollow_side import Surface, find_sides
 from pointloom.registration.globally import rating
@@ -252,6 +256,10 @@ def test_points_without_a_surface_around_them_are_left_out(device, rng):
     assert np.isnan(normals).all()
 
 
+def weigh_overlap(source, target, T, *limits, **options):
+    return weigh_overlaps([(source, target, T)], *limits, **options)[0]
+
+
 def test_the_evidence_is_that_of_brute_force(device, rng):
     left, right = hills(rng, 1500), hills(rng, 1500)
     clouds = [loom.PointCloud(points, device=device) for points in (left[left[:, 0] < 0.5], right)]
@@ -340,10 +348,20 @@ def test_a_few_matches_beside_the_planes_may_be_chance(monkeypatch):
     assert few.rest == pytest.approx(0.2)
 
 
+def directions_of(normals, where):
+    """The directions of planes with these normals."""
+    planes = MainPlanes.of(np.zeros((len(normals), 3)), normals, where)
+    found, count = empty(MOST_DIRECTIONS, vec3, where), empty(1, int32, where)
+    find_directions(planes, found, count)
+    return found.numpy()[: int(count.numpy()[0])]
+
+
 def test_what_matches_square_to_two_planes_counts_as_aligned(device, rng):
-    square = directions_of(np.array([[0, 0, 1.0], [1, 0, 0]]))
+    where = loom.PointCloud(np.zeros((1, 3)), device=device).array("points").device
+    square = directions_of(np.array([[0, 0, 1.0], [1, 0, 0]]), where)
     np.testing.assert_allclose(np.abs(square), [[0, 0, 1], [1, 0, 0], [0, 1, 0]], atol=1e-6)
-    assert len(directions_of(np.array([[0, 0, 1.0], [0.8, 0, 0.6]]))) == 2 and len(directions_of(np.empty((0, 3)))) == 0
+    assert len(directions_of(np.array([[0, 0, 1.0], [0.8, 0, 0.6]]), where)) == 2
+    assert len(directions_of(np.empty((0, 3)), where)) == 0
     source, target = (surface_of(loom.PointCloud(corner(rng, ONE, 12000), device=device), 0.06) for _ in range(2))
     whole, beside = (
         weigh_overlap(source, target, np.eye(4), 0.09, 0.36, 0.866, 0.018, beside_planes=b) for b in (False, True)

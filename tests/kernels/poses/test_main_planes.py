@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from pointloom.kernels.lang import int32, int64, vec3
+from pointloom.kernels.lang import int64, uint8, vec3
 from pointloom.kernels.memory import download, upload
-from pointloom.kernels.poses.main_planes import VOTERS, find_main_planes, leave_out_planes
+from pointloom.kernels.poses.main_planes import VOTERS, MainPlanes, find_main_planes, leave_out_planes
 from pointloom.kernels.search.nearest_point import NO_POINT
 
 LIMITS = (0.02, 0.05, 0.9)  # tight, slab, cosine
@@ -30,13 +30,18 @@ def on_device(points, normals, device, rows=None):
     import pointloom as loom
 
     place = loom.PointCloud(np.zeros((1, 3)), device=device).array("points").device
-    chosen = np.arange(len(points)) if rows is None else rows
-    return [upload(points, vec3, place), upload(normals, vec3, place), upload(chosen.astype(np.int32), int32, place)]
+    mask = np.zeros(len(points), np.uint8)
+    mask[slice(None) if rows is None else rows] = 1
+    return [upload(points, vec3, place), upload(normals, vec3, place), upload(mask, uint8, place)]
+
+
+def planes_of(arrays, most):
+    return find_main_planes(*arrays, most, *LIMITS).read()
 
 
 def test_the_planes_come_by_how_many_points_they_hold(device, rng):
     points, normals = sheets(rng, (500, 2000, 1000, 200))
-    middles, directions = find_main_planes(*on_device(points, normals, device), 3, *LIMITS)
+    middles, directions = planes_of(on_device(points, normals, device), 3)
     assert np.abs(directions).argmax(axis=1).tolist() == [1, 2, 0]
     assert np.abs(directions).max(axis=1).min() > 0.9999
     heights = [middle[axis] for middle, axis in zip(middles, (1, 2, 0), strict=True)]
@@ -46,41 +51,41 @@ def test_the_planes_come_by_how_many_points_they_hold(device, rng):
 def test_points_that_are_not_chosen_do_not_count(device, rng):
     points, normals = sheets(rng, (500, 2000, 1000))
     rows = np.flatnonzero(np.abs(normals[:, 1]) < 0.5)
-    _, directions = find_main_planes(*on_device(points, normals, device, rows), 3, *LIMITS)
+    _, directions = planes_of(on_device(points, normals, device, rows), 3)
     assert np.abs(directions).argmax(axis=1).tolist()[:2] == [2, 0]
 
 
 def test_parallel_planes_are_two(device, rng):
     points, normals = sheets(rng, (1500, 20, 20, 1000))
-    middles, directions = find_main_planes(*on_device(points, normals, device), 2, *LIMITS)
+    middles, directions = planes_of(on_device(points, normals, device), 2)
     assert np.abs(directions).argmax(axis=1).tolist() == [0, 0]
     np.testing.assert_allclose(middles[:, 0], [1.5, 3.5], atol=0.003)
 
 
 def test_of_many_points_some_stand_for_all(device, rng):
     points, normals = sheets(rng, (6 * VOTERS, 3 * VOTERS))
-    _, directions = find_main_planes(*on_device(points, normals, device), 2, *LIMITS)
+    _, directions = planes_of(on_device(points, normals, device), 2)
     assert np.abs(directions).argmax(axis=1).tolist() == [0, 1]
 
 
 @pytest.mark.parametrize("count", [0, 1, 4])
 def test_fewer_than_five_points_make_no_plane(device, rng, count):
     points, normals = sheets(rng, (count,))
-    found = find_main_planes(*on_device(points, normals, device), 3, *LIMITS)
+    found = planes_of(on_device(points, normals, device), 3)
     assert [values.shape for values in found] == [(0, 3), (0, 3)]
 
 
 def test_five_points_make_one_and_the_same_place_five_times_too(device, rng):
     points, normals = sheets(rng, (5,))
-    assert len(find_main_planes(*on_device(points, normals, device), 3, *LIMITS)[0]) == 1
+    assert len(planes_of(on_device(points, normals, device), 3)[0]) == 1
     points, normals = np.tile(points[:1], (6, 1)), np.tile(normals[:1], (6, 1))
-    middles, directions = find_main_planes(*on_device(points, normals, device), 3, *LIMITS)
+    middles, directions = planes_of(on_device(points, normals, device), 3)
     assert np.isfinite(middles).all() and np.isfinite(directions).all()
 
 
 def test_two_runs_give_the_same_bits(device, rng):
     arrays = on_device(*sheets(rng, (900, 800, 700)), device)
-    one, two = (find_main_planes(*arrays, 3, *LIMITS) for _ in range(2))
+    one, two = (planes_of(arrays, 3) for _ in range(2))
     assert all((a == b).all() for a, b in zip(one, two, strict=True))
 
 
@@ -89,7 +94,7 @@ def test_planes_that_do_not_cross_have_no_edge(device):
     p, n, _ = on_device(points, normals, device)
     nearest = upload(np.array([4, 5]), int64, p.device)
     middles, directions = np.array([[0, 0, 0.2], [0, 0, 0]]), np.array([[0, 0, 1.0], [0, 0.1, -0.995]])
-    leave_out_planes(p, n, (middles, directions), 0.05, 0.8, 0.25, nearest)
+    leave_out_planes(p, n, MainPlanes.of(middles, directions, p.device), 0.05, 0.8, 0.25, nearest)
     assert download(nearest).tolist() == [4, NO_POINT]
 
 
@@ -100,7 +105,7 @@ def test_what_is_left_out_lies_on_a_plane_or_where_two_cross(device, rng):
     middles, directions = np.array([[0.3, 0, 0], [0, -0.2, 0]]), np.array([[1.0, 0, 0], [0, -1, 0]])
     p, n, _ = on_device(points, normals, device)
     nearest = upload(np.arange(2000), int64, p.device)
-    leave_out_planes(p, n, (middles, directions), 0.1, 0.8, 0.25, nearest)
+    leave_out_planes(p, n, MainPlanes.of(middles, directions, p.device), 0.1, 0.8, 0.25, nearest)
     heights = np.abs(np.einsum("kj,ikj->ik", directions, points[:, None] - middles))
     on = ((heights < 0.1) & (np.abs(normals @ directions.T) > 0.8)).any(axis=1)
     left = ~on & ((heights < 0.25).sum(axis=1) < 2)

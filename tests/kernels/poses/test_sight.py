@@ -37,7 +37,7 @@ def test_what_stands_before_a_wall_is_in_the_way(device, x, y, share):
     pose = np.eye(4)
     pose[:3, 3] = origin - there
     counts = Sight(wall, EYE - there, 0.1).count_in_the_way(screen, pose)
-    assert counts.tolist() == [share * screen.size]
+    assert counts.numpy().tolist() == [share * screen.size]
 
 
 def test_what_lies_behind_another_plate_is_hidden(device):

@@ -1,0 +1,302 @@
+"""The course of a scan through a map: loops of robust ICP that follow each other, all of them one loop of the device.
+
+A leg is a loop from a pose to where it rests, with a reach, a scale and a tolerance of its own. It begins at a pose
+that is given, where the first leg ended, or where the cheapest of the legs before it did. So a host waits once for all
+that is tried with a scan; on CUDA the graph is kept from scan to scan while the map's arrays stay where they are.
+
+A turn is two launches, three on CUDA: each thread finds the nearest map points of a run of the scan's points and sums
+their parts of the normal equations in the points' own order; one thread adds the runs, solves, moves the pose and says
+whether to go on. Some 1 us a point and turn on one core to points, 3 us to planes.
+
+Source: as map_icp.py.
+"""
+
+from ..algebra.matrices import multiply44
+from ..algebra.rigid_solve import TRIANGLE, UNKNOWNS, place_of, rotation_about, solve_system, triangle, turn, vec6d
+from ..algebra.transform import widen
+from ..array_types import Device
+from ..lang import INFINITY, array, cross, float64, func, int32, kernel, mat44d, sqrt, struct, tid, vec3, vec3d
+from ..memory import empty, zeros
+from .map_icp import PAIRS, SQUARES, SUMS, add_pair, plane, plane_of, sums
+from .voxel_map import VoxelMap
+from .voxel_map_search import find_nearest_in_map, moments_in_map
+
+PLANE_RUN = 32  # points a thread that sums what planes tell
+FOLD = 64  # rows that a second stage adds up on CUDA
+MOST_LEGS = 64
+RUNNING, CONVERGED, EXHAUSTED, LOST = 0, 1, 2, 3  # why a leg stands where it does
+GIVEN, OF_FIRST, CHEAPEST = 0, 1, 2  # where a leg begins
+# columns of an order: the pose in 16, then these
+LIMIT, SCALE, TOLERANCE, LEAST, TURNS, TO_PLANES, FIRST, COUNT, HELD, START, NEEDED = range(16, 27)
+ORDER = 27
+LEGS = TRIANGLE  # the column of the last row, behind what is held, with the number of legs
+# columns of a result: the pose in 16, then these, and the cost of the pairs and their number that tell
+STATE, TAKEN, SQSUM, PAIRED = range(16, 20)
+RESULT = 22
+
+
+@struct
+class Course:
+    """A scan on its way through a map.
+
+    Attributes:
+        points: The scan, from its beginning on; behind it the fewer points of it.
+        planes, known: A plane a point, and int32, where the map's point that it belongs to stands; -1 for none.
+        orders: float64 [MOST_LEGS + 1, ORDER], a row a leg; in the last what is held, and the number of legs.
+        results: float64 [MOST_LEGS + 1, RESULT], a row a leg; in the last what planes tell at the last leg's end.
+        states: int32 [2], the leg at work and its turns so far.
+        running: int32 [1], whether the loop goes on.
+        poses: mat44d [1], T_map_sensor.
+        voxel_map: The map.
+        plane_reach: Points this near [m] to the nearest one make up its plane.
+    """
+
+    points: array(dtype=vec3)
+    planes: array(dtype=plane)
+    known: array(dtype=int32)
+    orders: array(dtype=float64, ndim=2)
+    results: array(dtype=float64, ndim=2)
+    states: array(dtype=int32)
+    running: array(dtype=int32)
+    poses: array(dtype=mat44d)
+    voxel_map: VoxelMap
+    plane_reach: float
+
+    def __init__(self, room: int, voxel_map: VoxelMap, plane_reach: float, device: Device) -> None:
+        self.points, self.planes = empty(room, vec3, device), empty(room, plane, device)
+        self.known, self.states, self.running = (empty(n, int32, device) for n in (room, 2, 1))
+        self.orders = zeros((MOST_LEGS + 1, ORDER), float64, device)
+        self.results = zeros((MOST_LEGS + 1, RESULT), float64, device)
+        self.poses, self.voxel_map, self.plane_reach = empty(1, mat44d, device), voxel_map, plane_reach
+
+
+@func
+def leg_number(leg: int, column: int, course: Course) -> int:
+    """A whole number of a leg's order."""
+    return int(course.orders[leg, column])
+
+
+@func
+def pose_in(rows: array(dtype=float64, ndim=2), row: int) -> mat44d:
+    """The pose that a row begins with."""
+    pose = mat44d(0.0)
+    for i in range(4):
+        for j in range(4):
+            pose[i, j] = rows[row, 4 * i + j]
+    return pose
+
+
+@func
+def cost_of(leg: int, course: Course) -> float64:
+    """The mean cost of a leg, as `Reached` has it."""
+    alone = course.orders[leg, COUNT] - course.results[leg, PAIRED]
+    telling = course.results[leg, PAIRED + 2]
+    cost = float64(1.0)
+    if telling + alone > 0.0:
+        cost = (course.results[leg, PAIRED + 1] + alone) / (telling + alone)
+    return cost
+
+
+@func
+def start_of(leg: int, course: Course) -> mat44d:
+    """Where a leg begins."""
+    pose = pose_in(course.orders, leg)
+    start = leg_number(leg, START, course)
+    if start != GIVEN:
+        chosen = int(0)
+        if start == CHEAPEST:
+            least = float64(INFINITY)
+            for k in range(1, leg):
+                if course.results[k, STATE] != float64(LOST):
+                    cost = cost_of(k, course)
+                    if cost < least:
+                        least = cost
+                        chosen = k
+        pose = pose_in(course.results, chosen)
+    return pose
+
+
+@kernel
+def load_scan_kernel(points: array(dtype=vec3), few: array(dtype=vec3), course: Course):
+    """The scan, and behind it the fewer points of it; no planes are known yet."""
+    i = tid()
+    count = points.shape[0]
+    if i < count:
+        course.points[i] = points[i]
+    else:
+        course.points[i] = few[i - count]
+    course.known[i] = -1
+
+
+@kernel
+def begin_course_kernel(course: Course):
+    """The first leg's beginning; no leg has come to an end yet. A thread a leg."""
+    i = tid()
+    course.results[i, STATE] = float64(RUNNING)
+    course.results[i, TAKEN] = 0.0
+    if i == 0:
+        course.poses[0] = start_of(0, course)
+        course.states[0] = 0
+        course.states[1] = 0
+        course.running[0] = 1
+
+
+@kernel
+def associate_points_kernel(run: int, course: Course, rows: array(dtype=float64, ndim=2)):
+    """The sums of one run of points, each with its nearest point of the map that is closer than the root of limit, or
+    with the plane of the points around that one.
+
+    A plane is kept with the place of the point that it belongs to: from turn to turn most pairs stay the same.
+    """
+    i = tid()
+    leg = course.states[0]
+    begin = leg_number(leg, FIRST, course)
+    count = leg_number(leg, COUNT, course)
+    if i * run < count:
+        limit = float(course.orders[leg, LIMIT])
+        kernel_scale = course.orders[leg, SCALE]
+        to_planes = leg_number(leg, TO_PLANES, course)
+        pose = course.poses[0]
+        t = vec3d(pose[0, 3], pose[1, 3], pose[2, 3])
+        total = sums(0.0)
+        for k in range(i * run, i * run + min(run, count - i * run)):
+            j = begin + k
+            y = turn(pose, widen(course.points[j]))
+            x = y + t
+            found = find_nearest_in_map(x, limit, course.voxel_map)
+            nearest = int(found[4])
+            if nearest >= 0:
+                r = vec3d(found[0], found[1], found[2])
+                at = plane(0.0, 0.0, 0.0, 0.0, 1.0)
+                if to_planes == 1 and course.plane_reach > 0.0:
+                    if course.known[j] == nearest:
+                        at = course.planes[j]
+                    else:
+                        at = plane_of(moments_in_map(x - r, course.plane_reach, course.voxel_map))
+                        course.known[j] = nearest
+                        course.planes[j] = at
+                total = add_pair(total, y, r, at, kernel_scale)
+        for column in range(SUMS):
+            rows[i, column] = total[column]
+
+
+@kernel
+def fold_rows_kernel(
+    run: int, course: Course, rows: array(dtype=float64, ndim=2), folded: array(dtype=float64, ndim=2)
+):
+    """The sum of one column over FOLD rows."""
+    i = tid()
+    block = i // SUMS
+    column = i % SUMS
+    count = (leg_number(course.states[0], COUNT, course) + run - 1) // run
+    total = float64(0.0)
+    for j in range(block * FOLD, block * FOLD + min(FOLD, count - block * FOLD)):
+        total += rows[j, column]
+    folded[block, column] = total
+
+
+@func
+def moved_by(x: vec6d, pose: mat44d) -> mat44d:
+    """The pose moved by a solution (eqs. 11 and 12)."""
+    half = float64(0.5)
+    # the quaternion (x / 2, 1) turns by 2 atan(|x| / 2): x itself to third order
+    moved = multiply44(rotation_about(x[0] * half, x[1] * half, x[2] * half, 1.0), pose)
+    for axis in range(3):
+        moved[axis, 3] = pose[axis, 3] + x[3 + axis]
+    return moved
+
+
+@func
+def end_leg(leg: int, state: int, total: sums, course: Course):
+    """Note where a leg ended, and begin the next one."""
+    pose = course.poses[0]
+    for i in range(4):
+        for j in range(4):
+            course.results[leg, 4 * i + j] = pose[i, j]
+        course.results[leg, SQSUM + i] = total[SQUARES + i]
+    course.results[leg, STATE] = float64(state)
+    course.results[leg, TAKEN] = float64(course.states[1])
+    following = leg + 1
+    count = leg_number(MOST_LEGS, LEGS, course)
+    if state == LOST and course.orders[leg, NEEDED] == 1.0:
+        count = following
+    if following == count:
+        course.running[0] = 0
+    else:
+        course.poses[0] = start_of(following, course)
+        course.states[0] = following
+        course.states[1] = 0
+
+
+@kernel
+def step_pose_kernel(per_row: int, course: Course, rows: array(dtype=float64, ndim=2)):
+    """Add up the rows, move the pose by the solution, and go on to the next leg where this one has come to its end."""
+    i = tid()
+    leg = course.states[0]
+    total = sums(0.0)
+    for j in range((leg_number(leg, COUNT, course) + per_row - 1) // per_row):
+        for column in range(SUMS):
+            total[column] = total[column] + rows[j, column]
+    taken = course.states[1] + 1
+    course.states[1] = taken
+    state = int(RUNNING)
+    if total[PAIRS] < course.orders[leg, LEAST]:
+        state = int(LOST)
+    else:
+        h = triangle(0.0)
+        trace = total[place_of(3, 3)] + total[place_of(4, 4)] + total[place_of(5, 5)]
+        for k in range(TRIANGLE):
+            h[k] = total[k]
+            if course.orders[leg, HELD] == 1.0:
+                h[k] = h[k] + course.orders[MOST_LEGS, k] * trace
+        b = vec6d(0.0)
+        for k in range(UNKNOWNS):
+            b[k] = total[TRIANGLE + k]
+        x = solve_system(h, b)
+        course.poses[i] = moved_by(x, course.poses[i])
+        size = float64(0.0)
+        for k in range(UNKNOWNS):
+            size += x[k] * x[k]
+        if sqrt(size) < course.orders[leg, TOLERANCE]:
+            state = int(CONVERGED)
+        else:
+            if taken >= leg_number(leg, TURNS, course):
+                state = int(EXHAUSTED)
+    if state != RUNNING:
+        end_leg(leg, state, total, course)
+
+
+@kernel
+def sum_planes_kernel(course: Course, rows: array(dtype=float64, ndim=2)):
+    """What the planes of one run of points tell: of each the square of (turn about the sensor, translation) along it.
+
+    The planes are those of the last turns: nothing is searched, and all of them count alike.
+    """
+    i = tid()
+    leg = course.states[0]
+    begin = leg_number(leg, FIRST, course)
+    count = leg_number(leg, COUNT, course)
+    pose = course.poses[0]
+    total = triangle(0.0)
+    for k in range(i * PLANE_RUN, i * PLANE_RUN + min(PLANE_RUN, count - i * PLANE_RUN)):
+        j = begin + k
+        at = course.planes[j]
+        if course.known[j] >= 0 and at[3] > 0.0:
+            n = vec3d(float64(at[0]), float64(at[1]), float64(at[2]))
+            m = cross(turn(pose, widen(course.points[j])), n)
+            row = vec6d(m[0], m[1], m[2], n[0], n[1], n[2])
+            for a in range(UNKNOWNS):
+                for b in range(a, UNKNOWNS):
+                    total[place_of(a, b)] = total[place_of(a, b)] + row[a] * row[b]
+    for column in range(TRIANGLE):
+        rows[i, column] = total[column]
+
+
+@kernel
+def add_planes_kernel(rows: array(dtype=float64, ndim=2), course: Course):
+    """The sum of one column over all runs."""
+    i = tid()
+    total = float64(0.0)
+    for j in range(rows.shape[0]):
+        total += rows[j, i]
+    course.results[MOST_LEGS, i] = total

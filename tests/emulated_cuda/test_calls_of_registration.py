@@ -1,0 +1,79 @@
+"""How often registration and frames of depth cameras ask something of the device, and how often they wait for it.
+
+The numbers are those of test_calls.py: launches cost a program some 20 microseconds of Python and waits 10.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+import warp as wp
+
+import pointloom as loom
+
+DEVICE = "cuda:0"
+
+
+def asked_for(emulated, run) -> dict[str, int]:
+    """What a call asks of the device."""
+    wp.synchronize()
+    before = dict(emulated.findings.counts)
+    run()
+    wp.synchronize()
+    asked = {what: count - before[what] for what, count in emulated.findings.counts.items()}
+    asked["waits"] -= 1
+    return asked
+
+
+def room_seen_from(x: float) -> np.ndarray:
+    """Points of a room's walls about a place in it, the same ones of each place."""
+    rng = np.random.default_rng(0)
+    room = rng.uniform(-8, 8, (3000, 3)) * [1, 1, 0.3]
+    room[np.arange(3000), np.arange(3000) % 3] = np.where(rng.random(3000) < 0.5, -1, 1) * 8.0
+    return room - [x, 0, 0]
+
+
+@pytest.mark.parametrize("is_straightened", [False, True])
+def test_a_scan_waits_for_its_sizes_and_for_its_pose(emulated, is_straightened):
+    odometry = loom.registration.LidarOdometry(max_range=30, min_range=0.5, device=DEVICE)
+    times = np.arange(3000) / 3000 if is_straightened else None
+    asked = {}
+    for k, x in enumerate((0.0, 0.1, 0.2, 0.4, 0.6)):  # the fourth comes as nobody predicted
+        scan = loom.PointCloud(room_seen_from(x), device=DEVICE)
+        asked = asked_for(emulated, lambda: odometry.register(scan, times))  # noqa: B023  runs at once
+        if k == 3:
+            fourth = asked
+    assert odometry.steps[-1].is_sound
+    assert (asked["waits"], asked["graphs made"], asked["graphs"]) == (2, 0, 1)
+    assert (fourth["waits"], fourth["graphs made"]) == ((4, 0) if is_straightened else (2, 0))
+
+
+def frame_of_a_relief(k: float):
+    """A frame of a relief with stripes, a little farther on for another k."""
+    v, u = np.mgrid[:72, :96]
+    depth = 1.5 + 0.2 * np.sin((u + k) / 13) * np.cos(v / 11) + 0.1 * np.sin((v - k) / 7)
+    shade = 127 + 60 * np.sin((u + k) / 3 + v / 9) + 50 * np.cos(v / 4 - (u + k) / 17)
+    camera = loom.PinholeCameraIntrinsic(96, 72, 90.0, 90.0, 47.5, 35.5)
+    return loom.odometry.OdometryFrame(depth.astype(np.float32), camera, shade.astype(np.uint8), device=DEVICE)
+
+
+def test_frames_of_the_same_size_share_a_graph_and_wait_once(emulated):
+    from pointloom.kernels.rgbd.alignment import MOST_KEPT, _descents, clear_descents
+
+    clear_descents()
+    first, second, third = (frame_of_a_relief(k) for k in range(3))
+    align = loom.odometry.align_frames
+    asked = asked_for(emulated, lambda: align(first, second))
+    assert (asked["graphs made"], asked["waits"]) == (1, 1)
+    results = []
+    asked = asked_for(emulated, lambda: results.append(align(second, third)))
+    assert (asked["graphs made"], asked["graphs"], asked["waits"]) == (0, 1, 1)
+    clear_descents()
+    fresh = align(second, third)  # what was kept of other frames says nothing
+    np.testing.assert_array_equal(results[0].transformation, fresh.transformation)
+    np.testing.assert_array_equal(results[0].information, fresh.information)
+    for k in range(2 * MOST_KEPT):
+        camera = loom.PinholeCameraIntrinsic(64 + 8 * k, 48, 60.0, 60.0, 31.5, 23.5)
+        frame = loom.odometry.OdometryFrame(np.ones((48, 64 + 8 * k), np.float32), camera, device=DEVICE)
+        align(frame, frame)
+    assert len(_descents) == MOST_KEPT
