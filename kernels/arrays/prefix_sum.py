@@ -135,14 +135,17 @@ def offsets_of(counts: Integers) -> Integers:
     return offsets
 
 
-def scan_together(parts: Sequence[tuple[Integers, Sequence[int]]]) -> list[tuple[Integers, list[int]]]:
+def scan_together(
+    parts: Sequence[tuple[Integers, Sequence[int]]], beside: Integers | None = None
+) -> list[tuple[Integers, list[int]]]:
     """As `exclusive_scan` of several arrays, read at some places each; one sync for all of them.
 
     Args:
         parts: Counts, int32 device arrays of one device, and the places 0 .. n whose offsets the host wants.
+        beside: Other numbers that the host wants, an int32 device array.
 
     Returns:
-        For each its offsets, int32 [n + 1], and those at its places.
+        For each its offsets, int32 [n + 1], and those at its places; then `beside` and its numbers, if given.
 
     Raises:
         ValueError: A sum passes 2^31 - 1.
@@ -150,12 +153,14 @@ def scan_together(parts: Sequence[tuple[Integers, Sequence[int]]]) -> list[tuple
     device = parts[0][0].device
     if not device.is_cuda:
         scans = [exclusive_scan(counts)[0] for counts, _ in parts]
-        return [(o, download(o)[list(places)].tolist()) for o, (_, places) in zip(scans, parts, strict=True)]
+        found = [(o, download(o)[list(places)].tolist()) for o, (_, places) in zip(scans, parts, strict=True)]
+        return found if beside is None else [*found, (beside, download(beside).tolist())]
     every = [Runs(counts.size, device, RUN) for counts, _ in parts]
     sizes = [[runs.rows, len(places)] for runs, (_, places) in zip(every, parts, strict=True)]
     ends = np.cumsum(sizes).reshape(-1, 2).tolist()
-    wanted = upload(np.concatenate([places for _, places in parts]), int32, device)
-    noted, results, first, at = zeros(ends[-1][1], int64, device), [], 0, 0
+    others = 0 if beside is None else beside.size
+    wanted = upload(np.concatenate([*(places for _, places in parts), range(others)]), int32, device)
+    noted, results, first, at = zeros(ends[-1][1] + others, int64, device), [], 0, 0
     for (counts, places), runs, (middle, end) in zip(parts, every, ends, strict=True):
         offsets = zeros(counts.size + 1, int32, device)
         if counts.size:
@@ -165,10 +170,13 @@ def scan_together(parts: Sequence[tuple[Integers, Sequence[int]]]) -> list[tuple
             launch(note_offsets_kernel, len(places), [offsets, wanted[at : at + len(places)], noted[middle:end]])
         results.append((offsets, first, middle, end))
         first, at = end, at + len(places)
+    if others:
+        launch(note_offsets_kernel, others, [beside, wanted[at:], noted[first:]])
     found = download(noted)  # sync
-    for _, first, middle, _ in results:
-        _checked(int(found[first:middle].sum()))
-    return [(offsets, found[middle:end].tolist()) for offsets, _, middle, end in results]
+    for _, begin, middle, _ in results:
+        _checked(int(found[begin:middle].sum()))
+    scanned = [(offsets, found[middle:end].tolist()) for offsets, _, middle, end in results]
+    return scanned if beside is None else [*scanned, (beside, found[first:].tolist())]
 
 
 def _checked(total: int) -> int:
