@@ -1,12 +1,14 @@
 """Sums of counts, and exclusive prefix sums: where each of many variable-sized results goes."""
 
+from collections.abc import Sequence
+
 import numpy as np
 import warp as wp
 
 from ..array_types import Array, Integers
 from ..lang import array, atomic_add, func, int32, int64, kernel, launch, tid
 from ..language.device_lock import turn_on
-from ..memory import download, empty, host_view, zeros
+from ..memory import download, empty, host_view, upload, zeros
 from .runs import Runs, elements_of, row_of
 
 RUN = 4096  # counts a thread on the CPU: one atomic a run
@@ -51,6 +53,13 @@ def start_offsets_kernel(
     if i == 0:
         offsets[0] = 0
     atomic_add(totals, row_of(i, runs), sum_of_run(i, counts, runs))
+
+
+@kernel
+def note_offsets_kernel(offsets: array(dtype=int32), places: array(dtype=int32), noted: array(dtype=int64)):
+    """The offsets at some places, beside totals that the host reads."""
+    i = tid()
+    noted[i] = int64(offsets[places[i]])
 
 
 @kernel
@@ -114,6 +123,62 @@ def scan_two(counts: Integers) -> tuple[Integers, int, int]:
     return offsets, int(found[-1]), _checked(int(found[:-1].sum()))
 
 
+def offsets_of(counts: Integers) -> Integers:
+    """As `exclusive_scan` where the sum is known, and below 2^31: the offsets alone, and no wait."""
+    offsets = zeros(counts.size + 1, int32, counts.device)
+    if not counts.size:
+        return offsets
+    if counts.device.is_cuda:
+        inclusive_scan(counts, offsets[1:])
+    else:
+        np.cumsum(download(counts), out=host_view(offsets)[1:], dtype=np.int32)
+    return offsets
+
+
+def scan_together(
+    parts: Sequence[tuple[Integers, Sequence[int]]], beside: Integers | None = None
+) -> list[tuple[Integers, list[int]]]:
+    """As `exclusive_scan` of several arrays, read at some places each; one sync for all of them.
+
+    Args:
+        parts: Counts, int32 device arrays of one device, and the places 0 .. n whose offsets the host wants.
+        beside: Other numbers that the host wants, an int32 device array.
+
+    Returns:
+        For each its offsets, int32 [n + 1], and those at its places; then `beside` and its numbers, if given.
+
+    Raises:
+        ValueError: A sum passes 2^31 - 1.
+    """
+    device = parts[0][0].device
+    if not device.is_cuda:
+        scans = [exclusive_scan(counts)[0] for counts, _ in parts]
+        found = [(o, download(o)[list(places)].tolist()) for o, (_, places) in zip(scans, parts, strict=True)]
+        return found if beside is None else [*found, (beside, download(beside).tolist())]
+    every = [Runs(counts.size, device, RUN) for counts, _ in parts]
+    sizes = [[runs.rows, len(places)] for runs, (_, places) in zip(every, parts, strict=True)]
+    ends = np.cumsum(sizes).reshape(-1, 2).tolist()
+    others = 0 if beside is None else beside.size
+    wanted = upload(np.concatenate([*(places for _, places in parts), range(others)]), int32, device)
+    noted, results, first, at = zeros(ends[-1][1] + others, int64, device), [], 0, 0
+    for (counts, places), runs, (middle, end) in zip(parts, every, ends, strict=True):
+        offsets = zeros(counts.size + 1, int32, device)
+        if counts.size:
+            launch(start_offsets_kernel, runs.threads, [counts, runs, noted[first:middle], offsets])
+            inclusive_scan(counts, offsets[1:])
+        if places:
+            launch(note_offsets_kernel, len(places), [offsets, wanted[at : at + len(places)], noted[middle:end]])
+        results.append((offsets, first, middle, end))
+        first, at = end, at + len(places)
+    if others:
+        launch(note_offsets_kernel, others, [beside, wanted[at:], noted[first:]])
+    found = download(noted)  # sync
+    for _, begin, middle, _ in results:
+        _checked(int(found[begin:middle].sum()))
+    scanned = [(offsets, found[middle:end].tolist()) for offsets, _, middle, end in results]
+    return scanned if beside is None else [*scanned, (beside, found[first:].tolist())]
+
+
 def _checked(total: int) -> int:
     if total > 2**31 - 1:
         raise ValueError(f"{total} results are more than 2^31 - 1; ask for fewer at a time")
@@ -128,7 +193,13 @@ def inclusive_scan(counts: Array, sums: Array) -> None:
 
 def sum_counts(counts: Integers) -> int:
     """The sum of an int32 device array as a Python number, in 64 bits: 32 could wrap back to a positive number."""
-    runs = Runs(counts.size, counts.device, RUN)
-    totals = zeros(runs.rows, int64, counts.device)
-    launch(sum_counts_kernel, runs.threads, [counts, runs, totals])
-    return int(download(totals).sum())  # sync
+    return sum_each(counts)[0]  # sync
+
+
+def sum_each(*counts: Integers) -> list[int]:
+    """As `sum_counts` of several arrays of one size; one sync for all of them."""
+    runs, device = Runs(counts[0].size, counts[0].device, RUN), counts[0].device
+    totals = zeros(len(counts) * runs.rows, int64, device)
+    for k, part in enumerate(counts):
+        launch(sum_counts_kernel, runs.threads, [part, runs, totals[k * runs.rows : (k + 1) * runs.rows]])
+    return download(totals).reshape(-1, runs.rows).sum(axis=1).tolist()  # sync

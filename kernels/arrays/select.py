@@ -6,7 +6,7 @@ import numpy as np
 
 from ..array_types import Array, Indices, Mask
 from ..lang import array, int32, kernel, launch, tid, uint8, vec3
-from ..memory import contiguous, download, empty, upload
+from ..memory import contiguous, download, empty, upload, zeros
 from .prefix_sum import inclusive_scan
 
 
@@ -52,17 +52,46 @@ def invert_mask(mask: Mask) -> Mask:
     return inverted
 
 
-def positions_of(mask: Mask) -> Indices:
-    """The positions where a uint8 device mask of shape [n] is not zero, as int32, ascending (one sync)."""
+def positions_of(mask: Mask, count: int | None = None) -> Indices:
+    """The positions where a uint8 device mask of shape [n] is not zero, as int32, ascending.
+
+    One sync, or none where it is known that there are `count`.
+    """
     device = mask.device
     if not device.is_cuda or not mask.size:
         return upload(np.flatnonzero(download(mask).view(np.bool_)).astype(np.int32), int32, device)
     ranks = empty(mask.size, int32, device)
     launch(count_mask_kernel, mask.size, [mask, ranks])
     inclusive_scan(ranks, ranks)
-    positions = empty(int(download(ranks[-1:])[0]), int32, device)  # sync
+    positions = empty(int(download(ranks[-1:])[0]) if count is None else count, int32, device)  # sync
     launch(scatter_positions_kernel, mask.size, [mask, ranks, positions])
     return positions
+
+
+@kernel
+def copy_last_kernel(ranks: array(dtype=int32), place: int, counts: array(dtype=int32)):
+    """How many elements are set: the last rank."""
+    i = tid()
+    counts[place + i] = ranks[ranks.shape[0] - 1]
+
+
+def positions_of_each(*masks: Mask) -> list[Indices]:
+    """As `positions_of` of several masks of one device; one sync for all of them."""
+    device = masks[0].device
+    if not device.is_cuda:
+        return [positions_of(mask) for mask in masks]
+    counts, every = zeros(len(masks), int32, device), []
+    for k, mask in enumerate(masks):
+        ranks = empty(mask.size, int32, device)
+        if mask.size:
+            launch(count_mask_kernel, mask.size, [mask, ranks])
+            inclusive_scan(ranks, ranks)
+            launch(copy_last_kernel, 1, [ranks, k, counts])
+        every.append(ranks)
+    found = [empty(count, int32, device) for count in download(counts).tolist()]  # sync
+    for mask, ranks, positions in zip(masks, every, found, strict=True):
+        launch(scatter_positions_kernel, mask.size, [mask, ranks, positions])
+    return found
 
 
 def gather_rows(values: Array, rows: Indices) -> Array:

@@ -234,8 +234,23 @@ def keep_vertices(triangles: Triangles, used: Integers, per_vertex: Iterable[Vec
     Returns:
         (triangles, arrays): the order of the vertices is kept.
     """
-    device = triangles.device
     places, count = exclusive_scan(used)  # sync
+    return keep_counted(triangles, used, places, count, per_vertex)
+
+
+@kernel
+def list_rows_kernel(used: array(dtype=int32), places: array(dtype=int32), rows: array(dtype=int32)):
+    """The rows that are used, by their places."""
+    i = tid()
+    if used[i] != 0:
+        rows[places[i]] = i
+
+
+def keep_counted(
+    triangles: Triangles, used: Integers, places: Integers, count: int, per_vertex: Iterable[Vectors]
+) -> tuple[Triangles, list[Any]]:
+    """As `keep_vertices`, where it is known how many are used, and which place each gets; no sync."""
+    device = triangles.device
     kept = []
     for rows in per_vertex:
         target = empty(count, vec3, device)

@@ -21,11 +21,12 @@ import numpy as np
 
 from ..algebra.residues import Residues
 from ..array_types import Array1, Cells, Indices, Integers
+from ..arrays.concatenation import concatenate_rows
 from ..arrays.lowest_bit import lowest_bit
-from ..arrays.select import gather_rows, positions_of
-from ..arrays.sort import positions
-from ..lang import array, atomic_add, float64, func, int32, kernel, launch, tid, uint8, vec3i, vec4i
-from ..memory import download, empty, upload
+from ..arrays.prefix_sum import scan_together
+from ..arrays.select import positions_of_each
+from ..lang import array, atomic_add, float64, func, int32, kernel, launch, tid, vec3i, vec4i
+from ..memory import empty, upload, zeros
 from ..search.neighbor_lists import list_neighbors
 from ..search.point_tree import LARGEST_SQDIST, PointTree
 from .alpha_predicates import EXACT_BITS, Predicates, ball, is_within_radius
@@ -34,6 +35,7 @@ from .alpha_tables import (
     COLUMNS,
     Found,
     mark_faces_kernel,
+    mark_rows,
     mark_tetrahedra_kernel,
     read_faces_kernel,
     read_rows,
@@ -47,6 +49,7 @@ SCRATCH = 2**25  # numbers of scratch memory a launch
 FACES_A_POINT = 6  # there is room for at first: a surface has 4, both its sides counted
 TETRAHEDRA_A_POINT = 8  # a Delaunay triangulation of random points has 6.8
 WIDER = 2.001  # times alpha: what is looked at is a little more than what counts
+TOGETHER = 16  # alphas whose faces are counted in one wait; each takes a byte a face for that
 GUARD_BITS = 5  # of the guards' distance, so that it is a float64 and a whole number of units
 
 
@@ -156,7 +159,7 @@ def find_faces_kernel(
     with_tetrahedra: int,
     faces: Found,
     tetrahedra: Found,
-    crowded: array(dtype=uint8),
+    crowded: array(dtype=int32),
 ):
     """Hand out the faces of a run of points, and their tetrahedra where asked; crowded: the stars without room.
 
@@ -208,24 +211,25 @@ def find_alpha_shapes(
     given, reach, radius = prepare_predicates(tree, rows, alphas)
     room = [FACES_A_POINT * tree.count, TETRAHEDRA_A_POINT * tree.count if with_tetrahedra else 0]
     while True:
-        faces, tetrahedra = (Found(tree.device, owners, size) for size in room)
+        totals, needed = zeros(2, int32, tree.device), [0, 0]
+        faces, tetrahedra = (Found(tree.device, owners, size, totals[k : k + 1]) for k, size in enumerate(room))
         for begin, lists in list_neighbors(tree, NEAREST, radius):
-            hand_out(tree, begin, lists, reach, given, int(with_tetrahedra), faces, tetrahedra)
-        needed = [int(download(found.total)[0]) for found in (faces, tetrahedra)]  # sync
+            needed = hand_out(tree, begin, lists, reach, given, int(with_tetrahedra), faces, tetrahedra, totals)
         if all(size <= there for size, there in zip(needed, room, strict=True)):
             break
         room = [max(sizes) for sizes in zip(needed, room, strict=True)]
-    face_table, face_count = faces.sorted_table()
-    table, count = tetrahedra.sorted_table() if with_tetrahedra else (None, 0)
-    return [
-        (
-            read_rows(mark_faces_kernel, read_faces_kernel, vec3i, face_table, face_count, kind),
-            read_rows(mark_tetrahedra_kernel, read_tetrahedra_kernel, vec4i, table, count, kind)
-            if table is not None
-            else None,
-        )
-        for kind in range(len(alphas))
-    ]
+    face_table = faces.sorted_table(needed[0])
+    table = tetrahedra.sorted_table(needed[1]) if with_tetrahedra else None
+    shapes: list[tuple[Cells, Array1[vec4i] | None]] = []
+    for first in range(0, len(alphas), TOGETHER):
+        kinds = range(first, min(first + TOGETHER, len(alphas)))
+        marks = [mark_rows(mark_faces_kernel, face_table, kind) for kind in kinds]
+        marks += [mark_rows(mark_tetrahedra_kernel, table, kind) for kind in kinds if table is not None]
+        rows = positions_of_each(*marks)  # sync
+        for k in range(len(kinds)):
+            corners = None if table is None else read_rows(read_tetrahedra_kernel, vec4i, table, rows[len(kinds) + k])
+            shapes.append((read_rows(read_faces_kernel, vec3i, face_table, rows[k]), corners))
+    return shapes
 
 
 def hand_out(
@@ -237,13 +241,16 @@ def hand_out(
     with_tetrahedra: int,
     faces: Found,
     tetrahedra: Found,
-) -> None:
-    """Launch the search over the points of some lists, again with more room for those that had too little."""
-    device, room = tree.device, ROOM
+    totals: Integers,
+) -> list[int]:
+    """Launch the search over the points of some lists, again with more room for those that had too little.
+
+    `totals` are those of faces and tetrahedra; given back as they are then. One sync a launch.
+    """
+    device, room, needed = tree.device, ROOM, [0, 0]
     run = 1 if device.is_cuda else RUN
-    todo = positions(lists.size // NEAREST, device)
-    if begin:
-        todo = upload(download(todo) + begin, int32, device)
+    todo = empty(lists.size // NEAREST, int32, device)
+    launch(number_places_kernel, todo.size, [begin, todo])
     while todo.size:
         step = max(1, SCRATCH // (room * NUMBERS)) * run
         left = []
@@ -251,12 +258,31 @@ def hand_out(
             ranks = todo[first : min(first + step, todo.size)]
             threads = -(-ranks.size // run)
             given.reserve(threads)
-            crowded = empty(ranks.size, uint8, device)
+            crowded = empty(ranks.size, int32, device)
             search = [ranks, run, begin, lists, NEAREST, reach, tree, Stars(device, threads, room), given]
             launch(find_faces_kernel, threads, [*search, with_tetrahedra, faces, tetrahedra, crowded])
-            left.append(download(gather_rows(ranks, positions_of(crowded))))  # sync
-        todo = upload(np.concatenate(left), int32, device)
+            (offsets, (count,)), (_, needed) = scan_together([(crowded, [ranks.size])], totals)  # sync
+            again = empty(count, int32, device)
+            launch(list_crowded_kernel, ranks.size if count else 0, [ranks, offsets, again])
+            left.append(again)
+        todo = concatenate_rows(left)
         room, run = 4 * room, 1
+    return needed
+
+
+@kernel
+def number_places_kernel(begin: int, places: array(dtype=int32)):
+    """The places from one on."""
+    i = tid()
+    places[i] = begin + i
+
+
+@kernel
+def list_crowded_kernel(ranks: array(dtype=int32), offsets: array(dtype=int32), crowded: array(dtype=int32)):
+    """The points whose stars had too little room."""
+    i = tid()
+    if offsets[i + 1] > offsets[i]:
+        crowded[offsets[i]] = ranks[i]
 
 
 def prepare_predicates(tree: PointTree, rows: Indices, alphas: Sequence[float]) -> tuple[Predicates, float, float]:

@@ -4,10 +4,9 @@ A thread does not know how many rows the others have. It takes room from one cou
 owner's rows are copied to where they belong: the result is the same whichever thread came first.
 """
 
-from ..array_types import Array1, Device, Element, Integers
+from ..array_types import Array1, Device, Element, Indices, Integers, Mask
 from ..arrays.packed_keys import pack_bits
-from ..arrays.prefix_sum import exclusive_scan
-from ..arrays.select import positions_of
+from ..arrays.prefix_sum import offsets_of
 from ..lang import Kernel, array, int32, kernel, launch, struct, tid, uint8, vec3i, vec4i
 from ..memory import empty, zeros
 
@@ -22,6 +21,7 @@ class Found:
         device: Where.
         owners: Rows of the cloud.
         capacity: Rows there is room for.
+        total: int32 [1], zero.
 
     Attributes:
         table: int32 [capacity * COLUMNS].
@@ -35,17 +35,16 @@ class Found:
     total: array(dtype=int32)
     capacity: int
 
-    def __init__(self, device: Device, owners: int, capacity: int) -> None:
-        self.device, self.capacity = device, capacity
-        self.table, self.total = empty(capacity * COLUMNS, int32, device), zeros(1, int32, device)
+    def __init__(self, device: Device, owners: int, capacity: int, total: Integers) -> None:
+        self.device, self.capacity, self.total = device, capacity, total
+        self.table = empty(capacity * COLUMNS, int32, device)
         self.starts, self.counts = zeros(owners, int32, device), zeros(owners, int32, device)
 
-    def sorted_table(self) -> tuple[Integers, int]:
-        """(table, rows): the owners in order, the rows of each by their second and third number."""
-        offsets, total = exclusive_scan(self.counts)  # sync
+    def sorted_table(self, total: int) -> Integers:
+        """The rows, so many as there are: the owners in order, the rows of each by their second and third number."""
         table = empty(total * COLUMNS, int32, self.device)
-        launch(sort_found_kernel, self.counts.size, [self, offsets, table])
-        return table, total
+        launch(sort_found_kernel, self.counts.size, [self, offsets_of(self.counts), table])
+        return table
 
 
 @kernel
@@ -100,14 +99,16 @@ def read_tetrahedra_kernel(table: array(dtype=int32), rows: array(dtype=int32), 
     corners[i] = vec4i(table[at], table[at + 1], table[at + 2], table[at + 3])
 
 
-def read_rows(
-    mark: Kernel, read: Kernel, kind_of_row: type[Element], table: Integers, count: int, kind: int
-) -> Array1[Element]:
-    """The rows of a table that belong to one alpha."""
-    device = table.device
-    mask = empty(count, uint8, device)
+def mark_rows(mark: Kernel, table: Integers, kind: int) -> Mask:
+    """1 for the rows of a table that belong to one alpha."""
+    count = table.size // COLUMNS
+    mask = empty(count, uint8, table.device)
     launch(mark, count, [table, kind, mask])
-    rows = positions_of(mask)
-    out = empty(rows.size, kind_of_row, device)
+    return mask
+
+
+def read_rows(read: Kernel, kind_of_row: type[Element], table: Integers, rows: Indices) -> Array1[Element]:
+    """Chosen rows of a table."""
+    out = empty(rows.size, kind_of_row, table.device)
     launch(read, rows.size, [table, rows, out])
     return out

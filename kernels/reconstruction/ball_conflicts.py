@@ -14,9 +14,9 @@ About 60 B a half-edge, most of it for one sort.
 
 from ..array_types import Bytes, Indices, Scalars, Triangles
 from ..arrays.concatenation import concatenate_rows
-from ..arrays.select import gather_rows, positions_of
+from ..arrays.select import gather_rows, positions_of, positions_of_each
 from ..arrays.sort import positions
-from ..lang import array, float32, func, int32, kernel, launch, struct, tid, uint8, vec3i
+from ..lang import array, float32, func, int32, kernel, launch, loop_while, struct, tid, uint8, vec3i
 from ..memory import copy, empty, full, zeros
 from ..meshes.mesh_edits import gather_triangles
 from ..meshes.mesh_topology import CornersByVertex, corner_vertex, next_corner
@@ -118,22 +118,29 @@ def can_grow(t: int, mesh: BallMesh) -> int:
 
 
 @kernel
-def find_waiting_kernel(undecided: array(dtype=int32), mesh: BallMesh):
-    """Which triangles have nothing yet to grow from."""
+def find_waiting_kernel(undecided: array(dtype=int32), mesh: BallMesh, changed: array(dtype=int32)):
+    """Which triangles have nothing yet to grow from; nothing has changed in this round yet."""
     i = tid()
+    if i == 0:
+        changed[0] = 0
     t = undecided[i]
-    mesh.waiting[t] = uint8(1 - can_grow(t, mesh))
+    if mesh.states[t] == uint8(UNDECIDED):
+        mesh.waiting[t] = uint8(1 - can_grow(t, mesh))
 
 
 @kernel
 def decide_kernel(undecided: array(dtype=int32), mesh: BallMesh, decided: array(dtype=uint8)):
-    """The state of each undecided triangle after this round."""
+    """The state of each undecided triangle after this round; others keep theirs."""
     i = tid()
     t = undecided[i]
     state = int(TAKEN)
     if mesh.waiting[t] == 1:
         state = UNDECIDED
-    for k in range(3):
+    sides = int(3)
+    if mesh.states[t] != uint8(UNDECIDED):
+        state = int(mesh.states[t])
+        sides = 0
+    for k in range(sides):
         a = corner_vertex(mesh.triangles, 3 * t + k)
         b = corner_vertex(mesh.triangles, next_corner(3 * t + k))
         for j in range(mesh.around.starts[a], mesh.around.starts[a + 1]):
@@ -149,10 +156,19 @@ def decide_kernel(undecided: array(dtype=int32), mesh: BallMesh, decided: array(
 
 
 @kernel
-def settle_kernel(undecided: array(dtype=int32), decided: array(dtype=uint8), mesh: BallMesh, left: array(dtype=uint8)):
-    """Make the round's decisions; 1 where there is none yet."""
+def settle_kernel(
+    undecided: array(dtype=int32),
+    decided: array(dtype=uint8),
+    mesh: BallMesh,
+    left: array(dtype=uint8),
+    changed: array(dtype=int32),
+):
+    """Make the round's decisions; 1 where there is none yet. Whichever thread notes a change, it writes 1."""
     i = tid()
-    mesh.states[undecided[i]] = decided[i]
+    t = undecided[i]
+    if mesh.states[t] != decided[i]:
+        mesh.states[t] = decided[i]
+        changed[0] = 1
     open = 0
     if decided[i] == uint8(UNDECIDED):
         open = 1
@@ -206,22 +222,34 @@ def part_triangles_kernel(
 
 
 def settle_conflicts(mesh: BallMesh, first: int) -> None:
-    """Decide which triangles are taken; those from number `first` on are undecided. One wait for the device a round."""
+    """Decide which triangles are taken; those from number `first` on are undecided. No wait.
+
+    On CUDA the rounds are one loop of the device over all of them, on the CPU each takes what the one before left.
+    """
     device = mesh.triangles.device
     undecided = (
         positions(mesh.triangles.size, device)[first:] if first < mesh.triangles.size else empty(0, int32, device)
     )
+    changed = full(1, 1, int32, device)
+    decided, left = empty(undecided.size, uint8, device), empty(undecided.size, uint8, device)
+
+    def settle() -> None:
+        launch(find_waiting_kernel, undecided.size, [undecided, mesh, changed])
+        launch(decide_kernel, undecided.size, [undecided, mesh, decided])
+        launch(settle_kernel, undecided.size, [undecided, decided, mesh, left, changed])
+
+    if device.is_cuda and undecided.size:
+        loop_while(changed, settle)
+        return
     before = undecided.size + 1
     while undecided.size and undecided.size < before:
         before = undecided.size
         decided, left = empty(before, uint8, device), empty(before, uint8, device)
-        launch(find_waiting_kernel, before, [undecided, mesh])
-        launch(decide_kernel, before, [undecided, mesh, decided])
-        launch(settle_kernel, before, [undecided, decided, mesh, left])
-        undecided = gather_rows(undecided, positions_of(left))  # sync
+        settle()
+        undecided = gather_rows(undecided, positions_of(left))
 
 
-def close_radius(mesh: BallMesh, asked: Bytes) -> tuple[Triangles, Triangles]:
+def close_radius(mesh: BallMesh, asked: Bytes) -> tuple[Triangles, Triangles, Indices]:
     """What a radius leaves: which vertices the next is for, and its triangles in two parts.
 
     Args:
@@ -230,7 +258,8 @@ def close_radius(mesh: BallMesh, asked: Bytes) -> tuple[Triangles, Triangles]:
             that have triangles.
 
     Returns:
-        (open, closed): vec3i triangles of vertices that the next radius is for, and all others.
+        (open, closed, places): vec3i triangles of vertices that the next radius is for, and all others; and those
+        vertices, int32. One sync.
     """
     device = asked.device
     rims = zeros(asked.size, uint8, device)
@@ -238,5 +267,5 @@ def close_radius(mesh: BallMesh, asked: Bytes) -> tuple[Triangles, Triangles]:
     launch(mark_taken_kernel, mesh.triangles.size, [mesh, asked, mesh.seen, rims])
     launch(ask_again_kernel, asked.size, [mesh.seen, rims, asked])
     launch(part_triangles_kernel, mesh.triangles.size, [mesh, asked, near, far])
-    open_rows, closed_rows = positions_of(near), positions_of(far)  # sync
-    return gather_triangles(mesh.triangles, open_rows), gather_triangles(mesh.triangles, closed_rows)
+    open_rows, closed_rows, places = positions_of_each(near, far, asked)  # sync
+    return gather_triangles(mesh.triangles, open_rows), gather_triangles(mesh.triangles, closed_rows), places

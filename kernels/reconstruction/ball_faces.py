@@ -17,9 +17,10 @@ from ..algebra.transform import widen
 from ..array_types import Bytes, Device, Integers, Scalars, Triangles, Vectors
 from ..arrays.concatenation import concatenate_rows
 from ..arrays.packed_keys import key_index, pack_key
-from ..arrays.prefix_sum import exclusive_scan
+from ..arrays.prefix_sum import scan_together
 from ..lang import (
     array,
+    atomic_max,
     cross,
     dot,
     float32,
@@ -37,7 +38,7 @@ from ..lang import (
     vec3d,
     vec3i,
 )
-from ..memory import download, empty, upload
+from ..memory import empty, fill
 from ..search.bucket_walk import points_in_reach
 from ..search.neighbor_keys import keep_nearest
 from ..search.point_tree import BUCKET, PointTree
@@ -390,6 +391,37 @@ def pack_faces_kernel(
         widths[offsets[i] + j] = faces.widths[i * faces.slots + j]
 
 
+@kernel
+def part_crowd_kernel(
+    faces: BallFaces, room: int, usable: array(dtype=int32), again: array(dtype=int32), most: array(dtype=int32)
+):
+    """The triangles of points that had enough room, 1 at those that had not, and the most that any asked for.
+
+    The maxima of whole numbers are the same in any order; a plain read spares the atomic where nothing would change.
+    """
+    i = tid()
+    held = faces.held[i]
+    count = faces.counts[i]
+    crowded = 0
+    if held > room or count > faces.slots:
+        crowded = 1
+        count = 0
+    usable[i] = count
+    again[i] = crowded
+    if held > most[0]:
+        atomic_max(most, 0, held)
+    if faces.counts[i] > most[1]:
+        atomic_max(most, 1, faces.counts[i])
+
+
+@kernel
+def list_crowd_kernel(places: array(dtype=int32), ranks: array(dtype=int32), crowd: array(dtype=int32)):
+    """The places of points that had not enough room."""
+    i = tid()
+    if ranks[i + 1] > ranks[i]:
+        crowd[ranks[i]] = places[i]
+
+
 def list_faces(points: BallPoints, places: Integers) -> tuple[Triangles, Scalars]:
     """The triangles whose first corner on the curve is one of the points at these places.
 
@@ -409,17 +441,20 @@ def list_faces(points: BallPoints, places: Integers) -> tuple[Triangles, Scalars
             faces = BallFaces(left, slots)
             scratch = BallScratch(left.size, room, device)
             launch(find_faces_kernel, scratch.threads, [points, scratch, faces])
-            held, counts = download(faces.held), download(faces.counts)  # sync
-            crowded, full = held > room, counts > slots
-            offsets, total = exclusive_scan(upload(np.where(crowded | full, 0, counts), int32, device))
+            usable, again, most = (empty(size, int32, device) for size in (left.size, left.size, 2))
+            fill(most, 0)
+            launch(part_crowd_kernel, left.size, [faces, room, usable, again, most])
+            ends = [left.size]
+            scans = scan_together([(usable, ends), (again, ends)], most)  # sync
+            (offsets, (total,)), (ranks, (rest,)), (_, (held, count)) = scans
             corners, widths = empty(total, vec3i, device), empty(total, float32, device)
             launch(pack_faces_kernel, left.size, [faces, offsets, corners, widths])
             found.append((corners, widths))
-            left = upload(download(left)[crowded | full], int32, device)
-            room = (
-                min(4 * room, int(held.max())) if crowded.any() else room
-            )  # most of the crowd need less than the worst
-            slots = int(counts.max()) if full.any() else slots
+            crowd = empty(rest, int32, device)
+            launch(list_crowd_kernel, left.size if rest else 0, [left, ranks, crowd])
+            left = crowd
+            room = min(4 * room, held) if held > room else room  # most of the crowd need less than the worst
+            slots = max(slots, count)
     none = [(empty(0, vec3i, device), empty(0, float32, device))]
     corners, widths = zip(*(found or none), strict=True)
     return concatenate_rows(corners), concatenate_rows(widths)

@@ -15,7 +15,7 @@ from ..arrays.concatenation import concatenate_rows
 from ..arrays.select import gather_rows, positions_of
 from ..arrays.sort import argsort_keys, positions
 from ..lang import array, dot, func, int32, int64, isfinite, kernel, launch, tid, uint8, vec3, vec3i
-from ..memory import download, empty, full, upload, zeros
+from ..memory import download, empty, full, zeros
 from ..meshes.mesh_edits import gather_triangles
 from ..sampling.duplicates import first_occurrences, same_point
 from ..search.point_tree import PointTree
@@ -69,13 +69,20 @@ def name_corners_kernel(rows: array(dtype=int32), bits: int, triangles: array(dt
     keys[i] = (int64(named[0]) << int64(bits)) | int64(named[1])
 
 
+@kernel
+def sample_points_kernel(points: array(dtype=vec3), places: array(dtype=int32), step: int, sample: array(dtype=vec3)):
+    """The points at every so-many-th place."""
+    i = tid()
+    sample[i] = points[places[i * step]]
+
+
 def count_around(tree: PointTree, places: Indices, radius: float) -> float:
     """The mean number of points within a radius [m] of points at some places in a tree, of at most SAMPLE of these."""
-    rows = download(places)[:: -(-places.size // SAMPLE)]
-    sample = gather_rows(tree.points, upload(rows, int32, tree.device))
-    counts = empty(rows.size, int32, tree.device)
-    order, reach = positions(rows.size, tree.device), reach_of(radius)
-    launch(count_within_kernel, rows.size, [sample, order, tree, reach, counts])
+    step = -(-places.size // SAMPLE)
+    size = -(-places.size // step)
+    sample, counts = empty(size, vec3, tree.device), empty(size, int32, tree.device)
+    launch(sample_points_kernel, size, [tree.points, places, step, sample])
+    launch(count_within_kernel, size, [sample, positions(size, tree.device), tree, reach_of(radius), counts])
     return float(download(counts).mean())  # sync
 
 
@@ -129,15 +136,15 @@ class RollingBall:
         device, count = self.tree.device, self.tree.count
         asked, seen = full(count, 1, uint8, device), zeros(count, uint8, device)
         open, parts = empty(0, vec3i, device), []
+        places = positions(count, device)
         for radius in radii:
-            places = positions_of(asked)  # sync
             if not places.size:
                 break
             check(self.tree, radius, places)
             found, widths = list_faces(BallPoints(self.tree, self.normals, asked, radius), places)
             mesh = BallMesh(open, found, widths, seen, self.rows)
             settle_conflicts(mesh, open.size)
-            open, closed = close_radius(mesh, asked)
+            open, closed, places = close_radius(mesh, asked)  # sync
             parts.append(closed)
         triangles = concatenate_rows([*parts, open])
         bits = max(1, row_count.bit_length())

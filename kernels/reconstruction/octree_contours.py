@@ -37,19 +37,21 @@ class Contours:
     """The contours on the faces of cells beside finer ones.
 
     Attributes:
-        cells: int32 [n], their slots.
+        cells: int32 [n], their slots, counted through all levels.
+        base: The first slot of their level.
         sizes: int32 [n], segments of each.
         froms, tos: int32 [48 n], the vertices that each segment leads from and to; ordered, segments of a loop follow
             each other.
     """
 
     cells: array(dtype=int32)
+    base: int
     sizes: array(dtype=int32)
     froms: array(dtype=int32)
     tos: array(dtype=int32)
 
-    def __init__(self, cells: Indices) -> None:
-        device, self.cells, self.count = cells.device, cells, cells.size
+    def __init__(self, cells: Indices, base: int) -> None:
+        device, self.cells, self.count, self.base = cells.device, cells, cells.size, base
         self.sizes = empty(cells.size, int32, device)
         self.froms, self.tos = (empty(SEGMENTS * cells.size, int32, device) for _ in range(2))
 
@@ -106,7 +108,7 @@ def draw_contour(
 
     Around the face a run of inside corners is entered through one edge and left through another: that is its segment.
     """
-    slot = contours.cells[i]
+    slot = contours.cells[i] - contours.base
     inside = 0
     n = int(4)
     for k in range(n):
@@ -177,7 +179,7 @@ def draw_contours_kernel(
     two = int(2)
     for axis in range(axes):
         for side in range(two):
-            beside = slot_after(contours.cells[i], along(axis) * (2 * side - 1), surface.level)
+            beside = slot_after(contours.cells[i] - contours.base, along(axis) * (2 * side - 1), surface.level)
             if is_divided(beside, surface.level) == 1:
                 for u in range(two):
                     for v in range(two):
@@ -235,6 +237,6 @@ def write_loops_kernel(
                 vertices[middle] = narrow(p * share)
                 normals[middle] = narrow(normal)
                 places[middle] = narrow(place * share)
-                slots[middle] = contours.cells[i]
+                slots[middle] = contours.cells[i] - contours.base
                 middle += 1
             start = at + 1

@@ -6,8 +6,7 @@ function less its value on the surface.
 """
 
 from ..algebra.transform import narrow, widen
-from ..array_types import Scalars
-from ..arrays.prefix_sum import exclusive_scan
+from ..array_types import Array1, Integers, Scalars
 from ..lang import (
     array,
     bit_count,
@@ -20,6 +19,7 @@ from ..lang import (
     length,
     struct,
     tid,
+    vec2d,
     vec3,
     vec3d,
     vec3i,
@@ -39,7 +39,7 @@ class LevelSurface:
         level: The OctreeLevel.
         values: float32 [slots], the function at the corners, less the value on the surface.
         crossings: int32 [blocks], bit 3 * corner + axis for the edges that hold a vertex.
-        firsts: int32 [blocks + 1], the first vertex of each block.
+        firsts: int32 [blocks + 1], the first vertex of each block, behind those of the levels above.
     """
 
     level: OctreeLevel
@@ -47,29 +47,22 @@ class LevelSurface:
     crossings: array(dtype=int32)
     firsts: array(dtype=int32)
 
-    def __init__(self, level: OctreeLevel, values: Scalars, first: int, iso: float) -> None:
-        device, count = level.device, level.count
-        self.level, self.values = level, empty(values.size, float32, device)
-        self.crossings = empty(count, int32, device)
+    def __init__(self, level: OctreeLevel, values: Scalars, iso: Array1[vec2d], counts: Integers) -> None:
+        """What crosses the surface; the vertices of each block to `counts`. `firsts` follows from those of all levels.
+
+        `iso` is the value on the surface: (sum, weight).
+        """
+        self.level, self.values = level, empty(values.size, float32, level.device)
+        self.crossings = empty(level.count, int32, level.device)
         launch(lower_to_surface_kernel, values.size, [values, iso, self.values])
-        counts = empty(count, int32, device)
-        launch(mark_crossings_kernel, count, [level, self.values, self.crossings, counts])
-        self.firsts, self.vertex_count = exclusive_scan(counts)  # sync
-        launch(add_first_kernel, count + 1, [self.firsts, first])
+        launch(mark_crossings_kernel, level.count, [level, self.values, self.crossings, counts])
 
 
 @kernel
-def lower_to_surface_kernel(values: array(dtype=float32), iso: float, lowered: array(dtype=float32)):
+def lower_to_surface_kernel(values: array(dtype=float32), iso: array(dtype=vec2d), lowered: array(dtype=float32)):
     """The function less its value on the surface."""
     i = tid()
-    lowered[i] = values[i] - iso
-
-
-@kernel
-def add_first_kernel(firsts: array(dtype=int32), first: int):
-    """Number the vertices behind those of the levels above."""
-    i = tid()
-    firsts[i] = firsts[i] + first
+    lowered[i] = values[i] - float(iso[0][0] / iso[0][1])
 
 
 @func

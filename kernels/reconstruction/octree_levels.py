@@ -13,7 +13,7 @@ touch differ by one level at most. 180 B a block: 108 of them its neighbours.
 import numpy as np
 
 from ..array_types import Device, Integers
-from ..arrays.prefix_sum import exclusive_scan
+from ..arrays.prefix_sum import exclusive_scan, offsets_of
 from ..lang import array, func, int32, kernel, launch, struct, tid, uint8, vec3i
 from ..memory import check_room, empty, fill, full, upload, zeros
 
@@ -97,9 +97,11 @@ def neighbor_slot(slot: int, x: int, y: int, z: int, level: OctreeLevel) -> int:
 
 @kernel
 def divide_around_kernel(wanted: array(dtype=int32), level: OctreeLevel):
-    """Divide the cells wanted and their neighbours; whichever thread writes, it writes 1."""
+    """Divide the cells wanted and their neighbours; whichever thread writes, it writes 1. No cell where it is -1."""
     i = tid()
     n = int(3)
+    if wanted[i] < 0:
+        n = 0
     for x in range(n):
         for y in range(n):
             for z in range(n):
@@ -178,12 +180,15 @@ def first_levels(device: Device) -> tuple[OctreeLevel, OctreeLevel]:
     return root, level
 
 
-def next_level(level: OctreeLevel, block_bytes: int) -> OctreeLevel | None:
-    """The level below one whose divided cells are marked; None where none is. One sync.
+def next_level(level: OctreeLevel, block_bytes: int, is_full: bool = False) -> OctreeLevel | None:
+    """The level below one whose divided cells are marked; None where none is.
+
+    One sync: a level's size follows from the one above alone, and decides what is allocated.
 
     Args:
         level: The level above.
         block_bytes: What its owner will need for each block of the new level.
+        is_full: All cells that the level could have are divided: no sync.
 
     Raises:
         MemoryError: The device has no room for it; nothing of it was allocated.
@@ -191,7 +196,10 @@ def next_level(level: OctreeLevel, block_bytes: int) -> OctreeLevel | None:
     slots, device = SLOTS * level.count, level.device
     marks = empty(slots, int32, device)
     launch(mark_children_kernel, slots, [level, marks])
-    offsets, count = exclusive_scan(marks)  # sync
+    if is_full:
+        offsets, count = offsets_of(marks), ((1 << level.depth) + 1) ** 3
+    else:
+        offsets, count = exclusive_scan(marks)  # sync
     if count == 0:
         return None
     check_room(device, count * block_bytes, f"level {level.depth + 1} of the octree, {SLOTS * count:,} cells")
@@ -202,7 +210,7 @@ def next_level(level: OctreeLevel, block_bytes: int) -> OctreeLevel | None:
 
 
 def divide(level: OctreeLevel, wanted: Integers | None) -> None:
-    """Mark cells (int32 slots), and their neighbours, as divided; all cells where `wanted` is None."""
+    """Mark cells (int32 slots, -1 for none), and their neighbours, as divided; all cells where `wanted` is None."""
     if wanted is None:
         launch(divide_all_kernel, SLOTS * level.count, [level])
     else:

@@ -7,12 +7,15 @@ levels are done from coarse to fine, and all orders are those of the slots: the 
 Lorensen and Cline, "Marching cubes", SIGGRAPH 1987.
 """
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
+from itertools import pairwise
 from typing import Any
 
-from ..arrays.prefix_sum import exclusive_scan
-from ..arrays.select import positions_of
-from ..lang import array, func, int32, kernel, launch, tid, uint8, vec3, vec3i
+import numpy as np
+
+from ..array_types import Array1, Scalars
+from ..arrays.prefix_sum import scan_together
+from ..lang import array, func, int32, kernel, launch, tid, vec2d, vec3, vec3i
 from ..memory import empty
 from ..volumes.cube_table import CubeTables, device_tables
 from .octree_contours import Contours, draw_contours_kernel, write_loops_kernel
@@ -21,6 +24,7 @@ from .octree_levels import SLOTS, OctreeLevel, is_cell, is_divided, neighbor_slo
 from .sample_cells import Cube
 
 EDGES = 15  # entries of a case in the table of triangles
+MOST = 2**31 - 1  # triangles and vertices
 
 
 @func
@@ -50,7 +54,7 @@ def is_beside_divided(slot: int, level: OctreeLevel) -> int:
 
 @kernel
 def count_triangles_kernel(
-    surface: LevelSurface, tables: CubeTables, counts: array(dtype=int32), joined: array(dtype=uint8)
+    surface: LevelSurface, tables: CubeTables, counts: array(dtype=int32), joined: array(dtype=int32)
 ):
     """Triangles of each cell that takes them from the table; 1 for cells that have to be joined to finer ones."""
     i = tid()
@@ -62,7 +66,15 @@ def count_triangles_kernel(
         if beside == 0:
             count = tables.triangle_count[case]
     counts[i] = count
-    joined[i] = uint8(beside)
+    joined[i] = beside
+
+
+@kernel
+def list_joined_kernel(ranks: array(dtype=int32), cells: array(dtype=int32)):
+    """The cells that have to be joined to finer ones."""
+    i = tid()
+    if ranks[i + 1] > ranks[i]:
+        cells[ranks[i]] = i
 
 
 @func
@@ -95,13 +107,18 @@ def write_triangles_kernel(
             triangles[first + offsets[i] + t] = vec3i(a, b, c)
 
 
+def _part(values: Array1[Any], first: int, end: int) -> Array1[Any]:
+    """The elements from one on to another, or none: a slice that is empty may not begin at the end."""
+    return values[first:end] if end > first else empty(0, values.dtype, values.device)
+
+
 class OctreeSurface:
     """The surface on all levels of a tree.
 
     Args:
         levels: OctreeLevels by depth (None for 0).
         solutions: float32 device arrays by depth, the function at the corners.
-        iso: Its value on the surface.
+        iso: Its value on the surface as (sum, weight).
         cube: The Cube.
         is_linear: Take the function as linear along an edge, else as the cubic with its slopes at the ends.
 
@@ -115,40 +132,85 @@ class OctreeSurface:
     """
 
     def __init__(
-        self, levels: Sequence[Any], solutions: Sequence[Any], iso: float, cube: Cube, is_linear: bool
+        self, levels: Sequence[Any], solutions: Sequence[Any], iso: Array1[vec2d], cube: Cube, is_linear: bool
     ) -> None:
-        device, last = levels[1].device, len(levels) - 1
-        tables = device_tables(device)
-        surfaces, vertex_count, self.ranges = [], 0, []
-        for depth in range(1, last + 1):
-            surface = LevelSurface(levels[depth], solutions[depth], vertex_count, iso)
-            surfaces.append(surface)
-            self.ranges.append((depth, vertex_count, vertex_count + surface.vertex_count))
-            vertex_count += surface.vertex_count
-        parts, triangle_count = [], 0
-        for surface, below in zip(surfaces, [*surfaces[1:], surfaces[-1]], strict=True):
-            slots = SLOTS * surface.level.count
-            counts, joined = empty(slots, int32, device), empty(slots, uint8, device)
-            launch(count_triangles_kernel, slots, [surface, tables, counts, joined])
-            offsets, total = exclusive_scan(counts)  # sync
-            contours = Contours(positions_of(joined))  # sync
-            loop_counts, middle_counts = (empty(contours.count, int32, device) for _ in range(2))
-            launch(draw_contours_kernel, contours.count, [surface, below, contours, loop_counts, middle_counts])
-            loops, loop_total = exclusive_scan(loop_counts)  # sync
-            middles, middle_total = exclusive_scan(middle_counts)  # sync
-            parts.append((offsets, triangle_count, contours, loops, middles, triangle_count + total, vertex_count))
-            triangle_count += total + loop_total
-            self.ranges.append((surface.level.depth, vertex_count, vertex_count + middle_total))
-            vertex_count += middle_total
-        self.vertices, self.normals, self.places = (empty(vertex_count, vec3, device) for _ in range(3))
-        self.slots, self.triangles = empty(vertex_count, int32, device), empty(triangle_count, vec3i, device)
-        for surface in surfaces:
+        self._device, self._tables = levels[1].device, device_tables(levels[1].device)
+        self._blocks = np.cumsum([0, *(level.count for level in levels[1:])]).tolist()
+        self._find_vertices(levels[1:], solutions[1:], iso)
+        self._draw_contours()
+        self._write(cube, is_linear)
+
+    def _find_vertices(self, levels: Sequence[OctreeLevel], solutions: Sequence[Scalars], iso: Array1[vec2d]) -> None:
+        """The vertices on edges and the triangles from the table, counted; the cells that have to be joined."""
+        blocks = self._blocks
+        slots = [SLOTS * block for block in blocks]
+        vertices, triangles, joined = (empty(n, int32, self._device) for n in (blocks[-1], slots[-1], slots[-1]))
+        self._surfaces = []
+        for k, (level, values) in enumerate(zip(levels, solutions, strict=True)):
+            surface = LevelSurface(level, values, iso, vertices[blocks[k] : blocks[k + 1]])
+            self._surfaces.append(surface)
+            part = slice(slots[k], slots[k + 1])
+            arguments = [surface, self._tables, triangles[part], joined[part]]
+            launch(count_triangles_kernel, slots[k + 1] - slots[k], arguments)
+        scans = scan_together([(vertices, blocks), (triangles, slots), (joined, slots)])  # sync
+        (firsts, self._vertex_ends), (self._triangles, self._triangle_ends), (ranks, self._joined_ends) = scans
+        for k, surface in enumerate(self._surfaces):
+            surface.firsts = firsts[blocks[k] : blocks[k + 1] + 1]
+        self._joined = empty(self._joined_ends[-1], int32, self._device)
+        launch(list_joined_kernel, joined.size if self._joined.size else 0, [ranks, self._joined])
+
+    def _draw_contours(self) -> None:
+        """The contours of cells beside finer ones, whose triangles and middles are counted."""
+        loops, middles = (empty(self._joined.size, int32, self._device) for _ in range(2))
+        self._contours = []
+        for k, (surface, below) in enumerate(self._pairs()):
+            ends = (self._joined_ends[k], self._joined_ends[k + 1])
+            contours = Contours(_part(self._joined, *ends), SLOTS * self._blocks[k])
+            self._contours.append(contours)
+            launch(
+                draw_contours_kernel,
+                contours.count,
+                [surface, below, contours, _part(loops, *ends), _part(middles, *ends)],
+            )
+        scans = scan_together([(loops, self._joined_ends), (middles, self._joined_ends)])  # sync
+        (self._loops, self._loop_ends), (self._middles, self._middle_ends) = scans
+
+    def _pairs(self) -> Iterable[tuple[LevelSurface, LevelSurface]]:
+        """Each level's surface and that of the level below it."""
+        return zip(self._surfaces, [*self._surfaces[1:], self._surfaces[-1]], strict=True)
+
+    def _write(self, cube: Cube, is_linear: bool) -> None:
+        edges, vertex_count = self._vertex_ends[-1], self._vertex_ends[-1] + self._middle_ends[-1]
+        triangle_count = self._triangle_ends[-1] + self._loop_ends[-1]
+        if triangle_count > MOST:
+            raise ValueError(f"{triangle_count} triangles are more than 2^31 - 1; take a smaller depth")
+        self.vertices, self.normals, self.places = (empty(vertex_count, vec3, self._device) for _ in range(3))
+        self.slots, self.triangles = (
+            empty(vertex_count, int32, self._device),
+            empty(triangle_count, vec3i, self._device),
+        )
+        self.ranges = []
+        for surface, (first, last) in zip(self._surfaces, pairwise(self._vertex_ends), strict=True):
+            self.ranges.append((surface.level.depth, first, last))
             arguments = [surface, cube, int(is_linear), self.vertices, self.normals, self.slots, self.places]
             launch(write_vertices_kernel, surface.level.count, arguments)
-        for k, (offsets, first, contours, loops, middles, first_loop, first_middle) in enumerate(parts):
-            surface, below = surfaces[k], surfaces[min(k + 1, last - 1)]
-            slots = SLOTS * surface.level.count
-            launch(write_triangles_kernel, slots, [surface, below, tables, offsets, first, self.triangles])
+        for k, (surface, below) in enumerate(self._pairs()):
+            slots, contours = SLOTS * surface.level.count, self._contours[k]
+            offsets = self._triangles[SLOTS * self._blocks[k] :][: slots + 1]
+            arguments = [surface, below, self._tables, offsets, self._loop_ends[k], self.triangles]
+            launch(write_triangles_kernel, slots, arguments)
+            ends = (self._joined_ends[k], self._joined_ends[k + 1])
+            first = self._triangle_ends[k + 1]
             vertices = [self.slots, self.vertices, self.normals, self.places]
-            arguments = [contours, loops, middles, first_loop, first_middle, *vertices, self.triangles]
+            arguments = [
+                contours,
+                _part(self._loops, *ends),
+                _part(self._middles, *ends),
+                first,
+                edges,
+                *vertices,
+                self.triangles,
+            ]
             launch(write_loops_kernel, contours.count, arguments)
+            middles = (edges + self._middle_ends[k], edges + self._middle_ends[k + 1])
+            self.ranges.append((surface.level.depth, *middles))

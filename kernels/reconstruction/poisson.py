@@ -8,17 +8,17 @@ Kazhdan and Hoppe, "Screened Poisson surface reconstruction", ACM TOG 32(3), 201
 """
 
 from collections.abc import Callable, Sequence
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
-from ..array_types import Points, Scalars, Triangles, Vectors
+from ..array_types import Indices, Points, Scalars, Triangles, Vectors
 from ..lang import float64, int32, pow, reduce, reduction, tid, vec2d
-from ..memory import check_room, download, empty, fill
+from ..memory import check_room, empty, fill
 from .envelope import Envelope
 from .octree_levels import divide, first_levels, next_level
 from .octree_surface import OctreeSurface
-from .poisson_solver import mean_at_samples, solve
+from .poisson_solver import mean_at_samples, solve, sum_levels
 from .poisson_system import constraints
-from .sample_cells import Cube, SampleCells, gather_samples, sample_rows
+from .sample_cells import Cube, SampleCells, gather_samples
 from .sample_density import ENDS, DensityPyramid, SampleReach, local_depths
 
 FULL_DEPTH = 5  # up to this level all cells are divided: the function is sought in the whole cube
@@ -70,14 +70,16 @@ def grow_tree(
         growing = pyramid.enter(level, above)
         if level.depth == deepest:
             break
-        divide(level, None if level.depth < FULL_DEPTH else growing)
-        above, level = level, next_level(level, BLOCK_BYTES)
+        is_full = level.depth < FULL_DEPTH
+        divide(level, None if is_full else growing)
+        above, level = level, next_level(level, BLOCK_BYTES, is_full)  # sync beyond the full levels
     return pyramid
 
 
 def reconstruct_poisson(
     points: Points,
     normals: Vectors,
+    rows: Indices,
     cube: Cube,
     depth: int,
     *,
@@ -91,7 +93,8 @@ def reconstruct_poisson(
     """The surface of oriented points.
 
     Args:
-        points, normals: vec3 device arrays; rows that are not finite, or whose normal is zero, do not count.
+        points, normals: vec3 device arrays.
+        rows: int32, those that count: a finite point and a finite normal that is not zero.
         cube: A Cube around the points that count.
         depth: The finest level that the tree may have, at least 2.
         is_linear: Place vertices linearly between corners.
@@ -105,14 +108,12 @@ def reconstruct_poisson(
         MemoryError: The device has no room for the tree.
         ValueError: More triangles than 32 bits count.
     """
-    rows = sample_rows(points, normals)  # sync
     check_room(points.device, rows.size * SAMPLE_BYTES, f"the cells of {rows.size:,} points")
     cells = gather_samples(points, normals, rows, cube, depth, by_length)
     pyramid = grow_tree(cells, rows.size, depth, max(1, depth - 2), samples_per_cell)
-    totals: list[Any] = [download(reduce(sum_areas, c.count, [c, r]))[0] for c, r in pyramid.pairs()]  # sync
-    area, weight = sum(totals)  # type: ignore[misc]  # there is one level at least
+    areas = sum_levels([reduce(sum_areas, c.count, [c, r]) for c, r in pyramid.pairs()])
     tests = constraints(pyramid)
-    solutions = solve(pyramid, tests, point_weight * area / weight, cube, envelope, progress)
+    solutions = solve(pyramid, tests, point_weight, areas, cube, envelope, progress)
     del tests
     if progress is not None:
         progress("surface", 0, 0)

@@ -19,8 +19,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..array_types import Scalars
-from ..arrays.select import positions_of
+from ..array_types import Array1, Device, Scalars
 from ..lang import (
     array,
     float32,
@@ -29,8 +28,10 @@ from ..lang import (
     int32,
     kernel,
     launch,
+    record,
     reduce,
     reduction,
+    replay,
     struct,
     tid,
     uint8,
@@ -39,10 +40,11 @@ from ..lang import (
     vec3i,
     vector,
 )
-from ..memory import download, empty, upload, zeros
+from ..memory import empty, upload, zeros
 from .envelope import Envelope, hold_outside
-from .octree_levels import AROUND, SLOTS, OctreeLevel, is_cell, is_divided, neighbor_slot, slot_place
+from .octree_levels import AROUND, SLOTS, OctreeLevel, is_cell, is_divided, slot_place
 from .poisson_system import shares_in_parent
+from .poisson_unknowns import list_unknowns, mark_unknowns_kernel
 from .sample_cells import Cube, SampleCells
 from .splines import corner_value, corner_weight, shares_in_cell
 
@@ -65,33 +67,6 @@ def lower_values_kernel(
     fine[i] = corner_value(coarse, level.parents[i // SLOTS], shares_in_parent(i), above)
 
 
-@kernel
-def mark_unknowns_kernel(level: OctreeLevel, blocks: int, mask: array(dtype=uint8)):
-    """1 for corners within the cube whose cells all exist, by colour and block; outside the cube they need not."""
-    i = tid()
-    color = i // blocks
-    slot = SLOTS * (i - color * blocks) + color
-    place = slot_place(slot, level)
-    cells = 1 << level.depth
-    unknown = 1
-    if place[0] > cells or place[1] > cells or place[2] > cells:
-        unknown = 0
-    n = int(8)
-    for corner in range(n):
-        x = corner & 1
-        y = (corner >> 1) & 1
-        z = (corner >> 2) & 1
-        outside = 0
-        if place[0] - x < 0 or place[1] - y < 0 or place[2] - z < 0:
-            outside = 1
-        if place[0] - x >= cells or place[1] - y >= cells or place[2] - z >= cells:
-            outside = 1
-        if outside == 0:
-            if is_cell(neighbor_slot(slot, -x, -y, -z, level), level) == 0:
-                unknown = 0
-    mask[i] = uint8(unknown)
-
-
 @struct
 class SamplePulls:
     """How the samples pull on a level's solution.
@@ -108,13 +83,15 @@ class SamplePulls:
     weights: array(dtype=float32)
     values: array(dtype=float32)
 
-    def __init__(self, pyramid: "DensityPyramid", depth: int, values: Scalars, weight: float) -> None:
+    def __init__(
+        self, pyramid: "DensityPyramid", depth: int, values: Scalars, weight: float, areas: Array1[vec2d]
+    ) -> None:
         cells, level, slots = pyramid.cells[depth], pyramid.levels[depth], pyramid.reaches[depth].slots
         device = level.device
         self.cells_at = pyramid.cells_at[depth]
         self.shares = empty(cells.count, vec3, device)
         self.weights, self.values = empty(cells.count, float32, device), empty(cells.count, float32, device)
-        launch(begin_pulls_kernel, cells.count, [cells, slots, level, values, weight, self])
+        launch(begin_pulls_kernel, cells.count, [cells, slots, level, values, weight * 4.0**depth, areas, self])
 
 
 @kernel
@@ -123,18 +100,20 @@ def begin_pulls_kernel(
     slots: array(dtype=int32),
     level: OctreeLevel,
     values: array(dtype=float32),
-    weight: float,
+    weight: float64,
+    areas: array(dtype=vec2d),
     pulls: SamplePulls,
 ):
-    """Place and weight of each cell's samples, and what the solution is there."""
+    """Place and weight of each cell's samples, and what the solution is there; `areas` is (area, weight) of all."""
     i = tid()
+    pull = float(weight * areas[0][0] / areas[0][1])
     f = vec3(0.0, 0.0, 0.0)
     value = 0.0
     if slots[i] >= 0:
         f = shares_in_cell(cells.means[i], slots[i], level)
         value = corner_value(values, slots[i], f, level)
     pulls.shares[i] = f
-    pulls.weights[i] = weight * cells.weights[i]
+    pulls.weights[i] = pull * cells.weights[i]
     pulls.values[i] = value
 
 
@@ -200,7 +179,8 @@ def sides_met(place: vec3i, cells: int) -> float:
 @kernel
 def renew_corners_kernel(
     corners: array(dtype=int32),
-    first: int,
+    firsts: array(dtype=int32),
+    color: int,
     table: array(dtype=int32),
     level: OctreeLevel,
     tested: array(dtype=float32),
@@ -209,6 +189,9 @@ def renew_corners_kernel(
 ):
     """One Gauss-Seidel step at the corners of a colour; a cell of samples has one corner of it, so none is shared."""
     i = tid()
+    first = firsts[color]
+    if first + i >= firsts[color + 1]:
+        return
     slot = corners[first + i]
     around = AROUND * (slot // SLOTS)
     place = slot_place(slot, level)
@@ -266,6 +249,7 @@ def solve(
     pyramid: "DensityPyramid",
     tests: Sequence[Scalars | None],
     weight: float,
+    areas: Array1[vec2d],
     cube: Cube | None = None,
     envelope: Envelope | None = None,
     progress: Callable[[str, int, int], None] | None = None,
@@ -275,7 +259,9 @@ def solve(
     Args:
         pyramid: A DensityPyramid whose levels are complete.
         tests: From `constraints`.
-        weight: How much a sample pulls, in areas of a cell's face on level 0; 4^depth times that on a level.
+        weight: How much a sample pulls where samples stand for a face of a cell on level 0; 4^depth times that on a
+            level.
+        areas: vec2d [1], the area that all samples stand for, in those faces, and their weight.
         cube, envelope: A Cube, and an Envelope in it beyond which the function is held; None for none.
         progress: Called with "levels", levels solved and levels in all, before each.
     """
@@ -294,34 +280,49 @@ def solve(
         if envelope is not None:
             assert cube is not None
             hold_outside(level, cube, envelope, mask, values)
-        places = positions_of(mask)  # sync
-        firsts = np.searchsorted(download(places), np.arange(SLOTS + 1) * level.count)
-        corners = empty(places.size, int32, device)
-        launch(name_corners_kernel, places.size, [places, level.count, corners])
-        pulls = SamplePulls(pyramid, depth, values, weight * 4.0**depth)
-        sweeps = COARSE_SWEEPS if depth <= COARSE else FULL_SWEEPS if depth == COARSE + 1 else SWEEPS
-        for _ in range(sweeps):
-            for color in range(SLOTS):
-                size = int(firsts[color + 1] - firsts[color])
-                arguments = [corners, int(firsts[color]), table, level, tests[depth], pulls, values]
-                launch(renew_corners_kernel, size, arguments)
+        corners, firsts, counts = list_unknowns(mask, level.count)
+        pulls = SamplePulls(pyramid, depth, values, weight, areas)
+        arguments = [level, tests[depth], pulls, values]
+
+        def sweep(corners=corners, firsts=firsts, counts=counts, arguments=arguments) -> None:
+            for color, count in enumerate(counts):
+                launch(renew_corners_kernel, count, [corners, firsts, color, table, *arguments])
+
+        _repeat(sweep, COARSE_SWEEPS if depth <= COARSE else FULL_SWEEPS if depth == COARSE + 1 else SWEEPS, device)
         solutions.append(values)
     return solutions
 
 
+def _repeat(body: Callable[[], None], count: int, device: Device) -> None:
+    """The same launches so many times; on CUDA a graph of one turn, launched again and again."""
+    if device.is_cuda:
+        turn = record(device, body)
+        for _ in range(count):
+            replay(turn)
+    else:
+        for _ in range(count):
+            body()
+
+
 @kernel
-def name_corners_kernel(places: array(dtype=int32), blocks: int, corners: array(dtype=int32)):
-    """The slots of corners that are listed by colour and block."""
+def add_pair_kernel(pair: array(dtype=vec2d), total: array(dtype=vec2d)):
+    """Add a sum to those before it."""
     i = tid()
-    color = places[i] // blocks
-    corners[i] = SLOTS * (places[i] - color * blocks) + color
+    total[i] = total[i] + pair[i]
 
 
-def mean_at_samples(pyramid: "DensityPyramid", solutions: Sequence[Scalars | None]) -> float:
-    """The solution's mean at the samples, weighted as they are: the value on the surface."""
-    total = np.zeros(2)
+def sum_levels(sums: Sequence[Array1[vec2d]]) -> Array1[vec2d]:
+    """The sum of vec2d [1] arrays in their order, on their device."""
+    total = zeros(1, vec2d, sums[0].device)
+    for part in sums:
+        launch(add_pair_kernel, 1, [part, total])
+    return total
+
+
+def mean_at_samples(pyramid: "DensityPyramid", solutions: Sequence[Scalars | None]) -> Array1[vec2d]:
+    """The solution's mean at the samples, weighted as they are, the value on the surface: (sum, weight), vec2d [1]."""
+    sums = []
     for depth in range(1, len(solutions)):
         cells, slots = pyramid.cells[depth], pyramid.reaches[depth].slots
-        arguments = [cells, slots, pyramid.levels[depth], solutions[depth]]
-        total += download(reduce(weigh_values, cells.count, arguments))[0]  # sync
-    return float(total[0] / total[1])
+        sums.append(reduce(weigh_values, cells.count, [cells, slots, pyramid.levels[depth], solutions[depth]]))
+    return sum_levels(sums)

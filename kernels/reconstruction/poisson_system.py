@@ -17,6 +17,8 @@ Poisson surface reconstruction", ACM TOG 32(3), 2013; the corners' linear functi
 
 from typing import Any
 
+import numpy as np
+
 from ..array_types import Scalars
 from ..lang import (
     array,
@@ -398,7 +400,8 @@ def constraints(pyramid: DensityPyramid) -> list[Scalars | None]:
         arguments = [cells[depth], reaches[depth], depth, has_below, *beside, pyramid.samples_per_cell, flux, found]
         launch(sum_flux_kernel, flux.size, arguments)
         fields[depth] = flux
-    is_found = download(found)  # sync
+    # on CUDA a field of zeros is cheaper than to ask whether it is one
+    is_found = np.ones(last + 1, bool) if device.is_cuda else download(found) != 0
     for depth in range(last, 0, -1):
         level, slots = levels[depth], SLOTS * levels[depth].count
         tests[depth] = zeros(slots, float32, device)

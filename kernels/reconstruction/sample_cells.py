@@ -10,11 +10,14 @@ import numpy as np
 
 from ..algebra.transform import narrow, widen
 from ..array_types import Indices, LongIntegers, Points, Vectors
-from ..arrays.prefix_sum import exclusive_scan
+from ..arrays.bounds import bound_points
+from ..arrays.prefix_sum import exclusive_scan, offsets_of
 from ..arrays.select import positions_of
 from ..arrays.sort import argsort_keys
 from ..lang import (
+    NAN,
     array,
+    atomic_add,
     float32,
     float64,
     func,
@@ -30,10 +33,11 @@ from ..lang import (
     vec3,
     vec3d,
 )
-from ..memory import empty
+from ..memory import download, empty, zeros
 from ..search.hilbert_order import spread_bits
 
 MAX_DEPTH = 20  # three bits a level in 63 bits, and room for a carry
+COUNT_ROWS = 64  # of results: at one address a million atomics would stand in line
 
 
 @struct
@@ -61,14 +65,19 @@ def place_in_cube(p: vec3, cube: Cube) -> vec3d:
 
 
 @kernel
-def mark_samples_kernel(points: array(dtype=vec3), normals: array(dtype=vec3), mask: array(dtype=uint8)):
-    """1 for finite points with a finite normal of some length."""
+def mark_samples_kernel(
+    points: array(dtype=vec3), normals: array(dtype=vec3), mask: array(dtype=uint8), samples: array(dtype=vec3)
+):
+    """1 for finite points with a finite normal of some length; and those points, NaN in the place of all others."""
     i = tid()
     size = length(widen(normals[i]))
     usable = 0
+    p = vec3(NAN, NAN, NAN)
     if isfinite(points[i]) and isfinite(size) and size > 0.0:
         usable = 1
+        p = points[i]
     mask[i] = uint8(usable)
+    samples[i] = p
 
 
 @kernel
@@ -84,6 +93,20 @@ def encode_samples_kernel(
     cy = spread_bits(int(min(max(x[1] * cells, 0.0), top)))
     cz = spread_bits(int(min(max(x[2] * cells, 0.0), top)))
     codes[i] = cx | (cy << 1) | (cz << 2)
+
+
+@kernel
+def count_cells_kernel(codes: array(dtype=int64), depth: int, counts: array(dtype=int32)):
+    """Count each sorted code at the coarsest level on which it begins a cell; sums, so their order does not matter."""
+    i = tid()
+    level = 0
+    if i > 0:
+        for above in range(depth + 1):
+            shift = int64(3 * (depth - above))
+            if (codes[i] >> shift) == (codes[i - 1] >> shift):
+                level += 1
+    if level <= depth:
+        atomic_add(counts, (i % COUNT_ROWS) * (MAX_DEPTH + 1) + level, 1)
 
 
 @kernel
@@ -207,12 +230,15 @@ class SampleCells:
     sums: array(dtype=vec3)
     weights: array(dtype=float32)
 
-    def __init__(self, members: LongIntegers, shift: int) -> None:
-        """The cells whose codes are those of sorted `members`, shifted; (self, the cell of each member)."""
+    def __init__(self, members: LongIntegers, shift: int, count: int | None) -> None:
+        """The cells whose codes are those of sorted `members`, shifted; one sync where their number is not known."""
         device, n = members.device, members.size
         heads = empty(n, int32, device)
         launch(mark_heads_kernel, n, [members, shift, heads])
-        offsets, self.count = exclusive_scan(heads)  # sync
+        if count is None:
+            offsets, self.count = exclusive_scan(heads)  # sync
+        else:
+            offsets, self.count = offsets_of(heads), count
         self.codes, self.starts = empty(self.count, int64, device), empty(self.count + 1, int32, device)
         self.of_members, self.parents = empty(n, int32, device), None
         launch(begin_cells_kernel, n, [members, shift, heads, offsets, self.codes, self.starts, self.of_members])
@@ -220,11 +246,33 @@ class SampleCells:
         self.means, self.sums = empty(self.count, vec3, device), empty(self.count, vec3, device)
 
 
+def bound_samples(points: Points, normals: Vectors) -> tuple[Indices, np.ndarray, np.ndarray]:
+    """What counts among oriented points.
+
+    Returns:
+        (rows, low, high): the rows with a finite point and a finite normal that is not zero, int32, ascending; and
+        their box, float32 [3] on the host, infinite where there is none. One sync.
+    """
+    mask, samples = empty(points.size, uint8, points.device), empty(points.size, vec3, points.device)
+    launch(mark_samples_kernel, points.size, [points, normals, mask, samples])
+    low, high, count = bound_points(samples)  # sync
+    return positions_of(mask, count), low, high
+
+
 def sample_rows(points: Points, normals: Vectors) -> Indices:
     """The rows with a finite point and a finite normal that is not zero: int32, ascending (one sync)."""
-    mask = empty(points.size, uint8, points.device)
-    launch(mark_samples_kernel, points.size, [points, normals, mask])
-    return positions_of(mask)
+    return bound_samples(points, normals)[0]
+
+
+def count_cells(codes: LongIntegers, depth: int) -> list[int | None]:
+    """How many cells each of the levels 0 .. depth has (one sync); on the CPU a level's own scan tells, so None."""
+    device = codes.device
+    if not device.is_cuda:
+        return [None] * (depth + 1)
+    counts = zeros(COUNT_ROWS * (MAX_DEPTH + 1), int32, device)
+    launch(count_cells_kernel, codes.size, [codes, depth, counts])
+    begun = download(counts).reshape(COUNT_ROWS, -1).sum(axis=0)  # sync
+    return np.cumsum(begun[: depth + 1]).tolist()
 
 
 def gather_samples(
@@ -246,13 +294,14 @@ def gather_samples(
     codes = empty(n, int64, device)
     launch(encode_samples_kernel, n, [points, rows, cube, depth, codes])
     codes, order = argsort_keys(codes, max(1, 3 * depth))
-    level = SampleCells(codes, 0)
+    counts = count_cells(codes, depth)  # sync
+    level = SampleCells(codes, 0, counts[depth])
     out = [level.counts, level.means, level.sums, level.weights]
     launch(sum_samples_kernel, level.count, [points, normals, rows, order, cube, int(by_length), level.starts, *out])
     levels = [level]
-    for _ in range(depth):
+    for above in range(depth - 1, -1, -1):
         below = levels[-1]
-        level = SampleCells(below.codes, 3)
+        level = SampleCells(below.codes, 3, counts[above])
         below.parents = level.of_members
         inputs = [level.starts, below.counts, below.means, below.sums, below.weights]
         launch(sum_children_kernel, level.count, [*inputs, level.counts, level.means, level.sums, level.weights])

@@ -13,8 +13,7 @@ from collections.abc import Iterator, Sequence
 from typing import Any
 
 from ..array_types import Device, Integers, Points, Scalars
-from ..arrays.select import gather_rows, positions_of
-from ..lang import array, float32, func, int32, kernel, launch, log, struct, tid, uint8, vec3
+from ..lang import array, float32, func, int32, kernel, launch, log, struct, tid, vec3
 from ..memory import empty, full
 from .octree_levels import SLOTS, OctreeLevel, neighbor_slot, slot_place
 from .sample_cells import SampleCells
@@ -144,13 +143,13 @@ def measure_reach_kernel(
 
 
 @kernel
-def list_growing_kernel(reach: SampleReach, mask: array(dtype=uint8)):
-    """1 for cells of samples below which the tree goes on."""
+def list_growing_kernel(reach: SampleReach, growing: array(dtype=int32)):
+    """The slots of cells of samples below which the tree goes on, -1 for others."""
     i = tid()
-    growing = 0
-    if reach.slots[i] >= 0 and reach.states[i] == ON:
-        growing = 1
-    mask[i] = uint8(growing)
+    slot = -1
+    if reach.states[i] == ON:
+        slot = reach.slots[i]
+    growing[i] = slot
 
 
 class DensityPyramid:
@@ -181,7 +180,7 @@ class DensityPyramid:
         self.levels: list[Any] = [None]
 
     def enter(self, level: OctreeLevel, level_above: OctreeLevel) -> Integers:
-        """Find the samples of a new level and how dense they lie; int32 slots of cells below which the tree goes on."""
+        """Find the samples of a new level and how dense they lie; int32, slots where it goes on, or -1."""
         depth, device = level.depth, level.device
         cells, above = self.cells[depth], self.reaches[-1]
         reach = SampleReach(cells.count, device)
@@ -199,9 +198,9 @@ class DensityPyramid:
         self.reaches.append(reach)
         self.cells_at.append(cells_at)
         self.levels.append(level)
-        mask = empty(cells.count, uint8, device)
-        launch(list_growing_kernel, cells.count, [reach, mask])
-        return gather_rows(reach.slots, positions_of(mask))  # sync
+        growing = empty(cells.count, int32, device)
+        launch(list_growing_kernel, cells.count, [reach, growing])
+        return growing
 
     def pairs(self) -> Iterator[tuple[SampleCells, SampleReach]]:
         """The cells of samples and their SampleReach, level by level from level 1 on."""

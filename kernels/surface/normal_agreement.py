@@ -10,7 +10,7 @@ device. 24 B read and 8 B written a point beside the search.
 from ..algebra.transform import widen
 from ..array_types import Points, Vectors
 from ..arrays.packed_keys import key_index
-from ..arrays.prefix_sum import sum_counts
+from ..arrays.prefix_sum import sum_each
 from ..lang import INFINITY, array, dot, float64, func, int32, isfinite, kernel, tid, vec3
 from ..memory import zeros
 from ..search.group_scratch import GroupScratch, LaunchPart, held_key
@@ -81,5 +81,5 @@ def share_of_opposed_normals(tree: PointTree, points: Points, normals: Vectors, 
     """
     counted, opposed = (zeros(points.size, int32, points.device) for _ in range(2))
     launch_over_leaves(count_sides_kernel, tree, k + 1, [reach_of(INFINITY), normals, counted, opposed])
-    pairs = sum_counts(counted)  # sync
-    return sum_counts(opposed) / pairs if pairs else 0.0  # sync
+    pairs, against = sum_each(counted, opposed)  # sync
+    return against / pairs if pairs else 0.0

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import Any, Literal, Self, overload
 
 import numpy as np
@@ -11,11 +11,13 @@ from numpy.typing import NDArray
 
 from ...core.checks import check_list, check_positive, shown
 from ...core.units import warn_of_units
+from ...kernels.arrays.prefix_sum import scan_together
+from ...kernels.arrays.quantiles import median_above_zero
 from ...kernels.arrays.select import gather_rows
-from ...kernels.lang import vec3i
+from ...kernels.lang import int32, launch, vec3i
 from ...kernels.memory import download, empty
-from ...kernels.meshes.mesh_edits import drop_unreferenced
-from ...kernels.reconstruction.alpha_faces import find_alpha_shapes
+from ...kernels.meshes.mesh_edits import keep_counted, list_rows_kernel, mark_referenced
+from ...kernels.reconstruction.alpha_faces import TOGETHER, find_alpha_shapes
 from ...kernels.sampling.duplicates import first_occurrences
 from ...kernels.search.neighbor_distances import nearest_distances
 from ...pcd.cloud import PointCloud
@@ -116,11 +118,12 @@ class AlphaShapes(MeshArrays):
             chosen = [_choose_alpha(tree, unique.device_arrays["points"])]
         found = _find_shapes(tree, rows, len(cloud), chosen, bool(return_tetrahedra))
         answers, bare = [], []
-        for size, (triangles, tetrahedra) in zip(chosen, found, strict=True):
-            mesh = cls._over_points(cloud, triangles)
+        used = _used_points([triangles for triangles, _ in found], len(cloud))
+        for size, (triangles, tetrahedra), (mask, places, count) in zip(chosen, found, used, strict=True):
+            mesh = cls._over_points(cloud, triangles, mask, places, count)
             if not triangles.size:
                 bare.append(size)
-            answers.append((mesh, tetrahedra, _used_rows(triangles)) if return_tetrahedra else mesh)
+            answers.append((mesh, tetrahedra, _used_rows(mask, places, count)) if return_tetrahedra else mesh)
         if bare and tree.count >= CORNERS and not isinstance(alpha, str):
             usual = _choose_alpha(tree, unique.device_arrays["points"])
             if max(bare) < SHORT * usual:
@@ -133,20 +136,30 @@ class AlphaShapes(MeshArrays):
     create_from_point_cloud_alpha_shape = from_point_cloud_alpha_shape
 
     @classmethod
-    def _over_points(cls, cloud: PointCloud, triangles: wp.array) -> Self:
-        """A mesh of the points that some triangles use."""
+    def _over_points(cls, cloud: PointCloud, triangles: wp.array, used: wp.array, places: wp.array, count: int) -> Self:
+        """A mesh of the points that some triangles use: so many, marked, each with its place among them."""
         names = {"vertices": "points", "vertex_normals": "normals", "vertex_colors": "colors"}
         arrays = {name: cloud.device_arrays[given] for name, given in names.items() if given in cloud.device_arrays}
-        corners, kept = drop_unreferenced(triangles, len(cloud), list(arrays.values()))
+        corners, kept = keep_counted(triangles, used, places, count, list(arrays.values()))
         rows = dict(zip(arrays, kept, strict=True))
         mesh = cls.from_device_arrays(triangles=corners, **rows, origin=cloud.origin, library=cloud.array_library)
         mesh.unit = cloud.unit
         return mesh
 
 
-def _used_rows(triangles: wp.array) -> NDArray[np.int32]:
-    """The rows of the points that some triangles use, ascending."""
-    return np.unique(download(triangles)).astype(np.int32)
+def _used_points(shapes: list[wp.array], count: int) -> Iterator[tuple[wp.array, wp.array, int]]:
+    """For each shape its points, marked; the place of each among them; and how many they are. One sync for some."""
+    for first in range(0, len(shapes), TOGETHER):
+        used = [mark_referenced(triangles, count) for triangles in shapes[first : first + TOGETHER]]
+        for mask, (places, (total,)) in zip(used, scan_together([(mask, [count]) for mask in used]), strict=True):
+            yield mask, places, total
+
+
+def _used_rows(used: wp.array, places: wp.array, count: int) -> NDArray[np.int32]:
+    """The rows of the points that are marked, ascending."""
+    rows = empty(count, int32, used.device)
+    launch(list_rows_kernel, used.size, [used, places, rows])
+    return download(rows).copy()  # sync
 
 
 def _check_alphas(alpha: Any) -> tuple[list[float] | None, bool]:
@@ -164,9 +177,8 @@ def _check_alphas(alpha: Any) -> tuple[list[float] | None, bool]:
 
 def _choose_alpha(tree: Any, points: wp.array) -> float:
     """AUTO medians of the distance to the nearest point; any length where there are fewer than two."""
-    distances = download(nearest_distances(tree, points, others=True, missing=0.0))
-    distances = distances[distances > 0]
-    return AUTO * float(np.median(distances)) if distances.size else 1.0
+    median = median_above_zero(nearest_distances(tree, points, others=True, missing=0.0))  # sync
+    return 1.0 if median is None else AUTO * median
 
 
 def _find_shapes(

@@ -9,7 +9,7 @@ import numpy as np
 from ...core.checks import check_list, check_positive, shown
 from ...core.told_arguments import told_arguments
 from ...core.units import warn_of_units
-from ...kernels.memory import download
+from ...kernels.arrays.quantiles import quantiles_of
 from ...kernels.reconstruction.ball_surface import RollingBall, count_around
 from ...kernels.search.neighbor_distances import nearest_distances
 from ...pcd.cloud import PointCloud
@@ -120,8 +120,8 @@ def _default_radii(tree: Any) -> list[float]:
     """From 1.5 times the median distance of nearest points on, each twice the one before."""
     if tree.count < 3:
         return []
-    distances = download(nearest_distances(tree, tree.source, others=True))  # sync; NaN at points out of the tree
-    spacing, wide = (float(q) for q in np.quantile(distances[np.isfinite(distances)], (0.5, WIDE_SHARE)))
+    distances = nearest_distances(tree, tree.source, others=True)  # NaN at points out of the tree
+    spacing, wide = quantiles_of(distances, (0.5, WIDE_SHARE))  # sync
     radii = [FIRST_RADIUS * spacing * 2**i for i in range(MOST_RADII)]
     needed = sum(radius < wide for radius in radii) + 1
     return radii[: max(LEAST_RADII, needed)]

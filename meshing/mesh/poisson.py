@@ -14,11 +14,12 @@ from ...core.devices import check_same_device
 from ...core.told_arguments import told_arguments
 from ...core.units import common_unit, warn_of_units
 from ...kernels.algebra.transform import transform_points
+from ...kernels.array_types import Indices
 from ...kernels.arrays.bounds import bound_points
 from ...kernels.arrays.select import gather_rows
 from ...kernels.reconstruction.envelope import Envelope
 from ...kernels.reconstruction.poisson import reconstruct_poisson
-from ...kernels.reconstruction.sample_cells import MAX_DEPTH, Cube, sample_rows
+from ...kernels.reconstruction.sample_cells import MAX_DEPTH, Cube, bound_samples, sample_rows
 from ...kernels.reconstruction.sample_weights import mean_length
 from ...kernels.search.nearest_point import find_nearest_rows
 from ...pcd.cloud import PointCloud
@@ -128,7 +129,7 @@ class Poisson(MeshArrays):
             raise ValueError(f"scale: expected 1 or more, the cube holds the cloud, got {edge:g}")
         if confidence:
             normals = _weights_as_lengths(points, normals)
-        cube = _cube_around(points, normals, edge)
+        cube, rows = _cube_around(points, normals, edge)
         _warn_of_sides(cloud, float(cube.side))
         if cell > 0:
             deepest = _depth_of_width(float(cube.side), cell)
@@ -136,6 +137,7 @@ class Poisson(MeshArrays):
         surface = reconstruct_poisson(
             points,
             normals,
+            rows,
             cube,
             deepest,
             is_linear=bool(linear_fit),
@@ -184,17 +186,16 @@ def _nearest_colors(cloud: PointCloud, vertices: wp.array) -> wp.array | None:
     return gather_rows(cloud.array("colors"), find_nearest_rows(cloud.search_tree(), vertices))
 
 
-def _cube_around(points: wp.array, normals: wp.array, scale: float) -> Cube:
-    """The cube around the points that count.
+def _cube_around(points: wp.array, normals: wp.array, scale: float) -> tuple[Cube, Indices]:
+    """The cube around the points that count, and their rows.
 
     Raises:
         ValueError: There are no two places among them.
     """
-    rows = sample_rows(points, normals)
-    low, high, count = bound_points(gather_rows(points, rows))
-    extent = float((high.astype(np.float64) - low).max()) if count else 0.0
+    rows, low, high = bound_samples(points, normals)  # sync
+    extent = float((high.astype(np.float64) - low).max()) if rows.size else 0.0
     if not extent > 0:
-        found = "none is finite and has a normal that is not zero" if not count else "all those with normals are one"
+        found = "all those with normals are one" if rows.size else "none is finite and has a normal that is not zero"
         raise ValueError(f"cloud: expected points at two places at least, {found} of {points.size:,}")
     side = extent * scale
     corner = (low.astype(np.float64) + high) / 2 - side / 2
@@ -203,7 +204,7 @@ def _cube_around(points: wp.array, normals: wp.array, scale: float) -> Cube:
             f"cloud, scale: a cube of {side:g} m reaches beyond what float32 holds; take a smaller scale, or "
             "cloud.scale(1e-6) first"
         )
-    return Cube(corner, side)
+    return Cube(corner, side), rows
 
 
 def _check_envelope(envelope: Any, cloud: PointCloud) -> Envelope:

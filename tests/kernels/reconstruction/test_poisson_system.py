@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+import warp as wp
 from scipy import sparse
 from scipy.sparse.linalg import spsolve
 
-from pointloom.kernels.memory import download
+from pointloom.kernels.lang import vec2d
+from pointloom.kernels.memory import download, upload
 from pointloom.kernels.reconstruction import poisson_solver
 from pointloom.kernels.reconstruction.poisson_solver import mean_at_samples, solve
 from pointloom.kernels.reconstruction.poisson_system import constraints
@@ -17,6 +19,16 @@ from .octree_trees import ball_samples, code_places, is_cell, slot_places, tree_
 from .test_sample_cells import spline
 
 DEPTH = 3  # all cells of all levels exist, so that arrays [n, n, n] stand for them
+
+
+def one_face(device):
+    """Samples that stand for one face of the cube, so that a pull is what it is told to be."""
+    return upload(np.ones((1, 2)), vec2d, wp.get_device(device))
+
+
+def mean_of(pyramid, solutions):
+    total, weight = download(mean_at_samples(pyramid, solutions))[0]
+    return total / weight
 
 
 def scene(device):
@@ -123,7 +135,7 @@ def test_a_solution_at_rest_is_that_of_a_sparse_solver(device, tolerances, monke
     monkeypatch.setattr(poisson_solver, "COARSE_SWEEPS", 150)
     pyramid, weight = scene(device), 0.05
     tests = constraints(pyramid)
-    solutions = solve(pyramid, tests, weight)
+    solutions = solve(pyramid, tests, weight, one_face(device))
     for depth in range(1, DEPTH + 1):
         n = 1 << depth
         mass = sparse.diags(
@@ -147,7 +159,7 @@ def test_a_solution_at_rest_is_that_of_a_sparse_solver(device, tolerances, monke
 
 def test_the_value_on_the_surface_is_the_mean_at_the_samples(device):
     pyramid = scene(device)
-    solutions = solve(pyramid, constraints(pyramid), 0.05)
+    solutions = solve(pyramid, constraints(pyramid), 0.05, one_face(device))
     total, below = np.zeros(2), set()
     for depth in range(DEPTH, 0, -1):
         n, cells = 1 << depth, pyramid.cells[depth]
@@ -158,12 +170,12 @@ def test_the_value_on_the_surface_is_the_mean_at_the_samples(device):
         values = np.einsum("px,py,pz,xyz->p", *lines, grid)
         total += (download(cells.weights) * chosen * [values, np.ones_like(values)]).sum(axis=1)
         below = {tuple(p) for p in own // 2}
-    assert abs(mean_at_samples(pyramid, solutions) - total[0] / total[1]) < 1e-6 * np.abs(values).max()
+    assert abs(mean_of(pyramid, solutions) - total[0] / total[1]) < 1e-6 * np.abs(values).max()
 
 
 def test_corners_of_a_finer_level_that_lack_a_cell_hold_the_coarser_values(device):
     pyramid = tree_of(ball_samples(4000, 0.002), 8, device)
-    solutions = solve(pyramid, constraints(pyramid), 0.01)
+    solutions = solve(pyramid, constraints(pyramid), 0.01, one_face(device))
     assert len(pyramid.levels) > 6
     for depth in range(6, len(pyramid.levels)):
         above, level = pyramid.levels[depth - 1], pyramid.levels[depth]
@@ -184,7 +196,7 @@ def test_corners_of_a_finer_level_that_lack_a_cell_hold_the_coarser_values(devic
 def test_the_value_on_the_surface_is_the_mean_at_the_samples_where_levels_differ(device):
     """Each sample's value is that of the finest cell around it; a slot without a cell may lack corners."""
     pyramid = tree_of(ball_samples(4000, 0.002), 8, device)
-    solutions = solve(pyramid, constraints(pyramid), 0.01)
+    solutions = solve(pyramid, constraints(pyramid), 0.01, one_face(device))
     grids = [None]
     for level, solution in zip(pyramid.levels[1:], solutions[1:], strict=True):
         grids.append({tuple(p): v for p, v in zip(slot_places(level).tolist(), download(solution), strict=True)})
@@ -207,4 +219,4 @@ def test_the_value_on_the_surface_is_the_mean_at_the_samples_where_levels_differ
             total += weight * np.array([value, 1])
         below |= {tuple(c // 2 for c in place) for place in existing}
     assert missed > 100
-    assert abs(mean_at_samples(pyramid, solutions) - total[0] / total[1]) < 1e-5 * abs(total[0] / total[1])
+    assert abs(mean_of(pyramid, solutions) - total[0] / total[1]) < 1e-5 * abs(total[0] / total[1])

@@ -1,0 +1,119 @@
+"""Quantiles and medians of the numbers of an array that count: exactly NumPy's, found where the array is.
+
+On CUDA one sort of 63 bits and a thread a quantile; 24 B a number beside the sort, and one wait for the results. The
+numbers may not be negative, so that their bits order as they do. On the CPU NumPy's own selection.
+"""
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from ..array_types import Doubles
+from ..lang import array, float64, func, int32, int64, isfinite, kernel, launch, tid
+from ..memory import download, empty, upload
+from .side_by_side import part_of
+from .sort import SortKeys, put_key
+
+NO_NUMBER = 0x7FFF_FFFF_FFFF_FFFF  # above the bits of every number, so those that do not count come last
+
+
+@kernel
+def encode_doubles_kernel(values: array(dtype=float64), bits: array(dtype=int64), above_zero: int, keys: SortKeys):
+    """The bits of numbers that count."""
+    i = tid()
+    key = int64(NO_NUMBER)
+    if isfinite(values[i]) and values[i] >= 0.0:
+        if above_zero == 0 or values[i] > 0.0:
+            key = bits[i] & int64(NO_NUMBER)
+    put_key(i, key, keys)
+
+
+@func
+def count_numbers(keys: array(dtype=int64), size: int) -> int:
+    """How many of sorted keys are numbers that count."""
+    low = 0
+    high = size
+    while low < high:
+        middle = low + (high - low) // 2
+        if keys[middle] < int64(NO_NUMBER):
+            low = middle + 1
+        else:
+            high = middle
+    return low
+
+
+@kernel
+def pick_quantiles_kernel(
+    values: array(dtype=float64),
+    keys: array(dtype=int64),
+    order: array(dtype=int32),
+    shares: array(dtype=float64),
+    is_median: int,
+    found: array(dtype=float64),
+):
+    """Each quantile, in a line between the two numbers about it; behind them how many numbers count."""
+    i = tid()
+    count = count_numbers(keys, values.shape[0])
+    if i == shares.shape[0]:
+        found[i] = float64(count)
+        return
+    if count == 0:
+        found[i] = float64(0.0)
+        return
+    place = float64(count - 1) * shares[i]
+    below = min(int(place), count - 1)
+    above = min(below + 1, count - 1)
+    if is_median == 1:
+        below = (count - 1) // 2
+        above = count // 2
+    a = values[order[below]]
+    b = values[order[above]]
+    share = place - float64(below)
+    between = a + (b - a) * share
+    if share >= 0.5:
+        between = b - (b - a) * (1.0 - share)
+    if is_median == 1:
+        between = (a + b) / 2.0
+        if below == above:
+            between = a
+    found[i] = between
+
+
+def _pick(values: Doubles, shares: Sequence[float], above_zero: bool, is_median: bool) -> tuple[int, list[float]]:
+    device = values.device
+    keys = SortKeys(values.size, device)
+    launch(encode_doubles_kernel, values.size, [values, part_of(values, 0, int64, values.size), int(above_zero), keys])
+    sorted_keys, order = keys.sort()
+    found = empty(len(shares) + 1, float64, device)
+    wanted = upload(np.array(shares), float64, device)
+    launch(pick_quantiles_kernel, found.size, [values, sorted_keys, order, wanted, int(is_median), found])
+    *quantiles, count = download(found).tolist()  # sync
+    return int(count), quantiles
+
+
+def _counted(values: Doubles, above_zero: bool) -> np.ndarray:
+    numbers = download(values)
+    return numbers[np.isfinite(numbers) & ((numbers > 0) if above_zero else (numbers >= 0))]
+
+
+def quantiles_of(values: Doubles, shares: Sequence[float]) -> list[float]:
+    """`np.quantile` of the finite numbers of an array, to the last bit; none where there is no number. One sync.
+
+    Args:
+        values: float64 device array, whose numbers below zero do not count.
+        shares: 0 .. 1.
+    """
+    if values.device.is_cuda and values.size:
+        count, found = _pick(values, shares, False, False)
+        return found if count else []
+    numbers = _counted(values, False)
+    return np.quantile(numbers, shares).tolist() if numbers.size else []
+
+
+def median_above_zero(values: Doubles) -> float | None:
+    """`np.median` of the finite numbers above zero of an array, to the last bit; None where there is none. One sync."""
+    if values.device.is_cuda and values.size:
+        count, (median,) = _pick(values, [0.5], True, True)
+        return median if count else None
+    numbers = _counted(values, True)
+    return float(np.median(numbers)) if numbers.size else None

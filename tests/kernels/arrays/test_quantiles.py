@@ -1,0 +1,52 @@
+"""Quantiles and medians on a device: NumPy's of the numbers that count, to the last bit."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+import warp as wp
+
+from pointloom.kernels.arrays.quantiles import median_above_zero, quantiles_of
+from pointloom.kernels.lang import float64
+from pointloom.kernels.memory import upload
+
+SHARES = (0.0, 0.02, 0.3, 0.5, 0.98, 1.0)
+
+
+def numbers(count, seed=0):
+    """Some equal, some subnormal, some huge."""
+    rng = np.random.default_rng(seed)
+    values = np.abs(rng.normal(size=count)) * 10.0 ** rng.integers(-300, 300, count)
+    values[rng.random(count) < 0.2] = 0.25
+    values[rng.random(count) < 0.05] = 5e-324
+    return values
+
+
+@pytest.mark.parametrize("count", [1, 2, 3, 4, 7, 100, 1023])
+def test_quantiles_are_those_of_numpy_to_the_last_bit(device, count):
+    values = numbers(count, count)
+    found = quantiles_of(upload(values, float64, wp.get_device(device)), SHARES)
+    assert found == np.quantile(values, SHARES).tolist()
+
+
+@pytest.mark.parametrize("count", [1, 2, 3, 4, 7, 100, 1023])
+def test_a_median_is_that_of_numpy_to_the_last_bit(device, count):
+    values = numbers(count, count)
+    found = median_above_zero(upload(values, float64, wp.get_device(device)))
+    assert found == np.median(values)
+
+
+def test_what_is_no_number_does_not_count(device):
+    values = numbers(200)
+    mixed = values.copy()
+    mixed[::3], mixed[1::9], mixed[2::9] = np.nan, np.inf, 0.0
+    place = upload(mixed, float64, wp.get_device(device))
+    kept = mixed[np.isfinite(mixed)]
+    assert quantiles_of(place, SHARES) == np.quantile(kept, SHARES).tolist()
+    assert median_above_zero(place) == np.median(kept[kept > 0])
+
+
+@pytest.mark.parametrize("values", [[], [np.nan, np.inf]])
+def test_without_a_number_there_is_no_quantile(device, values):
+    place = upload(np.array(values), float64, wp.get_device(device))
+    assert quantiles_of(place, SHARES) == [] and median_above_zero(place) is None
