@@ -111,7 +111,7 @@ partial = Builtin("partial")  # partial(function, first, arguments), as an argum
 atomic_add, atomic_min, atomic_max = (Builtin(n) for n in ("atomic_add", "atomic_min", "atomic_max"))
 lane, ballot, shuffle = (Builtin(n, for_cuda=True) for n in ("lane", "ballot", "shuffle"))
 shuffle_xor, sync_lanes = (Builtin(n, for_cuda=True) for n in ("shuffle_xor", "sync_lanes"))
-load_eight = Builtin("load_eight", for_cuda=True)
+load_eight, load_six, load_nine = (Builtin(n, for_cuda=True) for n in ("load_eight", "load_six", "load_nine"))
 
 
 def _is_builtin(value: object) -> bool:
@@ -170,7 +170,8 @@ class _DeviceCode:
 
         It may use the 32 lanes of a warp: lane(), ballot(flag), shuffle(x, lane), shuffle_xor(x, mask), sync_lanes();
         and load_eight(points, first), the coordinates of eight vec3 as one vector, by loads of 128 bits: `first` is a
-        multiple of eight, and the array begins where an allocation does.
+        multiple of eight, and the array begins where an allocation does; load_six(numbers, first) and load_nine, every
+        eighth of an array of float32 from one on, all by one address.
 
         Raises:
             TypeError: Its parameters or its result are not the same.

@@ -39,7 +39,7 @@ class ArrayType(NamedTuple):
         return f"array of {self.element}" if self.axes == 1 else f"{self.axes}-D array of {self.element}"
 
 
-INT, FLOAT, BOOL = Type("int32"), Type("float32"), Type("bool")
+INT, FLOAT, DOUBLE, BOOL = Type("int32"), Type("float32"), Type("float64"), Type("bool")
 Inferred: TypeAlias = "Type | ArrayType | tuple | None"
 
 
@@ -69,6 +69,7 @@ def words(kind: Any) -> str:
 ONE_FLOAT = {"floor", "ceil", "sqrt", "sin", "cos", "tan", "acos", "asin", "exp", "log"}
 TWO_FLOATS = {"atan2", "pow"}
 LANES = {"lane": 0, "ballot": 1, "shuffle": 2, "shuffle_xor": 2, "sync_lanes": 0}
+LOADS = {"load_eight": (Type("float32", (3,)), 24), "load_six": (FLOAT, 6), "load_nine": (FLOAT, 9)}
 ATOMIC = {"int32", "int64", "uint32", "uint64", "float32", "float64"}
 
 
@@ -76,10 +77,11 @@ def check_builtin(fail: Callable[..., Any], node: ast.Call, name: str, kinds: li
     """The result of a built-in; refuses arguments that one of the compilers does not take."""
     if name.startswith("atomic_"):
         return _check_atomic(fail, node, name, kinds)
-    if name == "load_eight":
-        if kinds != [ArrayType(Type("float32", (3,)), 1), INT]:
-            fail(node, "load_eight takes an array of vec3 and an int32")
-        return Type("float32", (24,))
+    if name in LOADS:
+        element, count = LOADS[name]
+        if kinds != [ArrayType(element, 1), INT]:
+            fail(node, f"{name} takes an array of {element} and an int32")
+        return Type("float32", (count,))
     if name in LANES:
         return _check_lanes(fail, node, name, kinds)
     arity = 0 if name == "tid" else 2 if name in {"min", "max", "dot", "cross", "outer", *TWO_FLOATS} else 1
@@ -146,6 +148,7 @@ def _check_lanes(fail: Callable[..., Any], node: ast.Call, name: str, kinds: lis
         fail(node, f"{name} takes {LANES[name]} argument{'s' * (LANES[name] != 1)}, got {len(kinds)}")
     if not kinds:
         return INT if name == "lane" else ()
-    if kinds[-1] not in (None, INT) or kinds[0] not in (None, INT, FLOAT):
-        fail(node, f"{name} of {' and '.join(map(words, kinds))}: it takes int32 or float32, and an int32 lane")
+    if kinds[-1] not in (None, INT) or kinds[0] not in (None, INT, FLOAT, DOUBLE):
+        given = " and ".join(map(words, kinds))
+        fail(node, f"{name} of {given}: it takes int32, float32 or float64, and an int32 lane")
     return INT if name == "ballot" else kinds[0]

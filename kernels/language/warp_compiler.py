@@ -50,7 +50,7 @@ def _bits_float(i: wp.int32):
     return wp.cast(i, wp.float32)
 
 
-# The 32 lanes of a warp, all of which take part in each of these; two of a name are overloads.
+# The 32 lanes of a warp, all of which take part in each of these; those of one name are overloads.
 @wp.func_native("return (int)(threadIdx.x & 31u);")
 def _lane() -> wp.int32: ...
 
@@ -64,7 +64,11 @@ def _shuffle(x: wp.int32, lane: wp.int32) -> wp.int32: ...  # type: ignore[repor
 
 
 @wp.func_native("return __shfl_sync(0xffffffffu, x, lane);")
-def _shuffle(x: wp.float32, lane: wp.int32) -> wp.float32: ...
+def _shuffle(x: wp.float32, lane: wp.int32) -> wp.float32: ...  # type: ignore[reportRedeclaration]
+
+
+@wp.func_native("return __shfl_sync(0xffffffffu, x, lane);")
+def _shuffle(x: wp.float64, lane: wp.int32) -> wp.float64: ...
 
 
 @wp.func_native("return __shfl_xor_sync(0xffffffffu, x, mask);")
@@ -72,7 +76,11 @@ def _shuffle_xor(x: wp.int32, mask: wp.int32) -> wp.int32: ...  # type: ignore[r
 
 
 @wp.func_native("return __shfl_xor_sync(0xffffffffu, x, mask);")
-def _shuffle_xor(x: wp.float32, mask: wp.int32) -> wp.float32: ...
+def _shuffle_xor(x: wp.float32, mask: wp.int32) -> wp.float32: ...  # type: ignore[reportRedeclaration]
+
+
+@wp.func_native("return __shfl_xor_sync(0xffffffffu, x, mask);")
+def _shuffle_xor(x: wp.float64, mask: wp.int32) -> wp.float64: ...
 
 
 @wp.func_native("__syncwarp();")
@@ -94,6 +102,25 @@ _eight_points = wp.types.vector(24, wp.float32)
 def _load_eight(points: wp.array(dtype=wp.vec3), first: wp.int32) -> _eight_points: ...  # type: ignore[valid-type]
 
 
+# A stride known to the compiler and one address for all, where each access to an array multiplies 64 bits.
+@wp.func_native("""
+    const float* at = numbers.data + first;
+    wp::vec_t<6, float> found;
+    for (int k = 0; k < 6; ++k) found[k] = at[8 * k];
+    return found;
+""")
+def _load_six(numbers: wp.array(dtype=wp.float32), first: wp.int32) -> wp.types.vector(6, wp.float32): ...  # type: ignore[valid-type]
+
+
+@wp.func_native("""
+    const float* at = numbers.data + first;
+    wp::vec_t<9, float> found;
+    for (int k = 0; k < 9; ++k) found[k] = at[8 * k];
+    return found;
+""")
+def _load_nine(numbers: wp.array(dtype=wp.float32), first: wp.int32) -> wp.types.vector(9, wp.float32): ...  # type: ignore[valid-type]
+
+
 OWN = {
     "float_bits": _float_bits,
     "bits_float": _bits_float,
@@ -103,6 +130,8 @@ OWN = {
     "shuffle_xor": _shuffle_xor,
     "sync_lanes": _sync_lanes,
     "load_eight": _load_eight,
+    "load_six": _load_six,
+    "load_nine": _load_nine,
 }
 
 

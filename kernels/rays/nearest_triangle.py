@@ -6,26 +6,20 @@ the foot on the plane where that lies inside, else the nearest of the edges. Eac
 error. Where the intervals of two triangles do not overlap the nearer one is known, else both are measured in float64
 (point_triangle.py), and of equal ones that of lower number is taken. So the result depends on no order.
 
-The error: whatever the weights of corners are, the point that they give lies in the triangle, so its distance is too
-long, never too short. How far the weights are off matters but to second order, as the foot is where the distance is
-least: in a triangle of length L and width W, float32 puts it off by e D L / W, and by W at most, so by sqrt(e D L) in
-the worst case, e D L in the square. With the rounding of the sums the squared distance is off by less than ERROR times
-the sum of the squares that enter. Of triangles too small or too narrow for a foot in float32 nothing is believed. A
-box's distance is off by a few roundings, which SLACK covers.
-
-About 5,000 operations a query of a mesh of 70k triangles; 12 B read and 4 B written besides the tree.
+About 5,000 operations a query of a mesh of 70k triangles; 12 B read and 4 B written besides the tree. On CUDA eight
+lanes share a query (nearest_of_lanes.py).
 """
 
 import math
 
 import numpy as np
 
-from ..algebra.plain_min_max import larger, smaller
-from ..algebra.transform import widen
+from ..algebra.plain_min_max import smaller
 from ..array_types import Points
 from ..arrays.bounds import bound_points
 from ..lang import (
     INFINITY,
+    WARP,
     array,
     float32,
     float64,
@@ -36,6 +30,7 @@ from ..lang import (
     kernel,
     launch,
     struct,
+    sync_lanes,
     tid,
     vec3,
     vec4d,
@@ -45,17 +40,11 @@ from ..memory import full
 from ..search.bucket_walk import byte_place
 from ..search.hilbert_order import HilbertCurve, argsort_along
 from ..search.point_tree import FAN, LARGEST_SQDIST, measure_boxes
-from .point_triangle import measure_triangle
-from .triangle_tree import LEAF, LEAF_NUMBERS, TriangleTree, leaf_corner
+from .nearest_of_lanes import BYTE, EVERY, find_nearest_of_lanes
+from .triangle_bounds import bound_distance, load_corners, measure_place, reach_of
+from .triangle_tree import LEAF, LEAF_NUMBERS, TriangleTree
 
-ERROR = 4e-6  # 64 roundings of float32
-FLAT = 1e-30  # squared area, in units of a triangle of usual size, below which float32 knows no foot
-HUGE = 1e30  # and above
-SLACK = 1.000001  # five roundings of float32 in a box's squared distance
-SMALLEST = 1e-37  # squares below may have become zero
 NOBODY = -1  # the number of no triangle
-BYTE = 255
-EVERY = 255  # BYTE in 64 bits
 RUN = 16  # queries a thread
 CURVE_LEVELS = 10  # of the curve that orders queries
 lane_numbers = vector(8, float32)
@@ -63,87 +52,14 @@ lane_bounds = vector(16, float32)  # upper bounds of eight squared distances, th
 
 
 @func
-def one_over(x: float) -> float:
-    """1 / x, 0 where there is none."""
-    safe = larger(x, 1e-38)
-    return 1.0 / safe if x >= 1e-38 else 0.0
-
-
-@func
-def edge_distance(ex: float, ey: float, ez: float, x: float, y: float, z: float) -> float:
-    """The squared distance of a point, seen from an edge's tail, from the edge."""
-    share = (ex * x + ey * y + ez * z) * one_over(ex * ex + ey * ey + ez * ez)
-    share = smaller(larger(share, 0.0), 1.0)
-    dx = x - ex * share
-    dy = y - ey * share
-    dz = z - ez * share
-    return dx * dx + dy * dy + dz * dz
-
-
-@func
 def bound_distances(corners: array(dtype=float32), leaf: int, q: vec3, scale: float) -> lane_bounds:
     """Bounds of the squared distances [m^2] of a point from a leaf's triangles."""
     bounds = lane_bounds(0.0)
-    at = leaf * LEAF_NUMBERS
     for j in range(LEAF):
-        ax = corners[at + j]
-        ay = corners[at + LEAF + j]
-        az = corners[at + 2 * LEAF + j]
-        bx = corners[at + 3 * LEAF + j] - ax
-        by = corners[at + 4 * LEAF + j] - ay
-        bz = corners[at + 5 * LEAF + j] - az
-        cx = corners[at + 6 * LEAF + j] - ax
-        cy = corners[at + 7 * LEAF + j] - ay
-        cz = corners[at + 8 * LEAF + j] - az
-        x = q[0] - ax
-        y = q[1] - ay
-        z = q[2] - az
-        nearest = edge_distance(bx, by, bz, x, y, z)
-        nearest = smaller(nearest, edge_distance(cx, cy, cz, x, y, z))
-        nearest = smaller(nearest, edge_distance(cx - bx, cy - by, cz - bz, x - bx, y - by, z - bz))
-        sizes = x * x + y * y + z * z + bx * bx + by * by + bz * bz + cx * cx + cy * cy + cz * cz
-        # the normal in units in which numbers of usual triangles are near one
-        ux = bx * scale
-        uy = by * scale
-        uz = bz * scale
-        vx = cx * scale
-        vy = cy * scale
-        vz = cz * scale
-        nx = uy * vz - uz * vy
-        ny = uz * vx - ux * vz
-        nz = ux * vy - uy * vx
-        area = nx * nx + ny * ny + nz * nz
-        inverse = scale * one_over(area)
-        second = ((vy * nz - vz * ny) * x + (vz * nx - vx * nz) * y + (vx * ny - vy * nx) * z) * inverse
-        third = ((ny * uz - nz * uy) * x + (nz * ux - nx * uz) * y + (nx * uy - ny * ux) * z) * inverse
-        x = x - bx * second - cx * third
-        y = y - by * second - cy * third
-        z = z - bz * second - cz * third
-        foot = x * x + y * y + z * z
-        inside = smaller(smaller(second, third), 1.0 - second - third)
-        nearest = smaller(nearest, foot if inside > 0.0 else nearest)
-        error = sizes * (ERROR if area > FLAT and area < HUGE else 1.0) + SMALLEST
-        bounds[j] = nearest + error
-        bounds[LEAF + j] = nearest - error
+        found = bound_distance(load_corners(corners, leaf * LEAF_NUMBERS + j), q, scale)
+        bounds[j] = found[0] + found[1]
+        bounds[LEAF + j] = found[0] - found[1]
     return bounds
-
-
-@func
-def measure_place(q: vec3, place: int, tree: TriangleTree) -> float64:
-    """The squared distance [m^2] of the triangle at a place, in float64."""
-    leaf = place // LEAF
-    lane = place % LEAF
-    a = widen(leaf_corner(tree.corners, leaf, lane, 0))
-    b = widen(leaf_corner(tree.corners, leaf, lane, 1))
-    c = widen(leaf_corner(tree.corners, leaf, lane, 2))
-    found = measure_triangle(widen(q), a, b, c)
-    return found[3]
-
-
-@func
-def reach_of(sqdist: float64) -> float:
-    """What a box's squared distance in float32 may come to where something in it lies within a squared distance."""
-    return float(min(sqdist * float64(SLACK) + float64(SMALLEST), float64(LARGEST_SQDIST)))
 
 
 @func
@@ -294,12 +210,15 @@ class NearestTriangles:
             queries: Device array of vec3, about the tree's origin; those beyond 1.8e19 m find nothing.
             mesh: Its number.
         """
-        run = 1 if queries.device.is_cuda else RUN
+        n, run = queries.size, RUN
+        threads = -(-n // run)
+        if queries.device.is_cuda:
+            run, threads = 1, -(-n * FAN // WARP) * WARP  # whole warps
         search = [queries, self.order, run, tree, scale_of(tree), mesh, self]
-        launch(find_nearest_triangles_kernel, -(-queries.size // run), search)
+        launch(find_nearest_triangles_kernel, threads, search)
 
 
-@kernel
+@kernel(most_registers=80)
 def find_nearest_triangles_kernel(
     queries: array(dtype=vec3),
     query_order: array(dtype=int32),
@@ -325,6 +244,31 @@ def find_nearest_triangles_kernel(
                     nearest.sqdists[row] = sqdist
                     nearest.meshes[row] = mesh
                     nearest.triangles[row] = tree.order[place]
+
+
+@find_nearest_triangles_kernel.on_cuda
+def find_nearest_triangles_of_lanes_kernel(
+    queries: array(dtype=vec3),
+    query_order: array(dtype=int32),
+    run: int,
+    tree: TriangleTree,
+    scale: float,
+    mesh: int,
+    nearest: NearestTriangles,
+):
+    """The same, eight lanes a query."""
+    i = tid()
+    rank = i // FAN
+    row = query_order[min(rank, queries.shape[0] - 1)]
+    q = queries[row]
+    searching = 1 if rank < queries.shape[0] and tree.count > 0 and isfinite(q) else 0
+    least = nearest.sqdists[row]
+    found = find_nearest_of_lanes(q, searching, tree, scale, min(least, float64(LARGEST_SQDIST)))
+    sync_lanes()  # all have read what one writes
+    if i % FAN == 0 and found[0] < least:
+        nearest.sqdists[row] = found[0]
+        nearest.meshes[row] = mesh
+        nearest.triangles[row] = int(found[1])
 
 
 def scale_of(tree: TriangleTree) -> float:

@@ -10,6 +10,7 @@ from pointloom.kernels.lang import (
     ballot,
     cuda_func,
     float32,
+    float64,
     func,
     int32,
     kernel,
@@ -101,6 +102,31 @@ def copy_kernel(row: Row, out: array(dtype=int32)):
     out[i] = row.counts[i]
 
 
+@func
+def turned_around(i: int, values: array(dtype=float64)) -> float64:
+    return values[i - i % 32 + 31 - i % 32] - values[i ^ 1]
+
+
+@turned_around.on_cuda
+def turned_around_of_lanes(i: int, values: array(dtype=float64)) -> float64:
+    return shuffle(values[i], 31 - i % 32) - shuffle_xor(values[i], 1)
+
+
+@kernel
+def turn_around_kernel(values: array(dtype=float64), out: array(dtype=float64)):
+    i = tid()
+    out[i] = turned_around(i, values)
+
+
+def test_lanes_hand_on_all_bits_of_float64(device):
+    values = np.random.default_rng(0).normal(size=64) * 1e300
+    out = empty(64, float64, device)
+    launch(turn_around_kernel, 64, [upload(values, float64, device), out])
+    rows = values.reshape(2, 32)
+    expected = rows[:, ::-1] - rows.reshape(2, 16, 2)[:, :, ::-1].reshape(2, 32)
+    np.testing.assert_array_equal(download(out), expected.ravel())
+
+
 @pytest.mark.parametrize("groups", [1, 3, 40])
 def test_a_variant_gives_what_the_walk_gives(device, groups):
     rng = np.random.default_rng(groups)
@@ -144,12 +170,12 @@ def test_lanes_are_refused_outside_a_variant():
             return lane_total(x)
 
 
-def test_lanes_take_numbers_of_32_bits():
+def test_lanes_take_whole_numbers_of_32_bits_and_floats():
     @cuda_func
     def far(x: float) -> float:
         return shuffle(x, x)
 
-    with pytest.raises(KernelLanguageError, match="it takes int32 or float32, and an int32 lane"):
+    with pytest.raises(KernelLanguageError, match="it takes int32, float32 or float64, and an int32 lane"):
         far.settle()
 
 
