@@ -33,7 +33,7 @@ CHECK_NEEDS := { $(PIP) check --quiet || $(PIP) check; }
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
 .NOTPARALLEL:
-.PHONY: help setup setup-runtime test test-all test-cuda-emulated test-cuda-emulated-quick test-browser mutants lint format types check-cuda cuda-cache trust bench docs docs-clean demo clean distclean
+.PHONY: gpu-kit gpu-run help setup setup-runtime test test-all test-cuda-emulated test-cuda-emulated-quick test-browser mutants lint format types check-cuda cuda-cache trust bench docs docs-clean demo clean distclean
 
 help: ## Print the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / {printf "  make %-24s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
@@ -82,6 +82,19 @@ check-cuda: $(RUNTIME) ## Compile every kernel for sm_75, sm_90 and sm_120 (need
 
 cuda-cache: $(RUNTIME) ## Compile all kernels for GPUs ahead, into a wheel in dist/ (no GPU; goes on where it stopped)
 	@$(BIN)/python -m pointloom.kernels.cuda_cache $(ARGS)
+
+# Of `make gpu-kit`: what a call to a GPU machine without network carries, and for what machine.
+CALL_MIB ?= 64
+CALLS ?= 4
+GPU_PYTHON ?= 3.12
+GPU_ARCHITECTURE ?= 90
+
+gpu-kit: $(TEST) ## Pack what a GPU machine without network needs, N MiB a call (no GPU; an hour of two cores, once)
+	@$(BIN)/python benchmarks/gpu_kit/pack.py --call-mib $(CALL_MIB) --calls $(CALLS) --python $(GPU_PYTHON) \
+		--architecture $(GPU_ARCHITECTURE) $(ARGS)
+
+gpu-run: $(BENCH) ## On a GPU: facts, all tests, benchmarks, profile; goes on where it ended (ARGS=--dry without a GPU)
+	@$(BIN)/python benchmarks/gpu_kit $(ARGS)
 
 trust: $(TEST) ## How often verdicts are wrong: answers believed, answers refused (half an hour, not in CI)
 	@$(BIN)/python benchmarks/trust/run.py $(ARGS)

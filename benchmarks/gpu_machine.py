@@ -1,47 +1,47 @@
-"""An H200 as a model: how long a launch takes, from what the emulated device counted of it.
+"""GPUs as a model: how long a launch takes, from what the emulated device counted of it.
 
 A launch takes as long as what binds it: giving out instructions, a unit of the SM, turns in the L1, bytes from the L2
-or from memory, or waiting, where too few warps are there to wait together. All constants are here, with where they are
-from; none was fitted to a measurement of pointloom, since none was made on a GPU.
+or from memory, fetching code, or waiting, where too few warps are there to wait together. What differs between chips is
+in gpu_chips.py; none of it was fitted to a measurement of pointloom, but for what a person took over from a GPU.
 """
 
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
-# NVIDIA H200 data sheet and H100 white paper; clock: the boost clock of the SXM module, which short kernels run at
-SMS, SCHEDULERS, CLOCK = 132, 4, 1.98e9
-WARPS, THREADS, BLOCKS, REGISTERS = 64, 2048, 32, 65_536  # of an SM
-L1_BYTES, SHARED_BYTES, RESERVED_SHARED = 256 << 10, 227 << 10, 1 << 10  # of an SM; of a block, by the driver
-# Bandwidth that copies and sweeps reach; the data sheet has 4.8e12 for the memory
-MEMORY_BANDWIDTH, L2_BANDWIDTH = 4.3e12, 5.5e12
-# Cycles until a load's value is there (microbenchmarks of H100: Luo et al. 2024, Chips and Cheese 2023)
-L1_CYCLES, L2_CYCLES, MEMORY_CYCLES = 36, 270, 650
-FILL_BYTES = 64  # a cycle from the L2 to an SM
-ATOMIC_RATE = 1.0  # a cycle at one address; of different ones
-ATOMICS_RATE = 96.0
+from gpu_chips import H200, Chip
+
+RESERVED_SHARED = 1 << 10  # bytes of a block, by the driver
 EFFICIENCY = 0.8  # of what binds: no kernel keeps one unit busy all the time
-LAUNCH, GRAPH_NODE, LOOP_TURN = 2.5e-6, 1.5e-6, 4e-6  # s before a launch, a node of a graph, a turn of its loop
-SORT_BANDWIDTH = 3.0e12  # of Warp's radix sort (CUB): scattered writes; passes take a launch each
-# Host: Python and Warp for a launch, a copy or fill, a graph's launch; a wait; a graph by node
-HOST_LAUNCH, HOST_COPY, HOST_GRAPH, WAIT = 20e-6, 8e-6, 8e-6, 10e-6
-GRAPH_MADE, GRAPH_MADE_NODE = 100e-6, 30e-6
-LINK_BANDWIDTH = 20e9  # pageable memory of the host, by PCIe
-LINK = ("(copy to host)", "(copy to device)")
+SORT_SHARE = 0.7  # of the memory's bandwidth: Warp's radix sort (CUB) writes scattered; passes take a launch each
+COPIES = {  # copies between host and device: the chip's field that says how fast
+    "(copy to host)": "link_fresh",
+    "(copy to device)": "link_pageable",
+    "(pinned copy to host)": "link_pinned",
+    "(pinned copy to device)": "link_pinned",
+}
+STAGED = 64 << 10  # bytes: the driver sends smaller copies of pageable memory through memory of its own that is pinned
 MOST_RATIO = 1.4  # of 45 kernels all but two have 0.78 to 1.42 of the instructions expected; those are unrolled loops
 FEW = 8  # rounds of blocks above which the last one, partly filled, is as good as none
+LINE, SECTOR = 128, 32
+# Spills and code, which nothing was measured of: loads of spilled registers that the assembler has wait together; bytes
+# of an instruction; how often a loop's code runs in a warp before it is hot
+SPILLS_TOGETHER, INSTRUCTION_BYTES, HOT_RUNS = 4, 16, 2
 
 
 @dataclass(frozen=True)
 class Resources:
-    """What a kernel's cubin for sm_90 says."""
+    """What a kernel's cubin says; lists go by the depth of loops, 0 outside of all."""
 
     registers: int = 32
     local_bytes: int = 0
     instructions: int = 0  # of the machine
     statements: int = 0  # cost of its PTX by the table of costs: instructions, each counted once
+    code: list[int] = field(default_factory=list)  # instructions of the machine
+    local_loads: list[int] = field(default_factory=list)  # of them: words that a lane loads from local memory
+    local_stores: list[int] = field(default_factory=list)
 
     @property
     def instruction_ratio(self) -> float:
@@ -58,18 +58,18 @@ class Resources:
         return self.instructions / self.statements if self.statements and self.instructions else 1.0
 
 
-def resident_blocks(resources: Resources, threads: int, shared: int) -> int:
+def resident_blocks(resources: Resources, threads: int, shared: int, chip: Chip = H200) -> int:
     """Blocks of threads that an SM holds at once."""
     warps = -(-threads // 32)
     registers = -(-resources.registers * 32 // 256) * 256 * warps
-    by_shared = (SHARED_BYTES + RESERVED_SHARED) // (shared + RESERVED_SHARED)
-    return max(1, min(BLOCKS, WARPS // warps, REGISTERS // registers, by_shared))
+    by_shared = (chip.shared_bytes + RESERVED_SHARED) // (shared + RESERVED_SHARED)
+    return max(1, min(chip.blocks, chip.warps // warps, chip.registers // registers, by_shared))
 
 
-def l1_share(resources: Resources, threads: int, shared: int) -> int:
+def l1_share(resources: Resources, threads: int, shared: int, chip: Chip = H200) -> int:
     """Bytes of the L1 for each block, if all that fit are there."""
-    blocks = resident_blocks(resources, threads, shared)
-    return max(L1_BYTES // blocks - shared - RESERVED_SHARED, 4 << 10)
+    blocks = resident_blocks(resources, threads, shared, chip)
+    return max(chip.l1_bytes // blocks - shared - RESERVED_SHARED, 4 << 10)
 
 
 @dataclass
@@ -79,6 +79,8 @@ class Prediction:
     seconds: float
     limits: dict[str, float]
     occupancy: float = 0.0  # share of an SM's warps that can be there; of the whole chip where blocks are few
+    spilled: float = 0.0  # bytes of spilled registers, loaded and stored
+    lost: float = 0.0  # bytes from and to memory that other resident warps push out of the L2
 
     @property
     def bound(self) -> str:
@@ -91,91 +93,167 @@ def _rounds(blocks: int, at_once: int) -> float:
     return exact if exact > FEW else math.ceil(exact)
 
 
-def _unit_cycles(units: dict[str, float]) -> dict[str, float]:
+def _unit_cycles(units: dict[str, float], chip: Chip) -> dict[str, float]:
     """Cycles of each unit; sums of integers go to the less busy of the two that can add."""
     found = {"instructions": units.get("issued", 0.0)} | {
         u: units.get(u, 0.0) for u in ("alu", "fma", "fp64", "xu", "lsu")
     }
+    found["fp64"] *= chip.fp64_cycles
     moved = min(max((found["alu"] + units.get("sums", 0.0) - found["fma"]) / 2, 0.0), units.get("sums", 0.0))
     found["fma"] += moved
     found["alu"] += units.get("sums", 0.0) - moved
     return found
 
 
-def predict_kernel(x: dict[str, Any], resources: Resources) -> Prediction:
+@dataclass(frozen=True)
+class _Spills:
+    """Spilled registers of a warp: how often it loads and stores a word for all its lanes, and what the L1 keeps."""
+
+    loads: float = 0.0
+    stores: float = 0.0
+    missed: float = 0.0  # share that goes to the L2
+    footprint: float = 0.0  # bytes of a warp
+
+    @property
+    def requests(self) -> float:
+        return self.loads + self.stores
+
+
+def _spills(x: dict[str, Any], resources: Resources, resident_warps: int, chip: Chip) -> _Spills:
+    """An instruction in a loop is a spill as often as the loop's code is: so the unrolled ones are counted rightly."""
+    runs, ratio = x.get("issued_by_depth") or [], resources.instruction_ratio
+    if not runs or not resources.code:
+        return _Spills()
+
+    def times(counts: list[int]) -> float:
+        found = 0.0
+        for depth, (count, code) in enumerate(zip(counts, resources.code, strict=False)):
+            run = runs[depth] if depth < len(resources.code) - 1 else sum(runs[depth:])
+            found += count / code * run * ratio if code else 0.0
+        return found
+
+    footprint = resources.local_bytes * 32
+    held = max(chip.l1_bytes - (x["shared_bytes"] + RESERVED_SHARED), 0)
+    missed = max(0.0, 1 - held / (footprint * resident_warps)) if footprint else 0.0
+    return _Spills(times(resources.local_loads), times(resources.local_stores), missed, footprint)
+
+
+def _fetched(x: dict[str, Any], resources: Resources, chip: Chip) -> float:
+    """Bytes of code that a block fetches anew, its warps close together: of loops that the cache cannot hold."""
+    runs, hot, often = x.get("issued_by_depth") or [], 0, 0.0
+    for depth, code in enumerate(resources.code):
+        run = sum(runs[depth:]) if depth == len(resources.code) - 1 else sum(runs[depth : depth + 1])
+        if code and run * resources.instruction_ratio >= HOT_RUNS * code:
+            hot, often = hot + code, often + run * resources.instruction_ratio
+    size = hot * INSTRUCTION_BYTES
+    return often * INSTRUCTION_BYTES * max(0.0, 1 - chip.code_bytes / size) if size else 0.0
+
+
+def predict_kernel(x: dict[str, Any], resources: Resources, chip: Chip = H200) -> Prediction:
     """A launch of a kernel; `x` is its LaunchCounts."""
     blocks, warps_of_block = x["blocks"], -(-x["threads"] // 32)
-    resident = resident_blocks(resources, x["threads"], x["shared_bytes"])
-    warps_of_sm = _rounds(blocks, SMS) * warps_of_block
-    warps_of_scheduler = max(warps_of_sm / SCHEDULERS, 1.0)
+    resident = resident_blocks(resources, x["threads"], x["shared_bytes"], chip)
+    warps_of_sm = _rounds(blocks, chip.sms) * warps_of_block
+    warps_of_scheduler = max(warps_of_sm / chip.schedulers, 1.0)
     ratio, total = resources.instruction_ratio, blocks * warps_of_block
+    resident_warps = min(total, chip.sms * resident * warps_of_block)
+    spills = _spills(x, resources, min(resident_warps, resident * warps_of_block), chip)
     limits = {}
-    for unit, cycles in _unit_cycles(x["units"]).items():
+    for unit, cycles in _unit_cycles(x["units"], chip).items():
         factor = 1.0 if unit == "lsu" else ratio
-        limits[unit] = warps_of_scheduler * cycles * factor / CLOCK
+        limits[unit] = warps_of_scheduler * cycles * factor / chip.clock
     traffic = x["traffic"]
-    limits["L1"] = warps_of_sm * sum(t["wavefronts"] for t in traffic.values()) / CLOCK
-    missed = 32 * total * sum(t["missed"] for t in traffic.values())
-    in_memory = min(x["memory_reads"], missed) / missed if missed else 0.0
-    limits["L2"] = max(missed / L2_BANDWIDTH, missed / total * warps_of_sm / FILL_BYTES / CLOCK)
-    limits["memory"] = (x["memory_reads"] + x["memory_writes"]) / MEMORY_BANDWIDTH
-    beyond = in_memory * MEMORY_CYCLES + (1 - in_memory) * L2_CYCLES
-    waits = (x["hits"] * L1_CYCLES + x["misses"] * beyond) / resources.turns_together
-    warp = x["chain"] * ratio + waits
-    limits["latency"] = _rounds(blocks, SMS * resident) * warp * x["imbalance"] / CLOCK
+    wavefronts = sum(t["wavefronts"] for t in traffic.values()) + spills.requests
+    limits["L1"] = warps_of_sm * wavefronts / chip.clock
+    missed_spills = LINE * total * spills.requests * spills.missed
+    missed = SECTOR * total * sum(t["missed"] for t in traffic.values()) + missed_spills
+    limits["L2"] = max(missed / chip.l2_bandwidth, missed / total * warps_of_sm / chip.fill_bytes / chip.clock)
+    lost = _lost(x, spills, total, resident_warps, missed_spills, chip)
+    in_memory = min(x["memory_reads"] + lost, missed) / missed if missed else 0.0
+    limits["memory"] = (x["memory_reads"] + x["memory_writes"] + lost) / chip.memory_bandwidth
+    beyond = in_memory * chip.memory_cycles + (1 - in_memory) * chip.l2_cycles
+    spilled_waits = spills.loads / SPILLS_TOGETHER * (spills.missed * beyond + (1 - spills.missed) * chip.l1_cycles)
+    waits = (x["hits"] * chip.l1_cycles + x["misses"] * beyond) / resources.turns_together
+    warp = x["chain"] * ratio + waits + spilled_waits
+    limits["latency"] = _rounds(blocks, chip.sms * resident) * warp * x["imbalance"] / chip.clock
+    limits["code"] = _rounds(blocks, chip.sms) * _fetched(x, resources, chip) / chip.fill_bytes / chip.clock
     atomics = total * traffic.get("global atomic", {}).get("lanes", 0.0)
-    limits["atomics"] = max(x["hot_atomics"] / ATOMIC_RATE, atomics / ATOMICS_RATE) / CLOCK
-    there = min(resident * warps_of_block, WARPS) * min(1.0, blocks / (SMS * resident))
-    return Prediction(max(limits.values()) / EFFICIENCY, limits, there / WARPS)
+    limits["atomics"] = max(x["hot_atomics"] / chip.atomic_rate, atomics / chip.atomics_rate) / chip.clock
+    there = min(resident * warps_of_block, chip.warps) * min(1.0, blocks / (chip.sms * resident))
+    spilled = LINE * total * spills.requests
+    return Prediction(max(limits.values()) / EFFICIENCY, limits, there / chip.warps, spilled, lost)
 
 
-def predict_other(x: dict[str, Any]) -> tuple[Prediction, int]:
+def _lost(
+    x: dict[str, Any], spills: _Spills, total: int, resident_warps: int, missed_spills: float, chip: Chip
+) -> float:
+    """Bytes that go to memory since all resident warps' own data, what each writes and reads again, outgrow the L2.
+
+    The counts do not know it: there the warps run one after the other. Of data that are walked through again and again
+    a cache keeps what fits.
+    """
+    own, again = SECTOR * x.get("own_sectors", 0.0), SECTOR * x.get("own_traffic", 0.0)
+    footprint = resident_warps * (own + spills.footprint * (spills.missed > 0))
+    share = max(0.0, 1 - chip.l2_bytes / footprint) if footprint else 0.0
+    return share * (total * again + missed_spills)
+
+
+def predict_other(x: dict[str, Any], chip: Chip = H200) -> tuple[Prediction, int]:
     """Warp's own functions, copies and fills: the prediction, and how many launches they are."""
     name, moved = x["kernel"], x["bytes_read"] + x["bytes_written"]
     if name == "(radix sort)":
-        return Prediction(moved / SORT_BANDWIDTH, {"memory": moved / SORT_BANDWIDTH}), 7
-    if name in LINK:
-        return Prediction(moved / LINK_BANDWIDTH, {"link": moved / LINK_BANDWIDTH}), 1
+        seconds = moved / (SORT_SHARE * chip.memory_bandwidth)
+        return Prediction(seconds, {"memory": seconds}), 7
+    if name in COPIES:
+        seconds = moved / (chip.link_pinned if moved <= STAGED else getattr(chip, COPIES[name]))
+        return Prediction(seconds, {"link": seconds}), 1
     if name in ("(wait)", "(graph launch)", "(graph made)", "(turn of a loop)"):
-        return Prediction(LOOP_TURN if name == "(turn of a loop)" else 0.0, {}), 0
-    return Prediction(moved / MEMORY_BANDWIDTH, {"memory": moved / MEMORY_BANDWIDTH}), 2 if name == "(scan)" else 1
+        return Prediction(chip.loop_turn if name == "(turn of a loop)" else 0.0, {}), 0
+    seconds = moved / chip.memory_bandwidth
+    return Prediction(seconds, {"memory": seconds}), 2 if name == "(scan)" else 1
 
 
-def host_seconds(x: dict[str, Any]) -> float:
+def host_seconds(x: dict[str, Any], chip: Chip = H200) -> float:
     """What the host does for a launch, before the device can begin."""
-    if x["in_graph"]:
+    if x["in_graph"] or x["kernel"] == "(wait)":
         return 0.0
     if x["kernel"] == "(graph made)":
-        return GRAPH_MADE + GRAPH_MADE_NODE * x["nodes"]
-    if x["kernel"] == "(wait)":
-        return 0.0
+        return chip.graph_made + chip.graph_made_node * x["nodes"]
     if x["kernel"] == "(graph launch)":
-        return HOST_GRAPH
-    return HOST_COPY if x["kernel"].startswith("(") else HOST_LAUNCH
+        return chip.host_graph
+    return chip.host_copy if x["kernel"].startswith("(") else chip.host_launch
 
 
 @dataclass
 class Timeline:
     """A call, launch after launch: the device's time alone, and the caller's, in which the host can be the slower.
 
-    Copies from and to the host are in the caller's alone.
+    Copies from and to the host are in the caller's alone. `factor` makes the host's steps as long as they were measured
+    to be where that is known; `before` is what it does besides, allocations above all.
     """
 
+    chip: Chip = H200
+    factor: float = 1.0
+    before: float = 0.0
     device: float = 0.0
     host_clock: float = 0.0
     device_clock: float = 0.0
     waits: int = 0
     is_idle: bool = False  # nothing has been given to the device since the last wait
 
+    def __post_init__(self) -> None:
+        self.host_clock += self.before
+
     def add(self, x: dict[str, Any], seconds: float, launches: int) -> None:
         """Append a launch, or several that are alike."""
-        gap, times = launches * (GRAPH_NODE if x["in_graph"] else LAUNCH), x.get("times", 1)
-        self.device += times * (seconds + gap) if x["kernel"] not in LINK else 0.0
-        self.host_clock += times * host_seconds(x)
+        gap = launches * (self.chip.graph_node if x["in_graph"] else self.chip.launch)
+        name, times = x["kernel"], x.get("times", 1)
+        self.device += times * (seconds + gap) if name not in COPIES else 0.0
+        self.host_clock += times * self.factor * host_seconds(x, self.chip)
         self.device_clock = max(self.device_clock, self.host_clock) + times * (seconds + gap)
-        if x["kernel"] == "(copy to host)" or (x["kernel"] == "(wait)" and not self.is_idle):
+        if name == "(copy to host)" or (name == "(wait)" and not self.is_idle):
             self.waits += times
-            self.host_clock = max(self.host_clock, self.device_clock) + times * WAIT
+            self.host_clock = max(self.host_clock, self.device_clock) + times * self.chip.wait
             self.is_idle = True
         elif launches:
             self.is_idle = False

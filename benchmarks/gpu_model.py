@@ -1,12 +1,13 @@
-"""Predict what operations would take on an H200, from counts, as a table.
+"""Predict what operations would take on a GPU, from counts, as a table.
 
-    python benchmarks/gpu_model.py [NAME ...] [--sizes 200k 1M] [--save FILE | --write]
+    python benchmarks/gpu_model.py [NAME ...] [--sizes 200k 1M] [--chip h200] [--save FILE | --write]
     python benchmarks/gpu_model.py --read benchmarks/results/gpu-model-before.json
     python benchmarks/gpu_model.py normals_k30 --sizes 200k --lines     # and the source lines that cost most
 
 Each operation runs on the emulated device in a process of its own (gpu_counts.py), which counts what its warps ran and
-what they asked of memory; gpu_machine.py makes seconds of that. A model, no measurement. --save keeps the counts,
---read predicts from kept ones, and --write keeps them in benchmarks/results and writes the tables of docs/gpu.md.
+what they asked of memory; gpu_machine.py makes seconds of that. A model, no
+measurement: `make gpu-run` measures. --save keeps the counts, --read predicts from kept ones, and --write keeps them in
+benchmarks/results and writes the tables of docs/gpu.md.
 """
 
 from __future__ import annotations
@@ -19,7 +20,7 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-from gpu_measure import measure
+from gpu_chips import CHIPS, chip_named
 from gpu_operations import OPERATIONS, SIZES
 from gpu_page import write_page
 from gpu_prediction import Predicted, predict
@@ -39,13 +40,13 @@ def _short(x: float) -> str:
 def _print_breakdown(found: Predicted) -> None:
     """One line a kernel, the slowest first."""
     head = f"{'kernel':34}{'launches':>9}{'us':>9}  {'bound by':13}{'warp instr':>11}{'active':>8}{'sect/req':>9}"
-    print(head + f"{'L2 B':>8}{'mem B':>8}{'local B':>8}{'regs':>6}{'stack':>6}{'occ.':>7}")
+    print(head + f"{'L2 B':>8}{'mem B':>8}{'lost B':>8}{'local B':>8}{'regs':>6}{'stack':>6}{'occ.':>7}")
     for name, row in sorted(found.rows.items(), key=lambda item: -item[1].seconds):
         bound = max(row.bounds, key=lambda k: row.bounds[k]) if row.bounds else "-"
         print(
             f"{name[:33]:34}{row.launches:9}{1e6 * row.seconds:9.1f}  {bound:13}{_short(row.instructions):>11}"
             f"{100 * row.active:7.0f}%{row.sectors_a_request:9.1f}{_short(row.l2_bytes):>8}"
-            f"{_short(row.memory_bytes):>8}{_short(row.local_bytes):>8}{row.registers:6}{row.spilled:6}"
+            f"{_short(row.memory_bytes):>8}{_short(row.lost_bytes):>8}{_short(row.local_bytes):>8}{row.registers:6}{row.spilled:6}"
             f"{100 * row.occupancy:6.1f}%"
         )
 
@@ -56,7 +57,7 @@ def _print_summary(found: Predicted) -> None:
     operation, size, host = OPERATIONS[counts["operation"]], counts["size"], counts["host"]
     bar = f", bar {operation.bar} ms at {operation.bar_size:,}" if operation.bar else ""
     print(
-        f"\n{operation.name}, {size:,}: predicted {1e3 * timeline.device:.3f} ms on the device, "
+        f"\n{operation.name}, {size:,}, {found.chip.title}: predicted {1e3 * timeline.device:.3f} ms on the device, "
         f"{1e3 * timeline.call:.3f} ms for the caller (a model){bar}; limit {1e3 * operation.limit(size):.4f} ms"
     )
     print(f"  host: {', '.join(f'{count} {name}' for name, count in host.items() if count)}")
@@ -112,16 +113,15 @@ def main() -> int:
     parser.add_argument(
         "--fast", action="store_true", help="run only what is counted of kernels whose results end the call"
     )
-    parser.add_argument("--measure", action="store_true", help="on a GPU: measure, beside what was predicted")
+    parser.add_argument("--chip", choices=CHIPS, default="h200", help="the GPU (h200)")
     given = parser.parse_args()
-    if given.measure:
-        return measure(list(_runs(given.operations, given.sizes)))
+    chip = chip_named(given.chip)
     file, failures = todays_file() if given.write else given.save, 0
     how = ["lines"] * given.lines + ["fast"] * given.fast
     if given.read:
         for counts in kept(given.read):
             if not given.operations or counts["operation"] in given.operations:
-                print_call(predict(counts))
+                print_call(predict(counts, chip))
         if given.write:
             write_page()
         return 0
@@ -132,7 +132,7 @@ def main() -> int:
             print(f"{name}, {size:,}: failed, {error}", file=sys.stderr)
             failures += 1
             continue
-        print_call(predict(counts))
+        print_call(predict(counts, chip))
         _print_lines(counts.pop("lines", []))
         if file:
             keep(file, counts)

@@ -12,13 +12,12 @@ from typing import Any
 import numpy as np
 import scenes
 from bench_icp import DISTANCE, ITERATIONS, offset
-from gpu_machine import CLOCK, GRAPH_NODE, L2_BANDWIDTH, MEMORY_BANDWIDTH, SMS
+from gpu_chips import H200
 from mesh_scenes import scene_in_pointloom, wavy_mesh
 
 DEVICE = "cuda:0"
 SIZES = (200_000, 1_000_000)
 POINT, NORMAL, INDEX, BOXES = 12, 12, 4, 3  # bytes a point; boxes of the tree: a 64th of 24 B by level and half
-FLOAT_RATE = SMS * 128 * 2 * CLOCK  # float32 operations a second, a fused product two
 
 
 @dataclass(frozen=True)
@@ -47,12 +46,12 @@ class Operation:
 
 def moved(size: float) -> float:
     """Seconds to move bytes between memory and chip, once."""
-    return size / MEMORY_BANDWIDTH
+    return size / H200.memory_bandwidth
 
 
 def computed(operations: float) -> float:
     """Seconds of float32 arithmetic, nothing else given out."""
-    return operations / FLOAT_RATE
+    return operations / H200.float_rate
 
 
 # ------------------------------------------------------------------------------------------------ clouds
@@ -217,7 +216,7 @@ def search_limit(results: float, neighbors: int, operations: float) -> Callable[
 
 def _icp_limit(size: int) -> float:
     """Each step reads source point, its pair and that one's normal from the L2, and waits for the step before."""
-    return ITERATIONS * (2 * GRAPH_NODE + size * (POINT + POINT + NORMAL) / L2_BANDWIDTH)
+    return ITERATIONS * (2 * H200.graph_node + size * (POINT + POINT + NORMAL) / H200.l2_bandwidth)
 
 
 ROWS = (
@@ -283,7 +282,7 @@ ROWS = (
     Operation(
         "farthest_points",
         on_cloud(lambda c, n: c.farthest_point_down_sample(1000), tree=True),
-        lambda n: 1000 * GRAPH_NODE,
+        lambda n: 1000 * H200.graph_node,
         "1,000 choices, each after the one before",
     ),
     Operation(
@@ -298,7 +297,7 @@ ROWS = (
     Operation(
         "ransac",
         _ransac,
-        lambda n: max(4 * GRAPH_NODE, computed(n * 0.05 * 9_100 * 20)),
+        lambda n: max(4 * H200.graph_node, computed(n * 0.05 * 9_100 * 20)),
         "a twentieth of the samples passes and is scored by 9,100 pairs",
         5.0,
         100_000,

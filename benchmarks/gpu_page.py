@@ -5,16 +5,22 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
+from gpu_chips import CHIPS, H200, Chip, chip_named
+from gpu_kit.documents import newest_runs
 from gpu_operations import OPERATIONS
 from gpu_prediction import Predicted, predict
-from gpu_results import BEFORE, kept, newest
+from gpu_results import BEFORE, kept, measured_hosts, newest
 
 PAGE = Path(__file__).parents[1] / "docs" / "gpu.md"
+SHOWN = [chip_named(name) for name in CHIPS if name != "rtx-5090"]  # columns; `gpu_model.py --chip` has them all
 BEGIN, END = "<!-- gpu_model: begin -->", "<!-- gpu_model: end -->"
 
 
-def _predictions(all_counts: list[dict[str, Any]]) -> dict[tuple[str, int], Predicted]:
-    return {(counts["operation"], counts["size"]): predict(counts) for counts in all_counts}
+def _predictions(
+    all_counts: list[dict[str, Any]], chip: Chip = H200, hosts: dict[str, float] | None = None
+) -> dict[tuple[str, int], Predicted]:
+    hosts = hosts or {}
+    return {(c["operation"], c["size"]): predict(c, chip, hosts.get(c["operation"])) for c in all_counts}
 
 
 def _milliseconds(seconds: float) -> str:
@@ -51,27 +57,41 @@ def _both(before: str, now: str) -> str:
     return now if before in ("", now) else f"{before} → {now}"
 
 
+def measured_cell(runs: dict[str, dict[str, Any]], key: str, name: str) -> str:
+    """A figure of the newest run of each GPU; figures that nobody measured are words."""
+    found = [
+        f"{operation[name]:.3g} ({chip})"
+        for chip, run in runs.items()
+        if name in (operation := run.get("operations", {}).get(key, {}))
+    ]
+    return ", ".join(found) or "not measured"
+
+
 def times_table() -> list[str]:
-    """Predicted times before and now, beside what was asked for and what is possible."""
-    before, now = _predictions(kept(BEFORE)), _predictions(newest())
+    """Predicted times before and now, beside what was measured, what was asked for and what is possible."""
+    before, runs = _predictions(kept(BEFORE)), newest_runs()
+    hosts = measured_hosts()
+    now = {chip.name: _predictions(newest(), chip, hosts) for chip in SHOWN}
+    titles = " | ".join(f"{chip.title} now" for chip in SHOWN)
     lines = [
-        "| operation | size | device ms before | now | asked | limit | now / limit | caller ms now | waits"
-        " | limit by |",
-        "|---|---|---|---|---|---|---|---|---|---|",
+        f"| operation | size | device ms, {H200.title} before | {titles} | measured | asked | limit | now / limit"
+        " | caller ms now | measured | waits | limit by |",
+        "|---" * (11 + len(SHOWN)) + "|",
     ]
     for operation in OPERATIONS.values():
         for size in operation.sizes:
-            old, new = before.get((operation.name, size)), now.get((operation.name, size))
-            if old is None and new is None:
+            key = (operation.name, size)
+            old, new = before.get(key), now[H200.name].get(key)
+            last = new or old
+            if last is None:
                 continue
-            limit = operation.limit(size)
+            limit, name = operation.limit(size), f"{operation.name} {size}"
             asked = f"{operation.bar:g}" if operation.bar and size == operation.bar_size else ""
             cells = [operation.name, f"{size:,}", _milliseconds(old.timeline.device) if old else ""]
-            cells += [_milliseconds(new.timeline.device) if new else "", asked, _milliseconds(limit)]
-            cells += [f"{new.timeline.device / limit:.3g}" if new else ""]
-            last = new or old
-            assert last is not None
-            cells += [_milliseconds(last.timeline.call), str(last.timeline.waits), operation.why]
+            cells += [_milliseconds(now[c.name][key].timeline.device) if key in now[c.name] else "" for c in SHOWN]
+            cells += [measured_cell(runs, name, "device_ms"), asked, _milliseconds(limit)]
+            cells += [f"{new.timeline.device / limit:.3g}" if new else "", _milliseconds(last.timeline.call)]
+            cells += [measured_cell(runs, name, "caller_ms"), str(last.timeline.waits), operation.why]
             lines.append(f"| {' | '.join(cells)} |")
     return lines
 

@@ -13,6 +13,7 @@ PAGES = sorted(
     if COPIES not in path.parents
 )
 PAGES += ["kernels/README.md", "benchmarks/README.md", "tests/emulated_cuda/README.md"]
+PAGES += ["benchmarks/gpu_kit/README.md"]
 
 
 def links_of(page: str) -> list[str]:

@@ -12,6 +12,7 @@ BENCHMARKS = str(Path(__file__).parents[1] / "benchmarks")
 sys.path.append(BENCHMARKS)
 import gpu_machine as machine  # noqa: E402
 import gpu_results  # noqa: E402
+from gpu_chips import H200  # noqa: E402
 from gpu_machine import Resources, Timeline, predict_kernel, predict_other, resident_blocks  # noqa: E402
 
 sys.path.remove(BENCHMARKS)
@@ -43,8 +44,8 @@ def test_blocks_on_an_sm_are_bounded_by_registers_threads_and_shared_memory(regi
 def test_a_schedulers_instructions_are_given_out_one_a_cycle():
     found = predict_kernel(launch(units={"issued": 1000.0}), Resources())
     cycles = 100 * 8 / 4 * 1000  # blocks of an SM, warps of a block, schedulers
-    assert found.limits["instructions"] == pytest.approx(cycles / machine.CLOCK)
-    assert found.seconds == pytest.approx(cycles / machine.CLOCK / machine.EFFICIENCY)
+    assert found.limits["instructions"] == pytest.approx(cycles / H200.clock)
+    assert found.seconds == pytest.approx(cycles / H200.clock / machine.EFFICIENCY)
     assert found.bound == "instructions"
 
 
@@ -72,7 +73,7 @@ def test_warps_that_wait_alone_are_bound_by_latency():
     counts = {"misses": 100.0, "units": {"issued": 200.0}, "chain": 800.0}
     alone = predict_kernel(launch(blocks=132, **counts), Resources(255))
     assert alone.bound == "latency"
-    assert alone.limits["latency"] == pytest.approx((800 + 100 * machine.L2_CYCLES) / machine.CLOCK)
+    assert alone.limits["latency"] == pytest.approx((800 + 100 * H200.l2_cycles) / H200.clock)
     # eight times the blocks on an SM that holds one at once, or eight
     crowd = predict_kernel(launch(blocks=132 * 8, **counts), Resources(255))
     beside = predict_kernel(launch(blocks=132 * 8, **counts), Resources(32))
@@ -81,7 +82,7 @@ def test_warps_that_wait_alone_are_bound_by_latency():
 
 def test_atomics_at_one_address_go_one_after_the_other():
     found = predict_kernel(launch(hot_atomics=1e6), Resources())
-    assert found.limits["atomics"] == pytest.approx(1e6 / machine.CLOCK)
+    assert found.limits["atomics"] == pytest.approx(1e6 / H200.clock)
 
 
 def test_the_machines_instructions_scale_those_of_the_table():
@@ -98,13 +99,13 @@ def test_a_host_that_is_slower_than_the_device_is_what_the_caller_waits_for():
     timeline = Timeline()
     for _ in range(10):
         timeline.add(launch(), 1e-6, 1)
-    assert timeline.device == pytest.approx(10 * (1e-6 + machine.LAUNCH))
-    assert timeline.call == pytest.approx(10 * machine.HOST_LAUNCH + 1e-6 + machine.LAUNCH)
+    assert timeline.device == pytest.approx(10 * (1e-6 + H200.launch))
+    assert timeline.call == pytest.approx(10 * H200.host_launch + 1e-6 + H200.launch)
     graph = Timeline()
     graph.add(launch(kernel="(graph launch)"), 0.0, 0)
     for _ in range(10):
         graph.add(launch(in_graph=True), 1e-6, 1)
-    assert graph.call == pytest.approx(machine.HOST_GRAPH + 10 * (1e-6 + machine.GRAPH_NODE))
+    assert graph.call == pytest.approx(H200.host_graph + 10 * (1e-6 + H200.graph_node))
 
 
 def test_a_copy_to_the_host_is_a_wait():
@@ -117,7 +118,7 @@ def test_a_copy_to_the_host_is_a_wait():
     assert timeline.waits == 2
     timeline.add(launch(kernel="(wait)"), 0.0, 0)
     assert timeline.waits == 2  # nothing to wait for
-    assert timeline.call > 1e-3 + machine.WAIT
+    assert timeline.call > 1e-3 + H200.wait
 
 
 def test_counts_come_back_from_their_file(tmp_path):

@@ -14,6 +14,7 @@ import warp as wp
 from . import pool_code
 from .cache_folders import cache_folder, is_writable, temporary_cache
 from .quiet import kept_from_stderr
+from .register_limits import most_registers_of
 
 wp.config.log_level = wp.LOG_ERROR  # no banner on stdout: it belongs to the program
 
@@ -182,8 +183,8 @@ def make_kernel(function: Callable, is_builtin: Callable[[Any], bool], place: st
     """A Warp kernel without its adjoint, in the file's module for a place, or for what CUDA runs as it is written."""
     _set_options(function.__module__)
     home = _module_of(function.__module__, place) if place else None
-    twin, most = rebind(function, is_builtin), most_registers or None
-    return wp.kernel(twin, enable_backward=False, module=home, cuda_max_registers=most)
+    most = 0 if place == "cpu" else most_registers_of(function.__name__, most_registers)
+    return wp.kernel(rebind(function, is_builtin), enable_backward=False, module=home, cuda_max_registers=most or None)
 
 
 def cuda_module(module: str) -> Any:
@@ -228,7 +229,7 @@ class _Reduction:
         function = compile_source(f"{self.name}_{suffix}", source, self.inner, self.module)
         function.__annotations__ = types
         home = _module_of(self.module, "cuda" if suffix.endswith("tiles") else "cpu")
-        most = self.most_registers if suffix == "tiles" else 0
+        most = most_registers_of(self.name, self.most_registers) if suffix == "tiles" else 0
         return wp.kernel(function, enable_backward=False, module=home, cuda_max_registers=most or None)
 
 

@@ -1,0 +1,102 @@
+"""Ask a GPU all that could not be known without one: python benchmarks/gpu_kit [--seconds N] [--dry].
+
+    make gpu-run                                  facts, questions, tests, benchmarks, profile, register trials, tools
+    make gpu-run ARGS="--seconds 600"             what fits in ten minutes; again, and it goes on where it ended
+    make gpu-run ARGS="--steps profile --again profile"
+    make gpu-run ARGS=--dry                       the same on the emulated device, small: no figure is written
+    make gpu-run ARGS="--take call4.tar.gz"       take in what came back from a machine that call.sh ran on
+
+The figures go to benchmarks/results/gpu-run-CHIP-DATE-COMMIT.json and from there into docs/gpu.md, constants for review
+to gpu-constants-CHIP.json; the last thing printed is where the model was wrong by more than two.
+"""
+
+from __future__ import annotations
+
+import argparse
+import shutil
+import sys
+import tarfile
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+
+from gpu_kit.device import ROOT, EmulatedDeviceError
+from gpu_kit.documents import keep
+from gpu_kit.runner import Run
+from gpu_kit.steps import STEPS
+
+HOUR = 3600.0
+
+
+def _options() -> argparse.Namespace:
+    parser = argparse.ArgumentParser(
+        prog="make gpu-run", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
+    names = [step.name for step in STEPS]
+    parser.add_argument("--seconds", type=float, default=HOUR, metavar="N", help="that all may take (an hour)")
+    parser.add_argument(
+        "--steps", nargs="+", choices=names, default=names, metavar="STEP", help=f"of {', '.join(names)}"
+    )
+    parser.add_argument("--again", nargs="+", choices=names, default=[], metavar="STEP", help="that are done once more")
+    parser.add_argument("--state", type=Path, help="where marks, logs and parts are kept (build/gpu-run)")
+    parser.add_argument("--dry", action="store_true", help="on the emulated device: does the kit itself work?")
+    parser.add_argument("--pieces", nargs="*", metavar="PIECE", help="that have come; for call.sh")
+    parser.add_argument("--no-keep", action="store_true", help="write no results: they are taken in elsewhere")
+    parser.add_argument("--take", nargs="+", type=Path, metavar="FILE", help="run nothing: take in what came back")
+    return parser.parse_args()
+
+
+def main() -> int:
+    """Run; the exit code is 1 where a step failed."""
+    options = _options()
+    state = options.state or ROOT / "build" / ("gpu-run-dry" if options.dry else "gpu-run")
+    if options.take:
+        _unpack(options.take, state)
+        return _conclude(state)
+    if options.dry and options.state is None:
+        shutil.rmtree(state, ignore_errors=True)
+    run = Run(state, options.seconds, dry=options.dry)
+    for name in options.again:
+        run.forget(name)
+    failed = run.all([step for step in STEPS if step.name in options.steps], options.pieces)
+    if options.dry:
+        return 1 if failed else _conclude_dry(state)
+    if not options.no_keep:
+        _conclude(state)
+    return 1 if failed else 0
+
+
+def _unpack(archives: list[Path], state: Path) -> None:
+    """Parts, logs and marks of the calls, those of later calls over those of earlier ones."""
+    state.mkdir(parents=True, exist_ok=True)
+    for archive in archives:
+        with tarfile.open(archive) as file:
+            file.extractall(state, filter="data")
+
+
+def _conclude(state: Path) -> int:
+    """Write the document and the page, and print where the model was wrong."""
+    from gpu_page import write_page
+
+    from gpu_kit.compare import report
+
+    path = keep(state)
+    print(f"wrote {path.relative_to(ROOT)}; review the constants beside it, and fill in `reviewed_by`")
+    write_page()
+    print(report())
+    return 0
+
+
+def _conclude_dry(state: Path) -> int:
+    """A dry run ends well where its figures are refused."""
+    try:
+        path = keep(state)
+    except EmulatedDeviceError as error:
+        print(f"dry run: all steps ran, and nothing was kept ({error})")
+        return 0
+    print(f"dry run: figures of the emulated device were written to {path}")
+    return 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,95 @@
+"""The benchmarks on the GPU beside their peers, an operation a process, the most telling first, within some seconds.
+
+    python -m gpu_kit.benches STATE SECONDS
+
+benchmarks/run.py makes one document of all at its end, and measures memory; here each operation's rows are kept as soon
+as they are there, and the next run goes on with the others.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+from typing import Any
+
+from contest import operations, versions
+from report import collect, table
+
+from gpu_kit import device as devices
+from gpu_kit.documents import keep_part
+from gpu_kit.runner import MORE
+
+ORDER = [
+    "normals_hybrid", "normals_knn30", "knn20_query", "icp_plane", "tsdf_integrate", "voxel_down_sample", "fpfh",
+    "dbscan", "statistical_outliers", "ransac", "register_globally", "marching_cubes", "tsdf_mesh", "closest_points",
+    "cast_rays", "rgbd_odometry", "slam", "gicp", "poisson", "decimation", "odometry", "stereo_pair",
+    "farthest_points", "segment_plane", "feature_matching", "icp_batch", "orient_consistently", "smooth",
+    "cloud_distance", "radius_outliers", "reconstruction", "ball_pivoting", "alpha_shape", "render", "iss_keypoints",
+]  # fmt: skip
+DRY_ORDER = ["voxel_down_sample"]
+AT_LEAST, AT_MOST = 15.0, 80.0  # seconds of an operation
+
+
+def chosen() -> dict[str, str]:
+    """Operations and the modules that hold them, in order; those that are not named come last."""
+    known = operations()
+    found: dict[str, str] = {}
+    for prefix in DRY_ORDER if devices.is_dry() else [*ORDER, ""]:
+        for name, (module, _) in known.items():
+            if name.startswith(prefix) or module == f"bench_{prefix}":
+                found.setdefault(name, module)
+    return found
+
+
+def time_one(name: str, module: str, seconds: float) -> tuple[dict[str, Any] | None, str]:
+    """pytest-benchmark's document of an operation, or why there is none."""
+    with tempfile.TemporaryDirectory() as folder:
+        result = Path(folder) / "benchmark.json"
+        command = [sys.executable, "-m", "pytest", f"benchmarks/{module}.py", "-q", "-s", "--tb=line"]
+        command += ["-p", "gpu_kit.dry_plugin"] if devices.is_dry() else []
+        command += [f"--benchmark-json={result}", "--benchmark-quiet", f"--bench-device={devices.NAME}"]
+        command += [f"--bench-operation={name}", "-o", "filterwarnings=default", *["--bench-quick"] * devices.is_dry()]
+        try:
+            done = subprocess.run(command, capture_output=True, text=True, timeout=seconds, check=False)
+        except subprocess.TimeoutExpired:
+            return None, f"took more than {seconds:.0f} s"
+        if result.exists() and result.stat().st_size:
+            return json.loads(result.read_text()), ""
+    return None, f"exit {done.returncode}: {(done.stdout + done.stderr)[-700:]}"
+
+
+def main() -> int:
+    """Time the operations that are left; MORE where some still are."""
+    state, end = Path(sys.argv[1]), time.monotonic() + float(sys.argv[2])
+    device, kept = devices.start(), state / "parts" / "benchmarks.json"
+    os.environ.setdefault("BENCH_THREADS", str(max(2, (os.cpu_count() or 2) - 2)))
+    found: dict[str, Any] = json.loads(kept.read_text())["content"] if kept.exists() else {"operations": {}}
+    found["versions"] = versions()
+    complete = True
+    for name, module in chosen().items():
+        if name in found["operations"]:
+            continue
+        left = end - time.monotonic()
+        if left < AT_LEAST:
+            print(f"no time left before {name}")
+            complete = False
+            break
+        document, why = time_one(name, module, min(left - 3, AT_MOST))
+        rows = list(collect([document]).values()) if document else []
+        found["operations"][name] = [
+            {"size": row.size, "peer": label, "best_ms": 1e3 * timing.best, "median_ms": 1e3 * timing.median}
+            for row in rows
+            for label, timing in row.timings.items()
+        ] or {"error": why}
+        keep_part(state, device, "benchmarks", found)
+        print(table(rows, with_targets=False) if rows else f"{name}: no table: {why}", flush=True)
+    return 0 if complete else MORE
+
+
+if __name__ == "__main__":
+    sys.exit(main())

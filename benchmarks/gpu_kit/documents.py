@@ -1,0 +1,120 @@
+"""What a run found: a part a step while it goes on, one document of a GPU at its end, whole or not at all.
+
+A part says which device it is of. Nothing of the emulated device becomes a document, and none is read that says so.
+"""
+
+from __future__ import annotations
+
+import datetime
+import json
+import subprocess
+from pathlib import Path
+from typing import Any
+
+from gpu_kit.device import EMULATED, ROOT, Device, EmulatedDeviceError, chip_of
+
+RESULTS = ROOT / "benchmarks" / "results"
+PATTERN, CONSTANTS = "gpu-run-*.json", "gpu-constants-{chip}.json"
+FORMAT = 1
+
+
+def write_json(path: Path, content: Any) -> None:
+    """Write a document so that it is there whole or not at all."""
+    from pointloom.core.atomic import atomic_write
+
+    path.parent.mkdir(parents=True, exist_ok=True)
+    with atomic_write(path) as file:
+        file.write((json.dumps(content, indent=1, sort_keys=True) + "\n").encode())
+
+
+def keep_part(state: Path, device: Device, name: str, content: Any) -> None:
+    """Keep what a step has found so far, in the place of what it had found before."""
+    write_json(state / "parts" / f"{name}.json", {"device": device.as_json(), "content": content})
+
+
+def refuse_emulated(device: dict[str, Any]) -> None:
+    """Raise where a device is none.
+
+    Raises:
+        EmulatedDeviceError: It is the emulated one, or has no name.
+    """
+    name = str(device.get("name", ""))
+    if not name or EMULATED in name.lower():
+        raise EmulatedDeviceError(f"{name or 'a device without a name'}: no figure of it is kept, none was measured")
+
+
+def collected(state: Path) -> dict[str, Any]:
+    """The document of a run, from its parts.
+
+    Raises:
+        EmulatedDeviceError: A part is of the emulated device.
+        ValueError: There is none, or they are of different devices.
+    """
+    parts = {path.stem: json.loads(path.read_text()) for path in sorted((state / "parts").glob("*.json"))}
+    if not parts:
+        raise ValueError(f"{state}: no step has left anything")
+    devices = []
+    for part in parts.values():
+        refuse_emulated(part["device"])
+        if part["device"] not in devices:
+            devices.append(part["device"])
+    if len(devices) > 1:
+        raise ValueError(f"{state}: of different devices: {', '.join(d['name'] for d in devices)}; begin anew")
+    commit, dirty = _commit()
+    return {
+        "format": FORMAT,
+        "device": devices[0],
+        "date": datetime.datetime.now(datetime.UTC).isoformat(timespec="seconds"),
+        "commit": commit,
+        "dirty": dirty,
+        **{name: part["content"] for name, part in parts.items()},
+    }
+
+
+def keep(state: Path, folder: Path = RESULTS) -> Path:
+    """Write the document of a run, and its constants for review; the document's path.
+
+    Raises:
+        EmulatedDeviceError, ValueError: As `collected`.
+    """
+    document = collected(state)
+    chip = chip_of(document["device"]["name"])
+    path = folder / f"gpu-run-{chip}-{document['date'][:10]}-{document['commit'][:7]}.json"
+    write_json(path, document)
+    if constants := document.get("constants"):
+        _propose_constants(folder / CONSTANTS.format(chip=chip), document, constants)
+    return path
+
+
+def _propose_constants(path: Path, document: dict[str, Any], constants: dict[str, float]) -> None:
+    """Constants that a person has reviewed stay until a person replaces them: new ones lie beside them."""
+    there = json.loads(path.read_text()) if path.exists() else {}
+    to = path.with_suffix(".new.json") if there.get("reviewed_by") else path
+    about = {name: document[name] for name in ("device", "date", "commit")}
+    write_json(to, {**about, "reviewed_by": "", "constants": constants})
+
+
+def newest_runs(folder: Path = RESULTS) -> dict[str, dict[str, Any]]:
+    """The newest document of each chip.
+
+    Raises:
+        EmulatedDeviceError: One is of the emulated device.
+    """
+    found: dict[str, dict[str, Any]] = {}
+    for path in sorted(folder.glob(PATTERN), key=lambda path: json.loads(path.read_text())["date"]):
+        document = json.loads(path.read_text())
+        refuse_emulated(document["device"])
+        found[chip_of(document["device"]["name"])] = document
+    return found
+
+
+def _commit() -> tuple[str, bool | None]:
+    def git(*words: str) -> str:
+        try:
+            done = subprocess.run(["git", *words], capture_output=True, text=True, cwd=ROOT, check=False)
+        except OSError:
+            return ""
+        return done.stdout.strip() if done.returncode == 0 else ""
+
+    commit = git("rev-parse", "--short=12", "HEAD")
+    return commit or "unknown", bool(git("status", "--porcelain")) if commit else None

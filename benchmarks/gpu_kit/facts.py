@@ -1,0 +1,29 @@
+"""What the machine is: GPU, driver, processor, packages; to be seen before anything is believed."""
+
+from __future__ import annotations
+
+import os
+import platform
+import shutil
+import subprocess
+import sys
+
+PACKAGES = ("numpy", "scipy", "torch", "pytest", "hypothesis", "cupy", "jax", "triton", "pillow", "rich", "click")
+PROGRAMS = ("ncu", "nsys", "compute-sanitizer", "nvcc")
+
+
+def main() -> int:
+    """Print it."""
+    if shutil.which("nvidia-smi"):
+        print(subprocess.run(["nvidia-smi"], capture_output=True, text=True).stdout)
+    print(f"Python {platform.python_version()}, {os.cpu_count()} cores, {platform.platform()}")
+    listed = subprocess.run([sys.executable, "-m", "pip", "list"], capture_output=True, text=True).stdout
+    print(*(line for line in listed.splitlines() if line.lower().split(" ")[0] in PACKAGES), sep="\n")
+    print(*(f"{name}: {shutil.which(name) or 'not here'}" for name in PROGRAMS), sep="\n")
+    doctor = [sys.executable, "-m", "pointloom", "doctor"]
+    print(subprocess.run(doctor, capture_output=True, text=True).stdout)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

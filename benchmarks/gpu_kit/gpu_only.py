@@ -1,0 +1,45 @@
+"""A pytest plugin for a GPU, `-p gpu_kit.gpu_only`: no runs of CPU compilers, no worker that has lost its device.
+
+An illegal address poisons the CUDA context, and with it every later test of the process. So a worker of pytest-xdist
+whose context is lost ends itself; another is started, and goes on with the next test.
+"""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Generator
+from typing import Any
+
+import pytest
+
+LOST = 77  # exit code of a worker without a device
+
+
+@pytest.hookimpl(trylast=True)
+def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+    def is_cpu(item: Any) -> bool:
+        return str(item.callspec.params.get("device", "")).startswith("cpu") if hasattr(item, "callspec") else False
+
+    config.hook.pytest_deselected(items=[item for item in items if is_cpu(item)])
+    items[:] = [item for item in items if not is_cpu(item)]
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_runtest_protocol(item: pytest.Item) -> Generator[None, object, object]:
+    result = yield
+    if "PYTEST_XDIST_WORKER" in os.environ and _is_lost():
+        os._exit(LOST)
+    return result
+
+
+def _is_lost() -> bool:
+    warp = sys.modules.get("warp")
+    if warp is None or not warp._src.context.runtime or "emulated_cuda.install" in sys.modules:
+        return False
+    try:
+        if warp.get_cuda_device_count():
+            warp.synchronize_device("cuda:0")
+    except Exception:
+        return True
+    return False

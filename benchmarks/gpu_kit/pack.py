@@ -1,0 +1,200 @@
+"""Pack what a GPU machine without network needs that is reached one command at a time, N MiB a call: make gpu-kit.
+
+    make gpu-kit                                            everything that is not made yet, then the folders of calls
+    make gpu-kit CALL_MIB=64 CALLS=4 GPU_PYTHON=3.12 GPU_ARCHITECTURE=90
+    make gpu-kit ARGS="kernels layout"                      after a change in kernels/: these alone
+
+    warp      Warp with the GPU code of one architecture
+    kernels   pointloom's kernels, compiled ahead, so that nothing is compiled there
+    wheels    small packages that tests import and that such a machine lacks
+    open3d    Open3D likewise, with the libraries of the system that it links; for the Python of the GPU machine
+    layout    cut into build/gpu-kit/1 to N; each travels with the working tree, which counts towards a call's size
+
+Hours before: xz takes minutes and the kernels an hour of two cores, once. Then, there, a call after the other:
+`bash benchmarks/gpu_kit/call.sh build/gpu-kit/1 SECONDS` (README.md beside this file).
+"""
+
+from __future__ import annotations
+
+import argparse
+import importlib.util
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+from collections.abc import Callable
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+
+from gpu_kit.fatbins import keep_architecture
+from gpu_kit.layout import Piece, lay_out
+
+ROOT = Path(__file__).resolve().parents[2]
+OPEN3D = "open3d==0.20.0"
+WHEELS = ("laspy", "lazrs", "msgspec", "trimesh", "small-gicp")  # without laspy no test of point files is collected
+LARGEST_WHEEL = 6 << 20
+PLATFORMS = [f"manylinux_2_{n}_x86_64" for n in (17, 24, 27, 28, 31, 34, 35)]
+PLATFORMS += ["manylinux2014_x86_64", "manylinux1_x86_64"]
+ON_DEMAND = ("fem", "render", "optim")  # of Warp: imported when asked for
+NOT_OF_WARP = ("__pycache__", "tests", "examples", *ON_DEMAND, "jax_experimental")
+NOT_OF_OPEN3D = ("resources", "examples", "labextension", "nbextension", "_ml3d", "agent_skills")
+PARTS = ("warp", "kernels", "wheels", "open3d", "layout")
+EVERYWHERE = ("libc.so", "libm.so", "libpthread", "libdl.so", "librt.so", "ld-linux", "libstdc++", "libgcc_s")
+EVERYWHERE += ("libresolv", "libOpen3D", "libtbb")
+
+# What only Open3D's viewers import, answered for where it is not installed
+STUB = '''"""Import this before open3d where what its viewers import is not installed."""
+import importlib.abc, importlib.machinery, sys, types
+NAMES = set("plotly dash flask werkzeug ipywidgets nbformat configargparse IPython addict pyquaternion".split())
+class _Module(types.ModuleType):
+    __path__ = []
+    def __getattr__(self, name):
+        if name.startswith("__"):
+            raise AttributeError(name)
+        return type(name, (), {"__init__": lambda s, *a, **k: None, "__call__": lambda s, f=None, *a, **k: f})
+class _Finder(importlib.abc.MetaPathFinder, importlib.abc.Loader):
+    def find_spec(self, name, path=None, target=None):
+        if name.split(".")[0] in NAMES:
+            return importlib.machinery.ModuleSpec(name, self, is_package=True)
+    def create_module(self, spec):
+        return _Module(spec.name)
+    def exec_module(self, module):
+        pass
+sys.meta_path.append(_Finder())
+'''
+
+
+class Packer:
+    """Makes the archives in a folder, for one architecture of GPUs and one Python."""
+
+    def __init__(self, out: Path, architecture: int, python: str) -> None:
+        self.out, self.architecture, self.python = out, architecture, python
+
+    def archive(self, stage: Path, name: str) -> None:
+        """A tar.xz of a folder's content, small rather than quick."""
+        to = self.out / name
+        partial = to.with_suffix(".partial")
+        squeeze = "xz -T1 --x86 --lzma2=preset=9,dict=128MiB"
+        subprocess.run(["tar", "-I", squeeze, "-cf", partial, "-C", stage, "."], check=True)
+        partial.replace(to)
+        print(f"{name}: {to.stat().st_size / 2**20:.1f} MiB", flush=True)
+
+    def warp(self) -> None:
+        """Warp as it is installed here, without its tests and other GPUs' code."""
+        spec = importlib.util.find_spec("warp")
+        if spec is None or not spec.submodule_search_locations:
+            raise SystemExit(f"warp is not installed for {sys.executable}")
+        source = Path(next(iter(spec.submodule_search_locations)))
+        with tempfile.TemporaryDirectory(dir=self.out) as folder:
+            stage = Path(folder)
+            shutil.copytree(source, stage / "warp", ignore=shutil.ignore_patterns(*NOT_OF_WARP))
+            for name in ON_DEMAND:
+                if (source / name).is_dir():
+                    shutil.copytree(source / name, stage / "warp" / name, ignore=shutil.ignore_patterns("__pycache__"))
+            for info in source.parent.glob("warp_lang-*.dist-info"):
+                shutil.copytree(info, stage / info.name)
+            keep_architecture(stage / "warp" / "bin" / "warp.so", self.architecture)
+            self.archive(stage, "warp.tar.xz")
+
+    def kernels(self) -> None:
+        """The archive of `make cuda-cache`, for one architecture."""
+        command = [sys.executable, "-m", "pointloom.kernels.cuda_cache", "--architectures", str(self.architecture)]
+        command += ["--work", str(ROOT / "build" / "cuda-kernels"), "--output", str(self.out / "dist")]
+        subprocess.run(command, check=True)
+        found = max((self.out / "dist").glob("pointloom-cuda-kernels-*.zip"), key=lambda path: path.stat().st_mtime)
+        shutil.copy(found, self.out / "kernels.zip")
+        print(f"kernels.zip: {found.stat().st_size / 2**20:.1f} MiB", flush=True)
+
+    def download(self, names: tuple[str, ...], to: Path) -> None:
+        """Wheels for the Python of the GPU machine; what has none is named."""
+        base = [sys.executable, "-m", "pip", "download", "-q", "--no-deps", "--only-binary=:all:"]
+        base += ["--python-version", self.python, "--implementation", "cp", "-d", str(to)]
+        base += [word for platform in PLATFORMS for word in ("--platform", platform)]
+        for name in names:
+            if subprocess.run([*base, name], check=False).returncode:
+                print(f"{name}: no wheel for Python {self.python}; left out")
+
+    def wheels(self) -> None:
+        """Small packages, unpacked side by side."""
+        with tempfile.TemporaryDirectory(dir=self.out) as folder:
+            got, stage = Path(folder, "wheels"), Path(folder, "stage")
+            self.download(WHEELS, got)
+            stage.mkdir()
+            for wheel in sorted(got.glob("*.whl")):
+                if wheel.stat().st_size > LARGEST_WHEEL:
+                    print(f"{wheel.name}: too large, left out")
+                else:
+                    shutil.unpack_archive(wheel, stage, "zip")
+            self.archive(stage, "wheels.tar.xz")
+
+    def open3d(self) -> None:
+        """Open3D without viewers, machine learning and other GPUs' code."""
+        with tempfile.TemporaryDirectory(dir=self.out) as folder:
+            got, stage = Path(folder, "wheels"), Path(folder, "stage")
+            self.download((OPEN3D,), got)
+            (wheel,) = got.glob("open3d-*.whl")
+            shutil.unpack_archive(wheel, stage, "zip")
+            wheel.unlink()
+            package = stage / "open3d"
+            for name in NOT_OF_OPEN3D:
+                shutil.rmtree(package / name, ignore_errors=True)
+            for path in [*package.glob("open3d_*_ops.so"), *stage.glob("open3d-*.data")]:
+                shutil.rmtree(path) if path.is_dir() else path.unlink()
+            for library in stage.rglob("libOpen3D.so*"):
+                keep_architecture(library, self.architecture)
+                copy_system_libraries(library, package)  # beside its binding, which looks there first
+            (stage / "open3d_stub.py").write_text(STUB)
+            self.archive(stage, "open3d.tar.xz")
+
+
+def copy_system_libraries(library: Path, to: Path) -> None:
+    """Copy what a library links of the system (X11, GL, EGL, usb, ...): a bare machine has none of it."""
+    said = subprocess.run(["ldd", library], capture_output=True, text=True, check=True).stdout
+    for line in said.splitlines():
+        name, _, found = line.strip().partition(" => ")
+        if found.startswith("not found") and not name.startswith(EVERYWHERE):
+            print(f"{name}: not on this machine; install it, or Open3D will not load there")
+        elif found.startswith("/") and not name.startswith(EVERYWHERE):
+            shutil.copy(Path(found.split(" ")[0]).resolve(), to / name)
+
+
+def tree_size() -> int:
+    """Bytes of the working tree: tracked files, and untracked ones that git does not ignore."""
+    command = ["git", "ls-files", "-z", "-co", "--exclude-standard"]
+    listed = subprocess.run(command, capture_output=True, check=True, cwd=ROOT).stdout
+    paths = [ROOT / os.fsdecode(name) for name in listed.split(b"\0") if name]
+    return sum(path.lstat().st_size for path in paths if path.is_symlink() or path.exists())
+
+
+def main() -> int:
+    """Make what is asked for."""
+    parser = argparse.ArgumentParser(
+        prog="make gpu-kit", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
+    parser.add_argument("parts", nargs="*", metavar="PART", help=f"of {', '.join(PARTS)}; all that are missing")
+    parser.add_argument("--out", type=Path, default=ROOT / "build" / "gpu-kit", help="a folder that git ignores")
+    parser.add_argument("--call-mib", type=float, default=64, help="that a call carries, the working tree included")
+    parser.add_argument("--calls", type=int, default=4)
+    parser.add_argument("--python", default="3.12", help="of the GPU machine")
+    parser.add_argument("--architecture", type=int, default=90, help="of its GPU: 90 of Hopper, 89 of Ada")
+    options = parser.parse_args()
+    if unknown := set(options.parts) - set(PARTS):
+        parser.error(f"no such part: {', '.join(sorted(unknown))}")
+    options.out.mkdir(parents=True, exist_ok=True)
+    packer = Packer(options.out, options.architecture, options.python)
+    archives: dict[str, Callable[[], None]] = {name: getattr(packer, name) for name in PARTS[:-1]}
+    pieces = [Piece(name, next(iter(options.out.glob(f"{name}.*z*")), None)) for name in archives]
+    for piece in pieces:
+        if piece.name in options.parts or (not options.parts and piece.path is None):
+            archives[piece.name]()
+    if not options.parts or "layout" in options.parts:
+        room = int(options.call_mib * 2**20) - tree_size()
+        made = [Piece(name, next(iter(sorted(options.out.glob(f"{name}.*z*"))), None)) for name in archives]
+        print("\n".join(lay_out(options.out, made, options.calls, room)))
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,9 @@
+"""The kernel of the loop whose turns are timed. A module of its own: to import it starts Warp."""
+
+from pointloom.kernels.lang import array, int32, kernel, tid
+
+
+@kernel
+def count_down_kernel(left: array(dtype=int32)):  # type: ignore[valid-type]
+    i = tid()
+    left[i] = left[i] - 1

@@ -1,0 +1,187 @@
+"""Operations of the model on the GPU: seconds for the caller, and the device's own kernels by name.
+
+    python -m gpu_kit.profile STATE SECONDS
+    python -m gpu_kit.profile --once NAME=SIZE ...          run each twice: for ncu and compute-sanitizer
+    python -m gpu_kit.profile --json NAME=SIZE              one call's times as a line of JSON
+
+Caller: the median of some calls until the device is done, over data that is there. Device: the sum of the durations of
+kernels, copies and fills, which CUPTI tells through torch's profiler, those inside graphs too; without torch there is
+only the caller's time.
+"""
+
+from __future__ import annotations
+
+import json
+import statistics
+import sys
+import tempfile
+import time
+import traceback
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+from gpu_kit import device as devices
+from gpu_kit.documents import keep_part
+from gpu_kit.runner import MORE
+
+ROUNDS, WARM_UP, ENOUGH = 7, 2, 6.0  # calls that are timed, before them, and seconds after which it is enough
+FRESH = ("tree",)  # what keeps its result is prepared anew for each call
+KERNELS_KEPT = 25
+DRY_OPERATIONS = {"voxel_down_sample": 3000, "normals_k30": 3000}
+
+
+def runs() -> list[tuple[str, int]]:
+    """Names and sizes, in order."""
+    from gpu_operations import OPERATIONS
+
+    if devices.is_dry():
+        return list(DRY_OPERATIONS.items())
+    return [(operation.name, size) for operation in OPERATIONS.values() for size in operation.sizes]
+
+
+def timed(name: str, size: int) -> tuple[list[float], Callable[[], Any]]:
+    """Seconds of calls, and the call, ready once more."""
+    import warp as wp
+    from gpu_operations import OPERATIONS
+
+    prepare = OPERATIONS[name].prepare
+    call, found = prepare(size), []
+    for k in range(WARM_UP + ROUNDS):
+        if name in FRESH:
+            call = prepare(size)
+        wp.synchronize_device(devices.NAME)
+        start = time.perf_counter()
+        result = call()
+        wp.synchronize_device(devices.NAME)
+        if k >= WARM_UP:
+            found.append(time.perf_counter() - start)
+        del result
+        if sum(found) > ENOUGH:
+            break
+    return found, prepare(size) if name in FRESH else call
+
+
+def kernels_of(call: Callable[[], Any]) -> list[dict[str, Any]] | None:
+    """What ran on the device in one call, the longest first; None without torch or its profiler."""
+    try:
+        import torch
+        from torch.profiler import ProfilerActivity, profile
+    except ImportError:
+        return None
+    if not torch.cuda.is_available():
+        return None
+    import warp as wp
+
+    torch.cuda.init()
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "trace.json"
+        with profile(activities=[ProfilerActivity.CPU, ProfilerActivity.CUDA]) as found:
+            call()
+            wp.synchronize_device(devices.NAME)
+        found.export_chrome_trace(str(path))
+        return rows_of(json.loads(path.read_text())["traceEvents"])
+
+
+def rows_of(events: list[dict[str, Any]]) -> list[dict[str, Any]]:
+    """A row a kernel: launches, microseconds, registers a thread, the profiler's estimate of occupancy."""
+    rows: dict[str, dict[str, Any]] = {}
+    for event in events:
+        if event.get("cat") not in ("kernel", "gpu_memcpy", "gpu_memset"):
+            continue
+        about, name = event.get("args", {}), plain(event["name"])
+        row = rows.setdefault(name, {"kernel": name, "launches": 0, "us": 0.0})
+        row["launches"] += 1
+        row["us"] += float(event.get("dur", 0))
+        row["registers"] = about.get("registers per thread")
+        row["occupancy"] = about.get("est. achieved occupancy %")
+    return sorted(rows.values(), key=lambda row: -row["us"])
+
+
+def plain(name: str) -> str:
+    """A kernel's name in the sources: Warp adds a hash, and an ending."""
+    own, found, _ = name.partition("_cuda_kernel_forward")
+    return own.rpartition("_")[0] if found else name
+
+
+def measured(name: str, size: int) -> dict[str, Any]:
+    """The times of an operation."""
+    seconds, call = timed(name, size)
+    found: dict[str, Any] = {"caller_ms": 1e3 * statistics.median(seconds), "best_ms": 1e3 * min(seconds)}
+    rows = kernels_of(call)
+    if rows:
+        found["device_ms"] = sum(row["us"] for row in rows) / 1e3
+        found["launches"] = sum(row["launches"] for row in rows)
+        found["kernels"] = rows[:KERNELS_KEPT]
+    return found
+
+
+def described(name: str, size: int, found: dict[str, Any]) -> str:
+    """Times in words, the longest kernels below."""
+    if "error" in found:
+        return f"{name}, {size:,}: FAILED {found['error']}"
+    line = f"{name}, {size:,}: caller {found['caller_ms']:.3f} ms (best {found['best_ms']:.3f})"
+    if "device_ms" in found:
+        line += f"; device {found['device_ms']:.3f} ms in {found['launches']} launches"
+    rows = [
+        f"    {row['kernel'][:44]:44} x{row['launches']:<5} {row['us']:10.1f} us, registers {row['registers']}"
+        for row in found.get("kernels", [])[:5]
+    ]
+    return "\n".join([line, *rows])
+
+
+def bounds_in_use() -> dict[str, int]:
+    """Bounds of registers of the kernels that were made in this process, by name; 0 for none."""
+    import warp as wp
+
+    modules = [m for m in wp._src.context.user_modules.values() if m.name.startswith("pointloom.")]
+    kernels = (kernel for module in modules if not module.name.endswith(".cpu") for kernel in module.kernels.values())
+    return {kernel.key: kernel.options.get("cuda_max_registers", 0) for kernel in kernels}
+
+
+def once(words: list[str]) -> None:
+    """Run calls twice, and keep nothing."""
+    import warp as wp
+    from gpu_operations import OPERATIONS
+
+    for word in words:
+        name, _, size = word.partition("=")
+        call = OPERATIONS[name].prepare(int(size))
+        for _ in range(2):
+            call()
+            wp.synchronize_device(devices.NAME)
+
+
+def main() -> int:
+    """Measure what is left; MORE where something still is."""
+    first, *words = sys.argv[1:]
+    device = devices.start()
+    if first in ("--once", "--json"):
+        if first == "--once":
+            once(words)
+        else:
+            name, _, size = words[0].partition("=")
+            print(json.dumps(measured(name, int(size)) | {"bounds": bounds_in_use()}))
+        return 0
+    state, end = Path(first), time.monotonic() + float(words[0])
+    kept = state / "parts" / "operations.json"
+    found: dict[str, Any] = json.loads(kept.read_text())["content"] if kept.exists() else {}
+    for name, size in runs():
+        key = f"{name} {size}"
+        if key in found:
+            continue
+        if time.monotonic() > end:
+            print("no time left before", key)
+            return MORE
+        try:
+            found[key] = measured(name, size)
+        except Exception as error:
+            traceback.print_exc(limit=4)
+            found[key] = {"error": f"{type(error).__name__}: {str(error)[:400]}"}
+        print(described(name, size, found[key]), flush=True)
+        keep_part(state, device, "operations", found)
+    return 1 if any("error" in each for each in found.values()) else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,61 @@
+"""What is done on a GPU, in order: facts, what could not be known without one, all tests, times, and their reasons."""
+
+from __future__ import annotations
+
+import shutil
+import sys
+from dataclasses import dataclass
+from pathlib import Path
+
+# Kernels of these calls are looked at one by one by ncu, and run small under compute-sanitizer
+NCU_CALLS = ("normals_k30=1000000", "dbscan=1000000", "knn20=1000000", "fpfh=300000", "tsdf_integrate=307200")
+NCU_CALLS += ("closest_points=200000", "cast_rays=1000000", "icp_plane=200000")
+SANITIZED = ("normals_k30=3000", "dbscan=3000", "icp_plane=3000", "fpfh=3000", "voxel_down_sample=3000")
+SANITIZED += ("farthest_points=3000", "tsdf_mesh=307200")
+NCU_SECTIONS = ("SpeedOfLight", "Occupancy", "LaunchStats", "MemoryWorkloadAnalysis", "WarpStateStats")
+
+
+@dataclass(frozen=True)
+class Step:
+    """One thing to do, in a process of its own.
+
+    Attributes:
+        name: In logs and marks.
+        module: Of this package; it takes the folder of the run and its seconds, and what stands in `arguments`.
+        at_least: Seconds without which it is not begun.
+        at_most: Seconds after which it is ended, so that what follows has its turn.
+        needs: Pieces that must have come (only where they come piece by piece: call.sh).
+        program: That must be on the machine; the step is left out where it is not.
+        in_dry_run: Whether a dry run does it too.
+    """
+
+    name: str
+    module: str
+    at_least: float
+    at_most: float
+    needs: tuple[str, ...] = ("warp", "kernels")
+    program: str = ""
+    in_dry_run: bool = True
+    arguments: tuple[str, ...] = ()
+
+    def command(self, state: Path, seconds: float) -> list[str]:
+        """The command of the step."""
+        return [sys.executable, "-m", f"gpu_kit.{self.module}", str(state), f"{seconds:.0f}", *self.arguments]
+
+    @property
+    def is_possible(self) -> bool:
+        return not self.program or shutil.which(self.program) is not None
+
+
+STEPS = (
+    Step("facts", "facts", 5, 60, ()),
+    Step("torch", "torch_constants", 15, 60, (), in_dry_run=False),
+    Step("questions", "questions", 40, 300),
+    Step("constants", "constants", 30, 120),
+    Step("tests", "suite", 60, 1200),
+    Step("benchmarks", "benches", 60, 900, ("warp", "kernels", "open3d")),
+    Step("profile", "profile", 30, 500),
+    Step("registers", "register_trials", 60, 300),
+    Step("ncu", "under_tools", 45, 180, program="ncu", in_dry_run=False, arguments=("ncu",)),
+    Step("sanitizer", "under_tools", 60, 300, program="compute-sanitizer", in_dry_run=False, arguments=("sanitizer",)),
+)

@@ -1,0 +1,88 @@
+"""NVIDIA's own tools over a few calls: ncu tells what a kernel waits for, compute-sanitizer what is wrong in it.
+
+python -m gpu_kit.under_tools STATE SECONDS ncu|sanitizer
+"""
+
+from __future__ import annotations
+
+import json
+import re
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+from gpu_kit.runner import MORE
+from gpu_kit.steps import NCU_CALLS, NCU_SECTIONS, SANITIZED
+
+HOTTEST, LAUNCHES, AT_LEAST = 12, 30, 40.0
+KNOWN = ("fit_normals_nearest", "search_nearest", "find_limits", "sum_histograms", "match_lanes", "sum_plane_rows")
+KNOWN += ("step_jobs", "integrate_voxels", "find_nearest_triangles", "cast_rays", "unite_cores", "choose_by_leaves")
+SANITIZERS = ("memcheck", "racecheck", "initcheck")
+FAULT = re.compile(r"ERROR SUMMARY|=========.*(?:Invalid|Race|Uninit)")
+ONCE = (sys.executable, "-m", "gpu_kit.profile", "--once")
+
+
+def hottest(state: Path) -> tuple[str, ...]:
+    """The kernels that took longest in the profile, if there is one."""
+    part = state / "parts" / "operations.json"
+    operations = json.loads(part.read_text())["content"] if part.exists() else {}
+    seconds: dict[str, float] = {}
+    for found in operations.values():
+        for row in found.get("kernels", []):
+            if row["kernel"].endswith(("_kernel", "_tiles")):
+                seconds[row["kernel"]] = max(seconds.get(row["kernel"], 0.0), row["us"])
+    return tuple(sorted(seconds, key=lambda name: -seconds[name])[:HOTTEST]) or KNOWN
+
+
+def run_ncu(state: Path, end: float) -> int:
+    """Counters of the hottest kernels as a table; clocks are left as they are."""
+    command = ["ncu", "--clock-control", "none", "--target-processes", "all", "--csv", "--page", "raw"]
+    command += ["-k", f"regex:{'|'.join(hottest(state))}", "-c", str(LAUNCHES)]
+    command += [word for name in (*NCU_SECTIONS, "InstructionStats") for word in ("--section", name)]
+    table = state / "logs" / "ncu.csv"
+    with table.open("w") as file:
+        try:
+            done = subprocess.run(
+                [*command, *ONCE, *NCU_CALLS], stdout=file, timeout=end - time.monotonic(), check=False
+            )
+        except subprocess.TimeoutExpired:
+            print(f"the time was over; {table.name} has what there was")
+            return MORE
+    print(f"{table.name}: {len(table.read_text().splitlines())} lines")
+    return done.returncode
+
+
+def run_sanitizers(state: Path, end: float) -> int:
+    """Each of the sanitizers over small calls; what it says is counted."""
+    code = 0
+    for tool in SANITIZERS:
+        log, left = state / "logs" / f"sanitizer-{tool}.txt", end - time.monotonic()
+        if log.exists() and "ERROR SUMMARY" in log.read_text(errors="replace"):
+            continue
+        if left < AT_LEAST:
+            print("no time left before", tool)
+            return MORE
+        command = ["compute-sanitizer", "--tool", tool, "--target-processes", "all", "--error-exitcode", "9"]
+        with log.open("w") as file:
+            try:
+                done = subprocess.run(
+                    [*command, *ONCE, *SANITIZED], stdout=file, stderr=subprocess.STDOUT, timeout=left, check=False
+                )
+            except subprocess.TimeoutExpired:
+                print(f"{tool}: the time was over")
+                return MORE
+        lines = [line for line in log.read_text(errors="replace").splitlines() if FAULT.search(line)]
+        print(f"{tool}: exit {done.returncode}", *lines[:6], sep="\n  ", flush=True)
+        code = code or done.returncode
+    return code
+
+
+def main() -> int:
+    """Run the tool that is asked for."""
+    state, end = Path(sys.argv[1]), time.monotonic() + float(sys.argv[2])
+    return {"ncu": run_ncu, "sanitizer": run_sanitizers}[sys.argv[3]](state, end)
+
+
+if __name__ == "__main__":
+    sys.exit(main())
