@@ -298,6 +298,8 @@ def compare_under(
     source: Surface, target: Surface, poses: NDArray[np.float64], distance: float, *, beside_planes: bool = False
 ) -> list[Evidence]:
     """As `compare_surfaces`, for each of some poses, with one wait for all of them."""
+    if not len(poses):
+        return []
     pairs = [way for T in poses for way in ((source, target, T), (target, source, invert_pose(T)))]
     limits = distance, NEAR * distance, COSINE, TIGHT * distance
     sums = weigh_overlaps(pairs, *limits, beside_planes=beside_planes)  # sync
