@@ -60,7 +60,7 @@ from warp import float32, float64, int8, int16, int32, int64, uint8, uint16, uin
 from warp import mat33, mat33d, mat44, mat44d, vec2, vec2d, vec2i, vec3, vec3d, vec3i, vec4, vec4d, vec4i  # noqa: F401  # isort: skip
 
 from .language import kept_kernels, rules, taichi_compiler, warp_compiler
-from .language.arguments import acceptor, array_of, taker_apart, type_of
+from .language.arguments import acceptor, array_of, first_device, taker_apart, type_of
 from .language.callbacks import Given, callback, with_functions
 from .language.kept_kernels import Kept
 from .language.loops import Words
@@ -313,6 +313,16 @@ class _Launched(_DeviceCode):
     def take_apart(self) -> Callable[[str, Sequence[Any]], list[Any]] | None:
         """What takes the structures among its arguments apart."""
         return taker_apart(self.places, list(self.takes))
+
+    @once
+    def first_device(self) -> Callable[[Sequence[Any]], Any]:
+        """What finds the device of its arguments."""
+        return first_device([kind for name, kind in self.written.__annotations__.items() if name != "return"])
+
+    @once
+    def prepared(self) -> dict[str, Any]:
+        """Its prepared launches on GPUs, by the name of the device; None where they have to be Warp's."""
+        return {}
 
     @once
     def accept(self) -> Callable[[Sequence[Any]], tuple[list[Any], Any] | None]:

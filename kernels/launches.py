@@ -16,18 +16,21 @@ import warp as wp
 
 from .array_types import Device
 from .language import kept_kernels, pool_code, taichi_compiler, warp_compiler
-from .language.arguments import checked_arguments, device_of
+from .language.arguments import MAX_THREADS, checked_arguments
+from .language.cuda_launches import UNFIT, PreparedKernel, PreparedSum
 from .language.device_lock import RecordedLoop, lock, record, replay  # noqa: F401  handed on
 from .language.module_loading import load_module
 from .language.notices import announced, compiling
 from .language.prepared_launches import TaichiLaunch, WarpLaunch
-from .language.segment_launches import launch_segments
+from .language.segment_launches import PreparedSegmentSum, launch_segments
+from .language.warp_parts import launches_plainly
 from .memory import empty, zeros
 
 if TYPE_CHECKING:
     from .array_types import Array1, Integers
     from .lang import Kernel, Reduction
 
+HAS_CUDA = wp.is_cuda_available()
 BLOCK = 1024  # elements of a CPU partial sum: many blocks per core at 100k elements, few partial sums to fold
 
 _compiler: contextvars.ContextVar[str | None] = contextvars.ContextVar("pointloom_cpu_compiler", default=None)
@@ -95,6 +98,20 @@ def _run_on_cuda(kernel: Any, thread_count: int, values: Sequence[Any], device: 
         if is_first:
             load_module(kernel.module, device)
         wp.launch(kernel, thread_count, values, device=device, **options)
+
+
+def _is_launched_prepared(kernel: Kernel, thread_count: int, arguments: Sequence[Any], device: Device) -> bool:
+    """Launch on a GPU what has been launched there before and is plainly right; False, and nothing done, of others."""
+    prepared: PreparedKernel | None = kernel.prepared.get(device.alias)
+    if prepared is None or not 0 < thread_count <= MAX_THREADS or not launches_plainly():
+        return False
+    try:
+        flat = prepared.take_apart(arguments)
+        with lock:
+            prepared.launch(thread_count, flat)
+    except UNFIT:
+        return False
+    return True
 
 
 def _run_on_cpu(what: Kernel | Reduction, values: Sequence[Any], thread_count: int, last_count: int = 0) -> None:
@@ -167,14 +184,19 @@ def launch(kernel: Kernel, thread_count: int, arguments: Sequence[Any]) -> None:
             or a number out of its parameter's range.
         TypeError: An argument is not what its parameter says.
     """
-    if kernel.twin is not kernel and device_of(arguments).is_cuda:
+    if HAS_CUDA and (home := kernel.first_device(arguments)).is_cuda:
         kernel = kernel.twin
+        if _is_launched_prepared(kernel, thread_count, arguments, home):
+            return
     values, device = checked_arguments(kernel, thread_count, arguments)
     if thread_count == 0:
         return
     with lock:  # neither Taichi nor Warp's loading of modules is thread-safe, and a pool runs one launch at a time
         if device.is_cuda:
             _run_on_cuda(kernel.cuda, thread_count, values, device)
+            if device.alias not in kernel.prepared:
+                with contextlib.suppress(*UNFIT):
+                    kernel.prepared[device.alias] = PreparedKernel.of(kernel, thread_count, values, device)
         elif current_cpu_compiler() == "warp":
             _run_on_cpu(kernel, values, thread_count)
         else:
@@ -192,6 +214,10 @@ def reduce(reduction: Reduction, count: int, arguments: Sequence[Any]) -> Array1
     Raises:
         ValueError, TypeError: As `launch`.
     """
+    if HAS_CUDA and (home := reduction.first_device(arguments)).is_cuda:
+        found = _prepared_sum(reduction, count, arguments, home)
+        if found is not None:
+            return found
     values, device = checked_arguments(reduction, count, arguments)
     if count == 0:
         return zeros(1, reduction.vector, device)
@@ -204,11 +230,32 @@ def reduce(reduction: Reduction, count: int, arguments: Sequence[Any]) -> Array1
             kernels, inputs = reduction.cuda, [*values, count, partials]
             _run_on_cuda(kernels.tiles, blocks * size, inputs, device, block_dim=size)
             _run_on_cuda(kernels.fold_tiles, size, [blocks, partials, out], device, block_dim=size)
+            if device.alias not in reduction.prepared:
+                with contextlib.suppress(*UNFIT):
+                    folded = [blocks, partials, out]
+                    reduction.prepared[device.alias] = PreparedSum.of(reduction, inputs, folded, device)
         elif current_cpu_compiler() == "warp":
             _run_on_cpu(reduction, [*values, count, BLOCK, blocks, partials, out], blocks, 1)
         else:
             chunks = taichi_compiler.start().chunks(blocks)
             _run_taichi_sum(reduction, [*values, count, BLOCK, partials, out, *chunks])
+    return out
+
+
+def _prepared_sum(reduction: Reduction, count: int, arguments: Sequence[Any], device: Device) -> Array1[Any] | None:
+    """The sum on a GPU, where it has been made there before and is plainly right; None, and nothing done, of others."""
+    prepared: PreparedSum | None = reduction.prepared.get(device.alias)
+    if prepared is None or not 0 < count <= MAX_THREADS or not launches_plainly():
+        return None
+    try:
+        flat = prepared.take_apart(arguments)
+        out = empty(1, reduction.vector, device)
+        blocks = -(-count // warp_compiler.REDUCTION_BLOCK)
+        partials = empty(blocks, reduction.vector, device)
+        with lock:
+            prepared.sum(count, flat, blocks, partials, out)
+    except UNFIT:
+        return None
     return out
 
 
@@ -230,10 +277,18 @@ def reduce_segments(
     """
     if not reduction.segmented:
         raise TypeError(f"{reduction.name}: a @reduction, where many sums take a @segment_reduction")
+    if HAS_CUDA and (home := reduction.first_device(arguments)).is_cuda and launches_plainly():
+        prepared: PreparedSegmentSum | None = reduction.prepared.get(home.alias)
+        if prepared is not None and prepared.is_launched(arguments, blocks, live, partials, out):
+            return
     values, device = checked_arguments(reduction, blocks.element_count, arguments)
     with lock:
         if device.is_cuda:
             launch_segments(_run_on_cuda, reduction.cuda, values, blocks, live, partials, out)
+            if device.alias not in reduction.prepared:
+                with contextlib.suppress(*UNFIT):
+                    made = PreparedSegmentSum.of(reduction, values, blocks, live, partials, out)
+                    reduction.prepared[device.alias] = made
         elif current_cpu_compiler() == "warp":
             tables = [blocks.firsts, blocks.lasts, blocks.owners, blocks.starts, live]
             _run_on_cpu(reduction, [*values, *tables, blocks.count, partials, out], blocks.count, out.size)

@@ -17,8 +17,10 @@ import warp as wp
 from numpy.typing import NDArray
 
 from .array_types import Array, Array1, Array2, Array3, Device, DeviceArray, Element, Rank
+from .language import device_arrays, device_copies
 from .language.casts import cast_into
-from .language.device_lock import own, turn_on
+from .language.device_arrays import part
+from .language.device_lock import own, turn_on, why_no_cuda_here
 
 POOL_SHARE = 0.5  # of a GPU's memory: what its pool keeps of released memory
 _pools: set[str] = set()  # the GPUs whose pools keep some, by name
@@ -100,6 +102,18 @@ def check_room(device: Device, size: int, what: str) -> None:
         )
 
 
+def _new_on_gpu(shape: int | tuple[int, ...], dtype: Any, device: Any) -> Any:
+    """An array with undefined contents on a GPU; None elsewhere, and where Warp has to make it."""
+    if getattr(device, "ordinal", -1) < 0 or why_no_cuda_here():
+        return None
+    _keep_pool(device)
+    try:
+        return device_arrays.new(shape, dtype, device)
+    except RuntimeError:
+        with _Allocation(device):
+            raise
+
+
 @overload
 def empty(shape: int | tuple[int], dtype: type[Element], device: Device | str) -> Array1[Element]: ...
 @overload
@@ -114,6 +128,9 @@ def empty(shape: int | tuple[int, ...], dtype: Any, device: Device | str) -> Any
     Raises:
         MemoryError: The device has no room for it; so of all functions here that make arrays.
     """
+    made = _new_on_gpu(shape, dtype, device)
+    if made is not None:
+        return made
     with _Allocation(device):
         return own(wp.empty(shape, dtype=dtype, device=device))
 
@@ -128,6 +145,12 @@ def zeros(shape: tuple[int, int, int], dtype: type[Element], device: Device) -> 
 def zeros(shape: tuple[int, ...], dtype: type[Element], device: Device) -> DeviceArray[Element, Any]: ...
 def zeros(shape: int | tuple[int, ...], dtype: Any, device: Device) -> Any:
     """An array of zeros."""
+    made = _new_on_gpu(shape, dtype, device)
+    if made is not None:
+        with turn_on(device):
+            if not device_copies.is_zeroed(made):
+                made.zero_()
+        return made
     with _Allocation(device):
         return own(wp.zeros(shape, dtype=dtype, device=device))
 
@@ -142,6 +165,11 @@ def full(shape: tuple[int, int, int], value: Any, dtype: type[Element], device: 
 def full(shape: tuple[int, ...], value: Any, dtype: type[Element], device: Device) -> DeviceArray[Element, Any]: ...
 def full(shape: int | tuple[int, ...], value: Any, dtype: Any, device: Device) -> Any:
     """An array of one value."""
+    made = _new_on_gpu(shape, dtype, device)
+    if made is not None:
+        with turn_on(device):
+            made.fill_(value)
+        return made
     with _Allocation(device):
         return own(wp.full(shape, value, dtype=dtype, device=device))
 
@@ -174,6 +202,12 @@ def upload(
             out = empty(outer, dtype, device)
             np.copyto(host_view(out), values)
             return out
+    inner = getattr(dtype, "_shape_", ())
+    outer = values.shape[: values.ndim - len(inner)]
+    if outer and values.shape == (*outer, *inner) and (made := _new_on_gpu(outer, dtype, device)) is not None:
+        with turn_on(device):
+            if device_copies.is_written(made, values):
+                return made
     with _Allocation(device):
         out: Any = wp.array(values, dtype=dtype, device=device, copy=copied)
         return own(out)
@@ -184,14 +218,15 @@ def upload_together(tables: Sequence[NDArray[Any]], dtype: type[Element], device
     whole = upload(np.concatenate(tables), dtype, device)
     ends = np.cumsum([len(table) for table in tables]).tolist()
     parts = zip(tables, ends, strict=True)
-    return [whole[end - len(table) : end] if len(table) else empty(0, dtype, device) for table, end in parts]
+    return [part(whole, end - len(table), end) if len(table) else empty(0, dtype, device) for table, end in parts]
 
 
 def copy(target: wp.array, source: wp.array, *, count: int, offset: int = 0) -> None:
     """Copy the first `count` elements of one array to another on the same device, from element `offset` on."""
     if count:
         with turn_on(target.device):
-            wp.copy(target, source, dest_offset=offset, count=count)
+            if not device_copies.is_copied(target, source, count, offset):
+                wp.copy(target, source, dest_offset=offset, count=count)
 
 
 def join(arrays: Sequence[Array]) -> Array:
@@ -216,8 +251,10 @@ def write(target: Any, values: np.ndarray) -> None:
     """Write the numbers of a NumPy array over those of an array of the same type and size."""
     if target.device.is_cpu:
         target.numpy().reshape(-1)[:] = values.reshape(-1)
-    else:
-        copy(target, upload(values, target.dtype, wp.get_device("cpu"), copied=False), count=target.size)
+        return
+    with turn_on(target.device):
+        if not device_copies.is_written(target, values):
+            copy(target, upload(values, target.dtype, wp.get_device("cpu"), copied=False), count=target.size)
 
 
 def clone(values: Array) -> Array:
@@ -262,6 +299,10 @@ def download(values: Any) -> NDArray[Any]:
     """The array as NumPy: a copy from a GPU (sync), a view on the CPU; treat it as read-only."""
     if values.device.is_cpu:
         return host_view(values)
+    with turn_on(values.device):
+        found = device_copies.fetched(values)  # sync
+    if found is not None:
+        return found
     return move(values, wp.get_device("cpu")).numpy()
 
 

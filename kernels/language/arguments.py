@@ -11,8 +11,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import warp as wp
 
+from ..array_types import Device
 from .signatures import FLOATS, RANGES, ArrayType, Type
-from .structs import Place, fields_of
+from .structs import Place, fields_of, leaves_of, type_at
 
 if TYPE_CHECKING:
     from ..lang import Kernel, Reduction
@@ -155,6 +156,26 @@ def device_of(arguments: Sequence[Any]) -> Any:
             if isinstance(found := getattr(argument, name, None), wp.array):
                 return found.device
     return wp.get_device("cpu")
+
+
+def first_device(annotations: Sequence[Any]) -> Callable[[Sequence[Any]], Any]:
+    """The same as `device_of`, for a kernel's arguments of these types, as they are written: without looking for it."""
+    paths = [(k, path, type_at(kind, path)) for k, kind in enumerate(annotations) for path in leaves_of(kind)]
+    paths.sort(key=lambda found: len(found[1]) > 0)  # arrays before those in structures
+    of_array = [(k, path) for k, path, kind in paths if isinstance(kind, wp.array)]
+    if not of_array:
+        return device_of
+    place, path = of_array[0]
+    read = operator.attrgetter(".".join((*path, "device")))
+
+    def find(arguments: Sequence[Any]) -> Any:
+        try:
+            device = read(arguments[place])
+        except (AttributeError, IndexError, TypeError):
+            return device_of(arguments)
+        return device if isinstance(device, Device) else device_of(arguments)
+
+    return find
 
 
 def taker_apart(places: Sequence[Place], names: Sequence[str]) -> Callable[[str, Sequence[Any]], list[Any]] | None:

@@ -24,14 +24,14 @@ from ..array_types import Device
 lock = threading.RLock()
 _memory_of_host: AbstractContextManager[Any] = nullcontext()
 _recording_streams: dict[str, wp.Stream] = {}  # by the name of the device
-_released: deque[tuple[Any, Callable[[int, int], None], int, int]] = deque()
+waiting: deque[tuple[Device | None, Callable[[int, int], None], int, int]] = deque()  # releases
 _is_without_cuda = False  # since it was forked
 
 
 def _after_fork() -> None:
     global _is_without_cuda
     lock._at_fork_reinit()  # type: ignore[attr-defined]  # another thread may have held it
-    _released.clear()  # what the parent will release
+    waiting.clear()  # what the parent will release
     _is_without_cuda = wp.is_cuda_available()
 
 
@@ -69,27 +69,34 @@ def own(values: Any) -> wp.array:
     wait there: then the release is put off until the next array is made or dropped.
     """
     if values.device.is_cuda and values.deleter is not None:
-        _release_pending()
+        release_pending()
         device, release = values.device, values.deleter
         values.deleter = partial(release_in_turn, device, release)
     return values
 
 
-def release_in_turn(device: Device, release: Callable[[int, int], None], address: int, size: int) -> None:
-    """Release memory at once, or where another thread is at the device, when the next array is made or dropped."""
+def release_in_turn(device: Device | None, release: Callable[[int, int], None], address: int, size: int) -> None:
+    """Release memory at once, or where another thread is at the device, when the next array is made or dropped.
+
+    Without a device, what releases sets its context itself.
+    """
     if _is_without_cuda:
         return  # it is the parent's
-    _released.append((device, release, address, size))
+    waiting.append((device, release, address, size))
     if lock.acquire(blocking=False):
         try:
-            _release_pending()
+            release_pending()
         finally:
             lock.release()
 
 
-def _release_pending() -> None:
-    while _released:
-        device, release, address, size = _released.popleft()
+def release_pending() -> None:
+    """Release what had to wait; take the lock."""
+    while waiting:
+        device, release, address, size = waiting.popleft()
+        if device is None:
+            release(address, size)
+            continue
         with device.context_guard:
             release(address, size)
 

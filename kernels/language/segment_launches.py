@@ -7,11 +7,21 @@ the tables: a thread then finds its block by its number within the part.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
+
+import warp as wp
 
 from ..array_types import AnyArray, Integers
 from .arguments import MAX_THREADS
+from .cuda_launches import UNFIT, CudaLaunch, flattener, prepared_launch
+from .device_arrays import kind_of
+from .device_lock import lock
 from .warp_compiler import REDUCTION_BLOCK, CudaSegmentReduction
+
+if TYPE_CHECKING:
+    from ..lang import Reduction
+
+_MOST = MAX_THREADS // REDUCTION_BLOCK  # blocks or segments of a launch
 
 
 def launch_segments(
@@ -40,7 +50,48 @@ def launch_segments(
         run(kernels.fold_tiles, (part.stop - part.start) * size, tables, device, block_dim=size)
 
 
+class PreparedSegmentSum:
+    """What is prepared of a segment reduction on a GPU, for as many blocks and segments as go in one launch."""
+
+    def __init__(self, reduction: Reduction, tiles: CudaLaunch, fold: CudaLaunch, device: Any) -> None:
+        self._take_apart = flattener(reduction.types, device, reduction.places, len(reduction.takes))
+        self._sums, self._tables = kind_of(reduction.vector, 1, device), kind_of(wp.int32, 1, device)
+        self._tiles, self._fold = tiles, fold
+
+    @classmethod
+    def of(
+        cls, reduction: Reduction, values: Sequence[Any], blocks: Any, live: Integers, partials: AnyArray, out: AnyArray
+    ) -> PreparedSegmentSum | None:
+        """Prepare it from what it was launched with; None where its launches are to be Warp's.
+
+        Raises:
+            One of UNFIT: As of a kernel.
+        """
+        kernels, device, size = reduction.cuda, out.device, REDUCTION_BLOCK
+        given = [*values, blocks.firsts, blocks.lasts, blocks.owners, live, partials]
+        tiles = prepared_launch(kernels.tiles, size, given, device, block_dim=size)
+        fold = prepared_launch(kernels.fold_tiles, size, [blocks.starts, live, partials, out], device, block_dim=size)
+        return cls(reduction, tiles, fold, device) if tiles.is_known and fold.is_known else None
+
+    def is_launched(
+        self, arguments: Sequence[Any], blocks: Any, live: Integers, partials: AnyArray, out: AnyArray
+    ) -> bool:
+        """Launch what is plainly right; False, and nothing done, of others."""
+        size, packed = REDUCTION_BLOCK, self._tables.packed
+        if not 0 < blocks.count <= _MOST or not 0 < out.size <= _MOST:
+            return False
+        try:
+            flat, sums = self._take_apart(arguments), self._sums.packed(partials)
+            tables = (packed(blocks.firsts), packed(blocks.lasts), packed(blocks.owners), packed(live), sums)
+            folded = (packed(blocks.starts), packed(live), sums, self._sums.packed(out))
+            with lock:
+                self._tiles(blocks.count * size, (*flat, *tables))
+                self._fold(out.size * size, folded)
+        except UNFIT:
+            return False
+        return True
+
+
 def _parts(count: int) -> Iterator[slice]:
-    most = MAX_THREADS // REDUCTION_BLOCK
-    for first in range(0, count, most):
-        yield slice(first, min(first + most, count))
+    for first in range(0, count, _MOST):
+        yield slice(first, min(first + _MOST, count))

@@ -15,6 +15,7 @@ import pointloom as loom
 from pointloom.core.devices import resolve_device
 from pointloom.kernels import lang, launches, memory
 from pointloom.kernels.language import device_lock
+from pointloom.kernels.language.cuda_launches import CudaLaunch
 
 pytestmark = pytest.mark.both_compilers
 
@@ -327,6 +328,7 @@ def test_nothing_reaches_a_compiler_while_another_thread_may_launch(kernels, dev
 
     for name in ("_run_on_cpu", "_run_on_cuda", "_run_taichi"):
         monkeypatch.setattr(launches, name, watched(getattr(launches, name)))
+    monkeypatch.setattr(CudaLaunch, "__call__", watched(CudaLaunch.__call__))
     a, out = arrays(device)
     lang.launch(kernels.double_kernel, 4, [a, 2.0, 1, [0, 0, 0], out])
     assert held == [True]

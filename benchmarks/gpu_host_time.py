@@ -1,0 +1,265 @@
+"""What a call on CUDA costs its host: CPU time of Python and Warp, the emulated device's own work taken out.
+
+    python benchmarks/gpu_host_time.py [PART OF A NAME ...] [--rounds 9] [--save FILE] [--against FILE] [--profile]
+
+All that the emulated device does, it does inside the functions of Warp's native library that it stands for; their time
+is taken away, and what the clock around them costs. What is left a host with a real GPU pays too, and on top of it the
+driver's part of each native call, some 1 to 5 us, which these counts of calls, launches and allocations tell of.
+
+Clouds have 3,000 points, pictures 160 x 120 pixels: the host's time hardly depends on it, and the emulator's does.
+Ten calls follow each other without a wait of ours, as warm as between launches of a real GPU; what waits by itself
+runs the emulator in between, finds its caches cold, and takes up to twice as long as it would. Times are those of the
+thread, the lower quartile of the rounds. --save writes JSON, --against adds the ratio to such a file, and --profile
+says which functions the time goes to: cProfile makes all of them slower, small ones most.
+"""
+
+from __future__ import annotations
+
+import argparse
+import cProfile
+import gc
+import json
+import os
+import pstats
+import statistics
+import sys
+import time
+import warnings
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+ROOT, DEVICE = Path(__file__).parents[1], "cuda:0"
+CALIBRATION, WARM_UP, IN_A_ROW, PROFILED, PROFILE_LINES = 20_000, 2, 10, 20, 25
+COUNTS = ("launches", "graphs", "graphs made", "copies to host", "copies to device", "allocations", "waits")
+WAITING = ("register_globally", "odometry, a scan")  # dozens of times a call: nothing of them is warm
+clock = time.thread_time
+
+
+class Inside:
+    """The time that the emulated device takes, between two looks."""
+
+    def __init__(self) -> None:
+        self.seconds, self.calls, self.is_in, self.hook = 0.0, 0, False, 0.0
+
+    def timed(self, function: Callable[..., Any]) -> Callable[..., Any]:
+        """The device's function with a clock around it; what it calls itself is not counted again."""
+
+        def call(*arguments: Any) -> Any:
+            if self.is_in:
+                return function(*arguments)
+            self.calls += 1
+            self.is_in = True
+            start = clock()
+            try:
+                return function(*arguments)
+            finally:
+                self.seconds += clock() - start
+                self.is_in = False
+
+        return call
+
+    def calibrate(self) -> None:
+        """Find what a clock around a call adds to the time outside."""
+        call, nothing = self.timed(lambda *_: None), range(CALIBRATION)
+        start = clock()
+        for _ in nothing:
+            pass
+        loop = clock() - start
+        self.seconds, start = 0.0, clock()
+        for _ in nothing:
+            call(0)
+        self.hook = (clock() - start - self.seconds - loop) / CALIBRATION
+        self.seconds, self.calls = 0.0, 0
+
+    def taken(self) -> float:
+        """What is to be taken from the time of a call."""
+        return self.seconds + self.calls * self.hook
+
+
+def install() -> tuple[Any, Inside]:
+    """The emulated device as Warp's only GPU, and the clock around it."""
+    os.environ.setdefault("EMULATED_CUDA_UNINITIALISED", "0")
+    sys.path.append(str(ROOT / "tests"))
+    from emulated_cuda import install as emulated  # pyright: ignore[reportMissingImports]
+
+    inside, found = Inside(), emulated.Device.function
+
+    def function(self: Any, name: str) -> Any:
+        native = found(self, name)
+        return None if native is None else inside.timed(native)
+
+    emulated.Device.function = function
+    emulated.install()
+    warnings.simplefilter("ignore")
+    import warp as wp
+
+    import pointloom.kernels.lang  # noqa: F401  before Warp starts: it silences the banner
+
+    wp.init()
+    inside.calibrate()
+    return emulated.installed(), inside
+
+
+# ------------------------------------------------------------------------------------------------ operations
+
+
+def cloud_operations() -> dict[str, Callable[[], Any]]:
+    """Operations on a cloud whose tree is there."""
+    import scenes
+
+    import pointloom as loom
+
+    cloud = loom.PointCloud(scenes.bumpy_surface(3000, 0), device=DEVICE).to(DEVICE, arrays="warp")
+    facing = cloud.estimate_normals(max_nn=30)
+    search = loom.NearestNeighborSearch(cloud)
+    return {
+        "normals k30": lambda: cloud.estimate_normals(max_nn=30),
+        "voxel_down_sample": lambda: cloud.voxel_down_sample(0.2),
+        "knn 20": lambda: search.knn_search(cloud.array("points"), 20),
+        "statistical outliers": lambda: cloud.remove_statistical_outlier(20, 2.0),
+        "dbscan": lambda: cloud.cluster_dbscan(0.1, 8),
+        "fpfh": lambda: loom.compute_fpfh_feature(facing, radius=0.3, max_nn=50),
+    }
+
+
+def registration_operations() -> dict[str, Callable[[], Any]]:
+    """Two clouds brought together, and a scanner that drives."""
+    import scenes
+    import street
+
+    import pointloom as loom
+
+    reg = loom.registration
+    source = loom.PointCloud(scenes.bumpy_surface(3000, 0), device=DEVICE).to(DEVICE, arrays="warp")
+    target = loom.PointCloud(scenes.bumpy_surface(3000, 1), device=DEVICE).estimate_normals(max_nn=20)
+    steps = reg.ICPConvergenceCriteria(0, 0, 20)
+    plane, general = reg.TransformationEstimationPointToPlane(), reg.TransformationEstimationForGeneralizedICP()
+    drive = street.drive(WARM_UP + 14, sway=0.2, azimuths=225)
+    scans = [loom.PointCloud(p, device=DEVICE, time=t) for p, t in zip(drive.scans, drive.times, strict=True)]
+    run = reg.LidarOdometry(voxel_size=1.0, device=DEVICE)
+    left = iter(scans)
+    run.register(next(left))
+    return {
+        "icp plane, 20 steps": lambda: reg.registration_icp(source, target, 0.3, None, plane, steps),
+        "gicp, 20 steps": lambda: reg.registration_icp(source, target, 0.3, None, general, steps),
+        "register_globally": lambda: reg.register_globally(source, target, voxel_size=0.15),
+        "odometry, a scan": lambda: run.register(next(left)),
+    }
+
+
+def frame_operations() -> dict[str, Callable[[], Any]]:
+    """Depth pictures, volumes and rays."""
+    import numpy as np
+    import scenes
+    from mesh_scenes import scene_in_pointloom, wavy_mesh
+
+    import pointloom as loom
+
+    frames = scenes.room_frames(2, 160, 120)
+    camera = loom.PinholeCameraIntrinsic(160, 120, *frames.intrinsic)
+    volume = loom.TSDFVolume(voxel_size=0.05, truncation=0.2, color=False, device=DEVICE)
+    scale = {"depth_scale": 1000.0, "depth_max": 5.0}
+    v, u = np.mgrid[:120, :160]
+    shade = (127 + 60 * np.sin(u / 7) + 50 * np.cos(v / 9)).astype(np.uint8)
+    first, second = (loom.odometry.OdometryFrame(depth, camera, shade, device=DEVICE) for depth in frames.depths[:2])
+    scene = scene_in_pointloom(wavy_mesh(24), DEVICE)
+    rng = np.random.default_rng(0)
+    rays = np.concatenate([rng.random((2_000, 3)) * 4 - 2, rng.standard_normal((2_000, 3))], axis=1).astype(np.float32)
+    return {
+        "tsdf integrate": lambda: volume.integrate(frames.depths[1], camera, frames.extrinsics[1], **scale),
+        "tsdf mesh": lambda: volume.extract_triangle_mesh(0),
+        "rgbd frame": lambda: loom.odometry.OdometryFrame(frames.depths[0], camera, shade, device=DEVICE),
+        "rgbd alignment": lambda: loom.odometry.align_frames(first, second),
+        "cast_rays": lambda: scene.cast_rays(rays),
+    }
+
+
+# ------------------------------------------------------------------------------------------------ measuring
+
+
+def measure(name: str, call: Callable[[], Any], rounds: int, device: Any, inside: Inside) -> dict[str, Any]:
+    """The lower quartile of some calls, and the counts of the last."""
+    import warp as wp
+
+    for _ in range(WARM_UP):
+        _ = call()
+    seconds, counts, calls, in_a_row = [], {}, 0, 1 if name in WAITING else IN_A_ROW
+    gc.disable()  # whose time depends on what else the process keeps
+    for _ in range(rounds):
+        wp.synchronize()
+        before = dict(device.findings.counts)
+        inside.seconds, inside.calls, start = 0.0, 0, clock()
+        for _ in range(in_a_row):
+            result = call()
+            del result  # its release is a part of it
+        seconds.append((clock() - start - inside.taken()) / in_a_row)
+        calls = inside.calls // in_a_row
+        wp.synchronize()
+        counts = {key: (device.findings.counts[key] - before.get(key, 0)) // in_a_row for key in COUNTS}
+    gc.enable()
+    return {"operation": name, "host_ms": 1e3 * statistics.quantiles(seconds, n=4)[0], "native calls": calls, **counts}
+
+
+def printed(row: dict[str, Any], known: dict[str, Any] | None) -> str:
+    """A line of the table."""
+    ratio = f"{known['host_ms'] / row['host_ms']:7.2f}x" if known else ""
+    counts = "".join(f"{row[key]:{len(key) + 2}}" for key in ("native calls", *COUNTS))
+    return f"{row['operation']:22}{row['host_ms']:9.3f}{ratio}{counts}"
+
+
+def print_profile(name: str, call: Callable[[], Any]) -> None:
+    """The functions that a call's time goes to, the emulated device's apart."""
+    for _ in range(WARM_UP):
+        _ = call()
+    gc.disable()
+    profile = cProfile.Profile(clock)
+    profile.enable()
+    calls = PROFILED if name not in WAITING else 10
+    for _ in range(calls):
+        result = call()
+        del result
+    profile.disable()
+    rows = []
+    for (file, line, function), (_, _, _, _, callers) in pstats.Stats(profile).stats.items():  # type: ignore[attr-defined]
+        ours = [found for (place, *_), found in callers.items() if not _is_emulator(place)]
+        if ours and not _is_emulator(file):
+            count, own = (sum(found[k] for found in ours) / calls for k in (1, 2))
+            rows.append((1e3 * own, count, f"{Path(file).name}:{line} {function}"))
+    print(f"{name}: {sum(row[0] for row in rows):.3f} ms outside the emulated device, as cProfile has it")
+    for own, count, place in sorted(rows, reverse=True)[:PROFILE_LINES]:
+        print(f"  {own:8.3f} ms {count:7.1f} x  {place}")
+
+
+def _is_emulator(file: str) -> bool:
+    return "emulated_cuda" in file or file == __file__ or Path(file).name in ("dis.py", "linecache.py", "traceback.py")
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=(__doc__ or "").splitlines()[0])
+    parser.add_argument("names", nargs="*")
+    parser.add_argument("--rounds", type=int, default=9)
+    parser.add_argument("--save", type=Path)
+    parser.add_argument("--against", type=Path)
+    parser.add_argument("--profile", action="store_true")
+    chosen = parser.parse_args()
+    device, inside = install()
+    known = {row["operation"]: row for row in json.loads(chosen.against.read_text())} if chosen.against else {}
+    if not chosen.profile:
+        print(f"{'operation':22}{'host ms':>9}{'  before' if known else ''}  " + "  ".join(("native calls", *COUNTS)))
+    rows = []
+    for operations in (cloud_operations, registration_operations, frame_operations):
+        for name, call in operations().items():
+            if chosen.names and not any(part in name for part in chosen.names):
+                continue
+            if chosen.profile:
+                print_profile(name, call)
+                continue
+            rows.append(measure(name, call, chosen.rounds, device, inside))
+            print(printed(rows[-1], known.get(name)), flush=True)
+    if chosen.save and rows:
+        chosen.save.write_text(json.dumps(rows, indent=1) + "\n")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,246 @@
+"""CUDA launches that are prepared once: each later launch of a kernel only brings its arguments.
+
+`wp.launch` takes 20 to 40 us of Python for ours, which have up to 40 arguments once their structures are taken apart.
+Here the first launch on a device is Warp's to look up: the kernel's handle, its grid, its shared memory, and the bytes
+of its arguments. What is packed here has to be the same bytes, else all launches stay Warp's. Later ones take the
+arguments apart by a function that is written for the kernel, pack them into a buffer that the driver reads before it
+returns, and call it.
+
+The written function takes what is plainly right and raises otherwise; arguments.py then says what is wrong, or
+converts what can be.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import ctypes
+import itertools
+import struct
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import warp as wp
+
+from ..array_types import Device
+from . import warp_parts
+from .arguments import type_of
+from .device_arrays import Unfit, kind_of
+from .prepared_launches import FORMATS, Parameter
+from .structs import Path, Place
+from .warp_compiler import REDUCTION_BLOCK
+
+if TYPE_CHECKING:
+    from ..lang import Kernel, Reduction
+
+Flat = tuple[Any, ...]
+Flattener = Callable[[Sequence[Any]], Flat]
+UNFIT = (TypeError, ValueError, AttributeError, OverflowError, struct.error)  # what packing says of odd arguments
+_BOUNDS = "I4xQQ"  # the extent, the threads, and how many share a coordinate
+_ALIGNMENT = 8
+
+
+def flattener(types: Sequence[Any], device: Device, places: Sequence[Place] | None = None, count: int = 0) -> Flattener:
+    """The function that takes a kernel's arguments apart: bytes for arrays, vectors and matrices, numbers as they are.
+
+    It raises one of UNFIT, or what an attribute of a structure raises, where an argument is not plainly right.
+
+    Args:
+        types: Of the flat parameters.
+        device: Where the arrays are.
+        places: Where the flat parameters come from; None where they are what is passed.
+        count: How many arguments are passed, with places.
+    """
+    if places is None:
+        places, count = [Place(k, ()) for k in range(len(types))], len(types)
+    scope: dict[str, Any] = {}
+    lines = ["def flatten(arguments):", f"    {''.join(f'a{k}, ' for k in range(count))} = arguments"]
+    names: dict[tuple[int, Path], str] = {(k, ()): f"a{k}" for k in range(count)}
+    found = []
+    for k, (kind, place) in enumerate(zip(types, places, strict=True)):
+        for depth in range(1, len(place.path) + 1):
+            path = place.path[:depth]
+            if (place.parameter, path) not in names:
+                names[place.parameter, path] = name = f"x{len(names)}"
+                lines.append(f"    {name} = {names[place.parameter, path[:-1]]}.{path[-1]}")
+        name = names[place.parameter, place.path]
+        if isinstance(kind, wp.array):
+            scope[f"kind{k}"] = kind_of(kind.dtype, kind.ndim, device)
+            lines.append(f"    if getattr({name}, 'kind_', None) is not kind{k}: kind{k}.mark({name})")
+            name = f"{name}.packed_"
+        elif getattr(type_of(kind), "shape", ()):
+            scope[f"bytes{k}"] = _vector_reader(kind)
+            name = f"bytes{k}({name})"
+        found.append(name)
+    lines.append(f"    return ({''.join(f'{name}, ' for name in found)})")
+    exec("\n".join(lines), scope)
+    return scope["flatten"]
+
+
+def _vector_reader(annotation: Any) -> Callable[[Any], bytes]:
+    """What reads a vector or a matrix as the bytes that are passed."""
+    scalar, shape = wp.dtype_to_numpy(annotation._wp_scalar_type_), tuple(annotation._shape_)
+    flat = (annotation._length_,)
+
+    def read(argument: Any) -> bytes:
+        if type(argument) is annotation:
+            return bytes(argument)
+        parts = np.asarray(argument, scalar)
+        if parts.shape not in (shape, flat):
+            raise Unfit
+        return parts.tobytes()
+
+    return read
+
+
+class _Buffer:
+    """Room for the arguments of a launch, and the addresses in it that the driver is given."""
+
+    def __init__(self, size: int, offsets: Sequence[int]) -> None:
+        self.room = ctypes.create_string_buffer(size)
+        start = ctypes.addressof(self.room)
+        self.addresses = (ctypes.c_void_p * len(offsets))(*(start + offset for offset in offsets))
+
+
+class CudaLaunch:
+    """A kernel of Warp's on a GPU, loaded there.
+
+    Attributes:
+        is_known: Whether what is packed here is what Warp packs; else all launches are to be Warp's.
+    """
+
+    def __init__(self, kernel: Any, device: Any, command: Any, flat: Flat) -> None:
+        """Prepare it.
+
+        Args:
+            kernel: Warp's.
+            device: Warp's.
+            command: A launch of it that Warp has recorded.
+            flat: The arguments of that launch, taken apart.
+        """
+        self._kernel, self._device = kernel, device
+        self._idle: _Buffer | None = None
+        self.is_known = False
+        with contextlib.suppress(*UNFIT, KeyError):
+            self._read(command)
+            self.is_known = self._packs_as(command, flat)
+
+    def _read(self, command: Any) -> None:
+        hooks = command.hooks
+        self._held = command.module_exec  # else Warp might unload what the handle is of
+        self._hooks, self._handle = hooks, hooks.forward
+        self._grid = (command.max_blocks, command.block_dim, int(command.grid_stride), command.cluster_dim)
+        self._shared = hooks.forward_smem_bytes
+        parameters = [Parameter.of(argument.type) for argument in self._kernel.adj.args]
+        parts = [_BOUNDS, *(_format(parameter) for parameter in parameters)]
+        sizes = [struct.calcsize("=" + part) for part in parts]
+        padded = [size + -size % _ALIGNMENT for size in sizes]
+        self._sizes, self._offsets = sizes, [0, *itertools.accumulate(padded)][:-1]
+        gaps = [f"{room - size}x" for size, room in zip(sizes, padded, strict=True)]
+        self._layout = struct.Struct("=" + "".join(map("".join, zip(parts, gaps, strict=True))))
+
+    def _packs_as(self, command: Any, flat: Flat) -> bool:
+        """Whether it makes of these arguments the bytes that Warp has made."""
+        hooks, bounds = command.hooks, command.bounds
+        is_plain = hooks.forward is not None and getattr(hooks.det_launch_meta, "needs_deterministic", False) is False
+        if not (is_plain and command.cluster_dim == 1 and len(bounds.shape) == 1 and not command.adjoint):
+            return False
+        packed = self._layout.pack(bounds.size, bounds.size, 1, *flat)
+        given = [packed[start : start + size] for start, size in zip(self._offsets, self._sizes, strict=True)]
+        return given == [bytes(param) for param in command.params]
+
+    def __call__(self, thread_count: int, flat: Flat) -> None:
+        """Launch; take the lock.
+
+        Raises:
+            struct.error, OverflowError: A number is out of its parameter's range; nothing was launched.
+            RuntimeError: The driver refused.
+        """
+        # Nobody else's while it is filled and read: a signal handler may launch the same kernel in between, and what an
+        # interrupt leaves half filled is not used again.
+        buffer, self._idle = self._idle, None
+        if buffer is None:
+            buffer = _Buffer(self._layout.size, self._offsets)
+        try:
+            self._layout.pack_into(buffer.room, 0, thread_count, thread_count, 1, *flat)
+        except (struct.error, OverflowError):
+            self._idle = buffer
+            raise
+        device = self._device
+        failed = warp_parts.core().wp_cuda_launch_kernel(
+            device.context,
+            self._handle,
+            thread_count,
+            *self._grid,
+            self._shared,
+            buffer.addresses,
+            device.stream.cuda_stream,
+            None,
+        )
+        self._idle = buffer
+        if failed:
+            warp_parts.raise_launch_error(self._kernel, device, self._hooks)
+
+
+def prepared_launch(kernel: Any, thread_count: int, values: Sequence[Any], device: Any, **options: Any) -> CudaLaunch:
+    """A launch like one by `wp.launch` with these values, one a flat parameter.
+
+    Raises:
+        One of UNFIT: These arguments cannot tell whether it is the same.
+    """
+    flat = flattener([argument.type for argument in kernel.adj.args], device)(values)
+    command = wp.launch(kernel, thread_count, values, device=device, record_cmd=True, **options)
+    return CudaLaunch(kernel, device, command, flat)
+
+
+class PreparedKernel:
+    """What is prepared of a kernel on a GPU: how its arguments are taken apart, and its launch."""
+
+    def __init__(self, take_apart: Flattener, launch: CudaLaunch) -> None:
+        self.take_apart, self.launch = take_apart, launch
+
+    @classmethod
+    def of(cls, kernel: Kernel, thread_count: int, values: Sequence[Any], device: Any) -> PreparedKernel | None:
+        """Prepare it from arguments that it was launched with; None where its launches are to be Warp's.
+
+        Raises:
+            One of UNFIT: As `prepared_launch`.
+        """
+        launch = prepared_launch(kernel.cuda, thread_count, values, device)
+        if not launch.is_known:
+            return None
+        return cls(flattener(kernel.types, device, kernel.places, len(kernel.takes)), launch)
+
+
+class PreparedSum:
+    """What is prepared of a sum on a GPU: how its arguments are taken apart, and the launches of its two kernels."""
+
+    def __init__(self, reduction: Reduction, tiles: CudaLaunch, fold: CudaLaunch, device: Any) -> None:
+        self.take_apart = flattener(reduction.types, device, reduction.places, len(reduction.takes))
+        self.sums = kind_of(reduction.vector, 1, device)
+        self._tiles, self._fold = tiles, fold
+
+    @classmethod
+    def of(cls, reduction: Reduction, given: Sequence[Any], folded: Sequence[Any], device: Any) -> PreparedSum | None:
+        """Prepare it from what its kernels were launched with; None where its launches are to be Warp's.
+
+        Raises:
+            One of UNFIT: As `prepared_launch`.
+        """
+        kernels, size = reduction.cuda, REDUCTION_BLOCK
+        tiles = prepared_launch(kernels.tiles, size, given, device, block_dim=size)
+        fold = prepared_launch(kernels.fold_tiles, size, folded, device, block_dim=size)
+        return cls(reduction, tiles, fold, device) if tiles.is_known and fold.is_known else None
+
+    def sum(self, count: int, flat: Flat, blocks: int, partials: wp.array, out: wp.array) -> None:
+        """Sum `count` elements of what the arguments are taken apart to; take the lock."""
+        parts, total = self.sums.packed(partials), self.sums.packed(out)
+        self._tiles(blocks * REDUCTION_BLOCK, (*flat, count, parts))
+        self._fold(REDUCTION_BLOCK, (blocks, parts, total))
+
+
+def _format(parameter: Parameter) -> str:
+    """How `struct` packs a parameter."""
+    if parameter.is_array:
+        return f"{warp_parts.DESCRIPTION_BYTES}s"
+    return f"{parameter.size}s" if parameter.is_vector else FORMATS[parameter.scalar]

@@ -1,0 +1,187 @@
+"""Arrays on a GPU without Warp's way there: made, described for kernels, cut into parts, released.
+
+`wp.empty` and the release of what it made take 11 us of Python, for two calls of the driver of less than one; a launch
+builds a C structure for each of its arrays anew. Here an array is a copy of one that Warp has made, with its own place
+in memory, and keeps what a kernel is told of it as the bytes that are passed.
+
+All of it knows how Warp 1.19 keeps an array, as warp_parts.py says: where that is otherwise, or where the program has
+Warp look closer (an allocator of its own, a recording for later processes), Warp does it.
+"""
+
+from __future__ import annotations
+
+import math
+import struct
+from typing import Any
+
+import numpy as np
+import warp as wp
+
+from . import device_lock, warp_parts
+from .device_lock import lock, waiting
+
+Shape = tuple[int, ...]
+MAX_EXTENT = 2**31
+_DESCRIPTIONS = [struct.Struct(f"=Q8x{n}i{16 - 4 * n}x{n}i{16 - 4 * n}xH6x") for n in range(warp_parts.MAX_AXES + 1)]
+_OF_PART = dict.fromkeys(("ctype", "deleter", "_allocator", "_array_interface", "_memory_kind"))
+_array: Any = wp.array
+_bare = object.__new__
+
+
+class Unfit(TypeError):  # noqa: N818  no error yet: whoever takes a longer look says whether it is one
+    """An argument is not plainly right."""
+
+
+class Kind:
+    """What arrays of a type and a number of axes on a GPU have in common; one object for each.
+
+    An array that has been looked at has its kind as `kind_`, and what a kernel is told of it as `packed_`.
+    """
+
+    def __init__(self, dtype: Any, axes: int, device: Any) -> None:
+        self.dtype, self.axes, self.device = dtype, axes, device
+        self.element_bytes = wp.types.type_size_in_bytes(dtype)
+        self.scalar = np.dtype(wp.dtype_to_numpy(getattr(dtype, "_wp_scalar_type_", dtype)))  # of NumPy
+        self.inner = tuple(getattr(dtype, "_shape_", ()))  # of an element
+        self.pack = _DESCRIPTIONS[axes].pack
+        self._like: dict[str, Any] | None = None  # what a new array keeps, but for its place and its shape
+
+    def packed(self, array: Any) -> bytes:
+        """What a kernel is told of an array.
+
+        Raises:
+            Unfit: It is not of this kind, has gaps, or a gradient.
+        """
+        if getattr(array, "kind_", None) is not self:
+            self.mark(array)
+        return array.packed_
+
+    def mark(self, array: Any) -> None:
+        """Look at an array, and keep what was found with it.
+
+        Raises:
+            Unfit: As `packed`.
+        """
+        is_fit = type(array) is _array and array.dtype is self.dtype and array.ndim == self.axes
+        if not (is_fit and array.device is self.device and array.is_contiguous and array._grad is None):
+            raise Unfit
+        array.packed_ = self.pack(array.ptr or 0, *array.shape, *array.strides, self.axes)
+        array.kind_ = self
+
+    def new(self, shape: Shape, strides: Shape, size: int) -> Any:
+        """An array with undefined contents; take the lock.
+
+        Raises:
+            RuntimeError: The device has no room for it.
+        """
+        like = self._like
+        if like is None:
+            releases = _releases_of(self.device)
+            like = dict(vars(wp.empty((0,) * self.axes, dtype=self.dtype, device=self.device)))
+            like |= {"kind_": self, "ctype": None, "_allocator": releases, "deleter": releases.deallocate}
+            self._like = like
+        address = None
+        if size:
+            device = self.device
+            core = warp_parts.context.runtime.core
+            address = core.wp_alloc_device_async(device.context, size, warp_parts.CURRENT_STREAM, None)
+            if not address:
+                raise RuntimeError(f"Failed to allocate {size} bytes on device '{device}'")
+        state = like.copy()
+        state["ptr"], state["capacity"], state["size"] = address, size, size // self.element_bytes
+        state["shape"], state["strides"] = shape, strides
+        state["packed_"] = self.pack(address or 0, *shape, *strides, self.axes)
+        made = _bare(_array)
+        made.__dict__ = state
+        return made
+
+    def part(self, whole: Any, first: int, last: int) -> Any:
+        """Rows `first` to below `last` of an array of this kind, which stays alive as long as they do."""
+        state = whole.__dict__.copy()
+        shape, strides = (last - first, *whole.shape[1:]), whole.strides
+        state["ptr"] = address = None if whole.ptr is None else whole.ptr + first * strides[0]
+        state["capacity"] = size = (last - first) * strides[0]
+        state["size"] = size // self.element_bytes
+        state["shape"] = shape
+        state["packed_"] = self.pack(address or 0, *shape, *strides, self.axes)
+        state.update(_OF_PART)
+        state["_ref"] = whole
+        made = _bare(_array)
+        made.__dict__ = state
+        return made
+
+
+_kinds: dict[tuple[Any, int, str], Kind] = {}
+
+
+def kind_of(dtype: Any, axes: int, device: Any) -> Kind:
+    """The kind of such arrays."""
+    found = _kinds.get((dtype, axes, device.alias))
+    if found is None:
+        found = _kinds.setdefault((dtype, axes, device.alias), Kind(dtype, axes, device))
+    return found
+
+
+def new(shape: int | Shape, dtype: Any, device: Any) -> Any:
+    """An array on a GPU with undefined contents; None where Warp has to make it, or says what is wrong with its shape.
+
+    Raises:
+        RuntimeError: The device has no room for it.
+    """
+    if not warp_parts.makes_arrays_plainly(device):
+        return None
+    if type(shape) is int:
+        kind = kind_of(dtype, 1, device)
+        shape, strides, size = (shape,), (kind.element_bytes,), shape * kind.element_bytes
+    else:
+        shape = tuple(map(int, shape))  # type: ignore[arg-type]
+        if not 0 < len(shape) <= warp_parts.MAX_AXES:
+            return None
+        kind = kind_of(dtype, len(shape), device)
+        strides = tuple(kind.element_bytes * math.prod(shape[k + 1 :]) for k in range(len(shape)))
+        size = shape[0] * strides[0]
+    if min(shape) < 0 or max(shape) >= MAX_EXTENT or strides[0] >= MAX_EXTENT:
+        return None
+    with lock:
+        if waiting:
+            device_lock.release_pending()
+        return kind.new(shape, strides, size)
+
+
+def part(values: Any, first: int, last: int) -> Any:
+    """Rows `first` to below `last` of an array, as `values[first:last]` gives them."""
+    kind = getattr(values, "kind_", None)
+    if kind is None or not 0 <= first < last <= values.shape[0]:
+        return values[first:last]
+    return kind.part(values, first, last)
+
+
+class _Releases:
+    """Releases the arrays of a GPU in turn with its other work; Warp reads it as their allocator."""
+
+    deallocate_requires_context_guard = False  # the function that releases sets the context itself
+    memory_kind = warp_parts.MEMORY_OF_POOL
+
+    def __init__(self, device: Any) -> None:
+        self._context = device.context
+
+    def deallocate(self, address: int, size: int) -> None:
+        """Release memory at once, or where another thread is at the device, when the next array is made or dropped."""
+        if waiting or not lock.acquire(blocking=False):
+            device_lock.release_in_turn(None, self._release, address, size)
+            return
+        try:
+            if not device_lock.why_no_cuda_here():  # else it is the parent's
+                self._release(address, size)
+        finally:
+            lock.release()
+
+    def _release(self, address: int, _: int) -> None:
+        warp_parts.context.runtime.core.wp_free_device_async(self._context, address, None)
+
+
+_by_device: dict[str, _Releases] = {}
+
+
+def _releases_of(device: Any) -> _Releases:
+    return _by_device.setdefault(device.alias, _Releases(device))

@@ -1,0 +1,83 @@
+"""Copies on, to and from a GPU without Warp's way there, which takes longer than small ones take the driver.
+
+Each of these does what Warp's function does for arrays without gaps, by the same call of its native library on the
+same stream; where it is not as plain as that, during a recording above all, it does nothing and says so. Take the lock.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from . import warp_parts
+from .device_arrays import Kind, kind_of
+
+
+def _kind(values: Any) -> Kind:
+    return getattr(values, "kind_", None) or kind_of(values.dtype, values.ndim, values.device)
+
+
+def _is_plain(values: Any) -> bool:
+    """Whether an array is one of a GPU without gaps, and nobody listens to what is done with it."""
+    is_plain = values.is_contiguous and values._grad is None and values.device.is_cuda
+    return is_plain and warp_parts.makes_arrays_plainly(values.device)
+
+
+def is_zeroed(values: Any) -> bool:
+    """Set the bytes of an array to zero; False, and nothing done, where Warp has to."""
+    if not _is_plain(values):
+        return False
+    size = values.size * _kind(values).element_bytes
+    if size:
+        warp_parts.core().wp_memset_device(values.device.context, values.ptr, 0, size, warp_parts.CURRENT_STREAM)
+    return True
+
+
+def is_copied(target: Any, source: Any, count: int, offset: int = 0) -> bool:
+    """Copy the first elements between arrays of a GPU; False, and nothing done, where Warp has to."""
+    if target.device is not source.device or not (_is_plain(target) and source.is_contiguous):
+        return False
+    width = _kind(target).element_bytes
+    is_inside = 0 < count <= source.size and 0 <= offset <= target.size - count
+    if not is_inside or source._grad is not None or _kind(source).element_bytes != width:
+        return False
+    device, to = target.device, target.ptr + offset * width
+    done = warp_parts.core().wp_memcpy_d2d(device.context, to, source.ptr, count * width, device.stream.cuda_stream)
+    return _checked(done, device)
+
+
+def is_written(target: Any, values: NDArray[Any]) -> bool:
+    """Copy the bytes of a NumPy array without gaps, as many as the target has; False where Warp has to."""
+    device = target.device
+    if not _is_plain(target) or device.captures or not values.flags.c_contiguous:
+        return False
+    kind = _kind(target)
+    size = target.size * kind.element_bytes
+    if size == 0 or size != values.nbytes or values.dtype != kind.scalar:
+        return False
+    address = values.__array_interface__["data"][0]
+    done = warp_parts.core().wp_memcpy_h2d(device.context, target.ptr, address, size, device.stream.cuda_stream)
+    return _checked(done, device)
+
+
+def fetched(values: Any) -> NDArray[Any] | None:
+    """An array of a GPU on the host (sync); None where Warp has to do it."""
+    device = values.device
+    if not _is_plain(values) or device.captures or not values.size:
+        return None
+    kind = _kind(values)
+    out = np.empty((*values.shape, *kind.inner), kind.scalar)
+    core, stream = warp_parts.core(), device.stream.cuda_stream
+    done = core.wp_memcpy_d2h(device.context, out.__array_interface__["data"][0], values.ptr, out.nbytes, stream)
+    _checked(done, device)
+    if not core.wp_cuda_stream_synchronize(stream):  # sync
+        raise RuntimeError(f"Failed to synchronize stream on device {device}: {device.runtime.get_error_string()}")
+    return out
+
+
+def _checked(done: Any, device: Any) -> bool:
+    if not done:
+        raise RuntimeError(f"Warp copy error: {device.runtime.get_error_string()}")
+    return True

@@ -1,0 +1,113 @@
+"""The parts of Warp that are no public interface, named in one place, with what is expected of them.
+
+Launches and arrays on a GPU go past Warp's Python (cuda_launches.py, device_arrays.py), which takes longer than the
+driver. They look here whether this Warp has what they know; where it has not, all goes through `wp.launch` and
+`wp.empty`. warp-lang is bound to the versions that were read, 1.19, in pyproject.toml.
+"""
+
+from __future__ import annotations
+
+import ctypes
+import functools
+import inspect
+from typing import Any, NoReturn
+
+import warp as wp
+from warp._src import context, types
+
+MAX_AXES = 4  # of an array
+CURRENT_STREAM = 0xFFFFFFFFFFFFFFFF  # stands for a context's own
+MEMORY_OF_POOL = context.MemoryKind.CUDA_MEMPOOL
+DESCRIPTION = ("data", "grad", "shape", "strides", "ndim", "flags")  # of an array, as kernels get it: array_t
+DESCRIPTION_BYTES = 56
+BOUNDS = ("shape", "size", "coord_mult")  # what a kernel gets first: launch_bounds_1d_t
+ARRAY = {  # what an array keeps: all that a copy of one for another place in memory has to change is here
+    *("_allocator", "_grad", "capacity", "ctype", "deleter", "device", "dtype", "is_contiguous", "ndim", "ptr"),
+    *("shape", "size", "strides"),
+}
+DEVICE = ("_custom_allocator", "alias", "context", "current_allocator", "mempool_allocator", "ordinal", "stream")
+LAUNCH = ("block_dim", "bounds", "cluster_dim", "grid_stride", "hooks", "max_blocks", "module_exec", "params")
+HOOKS = ("det_launch_meta", "forward", "forward_smem_bytes")
+FUNCTIONS = {  # of the native library, with what they take
+    "wp_cuda_launch_kernel": 11,
+    "wp_alloc_device_async": 4,
+    "wp_free_device_async": 3,
+    "wp_memset_device": 5,
+    "wp_memcpy_d2d": 5,
+    "wp_memcpy_d2h": 5,
+    "wp_memcpy_h2d": 5,
+    "wp_cuda_stream_synchronize": 1,
+}
+
+
+def core() -> Any:
+    """Warp's native library."""
+    return context.runtime.core
+
+
+def missing() -> list[str]:
+    """What of these parts this Warp lacks, or has in another form; empty of a version that was read."""
+    found = []
+    if tuple(name for name, *_ in types.array_t._fields_) != DESCRIPTION or _size(types.array_t) != DESCRIPTION_BYTES:
+        found.append("array_t: an array as kernels get it")
+    bounds = types.launch_bounds_t(1)
+    if tuple(name for name, *_ in bounds._fields_) != BOUNDS or _size(type(bounds)) != 24:
+        found.append("launch_bounds_t: what a kernel gets first")
+    array = wp.empty(0, dtype=wp.int32, device="cpu")
+    found += [f"array.{name}" for name in sorted(ARRAY - set(vars(array)))]
+    found += [f"Device.{name}" for name in DEVICE if not _has(context.Device, name)]
+    found += [f"Launch.{name}" for name in LAUNCH if not _has(context.Launch, name)]
+    found += [f"KernelHooks.{name}" for name in HOOKS if not _has(context.KernelHooks, name)]
+    found += [] if hasattr(context, "_raise_cuda_launch_error") else ["_raise_cuda_launch_error"]
+    found += [f"runtime.{name}" for name in ("_apic_capture", "core", "tape") if not hasattr(context.runtime, name)]
+    for name, count in FUNCTIONS.items():
+        takes = getattr(getattr(core(), name, None), "argtypes", ())
+        if takes is None or (takes and len(takes) != count):
+            found.append(f"{name} with {count} arguments")
+    return found
+
+
+def _size(structure: Any) -> int:
+    return ctypes.sizeof(structure)
+
+
+def _has(kind: type, name: str) -> bool:
+    """Whether objects of a class have an attribute: of the class, or set by its first function."""
+    return hasattr(kind, name) or f"self.{name}" in inspect.getsource(kind.__init__)
+
+
+@functools.cache
+def is_known() -> bool:
+    """Whether this Warp is one that can be gone past."""
+    try:
+        return not missing()
+    except (AttributeError, TypeError, OSError):  # OSError: there is no source to look at
+        return False
+
+
+def raise_launch_error(kernel: Any, device: Any, hooks: Any) -> NoReturn:
+    """Say why the driver refused a launch, in Warp's words."""
+    context._raise_cuda_launch_error(kernel, device, hooks, False)
+    raise AssertionError("it raises")
+
+
+def makes_arrays_plainly(device: Any) -> bool:
+    """Whether an array on a GPU is memory of its pool and nothing else."""
+    return (
+        device._custom_allocator is None
+        and device.current_allocator is device.mempool_allocator
+        and context.runtime._apic_capture is None
+        and is_known()
+    )
+
+
+def launches_plainly() -> bool:
+    """Whether a launch is a call of the driver and nothing else: nobody listens, prints or checks."""
+    runtime, config = context.runtime, wp.config
+    return not (
+        runtime._apic_capture is not None
+        or runtime.tape is not None
+        or config.print_launches
+        or config.verify_cuda
+        or config.launch_array_access_mode != config.LaunchArrayAccessMode.RELAXED
+    )

@@ -1,0 +1,164 @@
+"""Arrays on a GPU that Warp did not make: in all that Warp looks at they are as its own, and so are their copies."""
+
+from __future__ import annotations
+
+import gc
+import threading
+
+import numpy as np
+import pytest
+import warp as wp
+
+from pointloom.kernels import memory
+from pointloom.kernels.language import device_arrays, device_copies, device_lock, warp_parts
+
+OWN = {"kind_", "packed_", "_allocator", "deleter", "ptr", "ctype", "_array_interface", "_ref", "_apic_capture_origin"}
+SHAPES = (5, 0, (4,), (2, 3), (2, 0, 4), (2, 1, 3, 2), (np.int64(3), np.int32(2)))
+
+
+@pytest.fixture
+def where(emulated):
+    device = wp.get_device("cuda:0")
+    memory.empty(1, wp.int32, device)
+    return device
+
+
+@pytest.fixture
+def by_warp(monkeypatch):
+    """A function: from here on Warp makes and copies what it can."""
+    return lambda: monkeypatch.setattr(warp_parts, "is_known", lambda: False)
+
+
+def state_of(array) -> dict:
+    return {name: value for name, value in vars(array).items() if name not in OWN}
+
+
+@pytest.mark.parametrize("shape", SHAPES, ids=str)
+@pytest.mark.parametrize("dtype", [wp.float32, wp.uint8, wp.vec3, wp.mat44d], ids=lambda t: t.__name__)
+def test_a_new_array_keeps_what_warps_keeps(where, shape, dtype):
+    ours, warps = memory.empty(shape, dtype, where), wp.empty(shape, dtype=dtype, device=where)
+    assert hasattr(ours, "kind_") and not hasattr(warps, "kind_")
+    assert state_of(ours) == state_of(warps)
+    assert bytes(ours.__ctype__())[8:] == bytes(warps.__ctype__())[8:]
+    assert ours.packed_ == bytes(ours.__ctype__())
+    assert ours.memory_kind == warps.memory_kind
+
+
+def test_a_part_is_what_a_slice_is_and_keeps_the_whole_alive(where, emulated):
+    whole = memory.upload(np.arange(24, dtype=np.float32).reshape(8, 3), wp.vec3, where)
+    for first, last in ((0, 8), (2, 5), (7, 8), (0, 0), (3, 3)):
+        ours, warps = memory.part(whole, first, last), whole[first:last]
+        assert state_of(ours) == state_of(warps) and ours.ptr == warps.ptr and ours._ref is whole
+        np.testing.assert_array_equal(ours.numpy(), warps.numpy())
+    ours = memory.part(whole, 2, 5)
+    del whole, warps
+    gc.collect()
+    assert memory.download(ours).tolist() == [[6, 7, 8], [9, 10, 11], [12, 13, 14]]
+
+
+def test_an_allocator_of_the_program_is_obeyed(where):
+    class Counting:
+        def __init__(self) -> None:
+            self.made, self.real = 0, where.mempool_allocator
+
+        def allocate(self, size):
+            self.made += 1
+            return self.real.allocate(size)
+
+        def deallocate(self, address, size):
+            self.made -= 1
+            self.real.deallocate(address, size)
+
+    allocator = Counting()
+    with wp.ScopedAllocator(where, allocator):
+        array = memory.zeros(7, wp.vec3, where)
+        assert allocator.made == 1
+    del array
+    assert allocator.made == 0
+
+
+def test_an_array_is_released_once_and_at_once(where, emulated):
+    wp.synchronize()
+    used = emulated.memory.used
+    array = memory.empty(1 << 20, wp.uint8, where)
+    assert emulated.memory.used > used
+    del array
+    wp.synchronize()
+    assert emulated.memory.used == used
+
+
+def test_an_array_dropped_while_another_thread_works_waits_for_its_turn(where, emulated):
+    wp.synchronize()
+    used, held = emulated.memory.used, [memory.empty(1 << 20, wp.uint8, where)]
+    with device_lock.lock:
+        thread = threading.Thread(target=held.clear)
+        thread.start()
+        thread.join(timeout=60)
+        assert not thread.is_alive(), "it waited for the lock"
+        wp.synchronize()
+        assert emulated.memory.used > used
+    small = memory.empty(1, wp.uint8, where)
+    del small
+    wp.synchronize()
+    assert emulated.memory.used == used
+
+
+def test_arrays_of_a_recording_are_released_behind_it(where):
+    made = memory.zeros(100, wp.int32, where)
+    graph = device_lock.record(where, lambda: memory.fill(made, 3))
+    with wp.ScopedCapture(device=where, stream=wp.Stream(where)):
+        memory.empty(10, wp.int32, where)
+    device_lock.replay(graph)
+    assert memory.download(made).tolist() == [3] * 100
+
+
+@pytest.mark.parametrize("dtype", [wp.float32, wp.uint8, wp.int64, wp.vec3, wp.mat33d, wp.vec2i])
+@pytest.mark.parametrize("rows", [0, 1, 1000])
+def test_what_goes_up_and_comes_down_is_what_warp_brings(where, by_warp, dtype, rows):
+    shape = (rows, *getattr(dtype, "_shape_", ()))
+    values = np.random.default_rng(0).integers(0, 99, shape)
+
+    def there_and_back() -> list[np.ndarray]:
+        array = memory.upload(values, dtype, where)
+        copied = memory.clone(array)
+        memory.write(copied, np.flip(values, 0).astype(wp.dtype_to_numpy(getattr(dtype, "_wp_scalar_type_", dtype))))
+        third = memory.zeros(rows + 2, dtype, where)
+        memory.copy(third, array, count=rows // 2, offset=1)
+        return [memory.download(x) for x in (array, copied, third, memory.full(rows, dtype(3), dtype, where))]
+
+    ours = there_and_back()
+    by_warp()
+    for mine, warps in zip(ours, there_and_back(), strict=True):
+        assert mine.dtype == warps.dtype
+        np.testing.assert_array_equal(mine, warps)
+
+
+def test_copies_that_are_not_plain_are_left_to_warp(where):
+    a, b = memory.zeros((4, 3), wp.float32, where), memory.zeros(3, wp.float64, where)
+    column, row = a[:, 1], memory.part(a, 0, 1)
+    assert not device_copies.is_copied(b, row, 3)  # another width
+    assert not device_copies.is_copied(row, a, 4)  # more than there is room for
+    assert not device_copies.is_copied(a, row, 4)  # more than there is
+    assert device_copies.fetched(column) is None and not device_copies.is_zeroed(column)  # gaps
+    assert not device_copies.is_written(b, np.zeros(3, np.int64))  # another type
+    assert not device_copies.is_written(b, np.zeros(6)[::2])
+    assert memory.download(column).tolist() == [0.0] * 4
+
+
+def test_a_recording_does_not_read_the_host(where):
+    values = memory.zeros(3, wp.int32, where)
+    with wp.ScopedCapture(device=where, stream=wp.Stream(where)):
+        assert device_copies.fetched(values) is None
+        assert not device_copies.is_written(values, np.zeros(3, np.int32))
+
+
+def test_no_room_is_a_memory_error_that_says_how_much(where, emulated):
+    with emulated.findings.expected(), pytest.raises(MemoryError, match=r"no room for an array of [0-9,]+ bytes"):
+        memory.empty(emulated.memory.room // 8 + 1, wp.float64, where)
+
+
+def test_shapes_that_are_none_are_refused_by_warp(where):
+    for shape in (-1, (2, -3), (1, 2, 3, 4, 5)):
+        assert device_arrays.new(shape, wp.int32, where) is None
+        with pytest.raises(Exception, match=r"shape|dimension|extent|negative|size"):
+            memory.empty(shape, wp.int32, where)
