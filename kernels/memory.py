@@ -241,6 +241,8 @@ def move(values: Array, device: Device) -> Array:
     home: Any = values.device
     with turn_on(device), turn_on(home):
         out: Any = empty(values.shape, values.dtype, device)
+        if home.is_cuda and out.device.is_cuda:
+            out.device.stream.wait_stream(home.stream)  # Warp copies on the stream of the other GPU alone
         wp.copy(out, values)
         if home.is_cuda and out.device.is_cpu:
             wp.synchronize_stream(home.stream)  # sync
