@@ -74,6 +74,7 @@ WARP_FILES = {
     "kernels/cuda_cache.py",
     "kernels/language/device_lock.py",
     "kernels/language/prepared_launches.py",
+    "kernels/language/pools.py",
     "kernels/language/streams.py",
     "kernels/language/warp_compiler.py",
     "kernels/language/taichi_compiler.py",

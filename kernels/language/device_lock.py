@@ -99,6 +99,12 @@ def _release_pending() -> None:
             release(address, size)
 
 
+def release_all() -> None:
+    """Release what had to wait for the lock, which is taken, and the streams of recordings, which are made again."""
+    _release_pending()
+    _recording_streams.clear()
+
+
 class Recording:
     """What a body asks of a GPU as one graph, to be launched as often as wanted; nothing is run before.
 

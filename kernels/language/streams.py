@@ -11,31 +11,19 @@ releases on the legacy stream, which does not wait for it unless it is told to.
 from __future__ import annotations
 
 import ctypes
-import os
 import weakref
 from collections.abc import Callable
-from functools import cache
 from typing import Any
 
 import warp as wp
 from warp._src import context
 
-_NAMES = ("nvcuda.dll",) if os.name == "nt" else ("libcuda.so", "libcuda.so.1")  # in Warp's order
+from .driver import driver
+
 _NON_BLOCKING = 1  # CU_STREAM_NON_BLOCKING
 
 # Streams that do not block, with work of ours that no release has waited for: by handle the GPU, and whether it lives
 _used: dict[int, tuple[Any, Callable[[], Any]]] = {}
-
-
-@cache
-def _driver() -> Any:
-    """The driver's library, which Warp has open."""
-    for name in _NAMES[:-1]:
-        try:
-            return ctypes.cdll.LoadLibrary(name)
-        except OSError:
-            continue
-    return ctypes.cdll.LoadLibrary(_NAMES[-1])
 
 
 class NonBlockingStream(wp.Stream):
@@ -51,7 +39,7 @@ class NonBlockingStream(wp.Stream):
     def __init__(self, device: Any) -> None:
         handle = ctypes.c_void_p()
         with device.context_guard:
-            error = _driver().cuStreamCreate(ctypes.byref(handle), ctypes.c_uint(_NON_BLOCKING))
+            error = driver().cuStreamCreate(ctypes.byref(handle), ctypes.c_uint(_NON_BLOCKING))
         if error or not handle.value:
             raise RuntimeError(f"{device}: the driver makes no stream (CUDA error {error})")
         super().__init__(device, cuda_stream=handle.value)
@@ -59,8 +47,8 @@ class NonBlockingStream(wp.Stream):
     def __del__(self) -> None:
         handle = self.cuda_stream
         super().__del__()
-        if handle and _driver is not None:
-            _driver().cuStreamDestroy_v2(ctypes.c_void_p(handle))
+        if handle and driver is not None:
+            driver().cuStreamDestroy_v2(ctypes.c_void_p(handle))
 
 
 def note_use(device: Any) -> None:

@@ -22,6 +22,7 @@ class Allocations:
     def __init__(self, streams: Streams, memory: Memory, findings: Findings, graphs: Graphs):
         self.streams, self.memory, self.findings, self.graphs = streams, memory, findings, graphs
         self.pinned: dict[int, tuple[int, Any]] = {}
+        streams.after_wait = lambda: memory.trim(memory.threshold)
 
     def _is_pinned(self, address: int) -> bool:
         return any(start <= address < start + size for start, (size, _) in self.pinned.items())

@@ -4,10 +4,13 @@ from __future__ import annotations
 
 from typing import Any
 
+from .memory import Memory
+from .settings import settings
 from .streams import NON_BLOCKING, Stream, Streams, address_of
 
 NAMES = ("libcuda.so.1", "libcuda.so", "nvcuda.dll")
-SUCCESS, INVALID_VALUE, INVALID_CONTEXT, INVALID_HANDLE = 0, 1, 201, 400
+SUCCESS, INVALID_VALUE, INVALID_DEVICE, INVALID_CONTEXT, INVALID_HANDLE = 0, 1, 101, 201, 400
+RESERVED, USED = 5, 7  # attributes of a pool
 
 
 def is_driver(name: str) -> bool:
@@ -18,8 +21,8 @@ def is_driver(name: str) -> bool:
 class Driver:
     """libcuda.so; each function returns CUDA's number of an error, 0 for none."""
 
-    def __init__(self, streams: Streams) -> None:
-        self._streams = streams
+    def __init__(self, streams: Streams, memory: Memory) -> None:
+        self._streams, self._memory = streams, memory
 
     def cuStreamCreate(self, out: Any, flags: Any) -> int:
         """A stream of the current context; flags say whether it and the legacy stream wait for each other."""
@@ -37,4 +40,28 @@ class Driver:
         if found is None:
             return INVALID_HANDLE
         self._streams.flush(found)
+        return SUCCESS
+
+    def cuDeviceGet(self, out: Any, ordinal: Any) -> int:
+        """The number of a device."""
+        if not 0 <= ordinal.value < settings.devices:
+            return INVALID_DEVICE
+        out._obj.value = ordinal.value
+        return SUCCESS
+
+    def cuDeviceGetDefaultMemPool(self, out: Any, device: Any) -> int:
+        """The pool of a device: all devices share one."""
+        out._obj.value = 0x900C + device.value
+        return SUCCESS
+
+    def cuMemPoolGetAttribute(self, _: Any, name: Any, out: Any) -> int:
+        """How many bytes the pool has of the system, or are in use."""
+        if name.value not in (RESERVED, USED):
+            return INVALID_VALUE
+        out._obj.value = self._memory.reserved if name.value == RESERVED else self._memory.used
+        return SUCCESS
+
+    def cuMemPoolTrimTo(self, _: Any, kept: Any) -> int:
+        """Hand back what is not in use, but for so many bytes."""
+        self._memory.trim(kept.value)
         return SUCCESS

@@ -39,7 +39,7 @@ class Device:
         self.graphs = Graphs(self.streams, self.memory, self.findings)
         self.allocations = Allocations(self.streams, self.memory, self.findings, self.graphs)
         self.launches = Launches(self.streams, self.memory, self.findings)
-        self.driver = Driver(self.streams)
+        self.driver = Driver(self.streams, self.memory)
         self.parts = (
             *(self.findings, self.streams, self.graphs, self.allocations, self.launches),
             Arrays(real, self.streams, self.memory, self.findings),

@@ -79,6 +79,7 @@ class Streams:
         self.currents: dict[int, Stream] = {}  # by the context of a device
         self.contexts: list[int | None] = [None]
         self.captures = self.blocking_captures = 0
+        self.after_wait: Operation = lambda: None  # what the device does whenever something has waited for it
 
     @property
     def current(self) -> Stream:
@@ -215,6 +216,7 @@ class Streams:
             return self.findings.refuse(f"operation not permitted when stream is capturing: synchronize ({caller()})")
         self.findings.counts["waits"] += 1
         self.flush_all()
+        self.after_wait()
         self.findings.happened("(wait)")
         return True
 
@@ -278,6 +280,7 @@ class Streams:
             return self.findings.refuse(f"operation not permitted when stream is capturing: synchronize ({caller()})")
         self.findings.counts["waits"] += 1
         self.flush(found)
+        self.after_wait()
         self.findings.happened("(wait)")
         return True
 
@@ -305,6 +308,7 @@ class Streams:
 
     def wp_cuda_event_synchronize(self, event):
         self._flush_until(self.named(event))
+        self.after_wait()
         self.findings.happened("(wait)")
         return True
 
