@@ -18,6 +18,7 @@ import warp as wp
 
 from ..kernels.lang import vec3
 from ..kernels.language.device_lock import lock
+from ..kernels.language.streams import wait_for
 from ..kernels.memory import empty
 from .array_libraries import library_of
 from .errors import DeviceError
@@ -119,7 +120,8 @@ def _share_cuda(name: str, source: Any) -> wp.array:
 def _wait_for(device: Any, stream: int) -> None:
     """What we queue from now on comes after what another library has queued on its stream; nobody waits here."""
     with lock:
-        device.stream.wait_stream(wp.Stream(device, cuda_stream=int(stream)))
+        if int(stream) != device.stream.cuda_stream:
+            wait_for(device.stream.cuda_stream, int(stream), device)
 
 
 def _say_who_reads(source: Any, device: Any) -> None:

@@ -17,7 +17,7 @@ import warp as wp
 from numpy.typing import NDArray
 
 from .array_types import Array, Array1, Array2, Array3, Device, DeviceArray, Element, Rank
-from .language import device_arrays, device_copies
+from .language import device_arrays, device_copies, pools
 from .language.casts import cast_into
 from .language.device_arrays import part
 from .language.device_lock import own, turn_on, why_no_cuda_here
@@ -39,14 +39,12 @@ def _keep_pool(device: Device) -> None:
         wp.set_mempool_release_threshold(device, POOL_SHARE)
 
 
-def _empty_pool(device: Device) -> None:
-    """Hand what a GPU's pool keeps back to the system (sync), where it counts as free."""
-    if device.is_mempool_enabled:
-        with turn_on(device):
-            threshold = wp.get_mempool_release_threshold(device)
-            wp.set_mempool_release_threshold(device, 0)
-            wp.synchronize_device(device)  # sync
-            wp.set_mempool_release_threshold(device, threshold)
+def give_back(device: Device) -> int:
+    """Hand what a GPU keeps of released memory back to the system (sync); how many bytes, 0 where nothing is kept.
+
+    A GPU that this process has made no array on is left alone.
+    """
+    return pools.trim(device) if device.is_cuda and device.alias in _pools else 0
 
 
 class _Allocation:
@@ -72,9 +70,9 @@ class _Allocation:
 
 
 def free_bytes(device: Device) -> int | None:
-    """Memory that is free on a device; None where the system does not say."""
+    """Memory that is free on a device, what its pool keeps included; None where the system does not say."""
     if device.is_cuda:
-        return int(device.free_memory)
+        return int(device.free_memory) + pools.kept_bytes(device)
     sizes = []
     with contextlib.suppress(OSError, ValueError, StopIteration):
         lines = Path("/proc/meminfo").read_text().splitlines()
@@ -91,10 +89,9 @@ def check_room(device: Device, size: int, what: str) -> None:
     Raises:
         MemoryError: The device has less than `size` bytes free.
     """
+    if device.is_cuda and size > device.free_memory:
+        give_back(device)
     free = free_bytes(device)
-    if free is not None and size > free and device.is_cuda:
-        _empty_pool(device)
-        free = free_bytes(device)
     if free is not None and size > free:
         raise MemoryError(
             f"{what} would take about {size / 1e9:.2f} GB, and {device} has {free / 1e9:.2f} GB free; take a smaller "
@@ -232,11 +229,11 @@ def copy(target: wp.array, source: wp.array, *, count: int, offset: int = 0) -> 
 def join(arrays: Sequence[Array]) -> Array:
     """Arrays of one type on one device, with one axis, behind each other as one."""
     first: Any = arrays[0]
-    whole: Any = empty(sum(part.size for part in arrays), first.dtype, first.device)
+    whole: Any = empty(sum(each.size for each in arrays), first.dtype, first.device)
     place = 0
-    for part in arrays:
-        copy(whole, part, count=part.size, offset=place)
-        place += part.size
+    for each in arrays:
+        copy(whole, each, count=each.size, offset=place)
+        place += each.size
     return whole
 
 
@@ -289,6 +286,8 @@ def move(values: Array, device: Device) -> Array:
     home: Any = values.device
     with turn_on(device), turn_on(home):
         out: Any = empty(values.shape, values.dtype, device)
+        if home.is_cuda and out.device.is_cuda:
+            out.device.stream.wait_stream(home.stream)  # Warp copies on the stream of the other GPU alone
         wp.copy(out, values)
         if home.is_cuda and out.device.is_cpu:
             wp.synchronize_stream(home.stream)  # sync

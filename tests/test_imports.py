@@ -78,6 +78,8 @@ WARP_FILES = {
     "kernels/language/device_arrays.py",
     "kernels/language/warp_parts.py",
     "kernels/language/segment_launches.py",
+    "kernels/language/pools.py",
+    "kernels/language/streams.py",
     "kernels/language/warp_compiler.py",
     "kernels/language/taichi_compiler.py",
     "kernels/check_cuda.py",

@@ -19,6 +19,7 @@ import warp as wp
 
 from . import device_lock, warp_parts
 from .device_lock import lock, waiting
+from .streams import note_use, order_releases
 
 Shape = tuple[int, ...]
 MAX_EXTENT = 2**31
@@ -145,6 +146,7 @@ def new(shape: int | Shape, dtype: Any, device: Any) -> Any:
     with lock:
         if waiting:
             device_lock.release_pending()
+        note_use(device)
         return kind.new(shape, strides, size)
 
 
@@ -163,15 +165,17 @@ class _Releases:
     memory_kind = warp_parts.MEMORY_OF_POOL
 
     def __init__(self, device: Any) -> None:
-        self._context = device.context
+        self._device, self._context = device, device.context
 
     def deallocate(self, address: int, size: int) -> None:
         """Release memory at once, or where another thread is at the device, when the next array is made or dropped."""
+        note_use(self._device)
         if waiting or not lock.acquire(blocking=False):
             device_lock.release_in_turn(None, self._release, address, size)
             return
         try:
             if not device_lock.why_no_cuda_here():  # else it is the parent's
+                order_releases()
                 self._release(address, size)
         finally:
             lock.release()

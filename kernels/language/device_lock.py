@@ -20,6 +20,7 @@ from typing import Any
 import warp as wp
 
 from ..array_types import Device
+from .streams import NonBlockingStream, note_use, order_releases
 
 lock = threading.RLock()
 _memory_of_host: AbstractContextManager[Any] = nullcontext()
@@ -70,6 +71,7 @@ def own(values: Any) -> wp.array:
     """
     if values.device.is_cuda and values.deleter is not None:
         release_pending()
+        note_use(values.device)
         device, release = values.device, values.deleter
         values.deleter = partial(release_in_turn, device, release)
     return values
@@ -78,10 +80,12 @@ def own(values: Any) -> wp.array:
 def release_in_turn(device: Device | None, release: Callable[[int, int], None], address: int, size: int) -> None:
     """Release memory at once, or where another thread is at the device, when the next array is made or dropped.
 
-    Without a device, what releases sets its context itself.
+    Without a device, what releases sets its context itself, and has noted the use of its stream.
     """
     if _is_without_cuda:
         return  # it is the parent's
+    if device is not None:
+        note_use(device)
     waiting.append((device, release, address, size))
     if lock.acquire(blocking=False):
         try:
@@ -92,6 +96,8 @@ def release_in_turn(device: Device | None, release: Callable[[int, int], None], 
 
 def release_pending() -> None:
     """Release what had to wait; take the lock."""
+    if waiting:
+        order_releases()
     while waiting:
         device, release, address, size = waiting.popleft()
         if device is None:
@@ -101,11 +107,18 @@ def release_pending() -> None:
             release(address, size)
 
 
+def release_all() -> None:
+    """Release what had to wait for the lock, which is taken, and the streams of recordings, which are made again."""
+    release_pending()
+    _recording_streams.clear()
+
+
 class Recording:
     """What a body asks of a GPU as one graph, to be launched as often as wanted; nothing is run before.
 
-    The recording has a stream of its own: the device's may be the legacy one, on which nothing can be recorded, where
-    the program has read arrays by Warp's own functions in several threads. Take the lock before it is made or launched.
+    The recording has a stream of its own, which does not block (streams.py): so other libraries go on with their work
+    on the legacy stream meanwhile. The device's may be that one, on which nothing can be recorded, where the program
+    has read arrays by Warp's own functions in several threads. Take the lock before it is made or launched.
 
     Args:
         device: The GPU.
@@ -114,8 +127,10 @@ class Recording:
 
     def __init__(self, device: Any, body: Callable[[], None]) -> None:
         self._device, self._graphs = device, []
+        note_use(device)
+        order_releases()  # Warp puts releases off until the recording ends
         if device.alias not in _recording_streams:
-            _recording_streams[device.alias] = wp.Stream(device)
+            _recording_streams[device.alias] = NonBlockingStream(device)
         stream = _recording_streams[device.alias]
         try:
             with wp.ScopedStream(stream, sync_enter=False), wp.ScopedCapture(stream=stream) as capture:
@@ -130,6 +145,7 @@ class Recording:
 
     def launch(self) -> None:
         """Run it, behind what the device was asked to do; returns before it has ended."""
+        note_use(self._device)
         wp.capture_launch(self._graphs[0])
 
     def __del__(self) -> None:

@@ -64,6 +64,7 @@ from .cameras.depth_filters import erode_depth_edges as erode_depth_edges
 from .cameras.depth_filters import filter_depth_bilateral as filter_depth_bilateral
 from .cameras.depth_filters import pyrdown_color as pyrdown_color
 from .cameras.depth_filters import pyrdown_depth as pyrdown_depth
+from .core.device_memory import free_memory as free_memory
 from .core.dropped_results import DroppedResultWarning as DroppedResultWarning
 from .core.errors import CameraError as CameraError
 from .core.errors import DatasetError as DatasetError

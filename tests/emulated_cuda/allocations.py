@@ -22,6 +22,7 @@ class Allocations:
     def __init__(self, streams: Streams, memory: Memory, findings: Findings, graphs: Graphs):
         self.streams, self.memory, self.findings, self.graphs = streams, memory, findings, graphs
         self.pinned: dict[int, tuple[int, Any]] = {}
+        streams.after_wait = lambda: memory.trim(memory.threshold)
 
     def _is_pinned(self, address: int) -> bool:
         return any(start <= address < start + size for start, (size, _) in self.pinned.items())
@@ -83,7 +84,7 @@ class Allocations:
         if self.streams.captures:  # as Warp does
             self.graphs.put_off.append(lambda: self.memory.release(address))
         else:
-            self.streams.after_everything(lambda: self.memory.release(address))
+            self.streams.on_legacy(lambda: self.memory.release(address))
 
     # ------------------------------------------------------------------------------------------ copies
 
@@ -147,7 +148,6 @@ class Allocations:
 
     def wp_memcpy_p2p(self, context, dest, __, src, n, stream=CURRENT_STREAM):
         to, source = address_of(dest), address_of(src)
-        self.streams.flush_all()  # the other device's work
         self.streams.enqueue(self.streams.stream(stream, context), lambda: self.memory.copy(to, source, n), "memcpy")
         return True
 

@@ -40,6 +40,7 @@ class Graphs:
         found.capture, identity = self._graph()
         self.begun.add(identity)
         self.streams.captures += 1
+        self.streams.blocking_captures += found.blocks
         return True
 
     def wp_cuda_graph_end_capture(self, _, stream, out):
@@ -53,10 +54,11 @@ class Graphs:
             if other.capture is graph:
                 other.capture = None
         self.streams.captures -= 1
+        self.streams.blocking_captures -= found.blocks
         if not self.streams.captures:
             waiting, self.put_off = self.put_off, []
             for release in waiting:
-                self.streams.after_everything(release)
+                self.streams.on_legacy(release)
         out._obj.value = graph.identity
         return True
 

@@ -12,6 +12,7 @@ from typing import Any
 from .allocations import Allocations
 from .arrays import Arrays
 from .compiler import Compiler
+from .driver import Driver, is_driver
 from .findings import CudaFault, Findings
 from .gcc import EmulationError, check_machine
 from .graphs import Graphs
@@ -38,6 +39,7 @@ class Device:
         self.graphs = Graphs(self.streams, self.memory, self.findings)
         self.allocations = Allocations(self.streams, self.memory, self.findings, self.graphs)
         self.launches = Launches(self.streams, self.memory, self.findings)
+        self.driver = Driver(self.streams, self.memory)
         self.parts = (
             *(self.findings, self.streams, self.graphs, self.allocations, self.launches),
             Arrays(real, self.streams, self.memory, self.findings),
@@ -130,3 +132,9 @@ def install() -> None:
         return Core(library, _device)
 
     context.Runtime.load_dll = load_dll
+    load_library = ctypes.cdll.LoadLibrary
+
+    def load_driver(name: str) -> Any:
+        return installed().driver if installed() and is_driver(name) else load_library(name)
+
+    ctypes.cdll.LoadLibrary = load_driver  # type: ignore[method-assign]

@@ -52,6 +52,7 @@ class Memory:
         self.released: OrderedDict[int, tuple[int, str]] = OrderedDict()
         self.in_chunk: dict[int, int] = {}  # live small arrays
         self.used = self.peak = self.total = 0
+        self.reserved = self.threshold = 0  # what the pool has of the system, and what it keeps at a wait
 
     def allocate(self, size: int, made_by: str = "") -> int:
         """The address of a new array; 0 where there is no room."""
@@ -74,6 +75,7 @@ class Memory:
         self.used += size
         self.total += size
         self.peak = max(self.peak, self.used)
+        self.reserved = max(self.reserved, self.used)
         self.freshen(address, size)
         return address
 
@@ -86,6 +88,10 @@ class Memory:
             ctypes.memset(self.valid + offset // 8 + size // 8, size % 8, 1)
         if self.written:
             ctypes.memset(self.written + offset, 0, size)
+
+    def trim(self, kept: int) -> None:
+        """Hand what the pool has beyond its arrays back to the system, but for so many bytes in all."""
+        self.reserved = max(self.used, min(self.reserved, kept))
 
     def release(self, address: int) -> None:
         """Give an array back; whoever touches it afterwards is at fault."""

@@ -34,8 +34,6 @@ class Properties:
         "wp_cuda_device_get_pci_domain_id": 0,
         "wp_cuda_device_get_pci_bus_id": 1,
         "wp_cuda_device_get_pci_device_id": 0,
-        "wp_cuda_device_set_mempool_release_threshold": 1,
-        "wp_cuda_device_get_mempool_release_threshold": 0,
         "wp_cuda_device_get_graph_mem_current": 0,
         "wp_cuda_device_graph_mem_trim": None,
         "wp_cuda_is_peer_access_supported": 0,
@@ -60,6 +58,13 @@ class Properties:
     def wp_cuda_device_get_uuid(self, _, out):
         ctypes.memset(out, 0xE3, 16)
 
+    def wp_cuda_device_set_mempool_release_threshold(self, _, threshold):
+        self.memory.threshold = threshold
+        return 1
+
+    def wp_cuda_device_get_mempool_release_threshold(self, _):
+        return self.memory.threshold
+
     def wp_cuda_device_get_mempool_used_mem_current(self, _):
         return self.memory.used
 
@@ -68,6 +73,6 @@ class Properties:
 
     def wp_cuda_device_get_memory_info(self, _, free, total):
         if free is not None:
-            free._obj.value = self.memory.room - self.memory.used
+            free._obj.value = self.memory.room - self.memory.reserved
         if total is not None:
             total._obj.value = self.memory.room

@@ -15,6 +15,8 @@ from .settings import settings
 CONTEXT = 0xC0DA0000
 CURRENT_STREAM = 0xFFFFFFFFFFFFFFFF  # Warp's WP_CURRENT_STREAM
 NOT_READY = 600  # cudaErrorNotReady
+LEGACY, PER_THREAD = 1, 2  # CUDA's own names of its default streams, beside 0
+NON_BLOCKING = 1  # a stream that the legacy one neither waits for nor is waited for by
 LONG_QUEUE = 2000
 Operation = Callable[[], Any]
 
@@ -48,10 +50,10 @@ class Graph:
 
 
 class Stream:
-    """A queue of operations."""
+    """A queue of operations; one that blocks and the legacy stream wait for each other."""
 
-    def __init__(self, handle: int, priority: int = 0):
-        self.handle, self.priority = handle, priority
+    def __init__(self, handle: int, priority: int = 0, *, blocks: bool = True):
+        self.handle, self.priority, self.blocks = handle, priority, blocks
         self.queue: deque[Operation] = deque()
         self.capture: Graph | None = None
 
@@ -73,10 +75,11 @@ class Streams:
         self.handles: dict[int, Any] = {}
         self.next_handle = 0x1000
         self.legacy = Stream(0)
-        self.streams: dict[int, Stream] = {0: self.legacy}
+        self.streams: dict[int, Stream] = {0: self.legacy, LEGACY: self.legacy, PER_THREAD: Stream(PER_THREAD)}
         self.currents: dict[int, Stream] = {}  # by the context of a device
         self.contexts: list[int | None] = [None]
-        self.captures = 0
+        self.captures = self.blocking_captures = 0
+        self.after_wait: Operation = lambda: None  # what the device does whenever something has waited for it
 
     @property
     def current(self) -> Stream:
@@ -107,18 +110,20 @@ class Streams:
         if stream.capture is not None:
             stream.capture.nodes.append((operation, kind))
             return
-        if stream is self.legacy:  # it waits for all others, and is waited for
+        if stream is self.legacy:  # it waits for all others that block, and is waited for
             self.refuse_legacy()
-            self.flush_all()
+            self.flush_blocking()
             operation()
             return
+        if stream.blocks and self.legacy.queue:
+            self.wait_for(stream, self.legacy)
         stream.queue.append(operation)
         if not settings.lazy or len(stream.queue) > LONG_QUEUE:
             self.flush(stream)
 
     def refuse_legacy(self) -> None:
-        """The legacy stream waits for all others, which none that is captured allows."""
-        if self.captures:
+        """The legacy stream waits for all others that block, which none that is captured allows."""
+        if self.blocking_captures:
             self.findings.fault(
                 f"operation would make the legacy stream depend on a capturing blocking stream ({caller()})"
             )
@@ -141,6 +146,12 @@ class Streams:
         for stream in list(self.streams.values()):
             self.flush(stream)
 
+    def flush_blocking(self) -> None:
+        """Run what the legacy stream waits for, and what is queued on it."""
+        for stream in list(self.streams.values()):
+            if stream.blocks:
+                self.flush(stream)
+
     def _flush_until(self, event: Event) -> None:
         while event.passed is None and event.stream is not None and event.stream.queue:
             self.flush(event.stream, 1)
@@ -155,9 +166,9 @@ class Streams:
         event = self._record(other)
         stream.queue.append(lambda: self._flush_until(event))
 
-    def after_everything(self, operation: Operation) -> None:
-        """Run an operation after all that is queued so far, on whatever stream."""
-        busy = [s for s in self.streams.values() if s.queue]
+    def on_legacy(self, operation: Operation) -> None:
+        """Run an operation on the legacy stream, after what is queued on it and on those that block."""
+        busy = [s for s in self.streams.values() if s.queue and s.blocks]
         if not busy:
             operation()
             return
@@ -205,6 +216,7 @@ class Streams:
             return self.findings.refuse(f"operation not permitted when stream is capturing: synchronize ({caller()})")
         self.findings.counts["waits"] += 1
         self.flush_all()
+        self.after_wait()
         self.findings.happened("(wait)")
         return True
 
@@ -212,21 +224,29 @@ class Streams:
 
     def wp_cuda_stream_create(self, _, priority):
         stream = Stream(0, priority)
+        return self.add(stream)
+
+    def add(self, stream: Stream) -> int:
+        """A stream's handle."""
         stream.handle = self.handle(stream)
         self.streams[stream.handle] = stream
         return stream.handle
 
-    def wp_cuda_stream_destroy(self, _, stream):
+    def wp_cuda_stream_destroy(self, context, stream):
         found = self.streams.get(address_of(stream))
         if found is not None:
+            self.wp_cuda_stream_unregister(context, stream)
             self.flush(found)
             del self.streams[found.handle]
 
     def wp_cuda_stream_register(self, *_):
         return None
 
-    def wp_cuda_stream_unregister(self, *_):
-        return None
+    def wp_cuda_stream_unregister(self, context, stream):
+        """Warp forgets a stream, the current one too: what it does by itself goes to the legacy stream then."""
+        key = address_of(context) or CONTEXT
+        if key in self.currents and self.currents[key].handle == address_of(stream):
+            self.currents[key] = self.legacy
 
     def wp_cuda_stream_get_current(self):
         return self.current.handle or None
@@ -234,8 +254,8 @@ class Streams:
     def wp_cuda_stream_is_capturing(self, stream):
         return int(self.stream(stream).capture is not None)
 
-    def wp_cuda_stream_is_blocking(self, _):
-        return 1
+    def wp_cuda_stream_is_blocking(self, stream):
+        return int(self.stream(stream).blocks)
 
     def wp_cuda_stream_get_priority(self, stream):
         return self.stream(stream).priority
@@ -260,6 +280,7 @@ class Streams:
             return self.findings.refuse(f"operation not permitted when stream is capturing: synchronize ({caller()})")
         self.findings.counts["waits"] += 1
         self.flush(found)
+        self.after_wait()
         self.findings.happened("(wait)")
         return True
 
@@ -288,6 +309,7 @@ class Streams:
     def wp_cuda_event_synchronize(self, event):
         self.findings.counts["waits"] += 1
         self._flush_until(self.named(event))
+        self.after_wait()
         self.findings.happened("(wait)")
         return True
 

@@ -46,9 +46,16 @@ def attempt(action):
         return [type(error).__name__, str(error)]
     return ["none", ""]
 
+def late():
+    # a cloud that moves while its own GPU has not made it yet
+    cloud = loom.PointCloud(points, device="cuda:0")
+    turned = cloud.transform(np.diag([2, 2, 2, 1.0])).to("cuda:1")
+    return bool((turned.points == 2.0 * points.astype(np.float64)).all())
+
 first, second = clouds
 found = {{
     "same": results(first) == results(second) == results(first.to("cuda:1")) == results(second.to("cuda:0")),
+    "late": late(),
     "moved": [str(first.to("cuda:1").device), str(second.to("cpu").device)],
     "loops": sorted(device_lock._recording_streams),
     "refused": {{
@@ -77,6 +84,10 @@ def found(emulated):
 def test_operations_run_on_the_second_gpu_too_and_give_the_same_bits(found):
     assert found["same"]
     assert found["loops"] == ["cuda:0", "cuda:1"]
+
+
+def test_a_cloud_moves_once_its_own_gpu_has_made_it(found):
+    assert found["late"]
 
 
 def test_clouds_move_between_gpus_and_auto_is_the_first(found):

@@ -12,6 +12,7 @@ import warp as wp
 from pointloom.core.devices import resolve_device
 from pointloom.kernels import memory
 from pointloom.kernels.lang import vec3, vec3d
+from pointloom.kernels.language import pools
 from pointloom.kernels.memory import cast, download, upload
 
 
@@ -141,8 +142,9 @@ class Pooled:
         self.threshold, self.kept, self.calls = threshold, 600, []
         monkeypatch.setattr(wp, "get_mempool_release_threshold", lambda device: device.threshold)
         monkeypatch.setattr(wp, "set_mempool_release_threshold", Pooled.set)
-        monkeypatch.setattr(wp, "synchronize_device", Pooled.wait)
-        monkeypatch.setattr(memory, "_pools", set())
+        monkeypatch.setattr(pools, "kept_bytes", lambda device: device.kept)
+        monkeypatch.setattr(pools, "trim", Pooled.trim)
+        monkeypatch.setattr(memory, "_pools", {"cuda:7"} if threshold else set())
 
     @property
     def free_memory(self):
@@ -152,8 +154,9 @@ class Pooled:
         self.calls.append(threshold)
         self.threshold = threshold
 
-    def wait(self):
-        self.kept = min(self.kept, self.threshold)
+    def trim(self):
+        before, self.kept = self.kept, 0
+        return before
 
 
 def test_the_pool_of_a_gpu_is_told_once_to_keep_released_memory(monkeypatch):
@@ -178,6 +181,7 @@ def test_the_first_array_on_a_gpu_sets_its_pool(device, monkeypatch):
 
 def test_what_the_pool_keeps_is_room_and_is_kept_no_longer_than_needed(monkeypatch):
     gpu = Pooled(monkeypatch, threshold=800)
+    assert memory.free_bytes(gpu) == 1000
     memory.check_room(gpu, 400, "a small thing")
     assert gpu.kept == 600
     memory.check_room(gpu, 900, "a large thing")

@@ -1,0 +1,55 @@
+"""CUDA's pool of a GPU: how much it keeps that no array holds, and how that goes back to the system."""
+
+from __future__ import annotations
+
+import ctypes
+from typing import Any
+
+import warp as wp
+from warp._src import context
+
+from .device_lock import lock, release_all
+from .driver import driver
+
+_RESERVED, _USED = 5, 7  # CU_MEMPOOL_ATTR_RESERVED_MEM_CURRENT, CU_MEMPOOL_ATTR_USED_MEM_CURRENT
+
+
+def kept_bytes(device: Any) -> int:
+    """What a GPU's pool holds beyond what arrays do: room for the next array, for other programs taken."""
+    if not device.is_mempool_enabled:
+        return 0
+    with lock:
+        pool = _pool(device)
+        return max(0, _attribute(device, pool, _RESERVED) - _attribute(device, pool, _USED))
+
+
+def trim(device: Any) -> int:
+    """Hand what a GPU's pool keeps back to the system (sync), and what its graphs keep; the bytes of the pool's."""
+    with lock:
+        release_all()
+        wp.synchronize_device(device)  # sync
+        context.runtime.core.wp_cuda_device_graph_mem_trim(device.ordinal)
+        if not device.is_mempool_enabled:
+            return 0
+        pool = _pool(device)
+        before = _attribute(device, pool, _RESERVED)
+        _check(device, driver().cuMemPoolTrimTo(pool, ctypes.c_size_t(0)))
+        return max(0, before - _attribute(device, pool, _RESERVED))
+
+
+def _pool(device: Any) -> ctypes.c_void_p:
+    number, pool = ctypes.c_int(), ctypes.c_void_p()
+    _check(device, driver().cuDeviceGet(ctypes.byref(number), ctypes.c_int(device.ordinal)))
+    _check(device, driver().cuDeviceGetDefaultMemPool(ctypes.byref(pool), number))
+    return pool
+
+
+def _attribute(device: Any, pool: ctypes.c_void_p, name: int) -> int:
+    found = ctypes.c_uint64()
+    _check(device, driver().cuMemPoolGetAttribute(pool, ctypes.c_int(name), ctypes.byref(found)))
+    return found.value
+
+
+def _check(device: Any, error: int) -> None:
+    if error:
+        raise RuntimeError(f"{device}: its pool of memory does not answer (CUDA error {error})")

@@ -1,0 +1,67 @@
+"""The functions of CUDA's driver that pointloom calls past Warp, as its library has them."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from .memory import Memory
+from .settings import settings
+from .streams import NON_BLOCKING, Stream, Streams, address_of
+
+NAMES = ("libcuda.so.1", "libcuda.so", "nvcuda.dll")
+SUCCESS, INVALID_VALUE, INVALID_DEVICE, INVALID_CONTEXT, INVALID_HANDLE = 0, 1, 101, 201, 400
+RESERVED, USED = 5, 7  # attributes of a pool
+
+
+def is_driver(name: str) -> bool:
+    """Whether a library of this name is the driver."""
+    return name in NAMES
+
+
+class Driver:
+    """libcuda.so; each function returns CUDA's number of an error, 0 for none."""
+
+    def __init__(self, streams: Streams, memory: Memory) -> None:
+        self._streams, self._memory = streams, memory
+
+    def cuStreamCreate(self, out: Any, flags: Any) -> int:
+        """A stream of the current context; flags say whether it and the legacy stream wait for each other."""
+        number = getattr(flags, "value", flags)
+        if self._streams.contexts[-1] is None:
+            return INVALID_CONTEXT
+        if number not in (0, NON_BLOCKING):
+            return INVALID_VALUE
+        out._obj.value = self._streams.add(Stream(0, blocks=number != NON_BLOCKING))
+        return SUCCESS
+
+    def cuStreamDestroy_v2(self, stream: Any) -> int:
+        """Forget a stream once what is queued on it has run."""
+        found = self._streams.streams.pop(address_of(stream), None)
+        if found is None:
+            return INVALID_HANDLE
+        self._streams.flush(found)
+        return SUCCESS
+
+    def cuDeviceGet(self, out: Any, ordinal: Any) -> int:
+        """The number of a device."""
+        if not 0 <= ordinal.value < settings.devices:
+            return INVALID_DEVICE
+        out._obj.value = ordinal.value
+        return SUCCESS
+
+    def cuDeviceGetDefaultMemPool(self, out: Any, device: Any) -> int:
+        """The pool of a device: all devices share one."""
+        out._obj.value = 0x900C + device.value
+        return SUCCESS
+
+    def cuMemPoolGetAttribute(self, _: Any, name: Any, out: Any) -> int:
+        """How many bytes the pool has of the system, or are in use."""
+        if name.value not in (RESERVED, USED):
+            return INVALID_VALUE
+        out._obj.value = self._memory.reserved if name.value == RESERVED else self._memory.used
+        return SUCCESS
+
+    def cuMemPoolTrimTo(self, _: Any, kept: Any) -> int:
+        """Hand back what is not in use, but for so many bytes."""
+        self._memory.trim(kept.value)
+        return SUCCESS

@@ -1,0 +1,149 @@
+"""All work of an operation goes to the stream that the caller chose: what is written there before it is waited for."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+import warp as wp
+
+import pointloom as loom
+from pointloom.kernels.language.streams import NonBlockingStream
+from pointloom.kernels.memory import Readback
+
+from ..array_library import installed
+from ..small_scenes import ON_CLOUDS, ON_HOST, ONCE, SmallScenes, digest
+from .findings import caller
+
+DEVICE = "cuda:0"
+
+
+@pytest.fixture(scope="module")
+def small(emulated) -> SmallScenes:
+    return SmallScenes(DEVICE)
+
+
+class Streams:
+    """Which streams got work, by their handles."""
+
+    def __init__(self, device, chosen, monkeypatch) -> None:
+        self.used: set[int] = set()
+        self.elsewhere: list[str] = []
+        real = device.streams.enqueue
+
+        def enqueue(stream, operation, kind):
+            if stream.capture is None:
+                self.used.add(stream.handle)
+                if stream.handle != chosen.cuda_stream:
+                    self.elsewhere.append(f"{kind}: {caller()}")
+            real(stream, operation, kind)
+
+        monkeypatch.setattr(device.streams, "enqueue", enqueue)
+
+
+@pytest.fixture
+def chosen(emulated):
+    """A stream of the caller's that does not wait for the legacy stream, nor that for it."""
+    theirs = NonBlockingStream(wp.get_device(DEVICE))
+    chosen = wp.Stream(DEVICE, cuda_stream=theirs.cuda_stream)
+    chosen.theirs = theirs  # type: ignore[attr-defined]  # which lives as long
+    return chosen
+
+
+@pytest.fixture
+def check(emulated, chosen, monkeypatch):
+    """A function (work): it gives the same bits on a stream of the caller's, which gets all of it, as elsewhere."""
+
+    def run(work) -> None:
+        expected = digest(work())
+        wp.synchronize_device(DEVICE)
+        with monkeypatch.context() as patch:
+            streams = Streams(emulated, chosen, patch)
+            with wp.ScopedStream(chosen):
+                found = work()
+            assert streams.elsewhere == []
+        wp.synchronize_device(DEVICE)
+        assert digest(found) == expected
+
+    return run
+
+
+@pytest.mark.parametrize("operation", [name for name in ON_CLOUDS if not name.startswith(ON_HOST)])
+def test_work_on_clouds_goes_to_the_callers_stream(small, check, operation):
+    check(lambda: ON_CLOUDS[operation](small.surface))
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("operation", [name for name in ONCE if not name.startswith(ON_HOST)])
+def test_work_on_scenes_goes_to_the_callers_stream(small, check, operation):
+    check(lambda: ONCE[operation](small))
+
+
+@wp.kernel(enable_backward=False)
+def move_kernel(points: wp.array(dtype=float, ndim=2), by: float):
+    i = wp.tid()
+    points[i, 0] = points[i, 0] + by
+
+
+class Speaker:
+    """An array with nothing but the CUDA array interface, which names a stream."""
+
+    def __init__(self, memory, stream):
+        self.memory = memory
+        self.__cuda_array_interface__ = {**memory.__cuda_array_interface__, "version": 3, "stream": stream}
+
+
+@pytest.fixture
+def points(rng):
+    return rng.random((500, 3)).astype(np.float32)
+
+
+def test_an_array_that_names_the_stream_we_work_on_leaves_it_as_it_is(chosen, points):
+    memory = wp.array(points, device=DEVICE)
+    wp.synchronize_device(DEVICE)
+    core = wp._src.context.runtime.core
+    with wp.ScopedStream(chosen):
+        wp.launch(move_kernel, 500, [memory, 1.0])
+        cloud = loom.PointCloud(Speaker(memory, chosen.cuda_stream))
+        assert core.wp_cuda_context_get_stream(wp.get_device(DEVICE).context) == chosen.cuda_stream
+        found = cloud.points
+    np.testing.assert_array_equal(found[:, 0], (points[:, 0] + np.float32(1)).astype(np.float64))
+
+
+@pytest.mark.parametrize("stream", [1, 2], ids=["legacy", "per thread"])
+def test_an_array_on_one_of_cudas_default_streams_is_waited_for(chosen, points, stream):
+    memory = wp.array(points, device=DEVICE)
+    wp.synchronize_device(DEVICE)
+    theirs = wp.Stream(DEVICE, cuda_stream=stream)
+    wp.launch(move_kernel, 500, [memory, 1.0], stream=theirs)
+    with wp.ScopedStream(chosen, sync_enter=False):
+        found = loom.PointCloud(Speaker(memory, stream)).points
+    np.testing.assert_array_equal(found[:, 0], (points[:, 0] + np.float32(1)).astype(np.float64))
+
+
+def test_a_producer_that_is_late_is_waited_for_on_every_stream(emulated, chosen, points, monkeypatch):
+    library = installed(DEVICE, monkeypatch)
+    late = library.asarray(points)
+    wp.launch(move_kernel, 500, [late.memory, 1.0], stream=library.stream)  # queued, and not run before it has to be
+    with wp.ScopedStream(chosen):
+        cloud = loom.PointCloud(late)
+        normals = cloud.estimate_normals(max_nn=8)
+        taken = library.from_dlpack(normals)
+    host = wp.empty((500, 3), dtype=float, device="cpu", pinned=True)
+    wp.copy(host, taken.memory, stream=library.stream)  # their stream waits for ours
+    wp.synchronize_stream(library.stream)
+    points[:, 0] += 1
+    np.testing.assert_array_equal(host.numpy(), points)
+    wp.synchronize_device(DEVICE)
+    np.testing.assert_array_equal(normals.normals, loom.PointCloud(points).estimate_normals(max_nn=8).normals)
+
+
+def test_what_is_read_back_is_that_of_the_callers_stream(chosen, points):
+    memory = wp.array(points, device=DEVICE)
+    wp.synchronize_device(DEVICE)
+    kept = Readback(memory)
+    with wp.ScopedStream(chosen):
+        wp.launch(move_kernel, 500, [memory, 1.0])
+        kept.send()
+        wp.launch(move_kernel, 500, [memory, 1.0])
+    np.testing.assert_array_equal(kept.read()[:, 0], points[:, 0] + np.float32(1))
+    wp.synchronize_device(DEVICE)  # before the program's own array goes

@@ -1,0 +1,176 @@
+"""CUDA's legacy stream, torch's default one: others work on it while we record, and releases wait where it does not."""
+
+from __future__ import annotations
+
+import ctypes
+import threading
+
+import numpy as np
+import pytest
+import warp as wp
+
+import pointloom as loom
+from pointloom.core.devices import resolve_device
+from pointloom.kernels.lang import float32, int32, launch, loop_while, record, replay
+from pointloom.kernels.language import device_lock
+from pointloom.kernels.language.streams import NonBlockingStream
+from pointloom.kernels.memory import download, fill, upload, zeros
+
+from .driver import INVALID_HANDLE, INVALID_VALUE
+
+SOURCE = """
+@kernel
+def take_away_kernel(left: array(dtype=int32)):
+    i = tid()
+    left[i] = left[i] - 1
+"""
+
+
+@pytest.fixture(scope="module")
+def kernel(emulated, write_kernels):
+    return write_kernels("taking_away", SOURCE).take_away_kernel
+
+
+@pytest.fixture
+def gpu(emulated):
+    return resolve_device("cuda:0")
+
+
+@pytest.fixture
+def apart(gpu):
+    """A stream of the caller's that does not block, as torch's are but for its default one."""
+    theirs = NonBlockingStream(gpu)
+    apart = wp.Stream(gpu, cuda_stream=theirs.cuda_stream)
+    apart.theirs = theirs  # type: ignore[attr-defined]  # which lives as long
+    return apart
+
+
+class OtherLibrary:
+    """What `tensor.zero_()` of torch on its default stream comes to."""
+
+    def __init__(self, device) -> None:
+        self.device, self.array, self.errors = device, zeros(256, float32, device), []
+
+    def work(self) -> None:
+        try:
+            wp._src.context.runtime.core.wp_memset_device(self.device.context, self.array.ptr, 0, 1024, 0)
+        except Exception as error:
+            self.errors.append(error)
+
+    def work_in_a_thread(self) -> None:
+        thread = threading.Thread(target=self.work)
+        thread.start()
+        thread.join(timeout=60)
+
+
+def test_another_library_works_on_its_default_stream_while_we_record(gpu):
+    theirs, ours = OtherLibrary(gpu), zeros(256, float32, gpu)
+
+    def body():
+        fill(ours, 1)
+        theirs.work_in_a_thread()
+        fill(ours, 2)
+
+    replay(record(gpu, body))
+    assert theirs.errors == []
+    assert (download(ours) == 2).all()
+
+
+def test_another_library_works_on_its_default_stream_while_we_record_a_loop(gpu, kernel):
+    theirs, left = OtherLibrary(gpu), upload(np.array([3], np.int32), int32, gpu)
+
+    def body():
+        theirs.work_in_a_thread()
+        launch(kernel, 1, [left])
+
+    loop_while(left, body)
+    assert theirs.errors == []
+    assert download(left)[0] == 0
+
+
+def test_a_blocking_stream_that_records_would_refuse_the_other_library(emulated, gpu):
+    theirs = OtherLibrary(gpu)
+    with emulated.findings.expected(), wp.ScopedCapture(stream=wp.Stream(gpu)):
+        theirs.work_in_a_thread()
+    assert "depend on a capturing blocking stream" in str(theirs.errors[0])
+
+
+def test_a_stream_that_does_not_block_is_not_waited_for_by_the_legacy_stream(gpu, apart, kernel):
+    assert not apart.is_blocking and wp.Stream(gpu).is_blocking
+    values, host = upload(np.zeros(4, np.int32), int32, gpu), wp.empty(4, dtype=wp.int32, device="cpu", pinned=True)
+    wp.synchronize_device(gpu)
+    with wp.ScopedStream(apart):
+        launch(kernel, 4, [values])
+    core = wp._src.context.runtime.core
+    core.wp_memcpy_d2h(gpu.context, host.ptr, values.ptr, 16, 0)
+    assert host.numpy().tolist() == [0] * 4
+    wp.synchronize_stream(apart)
+    core.wp_memcpy_d2h(gpu.context, host.ptr, values.ptr, 16, 0)
+    assert host.numpy().tolist() == [-1] * 4
+
+
+def test_the_stream_is_the_drivers_and_goes_with_its_object(emulated, gpu):
+    stream = NonBlockingStream(gpu)
+    handle, driver = stream.cuda_stream, emulated.driver
+    assert handle in emulated.streams.streams
+    del stream
+    assert handle not in emulated.streams.streams
+    with gpu.context_guard:
+        assert driver.cuStreamCreate(ctypes.byref(ctypes.c_void_p()), ctypes.c_uint(7)) == INVALID_VALUE
+        assert driver.cuStreamDestroy_v2(ctypes.c_void_p(handle)) == INVALID_HANDLE
+
+
+def test_a_driver_that_makes_no_stream_is_an_error_of_its_own(emulated, gpu, monkeypatch):
+    monkeypatch.setattr(emulated.driver, "cuStreamCreate", lambda *_: 2, raising=False)
+    monkeypatch.setattr(device_lock, "_recording_streams", {})
+    with pytest.raises(RuntimeError, match=r"cuda:0: the driver makes no stream \(CUDA error 2\)"):
+        record(gpu, lambda: None)
+
+
+def test_memory_is_released_behind_work_on_a_stream_that_does_not_block(emulated, gpu, apart, kernel):
+    with wp.ScopedStream(apart):
+        values = upload(np.zeros(64, np.int32), int32, gpu)
+        launch(kernel, 64, [values])
+    address = values.ptr
+    del values
+    assert address in emulated.memory.live  # what the legacy stream alone would wait for has run
+    wp.synchronize_device(gpu)
+    assert address not in emulated.memory.live
+
+
+def test_what_is_made_elsewhere_and_used_on_such_a_stream_is_released_behind_it_too(emulated, gpu, apart, kernel):
+    values = upload(np.zeros(64, np.int32), int32, gpu)
+    wp.synchronize_device(gpu)
+    with wp.ScopedStream(apart):
+        launch(kernel, 64, [values])
+        address = values.ptr
+        del values
+        assert address in emulated.memory.live
+    wp.synchronize_device(gpu)
+    assert address not in emulated.memory.live
+
+
+def test_a_stream_that_is_gone_before_the_release_is_not_asked_again(emulated, gpu, kernel):
+    theirs = NonBlockingStream(gpu)
+    with wp.ScopedStream(wp.Stream(gpu, cuda_stream=theirs.cuda_stream)):
+        values = upload(np.zeros(64, np.int32), int32, gpu)
+        launch(kernel, 64, [values])
+    del theirs
+    address = values.ptr
+    del values
+    wp.synchronize_device(gpu)
+    assert address not in emulated.memory.live
+
+
+def test_operations_on_such_a_stream_give_what_they_give_elsewhere(gpu, apart, rng):
+    points = rng.random((500, 3)).astype(np.float32)
+    cloud = loom.PointCloud(points, device="cuda:0")
+    expected = cloud.voxel_down_sample(0.1).estimate_normals(max_nn=8)
+    wp.synchronize_device(gpu)
+    with wp.ScopedStream(apart):
+        found = loom.PointCloud(points, device="cuda:0").voxel_down_sample(0.1).estimate_normals(max_nn=8)
+        reg = loom.registration
+        icp = reg.registration_icp(found.translate([0.01, 0, 0]), found, 0.1)
+    np.testing.assert_array_equal(found.normals, expected.normals)
+    other = reg.registration_icp(expected.translate([0.01, 0, 0]), expected, 0.1)
+    np.testing.assert_array_equal(icp.transformation, other.transformation)
