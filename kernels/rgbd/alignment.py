@@ -21,7 +21,7 @@ from ..memory import empty
 from .alignment_rows import AlignmentRules, AlignmentState, row_sums, sum_alignment_rows
 from .alignment_step import begin_alignment_kernel, step_alignment_kernel
 from .certainty_rows import certainty_sums, sum_certainty
-from .pyramid import copy_levels_kernel
+from .level_copies import copy_levels_kernel
 from .verdict_rows import sum_verdict, verdict_sums
 
 if TYPE_CHECKING:
