@@ -27,7 +27,7 @@ from .verdict_rows import sum_verdict, verdict_sums
 if TYPE_CHECKING:
     from .pyramid import FrameLevels
 
-MOST_KEPT = 4  # loops: 24 B a pixel of both frames' levels each, 6 MB for VGA
+MOST_KEPT = 8  # loops: 24 B a pixel of the levels of both frames each, 5 MB for VGA
 KEPT = ("verdict", "certainty", "firm")
 EDGE = 27.0  # a share of the columns, 3 px of 80, from an edge of a surface: the window of a plane and what is rounded
 
