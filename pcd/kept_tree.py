@@ -32,6 +32,11 @@ class KeptTree:
         self._tree: PointTree | None = None
         self._mark: int | None = None
 
+    def adopt(self, tree: PointTree) -> None:
+        """Keep a tree over these very points that was built elsewhere."""
+        if self._tree is None and not self._lent and tree.source is self.points:
+            self._tree = tree
+
     def lend(self) -> wp.array:
         """The points, for code that may write to them."""
         if not self._lent:

@@ -298,6 +298,10 @@ class PointArrays(InUnit, CloudQuestions):
         """The search tree over the points, built at the first call and kept with them: 20 B a point."""
         return self._kept.tree()
 
+    def adopt_search_tree(self, tree: PointTree) -> None:
+        """Keep a tree over the points' own array that was built elsewhere, where there is none yet."""
+        self._kept.adopt(tree)
+
     @property
     def known_search_tree(self) -> PointTree | None:
         """The search tree over the points where an operation has built it; None where none has asked for it yet."""

@@ -4,6 +4,8 @@
 numbers, whose outcome does not depend on their order.
 """
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from ..array_types import Points
@@ -97,10 +99,23 @@ def bound_points(points: Points) -> tuple[np.ndarray, np.ndarray, int]:
     Returns:
         (low, high, count): float32 arrays of shape [3] on the host, infinite where no point is finite. One sync.
     """
-    runs = Runs(points.size, points.device, RUN)
-    extremes = full(runs.rows * WIDTH, NOTHING, int32, points.device)
-    launch(bound_points_kernel, runs.threads, [points, runs, extremes])
-    rows = download(extremes).reshape(runs.rows, WIDTH)  # sync
+    return bound_each([points])[0]
+
+
+def bound_each(clouds: Sequence[Points]) -> list[tuple[np.ndarray, np.ndarray, int]]:
+    """As `bound_points`, of each of several arrays on one device. One sync."""
+    device = clouds[0].device
+    runs = [Runs(points.size, device, RUN) for points in clouds]
+    ends = np.cumsum([run.rows * WIDTH for run in runs]).tolist()
+    extremes = full(ends[-1], NOTHING, int32, device)
+    for points, run, end in zip(clouds, runs, ends, strict=True):
+        launch(bound_points_kernel, run.threads, [points, run, extremes[end - run.rows * WIDTH : end]])
+    found = download(extremes)  # sync
+    return [_box_of(found[end - run.rows * WIDTH : end]) for run, end in zip(runs, ends, strict=True)]
+
+
+def _box_of(extremes: np.ndarray) -> tuple[np.ndarray, np.ndarray, int]:
+    rows = extremes.reshape(-1, WIDTH)
     count = int((rows[:, 6].astype(np.int64) - NOTHING).sum())
     if not count:
         return np.full(3, np.inf, np.float32), np.full(3, -np.inf, np.float32), 0

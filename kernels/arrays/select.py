@@ -94,6 +94,33 @@ def positions_of_each(*masks: Mask) -> list[Indices]:
     return found
 
 
+@kernel
+def gather_counts_kernel(ranks: array(dtype=int32), firsts: array(dtype=int32), counts: array(dtype=int32)):
+    """How many elements are set before each of some positions; ranks count those up to each."""
+    i = tid()
+    count = 0
+    if firsts[i] > 0:
+        count = ranks[firsts[i] - 1]
+    counts[i] = count
+
+
+def positions_and_starts(mask: Mask, firsts: np.ndarray) -> tuple[Indices, np.ndarray]:
+    """As `positions_of`, and how many of them stand before each of some positions, the last of which is n: int64 on the
+    host (one sync)."""
+    device = mask.device
+    if not device.is_cuda or not mask.size:
+        positions = positions_of(mask)
+        return positions, np.searchsorted(download(positions), firsts)
+    ranks, counts = empty(mask.size, int32, device), empty(len(firsts), int32, device)
+    launch(count_mask_kernel, mask.size, [mask, ranks])
+    inclusive_scan(ranks, ranks)
+    launch(gather_counts_kernel, len(firsts), [ranks, upload(firsts, int32, device), counts])
+    starts = download(counts).astype(np.int64)  # sync
+    positions = empty(int(starts[-1]), int32, device)
+    launch(scatter_positions_kernel, mask.size, [mask, ranks, positions])
+    return positions, starts
+
+
 def gather_rows(values: Array, rows: Indices) -> Array:
     """values[rows] on the device, for vec3 arrays and for arrays of scalars with one or two axes.
 

@@ -38,7 +38,7 @@ from ..lang import (
     uint8,
     vector,
 )
-from ..memory import download, empty, upload, zeros
+from ..memory import download, empty, join, upload, zeros
 
 LEADING = 15  # principal axes
 AXES = 16  # and the length of what is left; with 9, three times as many rows have to be compared in full
@@ -81,11 +81,11 @@ class FeatureRows:
         self.rows = positions_of(usable)  # sync
         self.count = self.rows.size
 
-    def sample(self) -> np.ndarray:
-        """Up to SAMPLE rows at even intervals, float64 on the host."""
+    def sample(self) -> Array2[float32]:
+        """Up to SAMPLE rows at even intervals."""
         sample = empty((min(SAMPLE, self.count), self.columns), float32, self.device)
         launch(gather_sample_kernel, sample.shape[0], [self, sample])
-        return download(sample).astype(np.float64)  # sync
+        return sample
 
 
 @struct
@@ -324,7 +324,8 @@ def find_axes(source: FeatureRows, target: FeatureRows) -> Array2[float64]:
     Returns:
         float64 [d, 1 + LEADING], a column each; zeros for axes that are not there.
     """
-    rows = np.concatenate([source.sample(), target.sample()])
+    samples = join([side.sample().flatten() for side in (source, target)])
+    rows = download(samples).astype(np.float64).reshape(-1, source.columns)  # sync
     basis = np.zeros((source.columns, 1 + LEADING))
     if len(rows):
         basis[:, 0] = rows.mean(axis=0)

@@ -15,7 +15,7 @@ import numpy as np
 from ..algebra.rigid_solve import fit_pose, move, pair_sums, sums_of_pair
 from ..array_types import Doubles, Indices, Integers, Poses
 from ..lang import array, dot, float64, func, int32, kernel, launch, mat44d, segment_reduction, sqrt, tid
-from ..memory import download, empty, upload
+from ..memory import cast, download, empty, upload
 from .compatibility_graph import CompatibilityGraph
 from .pair_fits import (
     FEWEST,
@@ -196,6 +196,25 @@ def distinct_poses(poses: np.ndarray, spread: np.ndarray, apart: float) -> np.nd
     return np.array(kept, np.int64)
 
 
+@kernel
+def stack_poses_kernel(poses: array(dtype=mat44d), values: array(dtype=float64), rows: array(dtype=float64, ndim=2)):
+    """A value and the pose beside it."""
+    i = tid()
+    rows[i, 0] = values[i]
+    pose = poses[i]
+    for j in range(4):
+        for k in range(4):
+            rows[i, 1 + 4 * j + k] = pose[j, k]
+
+
+def read_poses(poses: Poses, values: Doubles) -> tuple[np.ndarray, np.ndarray]:
+    """A number of each pose and the poses, float64 [k] and [k, 4, 4] on the host. One sync."""
+    rows = empty((poses.size, 17), float64, poses.device)
+    launch(stack_poses_kernel, poses.size, [poses, values, rows])
+    found = download(rows).copy()  # sync
+    return found[:, 0], found[:, 1:].reshape(-1, 4, 4)
+
+
 def find_consensus(
     pairs: PairCoordinates, bound: float, distance: float, spread: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
@@ -220,12 +239,12 @@ def find_consensus(
         return nothing
     poses, scores = seed_poses(graph, seeds)
     score_poses(pairs, poses, distance, scores)
-    ranked, placed = download(scores), download(poses)  # sync
+    ranked, placed = read_poses(poses, cast(scores, float64))  # sync
     order = np.argsort(-ranked, kind="stable")
     order = order[distinct_poses(placed[order], spread, SAME * distance)][:FITTED]
     chosen = upload(placed[order], mat44d, pairs.device)
-    saved = download(refit_truncated(pairs, chosen, distance)).copy()  # sync
+    saved, refitted = read_poses(chosen, refit_truncated(pairs, chosen, distance))  # sync
     best = np.argsort(-saved, kind="stable")
-    fitted = download(chosen)[best].astype(np.float64)
+    fitted = refitted[best]
     kept = distinct_poses(fitted, spread, SAME * distance)
     return fitted[kept], saved[best][kept]

@@ -19,7 +19,7 @@ from ..arrays.key_starts import find_key_starts
 from ..arrays.packed_keys import key_index
 from ..arrays.prefix_sum import find_owner
 from ..arrays.segment_blocks import SegmentBlocks
-from ..arrays.select import positions_of
+from ..arrays.select import positions_and_starts
 from ..arrays.sort import argsort_keys
 from ..lang import (
     array,
@@ -291,9 +291,9 @@ class Pairs:
             where = [int(fragments.firsts[s]), int(fragments.firsts[t]), int(self.firsts[k])]
             rule = [mat44d(*T.ravel()), self.least_cosine, self.sided]
             launch(pair_points_kernel, queries.size, [nearest, *where, *rule, fragments, self.partners, self.kept])
-        positions = positions_of(self.kept)  # sync
+        positions, starts = positions_and_starts(self.kept, self.firsts)  # sync
         rows = FragmentRows(positions.size, self.device_ends)
-        rows.starts = np.searchsorted(download(positions), self.firsts)  # sync
+        rows.starts = starts
         rows.sums = SegmentBlocks(rows.starts[:-1], np.diff(rows.starts), device)
         tables = [self.firsts[:-1], fragments.firsts[self.ends[:, 0]], rows.starts]
         given = [upload(table.astype(np.int32), int32, device) for table in tables]

@@ -36,7 +36,7 @@ from ..lang import (
     vec3d,
     vector,
 )
-from ..memory import download, empty, full, upload, zeros
+from ..memory import download, empty, full, join, upload, zeros
 from .anchor_ties import pull_anchors_kernel, sum_stretch, turn_anchors_kernel
 from .control_lattice import AROUND, CORNERS, ControlLattice, corner_weight
 from .fragment_rows import FragmentRows, corner_sums, map_rows_kernel, slope_sums
@@ -337,9 +337,10 @@ class FragmentStep:
     def errors(self) -> tuple[float, int, float]:
         """(sum of squared residuals, rows, the ties' part); syncs."""
         ties = [self.lattice, self.system.tie, self.system.rotations]
-        squares, count = download(reduce(sum_residuals, self.rows.count, [self.rows]))[0].tolist()  # sync
-        stretch = download(reduce(sum_stretch, self.lattice.anchor_count, ties))[0]  # sync
-        return squares, int(count), float(stretch[0])
+        residuals = reduce(sum_residuals, self.rows.count, [self.rows])
+        stretches = reduce(sum_stretch, self.lattice.anchor_count, ties)
+        (squares, count), (stretch, _) = download(join([residuals, stretches])).tolist()  # sync
+        return squares, int(count), stretch
 
     def solve(self, tolerance: float = TOLERANCE) -> tuple[Positions, int]:
         """The step, vec3d [2 fragments + anchors]: two vectors a fragment, then one an anchor; and the turns."""

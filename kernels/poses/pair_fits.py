@@ -32,6 +32,7 @@ from ..lang import (
     kernel,
     launch,
     loop,
+    loop_while,
     mat44d,
     reduce_segments,
     segment_reduction,
@@ -138,11 +139,14 @@ class PairCoordinates:
             The pose before the last step.
         """
         previous, limits = empty(1, mat44d, self.device), full(1, mu, float64, self.device)
-        sums = PoseSums(self, 1)
-        for step in range(steps):
+        sums, left = PoseSums(self, 1), full(1, steps, int32, self.device)
+        step = [divisor, least, every, steps, left, pose, previous, limits]
+
+        def turn() -> None:
             sums.add_up(sum_pairs_kernel, sum_weighted, [pose, limits, GEMAN_MCCLURE])
-            factor = divisor if step % every == 0 else 1.0
-            launch(anneal_poses_kernel, 1, [sums.rows, sums.blocks, factor, least, pose, previous, limits])
+            launch(anneal_poses_kernel, 1, [sums.rows, sums.blocks, *step])
+
+        loop_while(left, turn)
         return previous
 
 
@@ -366,16 +370,21 @@ def anneal_poses_kernel(
     blocks: int,
     divisor: float64,
     least: float64,
+    every: int,
+    steps: int,
+    left: array(dtype=int32),
     poses: array(dtype=mat44d),
     previous: array(dtype=mat44d),
     limits: array(dtype=float64),
 ):
-    """Fit a pose to its weighted correspondences, and divide its scale while that is above the least."""
+    """Fit a pose to its weighted correspondences, and at every so-many-th step divide its scale while that is above the
+    least."""
     i = tid()
     previous[i] = poses[i]
     poses[i] = fit_of(fold_blocks(partials, i * blocks, blocks), poses[i], 0)
-    if limits[i] > least:
+    if limits[i] > least and (steps - left[i]) % every == 0:
         limits[i] = limits[i] / divisor
+    left[i] = left[i] - 1
 
 
 @kernel

@@ -5,17 +5,15 @@ agree up to a ratio. Triples are tested all at once and the first that pass are 
 depends on the seed alone. 12 B a triple are written.
 """
 
-import numpy as np
-
 from ..array_types import Integers
 from ..arrays.random import random_below, random_bits
 from ..arrays.select import positions_of
 from ..lang import array, dot, float64, func, int32, kernel, launch, sqrt, tid, uint8, vec3d
-from ..memory import download, empty, upload
+from ..memory import empty, join
 from .pair_fits import PairCoordinates, source_point, target_point
 
 TRIPLE = 3
-BATCH, MOST_BATCH = 8192, 2**20
+CPU_BATCH, CUDA_BATCH, MOST_BATCH = 8192, 2**17, 2**20  # to look at fewer would save a GPU less than a wait takes
 
 
 @func
@@ -61,17 +59,18 @@ def similar_tuples(pairs: PairCoordinates, seed: int, trials: int, ratio: float,
 
     A correspondence may come several times, which is its weight. Triples of equal points never pass. One sync a batch.
     """
-    device, found, total, batch, done = pairs.device, [], 0, BATCH, 0
+    device, found, total, done = pairs.device, [], 0, 0
+    batch = CUDA_BATCH if device.is_cuda else CPU_BATCH
     while done < trials and total < most and pairs.count:
         size = min(batch, trials - done)
         tuples, passed = empty((size, TRIPLE), int32, device), empty(size, uint8, device)
         launch(test_tuples_kernel, size, [pairs, seed, done, ratio, tuples, passed])
-        chosen = positions_of(passed)
+        chosen = positions_of(passed)  # sync
         if chosen.size:
             chosen = chosen[: min(chosen.size, most - total)]
             rows = empty(TRIPLE * chosen.size, int32, device)
             launch(list_tuples_kernel, rows.size, [tuples, chosen, rows])
-            found.append(download(rows).copy())
+            found.append(rows)
             total += chosen.size
         done, batch = done + size, min(2 * batch, MOST_BATCH)
-    return upload(np.concatenate(found) if found else np.empty(0, np.int32), int32, device)
+    return join(found) if found else empty(0, int32, device)

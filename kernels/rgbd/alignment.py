@@ -21,13 +21,13 @@ from ..memory import empty
 from .alignment_rows import AlignmentRules, AlignmentState, row_sums, sum_alignment_rows
 from .alignment_step import begin_alignment_kernel, step_alignment_kernel
 from .certainty_rows import certainty_sums, sum_certainty
-from .pyramid import copy_levels_kernel
+from .level_copies import copy_levels_kernel
 from .verdict_rows import sum_verdict, verdict_sums
 
 if TYPE_CHECKING:
     from .pyramid import FrameLevels
 
-MOST_KEPT = 4  # loops: 24 B a pixel of both frames' levels each, 6 MB for VGA
+MOST_KEPT = 8  # loops: 24 B a pixel of the levels of both frames each, 5 MB for VGA
 KEPT = ("verdict", "certainty", "firm")
 EDGE = 27.0  # a share of the columns, 3 px of 80, from an edge of a surface: the window of a plane and what is rounded
 

@@ -1,10 +1,11 @@
-"""What a rendered model lacks as a frame: brightness is none where nothing is seen, not black.
+"""What a rendered model lacks as a frame: brightness is none where nothing is seen, not black, and colours are 8-bit.
 
 One thread a pixel: reads 8 B, writes 4 B. A bilinear look-up at the rim of the model would take black for an edge.
 """
 
-from ..array_types import Scalars
-from ..lang import array, float32, kernel, launch, tid
+from ..array_types import Array2, Scalars, Vectors
+from ..lang import array, float32, floor, func, kernel, launch, tid, uint8, vec3
+from ..memory import empty
 from .pyramid import NO_COLOR
 
 
@@ -19,3 +20,34 @@ def hide_unseen_kernel(depth: array(dtype=float32), brightness: array(dtype=floa
 def hide_unseen(depth: Scalars, brightness: Scalars) -> None:
     """Set the brightness, float32 [pixels], to none where the depth is 0."""
     launch(hide_unseen_kernel, depth.size, [depth, brightness])
+
+
+GREY = 0.5  # colour where nothing is seen
+
+
+@func
+def whole_of(x: float) -> int:
+    """The nearest whole number of one that is not negative, halves to even ones."""
+    up = floor(x + 0.5)
+    whole = int(up)
+    if up - x == 0.5 and whole % 2 == 1:
+        whole = whole - 1
+    return whole
+
+
+@kernel
+def write_colors_kernel(depth: array(dtype=float32), colors: array(dtype=vec3), pixels: array(dtype=uint8, ndim=2)):
+    """Colours 0..1 as 8-bit ones."""
+    i = tid()
+    color = vec3(GREY, GREY, GREY)
+    if depth[i] > 0.0:
+        color = colors[i]
+    for k in range(3):
+        pixels[i, k] = uint8(whole_of(255.0 * color[k]))
+
+
+def colors_of(depth: Scalars, colors: Vectors) -> Array2[uint8]:
+    """The 8-bit colours [pixels, 3] of a rendered model, grey where its depth is 0."""
+    pixels = empty((depth.size, 3), uint8, depth.device)
+    launch(write_colors_kernel, depth.size, [depth, colors, pixels])
+    return pixels

@@ -260,7 +260,7 @@ def sum_open3d_rows(
     return total
 
 
-information_sums = vector(10, float64)  # pairs, sums of q, of its products above the diagonal
+information_sums = vector(11, float64)  # pairs, sums of q, of its products above the diagonal; pixels that have depth
 
 
 @reduction
@@ -272,6 +272,7 @@ def sum_open3d_information(
     total = information_sums(0.0)
     z = float64(source_depth[i])
     if isfinite(z):
+        total[10] = 1.0
         u = float64(i % target.width)
         v = float64(i // target.width)
         p = move(pose, vec3d((u - target.cx) * z / target.fx, (v - target.cy) * z / target.fy, z))
@@ -292,6 +293,6 @@ def sum_open3d_information(
                 if gap <= reach:
                     one = float64(1.0)
                     total = information_sums(
-                        one, x, y, there, x * x, x * y, x * there, y * y, y * there, there * there
+                        one, x, y, there, x * x, x * y, x * there, y * y, y * there, there * there, one
                     )  # fmt: skip
     return total

@@ -73,17 +73,6 @@ class FrameLevels:
         return FrameLevels(self.sizes, self.host_lenses, self.device)
 
 
-@kernel
-def copy_levels_kernel(levels: FrameLevels, out: FrameLevels):
-    """The levels of a frame, in those of the same sizes."""
-    i = tid()
-    out.depth[i] = levels.depth[i]
-    out.brightness[i] = levels.brightness[i]
-    out.planes[i] = levels.planes[i]
-    if i < levels.lenses.shape[0]:
-        out.lenses[i] = levels.lenses[i]
-
-
 @func
 def nearest_depth(a: float, b: float, c: float, d: float) -> float:
     """The least of those of four depths that are there; NO_DEPTH without any."""

@@ -33,7 +33,7 @@ from ...pcd.cloud import PointCloud
 from ..mesh.mesh import TriangleMesh
 from .block_count import BlockCount
 from .tsdf_files import VOXEL_ARRAYS, read_volume_arrays, write_volume_arrays
-from .tsdf_views import RayCast, RenderedMaps, cast_view, check_view, render_maps
+from .tsdf_views import RayCast, RenderedMaps, cast_view, check_view, render_colors, render_maps
 
 OTHER_UNIT = 30.0  # times the farthest depth used: nothing of a place that is near lies beyond
 
@@ -328,6 +328,20 @@ class TSDFVolume(ToldNames):
         T = self._place_of(np.array(T_world_camera, np.float64))
         seen, colored = SeenBlocks(self._blocks, threshold), self.has_frame_colors
         return render_maps(seen, intrinsic, T, (near, far), colored, normals)
+
+    def render_colors(
+        self,
+        intrinsic: PinholeCameraIntrinsic,
+        T_world_camera: NDArray[Any],
+        *,
+        depth_min: float = 0.1,
+        depth_max: float = 3.0,
+        weight_threshold: float = 3.0,
+    ) -> tuple[wp.array, wp.array]:
+        """As `render_maps`: depth, float32 [h * w], 0 where nothing is seen, and colours, vec3 [h * w] in 0..1."""
+        near, far, threshold = check_view(intrinsic, depth_min, depth_max, weight_threshold)
+        T = self._place_of(np.array(T_world_camera, np.float64))
+        return render_colors(SeenBlocks(self._blocks, threshold), intrinsic, T, (near, far))
 
     def save(self, path: str | os.PathLike[str], *, overwrite: bool = True) -> None:
         """Write the volume to an .npz file, whole or not at all.

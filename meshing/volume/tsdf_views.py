@@ -92,6 +92,15 @@ def cast_view(
     )
 
 
+def render_colors(
+    seen: SeenBlocks, camera: PinholeCameraIntrinsic, T: Any, limits: tuple[float, float]
+) -> tuple[wp.array, wp.array]:
+    """Depth, float32 [h * w], and colours, vec3 [h * w], as a camera sees them, on the device."""
+    images = RayImages(camera.width * camera.height, seen.neighbors.device, normals=False, colors=True)
+    cast_rays(seen, camera, T, limits[0], limits[1], images)
+    return images.depth, images.colors
+
+
 def render_maps(
     seen: SeenBlocks, camera: PinholeCameraIntrinsic, T: Any, limits: tuple[float, float], colored: bool, normals: bool
 ) -> RenderedMaps:

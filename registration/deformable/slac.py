@@ -17,20 +17,22 @@ from ...core.progress import ReportProgress
 from ...core.quaternions import nearest_rotations
 from ...core.units import common_unit
 from ...files.points.point_cloud import read_point_cloud
+from ...kernels.algebra.transform import transform_points
 from ...kernels.arrays.concatenation import concatenate_rows
 from ...kernels.lang import launch, mat44d
-from ...kernels.memory import download
+from ...kernels.memory import download, join
 from ...kernels.poses.anchor_ties import shift_anchors_kernel
 from ...kernels.poses.control_lattice import motion_of, move_anchors_kernel
 from ...kernels.poses.fragment_rows import FragmentRows, Fragments, Pairs
 from ...kernels.poses.fragment_steps import FragmentStep, StepSystem
+from ...kernels.poses.point_sums import count_agreeing
 from ...kernels.search.nearest_point import find_nearest
 from ...pcd.cloud import PointCloud
 from ...pcd.point_arrays import check_cloud
 from ..pose_graphs.connected_parts import connected_parts
 from ..pose_graphs.pose_graph import GraphArrays, PoseGraph, PoseGraphNode, check_pose_graph
 from ..pose_graphs.reports import FragmentOverlap, RefinementReport
-from ..rigid import invert_pose, rotations_of
+from ..rigid import invert_pose, rotations_of, to_local
 from .control_grid import GRID_SIZE, ControlGrid
 
 Array = NDArray[np.float64]
@@ -38,7 +40,6 @@ MOST_ITERATIONS = 1000
 NEIGHBORS, DEVIATIONS = 20, 2.0  # of the outliers that are removed, as Open3D means to
 NORMAL_NEIGHBORS = 30
 LEAST_COSINE = 0.5  # 60 degrees: beyond that two points lie on two surfaces
-NO_PARTNER = 0xFFFF_FFFF
 
 
 @dataclasses.dataclass(frozen=True, kw_only=True)
@@ -297,23 +298,18 @@ def _prepare(given: Sequence[Any], voxel_size: float) -> tuple[list[PointCloud],
 
 def _agreement(clouds: Sequence[PointCloud], graph: GraphArrays, distance: float) -> Array:
     """How far each edge's pairs of points agree with the nodes' poses, 0..1."""
-    shares = np.zeros(len(graph.source))
-    for k, (s, t, T) in enumerate(zip(graph.source, graph.target, graph.transformations, strict=True)):
+    counted = []
+    for s, t, T in zip(graph.source, graph.target, graph.transformations, strict=True):
         source, target = clouds[s], clouds[t]
-        queries = source.transform(T).points_about(target.origin)
-        rows = (download(find_nearest(target.search_tree(), queries, radius=distance)) & NO_PARTNER).astype(np.int64)
-        found = rows != NO_PARTNER
-        p, q = source.points[found], target.points[rows[found]]
-        apart = _moved(graph.poses[s], p) - _moved(graph.poses[t], q)
-        if len(apart):
-            shares[k] = np.mean((apart * apart).sum(axis=1) <= distance * distance)
-    return shares
-
-
-def _moved(T: Array, points: Array) -> Array:
-    """Points [n, 3] under a pose; by three products, so that no number of threads changes a bit."""
-    R, t = T[:3, :3], T[:3, 3]
-    return points[:, :1] * R[:, 0] + points[:, 1:2] * R[:, 1] + points[:, 2:] * R[:, 2] + t
+        points, local = source.device_array("points"), to_local(T, source.origin, target.origin)
+        queries = transform_points(points, local[:3, :3], local[:3, 3])
+        nearest = find_nearest(target.search_tree(), queries, radius=distance)
+        ends = (source.origin, target.origin), (graph.poses[s], graph.poses[t])
+        counted.append(count_agreeing(points, target.device_array("points"), nearest, *ends, distance))
+    if not counted:
+        return np.zeros(0)
+    found, agreeing = download(join(counted)).T  # sync
+    return agreeing / np.maximum(found, 1)
 
 
 def _parts(ends: NDArray[np.int64], count: int) -> tuple[NDArray[np.int32], NDArray[np.bool_]]:

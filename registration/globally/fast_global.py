@@ -12,9 +12,9 @@ from numpy.typing import ArrayLike
 from ...core.checks import check_count, check_positive, check_seed
 from ...core.told_arguments import told_arguments
 from ...core.watching import report
-from ...kernels.arrays.bounds import bound_points
+from ...kernels.arrays.bounds import bound_each
 from ...kernels.lang import mat44d
-from ...kernels.memory import download, upload
+from ...kernels.memory import download, join, upload
 from ...kernels.poses.pair_fits import PairCoordinates
 from ...kernels.poses.pose_fitness import half_diagonal, middle_of
 from ...kernels.poses.similar_tuples import similar_tuples
@@ -211,7 +211,7 @@ def _register(
     source: PointCloud, target: PointCloud, given: wp.array, option: FastGlobalRegistrationOption, seed: int
 ) -> RegistrationResult:
     points = source.device_array("points"), target.device_array("points")
-    boxes = bound_points(points[0])[:2], bound_points(points[1])[:2]
+    boxes = [box[:2] for box in bound_each(points)]  # sync
     middles = middle_of(*boxes[0]), middle_of(*boxes[1])
     pairs = PairCoordinates(*points, given, *middles)
     if pairs.count < FEWEST:
@@ -226,7 +226,7 @@ def _register(
     mu = 1.0 if option.use_absolute_scale else radius * radius
     least = option.maximum_correspondence_distance**2 if option.decrease_mu else np.inf
     before = pairs.anneal(pose, mu, least, option.division_factor, EVERY, option.iteration_number)
-    local, previous = download(pose)[0].astype(np.float64), download(before)[0]  # sync
+    local, previous = download(join([pose, before])).astype(np.float64)  # sync
     T = to_world(local, *world_middles(source, target, middles))
     result = evaluate_registration(source, target, option.maximum_correspondence_distance, T)
     change = np.abs(local - previous)

@@ -325,9 +325,11 @@ def refine_poses(
     source: Surface, target: Surface, poses: NDArray[np.float64], distance: float, steps: int = 30
 ) -> list[RegistrationResult]:
     """Poses about the clouds' origins, refined by point-to-plane ICP on the surfaces, all at once."""
-    left, right = (
+    left, right = clouds = [
         PointCloud.from_device_arrays({"points": s.points, "normals": s.normals}, np.zeros(3)) for s in (source, target)
-    )
+    ]
+    for cloud, surface in zip(clouds, (source, target), strict=True):
+        cloud.adopt_search_tree(surface.tree)
     rules = ICPConvergenceCriteria(1e-4, STILL * distance, steps)
     return registration_icp_batch(left, right, distance, poses, TransformationEstimationPointToPlane(), rules)
 

@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ...core.checks import check_positive, check_seed, is_on_gpu
 from ...core.watching import report
-from ...kernels.arrays.bounds import bound_points
+from ...kernels.arrays.bounds import bound_each
 from ...kernels.arrays.row_numbers import distinct_pairs
 from ...kernels.arrays.subsets import draw_rows
 from ...kernels.lang import int32
@@ -199,7 +199,7 @@ def find_poses(source: Any, target: Any, pairs: Any, bound: float, seed: int) ->
         bound: Of a right correspondence [m].
         seed: Chooses which correspondences where they are too many.
     """
-    middles, spreads = zip(*(_middle_of(points) for points in (source, target)), strict=True)
+    middles, spreads = zip(*(_middle_of(*box) for box in bound_each([source, target])), strict=True)  # sync
     coordinates = PairCoordinates(source, target, pairs, *middles)
     if coordinates.count > MOST_PAIRS:
         coordinates = coordinates.select(draw_rows(coordinates.count, MOST_PAIRS, seed, source.device))
@@ -210,9 +210,10 @@ def find_poses(source: Any, target: Any, pairs: Any, bound: float, seed: int) ->
     return Consensus(poses, support)
 
 
-def _middle_of(points: Any) -> tuple[NDArray[np.float32], NDArray[np.float64]]:
+def _middle_of(
+    low: NDArray[np.float32], high: NDArray[np.float32], finite: int
+) -> tuple[NDArray[np.float32], NDArray[np.float64]]:
     """The middle of the finite points' box, and a third of its extents along the axes: points that stand for it."""
-    low, high, finite = bound_points(points)  # sync
     if not finite:
         return np.zeros(3, np.float32), np.zeros((3, 3))
     extents = high.astype(np.float64) - low

@@ -156,6 +156,9 @@ class IterativeRegistration:
             loop.sum_rows(estimation.rows, self._arguments, self._plain_arguments)
             loop.step(rules)
 
+        if max_iteration == 0 and watch is None:  # one turn judges the poses, and no graph is worth making for it
+            iterate()
+            return
         loop.run(iterate, watch)
 
     def judged(self) -> dict[str, Any]:

@@ -4,12 +4,15 @@ from __future__ import annotations
 
 from typing import Any, Self
 
+import numpy as np
 import warp as wp
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from ...cameras.camera import PinholeCameraIntrinsic
 from ...cameras.images import RGBDImage, check_intrinsic, upload_color, upload_depth
 from ...core.gpu_arrays import device_for
+from ...kernels.memory import download
+from ...kernels.rgbd.level_copies import level_rows
 from ...kernels.rgbd.open3d_images import fill_missing, mark_missing
 from ...kernels.rgbd.pyramid import FrameLevels, make_levels
 
@@ -128,6 +131,15 @@ class OdometryFrame:
             normals=normals,
         )
         self.blur = 0.0
+        self._coarsest: tuple[NDArray[np.float32], NDArray[np.float32]] | None = None
+
+    def coarsest(self) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+        """Depth [h, w] and planes [h, w, 4] of the coarsest level, on the host: a sync when first asked for."""
+        if self._coarsest is None:
+            width, height = (int(side) for side in self.levels.sizes[-1])
+            rows = download(level_rows(self.levels, self.levels.count - 1))  # sync
+            self._coarsest = rows[:, 0].reshape(height, width), rows[:, 1:].reshape(height, width, 4)
+        return self._coarsest
 
     @property
     def width(self) -> int:

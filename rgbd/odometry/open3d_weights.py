@@ -69,8 +69,8 @@ def run_legacy(
             if step is None:
                 return _failed(pose, "the pixels do not determine a step", steps)
             pose, steps = step @ pose, steps + 1
-    information = _information(depths[0], levels[0][2], pose, rows.LEGACY, option.depth_diff_max)
-    inliers, pixels = int(information[5, 5]), int(np.isfinite(download(depths[0])).sum())
+    information, pixels = _information(depths[0], levels[0][2], pose, rows.LEGACY, option.depth_diff_max)
+    inliers = int(information[5, 5])
     return OdometryResult(True, pose, information, inliers=inliers, fitness=inliers / max(pixels, 1), iterations=steps)
 
 
@@ -107,7 +107,7 @@ def run_tensor(
     depths = [images.mark_missing(image.depth_array, 0.0, _below(depth_max)) for image in (source, target)]
     lens = np.array([intrinsic.fx, intrinsic.fy, intrinsic.cx, intrinsic.cy])
     target_level = _level((intrinsic.width, intrinsic.height), lens, depths[1], depths[1])
-    information = _information(depths[0], target_level, pose, rows.TENSOR, params.depth_outlier_trunc)
+    information, _ = _information(depths[0], target_level, pose, rows.TENSOR, params.depth_outlier_trunc)
     return OdometryResult(
         True, pose, information, inliers=int(information[5, 5]), fitness=fitness, inlier_rmse=rmse, iterations=steps
     )
@@ -125,7 +125,7 @@ def measure_information(
     depths = [images.mark_missing(depth, 0.0, _below(depth_max)) for depth in (source, target)]
     lens = np.array([intrinsic.fx, intrinsic.fy, intrinsic.cx, intrinsic.cy])
     level = _level((intrinsic.width, intrinsic.height), lens, depths[1], depths[1])
-    return _information(depths[0], level, pose, rows.TENSOR, reach)
+    return _information(depths[0], level, pose, rows.TENSOR, reach)[0]
 
 
 # ---------------------------------------------------------------------------------------------- internals
@@ -214,10 +214,11 @@ def _solve(sums: NDArray[np.float64]) -> NDArray[np.float64] | None:
 
 def _information(
     depth: wp.array, level: rows.Open3DLevel, pose: NDArray[np.float64], form: int, reach: float
-) -> NDArray[np.float64]:
+) -> tuple[NDArray[np.float64], int]:
+    """The information of the pairs, and how many pixels of the source have depth."""
     arguments = [depth, level, mat44d(*pose.ravel()), form, float(reach)]
     sums = download(reduce(rows.sum_open3d_information, depth.size, arguments))[0]  # sync
-    return spread_information(sums[0], sums[1:])
+    return spread_information(sums[0], sums[1:10]), int(sums[10])
 
 
 def _failed(pose: NDArray[np.float64], reason: str, steps: int = 0) -> OdometryResult:

@@ -12,7 +12,6 @@ from numpy.typing import NDArray
 from ...cameras.camera import PinholeCameraIntrinsic
 from ...cameras.images import check_intrinsic, upload_color, upload_depth
 from ...core.checks import check_number
-from ...kernels.memory import download
 from ..odometry.frames import OdometryFrame
 
 MOST_PIXELS = 20_000  # that frames and the model are compared by: a quarter of VGA's sides; more wins nothing
@@ -89,9 +88,5 @@ class SensorFrame:
 def coarsest_level(frame: OdometryFrame) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
     """Depth [h, w], lens and planes [h, w, 4] of the coarsest level (sync)."""
     levels = frame.levels
-    last = levels.count - 1
-    width, height = (int(side) for side in levels.sizes[last])
-    first, count = int(levels.firsts[last]), int(levels.counts[last])
-    depth = download(levels.depth[first : first + count]).astype(np.float64)
-    planes = download(levels.planes[first : first + count]).astype(np.float64)
-    return depth.reshape(height, width), levels.host_lenses[last], planes.reshape(height, width, 4)
+    depth, planes = frame.coarsest()
+    return depth.astype(np.float64), levels.host_lenses[-1], planes.astype(np.float64)

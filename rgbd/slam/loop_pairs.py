@@ -15,6 +15,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
+from ...kernels.arrays.bounds import bound_points
 from ...kernels.surface.hollow_side import Surface
 from ...pcd.cloud import PointCloud
 from ...registration.globally.global_registration import FEWEST_POINTS, Description, describe, register_described
@@ -60,8 +61,7 @@ class SubmapSurface:
             return
         self.witness = Witness(surface, voxel_size)
         self.thinned = self._as_cloud(surface)
-        points = self.cloud.points
-        ends = np.stack([points.min(axis=0), points.max(axis=0)])
+        ends = np.array(bound_points(self.cloud.device_array("points"))[:2], np.float64) + self.cloud.origin  # sync
         self.box = np.array([[ends[i, 0], ends[j, 1], ends[k, 2]] for i in (0, 1) for j in (0, 1) for k in (0, 1)])
 
     def _as_cloud(self, surface: Surface) -> PointCloud:

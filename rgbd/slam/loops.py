@@ -11,11 +11,13 @@ from numpy.typing import ArrayLike, NDArray
 
 from ...core.checks import check_positive, check_progress, check_seed
 from ...core.progress import ReportProgress
+from ...kernels.poses.point_sums import place_moments
 from ...meshing.volume.tsdf import TSDFVolume
 from ...meshing.volume.volume_fusion import fuse_volumes
 from ...registration.pose_graphs.pose_graph import PoseGraph, PoseGraphEdge, PoseGraphNode
 from ...registration.pose_graphs.pose_graph_optimization import GlobalOptimizationOption, global_optimization
-from ...registration.rigid import invert_pose, make_pose, rotation_of, rotation_vector, skews
+from ...registration.rigid import invert_pose, make_pose, rotation_of, rotation_vector
+from ..odometry.results import spread_information
 from .loop_pairs import (
     FAR,
     REACH,
@@ -291,9 +293,8 @@ def _point_information(surface: SubmapSurface) -> Matrix:
     """The information of a pose under which each point of a submap has its true counterpart."""
     if surface.thinned is None:
         return np.eye(6)
-    points = surface.thinned.points
-    G = np.concatenate([-skews(points), np.tile(np.eye(3), (len(points), 1, 1))], axis=2)
-    return np.einsum("nki,nkj->ij", G, G)
+    count, *moments = place_moments(surface.thinned.device_array("points"), surface.thinned.origin)  # sync
+    return spread_information(count, np.array(moments))
 
 
 def _tracked_steps(submaps: Sequence[Submap]) -> list[tuple[int, int, float]]:

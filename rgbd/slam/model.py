@@ -11,9 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 from ...cameras.camera import PinholeCameraIntrinsic
 from ...core.checks import check_positive, check_rigid
 from ...core.watching import report
-from ...kernels.lang import uint8
-from ...kernels.memory import upload
-from ...kernels.rgbd.model_maps import hide_unseen
+from ...kernels.rgbd.model_maps import colors_of, hide_unseen
 from ...meshing.mesh.mesh import TriangleMesh
 from ...meshing.volume.tsdf import RayCast, TSDFVolume
 from ...pcd.cloud import PointCloud
@@ -207,9 +205,8 @@ class Model:
         return float(max(min(self.frame_count - 1, SEEN_OFTEN), 0))
 
     def _own_colors(self, pose: Pose) -> Any:
-        seen = self.render(pose, weight_threshold=0.0)
-        colors = np.where(np.asarray(seen.depth)[..., None] > 0, np.asarray(seen.colors), 0.5)
-        return upload(np.rint(255 * colors).astype(np.uint8).reshape(-1, 3), uint8, self.device)
+        limits = {"depth_min": DEPTH_MIN, "depth_max": self.depth_max}
+        return colors_of(*self.volume.render_colors(self.intrinsic, pose, weight_threshold=0.0, **limits))
 
 
 def compared_camera(intrinsic: PinholeCameraIntrinsic) -> PinholeCameraIntrinsic:

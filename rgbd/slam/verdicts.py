@@ -15,7 +15,6 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from ...kernels.memory import download
 from ...registration.rigid import rotation_vector
 from ..odometry.frames import OdometryFrame
 from ..odometry.results import OdometryResult
@@ -164,6 +163,4 @@ def lies_on_model(result: OdometryResult) -> bool:
 
 def depth_share(frame: OdometryFrame) -> float:
     """The share of a frame's pixels that have depth, in its coarsest level (sync)."""
-    levels = frame.levels
-    first = int(levels.firsts[levels.count - 1])
-    return float((download(levels.depth[first:]) > 0).mean())
+    return float((frame.coarsest()[0] > 0).mean())

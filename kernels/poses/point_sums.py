@@ -1,0 +1,83 @@
+"""Sums over the points of clouds that lie somewhere in the world: what holds a pose, and how far two poses agree.
+
+Coordinates are float64 from the points' own ones and the cloud's origin. A reduction each: 12 B a point and 20
+operations, 28 B and 60 for pairs.
+"""
+
+from typing import Any
+
+import numpy as np
+
+from ..algebra.transform import widen
+from ..array_types import Array1, LongIntegers, Points
+from ..arrays.packed_keys import key_index
+from ..lang import array, float64, int64, mat33d, reduce, reduction, tid, vec2d, vec3, vec3d, vector
+from ..memory import download
+from ..search.nearest_point import NO_POINT
+
+place_sums = vector(10, float64)
+
+
+@reduction
+def sum_places(points: array(dtype=vec3), origin: vec3d) -> place_sums:
+    """Count, coordinates and their products xx xy xz yy yz zz of points about an origin."""
+    i = tid()
+    q = widen(points[i]) + origin
+    x = q[0]
+    y = q[1]
+    z = q[2]
+    return place_sums(1.0, x, y, z, x * x, x * y, x * z, y * y, y * z, z * z)
+
+
+@reduction
+def sum_agreeing(
+    source: array(dtype=vec3),
+    target: array(dtype=vec3),
+    nearest: array(dtype=int64),
+    source_origin: vec3d,
+    target_origin: vec3d,
+    source_turn: mat33d,
+    source_shift: vec3d,
+    target_turn: mat33d,
+    target_shift: vec3d,
+    limit: float64,
+) -> vec2d:
+    """How many points have a nearest one, and of how many both lie within the root of `limit` [m^2] under two poses."""
+    i = tid()
+    total = vec2d(0.0, 0.0)
+    key = nearest[i]
+    if key != int64(NO_POINT):
+        p = source_turn @ (widen(source[i]) + source_origin) + source_shift
+        q = target_turn @ (widen(target[key_index(key)]) + target_origin) + target_shift
+        d = p - q
+        total[0] = 1.0
+        if d[0] * d[0] + d[1] * d[1] + d[2] * d[2] <= limit:
+            total[1] = 1.0
+    return total
+
+
+def place_moments(points: Points, origin: np.ndarray) -> np.ndarray:
+    """Count, sums of the coordinates and of their products above the diagonal, float64 [10] on the host. One sync."""
+    return download(reduce(sum_places, points.size, [points, vec3d(*origin)]))[0].copy()  # sync
+
+
+def count_agreeing(
+    source: Points,
+    target: Points,
+    nearest: LongIntegers,
+    origins: tuple[np.ndarray, np.ndarray],
+    poses: tuple[np.ndarray, np.ndarray],
+    distance: float,
+) -> Array1[Any]:
+    """How many pairs of points there are, and how many of them two poses bring within a distance [m]: vec2d [1].
+
+    Args:
+        source, target: Device arrays of vec3.
+        nearest: int64, the key of each source point's nearest target point, or NO_POINT.
+        origins: Of the source and of the target, float64 [3].
+        poses: Of both, float64 [4, 4].
+        distance: Included.
+    """
+    placed = [part for T in poses for part in (mat33d(*T[:3, :3].ravel()), vec3d(*T[:3, 3]))]
+    arguments = [source, target, nearest, *(vec3d(*origin) for origin in origins), *placed, distance * distance]
+    return reduce(sum_agreeing, source.size, arguments)
