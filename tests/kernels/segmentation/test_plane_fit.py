@@ -125,7 +125,7 @@ def test_chosen_rows_alone_are_searched(device, rng):
     search = search_over(points, device, np.arange(0, 300, 2))
     plane = search.find(1e-4, 3, 32, 1.0, 0)
     np.testing.assert_allclose(np.abs(plane[:3]), [0, 0, 1], atol=1e-12)
-    assert download(search.inliers(plane, 1e-4)).tolist() == [1] * 150
+    assert download(search.inliers(plane, 1e-4)[0]).tolist() == [1] * 150
 
 
 def test_samples_needed_are_those_of_fischler_and_bolles():
