@@ -9,7 +9,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..core.checks import check_numeric, check_positive
-from ..kernels.arrays.bounds import bound_points
 from ..kernels.extent.distance_sums import summarize_distances
 from .cloud import PointCloud
 from .distances import measure_to
@@ -60,7 +59,7 @@ def compute_metrics(source: PointCloud, target: PointCloud, fscore_radius: Seque
     clouds = (("source", source), ("target", target))
     for name, cloud in clouds:
         check_cloud(name, cloud)
-    finite = [bound_points(cloud.device_array("points"))[2] for _, cloud in clouds]
+    finite = [cloud.search_tree().count for _, cloud in clouds]
     for (name, _), count in zip(clouds, finite, strict=True):
         if not count:
             raise ValueError(f"{name}: has no finite point, so it has no distance from the other cloud")

@@ -74,23 +74,22 @@ class Planes(PlanarPatches):
         """
         settings = _check_search(distance_threshold, ransac_n, num_iterations, probability, seed)
         points = self._arrays["points"]
-        rows = positions_of(mask_finite(points, True, True))
+        low, high, finite = bound_points(points)  # sync
+        rows = positions_of(mask_finite(points, True, True), finite)
         if rows.size < settings[1]:
             raise ValueError(f"ransac_n: {settings[1]} points a sample, but the cloud has {rows.size} finite points")
-        search = PlaneSearch(points, rows)
+        search = PlaneSearch(points, rows, (low, high))
         plane = search.find(*settings)
         if plane is None:
             raise ValueError(
                 f"the points span no plane: those of all {settings[2]} samples lie on lines; "
                 "raise num_iterations unless the whole cloud does"
             )
-        mask = search.inliers(plane, settings[0])
-        inliers = gather_rows(rows, positions_of(mask))
+        inliers = gather_rows(rows, search.inliers(plane, settings[0])[1])
         if inliers.size == rows.size:
-            low, high, finite = bound_points(points)
             so = "all of them are taken for one plane"
             warn_of_long("distance_threshold", settings[0], low, high, finite, self.unit, so)
-        model = self._world_plane(search.refit(plane, mask), search.center)
+        model = self._world_plane(search.refit(plane, inliers), search.center)
         report("plane", cloud=self, inliers=inliers, model=model)
         return model, self.handed_out(inliers)
 
@@ -139,23 +138,24 @@ class Planes(PlanarPatches):
         fewest = check_count("min_points", min_points)
         most = len(self) if max_planes is None else check_count("max_planes", max_planes)
         points = self._arrays["points"]
-        rows = positions_of(mask_finite(points, True, True))
+        low, high, finite = bound_points(points)  # sync
+        rows = positions_of(mask_finite(points, True, True), finite)
+        box: tuple[NDArray[Any], NDArray[Any]] | None = (low, high)
         labels = full(len(self), -1, int32, self.device)
         models: list[NDArray[np.float64]] = []
         while len(models) < most and rows.size >= max(fewest, settings[1]):
-            search = PlaneSearch(points, rows)
+            search, box = PlaneSearch(points, rows, box), None
             plane = search.find(*settings, first=len(models) * settings[2] % WRAP)
             if plane is None:
                 break
-            mask = search.inliers(plane, settings[0])
-            inliers = positions_of(mask)
+            mask, inliers = search.inliers(plane, settings[0])
             if inliers.size < fewest:
                 break
-            models.append(self._world_plane(search.refit(plane, mask), search.center))
             found = gather_rows(rows, inliers)
+            models.append(self._world_plane(search.refit(plane, found), search.center))
             label_rows(found, len(models) - 1, labels)
             report("plane", cloud=self, inliers=found, model=models[-1], number=len(models) - 1)
-            rows = gather_rows(rows, positions_of(invert_mask(mask)))
+            rows = gather_rows(rows, positions_of(invert_mask(mask), rows.size - inliers.size))
         return self.handed_out(labels), np.array(models).reshape(-1, 4)
 
     # ------------------------------------------------------------------------------------------ internals

@@ -51,8 +51,18 @@ class FoundBoxes:
         """The smallest volume and its two axes; of equal ones the first."""
         found = download(self.volumes)  # sync
         best = int(found.argmin())
-        first, second = (download(axes)[best].astype(np.float64) for axes in (self.firsts, self.seconds))
+        axes = empty(2, vec3d, self.volumes.device)
+        launch(copy_axes_kernel, 1, [self, best, axes])
+        first, second = np.array(download(axes))  # sync
         return float(found[best]), first, second
+
+
+@kernel
+def copy_axes_kernel(boxes: FoundBoxes, best: int, axes: array(dtype=vec3d)):
+    """The two axes of a box."""
+    i = tid()
+    axes[i] = boxes.firsts[best]
+    axes[i + 1] = boxes.seconds[best]
 
 
 @func

@@ -6,11 +6,13 @@ import numpy as np
 
 from ..array_types import Doubles
 from ..arrays.runs import Runs, elements_of, row_of
+from ..arrays.side_by_side import part_of
 from ..lang import array, atomic_add, atomic_max, float64, int32, isfinite, kernel, launch, reduce, tid
-from ..memory import download, upload, zeros
-from ..search.neighbor_distances import sum_finite
+from ..memory import copy, download, upload, zeros
+from ..search.neighbor_distances import count_sum, sum_finite
 
 RUN = 4096  # distances a thread on the CPU: few atomics a run
+DOUBLE = 8  # bytes
 
 
 @kernel
@@ -42,11 +44,14 @@ def count_below_kernel(
 
 
 def summarize_distances(distances: Doubles, radii: Sequence[float]) -> tuple[int, float, float, np.ndarray]:
-    """(finite distances, their sum, the largest, how many are below each radius as int64 [r]); two syncs."""
+    """(finite distances, their sum, the largest, how many are below each radius as int64 [r]); one sync."""
     device, n = distances.device, distances.size
-    count, total = download(reduce(sum_finite, n, [distances]))[0].tolist()  # sync
     runs, limits = Runs(n, device, RUN), upload(np.array(radii), float64, device)
-    within, largest = zeros(runs.rows * len(radii), int32, device), zeros(runs.rows, float64, device)
-    launch(count_below_kernel, runs.threads, [distances, runs, limits, within, largest])
-    below = download(within).reshape(runs.rows, len(radii)).sum(axis=0, dtype=np.int64)
-    return int(count), total, float(download(largest).max()), below  # sync
+    rows, counts = runs.rows, runs.rows * len(radii)
+    whole = zeros(2 + rows + (counts + 1) // 2, float64, device)  # in one array, so that one copy brings all of it
+    copy(part_of(whole, 0, count_sum, 1), reduce(sum_finite, n, [distances]), count=1)
+    within = part_of(whole, (2 + rows) * DOUBLE, int32, counts)
+    launch(count_below_kernel, runs.threads, [distances, runs, limits, within, whole[2 : 2 + rows]])
+    found = download(whole)  # sync
+    below = found[2 + rows :].view(np.int32)[:counts].reshape(rows, len(radii)).sum(axis=0, dtype=np.int64)
+    return int(found[0]), float(found[1]), float(found[2 : 2 + rows].max()), below

@@ -10,9 +10,9 @@ the smaller ones left: points without a triangle, and those of edges with one tr
 from collections.abc import Callable, Iterable
 
 from ..algebra.transform import widen
-from ..array_types import Indices, Points, Triangles, Vectors
+from ..array_types import Indices, Mask, Points, Triangles, Vectors
 from ..arrays.concatenation import concatenate_rows
-from ..arrays.select import gather_rows, positions_of
+from ..arrays.select import gather_rows, positions_of_each
 from ..arrays.sort import argsort_keys, positions
 from ..lang import array, dot, func, int32, int64, isfinite, kernel, launch, tid, uint8, vec3, vec3i
 from ..memory import download, empty, full, zeros
@@ -103,9 +103,9 @@ class RollingBall:
         device = points.device
         facing = empty(points.size, uint8, device)
         launch(mark_facing_kernel, points.size, [points, normals, facing])
-        rows = positions_of(facing)  # sync
-        self.tree = grown() if rows.size else PointTree(empty(0, vec3, device))
-        if rows.size < self.tree.count or self._repeats():
+        self.tree = grown() if points.size else PointTree(empty(0, vec3, device))
+        rows, repeated = positions_of_each(facing, self._mark_repeated())  # sync
+        if rows.size < self.tree.count or repeated.size:
             if rows.size:
                 rows = gather_rows(rows, first_occurrences(gather_rows(points, rows)))
             self.tree = PointTree(gather_rows(points, rows))
@@ -114,11 +114,11 @@ class RollingBall:
             self.rows = self.tree.order
         self.normals = gather_rows(normals, self.rows[: self.tree.count]) if self.tree.count else empty(0, vec3, device)
 
-    def _repeats(self) -> bool:
-        """Whether points that follow each other in the tree are equal; others that are equal do no harm but to time."""
+    def _mark_repeated(self) -> Mask:
+        """1 where points that follow each other in the tree are equal; others that are do no harm but to time."""
         marks = empty(self.tree.count, uint8, self.tree.device)
         launch(mark_repeated_kernel, self.tree.count, [self.tree.points, marks])
-        return positions_of(marks).size > 0  # sync
+        return marks
 
     def roll(
         self, radii: Iterable[float], row_count: int, check: Callable[[PointTree, float, Indices], None]

@@ -11,6 +11,8 @@ means to start from, and at each level some passes in which a cell without a hei
 """
 
 import math
+from collections.abc import Callable
+from itertools import pairwise
 
 import numpy as np
 
@@ -27,6 +29,8 @@ from ..lang import (
     isfinite,
     kernel,
     launch,
+    record,
+    replay,
     sqrt,
     struct,
     tid,
@@ -265,17 +269,20 @@ class HeightGrid:
             max_window: Radius [m] of the largest window.
         """
         unwanted = zeros(self.size, uint8, self.device)
-        surface = self._filled(unwanted)
+        fill_gaps, surface = self.prepare_filling(unwanted)
+        fill_gaps()
         opened = self._opened(surface, LOW_RADIUS, DILATION)
         self._flag(surface, opened, LOW_SLOPE * self.cell, DILATION, unwanted)
-        surface = self._filled(unwanted)
+        fill_gaps()
+        bare = surface
         # One cell more each time: a window that grew by a third would cut at once what slopes of 60 % rise to, and all
         # ridges with it.
         for radius in range(1, math.ceil(max_window / self.cell) + 1):
             opened = self._opened(surface, radius, EROSION)
             self._flag(surface, opened, slope * radius * self.cell, EROSION, unwanted)
             surface = opened
-        self.heights = self._filled(unwanted)
+        fill_gaps()
+        self.heights = bare
 
     def near(self, threshold: float, scaling: float) -> Mask:
         """uint8 device array [n]: 1 where a point is closer to the bare earth than the threshold [m] and scaling times
@@ -287,26 +294,38 @@ class HeightGrid:
         launch(mask_ground_kernel, self.points.size, arguments)
         return mask
 
-    def _filled(self, unwanted: Bytes) -> Scalars:
-        """The heights with unknown and unwanted cells filled by springs between neighbours."""
-        grid = empty(self.size, float32, self.device)
-        launch(clear_cells_kernel, self.size, [unwanted, self.heights, grid])
-        levels = [(grid, self.columns, self.rows)]
+    def prepare_filling(self, unwanted: Bytes) -> tuple[Callable[[], None], Scalars]:
+        """A function that fills unknown and unwanted cells by springs between neighbours, and where the heights come.
+
+        It is called again and again with other flags: on a GPU its launches are recorded once.
+        """
+        levels = [(empty(self.size, float32, self.device), self.columns, self.rows)]
         while levels[-1][1] * levels[-1][2] > 1:
-            fine, columns, rows = levels[-1]
-            coarse_columns, coarse_rows = (columns + 1) // 2, (rows + 1) // 2
-            coarse = empty(coarse_columns * coarse_rows, float32, self.device)
-            launch(average_cells_kernel, coarse.size, [fine, columns, rows, coarse])
-            levels.append((coarse, coarse_columns, coarse_rows))
-        filled = levels[-1][0]
-        for known, columns, rows in levels[-2::-1]:
-            pulled, heights = (empty(known.size, float32, self.device) for _ in range(2))
-            launch(fill_cells_kernel, known.size, [known, filled, columns, rows, heights])
-            for _ in range(SPRING_PASSES):
-                launch(pull_cells_kernel, known.size, [known, heights, columns, rows, pulled])
-                heights, pulled = pulled, heights
-            filled = heights
-        return filled
+            columns, rows = (levels[-1][1] + 1) // 2, (levels[-1][2] + 1) // 2
+            levels.append((empty(columns * rows, float32, self.device), columns, rows))
+        spare = [[empty(known.size, float32, self.device) for _ in range(2)] for known, _, _ in levels[:-1]]
+
+        def fill() -> None:
+            launch(clear_cells_kernel, self.size, [unwanted, self.heights, levels[0][0]])
+            for (fine, columns, rows), (coarse, _, _) in pairwise(levels):
+                launch(average_cells_kernel, coarse.size, [fine, columns, rows, coarse])
+            filled = levels[-1][0]
+            for (known, columns, rows), (heights, pulled) in zip(levels[-2::-1], spare[::-1], strict=True):
+                launch(fill_cells_kernel, known.size, [known, filled, columns, rows, heights])
+                for _ in range(SPRING_PASSES):  # an even number, so that the heights end where they began
+                    launch(pull_cells_kernel, known.size, [known, heights, columns, rows, pulled])
+                    heights, pulled = pulled, heights
+                filled = heights
+
+        filled = spare[0][0] if spare else levels[0][0]
+        if not self.device.is_cuda:
+            return fill, filled
+        recorded = record(self.device, fill)
+
+        def fill_again(_keeps_the_arrays: Callable[[], None] = fill) -> None:
+            replay(recorded)
+
+        return fill_again, filled
 
     def _opened(self, heights: Scalars, radius: int, first: float) -> Scalars:
         """The heights opened (first EROSION) or closed (first DILATION) by an octagon."""

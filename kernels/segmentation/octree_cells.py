@@ -8,11 +8,11 @@ import numpy as np
 
 from ..array_types import Indices, Integers, Points
 from ..arrays.bounds import bound_points
-from ..arrays.prefix_sum import exclusive_scan
-from ..arrays.select import gather_rows, positions_of
+from ..arrays.prefix_sum import exclusive_scan, offsets_of, scan_together
+from ..arrays.select import gather_rows
 from ..arrays.sort import argsort_keys
 from ..lang import array, atomic_max, func, int32, int64, kernel, launch, tid, uint8, vec3
-from ..memory import download, empty, full, zeros
+from ..memory import download, empty, zeros
 from ..search.hilbert_order import spread_bits
 
 LEVELS = 16  # 65,536 cells an axis
@@ -45,7 +45,7 @@ def find_deepest_kernel(codes: array(dtype=int64), fewest: int, deepest: array(d
 
 
 @kernel
-def mark_cells_kernel(codes: array(dtype=int64), shift: int64, marks: array(dtype=int32), heads: array(dtype=uint8)):
+def mark_cells_kernel(codes: array(dtype=int64), shift: int64, marks: array(dtype=int32)):
     """1 where a cell begins."""
     i = tid()
     mark = 1
@@ -53,7 +53,16 @@ def mark_cells_kernel(codes: array(dtype=int64), shift: int64, marks: array(dtyp
         if (codes[i] >> shift) == (codes[i - 1] >> shift):
             mark = 0
     marks[i] = mark
-    heads[i] = uint8(mark)
+
+
+@kernel
+def start_cells_kernel(marks: array(dtype=int32), offsets: array(dtype=int32), starts: array(dtype=int32)):
+    """Where each cell begins, and the last one ends."""
+    i = tid()
+    if marks[i] == 1:
+        starts[offsets[i]] = i
+    if i + 1 == marks.shape[0]:
+        starts[offsets[i + 1]] = i + 1
 
 
 @func
@@ -72,59 +81,63 @@ def find_covered_kernel(
         atomic_max(flat, cell_of(marks, offsets, i), 1)
 
 
-@func
-def count_points(starts: array(dtype=int32), count: int, cell: int) -> int:
-    """How many of `count` points lie in a cell."""
-    end = count
-    if cell + 1 < starts.shape[0]:
-        end = starts[cell + 1]
-    return end - starts[cell]
-
-
 @kernel
 def choose_cells_kernel(
-    starts: array(dtype=int32), count: int, flat: array(dtype=int32), fewest: int, mask: array(dtype=uint8)
+    starts: array(dtype=int32),
+    offsets: array(dtype=int32),
+    flat: array(dtype=int32),
+    fewest: int,
+    chosen: array(dtype=int32),
 ):
-    """1 for cells to test: enough points, and none within them is flat."""
+    """1 for cells to test: enough points, and none within them is flat. Cells end with the last of the offsets."""
     i = tid()
-    size = count_points(starts, count, i)
-    chosen = 0
-    if size >= fewest and flat[i] == 0:
-        chosen = 1
-    mask[i] = uint8(chosen)
+    wanted = 0
+    if i < offsets[offsets.shape[0] - 1]:
+        if starts[i + 1] - starts[i] >= fewest and flat[i] == 0:
+            wanted = 1
+    chosen[i] = wanted
 
 
 @kernel
 def number_cells_kernel(
-    cells: array(dtype=int32),
-    starts: array(dtype=int32),
-    count: int,
-    numbers: array(dtype=int32),
-    counts: array(dtype=int32),
+    starts: array(dtype=int32), places: array(dtype=int32), numbers: array(dtype=int32), counts: array(dtype=int32)
 ):
-    """Number the chosen cells, and count their points."""
+    """Number the chosen cells, -1 the others, and count their points."""
     i = tid()
-    cell = cells[i]
-    numbers[cell] = i
-    counts[i] = count_points(starts, count, cell)
+    number = -1
+    if places[i + 1] > places[i]:
+        number = places[i]
+        counts[number] = starts[i + 1] - starts[i]
+    numbers[i] = number
 
 
 @kernel
-def number_points_kernel(
+def mark_points_kernel(
+    marks: array(dtype=int32), offsets: array(dtype=int32), numbers: array(dtype=int32), inside: array(dtype=int32)
+):
+    """1 for the points of chosen cells."""
+    i = tid()
+    found = 0
+    if numbers[cell_of(marks, offsets, i)] >= 0:
+        found = 1
+    inside[i] = found
+
+
+@kernel
+def list_points_kernel(
     marks: array(dtype=int32),
     offsets: array(dtype=int32),
     numbers: array(dtype=int32),
+    points: array(dtype=int32),
+    places: array(dtype=int32),
+    rows: array(dtype=int32),
     runs: array(dtype=int32),
-    mask: array(dtype=uint8),
 ):
-    """The number of each point's chosen cell, -1 for none; and 1 where there is one."""
+    """The points of chosen cells, and the number of the cell of each."""
     i = tid()
-    number = numbers[cell_of(marks, offsets, i)]
-    runs[i] = number
-    inside = 0
-    if number >= 0:
-        inside = 1
-    mask[i] = uint8(inside)
+    if places[i + 1] > places[i]:
+        rows[places[i]] = points[i]
+        runs[places[i]] = numbers[cell_of(marks, offsets, i)]
 
 
 @kernel
@@ -166,31 +179,35 @@ class Octree:
         launch(find_deepest_kernel, max(0, self.rows.size - fewest + 1), [self.codes, fewest, level])
         return int(download(level)[0])  # sync
 
-    def runs(self, level: int, fewest: int) -> tuple[Integers, Integers, np.ndarray] | None:
+    def runs(self, level: int, fewest: int) -> tuple[Integers, Integers, Integers] | None:
         """The points of the cells of a level that are to be tested: (rows, runs, counts); None where there are none.
 
-        Rows and runs are int32 device arrays, the points by cell and the number of the cell of each; counts is a NumPy
-        array, the points of each cell.
+        int32 device arrays: the points by cell, the number of the cell of each, and the points of each cell. One sync:
+        on CUDA there is room for a cell a point until then.
         """
         count, device = self.rows.size, self.device
-        self.marks, heads = empty(count, int32, device), empty(count, uint8, device)
-        launch(mark_cells_kernel, count, [self.codes, 3 * (LEVELS - level), self.marks, heads])
-        self.offsets, cell_count = exclusive_scan(self.marks)
-        starts = positions_of(heads)
-        self.flat, mask = zeros(cell_count, int32, device), empty(cell_count, uint8, device)
+        self.marks = empty(count, int32, device)
+        launch(mark_cells_kernel, count, [self.codes, 3 * (LEVELS - level), self.marks])
+        if device.is_cuda:
+            self.offsets, cells = offsets_of(self.marks), count
+        else:
+            self.offsets, cells = exclusive_scan(self.marks)
+        starts, chosen, self.numbers, counts = (empty(size, int32, device) for size in (cells + 1, cells, cells, cells))
+        launch(start_cells_kernel, count, [self.marks, self.offsets, starts])
+        self.flat = zeros(cells, int32, device)
         launch(find_covered_kernel, count, [self.covered, self.marks, self.offsets, self.flat])
-        launch(choose_cells_kernel, cell_count, [starts, count, self.flat, fewest, mask])
-        cells = positions_of(mask)
-        self.numbers = full(cell_count, -1, int32, device)
-        counts = empty(cells.size, int32, device)
-        launch(number_cells_kernel, cells.size, [cells, starts, count, self.numbers, counts])
-        runs, inside = empty(count, int32, device), empty(count, uint8, device)
-        launch(number_points_kernel, count, [self.marks, self.offsets, self.numbers, runs, inside])
-        if cells.size == 0:
+        launch(choose_cells_kernel, cells, [starts, self.offsets, self.flat, fewest, chosen])
+        places = offsets_of(chosen)
+        launch(number_cells_kernel, cells, [starts, places, self.numbers, counts])
+        inside = empty(count, int32, device)
+        launch(mark_points_kernel, count, [self.marks, self.offsets, self.numbers, inside])
+        (elements, (size,)), (_, (runs_found,)) = scan_together([(inside, [count])], places[cells:])  # sync
+        if not runs_found:
             return None
-        elements = positions_of(inside)
-        runs = gather_rows(runs, elements)
-        return gather_rows(self.rows, elements), runs, download(counts)  # sync
+        rows, runs = empty(size, int32, device), empty(size, int32, device)
+        arguments = [self.marks, self.offsets, self.numbers, self.rows, elements, rows, runs]
+        launch(list_points_kernel, count, arguments)
+        return rows, runs, counts[:runs_found]
 
     def cover(self, passed: Integers) -> None:
         """Take note which of the tested cells are flat; their ancestors are not tested."""

@@ -11,7 +11,7 @@ import numpy as np
 
 from ..array_types import Points
 from ..lang import INFINITY, array, atomic_max, atomic_min, dot, float32, int32, kernel, launch, tid, vec3
-from ..memory import download, full, upload
+from ..memory import download, fill, full, upload
 
 if TYPE_CHECKING:
     from .planar_patches import Runs
@@ -87,12 +87,14 @@ def tightest_boxes(
 def _measure(points: Points, runs: "Runs", centers: np.ndarray, axes: np.ndarray) -> Iterator[Any]:
     """How far the points reach along the axes [b, d, 3, 3] of boxes: two arrays [b, d, 3]."""
     boxes = axes.shape[0] * axes.shape[1]
-    lows = full(3 * boxes, INFINITY, float32, points.device)
-    highs = full(3 * boxes, -INFINITY, float32, points.device)
+    reaches = full(6 * boxes, INFINITY, float32, points.device)
+    lows, highs = reaches[: 3 * boxes], reaches[3 * boxes :]
+    fill(highs, -INFINITY)
     places = upload(centers, vec3, points.device), upload(axes.reshape(-1, 3), vec3, points.device)
     arguments = [points, runs.rows, runs.starts, *places, axes.shape[1], lows, highs]
     launch(measure_boxes_kernel, boxes * SLICES, arguments)
-    return (download(part).reshape(axes.shape[:3]).astype(np.float64) for part in (lows, highs))  # sync
+    found = download(reaches)  # sync
+    return (part.reshape(axes.shape[:3]).astype(np.float64) for part in found.reshape(2, -1))
 
 
 def _basis(normals: np.ndarray) -> np.ndarray:

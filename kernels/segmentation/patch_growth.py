@@ -12,9 +12,10 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from ..array_types import Array2, Device, Integers, Points, Vectors
+from ..array_types import Array2, Integers, Points, Vectors
+from ..arrays.concatenation import concatenate_rows
 from ..arrays.select import gather_rows, positions_of
-from ..arrays.sort import argsort_keys
+from ..arrays.sort import argsort_keys, positions
 from ..lang import (
     array,
     atomic_add,
@@ -26,15 +27,16 @@ from ..lang import (
     int64,
     kernel,
     launch,
+    loop_while,
     struct,
     tid,
     uint8,
     vec3,
 )
-from ..memory import download, empty, full, upload, zeros
+from ..memory import download, empty, full, upload, upload_together, zeros
 from .cluster_labels import rename_labels_kernel
 from .patch_boxes import tightest_boxes
-from .planar_patches import Runs
+from .planar_patches import RunPlanes, Runs
 
 NO_OFFER = 0x7FFF_FFFF
 GROWTH = 3  # a patch is fitted again when more than a third of its points are new
@@ -74,11 +76,9 @@ class PatchPlanes:
     similar: array(dtype=float32)
     near: array(dtype=float32)
 
-    def __init__(
-        self, centers: np.ndarray, directions: np.ndarray, similar: np.ndarray, near: np.ndarray, device: Device
-    ) -> None:
-        self.centers, self.directions = upload(centers, vec3, device), upload(directions, vec3, device)
-        self.similar, self.near = upload(similar, float32, device), upload(near, float32, device)
+    def __init__(self, centers: Points, directions: Vectors, similar: np.ndarray, near: np.ndarray) -> None:
+        self.centers, self.directions = centers, directions
+        self.similar, self.near = upload_together([similar, near], float32, centers.device)
 
 
 @kernel
@@ -94,14 +94,23 @@ def mask_growing_kernel(labels: array(dtype=int32), growing: array(dtype=int32),
 @kernel
 def offer_patches_kernel(
     frontier: array(dtype=int32),
+    mask: array(dtype=uint8),
     cloud: PatchPoints,
     planes: PatchPlanes,
     ranks: array(dtype=int32),
     offers: array(dtype=int32),
+    going: array(dtype=int32),
 ):
-    """Offer the patch of each newest point to its neighbours; the atomic settles which patch wins: the lowest rank."""
+    """Offer the patch of each newest point to its neighbours; the atomic settles which patch wins: the lowest rank.
+
+    The newest are those of the frontier that are marked; `going` becomes 1 where an offer is taken.
+    """
     i = tid()
+    if i == 0:
+        going[0] = 0
     row = frontier[i]
+    if mask[row] == 0:
+        return
     patch = cloud.labels[row]
     direction = planes.directions[patch]
     for k in range(cloud.neighbors.shape[1]):
@@ -116,15 +125,20 @@ def offer_patches_kernel(
 
 @kernel
 def take_offers_kernel(
-    by_rank: array(dtype=int32), offers: array(dtype=int32), labels: array(dtype=int32), mask: array(dtype=uint8)
+    by_rank: array(dtype=int32),
+    offers: array(dtype=int32),
+    labels: array(dtype=int32),
+    mask: array(dtype=uint8),
+    going: array(dtype=int32),
 ):
-    """Take the best offer; 1 where there was one."""
+    """Take the best offer; 1 where there was one. Whichever thread notes that in `going`, it writes 1."""
     i = tid()
     taken = 0
     if offers[i] < NO_OFFER:
         labels[i] = by_rank[offers[i]]
         offers[i] = NO_OFFER
         taken = 1
+        going[0] = 1
     mask[i] = uint8(taken)
 
 
@@ -189,6 +203,34 @@ def count_labels_kernel(labels: array(dtype=int32), counts: array(dtype=int32)):
 
 
 @kernel
+def order_counts_kernel(counts: array(dtype=int32), keys: array(dtype=int64)):
+    """The more points, the lower the key."""
+    i = tid()
+    keys[i] = int64(NO_OFFER - counts[i])
+
+
+@kernel
+def rank_patches_kernel(by_rank: array(dtype=int32), ranks: array(dtype=int32)):
+    """The rank of each patch."""
+    i = tid()
+    ranks[by_rank[i]] = i
+
+
+@kernel
+def write_planes_kernel(
+    patches: array(dtype=int32),
+    new_centers: array(dtype=vec3),
+    new_directions: array(dtype=vec3),
+    centers: array(dtype=vec3),
+    directions: array(dtype=vec3),
+):
+    """The planes of the chosen patches, as they were fitted again."""
+    i = tid()
+    centers[patches[i]] = new_centers[i]
+    directions[patches[i]] = new_directions[i]
+
+
+@kernel
 def widen_labels_kernel(rows: array(dtype=int32), labels: array(dtype=int32), keys: array(dtype=int64)):
     """The label of each chosen point as a key."""
     i = tid()
@@ -200,7 +242,7 @@ class Patches:
 
     Attributes:
         labels: int32 device array [n], the patch of each point, -1 for none.
-        centers, directions: float32 [p, 3], a point and the unit normal of each plane.
+        centers, directions: vec3 device arrays [p], a point and the unit normal of each plane.
         similar, near: float32 [p], what the cosine of normals must exceed, and the distance [m] stay below.
         counts, fitted: int64 [p], points of each patch, now and when its plane was fitted.
         grew: booleans [p], whether a patch has outgrown its seeds.
@@ -212,17 +254,17 @@ class Patches:
         """Begin with seeds: labels, and (centers, directions, similar, near) of their planes."""
         self.points, self.normals, self.labels = points, normals, labels
         self.cloud = PatchPoints(points, normals, neighbors, labels)
-        self.centers, self.directions, self.similar, self.near = planes
-        self.device = points.device
+        self.device, (centers, directions, self.similar, self.near) = points.device, planes
+        self.centers, self.directions = (upload(part, vec3, self.device) for part in (centers, directions))
         self.grew = np.zeros(len(self.near), bool)
-        self.counts = self.fitted = self._count()
+        self.counts = self.fitted = download(self._count()).astype(np.int64)  # sync
 
     def settle(self) -> None:
         """Grow, merge and fit again until no patch changes."""
         merged, growing = True, np.ones(len(self.near), bool)
         while merged or growing.any():
             self._grow(growing | merged)
-            merged = self._merge()
+            merged = self._merge()  # sync
             growing = GROWTH * (self.counts - self.fitted) > self.counts
             if growing.any():
                 self._fit(growing)
@@ -243,20 +285,22 @@ class Patches:
             return np.empty((0, 3)), np.empty((0, 3, 3)), np.empty((0, 3))
         chosen = np.zeros(len(self.grew), bool)
         chosen[kept] = True
-        runs, edges = self._fit(chosen)
-        boxes = tightest_boxes(self.points, runs, self.centers[kept], self.directions[kept])
+        runs, planes = self._fit(chosen)
+        middles = download(concatenate_rows([planes.centers, planes.directions]))  # sync
+        centers, directions, edges = middles[: len(kept)], middles[len(kept) :], download(planes.edges)  # sync
+        boxes = tightest_boxes(self.points, runs, centers, directions)
         order = np.argsort(-self.counts[kept], kind="stable")
         order = order[edges[order] >= shortest]
         centers, rotations, extents = boxes
         return centers[order], rotations[order], extents[order]
 
     def _planes(self) -> PatchPlanes:
-        return PatchPlanes(self.centers, self.directions, self.similar, self.near, self.device)
+        return PatchPlanes(self.centers, self.directions, self.similar, self.near)
 
-    def _count(self) -> np.ndarray:
+    def _count(self) -> Integers:
         counts = zeros(len(self.near), int32, self.device)
         launch(count_labels_kernel, self.labels.size, [self.labels, counts])
-        return download(counts).astype(np.int64)  # sync
+        return counts
 
     def _ranked(self, values: np.ndarray) -> tuple[Integers, np.ndarray]:
         """Ranks of the patches, the largest value first, and the patches by rank: device arrays and NumPy's."""
@@ -272,23 +316,34 @@ class Patches:
         by_rank = upload(by_rank, int32, self.device)
         offers, mask = full(size, NO_OFFER, int32, self.device), empty(size, uint8, self.device)
         launch(mask_growing_kernel, size, [self.labels, upload(growing, int32, self.device), mask])
-        frontier = positions_of(mask)
+        going = full(1, 1, int32, self.device)
+        frontier = positions(size, self.device) if self.device.is_cuda else positions_of(mask)
+
+        def spread() -> None:
+            launch(offer_patches_kernel, frontier.size, [frontier, mask, self.cloud, planes, ranks, offers, going])
+            launch(take_offers_kernel, size, [by_rank, offers, self.labels, mask, going])
+
+        if self.device.is_cuda:
+            loop_while(going, spread)
+            return
         while frontier.size:
-            launch(offer_patches_kernel, frontier.size, [frontier, self.cloud, planes, ranks, offers])
-            launch(take_offers_kernel, size, [by_rank, offers, self.labels, mask])
-            frontier = positions_of(mask)  # sync
-        self.counts = self._count()
+            spread()
+            frontier = positions_of(mask)
 
     def _merge(self) -> bool:
         """Merge each patch into the largest that it fits, unless that one is merged itself; whether there was one.
 
         So a small patch along an edge does not tie two walls together, which each fit it and not each other.
         """
-        count = len(self.near)
-        planes, (ranks, by_rank) = self._planes(), self._ranked(self.counts)
+        count, planes, numbers = len(self.near), self._planes(), self._count()
+        keys, ranks = empty(count, int64, self.device), empty(count, int32, self.device)
+        launch(order_counts_kernel, count, [numbers, keys])
+        order = argsort_keys(keys, 31)[1]
+        launch(rank_patches_kernel, count, [order, ranks])
         partners = full(count, NO_OFFER, int32, self.device)
         launch(choose_partners_kernel, self.labels.size, [self.cloud, planes, ranks, partners])
-        found = download(partners)  # sync
+        together = download(concatenate_rows([partners, order, numbers]))  # sync
+        found, by_rank, self.counts = (part.astype(np.int64) for part in together.reshape(3, count))
         wanted = found < NO_OFFER
         targets = np.where(wanted, by_rank[np.where(wanted, found, 0)], np.arange(count))
         targets = np.where(wanted[targets], np.arange(count), targets)
@@ -300,16 +355,18 @@ class Patches:
         names = upload(np.cumsum(kept) - 1, int32, self.device)
         arguments = [self.cloud, self._planes(), upload(targets, int32, self.device), names]
         launch(hand_over_kernel, self.labels.size, arguments)
-        for name in ("centers", "directions", "similar", "near", "fitted", "grew"):
+        for name in ("similar", "near", "fitted", "grew"):
             setattr(self, name, getattr(self, name)[kept])
-        self.counts = self._count()
+        rows = upload(np.flatnonzero(kept), int32, self.device)
+        self.centers, self.directions = gather_rows(self.centers, rows), gather_rows(self.directions, rows)
+        self.counts = download(self._count()).astype(np.int64)  # sync
         return True
 
     def _runs(self, chosen: np.ndarray) -> tuple[Runs, np.ndarray]:
         """The points of the chosen patches as Runs, and the numbers of those patches."""
         mask = empty(self.labels.size, uint8, self.device)
         launch(mask_growing_kernel, self.labels.size, [self.labels, upload(chosen, int32, self.device), mask])
-        rows, patches = positions_of(mask), np.flatnonzero(chosen)
+        rows, patches = positions_of(mask, int(self.counts[chosen].sum())), np.flatnonzero(chosen)
         keys = empty(rows.size, int64, self.device)
         launch(widen_labels_kernel, rows.size, [rows, self.labels, keys])
         _, order = argsort_keys(keys, max(1, len(chosen).bit_length()))
@@ -318,12 +375,14 @@ class Patches:
         names[patches] = np.arange(len(patches))
         runs = gather_rows(self.labels, rows)
         launch(rename_labels_kernel, runs.size, [upload(names, int32, self.device), runs])
-        return Runs(rows, runs, self.counts[patches]), patches
+        return Runs(rows, runs, upload(self.counts[patches], int32, self.device)), patches
 
-    def _fit(self, chosen: np.ndarray) -> tuple[Runs, np.ndarray]:
-        """Fit the planes of the chosen patches again; their Runs, and the longest edges [m] of their points' boxes."""
+    def _fit(self, chosen: np.ndarray) -> tuple[Runs, RunPlanes]:
+        """Fit the planes of the chosen patches again; their Runs, and their planes."""
         runs, patches = self._runs(chosen)
-        planes = runs.fit(self.points, self.normals, self.directions[patches])
-        self.centers[patches], self.directions[patches], edges = planes
+        rows = upload(patches, int32, self.device)
+        planes = runs.fit(self.points, self.normals, gather_rows(self.directions, rows))
+        arguments = [rows, planes.centers, planes.directions, self.centers, self.directions]
+        launch(write_planes_kernel, rows.size, arguments)
         self.fitted = np.where(chosen, self.counts, self.fitted)
-        return runs, edges
+        return runs, planes

@@ -8,15 +8,16 @@ their heights; how far points and normals may deviate comes from the median abso
 All cells of a level are tested together: eleven sorts of the level's points (run_medians.py), the rest one pass each.
 """
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
 from ..array_types import Indices, Integers, Points, Scalars, Vectors
-from ..arrays.run_medians import order_statistics
+from ..arrays.prefix_sum import offsets_of
+from ..arrays.run_medians import find_statistics
 from ..arrays.run_sums import sum_columns
 from ..arrays.sort import fill_positions_kernel
-from ..lang import array, atomic_add, dot, float32, float64, int32, kernel, launch, tid, vec3
+from ..lang import array, atomic_add, dot, float32, float64, float_bits, int32, kernel, launch, sqrt, tid, vec3
 from ..memory import download, empty, upload, zeros
 
 if TYPE_CHECKING:
@@ -26,6 +27,8 @@ FIRST_LEVEL = 3  # larger cells hold no plane: an eighth of the box is already a
 SPREAD = 3.0  # MADs about the median that still belong
 NORMAL_MAD = 1.4826  # makes the MAD of normally distributed numbers their standard deviation
 CLEAR = 1.0e-6  # below 1: similarity of normals that is never asked for
+SPREAD_MAD, MOST_SIMILAR = SPREAD * NORMAL_MAD, 1.0 - CLEAR
+PACKED = 11  # numbers a run that the host reads
 ROUNDING = 4.0e-7  # of the cloud's size [m]: positions are rounded by 6e-8 of it on three axes
 
 
@@ -144,22 +147,114 @@ def claim_seeds_kernel(
         labels[rows[i]] = names[run]
 
 
+@kernel
+def note_axis_kernel(
+    places: array(dtype=float32),
+    sides: array(dtype=float32),
+    axis: int,
+    middles: array(dtype=float32),
+    means: array(dtype=float32),
+    edges: array(dtype=float32),
+):
+    """One coordinate of each run's middle and of its normal, from the order statistics, and its longest edge so far."""
+    i = tid()
+    runs = edges.shape[0]
+    middles[3 * i + axis] = places[runs + i]
+    means[3 * i + axis] = sides[runs + i]
+    edges[i] = max(edges[i], places[2 * runs + i] - places[i])
+
+
+@kernel
+def finish_directions_kernel(
+    middles: array(dtype=float32),
+    means: array(dtype=float32),
+    references: array(dtype=vec3),
+    centers: array(dtype=vec3),
+    directions: array(dtype=vec3),
+):
+    """The unit normal of each run, its reference where there is none, and its middle."""
+    i = tid()
+    x = means[3 * i]
+    y = means[3 * i + 1]
+    z = means[3 * i + 2]
+    size = sqrt(x * x + y * y + z * z)
+    direction = references[i]
+    if size > 0.0:
+        direction = vec3(x / size, y / size, z / size)
+    directions[i] = direction
+    centers[i] = vec3(middles[3 * i], middles[3 * i + 1], middles[3 * i + 2])
+
+
+@kernel
+def lift_centers_kernel(heights: array(dtype=float32), directions: array(dtype=vec3), centers: array(dtype=vec3)):
+    """Each run's middle on its plane, at the median of the heights."""
+    i = tid()
+    centers[i] = centers[i] + directions[i] * heights[centers.shape[0] + i]
+
+
+@kernel
+def bound_runs_kernel(
+    similarities: array(dtype=float32),
+    similar_spreads: array(dtype=float32),
+    distances: array(dtype=float32),
+    distance_spreads: array(dtype=float32),
+    slack: float,
+    similar: array(dtype=float32),
+    near: array(dtype=float32),
+):
+    """What is usual in each run: its median, and so many MADs about it."""
+    i = tid()
+    runs = near.shape[0]
+    similar[i] = min(similarities[runs + i] - SPREAD_MAD * similar_spreads[runs + i], MOST_SIMILAR)
+    near[i] = max(distances[runs + i] + SPREAD_MAD * distance_spreads[runs + i], slack)
+
+
+@kernel
+def pack_planes_kernel(
+    centers: array(dtype=vec3),
+    directions: array(dtype=vec3),
+    edges: array(dtype=float32),
+    similar: array(dtype=float32),
+    near: array(dtype=float32),
+    outliers: array(dtype=int32),
+    starts: array(dtype=int32),
+    packed: array(dtype=int32, ndim=2),
+):
+    """What the host wants to know of each run, in the bits of whole numbers."""
+    i = tid()
+    for axis in range(3):
+        packed[i, axis] = float_bits(centers[i][axis])
+        packed[i, 3 + axis] = float_bits(directions[i][axis])
+    packed[i, 6] = float_bits(edges[i])
+    packed[i, 7] = float_bits(similar[i])
+    packed[i, 8] = float_bits(near[i])
+    packed[i, 9] = outliers[i]
+    packed[i, 10] = starts[i + 1] - starts[i]
+
+
+class RunPlanes(NamedTuple):
+    """The plane of each run on the device: centres and unit normals, vec3 [r], and longest edges [m], float32 [r]."""
+
+    centers: Points
+    directions: Vectors
+    edges: Scalars
+
+
 class Runs:
     """Points in runs, a run a plane.
 
     Attributes:
         rows, runs: int32 device arrays [m], the points and the run of each, ascending.
         starts: int32 device array [r + 1].
-        counts: int64 NumPy array [r].
+        count: r.
     """
 
-    def __init__(self, rows: Indices, runs: Integers, counts: np.ndarray) -> None:
-        self.rows, self.runs, self.counts = rows, runs, counts
-        self.starts = upload(np.concatenate([[0], np.cumsum(counts)]).astype(np.int32), int32, rows.device)
+    def __init__(self, rows: Indices, runs: Integers, counts: Integers) -> None:
+        """From the points of each run, int32 device array [r]."""
+        self.rows, self.runs, self.count, self.device = rows, runs, counts.size, rows.device
+        self.starts = offsets_of(counts)
 
-    def fit(
-        self, points: Points, normals: Vectors, references: np.ndarray | None = None
-    ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    def fit(self, points: Points, normals: Vectors, references: Vectors | None = None) -> RunPlanes:
         """The robust plane of each run: along the median of the normals, through the median of the heights along it.
 
         The medians of the coordinates, which the paper takes, do not lie in the plane where it is not aligned with an
@@ -168,58 +263,53 @@ class Runs:
         Args:
             points: Positions of all points.
             normals: Their normals.
-            references: The side for the normals of each run, float32 [r, 3]; None takes their main direction.
-
-        Returns:
-            (centers, directions, edges): float32 [r, 3], [r, 3], and the longest edges [m] of their boxes, [r].
+            references: The side for the normals of each run, vec3 [r]; None takes their main direction: one sync.
         """
+        size, count, device = self.rows.size, self.count, self.device
         if references is None:
-            references = self._main_directions(normals)
-        device, size = self.rows.device, self.rows.size
-        sides = upload(references, vec3, device)
-        values = empty(size, float32, device)
-        centers, directions = np.empty_like(references), np.empty_like(references)
-        edges = np.zeros(len(references), np.float32)
+            references = upload(self._main_directions(normals), vec3, device)
+        places, sides = (empty(size, float32, device) for _ in range(2))
+        middles, means = (empty(3 * count, float32, device) for _ in range(2))
+        planes = RunPlanes(empty(count, vec3, device), empty(count, vec3, device), zeros(count, float32, device))
         for axis in range(3):
-            launch(take_axis_kernel, size, [points, self.rows, axis, values])
-            low, centers[:, axis], high = order_statistics(values, self.runs, self.starts)
-            edges = np.maximum(edges, high - low)
-            launch(take_normal_axis_kernel, size, [normals, self.rows, self.runs, sides, axis, values])
-            directions[:, axis] = order_statistics(values, self.runs, self.starts)[1]
-        lengths = np.linalg.norm(directions, axis=1, keepdims=True)
-        directions = np.where(lengths > 0, directions / np.where(lengths > 0, lengths, 1), references)
-        directions = directions.astype(np.float32)
-        planes = [upload(part, vec3, device) for part in (centers, directions)]
-        launch(measure_heights_kernel, size, [points, self.rows, self.runs, *planes, values])
-        heights = order_statistics(values, self.runs, self.starts)[1]
-        return centers + heights[:, None] * directions, directions, edges
+            launch(take_axis_kernel, size, [points, self.rows, axis, places])
+            launch(take_normal_axis_kernel, size, [normals, self.rows, self.runs, references, axis, sides])
+            found = [self.statistics(values) for values in (places, sides)]
+            launch(note_axis_kernel, count, [*found, axis, middles, means, planes.edges])
+        launch(finish_directions_kernel, count, [middles, means, references, planes.centers, planes.directions])
+        launch(measure_heights_kernel, size, [points, self.rows, self.runs, planes.centers, planes.directions, places])
+        launch(lift_centers_kernel, count, [self.statistics(places), planes.directions, planes.centers])
+        return planes
 
-    def measure(self, points: Points, normals: Vectors, centers: np.ndarray, directions: np.ndarray) -> list[Scalars]:
+    def statistics(self, values: Scalars) -> Scalars:
+        """The least numbers of all runs, the medians, the largest: float32 device array [3 r]."""
+        return find_statistics(values, self.runs, self.starts)
+
+    def measure(self, points: Points, normals: Vectors, planes: RunPlanes) -> list[Scalars]:
         """(similarities, distances): float32 device arrays [m], of the points to the planes of their runs."""
-        device, size = self.rows.device, self.rows.size
-        out = [empty(size, float32, device) for _ in range(2)]
-        planes = [upload(part, vec3, device) for part in (centers, directions)]
-        launch(measure_points_kernel, size, [points, normals, self.rows, self.runs, *planes, *out])
+        out = [empty(self.rows.size, float32, self.device) for _ in range(2)]
+        arguments = [points, normals, self.rows, self.runs, planes.centers, planes.directions, *out]
+        launch(measure_points_kernel, self.rows.size, arguments)
         return out
 
-    def tolerate(self, similarities: Scalars, distances: Scalars, slack: float) -> tuple[np.ndarray, np.ndarray]:
-        """What is usual in each run: (similar, near), the least cosine and the largest distance [m], float32 [r]."""
-        middle, spread = self.spread(similarities)
-        similar = np.minimum(middle - spread, np.float32(1 - CLEAR))
-        middle, spread = self.spread(distances)
-        return similar, np.maximum(middle + spread, np.float32(slack))
+    def tolerate(self, similarities: Scalars, distances: Scalars, slack: float) -> list[Scalars]:
+        """(similar, near): what is usual in each run, the least cosine and the largest distance [m], float32 [r]."""
+        bounds = [empty(self.count, float32, self.device) for _ in range(2)]
+        spreads = [*self.spread(similarities), *self.spread(distances)]
+        launch(bound_runs_kernel, self.count, [*spreads, slack, *bounds])
+        return bounds
 
-    def spread(self, values: Scalars) -> tuple[np.ndarray, np.ndarray]:
-        """(median, SPREAD times the scaled MAD) of each run's numbers, float32 [r]."""
-        _, medians, _ = order_statistics(values, self.runs, self.starts)
-        deviations = empty(values.size, float32, values.device)
-        launch(deviate_kernel, values.size, [values, self.runs, upload(medians, float32, values.device), deviations])
-        return medians, SPREAD * NORMAL_MAD * order_statistics(deviations, self.runs, self.starts)[1]
+    def spread(self, values: Scalars) -> list[Scalars]:
+        """The order statistics of each run's numbers, and of their distances from its median."""
+        found, deviations = self.statistics(values), empty(values.size, float32, self.device)
+        medians = found[self.count : 2 * self.count]
+        launch(deviate_kernel, values.size, [values, self.runs, medians, deviations])
+        return [found, self.statistics(deviations)]
 
     def _main_directions(self, normals: Vectors) -> np.ndarray:
         """The direction that the normals of each run have most in common, whatever their signs."""
-        device, size = self.rows.device, self.rows.size
-        products, order = empty((size, 6), float64, device), empty(size, int32, device)
+        size = self.rows.size
+        products, order = empty((size, 6), float64, self.device), empty(size, int32, self.device)
         launch(multiply_normals_kernel, size, [normals, self.rows, products])
         launch(fill_positions_kernel, size, [order])
         s = download(sum_columns(products, order, self.starts))  # sync
@@ -251,19 +341,22 @@ class Limits:
             (passed, planes): booleans [r], and of the flat runs (centers, directions, similar, near).
         """
         device = points.device
-        centers, directions, edges = runs.fit(points, normals)
-        similarities, distances = runs.measure(points, normals, centers, directions)
-        similar, near = runs.tolerate(similarities, distances, self.slack)
-        bounds = [upload(part, float32, device) for part in (similar, near)]
-        outliers = zeros(len(near), int32, device)
-        launch(count_outliers_kernel, runs.rows.size, [similarities, distances, runs.runs, *bounds, outliers])
+        planes = runs.fit(points, normals)  # sync
+        measured = runs.measure(points, normals, planes)
+        bounds = runs.tolerate(*measured, self.slack)
+        outliers, packed = zeros(runs.count, int32, device), empty((runs.count, PACKED), int32, device)
+        launch(count_outliers_kernel, runs.rows.size, [*measured, runs.runs, *bounds, outliers])
+        launch(pack_planes_kernel, runs.count, [*planes, *bounds, outliers, runs.starts, packed])
+        whole = np.array(download(packed))  # sync
+        numbers = whole.view(np.float32)
+        edges, similar, near = numbers[:, 6:9].T
         steep = near / np.maximum(np.hypot(near, edges), np.float32(1e-30))  # figure 4 of the paper
         passed = (similar > self.similarity) & (steep < self.coplanarity) & (edges > 0)
-        passed &= download(outliers) <= self.outliers * runs.counts  # sync
+        passed &= whole[:, 9] <= self.outliers * whole[:, 10]
         names = np.where(passed, first + np.cumsum(passed) - 1, -1)
-        arguments = [similarities, distances, runs.rows, runs.runs, *bounds, upload(names, int32, device), labels]
+        arguments = [*measured, runs.rows, runs.runs, *bounds, upload(names, int32, device), labels]
         launch(claim_seeds_kernel, runs.rows.size, arguments)
-        return passed, (centers[passed], directions[passed], similar[passed], near[passed])
+        return passed, (numbers[passed, 0:3], numbers[passed, 3:6], similar[passed], near[passed])
 
 
 def find_seeds(

@@ -18,18 +18,14 @@ from ..array_types import Array1, Indices, Integers, Mask, Points
 from ..arrays.bounds import bound_points
 from ..arrays.select import gather_rows, positions_of
 from ..lang import (
-    INFINITY,
     array,
     atomic_add,
-    float32,
     float64,
-    func,
     int32,
     kernel,
     launch,
     reduce,
     reduction,
-    struct,
     tid,
     uint8,
     vec3,
@@ -38,69 +34,15 @@ from ..lang import (
     vector,
 )
 from ..memory import download, empty, upload, zeros
+from .best_plane import PARTIALS, BestPlane
+from .plane_blocks import BLOCK, PointBlocks, distances_of_block, reaches_block
 from .plane_samples import FLAT, TRIANGLE, draw_planes_kernel, products, sampled_point, six_sums
 
-BLOCK = 512  # points whose coordinates (6 KB) stay in the nearest cache while a group of planes is scored
 GROUP = 8  # planes a thread
 CPU_RUN, CUDA_RUN = 16, 2  # blocks a thread: few atomics on the CPU, many threads on CUDA
 FIRST_BATCH, BATCH_GROWTH, MOST_PLANES = 32, 3, 4096  # planes between two looks at the result
-PARTIALS = 2**22  # partial sums of distances at a time
 ROUNDING = 4.0e-6  # of the largest coordinate: covers the rounding of two sums of four products in float32
 eight_counts = vector(GROUP, int32)
-
-
-@struct
-class PointBlocks:
-    """Points relative to the middle of their box, an array an axis, in blocks of BLOCK with a box each.
-
-    Attributes:
-        count: Points.
-        xs, ys, zs: Coordinates [m], float32.
-        boxes: Six numbers a block: the middle of its box, and half its sides [m].
-        block_count: Blocks.
-    """
-
-    count: int
-    xs: array(dtype=float32)
-    ys: array(dtype=float32)
-    zs: array(dtype=float32)
-    boxes: array(dtype=float32)
-
-    def __init__(self, points: Points, rows: Indices, middle: vec3) -> None:
-        """The blocks of `points[rows]` relative to a place of the same type."""
-        self.count, self.block_count, device = rows.size, -(-rows.size // BLOCK), points.device
-        self.xs, self.ys, self.zs = (empty(self.count, float32, device) for _ in range(3))
-        self.boxes = empty(6 * self.block_count, float32, device)
-        launch(split_axes_kernel, self.block_count, [points, rows, middle, self])
-
-
-@kernel
-def split_axes_kernel(points: array(dtype=vec3), rows: array(dtype=int32), center: vec3, blocks: PointBlocks):
-    """Coordinates of a block of points relative to the middle, an array an axis, and the block's box."""
-    i = tid()
-    a = vec3(INFINITY, INFINITY, INFINITY)
-    b = vec3(-INFINITY, -INFINITY, -INFINITY)
-    for j in range(i * BLOCK, min((i + 1) * BLOCK, rows.shape[0])):
-        p = points[rows[j]] - center
-        blocks.xs[j] = p[0]
-        blocks.ys[j] = p[1]
-        blocks.zs[j] = p[2]
-        a = vec3(min(a[0], p[0]), min(a[1], p[1]), min(a[2], p[2]))
-        b = vec3(max(b[0], p[0]), max(b[1], p[1]), max(b[2], p[2]))
-    for axis in range(3):
-        blocks.boxes[6 * i + axis] = 0.5 * (a[axis] + b[axis])
-        blocks.boxes[6 * i + 3 + axis] = 0.5 * (b[axis] - a[axis])
-
-
-@func
-def reaches_block(blocks: PointBlocks, block: int, a: float, b: float, c: float, d: float, reach: float) -> int:
-    """1 where a point of a block may lie within `reach` of a plane."""
-    at = 6 * block
-    middle = abs(a * blocks.boxes[at] + b * blocks.boxes[at + 1] + c * blocks.boxes[at + 2] + d)
-    near = 0
-    if middle <= reach + abs(a) * blocks.boxes[at + 3] + abs(b) * blocks.boxes[at + 4] + abs(c) * blocks.boxes[at + 5]:
-        near = 1
-    return near
 
 
 @kernel
@@ -151,17 +93,7 @@ def sum_distances_kernel(
     i = tid()
     k = i % chosen.shape[0]
     block = i // chosen.shape[0]
-    plane = planes[chosen[k]]
-    a = float(plane[0])
-    b = float(plane[1])
-    c = float(plane[2])
-    d = float(plane[3])
-    total = float64(0.0)
-    for j in range(block * BLOCK, min((block + 1) * BLOCK, blocks.count)):
-        distance = abs(a * blocks.xs[j] + b * blocks.ys[j] + c * blocks.zs[j] + d)
-        if distance < threshold:
-            total += float64(distance)
-    partials[k, block] = total
+    partials[k, block] = distances_of_block(blocks, block, planes[chosen[k]], threshold)
 
 
 @kernel
@@ -202,11 +134,28 @@ def add_points(points: array(dtype=vec3), rows: array(dtype=int32), center: vec3
     return sampled_point(points, rows[i], center)
 
 
+@kernel
+def average_points_kernel(total: array(dtype=vec3d), center: vec3d, count: float64, mean: array(dtype=vec3d)):
+    """The mean of points from their sum relative to the middle."""
+    i = tid()
+    mean[i] = center + total[i] / count
+
+
 @reduction
-def add_products(points: array(dtype=vec3), rows: array(dtype=int32), mean: vec3d) -> six_sums:
+def add_products(points: array(dtype=vec3), rows: array(dtype=int32), mean: array(dtype=vec3d)) -> six_sums:
     """The sum of the products of the differences to the mean."""
     i = tid()
-    return products(sampled_point(points, rows[i], mean))
+    return products(sampled_point(points, rows[i], mean[0]))
+
+
+@kernel
+def pack_fit_kernel(mean: array(dtype=vec3d), sums: array(dtype=six_sums), packed: array(dtype=float64)):
+    """The mean, then the products."""
+    i = tid()
+    for axis in range(3):
+        packed[i + axis] = mean[i][axis]
+    for entry in range(6):
+        packed[i + 3 + entry] = sums[i][entry]
 
 
 @kernel
@@ -229,10 +178,11 @@ class PlaneSearch:
         center: Middle of their box, float64 [3]; planes are relative to it.
     """
 
-    def __init__(self, points: Points, rows: Indices) -> None:
-        """Prepare a search among `points[rows]`, all finite."""
+    def __init__(self, points: Points, rows: Indices, box: tuple[np.ndarray, np.ndarray] | None = None) -> None:
+        """Prepare a search among `points[rows]`, all finite; one sync where their box is not given."""
         self.points, self.rows, self.device = points, rows, points.device
-        low, high, _ = bound_points(gather_rows(points, rows))
+        low, high = box if box is not None else bound_points(gather_rows(points, rows))[:2]  # sync
+        self._inliers: int | None = None
         low, high = (bound.astype(np.float64) if rows.size else np.zeros(3) for bound in (low, high))
         middle = (0.5 * (low + high)).astype(np.float32)
         self.center = middle.astype(np.float64)
@@ -255,11 +205,13 @@ class PlaneSearch:
         Returns:
             float64 [4] relative to `center`, or None where no sample spans a plane.
         """
+        if self.device.is_cuda:
+            return self._find_on_device(threshold, sample_size, most, probability, seed, first)
         best, best_count, best_sum, done, batch, needed = None, 0, None, 0, FIRST_BATCH, float(most)
         while done < min(most, needed):
             size = int(min(batch, most - done, math.ceil(needed) - done))
             planes = self._draw(sample_size, size, seed, first + done)
-            counts = self._score(planes, size, threshold)
+            counts = download(self._score(planes, size, threshold))
             top = int(counts.max())
             chosen = np.flatnonzero(counts == top).astype(np.int32)
             if top > 0 and top >= best_count:
@@ -276,26 +228,47 @@ class PlaneSearch:
             batch = min(BATCH_GROWTH * batch, MOST_PLANES)
         return best
 
-    def inliers(self, plane: np.ndarray, threshold: float) -> Mask:
-        """uint8 device array [rows], 1 where a point is closer than the threshold."""
+    def _find_on_device(
+        self, threshold: float, sample_size: int, most: int, probability: float, seed: int, first: int
+    ) -> np.ndarray | None:
+        """As `find`, the best plane being chosen by the GPU; one sync a batch."""
+        best, done, batch, needed = BestPlane(self, threshold), 0, FIRST_BATCH, float(most)
+        while done < min(most, needed):
+            size = int(min(batch, most - done, math.ceil(needed) - done))
+            planes = self._draw(sample_size, size, seed, first + done)
+            best.offer(planes, self._score(planes, size, threshold))  # sync
+            done += size
+            needed = samples_needed(best.count / self.rows.size, sample_size, probability, most)
+            batch = min(BATCH_GROWTH * batch, MOST_PLANES)
+        self._inliers = best.inliers
+        return best.plane if best.count else None
+
+    def inliers(self, plane: np.ndarray, threshold: float) -> tuple[Mask, Indices]:
+        """The points closer than the threshold to the plane that `find` gave with it.
+
+        Returns:
+            (mask, places): uint8 [rows], 1 for each of them; and where they are among the rows, int32. No sync.
+        """
         mask = empty(self.rows.size, uint8, self.device)
         arguments = [self.points, self.rows, vec3d(*self.center), vec4d(*plane), threshold, mask]
         launch(mask_inliers_kernel, self.rows.size, arguments)
-        return mask
+        return mask, positions_of(mask, self._inliers)
 
-    def refit(self, plane: np.ndarray, mask: Mask) -> np.ndarray:
-        """The plane of least squared distances to the chosen points; the old one where they span none."""
-        rows = gather_rows(self.rows, positions_of(mask))
+    def refit(self, plane: np.ndarray, rows: Indices) -> np.ndarray:
+        """The plane of least squared distances to some points; the old one where they span none. One sync."""
         if rows.size < TRIANGLE:
             return plane
-        total = download(reduce(add_points, rows.size, [self.points, rows, vec3d(*self.center)]))[0]  # sync
-        mean = self.center + total / rows.size
-        s = download(reduce(add_products, rows.size, [self.points, rows, vec3d(*mean)]))[0]  # sync
+        mean, packed = empty(1, vec3d, self.device), empty(9, float64, self.device)
+        total = reduce(add_points, rows.size, [self.points, rows, vec3d(*self.center)])
+        launch(average_points_kernel, 1, [total, vec3d(*self.center), float(rows.size), mean])
+        launch(pack_fit_kernel, 1, [mean, reduce(add_products, rows.size, [self.points, rows, mean]), packed])
+        numbers = download(packed)  # sync
+        s = numbers[3:]
         values, vectors = np.linalg.eigh(s[[[0, 1, 2], [1, 3, 4], [2, 4, 5]]])
         if not values[1] > FLAT * values[2]:
             return plane
         normal = vectors[:, 0]
-        return np.append(normal, -normal @ (mean - self.center))
+        return np.append(normal, -normal @ (numbers[:3] - self.center))
 
     def _draw(self, sample_size: int, size: int, seed: int, first: int) -> Array1[vec4d]:
         samples, planes = empty(size * sample_size, int32, self.device), empty(size, vec4d, self.device)
@@ -303,14 +276,14 @@ class PlaneSearch:
         launch(draw_planes_kernel, size, arguments)
         return planes
 
-    def _score(self, planes: Array1[vec4d], size: int, threshold: float) -> np.ndarray:
+    def _score(self, planes: Array1[vec4d], size: int, threshold: float) -> Integers:
         counts = zeros(size, int32, self.device)
         run = CUDA_RUN if self.device.is_cuda else CPU_RUN
         groups, threads = -(-size // GROUP), -(-self.blocks.block_count // run)
         reach = threshold + ROUNDING * (self.size + threshold)
         arguments = [self.blocks, run, planes, size, threshold, reach, counts]
         launch(score_planes_kernel, threads * groups, arguments)
-        return download(counts)  # sync: once a batch
+        return counts
 
     def _sum_distances(self, planes: Array1[vec4d], chosen: np.ndarray, threshold: float) -> np.ndarray:
         sums, block_count = [], self.blocks.block_count

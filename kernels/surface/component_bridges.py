@@ -14,12 +14,12 @@ Source: single-tree Boruvka: Prokopenko, Sao and Lebrun-Grandie, "A single-tree 
 minimum spanning tree on GPUs", ICPP 2022.
 """
 
-from ..array_types import Vectors
+from ..array_types import Integers, Vectors
 from ..arrays.packed_keys import NO_KEY, key_bits, key_index, last_key, pack_bits
 from ..lang import array, atomic_min, float_bits, func, int32, int64, kernel, launch, partial, struct, tid, vec3
-from ..memory import download, empty, full
+from ..memory import empty, full, zeros
 from ..search.bucket_walk import next_step, start_walk
-from ..search.point_tree import BUCKET, FAN, LEAF, PointTree, measure_boxes, square_distance
+from ..search.point_tree import BUCKET, FAN, LEAF, PointTree, level_sizes, measure_boxes, square_distance
 from .spanning_tree import Forest, hook_word
 
 INFINITE = 0x7F80_0000  # the bits of an infinite float32
@@ -52,7 +52,7 @@ class Bridges:
     def __init__(self, tree: PointTree, forest: Forest) -> None:
         count, device = forest.count, forest.device
         self.tree, self.forest = tree, forest
-        self.records = download(tree.levels)  # sync
+        self.records = level_sizes(-(-tree.count // BUCKET))[1]
         # A child that is not there is nobody's: its number is read beside its siblings', and written by no kernel.
         self.owners = full(int(self.records[-1]) * FAN, EMPTY, int32, device)
         self.reaches, self.lows, self.highs = (empty(count, int32, device) for _ in range(3))
@@ -99,9 +99,11 @@ def own_nodes_kernel(below: int, first: int, owners: array(dtype=int32)):
 
 
 @kernel
-def clear_ways_kernel(bridges: Bridges):
-    """No way yet for any component."""
+def clear_ways_kernel(bridges: Bridges, going: array(dtype=int32)):
+    """No way yet for any component; `going` becomes 1 where one is found."""
     i = tid()
+    if i == 0:
+        going[0] = 0
     root = bridges.forest.roots[i]
     bridges.reaches[root] = INFINITE
     bridges.lows[root] = MOST_RANK
@@ -233,13 +235,17 @@ def settle_highs_kernel(bridges: Bridges):
 
 
 @kernel
-def hook_bridges_kernel(bridges: Bridges, normals: array(dtype=vec3)):
-    """Hang each component under the one that its way leads to; of two with the same way the lower stays a root."""
+def hook_bridges_kernel(bridges: Bridges, normals: array(dtype=vec3), going: array(dtype=int32)):
+    """Hang each component under the one that its way leads to; of two with the same way the lower stays a root.
+
+    Whichever thread notes a way, it writes 1.
+    """
     i = tid()
     c = bridges.forest.roots[i]
     near = bridges.lows[c]
     far = bridges.highs[c]
     if near < far:  # a way was found
+        going[0] = 1
         if bridges.forest.links[near] >> 1 != c:
             near = bridges.highs[c]
             far = bridges.lows[c]
@@ -259,15 +265,27 @@ def bridge_components(forest: Forest, tree: PointTree, normals: Vectors) -> None
     if forest.roots.size < 2:
         return
     bridges = Bridges(tree, forest)
-    while forest.roots.size > 1:
-        before = forest.roots.size
-        launch(clear_ways_kernel, before, [bridges])
+
+    def bridge(going: Integers) -> None:
+        launch(clear_ways_kernel, forest.roots.size, [bridges, going])
         launch(offer_steps_kernel, forest.count - 1, [bridges])
         bridges.label_nodes()
         launch(find_ways_kernel, -(-forest.count // LEAF), [bridges])
         launch(settle_lows_kernel, forest.count, [bridges])
         launch(settle_highs_kernel, forest.count, [bridges])
-        launch(hook_bridges_kernel, before, [bridges, normals])
-        forest.merge()
-        if forest.roots.size == before:
-            raise RuntimeError(f"no bridge found between {before} components")
+        launch(hook_bridges_kernel, forest.roots.size, [bridges, normals, going])
+
+    def turn(status: Integers) -> None:
+        bridge(status)
+        forest.merge_in_loop(status)
+
+    if forest.links.device.is_cuda:
+        forest.run_rounds(turn)
+    else:
+        going, before = zeros(1, int32, forest.device), forest.count + 1
+        while 1 < forest.roots.size < before:
+            before = forest.roots.size
+            bridge(going)
+            forest.merge()
+    if forest.roots.size > 1:
+        raise RuntimeError(f"no bridge found between {forest.roots.size} components")

@@ -15,9 +15,9 @@ Source: Boruvka 1926; as rounds of parallel hooking and shortening: Vineet, Hari
 minimum spanning tree for large graphs on the GPU", HPG 2009.
 """
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
-from ..array_types import Device, Integers, Vectors
+from ..array_types import Device, Integers, LongIntegers, Vectors
 from ..arrays.packed_keys import NO_KEY
 from ..arrays.select import gather_rows, positions_of
 from ..arrays.sort import fill_positions_kernel
@@ -32,12 +32,13 @@ from ..lang import (
     int64,
     kernel,
     launch,
+    loop_while,
     struct,
     tid,
     uint8,
     vec3,
 )
-from ..memory import copy, download, empty, zeros
+from ..memory import copy, download, empty, fill, full, zeros
 
 ENTRY_BITS = 33  # of a key, for the entry of the lists; a weight of 0..1 takes the 30 above
 ENTRY_MASK = 0x1_FFFF_FFFF
@@ -69,6 +70,7 @@ class Forest:
         self.hooks, self._shorter = empty(count, int32, device), empty(count, int32, device)
         launch(fill_roots_kernel, count, [self])
         launch(fill_positions_kernel, count, [self.roots])
+        self._every = self.roots
         self.reset_hooks()
 
     def reset_hooks(self) -> None:
@@ -94,6 +96,38 @@ class Forest:
         launch(mark_roots_kernel, self.roots.size, [self, mask])
         self.roots = gather_rows(self.roots, positions_of(mask))
         self.reset_hooks()
+
+    def merge_in_loop(self, status: Integers) -> None:
+        """As `merge`, as the end of a turn of a device's loop: over all vertices, and no sync.
+
+        Args:
+            status: int32 [3]: whether the loop goes on, how many links close a cycle, how many were longer than a pass.
+        """
+        for left in range(MOST_PASSES - 1, -1, -1):  # an even number, so that hooks are where they were
+            launch(shorten_hooks_kernel, self.count, [self, self._shorter, status[2:3] if left else status[1:2]])
+            self.hooks, self._shorter = self._shorter, self.hooks
+        launch(relink_vertices_kernel, self.count, [self])
+        launch(close_round_kernel, self.count, [self, status])
+
+    def run_rounds(self, turn: Callable[[Integers], None]) -> None:
+        """Run turns that end with `merge_in_loop` on a GPU, until one joins nothing; two syncs in all.
+
+        Args:
+            turn: Given `status`; sets its first number to 0 at its begin, and to 1 where there is anything to join.
+
+        Raises:
+            RuntimeError: The hooks close a cycle.
+        """
+        status = full(3, 0, int32, self.device)
+        fill(status[:1], 1)
+        launch(fill_positions_kernel, self.count, [self._every])
+        self.roots = self._every
+        loop_while(status[:1], lambda: turn(status))
+        mask = empty(self.count, uint8, self.device)
+        launch(mark_roots_kernel, self.count, [self, mask])
+        self.roots = positions_of(mask)  # sync
+        if self.roots.size > 1 and int(download(status)[1]):  # sync
+            raise RuntimeError("components hang under each other in a cycle")
 
 
 @struct
@@ -149,9 +183,11 @@ def fill_roots_kernel(forest: Forest):
 
 
 @kernel
-def clear_keys_kernel(forest: Forest, keys: array(dtype=int64)):
-    """No edge yet for any component."""
+def clear_keys_kernel(forest: Forest, keys: array(dtype=int64), going: array(dtype=int32)):
+    """No edge yet for any component; `going` becomes 1 where one is offered."""
     i = tid()
+    if i == 0:
+        going[0] = 0
     keys[forest.roots[i]] = int64(NO_KEY)
 
 
@@ -163,12 +199,16 @@ def offer_edges_kernel(
     forest: Forest,
     keys: array(dtype=int64),
     leaving: array(dtype=uint8),
+    going: array(dtype=int32),
 ):
     """Offer each listed edge that leaves its component to both components; mark the vertices that had one.
 
+    Those that had none before have none again, and are not looked at. Whichever thread notes an offer, it writes 1.
     A key is read before it is lowered: a stale value costs one needless atomic, never a wrong result.
     """
     i = tid()
+    if leaving[i] == 0:
+        return
     v = active[i]
     own = forest.links[v] >> 1
     n = normals[v]
@@ -186,6 +226,7 @@ def offer_edges_kernel(
     found = 0
     if least < int64(NO_KEY):
         found = 1
+        going[0] = 1
         if least < keys[own]:
             atomic_min(keys, own, least)  # as above
     leaving[i] = uint8(found)
@@ -243,11 +284,20 @@ def relink_vertices_kernel(forest: Forest):
 
 
 @kernel
+def close_round_kernel(forest: Forest, status: array(dtype=int32)):
+    """Every component is under itself; no further round where links closed a cycle."""
+    i = tid()
+    forest.hooks[i] = 2 * i
+    if i == 0 and status[1] > 0:
+        status[0] = 0
+
+
+@kernel
 def mark_roots_kernel(forest: Forest, mask: array(dtype=uint8)):
     """1 where a root still is one."""
     i = tid()
     kept = 0
-    if forest.hooks[forest.roots[i]] >> 1 == forest.roots[i]:
+    if forest.links[forest.roots[i]] >> 1 == forest.roots[i]:
         kept = 1
     mask[i] = uint8(kept)
 
@@ -273,12 +323,16 @@ def span_neighbors(forest: Forest, parts: Sequence[tuple[int, Integers]], k: int
         active = empty(rows, int32, forest.device)
         copy(active, forest.roots[begin : begin + rows], count=rows)
         graph.append((GraphPart(begin, k, lists), active))
+    if forest.links.device.is_cuda and graph and forest.count > 1:
+        _span_on_device(forest, graph, normals, keys)
+        return
+    going = zeros(1, int32, forest.device)
     while graph and forest.roots.size > 1:
-        launch(clear_keys_kernel, forest.roots.size, [forest, keys])
+        launch(clear_keys_kernel, forest.roots.size, [forest, keys, going])
         remaining = []
         for part, active in graph:
-            leaving = empty(active.size, uint8, forest.device)
-            launch(offer_edges_kernel, active.size, [active, part, normals, forest, keys, leaving])
+            leaving = full(active.size, 1, uint8, forest.device)
+            launch(offer_edges_kernel, active.size, [active, part, normals, forest, keys, leaving, going])
             remaining.append((part, gather_rows(active, positions_of(leaving))))
         if not any(active.size for _, active in remaining):
             break
@@ -286,3 +340,20 @@ def span_neighbors(forest: Forest, parts: Sequence[tuple[int, Integers]], k: int
             launch(hook_components_kernel, forest.roots.size, [part, normals, forest, keys])
         forest.merge()
         graph = [(part, active) for part, active in remaining if active.size]
+
+
+def _span_on_device(
+    forest: Forest, graph: Sequence[tuple[GraphPart, Integers]], normals: Vectors | None, keys: LongIntegers
+) -> None:
+    """All rounds as one loop of a GPU."""
+    leaving = [full(active.size, 1, uint8, forest.device) for _, active in graph]
+
+    def turn(status: Integers) -> None:
+        launch(clear_keys_kernel, forest.count, [forest, keys, status])
+        for (part, active), marks in zip(graph, leaving, strict=True):
+            launch(offer_edges_kernel, active.size, [active, part, normals, forest, keys, marks, status])
+        for part, _ in graph:
+            launch(hook_components_kernel, forest.count, [part, normals, forest, keys])
+        forest.merge_in_loop(status)
+
+    forest.run_rounds(turn)

@@ -138,7 +138,9 @@ def _check_size(radii: list[float], extent: float) -> None:
 
 def _check_work(tree: Any, radius: float, places: Any) -> None:
     """Refuse a radius whose neighbours are too many to look at."""
-    mean = count_around(tree, places, 2 * radius)
+    if tree.count * places.size <= MOST_NEIGHBORS:
+        return
+    mean = count_around(tree, places, 2 * radius)  # sync
     if mean * places.size > MOST_NEIGHBORS:
         raise ValueError(
             f"radii: at {radius:.6g} m some {mean:,.0f} points lie within twice the radius of each of {places.size:,}, "

@@ -1,0 +1,80 @@
+"""Points in blocks of the cloud's order, each with its box: what planes are scored on.
+
+A block's coordinates stay in the nearest cache, and a block whose box lies beyond a plane's threshold is passed over.
+28 B of memory a point.
+"""
+
+from ..array_types import Indices, Points
+from ..lang import INFINITY, array, float32, float64, func, int32, kernel, launch, struct, tid, vec3, vec4d
+from ..memory import empty
+
+BLOCK = 512  # points whose coordinates (6 KB) stay in the nearest cache while a group of planes is scored
+
+
+@struct
+class PointBlocks:
+    """Points relative to the middle of their box, an array an axis, in blocks of BLOCK with a box each.
+
+    Attributes:
+        count: Points.
+        xs, ys, zs: Coordinates [m], float32.
+        boxes: Six numbers a block: the middle of its box, and half its sides [m].
+        block_count: Blocks.
+    """
+
+    count: int
+    xs: array(dtype=float32)
+    ys: array(dtype=float32)
+    zs: array(dtype=float32)
+    boxes: array(dtype=float32)
+
+    def __init__(self, points: Points, rows: Indices, middle: vec3) -> None:
+        """The blocks of `points[rows]` relative to a place of the same type."""
+        self.count, self.block_count, device = rows.size, -(-rows.size // BLOCK), points.device
+        self.xs, self.ys, self.zs = (empty(self.count, float32, device) for _ in range(3))
+        self.boxes = empty(6 * self.block_count, float32, device)
+        launch(split_axes_kernel, self.block_count, [points, rows, middle, self])
+
+
+@kernel
+def split_axes_kernel(points: array(dtype=vec3), rows: array(dtype=int32), center: vec3, blocks: PointBlocks):
+    """Coordinates of a block of points relative to the middle, an array an axis, and the block's box."""
+    i = tid()
+    a = vec3(INFINITY, INFINITY, INFINITY)
+    b = vec3(-INFINITY, -INFINITY, -INFINITY)
+    for j in range(i * BLOCK, min((i + 1) * BLOCK, rows.shape[0])):
+        p = points[rows[j]] - center
+        blocks.xs[j] = p[0]
+        blocks.ys[j] = p[1]
+        blocks.zs[j] = p[2]
+        a = vec3(min(a[0], p[0]), min(a[1], p[1]), min(a[2], p[2]))
+        b = vec3(max(b[0], p[0]), max(b[1], p[1]), max(b[2], p[2]))
+    for axis in range(3):
+        blocks.boxes[6 * i + axis] = 0.5 * (a[axis] + b[axis])
+        blocks.boxes[6 * i + 3 + axis] = 0.5 * (b[axis] - a[axis])
+
+
+@func
+def reaches_block(blocks: PointBlocks, block: int, a: float, b: float, c: float, d: float, reach: float) -> int:
+    """1 where a point of a block may lie within `reach` of a plane."""
+    at = 6 * block
+    middle = abs(a * blocks.boxes[at] + b * blocks.boxes[at + 1] + c * blocks.boxes[at + 2] + d)
+    near = 0
+    if middle <= reach + abs(a) * blocks.boxes[at + 3] + abs(b) * blocks.boxes[at + 4] + abs(c) * blocks.boxes[at + 5]:
+        near = 1
+    return near
+
+
+@func
+def distances_of_block(blocks: PointBlocks, block: int, plane: vec4d, threshold: float) -> float64:
+    """The sum [m] of the distances of a block's inliers of a plane."""
+    a = float(plane[0])
+    b = float(plane[1])
+    c = float(plane[2])
+    d = float(plane[3])
+    total = float64(0.0)
+    for j in range(block * BLOCK, min((block + 1) * BLOCK, blocks.count)):
+        distance = abs(a * blocks.xs[j] + b * blocks.ys[j] + c * blocks.zs[j] + d)
+        if distance < threshold:
+            total += float64(distance)
+    return total

@@ -1,0 +1,67 @@
+"""How often surfaces, patches and planes wait for the device, at most, and that no bytes a point go to the host."""
+
+from __future__ import annotations
+
+from functools import partial
+
+import numpy as np
+import pytest
+import warp as wp
+
+import pointloom as loom
+
+SIZES = (1003, 3011)
+SPARE = 400  # bytes: a number or two a radius, a level or a batch of planes
+Mesh = loom.TriangleMesh
+MOST_WAITS = {
+    "poisson, five full levels": (lambda ball, room: Mesh.from_point_cloud_poisson(ball, 5), 5),
+    "ball pivoting": (lambda ball, room: Mesh.from_point_cloud_ball_pivoting(ball), 11),
+    "ball pivoting, a radius": (lambda ball, room: Mesh.from_point_cloud_ball_pivoting(ball, 0.15), 4),
+    "alpha shape": (lambda ball, room: Mesh.from_point_cloud_alpha_shape(ball), 6),
+    "orientation": (lambda ball, room: ball.orient_normals_consistent_tangent_plane(12), 2),
+    "disagreement": (lambda ball, room: ball.normal_disagreement(), 1),
+    "segment_plane": (lambda ball, room: room.segment_plane(0.02, 3, 100), 4),
+    "segment_planes": (lambda ball, room: room.segment_planes(0.02, 3, 100, max_planes=3), 12),
+    "classify_ground": (lambda ball, room: loom.classify_ground(ball, 0.2, 0.05, 1.0, 0.1), 1),
+    "metrics": (lambda ball, room: loom.compute_metrics(ball, room), 2),
+}
+
+
+def clouds(count):
+    """A ball with normals, and three walls that meet."""
+    rng = np.random.default_rng(0)
+    ball = rng.normal(size=(count, 3))
+    ball /= np.linalg.norm(ball, axis=1, keepdims=True)
+    walls = rng.random((count, 3))
+    walls[np.arange(count), np.arange(count) % 3] = rng.normal(size=count) * 0.003
+    return (
+        loom.PointCloud(ball, normals=ball).to("cuda:0", arrays="warp"),
+        loom.PointCloud(walls).to("cuda:0", arrays="warp").estimate_normals(max_nn=15),
+    )
+
+
+def asked_for(emulated, run) -> dict[str, int]:
+    """What a call asks of the device that has been called before: trees and tables are there."""
+    run()
+    wp.synchronize()
+    before = dict(emulated.findings.counts)
+    run()
+    found = {what: count - before[what] for what, count in emulated.findings.counts.items()}
+    wp.synchronize()
+    return found
+
+
+@pytest.mark.parametrize("name", MOST_WAITS)
+def test_waits_are_few_and_nothing_a_point_goes_to_the_host(emulated, name):
+    operation, most = MOST_WAITS[name]
+    asked = [asked_for(emulated, partial(operation, *clouds(size))) for size in SIZES]
+    assert max(found["copies to host"] for found in asked) <= most
+    assert asked[1]["bytes to host"] - asked[0]["bytes to host"] <= SPARE
+
+
+@pytest.mark.parametrize("count", SIZES)
+def test_flat_patches_wait_thrice_a_level_and_twice_a_round(emulated, count):
+    _, room = clouds(count)
+    asked = asked_for(emulated, lambda: room.detect_planar_patches(max_nn=15))
+    rounds = asked["graphs made"]  # growing is a graph each time
+    assert rounds >= 1 and asked["copies to host"] <= 3 * 8 + 2 * rounds + 8
