@@ -1,9 +1,10 @@
 """Triangles drawn into a z-buffer.
 
 One thread a triangle visits the cells of its box: 36 B read a triangle, 8 B a cell, some 10 operations a cell of the
-box. Corners are rounded to 1/256 cell and the edge functions are whole numbers (Pineda, "A parallel algorithm for
-polygon rasterization", SIGGRAPH 1988), so neighbouring triangles leave no gaps. Depth is along the optical axis; its
-reciprocal is linear in the picture.
+box. On CUDA boxes of many cells are listed, and drawn by many threads in a second launch (tiles.py). Corners are
+rounded to 1/256 cell and the edge functions are whole numbers (Pineda, "A parallel algorithm for polygon
+rasterization", SIGGRAPH 1988), so neighbouring triangles leave no gaps. Depth is along the optical axis; its reciprocal
+is linear in the picture.
 
 Triangles that reach behind the camera, or far out of the picture, are not clipped but drawn by edge functions in the
 camera's frame, which need no projected corners (Olano and Greer, "Triangle scan conversion using 2D homogeneous
@@ -11,7 +12,24 @@ coordinates", Graphics Hardware 1997).
 """
 
 from ..array_types import Indices, Points
-from ..lang import array, cross, dot, float32, floor, func, int32, int64, isfinite, kernel, launch, tid, vec3, vec4
+from ..lang import (
+    array,
+    cross,
+    dot,
+    float32,
+    floor,
+    func,
+    int32,
+    int64,
+    isfinite,
+    kernel,
+    launch,
+    tid,
+    vec3,
+    vec4,
+    vec4i,
+)
+from .tiles import MOST_SHAPES, SIDE, THREADS, LargeShapes, column_of_tile, is_large, list_shape, tiles_of_group
 from .z_buffer import FAR_OUT, NEAR, DepthBuffer, View, is_before, offer_behind, project, ray_through, to_camera
 
 GRID = 256.0  # steps a cell to which corners are rounded
@@ -49,8 +67,36 @@ def least_at_edge(dx: int64, dy: int64, buffer: DepthBuffer) -> int64:
 
 
 @func
-def draw_on_grid(a: vec3, b: vec3, c: vec3, cull: int, index: int, buffer: DepthBuffer):
-    """Draw a triangle of projected corners inside the guard band, edges included, in layers those that are its own."""
+def box_on_grid(a: vec3, b: vec3, c: vec3, cull: int, buffer: DepthBuffer) -> vec4i:
+    """The columns and rows whose centres a triangle of projected corners may cover; none where it is not seen."""
+    ax = on_grid(a[0])
+    ay = on_grid(a[1])
+    bx = on_grid(b[0])
+    by = on_grid(b[1])
+    cx = on_grid(c[0])
+    cy = on_grid(c[1])
+    step = int64(STEPS)
+    area = (bx - ax) * (cy - ay) - (by - ay) * (cx - ax)
+    first = max(int((min(min(ax, bx), cx) + step - 1) // step), 0)
+    last = min(int(max(max(ax, bx), cx) // step), buffer.width - 1)
+    top = max(int((min(min(ay, by), cy) + step - 1) // step), 0)
+    bottom = min(int(max(max(ay, by), cy) // step), buffer.height - 1)
+    # rows run down, so a triangle that is counterclockwise seen from before it has a negative area
+    if area == 0 or (cull == 1 and area > 0):
+        bottom = top - 1
+    return vec4i(first, last, top, bottom)
+
+
+@func
+def draw_on_grid(a: vec3, b: vec3, c: vec3, index: int, box: vec4i, buffer: DepthBuffer):
+    """Draw a triangle of projected corners inside the guard band, edges included, in layers those that are its own.
+
+    Args:
+        a, b, c: The corners.
+        index: The triangle's.
+        box: Where: first and last column, first and last row, within its `box_on_grid`.
+        buffer: The buffer.
+    """
     ax = on_grid(a[0])
     ay = on_grid(a[1])
     bx = on_grid(b[0])
@@ -62,13 +108,6 @@ def draw_on_grid(a: vec3, b: vec3, c: vec3, cull: int, index: int, buffer: Depth
     sign = int64(1)
     if area < 0:
         sign = -1
-    first = max(int((min(min(ax, bx), cx) + step - 1) // step), 0)
-    last = min(int(max(max(ax, bx), cx) // step), buffer.width - 1)
-    top = max(int((min(min(ay, by), cy) + step - 1) // step), 0)
-    bottom = min(int(max(max(ay, by), cy) // step), buffer.height - 1)
-    # rows run down, so a triangle that is counterclockwise seen from before it has a negative area
-    if area == 0 or (cull == 1 and area > 0):
-        bottom = top - 1
     least_u = least_at_edge((cx - bx) * sign, (cy - by) * sign, buffer)
     least_v = least_at_edge((ax - cx) * sign, (ay - cy) * sign, buffer)
     least_w = least_at_edge((bx - ax) * sign, (by - ay) * sign, buffer)
@@ -76,13 +115,13 @@ def draw_on_grid(a: vec3, b: vec3, c: vec3, cull: int, index: int, buffer: Depth
     near_a = scale / a[2]
     near_b = scale / b[2]
     near_c = scale / c[2]
-    x = int64(first) * step
-    for row in range(top, bottom + 1):
+    x = int64(box[0]) * step
+    for row in range(box[2], box[3] + 1):
         y = int64(row) * step
         u = ((cx - bx) * (y - by) - (cy - by) * (x - bx)) * sign
         v = ((ax - cx) * (y - cy) - (ay - cy) * (x - cx)) * sign
         w = ((bx - ax) * (y - ay) - (by - ay) * (x - ax)) * sign
-        for column in range(first, last + 1):
+        for column in range(box[0], box[1] + 1):
             if u >= least_u and v >= least_v and w >= least_w:
                 inverse = float32(u) * near_a + float32(v) * near_b + float32(w) * near_c
                 offer_behind(row * buffer.width + column, 1.0 / inverse, index, buffer)
@@ -115,22 +154,29 @@ def reach_of(edge: vec3, view: View) -> float:
 
 
 @func
-def draw_unprojected(a: vec3, b: vec3, c: vec3, cull: int, index: int, view: View, buffer: DepthBuffer):
-    """Draw what lies before the camera of a triangle in its frame."""
+def box_unprojected(a: vec3, b: vec3, c: vec3, cull: int, view: View, buffer: DepthBuffer) -> vec4i:
+    """The columns and rows that a triangle in the camera's frame may cover; none where it is not seen."""
     box = vec4(FAR_OUT, FAR_OUT, -FAR_OUT, -FAR_OUT)
     box = widen_box(box, a, b, view)
     box = widen_box(box, b, c, view)
     box = widen_box(box, c, a, view)
     volume = dot(a, cross(b, c))
-    sign = 1.0
-    if volume < 0.0:
-        sign = -1.0
     first = max(int(floor(box[0])), 0)
     last = min(int(floor(box[2])) + 1, buffer.width - 1)
     top = max(int(floor(box[1])), 0)
     bottom = min(int(floor(box[3])) + 1, buffer.height - 1)
     if volume == 0.0 or (cull == 1 and volume > 0.0):
         bottom = top - 1
+    return vec4i(first, last, top, bottom)
+
+
+@func
+def draw_unprojected(a: vec3, b: vec3, c: vec3, index: int, box: vec4i, view: View, buffer: DepthBuffer):
+    """Draw what lies before the camera of a triangle in its frame, within its `box_unprojected`."""
+    volume = dot(a, cross(b, c))
+    sign = 1.0
+    if volume < 0.0:
+        sign = -1.0
     ea = cross(b, c) * sign
     eb = cross(c, a) * sign
     ec = cross(a, b) * sign
@@ -142,8 +188,8 @@ def draw_unprojected(a: vec3, b: vec3, c: vec3, cull: int, index: int, view: Vie
         slack_b = 0.0
         slack_c = 0.0
     volume = volume * sign
-    for row in range(top, bottom + 1):
-        for column in range(first, last + 1):
+    for row in range(box[2], box[3] + 1):
+        for column in range(box[0], box[1] + 1):
             ray = ray_through(float(column), float(row), view)
             u = dot(ea, ray)
             v = dot(eb, ray)
@@ -156,9 +202,15 @@ def draw_unprojected(a: vec3, b: vec3, c: vec3, cull: int, index: int, view: Vie
 
 @kernel
 def draw_triangles_kernel(
-    vertices: array(dtype=vec3), triangles: array(dtype=int32), view: View, cull: int, start: int, buffer: DepthBuffer
+    vertices: array(dtype=vec3),
+    triangles: array(dtype=int32),
+    view: View,
+    cull: int,
+    start: int,
+    large: LargeShapes,
+    buffer: DepthBuffer,
 ):
-    """Write the depth and index of each triangle to the cells whose centres it covers."""
+    """Write the depth and index of each triangle to the cells whose centres it covers, or list it."""
     i = tid()
     a = to_camera(vertices[triangles[3 * i]], view)
     b = to_camera(vertices[triangles[3 * i + 1]], view)
@@ -171,9 +223,45 @@ def draw_triangles_kernel(
     pb = project(b, view)
     pc = project(c, view)
     if is_on_grid(pa) + is_on_grid(pb) + is_on_grid(pc) == 3:
-        draw_on_grid(pa, pb, pc, cull, start + i, buffer)
+        box = box_on_grid(pa, pb, pc, cull, buffer)
+        if is_large(box, large) == 1:
+            list_shape(i, box, large)
+        else:
+            draw_on_grid(pa, pb, pc, start + i, box, buffer)
     else:
-        draw_unprojected(a, b, c, cull, start + i, view, buffer)
+        wide = box_unprojected(a, b, c, cull, view, buffer)
+        if is_large(wide, large) == 1:
+            list_shape(i, wide, large)
+        else:
+            draw_unprojected(a, b, c, start + i, wide, view, buffer)
+
+
+@kernel
+def draw_large_triangles_kernel(
+    vertices: array(dtype=vec3),
+    triangles: array(dtype=int32),
+    view: View,
+    cull: int,
+    start: int,
+    large: LargeShapes,
+    groups: int,
+    buffer: DepthBuffer,
+):
+    """Draw the tiles of the triangles that were listed."""
+    i = tid()
+    for shape, tile in tiles_of_group(i // SIDE, groups, large):
+        a = to_camera(vertices[triangles[3 * shape]], view)
+        b = to_camera(vertices[triangles[3 * shape + 1]], view)
+        c = to_camera(vertices[triangles[3 * shape + 2]], view)
+        pa = project(a, view)
+        pb = project(b, view)
+        pc = project(c, view)
+        if is_on_grid(pa) + is_on_grid(pb) + is_on_grid(pc) == 3:
+            box = column_of_tile(box_on_grid(pa, pb, pc, cull, buffer), tile, i % SIDE)
+            draw_on_grid(pa, pb, pc, start + shape, box, buffer)
+        else:
+            wide = column_of_tile(box_unprojected(a, b, c, cull, view, buffer), tile, i % SIDE)
+            draw_unprojected(a, b, c, start + shape, wide, view, buffer)
 
 
 def draw_triangles(
@@ -189,4 +277,28 @@ def draw_triangles(
         cull: Leave out triangles that look away.
         start: The index of the first triangle in the buffer.
     """
-    launch(draw_triangles_kernel, triangles.size // 3, [vertices, triangles, view, int(cull), start, buffer])
+    if vertices.device.is_cuda:
+        draw_in_tiles(vertices, triangles, view, buffer, cull=cull, start=start)
+        return
+    drawn = [vertices, triangles, view, int(cull), start, LargeShapes(0, vertices.device), buffer]
+    launch(draw_triangles_kernel, triangles.size // 3, drawn)
+
+
+def draw_in_tiles(
+    vertices: Points,
+    triangles: Indices,
+    view: View,
+    buffer: DepthBuffer,
+    *,
+    cull: bool,
+    start: int = 0,
+    threads: int = THREADS,
+) -> None:
+    """`draw_triangles`, large ones by so many threads together."""
+    count = triangles.size // 3
+    for first in range(0, count, MOST_SHAPES):
+        some = triangles[3 * first : 3 * min(first + MOST_SHAPES, count)]
+        large = LargeShapes(some.size // 3, vertices.device)
+        drawn = [vertices, some, view, int(cull), start + first, large]
+        launch(draw_triangles_kernel, some.size // 3, [*drawn, buffer])
+        launch(draw_large_triangles_kernel, threads, [*drawn, threads // SIDE, buffer])

@@ -9,9 +9,10 @@ from pointloom.kernels.algebra.camera import Camera
 from pointloom.kernels.arrays.packed_keys import NO_KEY
 from pointloom.kernels.drawing.lines import Pen, draw_lines
 from pointloom.kernels.drawing.points import Splat, count_in_squares, draw_points
-from pointloom.kernels.drawing.triangles import draw_triangles
+from pointloom.kernels.drawing.tiles import SIDE, TILE_BITS, LargeShapes
+from pointloom.kernels.drawing.triangles import draw_in_tiles, draw_triangles, draw_triangles_kernel
 from pointloom.kernels.drawing.z_buffer import DepthBuffer, View
-from pointloom.kernels.lang import int32, vec3
+from pointloom.kernels.lang import int32, launch, vec3
 
 WIDTH, HEIGHT = 64, 48
 CAMERA = Camera(WIDTH, HEIGHT, 50.0, 50.0, 31.5, 23.5)
@@ -188,6 +189,37 @@ def test_a_room_around_the_camera_has_no_gaps(device):
 def test_a_triangle_larger_than_the_picture_covers_it(device):
     depth, _ = draw(device, [[-90, -90, 2], [90, -90, 2], [0, 180, 2]], [[0, 1, 2]])
     assert np.allclose(depth, 2.0, atol=1e-5)
+
+
+@pytest.mark.parametrize("cull", [False, True])
+def test_triangles_drawn_in_tiles_give_the_same_bits(device, cull):
+    rng = np.random.default_rng(3)
+    sizes = np.repeat([0.02, 0.2, 1.0, 4.0], 20)[:, None, None]
+    middles = rng.normal(size=(80, 1, 3)) * [0.5, 0.4, 0.6] + [0, 0, 1.5]
+    vertices = (middles + sizes * rng.normal(size=(80, 3, 3))).reshape(-1, 3)  # some reach behind the camera
+    triangles = memory.upload(np.arange(240, dtype=np.int32), int32, device)
+    points, behind = upload_points(vertices, device), None
+    for _ in range(3):  # layer behind layer
+        words = []
+        for draw_them, options in ((draw_triangles, {}), (draw_in_tiles, {"threads": 3 * SIDE}), (draw_in_tiles, {})):
+            buffer = DepthBuffer(WIDTH, HEIGHT, resolve_device(device), behind=behind)
+            draw_them(points, triangles, VIEW, buffer, cull=cull, start=7, **options)
+            words.append(memory.download(buffer.words))
+        assert np.unique(words[0]).size > 20
+        assert (words[0] == words[1]).all() and (words[0] == words[2]).all()
+        behind = buffer.words
+
+
+def test_a_list_of_large_shapes_holds_those_alone(device):
+    place, small = resolve_device(device), square(2.0, 0.05)
+    triangles = memory.upload(np.array([*TWO, *(np.array(TWO) + 4)], np.int32).ravel(), int32, device)
+    large = LargeShapes(4, place)
+    drawn = [upload_points([*small, *square(2.0, 0.9)], device), triangles, VIEW, 0, 0, large, new_buffer(device)]
+    launch(draw_triangles_kernel, 4, drawn)
+    assert memory.download(large.total).tolist() == [(2 << TILE_BITS) + 2 * 4]  # 45 x 45 cells are four tiles
+    assert set(memory.download(large.shapes)[:2].tolist()) == {2, 3}
+    assert sorted(memory.download(large.firsts)[:2].tolist()) == [0, 4]
+    assert set(np.unique(unpack(drawn[-1])[1])) == {-1, 0, 1}
 
 
 def test_no_triangles_leave_the_buffer_empty(device):
