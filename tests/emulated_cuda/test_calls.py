@@ -69,3 +69,11 @@ def test_an_operation_asks_little_of_the_device(emulated, data, name):
 def test_farthest_points_are_one_graph_and_one_wait(emulated, data):
     asked = asked_for(emulated, lambda: choose_farthest(data.tree, 1000, 0))
     assert (asked["graphs"], asked["copies to host"]) == (1, 1)
+
+
+def test_decimation_is_one_graph_and_four_waits(emulated):
+    """However many rounds: the box, whether a triangle is there twice, what is left, the vertices that are used."""
+    mesh = loom.TriangleMesh.create_sphere(resolution=20).to("cuda:0")
+    for target in (500, 60):
+        asked = asked_for(emulated, lambda target=target: mesh.simplify_quadric_decimation(target))
+        assert (asked["graphs"], asked["copies to host"], asked["bytes to host"]) == (1, 4, 84)
