@@ -77,3 +77,13 @@ def test_decimation_is_one_graph_and_four_waits(emulated):
     for target in (500, 60):
         asked = asked_for(emulated, lambda target=target: mesh.simplify_quadric_decimation(target))
         assert (asked["graphs"], asked["copies to host"], asked["bytes to host"]) == (1, 4, 84)
+
+
+def test_a_mesh_is_bent_with_one_wait_a_level(emulated):
+    """The held vertices, seams, edges, five levels, and whether it settled: however many turns."""
+    mesh = loom.TriangleMesh.create_sphere(resolution=20).to("cuda:0")
+    for turns in (2, 6):
+        asked = asked_for(
+            emulated, lambda turns=turns: mesh.deform_as_rigid_as_possible([0, 1], [[0, 0, 1], [0, 0, -2]], turns)
+        )
+        assert (asked["graphs made"], asked["graphs"], asked["copies to host"]) == (3, 2 * turns, 9)
