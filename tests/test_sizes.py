@@ -19,7 +19,6 @@ LONG_FILES: dict[str, str] = {
     "kernels/poses/fragment_steps.py": "one system with its preconditioner, of which the imports are a tenth",
     "kernels/reconstruction/ball_faces.py": "one front and the rules by which it grows; each function needs the last",
     "kernels/reconstruction/poisson_system.py": "one equation, its constraints and its solver's step on every level",
-    "kernels/remeshing/collapse_mesh.py": "one data structure: a mesh whose edges collapse, and its checks",
     "kernels/remeshing/graph_levels.py": "one multigrid: coarsening, transfer and the cycle are read together",
     "kernels/textures/warp_steps.py": "one banded system from its rows to its solution; imports are a tenth",
     "meshing/volume/tsdf.py": "the interface of the volume, half of it docstrings; the work lies in files beside it",

@@ -8,7 +8,7 @@ Hestenes and Stiefel 1952; Golub and Van Loan, section 11.5.
 from collections.abc import Callable
 from typing import Any
 
-from ..array_types import Positions
+from ..array_types import Array1, Positions
 from ..lang import (
     DeviceLoop,
     array,
@@ -39,7 +39,8 @@ class Gradients:
         remains: (residual . forces, 0) after it.
         running, turns: int32 [1].
         stuck: Whether a solve ended before its limit, int32 [1].
-        limit: Of residual . forces.
+        limit: Of residual . forces, in units.
+        unit: What the limit is measured in, vec2d [1], the first number.
         most: Turns of a solve.
     """
 
@@ -53,16 +54,18 @@ class Gradients:
     running: array(dtype=int32)
     turns: array(dtype=int32)
     stuck: array(dtype=int32)
+    unit: array(dtype=vec2d)
     limit: float64
     most: int
 
-    def __init__(self, solution: Positions, limit: float, most: int) -> None:
+    def __init__(self, solution: Positions, limit: float, most: int, unit: Array1[vec2d] | None = None) -> None:
         count, device = solution.size, solution.device
         self.solution, self.limit, self.most = solution, float(limit), most
         self.residual, self.search = empty(count, vec3d, device), empty(count, vec3d, device)
         self.image, self.forces = empty(count, vec3d, device), empty(count, vec3d, device)
         self.slopes, self.remains = zeros(1, vec2d, device), zeros(1, vec2d, device)
         self.running, self.turns, self.stuck = (zeros(1, int32, device) for _ in range(3))
+        self.unit = full(1, vec2d(1.0, 0.0), vec2d, device) if unit is None else unit
 
 
 @kernel
@@ -73,7 +76,7 @@ def begin_search_kernel(state: Gradients):
     if i == 0:
         state.turns[0] = 0
         running = 0
-        if state.remains[0][0] > state.limit:
+        if state.remains[0][0] > state.limit * state.unit[0][0]:
             running = 1
         state.running[0] = running
 
@@ -114,7 +117,7 @@ def turn_search_kernel(state: Gradients):
     if i == 0:
         state.turns[0] = state.turns[0] + 1
         running = 0
-        if state.remains[0][0] > state.limit:
+        if state.remains[0][0] > state.limit * state.unit[0][0]:
             running = 1
         if running == 1 and state.turns[0] >= state.most:
             running = 0
@@ -143,9 +146,18 @@ class ConjugateGradients:
         self._precondition()
         reduce_segments(sum_remains, self.blocks, self.live, [self.state], self.partials, self.state.remains)
 
+    def begin(self) -> None:
+        """Weigh the residual, and search along its forces first; launches over arrays that exist already."""
+        self.weigh()
+        launch(begin_search_kernel, self.state.solution.size, [self.state])
+
     def descend(self) -> None:
         """Turn until the limit is reached; `weigh` comes before."""
         launch(begin_search_kernel, self.state.solution.size, [self.state])
+        self._loop.run()
+
+    def run(self) -> None:
+        """The same where `begin` comes before."""
         self._loop.run()
 
     def _turn(self) -> None:

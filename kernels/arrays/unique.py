@@ -68,6 +68,7 @@ class UniqueKeys:
 
     Attributes:
         count: Distinct keys m.
+        beside: The numbers that came to the host beside it.
         keys: int64 [m].
         order: int32 [n], positions by key; those of one key in their own order.
         starts: int32 [m + 1], where each key's positions begin in `order`.
@@ -77,17 +78,26 @@ class UniqueKeys:
     order: array(dtype=int32)
     starts: array(dtype=int32)
 
-    def __init__(self, keys: Keys, bit_count: int = 63, in_order: tuple[LongIntegers, Indices] | None = None) -> None:
+    def __init__(
+        self,
+        keys: Keys,
+        bit_count: int = 63,
+        in_order: tuple[LongIntegers, Indices] | None = None,
+        beside: Integers | None = None,
+    ) -> None:
         """Find the distinct ones among int64 keys of `bit_count` bits, none negative; one sync.
 
-        `in_order` is what `argsort_keys` would give, where another sort gave it already.
+        `in_order` is what `argsort_keys` would give, where another sort gave it already; `beside` are int32 numbers
+        that the host wants, too.
         """
         device = keys.device
         sorted_keys, self.order = in_order or argsort_keys(keys, bit_count)
-        self._last = None
+        self._last, self.beside = None, []
         if device.is_cuda and keys.size:
-            self._find_at_once(sorted_keys)
+            self._find_at_once(sorted_keys, beside)
             return
+        if beside is not None:
+            self.beside = download(beside).tolist()  # sync
         marks = empty(keys.size, uint8, device)
         launch(mark_run_starts_kernel, keys.size, [sorted_keys, marks])
         heads = positions_of(marks)
@@ -97,9 +107,9 @@ class UniqueKeys:
         copy(self.starts, heads, count=self.count)
         copy(self.starts, upload(np.array([keys.size]), int32, device), count=1, offset=self.count)
 
-    def _find_at_once(self, sorted_keys: Keys) -> None:
-        self.keys, self.starts, told = write_heads(sorted_keys)
-        self.count, low, high = download(told).tolist()  # sync
+    def _find_at_once(self, sorted_keys: Keys, beside: Integers | None) -> None:
+        self.keys, self.starts, told = write_heads(sorted_keys, beside)
+        self.count, low, high, *self.beside = download(told).tolist()  # sync
         self._last = (high << 32) | (low & 0xFFFF_FFFF)
         self.keys, self.starts = self.keys[: self.count], self.starts[: self.count + 1]
 
@@ -120,15 +130,17 @@ class UniqueKeys:
             self.keys, self.starts = self.keys[: self.count], self.starts[: self.count + 1]
 
 
-def write_heads(sorted_keys: Keys) -> tuple[Keys, Integers, Integers]:
+def write_heads(sorted_keys: Keys, beside: Integers | None = None) -> tuple[Keys, Integers, Integers]:
     """The distinct ones of at least one sorted key of a GPU: nothing waits for their number.
 
     Returns:
         (keys, starts, told): as those of UniqueKeys, but with room for n of them; and int32 [3], their number and the
-        last key, its low half first.
+        last key, its low half first; behind them what is wanted `beside`.
     """
     n, device = sorted_keys.size, sorted_keys.device
-    ranks = empty(n + 2, int32, device)
+    ranks = empty(n + 2 + (0 if beside is None else beside.size), int32, device)
+    if beside is not None:
+        copy(ranks, beside, count=beside.size, offset=n + 2)
     launch(mark_heads_kernel, n, [sorted_keys, ranks])
     inclusive_scan(ranks[:n], ranks[:n])
     keys, starts = empty(n, int64, device), empty(n + 1, int32, device)

@@ -11,19 +11,24 @@ from ..arrays.sort import positions
 from ..arrays.union_find import flatten_sets_kernel, unite
 from ..arrays.unique import UniqueKeys
 from ..lang import array, int32, int64, kernel, launch, tid, uint8, vec3i
-from ..memory import empty, zeros
+from ..memory import empty
 from .merge_vertices import find_equal_vertices
-from .mesh_edges import edge_key, find_edges, key_bits
+from .mesh_edges import edge_key, key_bits, sorted_edges
 from .mesh_topology import corner_vertex, next_corner
 
 
 @kernel
-def mark_border_kernel(edges: UniqueKeys, mask: array(dtype=uint8)):
-    """1 for half-edges that have their edge alone."""
+def mark_border_kernel(keys: array(dtype=int64), order: array(dtype=int32), mask: array(dtype=uint8)):
+    """1 for half-edges that have their edge alone, by the sorted edges of all."""
     i = tid()
-    first = edges.starts[i]
-    if edges.starts[i + 1] - first == 1:
-        mask[edges.order[first]] = uint8(1)
+    alone = 1
+    if i > 0:
+        if keys[i - 1] == keys[i]:
+            alone = 0
+    if i + 1 < keys.shape[0]:
+        if keys[i + 1] == keys[i]:
+            alone = 0
+    mask[order[i]] = uint8(alone)
 
 
 @kernel
@@ -79,8 +84,8 @@ def mark_members_kernel(owners: array(dtype=int32), mask: array(dtype=uint8)):
 def find_seams(vertices: Points, triangles: Triangles) -> Indices | None:
     """The lowest vertex of those that are one place of the surface, int32 [m]; None where there is no seam."""
     device, count = triangles.device, vertices.size
-    edges, border = find_edges(triangles, count), zeros(3 * triangles.size, uint8, device)  # sync
-    launch(mark_border_kernel, edges.count, [edges, border])
+    border = empty(3 * triangles.size, uint8, device)
+    launch(mark_border_kernel, border.size, [*sorted_edges(triangles, count), border])
     rows, bits = positions_of(border), key_bits(count)  # sync
     if not rows.size:
         return None

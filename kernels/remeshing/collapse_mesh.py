@@ -7,20 +7,21 @@ contraction", 1999.
 
 Triangles around a vertex are listed once by a sort; each round then joins the lists of the ends of edges that
 collapsed, so what a thread reads of its surroundings lies side by side. Half-edges and vertices keep their numbers from
-round to round, and what is gone is squeezed out when it is a quarter of all. Some 150 B of memory a triangle, twice
-that while it is squeezed.
+round to round, and what is gone is squeezed out when it is a quarter of all (squeezed_mesh.py). How much there is
+stands in a record on the device, which nobody waits for: on CUDA launches are over the most that there can be, and
+threads beyond what there is do nothing. Some 300 B of memory a triangle, with a twin for what is new.
 """
 
+import copy
 from collections.abc import Sequence
 
+import numpy as np
+
 from ..array_types import Array1, Integers, Positions, Triangles, Vectors
+from ..arrays.loop_scan import LoopScan
 from ..arrays.packed_keys import NO_KEY
-from ..arrays.prefix_sum import exclusive_scan
-from ..arrays.select import gather_rows
-from ..arrays.sort import positions
 from ..lang import array, func, int32, int64, kernel, launch, struct, tid, uint8, vec2, vec2i, vec3d, vec3i
-from ..memory import clone, empty, full, zeros
-from ..meshes.mesh_edits import gather_corners, gather_triangles, renumber_triangles_kernel
+from ..memory import clone, empty, fill, full, host_view, upload, zeros
 from ..meshes.mesh_topology import CornersByVertex, corner_vertex, next_corner
 from .quadrics import quadric
 
@@ -28,6 +29,16 @@ OWNER, FEATURE = 1, 2  # bits of a half-edge: the one that speaks for its edge; 
 FREE, LINE, CORNER = 0, 1, 2  # kinds of vertices
 REFUSED_KEY = NO_KEY - 1  # of an edge that may not collapse as things are around it
 STALE_KEY = NO_KEY - 2  # of an edge that is to be priced
+
+# Places of the record: triangles that are left, triangles and vertices with those that are gone, edges that are looked
+# at, that may collapse at once, that do; the bin of the dearest that are looked at, -1 for none.
+TRIANGLES, SLOTS, VERTICES, EDGES, PICKED, CHOSEN, BIN = 0, 1, 2, 3, 4, 5, 6
+# Whether triangles may turn over, seams are features, what is gone is to be squeezed out, all features to be found.
+BENDING, SEAMS, SQUEEZE, EVERY = 7, 8, 9, 10
+NUMBERS = 11
+
+LISTS = ("starts", "corners", "spokes")  # what a round makes anew
+OTHERS = ("positions", "quadrics", "triangles", "uvs", "materials", "flags", "kinds", "touched", "keys")
 
 
 @struct
@@ -47,9 +58,9 @@ class CollapseMesh:
         kinds: uint8 [m].
         touched: uint8 [m], 1 for vertices of edges that collapsed in the last round, and those next to them.
         keys: int64 [3 t], the prices of edges at their owners; NO_KEY elsewhere.
+        numbers: int32, the record of where the rounds are.
         has_uvs, has_materials: 1 or 0.
         rows: The vec3 [m] arrays that belong to vertices; on the host.
-        triangle_count: Triangles that are left; on the host.
     """
 
     positions: array(dtype=vec3d)
@@ -64,6 +75,7 @@ class CollapseMesh:
     kinds: array(dtype=uint8)
     touched: array(dtype=uint8)
     keys: array(dtype=int64)
+    numbers: array(dtype=int32)
     has_uvs: int
     has_materials: int
 
@@ -76,11 +88,14 @@ class CollapseMesh:
         rows: Sequence[Vectors],
     ) -> None:
         device = triangles.device
-        self.positions, self.triangles = places, triangles
-        self.rows, self.triangle_count = [clone(values) for values in rows], triangles.size
+        self.positions, self.triangles = places, clone(triangles)
+        self.rows = [clone(values) for values in rows]
+        numbers = np.zeros(NUMBERS, np.int32)
+        numbers[[TRIANGLES, SLOTS, VERTICES, SEAMS, EVERY]] = triangles.size, triangles.size, places.size, 1, 1
+        self.numbers = upload(numbers, int32, device)
         self.has_uvs, self.has_materials = int(uvs is not None), int(materials is not None)
-        self.uvs = empty(1, vec2, device) if uvs is None else uvs
-        self.materials = empty(1, int32, device) if materials is None else materials
+        self.uvs = empty(1, vec2, device) if uvs is None else clone(uvs)
+        self.materials = empty(1, int32, device) if materials is None else clone(materials)
         around = CornersByVertex(triangles, places.size)
         self.starts, self.corners = around.starts, around.corners
         self.spokes = empty(3 * triangles.size, vec2i, device)
@@ -89,62 +104,59 @@ class CollapseMesh:
         self.touched = zeros(places.size, uint8, device)
         self.keys = full(3 * triangles.size, NO_KEY, int64, device)
 
-    def find_all_features(self, with_seams: bool) -> None:
-        """Flag all half-edges and sort all vertices into kinds; their edges are to be priced."""
-        every = positions(self.positions.size, self.triangles.device)
-        launch(flag_edges_kernel, every.size, [self, every, int(with_seams), 0, self.flags, self.keys])
-        launch(sort_vertices_kernel, every.size, [self, every, self.kinds])
+    def live(self, number: int, most: int) -> int:
+        """Threads for what a number of the record counts: so many on the CPU, `most` on CUDA, which is not asked."""
+        return most if self.numbers.device.is_cuda else int(host_view(self.numbers)[number])
 
-    def find_features(self, moved: Integers, with_seams: bool) -> None:
+    def twin(self) -> "CollapseMesh":
+        """Room for all that changes from round to round, of the same record."""
+        other = copy.copy(self)
+        for name in (*LISTS, *OTHERS):
+            values = getattr(self, name)
+            setattr(other, name, empty(values.shape, values.dtype, values.device))
+        other.rows = [empty(values.shape, values.dtype, values.device) for values in self.rows]
+        fill(other.starts, 0)
+        return other
+
+    def exchange(self, other: "CollapseMesh", names: Sequence[str]) -> None:
+        """Take arrays of a twin for one's own."""
+        for name in names:
+            mine = getattr(self, name)
+            setattr(self, name, getattr(other, name))
+            setattr(other, name, mine)
+
+    def find_all_features(self) -> None:
+        """Flag all half-edges and sort all vertices into kinds, where the record says so; all edges want a price."""
+        every, count = empty(0, int32, self.numbers.device), self.live(VERTICES, self.positions.size)
+        self._find_features(every, count)
+
+    def find_features(self, moved: Integers, most: int) -> None:
         """The same around vertices that moved, of which none is next to another; int32 device array."""
-        launch(flag_edges_kernel, moved.size, [self, moved, int(with_seams), 1, self.flags, self.keys])
-        launch(sort_vertices_kernel, moved.size, [self, moved, self.kinds])
+        self._find_features(moved, self.live(CHOSEN, most))
 
-    def join_corners(self, partners: Integers) -> None:
+    def _find_features(self, rows: Integers, count: int) -> None:
+        launch(flag_edges_kernel, count, [self, rows, self.flags, self.keys])
+        launch(sort_vertices_kernel, count, [self, rows, self.kinds])
+
+    def join_corners(self, partners: Integers, other: "CollapseMesh", scan: LoopScan) -> None:
         """List the corners anew after a round.
 
         Args:
             partners: int32 [m], the vertex whose corners each takes over; -2 - v where v takes its own; else -1.
+            other: The twin.
+            scan: For as many counts as there are vertices.
         """
-        device, count = self.triangles.device, self.positions.size
-        counts = empty(count, int32, device)
+        count = self.live(VERTICES, self.positions.size)
+        counts = other.starts[1:]
         launch(count_corners_kernel, count, [self, partners, counts])
-        starts, total = exclusive_scan(counts)  # sync
-        corners, spokes = empty(total, int32, device), empty(total, vec2i, device)
-        launch(join_corners_kernel, count, [self, partners, starts, corners, spokes])
-        self.starts, self.corners, self.spokes, self.triangle_count = starts, corners, spokes, total // 3
-
-    def squeeze(self) -> None:
-        """Renumber what is left, in its order."""
-        device, slots = self.triangles.device, self.corners.size
-        left = empty(self.triangles.size, int32, device)
-        used = empty(self.positions.size, int32, device)
-        launch(mark_triangles_kernel, left.size, [self.triangles, left])
-        launch(mark_vertices_kernel, used.size, [self.starts, used])
-        triangle_places, triangle_count = exclusive_scan(left)  # sync
-        vertex_places, vertex_count = exclusive_scan(used)  # sync
-        old_triangles, old_vertices = empty(triangle_count, int32, device), empty(vertex_count, int32, device)
-        launch(list_marked_kernel, left.size, [left, triangle_places, old_triangles])
-        launch(list_marked_kernel, used.size, [used, vertex_places, old_vertices])
-
-        triangles = empty(triangle_count, vec3i, device)
-        taken = gather_triangles(self.triangles, old_triangles)
-        launch(renumber_triangles_kernel, triangle_count, [taken, vertex_places, triangles])
-        keys, flags = empty(3 * triangle_count, int64, device), empty(3 * triangle_count, uint8, device)
-        launch(gather_edges_kernel, keys.size, [self, old_triangles, keys, flags])
-        if self.has_uvs:
-            self.uvs = gather_corners(self.uvs, old_triangles)
-        if self.has_materials:
-            self.materials = gather_rows(self.materials, old_triangles)
-
-        places, quadrics = empty(vertex_count, vec3d, device), empty(vertex_count, quadric, device)
-        kinds, touched = empty(vertex_count, uint8, device), empty(vertex_count, uint8, device)
-        starts = full(vertex_count + 1, slots, int32, device)
-        launch(gather_vertices_kernel, vertex_count, [self, old_vertices, places, quadrics, kinds, touched, starts])
-        launch(renumber_corners_kernel, slots, [triangle_places, vertex_places, self.corners, self.spokes])
-        self.rows = [gather_rows(values, old_vertices) for values in self.rows]
-        self.triangles, self.keys, self.flags, self.starts = triangles, keys, flags, starts
-        self.positions, self.quadrics, self.kinds, self.touched = places, quadrics, kinds, touched
+        scan.run(counts, counts, count)
+        launch(join_corners_kernel, count, [self, partners, other.starts, other.corners, other.spokes])
+        if self.numbers.device.is_cuda:
+            launch(
+                keep_lists_kernel, max(self.corners.size, count + 1), [other, self.starts, self.corners, self.spokes]
+            )
+        else:
+            self.exchange(other, LISTS)
 
 
 @func
@@ -177,6 +189,9 @@ def joined_spoke(mesh: CollapseMesh, j: int, partners: array(dtype=int32)) -> ve
 def count_corners_kernel(mesh: CollapseMesh, partners: array(dtype=int32), counts: array(dtype=int32)):
     """How many triangles each vertex has after a round; those are gone that have a vertex twice."""
     i = tid()
+    if i >= mesh.numbers[VERTICES]:
+        counts[i] = 0
+        return
     count = 0
     v = i if partners[i] > -2 else -1
     while v >= 0:
@@ -198,6 +213,8 @@ def join_corners_kernel(
 ):
     """The corners of each vertex, then those that it takes over."""
     i = tid()
+    if i >= mesh.numbers[VERTICES]:
+        return
     place = starts[i]
     v = i if partners[i] > -2 else -1
     while v >= 0:
@@ -211,26 +228,17 @@ def join_corners_kernel(
 
 
 @kernel
-def mark_triangles_kernel(triangles: array(dtype=vec3i), left: array(dtype=int32)):
-    """1 for triangles that are left."""
+def keep_lists_kernel(
+    other: CollapseMesh, starts: array(dtype=int32), corners: array(dtype=int32), spokes: array(dtype=vec2i)
+):
+    """The lists of a twin, over those that are."""
     i = tid()
-    t = triangles[i]
-    left[i] = 1 if t[0] >= 0 else 0
-
-
-@kernel
-def mark_vertices_kernel(starts: array(dtype=int32), used: array(dtype=int32)):
-    """1 for vertices with triangles."""
-    i = tid()
-    used[i] = 1 if starts[i + 1] > starts[i] else 0
-
-
-@kernel
-def list_marked_kernel(marks: array(dtype=int32), places: array(dtype=int32), rows: array(dtype=int32)):
-    """The rows with a mark."""
-    i = tid()
-    if marks[i] == 1:
-        rows[places[i]] = i
+    count = other.numbers[VERTICES]
+    if i <= count:
+        starts[i] = other.starts[i]
+    if i < other.starts[count]:
+        corners[i] = other.corners[i]
+        spokes[i] = other.spokes[i]
 
 
 @func
@@ -242,55 +250,6 @@ def mix_number(h: int) -> int64:
     x = (int64(h) * 0x9E3779B1) & 0xFFFFFFFF
     x = x ^ (x >> 15)
     return (x * 0x85EBCA6B) & 0xFFFFFFFF
-
-
-@kernel
-def gather_edges_kernel(
-    mesh: CollapseMesh, rows: array(dtype=int32), keys: array(dtype=int64), flags: array(dtype=uint8)
-):
-    """What belongs to the half-edges of some triangles; prices stay, above the new numbers: no two keys are equal."""
-    i = tid()
-    h = 3 * rows[i // 3] + i % 3
-    key = mesh.keys[h]
-    if key < int64(STALE_KEY):
-        key = ((key >> 32) << 32) | mix_number(i)
-    keys[i] = key
-    flags[i] = mesh.flags[h]
-
-
-@kernel
-def gather_vertices_kernel(
-    mesh: CollapseMesh,
-    rows: array(dtype=int32),
-    positions: array(dtype=vec3d),
-    quadrics: array(dtype=quadric),
-    kinds: array(dtype=uint8),
-    touched: array(dtype=uint8),
-    starts: array(dtype=int32),
-):
-    """What belongs to some vertices, all those with corners."""
-    i = tid()
-    v = rows[i]
-    positions[i] = mesh.positions[v]
-    quadrics[i] = mesh.quadrics[v]
-    kinds[i] = mesh.kinds[v]
-    touched[i] = mesh.touched[v]
-    starts[i] = mesh.starts[v]
-
-
-@kernel
-def renumber_corners_kernel(
-    triangle_places: array(dtype=int32),
-    vertex_places: array(dtype=int32),
-    corners: array(dtype=int32),
-    spokes: array(dtype=vec2i),
-):
-    """Corners and spokes by the new numbers."""
-    i = tid()
-    h = corners[i]
-    s = spokes[i]
-    corners[i] = 3 * triangle_places[h // 3] + h % 3
-    spokes[i] = vec2i(vertex_places[s[0]], vertex_places[s[1]])
 
 
 # ------------------------------------------------------------------------------------------------ features
@@ -376,18 +335,29 @@ def edge_flags(mesh: CollapseMesh, h: int, a: int, b: int, seams: int) -> int:
     return value
 
 
+@func
+def row_at(mesh: CollapseMesh, i: int, rows: array(dtype=int32)) -> int:
+    """The i-th of vertices that moved, or of all where there are no rows and the record says so; -1 for none."""
+    v = -1
+    if rows.shape[0] > 0:
+        if i < mesh.numbers[CHOSEN]:
+            v = rows[i]
+    elif mesh.numbers[EVERY] == 1 and i < mesh.numbers[VERTICES]:
+        v = i
+    return v
+
+
 @kernel
 def flag_edges_kernel(
-    mesh: CollapseMesh,
-    rows: array(dtype=int32),
-    seams: int,
-    both_ways: int,
-    flags: array(dtype=uint8),
-    keys: array(dtype=int64),
+    mesh: CollapseMesh, rows: array(dtype=int32), flags: array(dtype=uint8), keys: array(dtype=int64)
 ):
-    """The bits of the half-edges that leave some vertices, or also of those that lead there."""
+    """The bits of the half-edges that leave some vertices and that lead there; of all where there are no rows."""
     i = tid()
-    v = rows[i]
+    v = row_at(mesh, i, rows)
+    if v < 0:
+        return
+    seams = mesh.numbers[SEAMS]
+    both_ways = min(rows.shape[0], 1)
     for j in range(mesh.starts[v], mesh.starts[v + 1]):
         c = mesh.corners[j]
         s = mesh.spokes[j]
@@ -405,7 +375,9 @@ def flag_edges_kernel(
 def sort_vertices_kernel(mesh: CollapseMesh, rows: array(dtype=int32), kinds: array(dtype=uint8)):
     """How many feature edges end at a vertex: none, two, or another number; each edge is counted at its owner."""
     i = tid()
-    v = rows[i]
+    v = row_at(mesh, i, rows)
+    if v < 0:
+        return
     count = 0
     both = OWNER + FEATURE
     for j in range(mesh.starts[v], mesh.starts[v + 1]):

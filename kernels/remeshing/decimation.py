@@ -4,7 +4,7 @@ Garland and Heckbert, "Surface simplification using quadric error metrics", 1997
 priced; those up to a limit, which leaves out two of three, are looked at, and of them a set collapses in which no edge
 is next to another, some 6 % of all vertices. So the order is nearly that of a queue, and the triangles go in about
 25 rounds to a tenth. A round costs some 200 B read and written a triangle that is there; all rounds together as much as
-eight of the first.
+eight of the first. On CUDA all rounds are one graph (collapse_rounds.py), and the host waits for what is left.
 """
 
 from collections.abc import Sequence
@@ -16,19 +16,13 @@ from ..arrays.packed_keys import NO_KEY, pack_key
 from ..arrays.select import gather_rows, positions_of
 from ..arrays.sort import argsort_keys
 from ..lang import array, cross, int32, int64, kernel, launch, length, tid, uint8, vec2
-from ..memory import download, empty, upload, zeros
+from ..memory import clone, download, empty, full
 from ..meshes.mesh_edits import gather_corners, gather_triangles
-from .collapse_mesh import CollapseMesh, edge_valence
-from .edge_choice import choose_edges
-from .edge_collapse import cheapest_edges, collapse_edges
-from .edge_prices import BIN_SHIFT, BINS, mark_cheap_edges_kernel, price_edges_kernel, sum_quadrics_kernel
+from .collapse_mesh import TRIANGLES, VERTICES, CollapseMesh, edge_valence
+from .collapse_rounds import CollapseRounds
+from .edge_prices import sum_quadrics_kernel
 from .quadrics import quadric
 from .unit_frame import UnitFrame
-
-SHARE = 0.35  # of all edges that may collapse those that are looked at in a round: more is faster and less exact
-LEAST = 4  # edges are looked at in any case
-TURNS = 3  # of choosing a round
-LEFT = 0.75  # of the triangles: where fewer are left, what is gone is squeezed out
 
 
 @kernel
@@ -59,6 +53,14 @@ def measure_lone_kernel(mesh: CollapseMesh, keys: array(dtype=int64)):
         if area > 0.0:
             key = pack_key(float(area), i)
     keys[i] = key
+
+
+@kernel
+def keep_lone_kernel(keys: array(dtype=int64), order: array(dtype=int32), mask: array(dtype=uint8)):
+    """0 for the triangles of the first keys, where they are lone."""
+    i = tid()
+    if keys[i] != int64(NO_KEY):
+        mask[order[i]] = uint8(0)
 
 
 class Decimation:
@@ -94,7 +96,7 @@ class Decimation:
         mesh = self._whole_mesh(triangles, per_vertex, uvs, materials)
         device = triangles.device
         mesh.quadrics = empty(mesh.positions.size, quadric, device)
-        mesh.find_all_features(True)
+        mesh.find_all_features()
         launch(sum_quadrics_kernel, mesh.positions.size, [mesh, border_weight, mesh.quadrics])
         self.mesh = mesh
 
@@ -120,77 +122,38 @@ class Decimation:
         Where no edge may collapse any more, and any error is allowed: seams of textures and materials are let go for
         good; then triangles may turn over, for one round at a time; and in the end lone triangles go.
         """
-        mesh, seams, bending = self.mesh, True, False
-        while mesh.triangle_count > self.target:
-            collapsed = self.run_round(bending, seams)
-            if collapsed:
-                bending = False
-            elif collapsed is None:
-                if bending or np.isfinite(self.most):
-                    break
-                bending = not (seams and (mesh.has_uvs or mesh.has_materials))
-                seams = seams and bending
-                mesh.find_all_features(seams)
-        mesh.squeeze()
-        if mesh.triangle_count > self.target and np.isinf(self.most):
-            self._drop_lone()
-
-    def price_edges(self) -> Indices:
-        """Give edges the prices that they lack, and count all prices by bins."""
-        bins = zeros(BINS, int32, self.mesh.keys.device)
-        launch(price_edges_kernel, self.mesh.keys.size, [self.mesh, self.most, self.mesh.keys, bins])
-        return bins
-
-    def run_round(self, bending: bool, seams: bool) -> int | None:
-        """Collapse some edges: how many; None where there is none to be looked at."""
         mesh = self.mesh
-        device, excess = mesh.keys.device, mesh.triangle_count - self.target
-        limit = _price_limit(self.price_edges(), excess)
-        if limit < 0:
-            return None
-        mask = empty(mesh.keys.size, uint8, device)
-        launch(mark_cheap_edges_kernel, mask.size, [mesh.keys, limit, mask])
-        edges = positions_of(mask)  # sync
-        chosen, touched = choose_edges(mesh, edges, TURNS, bending)
-        edges = gather_rows(edges, positions_of(chosen))  # sync
-        if 2 * edges.size > excess:
-            edges = cheapest_edges(mesh, edges, excess)
-        if edges.size:
-            moved = collapse_edges(mesh, edges, self.unit, touched)
-            mesh.find_features(moved, seams)
-        else:
-            mesh.touched = touched
-        if mesh.triangle_count < LEFT * mesh.triangles.size:
-            mesh.squeeze()
-        return edges.size
+        if not mesh.triangles.size:
+            return
+        rounds = CollapseRounds(mesh, self.unit, self.target, self.most)
+        rounds.run()
+        self.mesh = mesh = rounds.mesh
+        numbers = download(mesh.numbers)  # sync
+        left, vertices = int(numbers[TRIANGLES]), int(numbers[VERTICES])
+        sizes = {"triangles": left, "positions": vertices}
+        sizes |= {"uvs": 3 * left} if mesh.has_uvs else {}
+        sizes |= {"materials": left} if mesh.has_materials else {}
+        for name, count in sizes.items():
+            setattr(mesh, name, clone(getattr(mesh, name)[:count]))
+        mesh.rows = [clone(rows[:vertices]) for rows in mesh.rows]
+        if left > self.target and np.isinf(self.most):
+            self._drop_lone()
 
     def _drop_lone(self) -> None:
         """Drop the smallest of the triangles that share no edge with another."""
         mesh = self.mesh
-        keys = empty(mesh.triangles.size, int64, mesh.triangles.device)
-        launch(measure_lone_kernel, keys.size, [mesh, keys])
+        count, device = mesh.triangles.size, mesh.triangles.device
+        keys, mask = empty(count, int64, device), full(count, 1, uint8, device)
+        launch(measure_lone_kernel, count, [mesh, keys])
         keys, order = argsort_keys(keys)
-        lone = int(np.searchsorted(download(keys), NO_KEY))  # sync
-        dropped = min(lone, mesh.triangle_count - self.target)
-        if dropped:
-            rows = np.sort(download(order)[dropped:])
-            self.mesh = self._mesh_at(upload(rows, int32, keys.device), mesh)
-            self.mesh.positions = mesh.positions
+        launch(keep_lone_kernel, count - self.target, [keys, order, mask])
+        rows = positions_of(mask)  # sync
+        if rows.size < count:
+            positions, self.mesh = mesh.positions, self._mesh_at(rows, mesh)
+            self.mesh.positions = positions
 
     def result(self) -> tuple[Triangles, list[Vectors], Array1[vec2] | None, Integers | None]:
         """(triangles, per_vertex, uvs or None, materials or None); some vertices may be without triangles."""
         mesh = self.mesh
         uvs, materials = mesh.uvs if mesh.has_uvs else None, mesh.materials if mesh.has_materials else None
         return mesh.triangles, [self.frame.unscaled(mesh.positions), *mesh.rows], uvs, materials
-
-
-def _price_limit(bins: Integers, excess: int) -> int:
-    """The largest key of the edges to be looked at, -1 where there are none.
-
-    They are a share of all, and no more than triangles are to go: towards the end only the cheapest should.
-    """
-    counts = np.cumsum(download(bins), dtype=np.int64)  # sync
-    if counts[-1] == 0:
-        return -1
-    wanted = min(max(min(SHARE * counts[-1], excess), LEAST), counts[-1])
-    return ((int(np.searchsorted(counts, wanted)) + 1) << (BIN_SHIFT + 32)) - 1

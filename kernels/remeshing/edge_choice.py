@@ -9,9 +9,9 @@ collapse is out until something near it moves, and the rest chooses again.
 from ..array_types import Bytes, Indices
 from ..arrays.packed_keys import NO_KEY
 from ..lang import array, atomic_min, func, int32, int64, kernel, launch, tid, uint8
-from ..memory import empty, fill, zeros
+from ..memory import empty, fill
 from ..meshes.mesh_topology import corner_vertex, next_corner
-from .collapse_mesh import REFUSED_KEY, STALE_KEY, CollapseMesh
+from .collapse_mesh import BENDING, EDGES, REFUSED_KEY, STALE_KEY, VERTICES, CollapseMesh
 from .edge_prices import may_collapse
 
 
@@ -21,6 +21,8 @@ def take_edges_kernel(
 ):
     """The least key of the edges at each vertex, of edges with no end blocked; a minimum is the same in any order."""
     i = tid()
+    if i >= mesh.numbers[EDGES]:
+        return
     h = edges[i]
     key = mesh.keys[h]
     if key < int64(STALE_KEY):
@@ -59,13 +61,14 @@ def choose_edges_kernel(
     mesh: CollapseMesh,
     edges: array(dtype=int32),
     least: array(dtype=int64),
-    bending: int,
     keys: array(dtype=int64),
     chosen: array(dtype=uint8),
     blocked: array(dtype=uint8),
 ):
     """Choose or refuse the edges whose key is the least all around; `keys` are those of the mesh."""
     i = tid()
+    if i >= mesh.numbers[EDGES]:
+        return
     h = edges[i]
     key = mesh.keys[h]
     a = corner_vertex(mesh.triangles, h)
@@ -75,7 +78,7 @@ def choose_edges_kernel(
         if first == 1:
             first = is_least_around(mesh, b, key, least)
         if first == 1:
-            if may_collapse(mesh, h, a, b, bending) == 1:
+            if may_collapse(mesh, h, a, b, mesh.numbers[BENDING]) == 1:
                 chosen[i] = 1
                 block_around(mesh, a, blocked)
                 block_around(mesh, b, blocked)
@@ -83,23 +86,32 @@ def choose_edges_kernel(
                 keys[h] = int64(REFUSED_KEY)
 
 
-def choose_edges(mesh: CollapseMesh, edges: Indices, turns: int, bending: bool) -> tuple[Bytes, Bytes]:
-    """Edges that may collapse at once.
+class EdgeChoice:
+    """Room to choose edges.
 
-    Args:
-        mesh: CollapseMesh, whose keys of refused edges change.
-        edges: int32, the owners of edges to choose from.
-        turns: How often the rest chooses again.
-        bending: Whether triangles may turn.
-
-    Returns:
-        (uint8 mask of `edges`, uint8 [m]: vertices of chosen edges and those around them).
+    Attributes:
+        chosen: uint8 mask of edges; zero behind those there are.
     """
-    device, count = edges.device, mesh.positions.size
-    chosen, blocked = zeros(edges.size, uint8, device), zeros(count, uint8, device)
-    least = empty(count, int64, device)
-    for _ in range(turns):
-        fill(least, NO_KEY)
-        launch(take_edges_kernel, edges.size, [mesh, edges, blocked, least])
-        launch(choose_edges_kernel, edges.size, [mesh, edges, least, int(bending), mesh.keys, chosen, blocked])
-    return chosen, blocked
+
+    def __init__(self, mesh: CollapseMesh) -> None:
+        device = mesh.numbers.device
+        self.chosen: Bytes = empty(mesh.keys.size, uint8, device)
+        self._least = empty(mesh.positions.size, int64, device)
+
+    def run(self, mesh: CollapseMesh, edges: Indices, turns: int) -> None:
+        """Choose edges that may collapse at once; `mesh.touched` becomes 1 for their vertices and those around them.
+
+        Args:
+            mesh: CollapseMesh, whose keys of refused edges change.
+            edges: int32, the owners of edges to choose from, as many as the record says.
+            turns: How often the rest chooses again.
+        """
+        count, vertices = mesh.live(EDGES, edges.size), mesh.live(VERTICES, mesh.positions.size)
+        fill(self.chosen[:count], 0)
+        fill(mesh.touched[:vertices], 0)
+        least = self._least[:vertices]
+        for _ in range(turns):
+            fill(least, NO_KEY)
+            launch(take_edges_kernel, count, [mesh, edges, mesh.touched, self._least])
+            arguments = [mesh, edges, self._least, mesh.keys, self.chosen, mesh.touched]
+            launch(choose_edges_kernel, count, arguments)

@@ -7,15 +7,13 @@ normals, colours and texture coordinates are those of the place in the triangle 
 from collections.abc import Sequence
 
 from ..algebra.transform import narrow, widen
-from ..array_types import Bytes, Indices
+from ..array_types import Indices
+from ..arrays.loop_scan import LoopScan
 from ..arrays.packed_keys import NO_KEY
-from ..arrays.prefix_sum import exclusive_scan
-from ..arrays.select import gather_rows, positions_of
-from ..arrays.sort import argsort_keys
-from ..lang import array, dot, float64, func, int32, int64, kernel, launch, length, tid, uint8, vec2, vec3, vec3d, vec3i
-from ..memory import clone, empty, full
+from ..lang import array, dot, float64, func, int32, int64, kernel, launch, length, tid, vec2, vec3, vec3d, vec3i
+from ..memory import empty, fill
 from ..meshes.mesh_topology import corner_vertex, next_corner
-from .collapse_mesh import FREE, CollapseMesh, edge_at, edge_valence, last_corner, uv_at
+from .collapse_mesh import CHOSEN, FREE, VERTICES, CollapseMesh, edge_at, last_corner, uv_at
 from .edge_prices import place_vertex, placement
 from .quadrics import quadric
 
@@ -44,24 +42,20 @@ def place_in_triangle(a: vec3d, b: vec3d, c: vec3d, x: vec3d) -> vec3d:
 
 
 @kernel
-def collapse_edges_kernel(
+def place_edges_kernel(
     mesh: CollapseMesh,
     edges: array(dtype=int32),
+    places: array(dtype=vec3d),
     shares: array(dtype=vec3d),
     tips: array(dtype=int32),
-    partners: array(dtype=int32),
-    positions: array(dtype=vec3d),
-    quadrics: array(dtype=quadric),
-    triangles: array(dtype=vec3i),
-    keys: array(dtype=int64),
-    moved: array(dtype=int32),
 ):
-    """Move the first end of each edge to where its vertex comes to lie, and give it the triangles of the other end.
+    """Where the vertices of edges come to lie.
 
-    `shares` are those of the first end, the other end and the tip of the triangle beneath, whose corner is in `tips`;
-    `moved` are the first ends.
+    `shares` are those of the first end, the other end and the tip of the triangle beneath, whose corner is in `tips`.
     """
     i = tid()
+    if i >= mesh.numbers[CHOSEN]:
+        return
     h = edges[i]
     a = corner_vertex(mesh.triangles, h)
     b = corner_vertex(mesh.triangles, next_corner(h))
@@ -81,12 +75,37 @@ def collapse_edges_kernel(
                 if here[2] > best[2]:
                     best = here
                     tip = other
+    places[i] = x
     shares[i] = best
     tips[i] = tip
+
+
+@kernel
+def collapse_edges_kernel(
+    mesh: CollapseMesh,
+    edges: array(dtype=int32),
+    places: array(dtype=vec3d),
+    partners: array(dtype=int32),
+    positions: array(dtype=vec3d),
+    quadrics: array(dtype=quadric),
+    triangles: array(dtype=vec3i),
+    keys: array(dtype=int64),
+    moved: array(dtype=int32),
+):
+    """Move the first end of each edge to where its vertex comes to lie, and give it the triangles of the other end.
+
+    `moved` are the first ends.
+    """
+    i = tid()
+    if i >= mesh.numbers[CHOSEN]:
+        return
+    h = edges[i]
+    a = corner_vertex(triangles, h)
+    b = corner_vertex(triangles, next_corner(h))
     partners[a] = b
     partners[b] = -2 - a
-    quadrics[a] = mesh.quadrics[a] + mesh.quadrics[b]
-    positions[a] = x
+    quadrics[a] = quadrics[a] + quadrics[b]
+    positions[a] = places[i]
     moved[i] = a
     for j in range(mesh.starts[b], mesh.starts[b + 1]):
         s = mesh.spokes[j]
@@ -115,6 +134,8 @@ def merge_rows_kernel(
 ):
     """The rows of vertices that edges become; of unit length where `unit` is 1 and there is a length."""
     i = tid()
+    if i >= mesh.numbers[CHOSEN]:
+        return
     h = edges[i]
     a = corner_vertex(mesh.triangles, h)
     s = shares[i]
@@ -161,8 +182,10 @@ def merge_uvs_kernel(
     tips: array(dtype=int32),
     uvs: array(dtype=vec2),
 ):
-    """The texture coordinates of the corners around edges that collapse; `uvs` is a copy of those of the mesh."""
+    """The texture coordinates of the corners around edges that collapse; `uvs` are not those of the mesh."""
     i = tid()
+    if i >= mesh.numbers[CHOSEN]:
+        return
     h = edges[i]
     a = corner_vertex(mesh.triangles, h)
     b = corner_vertex(mesh.triangles, next_corner(h))
@@ -175,67 +198,49 @@ def merge_uvs_kernel(
 
 
 @kernel
-def count_gone_kernel(mesh: CollapseMesh, edges: array(dtype=int32), counts: array(dtype=int32)):
-    """How many triangles go with each edge."""
+def take_uvs_kernel(mesh: CollapseMesh, edges: array(dtype=int32), merged: array(dtype=vec2), uvs: array(dtype=vec2)):
+    """The coordinates of the corners around edges that collapse become what they were merged to."""
     i = tid()
-    a = corner_vertex(mesh.triangles, edges[i])
-    b = corner_vertex(mesh.triangles, next_corner(edges[i]))
-    counts[i] = edge_valence(mesh, a, b)
+    if i >= mesh.numbers[CHOSEN]:
+        return
+    h = edges[i]
+    v = corner_vertex(mesh.triangles, h)
+    for end in range(2):
+        for j in range(mesh.starts[v], mesh.starts[v + 1]):
+            c = mesh.corners[j]
+            uvs[c] = merged[c]
+        v = corner_vertex(mesh.triangles, next_corner(h))
 
 
-@kernel
-def gather_keys_kernel(mesh: CollapseMesh, edges: array(dtype=int32), keys: array(dtype=int64)):
-    """The keys of some edges."""
-    i = tid()
-    keys[i] = mesh.keys[edges[i]]
-
-
-@kernel
-def mark_first_kernel(offsets: array(dtype=int32), most: int, mask: array(dtype=uint8)):
-    """1 for rows before which fewer than `most` are counted."""
-    i = tid()
-    first = 0
-    if offsets[i] < most:
-        first = 1
-    mask[i] = uint8(first)
-
-
-def cheapest_edges(mesh: CollapseMesh, edges: Indices, most: int) -> Indices:
-    """The cheapest of some edges, as many as it takes for `most` triangles to go; all where they are not enough."""
-    device, count = edges.device, edges.size
-    keys, counts, mask = empty(count, int64, device), empty(count, int32, device), empty(count, uint8, device)
-    launch(gather_keys_kernel, count, [mesh, edges, keys])
-    edges = gather_rows(edges, argsort_keys(keys)[1])
-    launch(count_gone_kernel, count, [mesh, edges, counts])
-    offsets, _ = exclusive_scan(counts)  # sync
-    launch(mark_first_kernel, count, [offsets, most, mask])
-    return gather_rows(edges, positions_of(mask))  # sync
-
-
-def collapse_edges(mesh: CollapseMesh, edges: Indices, unit: Sequence[bool], touched: Bytes) -> Indices:
-    """Collapse edges of which none is next to another.
+class EdgeCollapse:
+    """Room to collapse edges.
 
     Args:
         mesh: CollapseMesh.
-        edges: int32, half-edges.
+        most: Edges at once.
         unit: For each of the mesh's rows whether they have unit length.
-        touched: uint8 [m], 1 for the vertices of the edges and those around them.
 
-    Returns:
-        The vertices that they have become, int32.
+    Attributes:
+        moved: The vertices that edges have become, int32.
     """
-    device, count = edges.device, edges.size
-    shares, tips, moved = empty(count, vec3d, device), empty(count, int32, device), empty(count, int32, device)
-    partners = full(mesh.positions.size, -1, int32, device)
-    places, triangles = clone(mesh.positions), clone(mesh.triangles)
-    outputs = [shares, tips, partners, places, mesh.quadrics, triangles, mesh.keys, moved]
-    launch(collapse_edges_kernel, count, [mesh, edges, *outputs])
-    for rows, is_unit in zip(mesh.rows, unit, strict=True):
-        launch(merge_rows_kernel, count, [mesh, edges, shares, tips, int(is_unit), rows])
-    if mesh.has_uvs:
-        uvs = clone(mesh.uvs)
-        launch(merge_uvs_kernel, count, [mesh, edges, shares, tips, uvs])
-        mesh.uvs = uvs
-    mesh.triangles, mesh.positions, mesh.touched = triangles, places, touched
-    mesh.join_corners(partners)
-    return moved
+
+    def __init__(self, mesh: CollapseMesh, most: int, unit: Sequence[bool]) -> None:
+        device, self.most, self.unit = mesh.numbers.device, most, unit
+        self.moved: Indices = empty(most, int32, device)
+        self._places, self._shares = empty(most, vec3d, device), empty(most, vec3d, device)
+        self._tips, self._partners = empty(most, int32, device), empty(mesh.positions.size, int32, device)
+        self._scan = LoopScan(mesh.positions.size, device)
+
+    def run(self, mesh: CollapseMesh, twin: CollapseMesh, edges: Indices) -> None:
+        """Collapse edges of which none is next to another: int32 half-edges, as many as the record says."""
+        count, vertices = mesh.live(CHOSEN, self.most), mesh.live(VERTICES, mesh.positions.size)
+        launch(place_edges_kernel, count, [mesh, edges, self._places, self._shares, self._tips])
+        for rows, is_unit in zip(mesh.rows, self.unit, strict=True):
+            launch(merge_rows_kernel, count, [mesh, edges, self._shares, self._tips, int(is_unit), rows])
+        if mesh.has_uvs:
+            launch(merge_uvs_kernel, count, [mesh, edges, self._shares, self._tips, twin.uvs])
+            launch(take_uvs_kernel, count, [mesh, edges, twin.uvs, mesh.uvs])
+        fill(self._partners[:vertices], -1)
+        outputs = [self._partners, mesh.positions, mesh.quadrics, mesh.triangles, mesh.keys, self.moved]
+        launch(collapse_edges_kernel, count, [mesh, edges, self._places, *outputs])
+        mesh.join_corners(self._partners, twin, self._scan)

@@ -30,7 +30,7 @@ from ..lang import (
     vec4d,
 )
 from ..meshes.mesh_topology import corner_vertex, next_corner
-from .collapse_mesh import FEATURE, FREE, LINE, STALE_KEY, CollapseMesh, last_corner, mix_number, valence
+from .collapse_mesh import BIN, FEATURE, FREE, LINE, SLOTS, STALE_KEY, CollapseMesh, last_corner, mix_number, valence
 from .quadrics import least_point, plane_quadric, quadric, quadric_error, quadric_trace
 
 REFUSED, BEST, FIRST, SECOND = -1, 0, 1, 2  # where the vertex of an edge comes to lie
@@ -45,6 +45,7 @@ TURN = 0.2  # least cosine between a triangle's normals before and after: 78 deg
 SHRINK = 1e-3  # least part of a triangle's area that is left
 BIN_SHIFT = 19  # of a float's bits: the sign, the exponent and four more bits number a bin
 BINS = 4096
+KEY_SHIFT = 32 + BIN_SHIFT  # of a key
 
 
 @func
@@ -148,6 +149,8 @@ def price_edges_kernel(mesh: CollapseMesh, most: float64, keys: array(dtype=int6
     A key stays where neither end moved; what was refused is priced again as soon as anything near it moved.
     """
     i = tid()
+    if i >= 3 * mesh.numbers[SLOTS]:
+        return
     key = keys[i]
     if key != int64(NO_KEY):
         if key >= int64(STALE_KEY):
@@ -161,12 +164,13 @@ def price_edges_kernel(mesh: CollapseMesh, most: float64, keys: array(dtype=int6
 
 
 @kernel
-def mark_cheap_edges_kernel(keys: array(dtype=int64), limit: int64, mask: array(dtype=uint8)):
-    """1 for keys up to a limit."""
+def mark_cheap_edges_kernel(keys: array(dtype=int64), numbers: array(dtype=int32), mask: array(dtype=uint8)):
+    """1 for keys up to the last of a bin."""
     i = tid()
     cheap = 0
-    if keys[i] <= limit:
-        cheap = 1
+    if i < 3 * numbers[SLOTS]:
+        if int(keys[i] >> int64(KEY_SHIFT)) <= numbers[BIN]:
+            cheap = 1
     mask[i] = uint8(cheap)
 
 

@@ -10,18 +10,20 @@ Notay, "An aggregation-based algebraic multigrid method", ETNA 37, 2010. All lev
 
 from ..array_types import Array2, Doubles, Indices, Integers, Positions
 from ..arrays.hash_table import mix_bits
-from ..arrays.prefix_sum import exclusive_scan
+from ..arrays.key_starts import find_key_starts
+from ..arrays.prefix_sum import offsets_of
 from ..arrays.run_sums import sum_columns
+from ..arrays.sort import argsort_keys
 from ..arrays.unique import UniqueKeys
-from ..lang import array, float64, func, int32, int64, kernel, launch, struct, tid, vec3d
-from ..memory import empty, full, zeros
+from ..lang import array, float64, func, int32, int64, kernel, launch, loop_while, struct, tid, vec3d
+from ..memory import download, empty, full, zeros
 from ..meshes.mesh_edges import MeshEdges, split_edge_keys_kernel
 from ..meshes.vertex_neighbors import VertexNeighbors
 
 ROUNDS = 8  # of choosing; a vertex that is undecided after them is chosen
 DAMPING = 0.85  # of Jacobi sweeps, which are stable below 1; 0.7 takes a tenth more turns
 STRETCH = 1.2  # of corrections, which are stiffer than the error that they stand for; 2 takes twice the turns
-COARSEST = 100  # vertices whose matrix is inverted: a launch a vertex, and 80 kB
+COARSEST = 100  # vertices whose matrix is inverted: two launches of a loop a vertex, and 80 kB
 FLAT = 1.0e-14  # of its diagonal: what rounding leaves of a pivot that should be zero
 UNDECIDED, CHOSEN, JOINED = 0, 1, 2
 
@@ -154,11 +156,11 @@ def mark_chosen_kernel(states: array(dtype=int32), marks: array(dtype=int32)):
 
 @kernel
 def find_parents_kernel(
-    level: Level, states: array(dtype=int32), places: array(dtype=int32), none: int, parents: array(dtype=int32)
+    level: Level, states: array(dtype=int32), places: array(dtype=int32), parents: array(dtype=int32)
 ):
-    """The coarse vertex of each vertex: of the chosen neighbour with the heaviest edge; `none` for held ones."""
+    """The coarse vertex of each vertex: of the chosen neighbour with the heaviest edge; none, the last place, if held."""
     i = tid()
-    parent = none
+    parent = places[places.shape[0] - 1]
     if states[i] == CHOSEN:
         parent = places[i]
     elif states[i] == JOINED:
@@ -185,7 +187,7 @@ def key_coarse_edges_kernel(
     highs: array(dtype=int32),
     parents: array(dtype=int32),
     weights: array(dtype=float64),
-    none: int,
+    places: array(dtype=int32),
     bits: int,
     keys: array(dtype=int64),
 ):
@@ -193,7 +195,8 @@ def key_coarse_edges_kernel(
     i = tid()
     a = parents[lows[i]]
     b = parents[highs[i]]
-    key = (int64(none) << int64(bits)) | int64(none)
+    none = places[places.shape[0] - 1]
+    key = (int64(1) << int64(2 * bits)) - 1
     if a != b and a != none and b != none and weights[i] > 0.0:
         key = (int64(min(a, b)) << int64(bits)) | int64(max(a, b))
     keys[i] = key
@@ -213,15 +216,22 @@ def measure_excess_kernel(level: Level, excess: array(dtype=float64, ndim=2)):
 
 
 class CoarseEdges:
-    """Edges between coarse vertices, ascending: `lows`, `highs`, `count`, and their `weights`."""
+    """Edges between coarse vertices, ascending: `lows`, `highs`, `count`, and their `weights`.
 
-    def __init__(self, level: Level, parents: Indices, coarse_count: int) -> None:
-        device, bits = parents.device, max(1, (coarse_count + 1).bit_length())
+    Attributes:
+        vertex_count: Coarse vertices; beside the number of edges it comes to the host in the one wait of a level.
+    """
+
+    def __init__(self, level: Level, parents: Indices, places: Integers) -> None:
+        device, coarse = parents.device, places[level.count :]
+        most = level.count if device.is_cuda else int(download(coarse)[0])  # fewer bits sort faster
+        bits = max(1, (most + 1).bit_length())
         keys = empty(level.edges.count, int64, device)
-        arguments = [level.edges.lows, level.edges.highs, parents, level.weights, coarse_count, bits, keys]
+        arguments = [level.edges.lows, level.edges.highs, parents, level.weights, places, bits, keys]
         launch(key_coarse_edges_kernel, level.edges.count, arguments)
-        unique = UniqueKeys(keys, 2 * bits)  # sync
-        unique.drop_last((coarse_count << bits) | coarse_count)  # sync
+        unique = UniqueKeys(keys, 2 * bits, beside=coarse)  # sync
+        self.vertex_count = unique.beside[0]
+        unique.drop_last((1 << (2 * bits)) - 1)
         self.count = unique.count
         self.lows, self.highs = empty(self.count, int32, device), empty(self.count, int32, device)
         launch(split_edge_keys_kernel, self.count, [unique.keys, bits, self.lows, self.highs])
@@ -254,18 +264,20 @@ class Coarsening:
             launch(choose_peaks_kernel, count, [level, states, int(turn == ROUNDS - 1), peaks])
             launch(join_peaks_kernel, count, [level, peaks, states])
         launch(mark_chosen_kernel, count, [states, marks])
-        places, self.count = exclusive_scan(marks)  # sync
+        places = offsets_of(marks)
         self.parents, keys = empty(count, int32, device), empty(count, int64, device)
-        launch(find_parents_kernel, count, [level, states, places, self.count, self.parents])
+        launch(find_parents_kernel, count, [level, states, places, self.parents])
+        self._edges = CoarseEdges(level, self.parents, places)  # sync
+        self.count = self._edges.vertex_count
         launch(key_members_kernel, count, [self.parents, keys])
-        groups = UniqueKeys(keys, max(1, self.count.bit_length()))  # sync
-        groups.drop_last(self.count)  # sync
-        self.members, self.starts = groups.order, groups.starts
+        keys, self.members = argsort_keys(keys, max(1, self.count.bit_length()))
+        self.starts = empty(self.count + 1, int32, device)
+        find_key_starts(keys, self.starts)
         self.rest, self.guess = empty(count, vec3d, device), empty(count, vec3d, device)
 
     def coarser(self, level: Level) -> Level:
         """The level of the coarse vertices."""
-        device, edges = level.free.device, CoarseEdges(level, self.parents, self.count)
+        device, edges = level.free.device, self._edges
         excess = empty((level.count, 1), float64, device)
         launch(measure_excess_kernel, level.count, [level, excess])
         coarse_excess = sum_columns(excess, self.members, self.starts)
@@ -336,23 +348,39 @@ def fill_matrix_kernel(level: Level, matrix: array(dtype=float64, ndim=2)):
 
 
 @kernel
-def eliminate_kernel(level: Level, matrix: array(dtype=float64, ndim=2), k: int, turned: array(dtype=float64, ndim=2)):
-    """Exchange unknown k for its right side (Gauss and Jordan), one thread an entry; zeros for a pivot that is none."""
+def eliminate_kernel(
+    level: Level, matrix: array(dtype=float64, ndim=2), done: array(dtype=int32), turned: array(dtype=float64, ndim=2)
+):
+    """Exchange the next unknown for its right side (Gauss and Jordan), one thread an entry; a copy where all are.
+
+    Zeros for a pivot that is none.
+    """
     i = tid()
     row = i // matrix.shape[0]
     column = i - row * matrix.shape[0]
-    scale = max(level.diagonal[k], matrix[k, k])
-    inverse = float64(0.0)
-    if matrix[k, k] > float64(FLAT) * scale:
-        inverse = 1.0 / matrix[k, k]
-    value = matrix[row, column] - matrix[row, k] * inverse * matrix[k, column]
-    if row == k:
-        value = inverse * matrix[k, column]
-    if column == k:
-        value = -inverse * matrix[row, k]
+    k = done[0]
+    value = matrix[row, column]
+    if k < matrix.shape[0]:
+        scale = max(level.diagonal[k], matrix[k, k])
+        inverse = float64(0.0)
+        if matrix[k, k] > float64(FLAT) * scale:
+            inverse = 1.0 / matrix[k, k]
+        value = value - matrix[row, k] * inverse * matrix[k, column]
         if row == k:
-            value = inverse
+            value = inverse * matrix[k, column]
+        if column == k:
+            value = -inverse * matrix[row, k]
+            if row == k:
+                value = inverse
     turned[row, column] = value
+
+
+@kernel
+def count_unknown_kernel(matrix: array(dtype=float64, ndim=2), done: array(dtype=int32), running: array(dtype=int32)):
+    """One more unknown is done."""
+    i = tid()
+    done[0] = done[0] + 1
+    running[i] = 1 if done[0] < matrix.shape[0] else 0
 
 
 @kernel
@@ -370,9 +398,14 @@ def invert(level: Level) -> Array2[float64]:
     device, count = level.free.device, level.count
     matrix, turned = zeros((count, count), float64, device), empty((count, count), float64, device)
     launch(fill_matrix_kernel, count, [level, matrix])
-    for k in range(count):
-        launch(eliminate_kernel, count * count, [level, matrix, k, turned])
-        matrix, turned = turned, matrix
+    done, running = zeros(1, int32, device), full(1, int(count > 0), int32, device)
+
+    def turn() -> None:
+        for before, after in ((matrix, turned), (turned, matrix)):
+            launch(eliminate_kernel, count * count, [level, before, done, after])
+            launch(count_unknown_kernel, 1, [matrix, done, running])
+
+    loop_while(running, turn)
     return matrix
 
 

@@ -6,9 +6,9 @@ coordinates are solved at once, as one system. A turn costs one product (40 B a 
 of the preconditioner (graph_levels.py). All is float64, sums run in fixed orders, and the device sees the loop's end.
 """
 
-from ..array_types import Positions
+from ..array_types import Array1, Positions
 from ..arrays.conjugate_gradients import ConjugateGradients, Gradients
-from ..lang import array, kernel, launch, tid, vec3d
+from ..lang import array, kernel, launch, tid, vec2d, vec3d
 from ..memory import download
 from .graph_levels import Level, Preconditioner, row_product
 
@@ -47,18 +47,29 @@ class LaplacianSolver:
         solution: vec3d [m], what it begins with; held vertices keep theirs.
         limit: Solved where the residual, weighted by the preconditioner, has at most this square.
         most: Turns of one solve.
+        unit: What the limit is measured in, the first number of vec2d [1]; 1 if None.
     """
 
-    def __init__(self, level: Level, solution: Positions, limit: float, most: int = MOST_TURNS) -> None:
-        self.level, self.state = level, Gradients(solution, limit, most)
+    def __init__(
+        self, level: Level, solution: Positions, limit: float, most: int = MOST_TURNS, unit: Array1[vec2d] | None = None
+    ) -> None:
+        self.level, self.state = level, Gradients(solution, limit, most, unit)
         self.preconditioner = Preconditioner(level)
         self._descent = ConjugateGradients(self.state, self._map, self._precondition)
 
     def solve(self, right: Positions) -> None:
         """Make `state.solution` the solution of vec3d [m] right sides."""
+        self.begin(right)
+        self.descend()
+
+    def begin(self, right: Positions) -> None:
+        """Set out for the solution of vec3d [m] right sides; launches over arrays that exist already."""
         launch(begin_residual_kernel, self.state.solution.size, [self.level, right, self.state])
-        self._descent.weigh()
-        self._descent.descend()
+        self._descent.begin()
+
+    def descend(self) -> None:
+        """Go there; `begin` comes before."""
+        self._descent.run()
 
     def check(self) -> None:
         """Refuse solutions that are none.

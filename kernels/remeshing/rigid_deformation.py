@@ -26,8 +26,10 @@ from ..lang import (
     length,
     mat33d,
     outer,
+    record,
     reduce,
     reduction,
+    replay,
     struct,
     tid,
     transpose,
@@ -36,7 +38,8 @@ from ..lang import (
     vec3d,
     vec3i,
 )
-from ..memory import clone, download, empty, zeros
+from ..language.device_lock import Recording
+from ..memory import clone, copy, empty, zeros
 from ..meshes.mesh_edges import MeshEdges, opposite_vertex
 from .graph_levels import Level
 from .laplacian_solver import LaplacianSolver
@@ -242,18 +245,49 @@ def deform_rigidly(
     launch(weigh_edges_kernel, edges.count, [triangles, edges, bending.rest, weights])
     free = _hold(edges, weights, bending, held, targets)
     level = Level(edges, weights, zeros((count, 1), float64, device), free)
-    stretch = float(download(reduce(measure_stretch, edges.count, [edges, weights, bending.rest]))[0, 0])  # sync
-    solver = LaplacianSolver(level, bending.places, TOLERANCE * TOLERANCE * stretch)
-    for turn in range(turns):
-        bending.rotations, bending.earlier = bending.earlier, bending.rotations
-        if turn == 0:
-            launch(rest_rotations_kernel, count, [bending.rotations])
-        else:
-            launch(rotate_vertices_kernel, count, [level, bending, likeness])
-        launch(pull_vertices_kernel, count, [level, bending])
-        solver.solve(bending.right)
+    stretch = reduce(measure_stretch, edges.count, [edges, weights, bending.rest])
+    solver = LaplacianSolver(level, bending.places, TOLERANCE * TOLERANCE, unit=stretch)
+    launch(rest_rotations_kernel, count, [bending.rotations])
+    _solve(level, bending, solver)
+    turn = _Turn(level, bending, solver, likeness)
+    for _ in range(turns - 1):
+        turn.run()
     solver.check()  # sync
     return bending.places, bending.rotations
+
+
+def _solve(level: Level, bending: Bending, solver: LaplacianSolver) -> None:
+    """The positions that the rotations want."""
+    launch(pull_vertices_kernel, level.count, [level, bending])
+    solver.solve(bending.right)
+
+
+class _Turn:
+    """A local and a global step: on CUDA what comes before the loop of the solve is recorded once."""
+
+    def __init__(self, level: Level, bending: Bending, solver: LaplacianSolver, likeness: float) -> None:
+        self.level, self.bending, self.solver, self.likeness = level, bending, solver, likeness
+        self._recorded: Recording | None = None
+
+    def run(self) -> None:
+        device = self.bending.rest.device
+        if not device.is_cuda:
+            self._prepare()
+        else:
+            if self._recorded is None:
+                self._recorded = record(device, self._prepare)
+            replay(self._recorded)
+        self.solver.descend()
+
+    def _prepare(self) -> None:
+        bending = self.bending
+        if bending.rest.device.is_cuda:  # arrays of a recording stay where they are
+            copy(bending.earlier, bending.rotations, count=bending.rotations.size)
+        else:
+            bending.rotations, bending.earlier = bending.earlier, bending.rotations
+        launch(rotate_vertices_kernel, self.level.count, [self.level, bending, self.likeness])
+        launch(pull_vertices_kernel, self.level.count, [self.level, bending])
+        self.solver.begin(bending.right)
 
 
 @kernel

@@ -69,3 +69,21 @@ def test_an_operation_asks_little_of_the_device(emulated, data, name):
 def test_farthest_points_are_one_graph_and_one_wait(emulated, data):
     asked = asked_for(emulated, lambda: choose_farthest(data.tree, 1000, 0))
     assert (asked["graphs"], asked["copies to host"]) == (1, 1)
+
+
+def test_decimation_is_one_graph_and_four_waits(emulated):
+    """However many rounds: the box, whether a triangle is there twice, what is left, the vertices that are used."""
+    mesh = loom.TriangleMesh.create_sphere(resolution=20).to("cuda:0")
+    for target in (500, 60):
+        asked = asked_for(emulated, lambda target=target: mesh.simplify_quadric_decimation(target))
+        assert (asked["graphs"], asked["copies to host"], asked["bytes to host"]) == (1, 4, 84)
+
+
+def test_a_mesh_is_bent_with_one_wait_a_level(emulated):
+    """The held vertices, seams, edges, five levels, and whether it settled: however many turns."""
+    mesh = loom.TriangleMesh.create_sphere(resolution=20).to("cuda:0")
+    for turns in (2, 6):
+        asked = asked_for(
+            emulated, lambda turns=turns: mesh.deform_as_rigid_as_possible([0, 1], [[0, 0, 1], [0, 0, -2]], turns)
+        )
+        assert (asked["graphs made"], asked["graphs"], asked["copies to host"]) == (3, 2 * turns, 9)

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from pointloom.core.devices import resolve_device
-from pointloom.kernels.arrays.prefix_sum import RUN, exclusive_scan, scan_two, sum_counts
+from pointloom.kernels.arrays.prefix_sum import RUN, exclusive_scan, offsets_of, scan_two, sum_counts
 from pointloom.kernels.lang import int32
 from pointloom.kernels.memory import upload
 
@@ -17,6 +17,7 @@ def test_offsets_are_the_exclusive_sums(device, size, rng):
     offsets, total = exclusive_scan(upload(counts, int32, resolve_device(device)))
     np.testing.assert_array_equal(offsets.numpy(), np.concatenate([[0], np.cumsum(counts)]))
     assert total == counts.sum()
+    np.testing.assert_array_equal(offsets_of(upload(counts, int32, resolve_device(device))).numpy(), offsets.numpy())
 
 
 @pytest.mark.parametrize(

@@ -7,7 +7,7 @@ import pytest
 
 from pointloom.kernels.arrays.run_sums import sum_columns
 from pointloom.kernels.arrays.unique import UniqueKeys
-from pointloom.kernels.lang import float64, int64
+from pointloom.kernels.lang import float64, int32, int64
 from pointloom.kernels.memory import download, upload
 
 
@@ -20,6 +20,15 @@ def test_unique_keys_have_numpys_counts_and_stable_positions(device, rng, count)
     assert (download(unique.counts()) == counts).all()
     assert (download(unique.order) == np.argsort(keys, kind="stable")).all()
     assert download(unique.starts).tolist() == [0, *np.cumsum(counts)]
+
+
+@pytest.mark.parametrize("count", [0, 1, 500])
+def test_numbers_come_to_the_host_beside_the_count(device, rng, count):
+    keys = rng.integers(0, 40, count)
+    unique = UniqueKeys(upload(keys, int64, device), 6, beside=upload(np.array([7, -3]), int32, device))
+    assert unique.beside == [7, -3] and unique.count == len(np.unique(keys))
+    unique.drop_last(int(keys.max(initial=0)))
+    assert unique.count == max(len(np.unique(keys)) - 1, 0)
 
 
 def test_the_last_key_is_dropped_only_where_it_is_the_one_named(device):

@@ -8,35 +8,62 @@ import numpy as np
 import pytest
 
 from pointloom.core.devices import resolve_device
-from pointloom.kernels.arrays.select import gather_rows, positions_of
-from pointloom.kernels.lang import int32, vec3, vec3i
-from pointloom.kernels.memory import download, upload
+from pointloom.kernels.lang import int32, uint8, vec2, vec3, vec3i
+from pointloom.kernels.memory import download, upload, write
 from pointloom.kernels.meshes.mesh_topology import CornersByVertex
-from pointloom.kernels.remeshing.collapse_mesh import CORNER, FREE, LINE
+from pointloom.kernels.remeshing.collapse_mesh import (
+    CHOSEN,
+    CORNER,
+    EDGES,
+    FREE,
+    LINE,
+    PICKED,
+    SLOTS,
+    SQUEEZE,
+    TRIANGLES,
+    VERTICES,
+    CollapseMesh,
+)
+from pointloom.kernels.remeshing.collapse_rounds import CollapseRounds
 from pointloom.kernels.remeshing.decimation import Decimation
-from pointloom.kernels.remeshing.edge_choice import choose_edges
-from pointloom.kernels.remeshing.edge_collapse import cheapest_edges, collapse_edges
+from pointloom.kernels.remeshing.edge_bins import EdgeBins
 
 from ...meshing.simplification_scenes import bumpy_torus, grid
 
 
-def started(vertices, triangles, device: str, materials=None) -> Decimation:
+def started(vertices, triangles, device: str, materials=None, target=10) -> CollapseRounds:
     """A mesh whose edges have their prices."""
     place = resolve_device(device)
     arrays = [upload(vertices, vec3, place)]
     ids = None if materials is None else upload(materials, int32, place)
-    job = Decimation(upload(triangles, vec3i, place), arrays, [], None, ids, 10, np.inf, 1.0)
-    job.price_edges()
-    return job
+    job = Decimation(upload(triangles, vec3i, place), arrays, [], None, ids, target, np.inf, 1.0)
+    rounds = CollapseRounds(job.mesh, [], target, np.inf)
+    rounds.price_edges()
+    return rounds
 
 
-def owners(job: Decimation):
+def number(mesh: CollapseMesh, place: int) -> int:
+    return int(download(mesh.numbers)[place])
+
+
+def note(mesh: CollapseMesh, place: int, value: int) -> None:
+    write(mesh.numbers[place : place + 1], np.array([value], np.int32))
+
+
+def chosen_of(job: CollapseRounds, edges, turns: int) -> np.ndarray:
+    """Which of some edges may collapse at once."""
+    note(job.mesh, EDGES, edges.size)
+    job.choice.run(job.mesh, edges, turns)
+    return download(job.choice.chosen)[: edges.size] == 1
+
+
+def owners(job: CollapseRounds):
     """The half-edges that have a price."""
     rows = np.flatnonzero(download(job.mesh.keys) < 2**63 - 3).astype(np.int32)
     return upload(rows, int32, job.mesh.keys.device)
 
 
-def ends_of(job: Decimation, edges) -> np.ndarray:
+def ends_of(job: CollapseRounds, edges) -> np.ndarray:
     triangles, h = download(job.mesh.triangles).reshape(-1, 3), download(edges)
     return np.stack([triangles[h // 3, h % 3], triangles[h // 3, (h + 1) % 3]], axis=1)
 
@@ -75,15 +102,14 @@ def test_chosen_edges_are_apart_and_in_the_end_no_other_is(device, turns):
     vertices, triangles = bumpy_torus(24, 16)
     job, rings = started(vertices, triangles, device), rings_of(triangles, 24 * 16)
     edges = owners(job)
-    mask, touched = choose_edges(job.mesh, edges, turns, False)
-    ends, chosen = ends_of(job, edges), download(mask) == 1
+    chosen, ends = chosen_of(job, edges, turns), ends_of(job, edges)
     near = [rings[a] | rings[b] for a, b in ends]
     taken = np.flatnonzero(chosen)
     assert len(taken) > 5
     for i in taken:
         assert not any(set(map(int, ends[j])) & near[i] for j in taken if j != i)
     around = set().union(*(near[i] for i in taken))
-    assert set(np.flatnonzero(download(touched)).tolist()) == around
+    assert set(np.flatnonzero(download(job.mesh.touched)).tolist()) == around
     keys = download(job.mesh.keys)[download(edges)]
     free = [i for i in np.flatnonzero(keys < 2**63 - 3) if not set(map(int, ends[i])) & around]
     assert not free or turns < 40
@@ -100,25 +126,36 @@ def test_as_many_of_the_cheapest_edges_are_taken_as_triangles_are_to_go(device):
     border |= ((ends // 12 == 0) | (ends // 12 == 11)).all(axis=1) & (np.ptp(ends, axis=1) == 1)
     order = np.argsort(download(job.mesh.keys)[download(edges)])
     gone = np.cumsum(np.where(border, 1, 2)[order])
-    for most in (1, 2, 7, 100):
-        taken = download(cheapest_edges(job.mesh, edges, most))
-        np.testing.assert_array_equal(taken, download(edges)[order][: np.searchsorted(gone, most) + 1])
+    note(job.mesh, PICKED, edges.size)
+    for most in (1, 2, 7, 100, int(gone[-1]), len(edges) // 2, 2 * len(edges)):
+        bins, mask = (
+            EdgeBins(len(triangles) - most, job.mesh.numbers),
+            upload(np.zeros(edges.size), uint8, edges.device),
+        )
+        bins.mark_cheapest(job.mesh, edges, edges.size, mask)
+        wanted = np.zeros(len(order), np.uint8)
+        wanted[order[: np.searchsorted(gone, most) + 1]] = 1
+        np.testing.assert_array_equal(download(mask), wanted)
+        assert not download(bins.bins).any()
 
 
 def test_lists_that_are_joined_are_those_of_the_new_triangles(device):
     vertices, triangles = bumpy_torus(24, 16)
     job = started(vertices, triangles, device)
     mesh, edges = job.mesh, owners(job)
-    mask, touched = choose_edges(mesh, edges, 3, False)
-    chosen = gather_rows(edges, positions_of(mask))
-    collapse_edges(mesh, chosen, [], touched)
-    assert mesh.triangle_count == len(triangles) - 2 * chosen.size
+    chosen = upload(download(edges)[chosen_of(job, edges, 3)], int32, edges.device)
+    note(mesh, CHOSEN, chosen.size)
+    job.collapse.run(mesh, job.twin, chosen)
+    count = len(triangles) - 2 * chosen.size
+    note(mesh, TRIANGLES, count)
     for _ in range(2):
-        left = download(mesh.triangles).reshape(-1, 3)
+        slots = number(mesh, SLOTS)
+        left = download(mesh.triangles).reshape(-1, 3)[:slots]
         rows = np.flatnonzero(left[:, 0] >= 0)
-        assert len(rows) == mesh.triangle_count
-        wanted = CornersByVertex(upload(left[rows], vec3i, mesh.triangles.device), mesh.positions.size)
-        starts, corners = download(mesh.starts), download(mesh.corners)
+        assert len(rows) == count
+        vertices = number(mesh, VERTICES)
+        wanted = CornersByVertex(upload(left[rows], vec3i, mesh.triangles.device), vertices)
+        starts, corners = download(mesh.starts)[: vertices + 1], download(mesh.corners)[: 3 * count]
         np.testing.assert_array_equal(starts, download(wanted.starts))
         places = np.full(len(left), -1)
         places[rows] = np.arange(len(rows))
@@ -127,23 +164,41 @@ def test_lists_that_are_joined_are_those_of_the_new_triangles(device):
             assert sorted(mine[first:last]) == download(wanted.corners)[first:last].tolist()
         flat, h = left.reshape(-1), corners
         spokes = np.stack([flat[h // 3 * 3 + (h + 1) % 3], flat[h // 3 * 3 + (h + 2) % 3]], axis=1)
-        np.testing.assert_array_equal(download(mesh.spokes), spokes)
-        mesh.squeeze()
-    assert mesh.triangles.size == mesh.triangle_count
+        np.testing.assert_array_equal(download(mesh.spokes)[: 3 * count], spokes)
+        note(mesh, SQUEEZE, 1)
+        job.squeeze()
+    assert number(mesh, SLOTS) == count
 
 
 def test_no_two_edges_have_one_key_however_often_they_are_renumbered(device):
     """All squares of a flat grid cost the same, so numbers alone tell their edges apart; equal ones both collapse."""
     vertices, triangles = grid(40)
     job = started(vertices, triangles, device)
-    seen = []
-    while job.mesh.triangle_count > 300:
-        seen.append(job.mesh.triangles.size)
-        assert job.run_round(False, False)
+    mesh, seen = job.mesh, []
+    while number(mesh, TRIANGLES) > 300:
+        seen.append(number(mesh, SLOTS))
+        job.run_round()
+        assert number(mesh, CHOSEN)
         job.price_edges()
-        keys = download(job.mesh.keys)
+        slots = number(mesh, SLOTS)
+        keys = download(mesh.keys)[: 3 * slots]
         keys = keys[keys < 2**63 - 3]
         assert len(keys) == len(np.unique(keys))
-        left = download(job.mesh.triangles).reshape(-1, 3)[:, 0] >= 0
-        assert left.sum() == job.mesh.triangle_count
+        left = download(mesh.triangles).reshape(-1, 3)[:slots, 0] >= 0
+        assert left.sum() == number(mesh, TRIANGLES)
     assert len(np.unique(seen)) > 4
+
+
+@pytest.mark.parametrize("target", [5, 40])
+def test_the_mesh_that_was_given_stays(device, target):
+    """Rounds write in place: to copies."""
+    vertices, triangles = grid(12)
+    place = resolve_device(device)
+    given, materials = upload(triangles, vec3i, place), upload(np.arange(len(triangles)) // 121, int32, place)
+    uvs = upload(np.repeat(vertices[triangles].reshape(-1, 3)[:, :2], 1, axis=0), vec2, place)
+    kept = [download(values).copy() for values in (given, uvs, materials)]
+    job = Decimation(given, [upload(vertices, vec3, place)], [], uvs, materials, target, np.inf, 1.0)
+    job.run()
+    assert job.mesh.triangles.size <= target
+    for values, was in zip((given, uvs, materials), kept, strict=True):
+        np.testing.assert_array_equal(download(values), was)

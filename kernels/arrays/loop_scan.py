@@ -1,0 +1,148 @@
+"""Running sums of counts in a loop of the device, where nothing may be allocated (prefix_sum.py has the others).
+
+A warp sums a tile of counts, warps sum the tiles' sums until one is enough, and on the way back each adds what comes
+before its tile. 4 B read twice and 4 B written a count; three launches up to a million counts, five beyond.
+"""
+
+import itertools
+
+import numpy as np
+
+from ..array_types import Device, Integers, Mask
+from ..lang import WARP, array, int32, kernel, launch, shuffle, shuffle_xor, tid, uint8
+from ..memory import empty, host_view
+from .lanes import LANE_BITS
+from .select import count_mask_kernel
+
+TILE = 1024  # counts of a warp: 32 a lane
+
+
+@kernel
+def sum_tiles_kernel(counts: array(dtype=int32), count: int, sums: array(dtype=int32)):
+    """The sum of each tile, by the first of its 32 threads."""
+    i = tid()
+    tile = i // WARP
+    if i % WARP == 0:
+        total = 0
+        for j in range(tile * TILE, min((tile + 1) * TILE, count)):
+            total += counts[j]
+        sums[tile] = total
+
+
+@sum_tiles_kernel.on_cuda
+def sum_tiles_of_lanes_kernel(counts: array(dtype=int32), count: int, sums: array(dtype=int32)):
+    """Neighbouring lanes read neighbouring counts."""
+    i = tid()
+    tile = i // WARP
+    lane = i % WARP
+    total = 0
+    n = int(WARP)
+    for turn in range(n):
+        j = tile * TILE + turn * WARP + lane
+        if j < count:
+            total += counts[j]
+    for bit in range(LANE_BITS):
+        total += shuffle_xor(total, 1 << bit)
+    if lane == 0:
+        sums[tile] = total
+
+
+@kernel
+def scan_tiles_kernel(counts: array(dtype=int32), count: int, before: array(dtype=int32), sums: array(dtype=int32)):
+    """The sums up to and with each count of a tile; `before` are those of tiles, and the first tile reads none."""
+    i = tid()
+    tile = i // WARP
+    if i % WARP == 0:
+        total = 0
+        if tile > 0:
+            total = before[tile - 1]
+        for j in range(tile * TILE, min((tile + 1) * TILE, count)):
+            total += counts[j]
+            sums[j] = total
+
+
+@scan_tiles_kernel.on_cuda
+def scan_tiles_of_lanes_kernel(
+    counts: array(dtype=int32), count: int, before: array(dtype=int32), sums: array(dtype=int32)
+):
+    """The lanes add up 32 neighbouring counts at a time, in five steps."""
+    i = tid()
+    tile = i // WARP
+    lane = i % WARP
+    start = 0
+    if tile > 0:
+        start = before[tile - 1]
+    n = int(WARP)
+    for turn in range(n):
+        j = tile * TILE + turn * WARP + lane
+        total = 0
+        if j < count:
+            total = counts[j]
+        for bit in range(LANE_BITS):
+            lower = shuffle(total, max(lane - (1 << bit), 0))
+            if lane >= (1 << bit):
+                total += lower
+        if j < count:
+            sums[j] = start + total
+        start += shuffle(total, WARP - 1)
+
+
+class LoopScan:
+    """Room for the running sums of up to `most` counts."""
+
+    def __init__(self, most: int, device: Device) -> None:
+        self.levels: list[Integers] = []
+        while most > TILE:
+            most = -(-most // TILE)
+            self.levels.append(empty(most, int32, device))
+
+    def run(self, counts: Integers, sums: Integers, count: int) -> None:
+        """sums[i] = counts[0] + ... + counts[i] for the first `count` of int32 arrays, which may be the same."""
+        rows, sizes = [counts, *self.levels], [count]
+        for lower, upper in itertools.pairwise(rows):
+            tiles = -(-sizes[-1] // TILE)
+            launch(sum_tiles_kernel, tiles * WARP, [lower, sizes[-1], upper])
+            sizes.append(tiles)
+        above = rows[-1]  # read by none: there is one tile
+        for row, size in zip(reversed(rows), reversed(sizes), strict=True):
+            out = sums if row is counts else row
+            launch(scan_tiles_kernel, -(-size // TILE) * WARP, [row, size, above, out])
+            above = out
+
+
+@kernel
+def list_marked_kernel(
+    mask: array(dtype=uint8),
+    ranks: array(dtype=int32),
+    place: int,
+    rows: array(dtype=int32),
+    counts: array(dtype=int32),
+):
+    """The places of the marks in order, whose ranks count from one, and how many there are."""
+    i = tid()
+    if mask[i] != 0:
+        rows[ranks[i] - 1] = i
+    if i + 1 == mask.shape[0]:
+        counts[place] = ranks[i]
+
+
+class LoopList:
+    """The places of up to `most` marks in ascending order, in a loop of the device; `rows` are int32 [most]."""
+
+    def __init__(self, most: int, device: Device) -> None:
+        self.rows, self.ranks = empty(most, int32, device), empty(most if device.is_cuda else 0, int32, device)
+        self._scan = LoopScan(most, device)
+
+    def find(self, mask: Mask, count: int, counts: Integers, place: int) -> None:
+        """List the marks among the first `count` of a uint8 mask [most], zero beyond, and write counts[place].
+
+        On the CPU by NumPy, so in no loop whose launches are kept.
+        """
+        if not mask.device.is_cuda:
+            found = np.flatnonzero(host_view(mask)[:count].view(np.bool_))
+            host_view(self.rows)[: len(found)] = found
+            host_view(counts)[place] = len(found)
+            return
+        launch(count_mask_kernel, mask.size, [mask, self.ranks])
+        self._scan.run(self.ranks, self.ranks, mask.size)
+        launch(list_marked_kernel, mask.size, [mask, self.ranks, place, self.rows, counts])

@@ -1,0 +1,238 @@
+"""What is left of a mesh whose edges collapse is renumbered, in its order, where the record asks for it.
+
+Triangles and vertices are marked and counted as one list, triangles first. What is left goes to the twin and, on CUDA,
+whose loop has its arrays once and for all, back again; some 400 B read and written a triangle.
+"""
+
+from ..array_types import Integers
+from ..arrays.loop_scan import LoopScan
+from ..lang import array, func, int32, int64, kernel, launch, tid, uint8, vec2, vec2i, vec3, vec3d, vec3i
+from ..memory import empty
+from .collapse_mesh import OTHERS, SLOTS, SQUEEZE, STALE_KEY, TRIANGLES, VERTICES, CollapseMesh, mix_number
+from .quadrics import quadric
+
+
+@kernel
+def mark_left_kernel(mesh: CollapseMesh, marks: array(dtype=int32)):
+    """1 for triangles that are left, and behind all triangles for vertices with any."""
+    i = tid()
+    slots = mesh.numbers[SLOTS]
+    mark = 0
+    if mesh.numbers[SQUEEZE] == 1:
+        if i < slots:
+            t = mesh.triangles[i]
+            mark = 1 if t[0] >= 0 else 0
+        elif i < slots + mesh.numbers[VERTICES]:
+            v = i - slots
+            mark = 1 if mesh.starts[v + 1] > mesh.starts[v] else 0
+    marks[i] = mark
+
+
+@kernel
+def list_left_kernel(mesh: CollapseMesh, ranks: array(dtype=int32), old: array(dtype=int32)):
+    """What is left in its order: triangles, then vertices; `ranks` count from one."""
+    i = tid()
+    slots = mesh.numbers[SLOTS]
+    if mesh.numbers[SQUEEZE] == 1 and i < slots + mesh.numbers[VERTICES]:
+        before = 0
+        if i > 0:
+            before = ranks[i - 1]
+        if ranks[i] > before:
+            old[before] = i if i < slots else i - slots
+
+
+@func
+def vertex_place(mesh: CollapseMesh, ranks: array(dtype=int32), v: int) -> int:
+    """The new number of a vertex that is left."""
+    slots = mesh.numbers[SLOTS]
+    return ranks[slots + v] - 1 - ranks[slots - 1]
+
+
+@kernel
+def gather_edges_kernel(
+    mesh: CollapseMesh,
+    ranks: array(dtype=int32),
+    old: array(dtype=int32),
+    triangles: array(dtype=vec3i),
+    keys: array(dtype=int64),
+    flags: array(dtype=uint8),
+    uvs: array(dtype=vec2),
+    materials: array(dtype=int32),
+):
+    """What belongs to the half-edges that are left; prices stay, above the new numbers: no two keys are equal."""
+    i = tid()
+    if mesh.numbers[SQUEEZE] == 0 or i >= 3 * mesh.numbers[TRIANGLES]:
+        return
+    row = old[i // 3]
+    h = 3 * row + i % 3
+    key = mesh.keys[h]
+    if key < int64(STALE_KEY):
+        key = ((key >> 32) << 32) | mix_number(i)
+    keys[i] = key
+    flags[i] = mesh.flags[h]
+    if mesh.has_uvs == 1:
+        uvs[i] = mesh.uvs[h]
+    if i % 3 == 0:
+        t = mesh.triangles[row]
+        a = vertex_place(mesh, ranks, t[0])
+        b = vertex_place(mesh, ranks, t[1])
+        triangles[i // 3] = vec3i(a, b, vertex_place(mesh, ranks, t[2]))
+        if mesh.has_materials == 1:
+            materials[i // 3] = mesh.materials[row]
+
+
+@kernel
+def gather_vertices_kernel(
+    mesh: CollapseMesh,
+    ranks: array(dtype=int32),
+    old: array(dtype=int32),
+    positions: array(dtype=vec3d),
+    quadrics: array(dtype=quadric),
+    kinds: array(dtype=uint8),
+    touched: array(dtype=uint8),
+    starts: array(dtype=int32),
+):
+    """What belongs to the vertices that are left, all of which have corners."""
+    i = tid()
+    left = mesh.numbers[TRIANGLES]
+    count = left_vertices(mesh, ranks)
+    if i == 0 and count >= 0:
+        starts[count] = 3 * left
+    if i >= count:
+        return
+    v = old[left + i]
+    positions[i] = mesh.positions[v]
+    quadrics[i] = mesh.quadrics[v]
+    kinds[i] = mesh.kinds[v]
+    touched[i] = mesh.touched[v]
+    starts[i] = mesh.starts[v]
+
+
+@func
+def left_vertices(mesh: CollapseMesh, ranks: array(dtype=int32)) -> int:
+    """How many vertices are left, -1 where nothing is squeezed out."""
+    count = -1
+    if mesh.numbers[SQUEEZE] == 1:
+        slots = mesh.numbers[SLOTS]
+        count = ranks[slots + mesh.numbers[VERTICES] - 1] - ranks[slots - 1]
+    return count
+
+
+@kernel
+def gather_left_kernel(
+    mesh: CollapseMesh,
+    ranks: array(dtype=int32),
+    old: array(dtype=int32),
+    rows: array(dtype=vec3),
+    out: array(dtype=vec3),
+):
+    """Rows of the vertices that are left."""
+    i = tid()
+    if i < left_vertices(mesh, ranks):
+        out[i] = rows[old[mesh.numbers[TRIANGLES] + i]]
+
+
+@kernel
+def renumber_corners_kernel(
+    mesh: CollapseMesh, ranks: array(dtype=int32), corners: array(dtype=int32), spokes: array(dtype=vec2i)
+):
+    """Corners and spokes by the new numbers."""
+    i = tid()
+    if mesh.numbers[SQUEEZE] == 0 or i >= 3 * mesh.numbers[TRIANGLES]:
+        return
+    h = corners[i]
+    s = spokes[i]
+    corners[i] = 3 * (ranks[h // 3] - 1) + h % 3
+    spokes[i] = vec2i(vertex_place(mesh, ranks, s[0]), vertex_place(mesh, ranks, s[1]))
+
+
+@kernel
+def keep_edges_kernel(
+    mesh: CollapseMesh,
+    triangles: array(dtype=vec3i),
+    keys: array(dtype=int64),
+    flags: array(dtype=uint8),
+    uvs: array(dtype=vec2),
+    materials: array(dtype=int32),
+):
+    """What was gathered in the twin of half-edges, over what was."""
+    i = tid()
+    if mesh.numbers[SQUEEZE] == 0 or i >= 3 * mesh.numbers[TRIANGLES]:
+        return
+    keys[i] = mesh.keys[i]
+    flags[i] = mesh.flags[i]
+    if mesh.has_uvs == 1:
+        uvs[i] = mesh.uvs[i]
+    if i % 3 == 0:
+        triangles[i // 3] = mesh.triangles[i // 3]
+        if mesh.has_materials == 1:
+            materials[i // 3] = mesh.materials[i // 3]
+
+
+@kernel
+def keep_vertices_kernel(
+    mesh: CollapseMesh,
+    ranks: array(dtype=int32),
+    positions: array(dtype=vec3d),
+    quadrics: array(dtype=quadric),
+    kinds: array(dtype=uint8),
+    touched: array(dtype=uint8),
+    starts: array(dtype=int32),
+):
+    """What was gathered in the twin of vertices, over what was."""
+    i = tid()
+    count = left_vertices(mesh, ranks)
+    if i <= count:
+        starts[i] = mesh.starts[i]
+    if i < count:
+        positions[i] = mesh.positions[i]
+        quadrics[i] = mesh.quadrics[i]
+        kinds[i] = mesh.kinds[i]
+        touched[i] = mesh.touched[i]
+
+
+@kernel
+def keep_rows_kernel(mesh: CollapseMesh, ranks: array(dtype=int32), rows: array(dtype=vec3), out: array(dtype=vec3)):
+    """Rows of vertices, over those that were."""
+    i = tid()
+    if i < left_vertices(mesh, ranks):
+        out[i] = rows[i]
+
+
+class Squeezing:
+    """Room to squeeze a mesh and its twin.
+
+    Attributes:
+        ranks: int32 [t + m], how many are left up to and with each triangle, and then vertex.
+    """
+
+    def __init__(self, mesh: CollapseMesh) -> None:
+        most, device = mesh.triangles.size + mesh.positions.size, mesh.numbers.device
+        self.ranks, self._old, self._scan = (
+            empty(most, int32, device),
+            empty(most, int32, device),
+            LoopScan(most, device),
+        )
+
+    def run(self, mesh: CollapseMesh, twin: CollapseMesh) -> None:
+        """Gather what is left; its counts stay as they are in the record until the round ends."""
+        ranks: Integers = self.ranks
+        slots, count = mesh.live(SLOTS, mesh.triangles.size), mesh.live(VERTICES, mesh.positions.size)
+        launch(mark_left_kernel, slots + count, [mesh, ranks])
+        self._scan.run(ranks, ranks, slots + count)
+        launch(list_left_kernel, slots + count, [mesh, ranks, self._old])
+        halves = 3 * mesh.live(TRIANGLES, mesh.triangles.size)
+        edges = ["triangles", "keys", "flags", "uvs", "materials"]
+        launch(gather_edges_kernel, halves, [mesh, ranks, self._old, *(getattr(twin, name) for name in edges)])
+        vertices = ["positions", "quadrics", "kinds", "touched", "starts"]
+        launch(gather_vertices_kernel, count, [mesh, ranks, self._old, *(getattr(twin, name) for name in vertices)])
+        launch(renumber_corners_kernel, halves, [mesh, ranks, mesh.corners, mesh.spokes])
+        for rows, out in zip(mesh.rows, twin.rows, strict=True):
+            launch(gather_left_kernel, count, [mesh, ranks, self._old, rows, out])
+        if not mesh.numbers.device.is_cuda:
+            mesh.exchange(twin, [*OTHERS, "starts", "rows"])
+            return
+        launch(keep_edges_kernel, halves, [twin, *(getattr(mesh, name) for name in edges)])
+        launch(keep_vertices_kernel, count + 1, [twin, ranks, *(getattr(mesh, name) for name in vertices)])
+        for rows, out in zip(twin.rows, mesh.rows, strict=True):
+            launch(keep_rows_kernel, count, [twin, ranks, rows, out])
