@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import datetime
+import itertools
 import json
 from pathlib import Path
 from typing import Any
@@ -71,6 +72,8 @@ def _mean(all_of: list[Any]) -> Any:
         if "kernel" in mean:
             mean["times"] = len(all_of)
         return mean
+    if isinstance(first, list) and all(isinstance(v, (int, float)) for x in all_of for v in x):
+        return [sum(column) / len(all_of) for column in itertools.zip_longest(*all_of, fillvalue=0.0)]
     if isinstance(first, bool) or not isinstance(first, (int, float)):
         return first
     mean = sum(all_of) / len(all_of)
@@ -91,7 +94,7 @@ def _filled(counts: dict[str, Any]) -> dict[str, Any]:
     zero = {
         **{"symbol": "", "blocks": 0, "threads": 0, "shared_bytes": 0, "in_graph": False, "units": {}, "traffic": {}},
         **{"lane_statements": 0.0, "warp_statements": 0.0, "chain": 0.0, "hits": 0.0, "misses": 0.0, "imbalance": 1.0},
-        **{"own_sectors": 0.0, "own_traffic": 0.0, "issued_by_depth": []},
+        **{"own_sectors": 0.0, "own_loads": 0.0, "own_stores": 0.0, "issued_by_depth": []},
         **{"memory_reads": 0, "memory_writes": 0, "bytes_read": 0, "bytes_written": 0, "nodes": 0, "hot_atomics": 0.0},
     }
     fields = dict.fromkeys(("requests", "lanes", "bytes", "sectors", "wavefronts", "missed"), 0.0)
