@@ -22,11 +22,12 @@ from typing import Any
 
 from gpu_chips import CHIPS, chip_named
 from gpu_cubins import ARCHITECTURE
+from gpu_host import measured_hosts
 from gpu_operation import SIZES
 from gpu_operations import OPERATIONS
 from gpu_page import write_page
 from gpu_prediction import Predicted, predict
-from gpu_results import keep, kept, measured_hosts, todays_file
+from gpu_results import keep, kept, todays_file
 from real_data import DataMissingError
 
 HERE = Path(__file__).parent

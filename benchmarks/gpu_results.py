@@ -10,7 +10,6 @@ from typing import Any
 
 RESULTS = Path(__file__).parent / "results"
 BEFORE = RESULTS / "gpu-model-before.json"  # of commit 7a4e84e, before kernels were shaped for a GPU
-HOSTS = RESULTS / "gpu-host-seconds.json"  # of an operation: CPU time of Python and Warp, none of it the device's
 ONE_BY_ONE = 8  # launches of a kernel that are kept one by one; of the others their mean
 DIGITS = 4
 
@@ -18,11 +17,6 @@ DIGITS = 4
 def todays_file() -> Path:
     """Where the counts of today go."""
     return RESULTS / f"gpu-model-{datetime.date.today():%Y-%m-%d}.json"
-
-
-def measured_hosts() -> dict[str, float]:
-    """Seconds of the host's part of an operation, where they were measured (gpu_host_time.py)."""
-    return json.loads(HOSTS.read_text()) if HOSTS.exists() else {}
 
 
 def newest() -> list[dict[str, Any]]:

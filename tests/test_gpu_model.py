@@ -11,6 +11,7 @@ import pytest
 
 BENCHMARKS = str(Path(__file__).parents[1] / "benchmarks")
 sys.path.append(BENCHMARKS)
+import gpu_host  # noqa: E402
 import gpu_machine as machine  # noqa: E402
 import gpu_results  # noqa: E402
 import gpu_sass  # noqa: E402
@@ -20,6 +21,7 @@ from gpu_prediction import predict, resources_of  # noqa: E402
 
 sys.path.remove(BENCHMARKS)
 
+NEW = ("rgbd_frame", "lidar_odometry_scan")  # rows that the counts of 2026-11-21 lack
 UNITS = ("issued", "alu", "sums", "fma", "fp64", "xu", "lsu")
 
 
@@ -288,3 +290,38 @@ def test_spills_are_found_by_the_loops_that_hold_them(architecture):
     # a rare way that stands behind the exit, and leads back to where it left
     rare = other + branch(3) + other * 3 + instruction(0x94D) + load + branch(-6, predicate=7)
     assert gpu_sass.read_code(rare, architecture).code == [8]
+
+
+# ------------------------------------------------------------------------------------------------ hosts
+
+
+def host_row(operation: str, **counts: int) -> dict:
+    """A call whose host takes 20 us a launch, 40 an array, 30 a wait and 500 a graph, the driver's part within."""
+    costs = {"launches": 20, "allocations": 40, "waits": 30, "copies to host": 0, "copies to device": 0, "graphs": 0}
+    given = dict.fromkeys(costs, 0) | {"graphs made": 0} | counts
+    inside = given["launches"] if given["graphs made"] else 0  # recorded, not launched
+    us = sum(cost * given[name] for name, cost in costs.items()) - 20 * inside + 500 * given["graphs made"]
+    driver = 1e6 * gpu_host.DRIVER * sum(given[name] for name in gpu_host.GIVEN)
+    return {"operation": operation, "host_ms": (us - driver) / 1e3, **given}
+
+
+def test_costs_of_the_host_come_from_what_calls_took():
+    rows = [
+        *(
+            host_row("a", launches=n, allocations=m, waits=k)
+            for n, m, k in ((1, 1, 0), (5, 2, 1), (9, 7, 0), (3, 0, 4))
+        ),
+        *(host_row("b", launches=80, allocations=m, graphs=1, **{"graphs made": 1}) for m in (3, 8)),
+    ]
+    found = gpu_host.costs(rows)
+    assert found == pytest.approx(
+        {"host_launch": 20e-6, "host_allocation": 40e-6, "wait": 30e-6, "graph_made": 500e-6, "graph_made_node": 0.0}
+    )
+    assert gpu_host.costs([]) == {} and gpu_host.costs(rows[:3]) == {}
+
+
+def test_operations_whose_host_was_measured_take_its_seconds():
+    rows = [host_row("rgbd frame", launches=5), host_row("rgbd alignment", launches=2), host_row("fpfh", launches=7)]
+    found = gpu_host.measured_hosts(rows)
+    assert found == pytest.approx({"rgbd_frame": 140e-6, "fpfh": 140e-6})
+    assert set(gpu_host.NAMES) <= {row["operation"] for row in gpu_results.newest()} | set(NEW)
