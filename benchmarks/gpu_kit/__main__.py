@@ -56,8 +56,9 @@ def main() -> int:
     if options.dry and options.state is None:
         shutil.rmtree(state, ignore_errors=True)
     run = Run(state, options.seconds, dry=options.dry)
-    for name in options.again:
-        run.forget(name)
+    for step in STEPS:
+        if step.name in options.again:
+            run.forget(step)
     failed = run.all([step for step in STEPS if step.name in options.steps], options.pieces)
     if options.dry:
         return 1 if failed else _conclude_dry(state)
