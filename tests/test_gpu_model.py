@@ -288,7 +288,7 @@ def test_spills_are_found_by_the_loops_that_hold_them(architecture):
     assert found.code == [2, 302, 3]  # the store and the exit; a loop in a loop
     assert found.local_loads == [0, 4, 1] and found.local_stores == [1, 0, 0]
     # a rare way that stands behind the exit, and leads back to where it left
-    rare = other + branch(3) + other * 3 + instruction(0x94D) + load + branch(-6, predicate=7)
+    rare = other + branch(4) + other * 3 + instruction(0x94D) + load + branch(-6, predicate=7)
     assert gpu_sass.read_code(rare, architecture).code == [8]
 
 
