@@ -69,7 +69,7 @@ def _lines(counters: Any) -> list[dict[str, Any]]:
 
 
 def _resources_of(device: Any, launches: list[Any], own: dict[str, Any], architecture: int) -> dict[str, Any]:
-    """What cubins for another architecture say, of the kernels where it is something else."""
+    """What cubins for another architecture say, of the kernels that hold or spill other registers there."""
     from emulated_cuda.gcc import cache_folder  # pyright: ignore[reportMissingImports]
     from gpu_cubins import read_resources
 
@@ -77,7 +77,20 @@ def _resources_of(device: Any, launches: list[Any], own: dict[str, Any], archite
     for module in {x.module for x in launches if x.module}:
         found |= read_resources(module, device.launches.counters.expected, cache_folder(), architecture)
     used = {x.symbol for x in launches}
-    return {symbol: vars(r) for symbol, r in found.items() if symbol in used and r != own[symbol]}
+
+    def held(r: Any) -> tuple[int, int, bool]:
+        return r.registers, r.local_bytes, bool(r.code)
+
+    return {symbol: vars(r) for symbol, r in found.items() if symbol in used and held(r) != held(own[symbol])}
+
+
+def _drop_depths(launches: list[Any], resources: dict[str, Any], others: dict[str, Any]) -> None:
+    """Drop what nothing asks for: instructions by depth of kernels whose cubins neither spill nor are large."""
+    asked = {symbol for symbol, r in resources.items() if r.code}
+    asked |= {symbol for found in others.values() for symbol, values in found.items() if values["code"]}
+    for x in launches:
+        if x.symbol not in asked:
+            x.issued_by_depth = []
 
 
 def count(name: str, size: int, *, lines: bool, fast: bool, architectures: list[int]) -> dict[str, Any]:
@@ -113,6 +126,8 @@ def count(name: str, size: int, *, lines: bool, fast: bool, architectures: list[
     host["waits"] -= 1
     del result
     used = {x.symbol for x in launches}
+    others = {str(a): _resources_of(device, launches, resources, a) for a in architectures}
+    _drop_depths(launches, resources, others)
     return {
         **({"lines": _lines(counters)} if lines else {}),
         "operation": name,
@@ -120,7 +135,7 @@ def count(name: str, size: int, *, lines: bool, fast: bool, architectures: list[
         "emulated_seconds": round(seconds, 2),
         "host": dict(host),
         "resources": {s: vars(r) for s, r in resources.items() if s in used},
-        "resources_of": {str(a): _resources_of(device, launches, resources, a) for a in architectures},
+        "resources_of": others,
         "launches": merged([{k: v for k, v in x.items() if k != "module"} for x in as_rows(launches)]),
     }
 

@@ -9,12 +9,13 @@ import tempfile
 from pathlib import Path
 from typing import Any
 
-from gpu_machine import Resources
+from gpu_machine import INSTRUCTION_BYTES, Resources
 from gpu_sass import read_code, sections
 
 from pointloom.kernels.check_cuda import read_usage
 
 ARCHITECTURE = 90
+LARGE = 128 << 10  # bytes of code: of smaller kernels that spill nothing loops need not be known
 
 
 def _compile(source: Path, architecture: int) -> bytes:
@@ -34,7 +35,7 @@ def read_resources(
 ) -> dict[str, Resources]:
     """Of each kernel of a module; kept in `cache` by the module's file, whose name holds its content's hash."""
     path = Path(ptx_path)
-    kept = cache / f"{path.name}.{architecture}.code.json"
+    kept = cache / f"{path.name}.{architecture}.loops.json"
     found: dict[str, Any] = {}
     if kept.exists():
         found = json.loads(kept.read_text())
@@ -44,9 +45,9 @@ def read_resources(
         texts = sections(cubin)
         for name, usage in read_usage(cubin).items():
             code = read_code(texts.get(name, b""), architecture)
-            found[name] = {
-                **{"registers": usage.registers, "local_bytes": usage.local_bytes, "instructions": sum(code.code)},
-                **{"code": code.code, "local_loads": code.local_loads, "local_stores": code.local_stores},
-            }
+            size = sum(code.code)
+            found[name] = {"registers": usage.registers, "local_bytes": usage.local_bytes, "instructions": size}
+            if sum(code.local_loads + code.local_stores) or size * INSTRUCTION_BYTES > LARGE:
+                found[name] |= vars(code)
         kept.write_text(json.dumps(found))
     return {name: Resources(**values, statements=statements.get(name, 0)) for name, values in found.items()}

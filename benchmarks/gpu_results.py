@@ -77,7 +77,7 @@ def _mean(all_of: list[Any]) -> Any:
 def _short(value: Any) -> Any:
     """Without what is zero or empty, and with a few digits."""
     if isinstance(value, dict):
-        return {k: _short(v) for k, v in value.items() if v not in (0, 0.0, "", {}, False)}
+        return {k: _short(v) for k, v in value.items() if v not in (0, 0.0, "", {}, [], False)}
     if isinstance(value, list):
         return [_short(v) for v in value]
     return float(f"{value:.{DIGITS}g}") if isinstance(value, float) else value

@@ -12,7 +12,6 @@ from dataclasses import dataclass, field
 
 BYTES = 16
 BRANCH, LOAD_LOCAL, STORE_LOCAL = 0x947, 0x983, 0x387
-LOAD_GLOBAL = (0x381, 0x981)
 LEAVES = (0x94D, 0x949, 0x94A, 0x950)  # EXIT, BRX, JMX, RET: nothing but a predicate leads on
 ALWAYS = 7  # a predicate that is true
 WORDS = {5: 2, 6: 4}  # of a lane, by the size field: 64 and 128 bits; all others one word or less
@@ -27,7 +26,6 @@ class Code:
     code: list[int] = field(default_factory=list)
     local_loads: list[int] = field(default_factory=list)
     local_stores: list[int] = field(default_factory=list)
-    global_loads: int = 0
 
 
 def sections(cubin: bytes) -> dict[str, bytes]:
@@ -61,7 +59,6 @@ def read_code(text: bytes, architecture: int) -> Code:
         found.code[depth] += 1
         found.local_loads[depth] += size * (kind == LOAD_LOCAL)
         found.local_stores[depth] += size * (kind == STORE_LOCAL)
-        found.global_loads += kind in LOAD_GLOBAL
     return found
 
 
