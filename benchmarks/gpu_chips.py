@@ -11,6 +11,8 @@ import json
 from dataclasses import dataclass, fields, replace
 from pathlib import Path
 
+from gpu_host import costs
+
 RESULTS = Path(__file__).parent / "results"
 
 
@@ -63,7 +65,7 @@ class Chip:
     host_launch: float = 20e-6
     host_copy: float = 8e-6
     host_graph: float = 8e-6
-    host_allocation: float = 10e-6
+    host_allocation: float = 60e-6
     wait: float = 10e-6
     graph_made: float = 100e-6
     graph_made_node: float = 30e-6
@@ -91,13 +93,13 @@ _NUMBERS = {field.name for field in fields(Chip)} - {"name", "title", "architect
 
 @functools.cache
 def chip_named(name: str) -> Chip:
-    """A chip with what was measured on one and reviewed.
+    """A chip with what was measured of hosts (gpu_host.py), and over that what was measured on one and reviewed.
 
     Raises:
         KeyError: The model does not know it.
     """
     path = RESULTS / f"gpu-constants-{name}.json"
-    return replace(CHIPS[name], **reviewed(path)) if path.exists() else CHIPS[name]
+    return replace(CHIPS[name], **(costs() | (reviewed(path) if path.exists() else {})))
 
 
 def reviewed(path: Path) -> dict[str, float]:

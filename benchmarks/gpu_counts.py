@@ -1,9 +1,9 @@
 """Run one operation on the emulated device and write what it counted.
 
-    python benchmarks/gpu_counts.py NAME SIZE FILE [lines] [fast]
+    python benchmarks/gpu_counts.py NAME SIZE FILE [lines] [fast] [89 ...]
 
 A process of its own for each, since the device has to be there before Warp starts. The first call, on few points,
-compiles; the second is counted.
+compiles; the second is counted. A number is an architecture whose cubins are read besides those of sm_90.
 """
 
 from __future__ import annotations
@@ -68,7 +68,32 @@ def _lines(counters: Any) -> list[dict[str, Any]]:
     return rows
 
 
-def count(name: str, size: int, *, lines: bool, fast: bool) -> dict[str, Any]:
+def _resources_of(device: Any, launches: list[Any], own: dict[str, Any], architecture: int) -> dict[str, Any]:
+    """What cubins for another architecture say, of the kernels that hold or spill other registers there."""
+    from emulated_cuda.gcc import cache_folder  # pyright: ignore[reportMissingImports]
+    from gpu_cubins import read_resources
+
+    found: dict[str, Any] = {}
+    for module in {x.module for x in launches if x.module}:
+        found |= read_resources(module, device.launches.counters.expected, cache_folder(), architecture)
+    used = {x.symbol for x in launches}
+
+    def held(r: Any) -> tuple[int, int, bool]:
+        return r.registers, r.local_bytes, bool(r.code)
+
+    return {symbol: vars(r) for symbol, r in found.items() if symbol in used and held(r) != held(own[symbol])}
+
+
+def _drop_depths(launches: list[Any], resources: dict[str, Any], others: dict[str, Any]) -> None:
+    """Drop what nothing asks for: instructions by depth of kernels whose cubins neither spill nor are large."""
+    asked = {symbol for symbol, r in resources.items() if r.code}
+    asked |= {symbol for found in others.values() for symbol, values in found.items() if values["code"]}
+    for x in launches:
+        if x.symbol not in asked:
+            x.issued_by_depth = []
+
+
+def count(name: str, size: int, *, lines: bool, fast: bool, architectures: list[int]) -> dict[str, Any]:
     """The counts of one call, those of source lines too if they are asked for."""
     device = _install(lines)
     import warp as wp
@@ -101,6 +126,8 @@ def count(name: str, size: int, *, lines: bool, fast: bool) -> dict[str, Any]:
     host["waits"] -= 1
     del result
     used = {x.symbol for x in launches}
+    others = {str(a): _resources_of(device, launches, resources, a) for a in architectures}
+    _drop_depths(launches, resources, others)
     return {
         **({"lines": _lines(counters)} if lines else {}),
         "operation": name,
@@ -108,11 +135,14 @@ def count(name: str, size: int, *, lines: bool, fast: bool) -> dict[str, Any]:
         "emulated_seconds": round(seconds, 2),
         "host": dict(host),
         "resources": {s: vars(r) for s, r in resources.items() if s in used},
+        "resources_of": others,
         "launches": merged([{k: v for k, v in x.items() if k != "module"} for x in as_rows(launches)]),
     }
 
 
 if __name__ == "__main__":
     warnings.simplefilter("ignore")
-    found = count(sys.argv[1], int(sys.argv[2]), lines="lines" in sys.argv[4:], fast="fast" in sys.argv[4:])
+    words = sys.argv[4:]
+    others = [int(word) for word in words if word.isdigit()]
+    found = count(sys.argv[1], int(sys.argv[2]), lines="lines" in words, fast="fast" in words, architectures=others)
     keep(Path(sys.argv[3]), found)

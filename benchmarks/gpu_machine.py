@@ -119,18 +119,22 @@ class _Spills:
         return self.loads + self.stores
 
 
+def _runs(x: dict[str, Any], resources: Resources) -> list[tuple[int, float]]:
+    """By depth of loops: instructions of the code, and how many a warp gives out of them.
+
+    The assembler unrolls loops, so that it has fewer of them; what ran deeper is of its deepest.
+    """
+    ran, last = x.get("issued_by_depth") or [], len(resources.code) - 1
+    found = [sum(ran[depth:] if depth == last else ran[depth : depth + 1]) for depth in range(last + 1)]
+    return [(code, resources.instruction_ratio * run) for code, run in zip(resources.code, found, strict=True)]
+
+
 def _spills(x: dict[str, Any], resources: Resources, resident_warps: int, chip: Chip) -> _Spills:
     """An instruction in a loop is a spill as often as the loop's code is: so the unrolled ones are counted rightly."""
-    runs, ratio = x.get("issued_by_depth") or [], resources.instruction_ratio
-    if not runs or not resources.code:
-        return _Spills()
 
     def times(counts: list[int]) -> float:
-        found = 0.0
-        for depth, (count, code) in enumerate(zip(counts, resources.code, strict=False)):
-            run = runs[depth] if depth < len(resources.code) - 1 else sum(runs[depth:])
-            found += count / code * run * ratio if code else 0.0
-        return found
+        pairs = zip(counts, _runs(x, resources), strict=False)
+        return sum(count / code * run for count, (code, run) in pairs if code)
 
     footprint = resources.local_bytes * 32
     held = max(chip.l1_bytes - (x["shared_bytes"] + RESERVED_SHARED), 0)
@@ -140,13 +144,10 @@ def _spills(x: dict[str, Any], resources: Resources, resident_warps: int, chip: 
 
 def _fetched(x: dict[str, Any], resources: Resources, chip: Chip) -> float:
     """Bytes of code that a block fetches anew, its warps close together: of loops that the cache cannot hold."""
-    runs, hot, often = x.get("issued_by_depth") or [], 0, 0.0
-    for depth, code in enumerate(resources.code):
-        run = sum(runs[depth:]) if depth == len(resources.code) - 1 else sum(runs[depth : depth + 1])
-        if code and run * resources.instruction_ratio >= HOT_RUNS * code:
-            hot, often = hot + code, often + run * resources.instruction_ratio
-    size = hot * INSTRUCTION_BYTES
-    return often * INSTRUCTION_BYTES * max(0.0, 1 - chip.code_bytes / size) if size else 0.0
+    often = [(code, run) for code, run in _runs(x, resources) if run >= HOT_RUNS * code]
+    size = INSTRUCTION_BYTES * sum(code for code, _ in often)
+    share = max(0.0, 1 - chip.code_bytes / size) if size else 0.0
+    return share * INSTRUCTION_BYTES * sum(run for _, run in often)
 
 
 def predict_kernel(x: dict[str, Any], resources: Resources, chip: Chip = H200) -> Prediction:
@@ -168,8 +169,11 @@ def predict_kernel(x: dict[str, Any], resources: Resources, chip: Chip = H200) -
     missed_spills = LINE * total * spills.requests * spills.missed
     missed = SECTOR * total * sum(t["missed"] for t in traffic.values()) + missed_spills
     limits["L2"] = max(missed / chip.l2_bandwidth, missed / total * warps_of_sm / chip.fill_bytes / chip.clock)
-    lost = _lost(x, spills, total, resident_warps, missed_spills, chip)
-    in_memory = min(x["memory_reads"] + lost, missed) / missed if missed else 0.0
+    share = _lost_share(x, spills, resident_warps, chip)
+    read_again = share * (SECTOR * total * x.get("own_loads", 0.0) + LINE * total * spills.loads * spills.missed)
+    written_again = share * (SECTOR * total * x.get("own_stores", 0.0) + LINE * total * spills.stores * spills.missed)
+    in_memory = min(x["memory_reads"] + read_again, missed) / missed if missed else 0.0
+    lost = read_again + written_again
     limits["memory"] = (x["memory_reads"] + x["memory_writes"] + lost) / chip.memory_bandwidth
     beyond = in_memory * chip.memory_cycles + (1 - in_memory) * chip.l2_cycles
     spilled_waits = spills.loads / SPILLS_TOGETHER * (spills.missed * beyond + (1 - spills.missed) * chip.l1_cycles)
@@ -184,18 +188,14 @@ def predict_kernel(x: dict[str, Any], resources: Resources, chip: Chip = H200) -
     return Prediction(max(limits.values()) / EFFICIENCY, limits, there / chip.warps, spilled, lost)
 
 
-def _lost(
-    x: dict[str, Any], spills: _Spills, total: int, resident_warps: int, missed_spills: float, chip: Chip
-) -> float:
-    """Bytes that go to memory since all resident warps' own data, what each writes and reads again, outgrow the L2.
+def _lost_share(x: dict[str, Any], spills: _Spills, resident_warps: int, chip: Chip) -> float:
+    """Share of what a warp wrote that is no longer in the L2 when it loads it again.
 
-    The counts do not know it: there the warps run one after the other. Of data that are walked through again and again
-    a cache keeps what fits.
+    The counts do not know it: there the warps run one after the other. Here all resident warps' own data are walked
+    through again and again, and a cache keeps what fits.
     """
-    own, again = SECTOR * x.get("own_sectors", 0.0), SECTOR * x.get("own_traffic", 0.0)
-    footprint = resident_warps * (own + spills.footprint * (spills.missed > 0))
-    share = max(0.0, 1 - chip.l2_bytes / footprint) if footprint else 0.0
-    return share * (total * again + missed_spills)
+    footprint = resident_warps * (SECTOR * x.get("own_sectors", 0.0) + spills.footprint * spills.missed)
+    return max(0.0, 1 - chip.l2_bytes / footprint) if footprint else 0.0
 
 
 def predict_other(x: dict[str, Any], chip: Chip = H200) -> tuple[Prediction, int]:

@@ -21,10 +21,14 @@ from pathlib import Path
 from typing import Any
 
 from gpu_chips import CHIPS, chip_named
-from gpu_operations import OPERATIONS, SIZES
+from gpu_cubins import ARCHITECTURE
+from gpu_host import measured_hosts
+from gpu_operation import SIZES
+from gpu_operations import OPERATIONS
 from gpu_page import write_page
 from gpu_prediction import Predicted, predict
 from gpu_results import keep, kept, todays_file
+from real_data import DataMissingError
 
 HERE = Path(__file__).parent
 UNITS = {"k": 1_000, "M": 1_000_000}
@@ -46,8 +50,8 @@ def _print_breakdown(found: Predicted) -> None:
         print(
             f"{name[:33]:34}{row.launches:9}{1e6 * row.seconds:9.1f}  {bound:13}{_short(row.instructions):>11}"
             f"{100 * row.active:7.0f}%{row.sectors_a_request:9.1f}{_short(row.l2_bytes):>8}"
-            f"{_short(row.memory_bytes):>8}{_short(row.lost_bytes):>8}{_short(row.local_bytes):>8}{row.registers:6}{row.spilled:6}"
-            f"{100 * row.occupancy:6.1f}%"
+            f"{_short(row.memory_bytes):>8}{_short(row.lost_bytes):>8}{_short(row.local_bytes):>8}"
+            f"{row.registers:6}{row.spilled:6}{100 * row.occupancy:6.1f}%"
         )
 
 
@@ -99,8 +103,7 @@ def _runs(names: list[str], sizes: list[int] | None) -> Iterator[tuple[str, int]
             yield name, size
 
 
-def main() -> int:
-    """Run the operations that are asked for; the exit status."""
+def _options() -> argparse.Namespace:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("operations", nargs="*", metavar="NAME", help=f"of {', '.join(OPERATIONS)}; all")
     parser.add_argument("--sizes", nargs="+", type=_size, metavar="N", help="points, as 200k or 1M")
@@ -114,25 +117,45 @@ def main() -> int:
         "--fast", action="store_true", help="run only what is counted of kernels whose results end the call"
     )
     parser.add_argument("--chip", choices=CHIPS, default="h200", help="the GPU (h200)")
-    given = parser.parse_args()
-    chip = chip_named(given.chip)
+    return parser.parse_args()
+
+
+def _is_possible(name: str) -> bool:
+    """Whether the data are there that an operation wants."""
+    try:
+        if (needs := OPERATIONS[name].needs) is not None:
+            needs()
+    except DataMissingError as error:
+        print(f"{name}: left out: {error}", file=sys.stderr)
+        return False
+    return True
+
+
+def main() -> int:
+    """Run the operations that are asked for; the exit status."""
+    given = _options()
+    chip, hosts = chip_named(given.chip), measured_hosts()
     file, failures = todays_file() if given.write else given.save, 0
     how = ["lines"] * given.lines + ["fast"] * given.fast
+    wanted = {89} if given.write else {chip.architecture} - {ARCHITECTURE}  # the page has an RTX 4090's times too
+    how += [str(architecture) for architecture in sorted(wanted)]
     if given.read:
         for counts in kept(given.read):
             if not given.operations or counts["operation"] in given.operations:
-                print_call(predict(counts, chip))
+                print_call(predict(counts, chip, hosts.get(counts["operation"])))
         if given.write:
             write_page()
         return 0
     for name, size in _runs(given.operations, given.sizes):
+        if not _is_possible(name):
+            continue
         try:
             counts = counted(name, size, how)
         except subprocess.CalledProcessError as error:
             print(f"{name}, {size:,}: failed, {error}", file=sys.stderr)
             failures += 1
             continue
-        print_call(predict(counts, chip))
+        print_call(predict(counts, chip, hosts.get(name)))
         _print_lines(counts.pop("lines", []))
         if file:
             keep(file, counts)

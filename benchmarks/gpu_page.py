@@ -6,10 +6,11 @@ from pathlib import Path
 from typing import Any
 
 from gpu_chips import CHIPS, H200, Chip, chip_named
+from gpu_host import measured_hosts
 from gpu_kit.documents import newest_runs
 from gpu_operations import OPERATIONS
 from gpu_prediction import Predicted, predict
-from gpu_results import BEFORE, kept, measured_hosts, newest
+from gpu_results import BEFORE, kept, newest
 
 PAGE = Path(__file__).parents[1] / "docs" / "gpu.md"
 SHOWN = [chip_named(name) for name in CHIPS if name != "rtx-5090"]  # columns; `gpu_model.py --chip` has them all

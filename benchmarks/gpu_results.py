@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import datetime
+import itertools
 import json
 from pathlib import Path
 from typing import Any
 
 RESULTS = Path(__file__).parent / "results"
 BEFORE = RESULTS / "gpu-model-before.json"  # of commit 7a4e84e, before kernels were shaped for a GPU
-HOSTS = RESULTS / "gpu-host-seconds.json"  # of an operation: CPU time of Python and Warp, none of it the device's
 ONE_BY_ONE = 8  # launches of a kernel that are kept one by one; of the others their mean
 DIGITS = 4
 
@@ -17,11 +17,6 @@ DIGITS = 4
 def todays_file() -> Path:
     """Where the counts of today go."""
     return RESULTS / f"gpu-model-{datetime.date.today():%Y-%m-%d}.json"
-
-
-def measured_hosts() -> dict[str, float]:
-    """Seconds of the host's part of an operation, where they were measured (gpu_host_time.py)."""
-    return json.loads(HOSTS.read_text()) if HOSTS.exists() else {}
 
 
 def newest() -> list[dict[str, Any]]:
@@ -71,6 +66,8 @@ def _mean(all_of: list[Any]) -> Any:
         if "kernel" in mean:
             mean["times"] = len(all_of)
         return mean
+    if isinstance(first, list) and all(isinstance(v, (int, float)) for x in all_of for v in x):
+        return [sum(column) / len(all_of) for column in itertools.zip_longest(*all_of, fillvalue=0.0)]
     if isinstance(first, bool) or not isinstance(first, (int, float)):
         return first
     mean = sum(all_of) / len(all_of)
@@ -80,7 +77,7 @@ def _mean(all_of: list[Any]) -> Any:
 def _short(value: Any) -> Any:
     """Without what is zero or empty, and with a few digits."""
     if isinstance(value, dict):
-        return {k: _short(v) for k, v in value.items() if v not in (0, 0.0, "", {}, False)}
+        return {k: _short(v) for k, v in value.items() if v not in (0, 0.0, "", {}, [], False)}
     if isinstance(value, list):
         return [_short(v) for v in value]
     return float(f"{value:.{DIGITS}g}") if isinstance(value, float) else value
@@ -91,7 +88,7 @@ def _filled(counts: dict[str, Any]) -> dict[str, Any]:
     zero = {
         **{"symbol": "", "blocks": 0, "threads": 0, "shared_bytes": 0, "in_graph": False, "units": {}, "traffic": {}},
         **{"lane_statements": 0.0, "warp_statements": 0.0, "chain": 0.0, "hits": 0.0, "misses": 0.0, "imbalance": 1.0},
-        **{"own_sectors": 0.0, "own_traffic": 0.0, "issued_by_depth": []},
+        **{"own_sectors": 0.0, "own_loads": 0.0, "own_stores": 0.0, "issued_by_depth": []},
         **{"memory_reads": 0, "memory_writes": 0, "bytes_read": 0, "bytes_written": 0, "nodes": 0, "hot_atomics": 0.0},
     }
     fields = dict.fromkeys(("requests", "lanes", "bytes", "sectors", "wavefronts", "missed"), 0.0)

@@ -85,7 +85,15 @@ def test_the_emulated_device_has_the_name_that_is_refused():
 def test_parts_of_two_devices_are_no_document(tmp_path):
     documents.keep_part(tmp_path, GPU, "constants", {})
     documents.keep_part(tmp_path, replace(GPU, name="NVIDIA H200"), "operations", {})
-    with pytest.raises(ValueError, match="different devices"):
+    with pytest.raises(ValueError, match="different device"):
+        documents.collected(tmp_path)
+
+
+def test_parts_of_two_states_of_the_kernels_are_no_document(tmp_path, monkeypatch):
+    documents.keep_part(tmp_path, GPU, "constants", {})
+    monkeypatch.setattr("pointloom.kernels.language.compiled_ahead.digest_of_sources", lambda: "other")
+    documents.keep_part(tmp_path, GPU, "operations", {})
+    with pytest.raises(ValueError, match="different sources of kernels"):
         documents.collected(tmp_path)
 
 
@@ -121,6 +129,18 @@ def test_the_page_has_words_where_nothing_was_measured():
     assert gpu_page.measured_cell(runs, "tree 5", "device_ms") == "not measured"
 
 
+def test_what_was_measured_stands_beside_the_prediction(monkeypatch):
+    run = {"operations": {"tree 200000": {"caller_ms": 3.25, "device_ms": 1.75}}}
+    rows = {}
+    for runs in ({}, {"h100": run}):
+        monkeypatch.setattr(gpu_page, "newest_runs", lambda runs=runs: runs)
+        head, _, *lines = gpu_page.times_table()
+        cells = next(line for line in lines if line.startswith("| tree | 200,000 |")).split(" | ")
+        assert len(cells) == len(head.split(" | "))
+        rows[len(runs)] = [cell for cell, title in zip(cells, head.split(" | "), strict=True) if title == "measured"]
+    assert rows == {0: ["not measured", "not measured"], 1: ["1.75 (h100)", "3.25 (h100)"]}
+
+
 def test_what_the_model_has_wrong_by_more_than_two_is_told():
     assert Compared("a", 3.0, 1.0).is_wrong and Compared("a", 1.0, 3.0).is_wrong
     assert not Compared("a", 1.9, 1.0).is_wrong and not Compared("a", 1.0, 1.9).is_wrong
@@ -154,9 +174,11 @@ def test_what_is_done_is_not_done_again_and_what_failed_is_left_alone(scripted, 
         failed = run.all(steps)
     assert (tmp_path / "run" / "count").read_text() == "1"
     assert failed == [] and run.status(steps[1]) == "failed"
-    run.forget("good")
+    part = tmp_path / "run" / "parts" / "figures.json"
+    part.write_text("{}")
+    run.forget(replace(steps[0], part="figures"))
     run.all(steps)
-    assert (tmp_path / "run" / "count").read_text() == "2"
+    assert (tmp_path / "run" / "count").read_text() == "2" and not part.exists()
 
 
 def test_a_step_that_has_more_to_do_is_begun_again(scripted, tmp_path):

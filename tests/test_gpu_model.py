@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import struct
 import sys
 from pathlib import Path
 
@@ -10,10 +11,14 @@ import pytest
 
 BENCHMARKS = str(Path(__file__).parents[1] / "benchmarks")
 sys.path.append(BENCHMARKS)
+import gpu_host  # noqa: E402
 import gpu_machine as machine  # noqa: E402
 import gpu_results  # noqa: E402
-from gpu_chips import H200  # noqa: E402
+import gpu_sass  # noqa: E402
+from gpu_chips import H100, H200, RTX_4090  # noqa: E402
 from gpu_machine import Resources, Timeline, predict_kernel, predict_other, resident_blocks  # noqa: E402
+from gpu_operations import OPERATIONS  # noqa: E402
+from gpu_prediction import predict, resources_of  # noqa: E402
 
 sys.path.remove(BENCHMARKS)
 
@@ -26,6 +31,7 @@ def launch(**values: object) -> dict:
         **{"kernel": "k", "symbol": "k", "blocks": 132 * 100, "threads": 256, "shared_bytes": 0, "in_graph": False},
         **{"units": {}, "traffic": {}, "chain": 0.0, "hits": 0.0, "misses": 0.0, "imbalance": 1.0},
         **{"memory_reads": 0, "memory_writes": 0, "bytes_read": 0, "bytes_written": 0, "nodes": 0, "hot_atomics": 0.0},
+        **{"lane_statements": 0.0, "warp_statements": 0.0},
     }
     return {**zero, **values}
 
@@ -141,3 +147,181 @@ def test_many_launches_of_a_kernel_are_kept_as_their_mean():
     assert found[-1]["times"] == 100 - gpu_results.ONE_BY_ONE
     assert sum(x["units"]["issued"] * x.get("times", 1) for x in found) == sum(range(100))
     assert found[-1]["traffic"]["global load"]["requests"] * found[-1]["times"] == 92
+
+
+# ------------------------------------------------------------------------------------------------ spills, code, caches
+
+
+def test_spilled_registers_take_turns_in_the_l1_as_often_as_the_code_around_them_runs():
+    held = Resources(64, 16, 400, 400, code=[200, 200], local_loads=[10, 20], local_stores=[10, 0])
+    found = predict_kernel(launch(issued_by_depth=[200.0, 2000.0]), held)
+    times = 10 + 10 + 20 * 10  # once each, and ten turns of the loop
+    assert found.limits["L1"] == pytest.approx(100 * 8 * times / H200.clock)
+    assert found.spilled == pytest.approx(132 * 100 * 8 * times * 128)
+    assert found.limits["L2"] == 0  # 16 B of each of 1,024 threads stay in the L1
+    assert predict_kernel(launch(), held).spilled == 0  # nothing is known of how often
+
+
+def test_code_that_is_unrolled_has_more_spills_and_runs_less_often():
+    plain = Resources(64, 16, 100, 100, code=[0, 100], local_loads=[0, 5], local_stores=[0, 0])
+    unrolled = Resources(64, 16, 110, 100, code=[0, 400], local_loads=[0, 20], local_stores=[0, 0])
+    counts = launch(issued_by_depth=[0.0, 1000.0])
+    one, other = (predict_kernel(counts, resources).spilled for resources in (plain, unrolled))
+    assert other == pytest.approx(1.1 * one)
+
+
+def test_loops_that_the_assembler_has_unrolled_away_ran_in_its_deepest():
+    held = Resources(code=[100, 100], local_loads=[0, 1], local_stores=[0, 0])
+    deep = predict_kernel(launch(issued_by_depth=[100.0, 300.0, 600.0]), held)
+    flat = predict_kernel(launch(issued_by_depth=[100.0, 900.0]), held)
+    assert deep.spilled == flat.spilled > 0
+
+
+def test_spills_that_the_l1_cannot_hold_go_to_the_l2():
+    held = Resources(128, 1024, 100, 100, code=[100], local_loads=[10], local_stores=[10])
+    found = predict_kernel(launch(issued_by_depth=[100.0]), held)
+    resident = 2 * 8  # warps of an SM, at 128 registers
+    missed = 1 - (H200.l1_bytes - machine.RESERVED_SHARED) / (1024 * 32 * resident)
+    assert found.limits["L2"] == pytest.approx(132 * 100 * 8 * 20 * 128 * missed / H200.l2_bandwidth)
+
+
+def test_data_that_resident_warps_write_and_load_again_are_lost_where_they_outgrow_the_l2():
+    counts = {"own_sectors": 500.0, "own_loads": 2000.0, "own_stores": 1000.0}
+    traffic = {
+        "global load": dict.fromkeys(("requests", "lanes", "bytes", "sectors", "wavefronts"), 0.0) | {"missed": 3e3}
+    }
+    many = predict_kernel(launch(traffic=traffic, **counts), Resources(32))
+    footprint = 132 * 64 * 500 * 32  # bytes of 64 warps an SM
+    assert footprint > H200.l2_bytes
+    lost = (1 - H200.l2_bytes / footprint) * 132 * 100 * 8 * 3000 * 32
+    assert many.lost == pytest.approx(lost)
+    assert many.limits["memory"] == pytest.approx(lost / H200.memory_bandwidth)
+    few = predict_kernel(launch(traffic=traffic, blocks=100, **counts), Resources(32))
+    assert few.lost == 0
+
+
+def test_code_of_loops_beyond_the_caches_is_fetched_again():
+    size = 2 * H200.code_bytes // machine.INSTRUCTION_BYTES
+    counts = launch(issued_by_depth=[0.0, 10.0 * size])
+    large = predict_kernel(counts, Resources(code=[100, size]))
+    fetched = 0.5 * 10 * size * machine.INSTRUCTION_BYTES
+    assert large.limits["code"] == pytest.approx(100 * fetched / H200.fill_bytes / H200.clock)
+    assert predict_kernel(counts, Resources(code=[100, size // 2])).limits["code"] == 0
+    once = launch(issued_by_depth=[float(size), 0.0])
+    assert predict_kernel(once, Resources(code=[size, 10])).limits["code"] == 0  # straight through
+
+
+# ------------------------------------------------------------------------------------------------ chips, hosts, links
+
+
+def test_a_desks_float64_is_slow_and_its_sms_hold_fewer_warps():
+    counts = launch(units={"issued": 100.0, "fp64": 100.0})
+    ours, desk = predict_kernel(counts, Resources()), predict_kernel(counts, Resources(), RTX_4090)
+    ratio = desk.limits["fp64"] / ours.limits["fp64"]
+    assert ratio == pytest.approx(32 * H200.clock / RTX_4090.clock * (13_200 / 128) / 100)
+    assert resident_blocks(Resources(32), 256, 0, RTX_4090) == 6
+    moved = predict_kernel(launch(memory_reads=10**9), Resources(), H100)
+    assert moved.limits["memory"] == pytest.approx(1 / 3000)
+
+
+def test_a_chips_own_cubins_are_used_where_they_are_there():
+    counts = {
+        "resources": {"a": vars(Resources(80)), "b": vars(Resources(40))},
+        "resources_of": {"89": {"a": vars(Resources(96))}},
+    }
+    assert {k: r.registers for k, r in resources_of(counts, RTX_4090).items()} == {"a": 96, "b": 40}
+    assert resources_of(counts, H100)["a"].registers == 80
+
+
+def test_copies_into_fresh_memory_are_slower_than_into_pinned():
+    def seconds(name: str, size: int) -> float:
+        return predict_other(launch(kernel=name, bytes_read=size))[0].seconds
+
+    large = 100 << 20
+    assert seconds("(copy to host)", large) == pytest.approx(large / H200.link_fresh)
+    assert seconds("(copy to device)", large) == pytest.approx(large / H200.link_pageable)
+    assert seconds("(pinned copy to host)", large) == pytest.approx(large / H200.link_pinned)
+    assert seconds("(copy to host)", 1000) == pytest.approx(1000 / H200.link_pinned)  # the driver's own memory
+
+
+def test_a_pinned_copy_to_the_host_is_waited_for_by_what_waits():
+    timeline = Timeline()
+    timeline.add(launch(), 1e-3, 1)
+    timeline.add(launch(kernel="(pinned copy to host)"), 1e-6, 1)
+    assert timeline.waits == 0 and timeline.device == pytest.approx(1e-3 + H200.launch)
+    timeline.add(launch(kernel="(wait)"), 0.0, 0)
+    assert timeline.waits == 1
+
+
+def test_the_hosts_part_is_as_long_as_it_was_measured():
+    counts = {"host": {"allocations": 3}, "resources": {"k": {}}, "launches": [launch(units={"issued": 1.0})] * 4}
+    free = predict(counts).timeline
+    assert free.host_clock == pytest.approx(3 * H200.host_allocation + 4 * H200.host_launch)
+    told = predict(counts, H200, 2e-3).timeline
+    assert told.host_clock == pytest.approx(2e-3)
+    assert told.call > 2e-3 > free.call and told.device == free.device
+
+
+# ------------------------------------------------------------------------------------------------ machine code
+
+
+def instruction(kind: int, distance: int = 0, size: int = 4, architecture: int = 90, predicate: int = 7) -> bytes:
+    """An instruction of which nothing is said but this; distances in instructions, from its end."""
+    low, bytes_away = predicate << 12 | kind, 16 * distance
+    if architecture < 90:
+        low |= (bytes_away & 0xFFFFFFFF) << 32
+    else:
+        low |= (bytes_away // 4 & 0xFF) << 16 | (bytes_away // 4 >> 8 & 0x3FFFFFFF) << 34
+    return struct.pack("<QQ", low, size << 9)
+
+
+@pytest.mark.parametrize("architecture", [89, 90])
+def test_spills_are_found_by_the_loops_that_hold_them(architecture):
+    def branch(distance: int, predicate: int = 0) -> bytes:
+        return instruction(gpu_sass.BRANCH, distance, architecture=architecture, predicate=predicate)
+
+    load, store, other = (instruction(kind) for kind in (gpu_sass.LOAD_LOCAL, gpu_sass.STORE_LOCAL, 0x223))
+    inner = other + load + branch(-3)
+    four = instruction(gpu_sass.LOAD_LOCAL, size=6)
+    text = store + other * 300 + inner + four + branch(-305) + instruction(0x94D)
+    found = gpu_sass.read_code(text, architecture)
+    assert found.code == [2, 302, 3]  # the store and the exit; a loop in a loop
+    assert found.local_loads == [0, 4, 1] and found.local_stores == [1, 0, 0]
+    # a rare way that stands behind the exit, and leads back to where it left
+    rare = other + branch(4) + other * 3 + instruction(0x94D) + load + branch(-6, predicate=7)
+    assert gpu_sass.read_code(rare, architecture).code == [8]
+
+
+# ------------------------------------------------------------------------------------------------ hosts
+
+
+def host_row(operation: str, **counts: int) -> dict:
+    """A call whose host takes 20 us a launch, 40 an array, 30 a wait and 500 a graph, the driver's part within."""
+    costs = {"launches": 20, "allocations": 40, "waits": 30, "copies to host": 0, "copies to device": 0, "graphs": 0}
+    given = dict.fromkeys(costs, 0) | {"graphs made": 0} | counts
+    inside = given["launches"] if given["graphs made"] else 0  # recorded, not launched
+    us = sum(cost * given[name] for name, cost in costs.items()) - 20 * inside + 500 * given["graphs made"]
+    driver = 1e6 * gpu_host.DRIVER * sum(given[name] for name in gpu_host.GIVEN)
+    return {"operation": operation, "host_ms": (us - driver) / 1e3, **given}
+
+
+def test_costs_of_the_host_come_from_what_calls_took():
+    rows = [
+        *(
+            host_row("a", launches=n, allocations=m, waits=k)
+            for n, m, k in ((1, 1, 0), (5, 2, 1), (9, 7, 0), (3, 0, 4))
+        ),
+        *(host_row("b", launches=80, allocations=m, graphs=1, **{"graphs made": 1}) for m in (3, 8)),
+    ]
+    found = gpu_host.costs(rows)
+    assert found == pytest.approx(
+        {"host_launch": 20e-6, "host_allocation": 40e-6, "wait": 30e-6, "graph_made": 500e-6, "graph_made_node": 0.0}
+    )
+    assert gpu_host.costs([]) == {} and gpu_host.costs(rows[:3]) == {}
+
+
+def test_operations_whose_host_was_measured_take_its_seconds():
+    rows = [host_row("rgbd frame", launches=5), host_row("rgbd alignment", launches=2), host_row("fpfh", launches=7)]
+    found = gpu_host.measured_hosts(rows)
+    assert found == pytest.approx({"rgbd_frame": 140e-6, "fpfh": 140e-6})
+    assert set(gpu_host.NAMES) <= set(OPERATIONS)

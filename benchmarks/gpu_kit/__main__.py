@@ -56,8 +56,9 @@ def main() -> int:
     if options.dry and options.state is None:
         shutil.rmtree(state, ignore_errors=True)
     run = Run(state, options.seconds, dry=options.dry)
-    for name in options.again:
-        run.forget(name)
+    for step in STEPS:
+        if step.name in options.again:
+            run.forget(step)
     failed = run.all([step for step in STEPS if step.name in options.steps], options.pieces)
     if options.dry:
         return 1 if failed else _conclude_dry(state)
@@ -80,7 +81,11 @@ def _conclude(state: Path) -> int:
 
     from gpu_kit.compare import report
 
-    path = keep(state)
+    try:
+        path = keep(state)
+    except ValueError as error:
+        print(f"nothing is kept: {error}")
+        return 1
     print(f"wrote {path.relative_to(ROOT)}; review the constants beside it, and fill in `reviewed_by`")
     write_page()
     print(report())
@@ -92,7 +97,10 @@ def _conclude_dry(state: Path) -> int:
     try:
         path = keep(state)
     except EmulatedDeviceError as error:
-        print(f"dry run: all steps ran, and nothing was kept ({error})")
+        print(f"dry run: nothing was kept ({error})")
+        return 0
+    except ValueError as error:  # none has found anything yet
+        print(f"dry run: {error}")
         return 0
     print(f"dry run: figures of the emulated device were written to {path}")
     return 1

@@ -29,7 +29,10 @@ def write_json(path: Path, content: Any) -> None:
 
 def keep_part(state: Path, device: Device, name: str, content: Any) -> None:
     """Keep what a step has found so far, in the place of what it had found before."""
-    write_json(state / "parts" / f"{name}.json", {"device": device.as_json(), "content": content})
+    from pointloom.kernels.language.compiled_ahead import digest_of_sources
+
+    about = {"device": device.as_json(), "sources of kernels": digest_of_sources()}
+    write_json(state / "parts" / f"{name}.json", {**about, "content": content})
 
 
 def refuse_emulated(device: dict[str, Any]) -> None:
@@ -48,22 +51,22 @@ def collected(state: Path) -> dict[str, Any]:
 
     Raises:
         EmulatedDeviceError: A part is of the emulated device.
-        ValueError: There is none, or they are of different devices.
+        ValueError: There is none, or they are of different devices or sources of kernels.
     """
     parts = {path.stem: json.loads(path.read_text()) for path in sorted((state / "parts").glob("*.json"))}
     if not parts:
         raise ValueError(f"{state}: no step has left anything")
-    devices = []
     for part in parts.values():
         refuse_emulated(part["device"])
-        if part["device"] not in devices:
-            devices.append(part["device"])
-    if len(devices) > 1:
-        raise ValueError(f"{state}: of different devices: {', '.join(d['name'] for d in devices)}; begin anew")
+    first, *others = parts.values()
+    for about in ("device", "sources of kernels"):
+        if any(part[about] != first[about] for part in others):
+            raise ValueError(f"{state}: parts of different {about}; do all again, with another --state")
     commit, dirty = _commit()
     return {
         "format": FORMAT,
-        "device": devices[0],
+        "device": first["device"],
+        "sources of kernels": first["sources of kernels"],
         "date": datetime.datetime.now(datetime.UTC).isoformat(timespec="seconds"),
         "commit": commit,
         "dirty": dirty,

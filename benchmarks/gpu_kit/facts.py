@@ -20,8 +20,6 @@ def main() -> int:
     listed = subprocess.run([sys.executable, "-m", "pip", "list"], capture_output=True, text=True).stdout
     print(*(line for line in listed.splitlines() if line.lower().split(" ")[0] in PACKAGES), sep="\n")
     print(*(f"{name}: {shutil.which(name) or 'not here'}" for name in PROGRAMS), sep="\n")
-    doctor = [sys.executable, "-m", "pointloom", "doctor"]
-    print(subprocess.run(doctor, capture_output=True, text=True).stdout)
     return 0
 
 

@@ -52,7 +52,10 @@ def timed(name: str, size: int) -> tuple[list[float], Callable[[], Any]]:
             call = prepare(size)
         wp.synchronize_device(devices.NAME)
         start = time.perf_counter()
-        result = call()
+        try:
+            result = call()
+        except StopIteration:  # of a sequence of frames
+            break
         wp.synchronize_device(devices.NAME)
         if k >= WARM_UP:
             found.append(time.perf_counter() - start)

@@ -5,6 +5,7 @@ python -m gpu_kit.questions STATE SECONDS
 
 from __future__ import annotations
 
+import subprocess
 import sys
 import threading
 import time
@@ -55,6 +56,12 @@ def icp(source: Any, target: Any) -> np.ndarray:
 
     method = registration.TransformationEstimationPointToPlane()
     return registration.registration_icp(source, target, 0.1, None, method).transformation
+
+
+@question("what pointloom's doctor says")
+def _() -> str:
+    done = subprocess.run([sys.executable, "-m", "pointloom", "doctor"], capture_output=True, text=True, check=False)
+    return f"\n{done.stdout}" if done.returncode == 0 else f"FAILED, exit {done.returncode}: {done.stdout}"
 
 
 @question("which kernels compiled ahead are used")

@@ -24,13 +24,12 @@ VARIABLE = "POINTLOOM_MOST_REGISTERS"
 AT_LEAST, AT_MOST = 15.0, 90.0  # seconds of a trial
 OWN = -1  # the bound that the source has
 BOUNDS = (OWN, 64, 80, 96, 128, 0)
-TRIALS = (  # operation, size, kernels; the hottest of those that have a bound, or hold over 128 registers without
+TRIALS = (  # operation, size, kernels as CUDA has them: the hottest that have a bound, or over 128 registers
     ("normals_k30", 1_000_000, ("fit_normals_nearest_kernel",)),
     ("dbscan", 1_000_000, ("unite_cores_kernel", "find_cores_kernel")),
-    ("knn20", 1_000_000, ("search_nearest_kernel", "find_limits_kernel")),
-    ("fpfh", 300_000, ("count_angles_kernel", "sum_histograms_kernel")),
-    ("icp_plane", 200_000, ("match_points_kernel", "sum_plane_rows")),
-    ("normals_hybrid", 1_000_000, ("fit_normals_within_kernel",)),
+    ("knn20", 1_000_000, ("search_nearest_of_lanes_kernel",)),
+    ("fpfh", 300_000, ("count_angles_kernel", "sum_histograms_of_lanes_kernel")),
+    ("icp_plane", 200_000, ("match_lanes_kernel", "sum_plane_rows")),
     ("closest_points", 200_000, ("find_nearest_triangles_kernel",)),
 )
 DRY_TRIALS = (("voxel_down_sample", 3000, ("encode_voxels_kernel",)),)

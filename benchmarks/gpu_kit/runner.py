@@ -39,9 +39,11 @@ class Run:
         mark = self.state / "done" / step.name
         return mark.read_text() if mark.exists() else ""
 
-    def forget(self, name: str) -> None:
-        """Have a step done again."""
-        (self.state / "done" / name).unlink(missing_ok=True)
+    def forget(self, step: Step) -> None:
+        """Have a step done again, from its beginning."""
+        (self.state / "done" / step.name).unlink(missing_ok=True)
+        if step.part:
+            (self.state / "parts" / f"{step.part}.json").unlink(missing_ok=True)
 
     def why_not(self, step: Step, pieces: Iterable[str] | None) -> str:
         """Why a step is not done now; empty where it is."""

@@ -27,6 +27,7 @@ class Step:
         needs: Pieces that must have come (only where they come piece by piece: call.sh).
         program: That must be on the machine; the step is left out where it is not.
         in_dry_run: Whether a dry run does it too.
+        part: Of the run's document, that it writes; done again, it begins anew.
     """
 
     name: str
@@ -37,6 +38,7 @@ class Step:
     program: str = ""
     in_dry_run: bool = True
     arguments: tuple[str, ...] = ()
+    part: str = ""
 
     def command(self, state: Path, seconds: float) -> list[str]:
         """The command of the step."""
@@ -50,12 +52,12 @@ class Step:
 STEPS = (
     Step("facts", "facts", 5, 60, ()),
     Step("torch", "torch_constants", 15, 60, (), in_dry_run=False),
-    Step("questions", "questions", 40, 300),
-    Step("constants", "constants", 30, 120),
-    Step("tests", "suite", 60, 1200),
-    Step("benchmarks", "benches", 60, 900, ("warp", "kernels", "open3d")),
-    Step("profile", "profile", 30, 500),
-    Step("registers", "register_trials", 60, 300),
+    Step("questions", "questions", 40, 300, part="questions"),
+    Step("constants", "constants", 30, 120, part="constants"),
+    Step("tests", "suite", 60, 1200, part="tests"),
+    Step("benchmarks", "benches", 60, 900, ("warp", "kernels", "open3d"), part="benchmarks"),
+    Step("profile", "profile", 30, 500, part="operations"),
+    Step("registers", "register_trials", 60, 300, part="registers"),
     Step("ncu", "under_tools", 45, 180, program="ncu", in_dry_run=False, arguments=("ncu",)),
     Step("sanitizer", "under_tools", 60, 300, program="compute-sanitizer", in_dry_run=False, arguments=("sanitizer",)),
 )

@@ -2,8 +2,9 @@
 
 A kernel says by `@kernel(most_registers=80)` what a thread of it may hold on CUDA. Whether a bound is right is seen on
 a GPU alone: a lower one lets more threads in and has the assembler spill. A kernel that is named here is compiled with
-the number beside it, 0 for no bound at all; a sum goes by the name of its function. The number is part of the hash of
-the kernel's module, so that each build is kept beside the others, and no archive of kernels compiled ahead has it.
+the number beside it, 0 for no bound at all; a variant for CUDA goes by its own name, a sum by that of its function. The
+number is part of the hash of the kernel's module, so each build is kept beside the others, and no archive of kernels
+compiled ahead has it.
 """
 
 from __future__ import annotations

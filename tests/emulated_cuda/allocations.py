@@ -102,14 +102,15 @@ class Allocations:
             return self.findings.refuse(f"invalid argument: a copy to the device from device memory ({caller()})")
         self.findings.counts["copies to device"] += 1
         self.findings.counts["bytes to device"] += n
-        if not self._is_pinned(source):
+        is_pinned = self._is_pinned(source)
+        if not is_pinned:
             if found.capture is not None:
                 self.findings.note("copies", "pageable host memory in a graph", caller())
             else:  # it is staged before the call returns; pinned memory is read when the copy runs
                 source = ctypes.string_at(source, n) if n else b""
 
         def copy() -> None:
-            with self._counted("(copy to device)", 0, n, to=to):
+            with self._counted("(pinned copy to device)" if is_pinned else "(copy to device)", 0, n, to=to):
                 ctypes.memmove(self.memory.real(to, n, "copy to", write=True), source, n)
 
         self.streams.enqueue(found, copy, "memcpy")
@@ -124,7 +125,7 @@ class Allocations:
             if unwritten := self.memory.unwritten(source, n):
                 text = f"{unwritten} of {n} bytes, {where}; {self.memory.describe(source)}"
                 self.findings.note("copies", "uninitialised bytes copied to the host", text)
-            with self._counted("(copy to host)", n, 0, source=source):
+            with self._counted("(pinned copy to host)" if is_pinned else "(copy to host)", n, 0, source=source):
                 ctypes.memmove(to, real, n)
 
         self.findings.counts["copies to host"] += 1

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import ctypes
 import functools
+import itertools
 import json
 import math
 import re
@@ -84,6 +85,10 @@ class LaunchCounts:
     bytes_written: int = 0
     nodes: int = 0  # of a graph that is made
     hot_atomics: float = 0.0  # at the one address that most go to, scaled to the launch
+    own_sectors: float = 0.0  # per warp: sectors that it writes and then loads from beyond the L1
+    own_loads: float = 0.0  # per warp: sectors of these, load by load
+    own_stores: float = 0.0
+    issued_by_depth: list[float] = field(default_factory=list)  # per warp: instructions, by how many loops they are in
     cut: int = 0  # lanes whose trace was too long
 
     @property
@@ -173,7 +178,7 @@ class Counters:
             self._take(found, state, counts)
         elif last is not None:
             kept = ("units", "lane_statements", "warp_statements", "traffic", "chain", "hits", "misses", "imbalance")
-            for name in (*kept, "slowest"):
+            for name in (*kept, "slowest", "own_sectors", "own_loads", "own_stores", "issued_by_depth"):
                 setattr(counts, name, getattr(last, name))
         self._take_memory(counts, counts.warps / state.warps if state is not None and state.alone else 1.0)
         self.known[found.name] = times + 1, (counts if state is not None else last or counts)
@@ -214,7 +219,28 @@ class Counters:
         counts.imbalance = state.longest / max(state.blocks, 1) / mean if mean else 1.0
         counts.slowest = float(state.slowest)
         counts.hot_atomics = state.hot_atomics * counts.warps / warps
+        own = (ctypes.c_uint64 * 3)()
+        self.runtime.emulator_own(own)
+        counts.own_sectors, counts.own_loads, counts.own_stores = (x / warps for x in own)
+        counts.issued_by_depth = [x / warps for x in self._issued_by_depth(tables)]
         self._take_places(found, tables, counts.warps / warps)
+
+    def _issued_by_depth(self, tables: Tables) -> list[float]:
+        """Instructions of the sampled warps by how many loops, of those that led back, hold them."""
+        count = len(tables.blocks)
+        ends = (ctypes.c_uint32 * max(count, 1))()
+        self.runtime.emulator_loops(ends, ctypes.c_uint32(count))
+        starts = [0] * (count + 1)
+        for first, end in enumerate(ends[:count]):
+            if end:
+                starts[first] += 1
+                starts[end] -= 1
+        found: list[float] = []
+        depths = itertools.accumulate(starts)
+        for depth, issues, block in zip(depths, tables.arrays["issues"], tables.blocks, strict=False):
+            found += [0.0] * (depth + 1 - len(found))
+            found[depth] += issues * block["units"]["issued"]
+        return found
 
     def _take_places(self, found: Any, tables: Tables, scale: float) -> None:
         def place(name: str) -> PlaceCounts:

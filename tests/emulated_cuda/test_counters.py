@@ -377,3 +377,45 @@ def test_what_a_graph_does_is_known_from_what_the_host_launches(happened):
     assert [x.kernel for x in found] == ["(graph made)", "(graph launch)", "(copy)", "(copy)", "(copy)"]
     assert [x.in_graph for x in found] == [False, False, True, True, True]
     assert found[0].nodes == 3
+
+
+# ------------------------------------------------------------------------------------------------ loops, own data
+
+
+def turned(body: str, turns: int, register: int = 5) -> str:
+    """A loop around a body."""
+    return f"""
+    mov.u32 %r{register}, 0;
+LOOP{register}:
+{body}
+    add.s32 %r{register}, %r{register}, 1;
+    setp.lt.s32 %p1, %r{register}, {turns};
+    @%p1 bra LOOP{register};"""
+
+
+def test_instructions_are_counted_by_the_loops_that_they_are_in(count):
+    inner = turned("    add.s32 %r7, %r7, %r1;", 4, register=6)
+    found = count(turned(inner, 3))
+    plain, once, twice = found.issued_by_depth
+    assert sum(found.issued_by_depth) == pytest.approx(found.units["issued"])
+    alone = count(turned("    add.s32 %r7, %r7, %r1;", 12, register=6))
+    assert twice == alone.issued_by_depth[1]  # as often, in one loop
+    assert len(alone.issued_by_depth) == 2 and plain < once < twice
+
+
+def test_a_loop_that_never_turns_is_none(count):
+    assert len(count(turned("    add.s32 %r7, %r7, %r1;", 1)).issued_by_depth) == 1
+
+
+def test_what_a_warp_writes_and_loads_again_is_its_own(count):
+    place = """
+    mul.wide.u32 %rd3, %r4, 4;
+    add.s64 %rd4, %rd1, %rd3;"""
+    write, read = "\n    st.global.f32 [%rd4], %f2;", "\n    ld.global.f32 %f1, [%rd4];"
+    again = count(place + write + read + write)
+    assert again.own_sectors == 4  # 128 bytes of a warp
+    assert (again.own_loads, again.own_stores) == (4, 8)  # a load that the L1 does not have, and two stores
+    kept = count(place + write + read + read)
+    assert (kept.own_loads, kept.own_stores) == (4, 4)  # the second load finds it in the L1
+    for body in (place + read + write, place + write + write, place + read + read):
+        assert count(body).own_sectors == 0

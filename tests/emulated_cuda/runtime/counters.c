@@ -122,10 +122,72 @@ static u32 turns_in_banks(const Request *r, u32 size)
     return most;
 }
 
+/* A warp's own data: sectors that it writes and loads again. Those of all resident warps share the L2, which the model of
+   it does not know, since it sees one warp after the other. */
+enum { OWN = 1 << 15, PROBES = 16 };
+
+typedef struct Own {
+    u64 sector;
+    u32 warp, stores;
+    u8 is_loaded;
+} Own;
+
+static Own own[OWN];
+static struct {
+    u64 sectors, loads, stores; /* of all sampled warps; loads that the L1 does not have */
+} owned;
+static u32 own_warp;
+
+static Own *own_place(u64 sector, int make)
+{
+    u32 h = (u32)(sector * 0x9E3779B97F4A7C15ull >> 49);
+    for (u32 k = 0; k < PROBES; k++) {
+        Own *place = &own[(h + k) % OWN];
+        if (place->warp == own_warp && place->sector == sector)
+            return place;
+        if (place->warp != own_warp) {
+            if (make)
+                *place = (Own) { sector, own_warp, 0, 0 };
+            return make ? place : 0;
+        }
+    }
+    return 0;
+}
+
+static void note_own(u64 line, u8 sectors, u32 access)
+{
+    for (u32 k = 0; k < 4; k++) {
+        Own *place = sectors >> k & 1 ? own_place(line << 2 | k, access == STORE) : 0;
+        if (!place)
+            continue;
+        if (access == STORE) {
+            owned.stores += place->is_loaded;
+            place->stores++;
+            continue;
+        }
+        owned.loads++;
+        if (!place->is_loaded) {
+            place->is_loaded = 1;
+            owned.sectors++;
+            owned.stores += place->stores;
+        }
+    }
+}
+
+void emulator_own(u64 *found)
+{
+    found[0] = owned.sectors;
+    found[1] = owned.loads;
+    found[2] = owned.stores;
+    memset(&owned, 0, sizeof owned);
+}
+
 static void take_line(u64 line, u8 sectors, u32 access, Traffic *x)
 {
     u32 wanted = (u32)__builtin_popcount(sectors);
     u8 there = access == ATOMIC ? 0 : look_up(line, sectors, access == LOAD);
+    if (access != ATOMIC && !(line & LOCAL_LINE))
+        note_own(line, access == LOAD ? sectors & (u8)~there : sectors, access);
     x->sectors += wanted;
     x->missed += access == LOAD ? wanted - (u32)__builtin_popcount(there) : wanted;
 }
@@ -268,6 +330,26 @@ static void issue(s32 block, u32 group)
     }
 }
 
+/* Where ways lead back: by the first block of a loop its last, plus one; 0 where none begins. */
+enum { MOST_BLOCKS = 1 << 16 };
+static u32 loop_ends[MOST_BLOCKS];
+
+static void note_loops(s32 block, u32 group, s32 back)
+{
+    for (u32 rest = group; rest; rest &= rest - 1) {
+        s32 next = next_of((u32)__builtin_ctz(rest));
+        if (next >= 0 && next <= block && next != back && block < MOST_BLOCKS && loop_ends[next] < (u32)block + 1)
+            loop_ends[next] = (u32)block + 1;
+    }
+}
+
+void emulator_loops(u32 *found, u32 count)
+{
+    count = count < MOST_BLOCKS ? count : MOST_BLOCKS;
+    memcpy(found, loop_ends, count * sizeof(u32));
+    memset(loop_ends, 0, count * sizeof(u32));
+}
+
 /* Run lanes until all are at `stop`; a function's end is where its caller goes on. */
 static void run_until(u32 lanes, s32 stop, s32 back)
 {
@@ -294,6 +376,7 @@ static void run_until(u32 lanes, s32 stop, s32 back)
             run_until(group, after, after);
             continue;
         }
+        note_loops(block, group, back);
         s32 meets = COUNTERS->meets[block];
         if (meets < 0)
             meets = back;
@@ -325,6 +408,7 @@ void counters_replay(Thread *t, u32 first, u32 lanes)
 {
     u32 here = 0;
     memset(&warp, 0, sizeof warp);
+    own_warp++;
     warp.t = t;
     warp.number = first / LANES;
     for (u32 k = 0; k < lanes; k++) {

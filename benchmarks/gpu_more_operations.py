@@ -1,0 +1,231 @@
+"""More operations of the GPU model: registration, frames, surfaces and meshes, whose hosts launch many times.
+
+Limits are bytes that must move once between memory and chip, or steps that must follow each other; those of operations
+that iterate until they converge are low.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from types import SimpleNamespace
+from typing import Any
+
+import numpy as np
+import scenes
+from gpu_chips import H200
+from gpu_operation import BOXES, DEVICE, NORMAL, POINT, Operation, cloud_of, computed, moved
+from mesh_scenes import in_pointloom, torn_mesh, wavy_mesh
+
+Call = Callable[[], Any]
+WIDTH, HEIGHT = 640, 480
+PICTURE = WIDTH * HEIGHT
+VIEWS, VIEW_WIDTH = 3, 160  # of multi-view stereo, pictures of 160 x 120
+VIEW_PIXELS = VIEWS * VIEW_WIDTH * VIEW_WIDTH * 3 // 4
+TURNS, BEAMS = 900, 64  # of a LiDAR
+CALLS = 10  # that frames are there for
+
+
+# ------------------------------------------------------------------------------------------------ registration
+
+
+def _gicp(size: int) -> Call:
+    import pointloom as loom
+
+    reg, shift = loom.registration, [0.01, 0.01, 0.0]
+    source, target = loom.PointCloud(scenes.bumpy_surface(size, 1) + shift, device=DEVICE), cloud_of(size)
+    return lambda: reg.registration_generalized_icp(source, target, 0.1)
+
+
+def _globally(size: int) -> Call:
+    import pointloom as loom
+
+    T, (c, s), clouds = np.eye(4), (np.cos(1.3), np.sin(1.3)), []
+    T[:2, :2], T[:3, 3] = [[c, -s], [s, c]], [0.5, -0.2, 0.1]
+    for seed, low in ((50, -2.0), (51, -1.0)):  # two thirds of each are on the other
+        points = scenes.bumpy_surface(size, seed)
+        clouds.append(loom.PointCloud(points[(points[:, 0] > low) & (points[:, 0] < low + 3)], device=DEVICE))
+    source = clouds[0].transform(T)
+    return lambda: loom.registration.register_globally(source, clouds[1], voxel_size=0.05)
+
+
+def _lidar(_: int) -> Call:
+    from street import drive
+
+    import pointloom as loom
+
+    road = drive(3 + CALLS, beams=BEAMS, azimuths=TURNS)
+    clouds = [loom.PointCloud(p, time=t, device=DEVICE) for p, t in zip(road.scans, road.times, strict=True)]
+    odometry, rest = loom.registration.LidarOdometry(voxel_size=1.0), iter(clouds)
+    for _ in range(3):  # the map and the speed are there
+        odometry.register(next(rest))
+    return lambda: odometry.register(next(rest))
+
+
+# ------------------------------------------------------------------------------------------------ frames
+
+
+def _pictures() -> tuple[Any, Any, np.ndarray]:
+    """Frames of a room, their camera, and a picture that both show."""
+    import pointloom as loom
+
+    frames = scenes.room_frames(2)
+    v, u = np.mgrid[:HEIGHT, :WIDTH]
+    shade = 127 + 60 * np.sin(u / 7 + v / 19) + 50 * np.cos(v / 9 - u / 31)
+    return frames, loom.PinholeCameraIntrinsic(WIDTH, HEIGHT, *frames.intrinsic), shade.astype(np.uint8)
+
+
+def _rgbd_frame(_: int) -> Call:
+    """A frame of a camera that is tracked: prepared, and aligned with the one before."""
+    from pointloom import odometry
+
+    frames, camera, shade = _pictures()
+    first = odometry.OdometryFrame(frames.depths[0], camera, shade, device=DEVICE)
+
+    def call() -> Any:
+        return odometry.align_frames(odometry.OdometryFrame(frames.depths[1], camera, shade, device=DEVICE), first)
+
+    return call
+
+
+def _slam_frame(_: int) -> Call:
+    import pointloom as loom
+    from pointloom.data.scenes.room import room_loop_sequence
+
+    room = room_loop_sequence(300, width=WIDTH, height=HEIGHT)
+    system = loom.slam.DenseSLAM(room.intrinsic, voxel_size=0.01, device=DEVICE)
+    read = [room.read(k) for k in range(2 + CALLS)]
+    frames = iter([SimpleNamespace(depth=f.depth, color=f.color, timestamp=f.timestamp) for f in read])
+
+    def call() -> Any:
+        return system.step(next(frames))
+
+    for _ in range(2):
+        call()
+    return call
+
+
+def _mvs(_: int) -> Call:
+    import mvs_scenes
+
+    import pointloom as loom
+
+    room = mvs_scenes.room(VIEWS, VIEW_WIDTH)
+    return lambda: list(loom.mvs.estimate_depth_maps(room.pictures, room.cameras, device=DEVICE))
+
+
+def _fuse(_: int) -> Call:
+    from digest_mvs import noisy_depth_maps
+
+    import pointloom as loom
+
+    maps = noisy_depth_maps(None)
+    colors = list(np.random.default_rng(8).integers(0, 256, (4, 72, 96, 3)).astype(np.uint8))
+    return lambda: loom.mvs.fuse(maps, colors, to="points", device=DEVICE)
+
+
+# ------------------------------------------------------------------------------------------------ surfaces, meshes
+
+
+def _oriented(size: int) -> Any:
+    return cloud_of(size).estimate_normals(max_nn=20).orient_normals_to_align_with_direction()
+
+
+def of_surface(name: str, *given: Any, **options: Any) -> Callable[[int], Call]:
+    """A mesh from oriented points."""
+
+    def prepare(size: int) -> Call:
+        import pointloom as loom
+
+        cloud = _oriented(size)
+        make = getattr(loom.TriangleMesh, f"from_point_cloud_{name}")
+        return lambda: make(cloud, *given, **options)
+
+    return prepare
+
+
+def of_mesh(arrays: Callable[[int], Any], call: Callable[[Any], Any]) -> Callable[[int], Call]:
+    """An operation on a mesh; its size is that of the grid that it was cut from."""
+
+    def prepare(cells: int) -> Call:
+        mesh = in_pointloom(arrays(cells), DEVICE)
+        return lambda: call(mesh)
+
+    return prepare
+
+
+def _deformed(mesh: Any) -> Any:
+    """The lowest vertices stay, the highest move."""
+    heights = np.asarray(mesh.vertices)[:, 2]
+    rows = np.argsort(heights)[[*range(40), *range(-40, 0)]]
+    places = np.asarray(mesh.vertices)[rows].copy()
+    places[40:, 2] += 0.1 * np.ptp(heights)
+    return mesh.deform_as_rigid_as_possible(rows, places, 5)
+
+
+def _patches(size: int) -> Call:
+    cloud = _oriented(size)
+    cloud.search_tree()
+    return lambda: cloud.detect_planar_patches(max_nn=20)
+
+
+def _kitti(_: int) -> Call:
+    import pointloom as loom
+
+    cloud = loom.PointCloud(scenes.real_scan(zeros=False), device=DEVICE)
+    cloud.search_tree()
+    return lambda: cloud.estimate_normals(max_nn=30)
+
+
+def bytes_of(of_each: float, why: str) -> dict[str, Any]:
+    """A limit in bytes of each point, pixel or triangle."""
+    return {"limit": lambda n: moved(n * of_each), "why": f"bytes: {why}"}
+
+
+def steps(count: int, why: str) -> dict[str, Any]:
+    """A limit in steps that follow each other."""
+    return {"limit": lambda _: count * H200.graph_node, "why": why}
+
+
+POINTS_AND_NORMALS, POINTS = POINT + NORMAL, POINT
+TRIANGLES = 24  # bytes of two triangles a point
+
+MORE_ROWS = (
+    Operation(
+        "normals_scan",
+        _kitti,
+        lambda n: max(moved(n * (POINT + BOXES + NORMAL)), computed(n * (30 * 26 + 300))),
+        "as normals_k30; a real LiDAR scan, of POINTLOOM_DATA",
+        sizes=(69_088,),
+        needs=scenes.real_scan_path,
+        last="fit_normals.*",
+    ),
+    Operation("gicp", _gicp, **bytes_of(2 * (POINT + 24), "points and covariances"), sizes=(200_000,)),
+    Operation("register_globally", _globally, **steps(60, "features, pairs, poses, ICP"), sizes=(200_000,)),
+    Operation("lidar_odometry_scan", _lidar, **steps(30, "some 15 steps of two launches"), sizes=(BEAMS * TURNS,)),
+    Operation("rgbd_frame", _rgbd_frame, **steps(60, "some 20 steps of three launches"), sizes=(PICTURE,)),
+    Operation("slam_frame", _slam_frame, **steps(70, "as rgbd_frame, then fusing and drawing"), sizes=(PICTURE,)),
+    Operation("mvs_pictures", _mvs, **steps(60, "propagation, place after place"), sizes=(VIEW_PIXELS,)),
+    Operation("mvs_fuse", _fuse, **bytes_of(23, "depth, normal, confidence, colour"), sizes=(4 * 72 * 96,)),
+    Operation("poisson_depth_7", of_surface("poisson", depth=7), **steps(300, "sweeps of each level"), sizes=(60_000,)),
+    Operation(
+        "ball_pivoting",
+        of_surface("ball_pivoting"),
+        **bytes_of(POINTS_AND_NORMALS + TRIANGLES, "points in, triangles out"),
+        sizes=(60_000,),
+    ),
+    Operation(
+        "alpha_shape",
+        of_surface("alpha_shape", 0.1),
+        **bytes_of(POINTS + TRIANGLES, "points in, triangles out"),
+        sizes=(20_000,),
+    ),
+    Operation("planar_patches", _patches, **bytes_of(POINTS_AND_NORMALS, "points and normals"), sizes=(60_000,)),
+    Operation(
+        "decimation",
+        of_mesh(wavy_mesh, lambda mesh: mesh.simplify_quadric_decimation(len(mesh.triangles) // 10)),
+        **steps(30, "rounds of collapses"),
+        sizes=(128,),
+    ),
+    Operation("repair", of_mesh(torn_mesh, lambda mesh: mesh.repair()), **steps(60, "step after step"), sizes=(64,)),
+    Operation("deform_arap", of_mesh(wavy_mesh, _deformed), **steps(300, "rounds, and a solver in each"), sizes=(48,)),
+)
