@@ -6,7 +6,7 @@ import warp as wp
 from ..array_types import Array, Integers
 from ..lang import array, atomic_add, func, int32, int64, kernel, launch, tid
 from ..language.device_lock import turn_on
-from ..memory import download, empty, host_view, zeros
+from ..memory import download, empty, host_view, rows_of, zeros
 from .runs import Runs, elements_of, row_of
 
 RUN = 4096  # counts a thread on the CPU: one atomic a run
@@ -85,7 +85,7 @@ def exclusive_scan(counts: Integers) -> tuple[Integers, int]:
     runs = Runs(n, device, RUN)
     totals = zeros(runs.rows, int64, device)
     launch(start_offsets_kernel, runs.threads, [counts, runs, totals, offsets])
-    inclusive_scan(counts, offsets[1:])
+    inclusive_scan(counts, rows_of(offsets, 1, n + 1))
     return offsets, _checked(int(download(totals).sum()))  # sync
 
 
@@ -108,7 +108,7 @@ def scan_two(counts: Integers) -> tuple[Integers, int, int]:
     runs, offsets = Runs(n, counts.device, RUN), empty(n + 1, int32, counts.device)
     totals = zeros(runs.rows + 1, int64, counts.device)
     launch(start_offsets_kernel, runs.threads, [counts, runs, totals, offsets])
-    inclusive_scan(counts, offsets[1:])
+    inclusive_scan(counts, rows_of(offsets, 1, n + 1))
     launch(copy_middle_kernel, 1, [offsets, runs.rows, totals])
     found = download(totals)  # sync
     return offsets, int(found[-1]), _checked(int(found[:-1].sum()))

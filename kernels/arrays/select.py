@@ -6,7 +6,7 @@ import numpy as np
 
 from ..array_types import Array, Indices, Mask
 from ..lang import array, int32, kernel, launch, tid, uint8, vec3
-from ..memory import contiguous, download, empty, upload
+from ..memory import contiguous, download, empty, rows_of, upload
 from .prefix_sum import inclusive_scan
 
 
@@ -60,7 +60,7 @@ def positions_of(mask: Mask) -> Indices:
     ranks = empty(mask.size, int32, device)
     launch(count_mask_kernel, mask.size, [mask, ranks])
     inclusive_scan(ranks, ranks)
-    positions = empty(int(download(ranks[-1:])[0]), int32, device)  # sync
+    positions = empty(int(download(rows_of(ranks, mask.size - 1, mask.size))[0]), int32, device)  # sync
     launch(scatter_positions_kernel, mask.size, [mask, ranks, positions])
     return positions
 

@@ -8,7 +8,7 @@ import numpy as np
 
 from ..array_types import Indices, Integers, Keys, LongIntegers
 from ..lang import array, int32, int64, kernel, launch, struct, tid, uint8
-from ..memory import copy, download, empty, upload
+from ..memory import copy, download, empty, rows_of, upload
 from .prefix_sum import inclusive_scan
 from .select import gather_rows, positions_of
 from .sort import argsort_keys
@@ -101,12 +101,13 @@ class UniqueKeys:
         n, device = sorted_keys.size, sorted_keys.device
         ranks = empty(n + 2, int32, device)
         launch(mark_heads_kernel, n, [sorted_keys, ranks])
-        inclusive_scan(ranks[:n], ranks[:n])
+        counted = rows_of(ranks, 0, n)
+        inclusive_scan(counted, counted)
         keys, starts = empty(n, int64, device), empty(n + 1, int32, device)  # of any number, so as not to wait for it
         launch(write_heads_kernel, n, [sorted_keys, ranks, keys, starts])
-        self.count, low, high = download(ranks[n - 1 :]).tolist()  # sync
+        self.count, low, high = download(rows_of(ranks, n - 1, n + 2)).tolist()  # sync
         self._last = (high << 32) | (low & 0xFFFF_FFFF)
-        self.keys, self.starts = keys[: self.count], starts[: self.count + 1]
+        self.keys, self.starts = rows_of(keys, 0, self.count), rows_of(starts, 0, self.count + 1)
 
     def counts(self) -> Integers:
         """How often each key occurs, int32 [m]."""
