@@ -30,7 +30,7 @@ from pathlib import Path
 from typing import Any
 
 ROOT, DEVICE = Path(__file__).parents[1], "cuda:0"
-CALIBRATION, WARM_UP, IN_A_ROW, PROFILED, PROFILE_LINES = 20_000, 2, 10, 20, 25
+CALIBRATION, WARM_UP, IN_A_ROW, PROFILED, PROFILE_LINES = 20_000, 2, 10, 20, 45
 COUNTS = ("launches", "graphs", "graphs made", "copies to host", "copies to device", "allocations", "waits")
 WAITING = ("register_globally", "odometry, a scan")  # dozens of times a call: nothing of them is warm
 clock = time.thread_time
@@ -40,7 +40,7 @@ class Inside:
     """The time that the emulated device takes, between two looks."""
 
     def __init__(self) -> None:
-        self.seconds, self.calls, self.is_in, self.hook = 0.0, 0, False, 0.0
+        self.seconds, self.calls, self.is_in, self.hook, self.start = 0.0, 0, False, 0.0, 0.0
 
     def timed(self, function: Callable[..., Any]) -> Callable[..., Any]:
         """The device's function with a clock around it; what it calls itself is not counted again."""
@@ -50,11 +50,11 @@ class Inside:
                 return function(*arguments)
             self.calls += 1
             self.is_in = True
-            start = clock()
+            self.start = clock()
             try:
                 return function(*arguments)
             finally:
-                self.seconds += clock() - start
+                self.seconds += clock() - self.start
                 self.is_in = False
 
         return call
@@ -71,6 +71,10 @@ class Inside:
             call(0)
         self.hook = (clock() - start - self.seconds - loop) / CALIBRATION
         self.seconds, self.calls = 0.0, 0
+
+    def outside(self) -> float:
+        """A clock that stands still while the device works."""
+        return (self.start if self.is_in else clock()) - self.seconds
 
     def taken(self) -> float:
         """What is to be taken from the time of a call."""
@@ -208,31 +212,28 @@ def printed(row: dict[str, Any], known: dict[str, Any] | None) -> str:
     return f"{row['operation']:22}{row['host_ms']:9.3f}{ratio}{counts}"
 
 
-def print_profile(name: str, call: Callable[[], Any]) -> None:
-    """The functions that a call's time goes to, the emulated device's apart."""
+def print_profile(name: str, call: Callable[[], Any], inside: Inside) -> None:
+    """The functions that a call's time goes to, by their own and with what they call."""
     for _ in range(WARM_UP):
         _ = call()
     gc.disable()
-    profile = cProfile.Profile(clock)
+    profile = cProfile.Profile(inside.outside)
     profile.enable()
     calls = PROFILED if name not in WAITING else 10
     for _ in range(calls):
         result = call()
         del result
     profile.disable()
+    gc.enable()
     rows = []
-    for (file, line, function), (_, _, _, _, callers) in pstats.Stats(profile).stats.items():  # type: ignore[attr-defined]
-        ours = [found for (place, *_), found in callers.items() if not _is_emulator(place)]
-        if ours and not _is_emulator(file):
-            count, own = (sum(found[k] for found in ours) / calls for k in (1, 2))
-            rows.append((1e3 * own, count, f"{Path(file).name}:{line} {function}"))
-    print(f"{name}: {sum(row[0] for row in rows):.3f} ms outside the emulated device, as cProfile has it")
-    for own, count, place in sorted(rows, reverse=True)[:PROFILE_LINES]:
-        print(f"  {own:8.3f} ms {count:7.1f} x  {place}")
-
-
-def _is_emulator(file: str) -> bool:
-    return "emulated_cuda" in file or file == __file__ or Path(file).name in ("dis.py", "linecache.py", "traceback.py")
+    for (file, line, function), (_, count, own, all_of_it, _) in pstats.Stats(profile).stats.items():  # type: ignore[attr-defined]
+        place = f"{Path(file).parent.name}/{Path(file).name}:{line} {function}"
+        rows.append((1e3 * own / calls, 1e3 * all_of_it / calls, count / calls, place))
+    print(f"{name}: {sum(row[0] for row in rows):.3f} ms, as cProfile has it")
+    print(f"  {'own ms':>8}{'with calls':>12}{'times':>8}")
+    for key in (0, 1):
+        for own, all_of_it, count, place in sorted(rows, key=lambda row: -row[key])[:PROFILE_LINES]:
+            print(f"  {own:8.3f}{all_of_it:12.3f}{count:8.1f}  {place}")
 
 
 def main() -> None:
@@ -253,7 +254,7 @@ def main() -> None:
             if chosen.names and not any(part in name for part in chosen.names):
                 continue
             if chosen.profile:
-                print_profile(name, call)
+                print_profile(name, call, inside)
                 continue
             rows.append(measure(name, call, chosen.rounds, device, inside))
             print(printed(rows[-1], known.get(name)), flush=True)

@@ -16,6 +16,7 @@ import numpy as np
 import warp as wp
 from numpy.typing import DTypeLike
 
+from ..kernels.language.device_arrays import seen_as
 from ..kernels.language.device_lock import turn_on
 from ..kernels.memory import cast, download, empty, move, upload
 from .checks import is_on_gpu, shown
@@ -141,6 +142,9 @@ def view_as(array: wp.array, dtype: Any, shape: tuple[int, ...]) -> wp.array:
     """Another view of an array's memory, of its beginning where it is smaller; keeps the array alive."""
     if not array.size or 0 in shape:  # without memory
         return empty(shape, dtype, array.device)
+    seen: Any = seen_as(array, 0, dtype, shape)
+    if seen is not None:
+        return seen
     view: Any = wp.array(ptr=array.ptr, dtype=dtype, shape=shape, device=array.device, copy=False)
     view._ref = array
     return view

@@ -49,8 +49,16 @@ class KnownNames(ToldNames):
             object.__setattr__(self, name, value)
 
 
+_declared: set[tuple[type, str]] = set()  # found before: a class does not lose a name
+
+
 def _declares(kind: type, name: str) -> bool:
-    return any(name in vars(base) or name in _annotated(base) for base in kind.__mro__)
+    if (kind, name) in _declared:
+        return True
+    found = any(name in vars(base) or name in _annotated(base) for base in kind.__mro__)
+    if found:
+        _declared.add((kind, name))
+    return found
 
 
 @functools.lru_cache(256)

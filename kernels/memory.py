@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 from .array_types import Array, Array1, Array2, Array3, Device, DeviceArray, Element, Rank
 from .language import device_arrays, device_copies, pools
 from .language.casts import cast_into
-from .language.device_arrays import part
+from .language.device_arrays import flat, rows_of  # noqa: F401  handed on
 from .language.device_lock import own, turn_on, why_no_cuda_here
 
 POOL_SHARE = 0.5  # of a GPU's memory: what its pool keeps of released memory
@@ -215,7 +215,7 @@ def upload_together(tables: Sequence[NDArray[Any]], dtype: type[Element], device
     whole = upload(np.concatenate(tables), dtype, device)
     ends = np.cumsum([len(table) for table in tables]).tolist()
     parts = zip(tables, ends, strict=True)
-    return [part(whole, end - len(table), end) if len(table) else empty(0, dtype, device) for table, end in parts]
+    return [rows_of(whole, end - len(table), end) if len(table) else empty(0, dtype, device) for table, end in parts]
 
 
 def copy(target: wp.array, source: wp.array, *, count: int, offset: int = 0) -> None:
@@ -329,7 +329,8 @@ class Readback:
             if self._kept is None:
                 self._kept = wp.empty(self.values.shape, dtype=self.values.dtype, device="cpu", pinned=True)
                 self._event = wp.Event(device)
-            wp.copy(self._kept, self.values)
+            if not device_copies.is_sent(self._kept, self.values):
+                wp.copy(self._kept, self.values)
             device.stream.record_event(self._event)
             self._is_sent = True
 

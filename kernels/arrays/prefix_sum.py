@@ -8,7 +8,7 @@ import warp as wp
 from ..array_types import Array, Integers
 from ..lang import array, atomic_add, func, int32, int64, kernel, launch, tid
 from ..language.device_lock import turn_on
-from ..memory import download, empty, host_view, upload, zeros
+from ..memory import download, empty, host_view, rows_of, upload, zeros
 from .runs import Runs, elements_of, row_of
 
 RUN = 4096  # counts a thread on the CPU: one atomic a run
@@ -94,25 +94,8 @@ def exclusive_scan(counts: Integers) -> tuple[Integers, int]:
     runs = Runs(n, device, RUN)
     totals = zeros(runs.rows, int64, device)
     launch(start_offsets_kernel, runs.threads, [counts, runs, totals, offsets])
-    inclusive_scan(counts, offsets[1:])
+    inclusive_scan(counts, rows_of(offsets, 1, n + 1))
     return offsets, _checked(int(download(totals).sum()))  # sync
-
-
-@kernel
-def begin_offsets_kernel(offsets: array(dtype=int32)):
-    """Offsets begin at zero."""
-    i = tid()
-    offsets[i] = 0
-
-
-def offsets_of(counts: Integers) -> Integers:
-    """As `exclusive_scan` of counts that are known to sum up to fewer than 2^31; nobody waits for the sum."""
-    if not counts.device.is_cuda or not counts.size:
-        return exclusive_scan(counts)[0]
-    offsets = empty(counts.size + 1, int32, counts.device)
-    launch(begin_offsets_kernel, 1, [offsets])
-    inclusive_scan(counts, offsets[1:])
-    return offsets
 
 
 def scan_two(counts: Integers) -> tuple[Integers, int, int]:
@@ -134,7 +117,7 @@ def scan_two(counts: Integers) -> tuple[Integers, int, int]:
     runs, offsets = Runs(n, counts.device, RUN), empty(n + 1, int32, counts.device)
     totals = zeros(runs.rows + 1, int64, counts.device)
     launch(start_offsets_kernel, runs.threads, [counts, runs, totals, offsets])
-    inclusive_scan(counts, offsets[1:])
+    inclusive_scan(counts, rows_of(offsets, 1, n + 1))
     launch(copy_middle_kernel, 1, [offsets, runs.rows, totals])
     found = download(totals)  # sync
     return offsets, int(found[-1]), _checked(int(found[:-1].sum()))
@@ -146,7 +129,7 @@ def offsets_of(counts: Integers) -> Integers:
     if not counts.size:
         return offsets
     if counts.device.is_cuda:
-        inclusive_scan(counts, offsets[1:])
+        inclusive_scan(counts, rows_of(offsets, 1, offsets.size))
     else:
         np.cumsum(download(counts), out=host_view(offsets)[1:], dtype=np.int32)
     return offsets
@@ -182,7 +165,7 @@ def scan_together(
         offsets = zeros(counts.size + 1, int32, device)
         if counts.size:
             launch(start_offsets_kernel, runs.threads, [counts, runs, noted[first:middle], offsets])
-            inclusive_scan(counts, offsets[1:])
+            inclusive_scan(counts, rows_of(offsets, 1, offsets.size))
         if places:
             launch(note_offsets_kernel, len(places), [offsets, wanted[at : at + len(places)], noted[middle:end]])
         results.append((offsets, first, middle, end))

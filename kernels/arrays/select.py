@@ -6,7 +6,7 @@ import numpy as np
 
 from ..array_types import Array, Indices, Mask
 from ..lang import array, int32, kernel, launch, tid, uint8, vec3
-from ..memory import contiguous, download, empty, upload, zeros
+from ..memory import contiguous, download, empty, rows_of, upload, zeros
 from .prefix_sum import inclusive_scan
 
 
@@ -63,7 +63,9 @@ def positions_of(mask: Mask, count: int | None = None) -> Indices:
     ranks = empty(mask.size, int32, device)
     launch(count_mask_kernel, mask.size, [mask, ranks])
     inclusive_scan(ranks, ranks)
-    positions = empty(int(download(ranks[-1:])[0]) if count is None else count, int32, device)  # sync
+    if count is None:
+        count = int(download(rows_of(ranks, mask.size - 1, mask.size))[0])  # sync
+    positions = empty(count, int32, device)
     launch(scatter_positions_kernel, mask.size, [mask, ranks, positions])
     return positions
 

@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike
 
 from ..array_types import AnyArray, Device, DeviceArray, Element
 from ..lang import uint8
+from ..language.device_arrays import seen_as
 from ..language.device_lock import turn_on
 from ..memory import download, upload, write
 
@@ -22,6 +23,9 @@ def part_of(
     whole: AnyArray, first: int, dtype: type[Element], shape: int | tuple[int, ...]
 ) -> DeviceArray[Element, Any]:
     """The memory of a device array from a byte on, as elements of another type; it keeps that array."""
+    seen: Any = seen_as(whole, first, dtype, shape)
+    if seen is not None:
+        return seen
     with turn_on(whole.device):
         part = wp.array(ptr=whole.ptr + first, dtype=dtype, shape=shape, device=whole.device, copy=False)
     part._ref = whole

@@ -13,7 +13,7 @@ import warp as wp
 from ..array_types import Device, Indices, Integers, Keys, LongIntegers
 from ..lang import array, func, int32, int64, kernel, launch, struct, tid
 from ..language.device_lock import turn_on
-from ..memory import download, empty, host_view
+from ..memory import download, empty, host_view, rows_of
 
 LEAST_RUN = 128  # keys in the mean: shorter runs are sorted sooner all at once than in turn from Python
 
@@ -56,7 +56,7 @@ class SortKeys:
         if not self.device.is_cuda or not self.count:
             return argsort_keys(self.keys, bit_count, starts)
         _sort_pairs(self.keys, self.positions, self.count, bit_count)
-        return self.keys[: self.count], self.positions[: self.count]
+        return rows_of(self.keys, 0, self.count), rows_of(self.positions, 0, self.count)
 
 
 @func
@@ -106,7 +106,7 @@ def argsort_keys(keys: Keys, bit_count: int = 63, starts: np.ndarray | None = No
     pair_keys, pair_values = empty(2 * count, int64, device), empty(2 * count, int32, device)
     launch(copy_pairs_kernel, count, [keys, pair_keys, pair_values])
     _sort_pairs(pair_keys, pair_values, count, bit_count)
-    return pair_keys[:count], pair_values[:count]
+    return rows_of(pair_keys, 0, count), rows_of(pair_values, 0, count)
 
 
 def _sort_pairs(keys: Keys, values: Integers, count: int, bit_count: int) -> None:

@@ -8,7 +8,7 @@ import numpy as np
 
 from ..array_types import Indices, Integers, Keys, LongIntegers
 from ..lang import array, int32, int64, kernel, launch, struct, tid, uint8
-from ..memory import copy, download, empty, upload
+from ..memory import copy, download, empty, rows_of, upload
 from .prefix_sum import inclusive_scan
 from .select import gather_rows, positions_of
 from .sort import argsort_keys
@@ -108,10 +108,10 @@ class UniqueKeys:
         copy(self.starts, upload(np.array([keys.size]), int32, device), count=1, offset=self.count)
 
     def _find_at_once(self, sorted_keys: Keys, beside: Integers | None) -> None:
-        self.keys, self.starts, told = write_heads(sorted_keys, beside)
+        keys, starts, told = write_heads(sorted_keys, beside)
         self.count, low, high, *self.beside = download(told).tolist()  # sync
         self._last = (high << 32) | (low & 0xFFFF_FFFF)
-        self.keys, self.starts = self.keys[: self.count], self.starts[: self.count + 1]
+        self.keys, self.starts = rows_of(keys, 0, self.count), rows_of(starts, 0, self.count + 1)
 
     def counts(self) -> Integers:
         """How often each key occurs, int32 [m]."""
@@ -142,7 +142,8 @@ def write_heads(sorted_keys: Keys, beside: Integers | None = None) -> tuple[Keys
     if beside is not None:
         copy(ranks, beside, count=beside.size, offset=n + 2)
     launch(mark_heads_kernel, n, [sorted_keys, ranks])
-    inclusive_scan(ranks[:n], ranks[:n])
+    counted = rows_of(ranks, 0, n)
+    inclusive_scan(counted, counted)
     keys, starts = empty(n, int64, device), empty(n + 1, int32, device)
     launch(write_heads_kernel, n, [sorted_keys, ranks, keys, starts])
-    return keys, starts, ranks[n - 1 :]
+    return keys, starts, rows_of(ranks, n - 1, ranks.size)

@@ -19,7 +19,7 @@ import warp as wp
 
 from . import device_lock, warp_parts
 from .device_lock import lock, waiting
-from .streams import note_use, order_releases
+from .streams import note_use
 
 Shape = tuple[int, ...]
 MAX_EXTENT = 2**31
@@ -96,17 +96,14 @@ class Kind:
         made.__dict__ = state
         return made
 
-    def part(self, whole: Any, first: int, last: int) -> Any:
-        """Rows `first` to below `last` of an array of this kind, which stays alive as long as they do."""
+    def at(self, whole: Any, address: int | None, shape: Shape, strides: Shape, size: int) -> Any:
+        """An array in the memory of another, which stays alive as long as it does."""
         state = whole.__dict__.copy()
-        shape, strides = (last - first, *whole.shape[1:]), whole.strides
-        state["ptr"] = address = None if whole.ptr is None else whole.ptr + first * strides[0]
-        state["capacity"] = size = (last - first) * strides[0]
-        state["size"] = size // self.element_bytes
-        state["shape"] = shape
-        state["packed_"] = self.pack(address or 0, *shape, *strides, self.axes)
         state.update(_OF_PART)
-        state["_ref"] = whole
+        state["dtype"], state["ndim"], state["kind_"], state["_ref"] = self.dtype, self.axes, self, whole
+        state["ptr"], state["capacity"], state["size"] = address, size, size // self.element_bytes
+        state["shape"], state["strides"] = shape, strides
+        state["packed_"] = self.pack(address or 0, *shape, *strides, self.axes)
         made = _bare(_array)
         made.__dict__ = state
         return made
@@ -138,8 +135,7 @@ def new(shape: int | Shape, dtype: Any, device: Any) -> Any:
         shape = tuple(map(int, shape))  # type: ignore[arg-type]
         if not 0 < len(shape) <= warp_parts.MAX_AXES:
             return None
-        kind = kind_of(dtype, len(shape), device)
-        strides = tuple(kind.element_bytes * math.prod(shape[k + 1 :]) for k in range(len(shape)))
+        kind, strides = _kind_and_strides(dtype, shape, device)
         size = shape[0] * strides[0]
     if min(shape) < 0 or max(shape) >= MAX_EXTENT or strides[0] >= MAX_EXTENT:
         return None
@@ -150,12 +146,39 @@ def new(shape: int | Shape, dtype: Any, device: Any) -> Any:
         return kind.new(shape, strides, size)
 
 
-def part(values: Any, first: int, last: int) -> Any:
+def rows_of(values: Any, first: int, last: int) -> Any:
     """Rows `first` to below `last` of an array, as `values[first:last]` gives them."""
     kind = getattr(values, "kind_", None)
     if kind is None or not 0 <= first < last <= values.shape[0]:
         return values[first:last]
-    return kind.part(values, first, last)
+    strides = values.strides
+    address = None if values.ptr is None else values.ptr + first * strides[0]
+    return kind.at(values, address, (last - first, *values.shape[1:]), strides, (last - first) * strides[0])
+
+
+def flat(values: Any) -> Any:
+    """An array with one axis in the same memory, as `values.flatten()` gives it."""
+    seen = values if values.ndim == 1 else seen_as(values, 0, values.dtype, values.size)
+    return values.flatten() if seen is None else seen
+
+
+def seen_as(whole: Any, first: int, dtype: Any, shape: int | Shape) -> Any:
+    """The memory of an array on a GPU from a byte on, as elements of another type; None where Warp has to see it so."""
+    if getattr(whole, "kind_", None) is None or whole.ptr is None:
+        return None
+    shape = (shape,) if type(shape) is int else tuple(map(int, shape))  # type: ignore[arg-type]
+    if not 0 < len(shape) <= warp_parts.MAX_AXES:
+        return None
+    kind, strides = _kind_and_strides(dtype, shape, whole.device)
+    size = shape[0] * strides[0]
+    if min(shape) < 0 or not 0 <= first <= first + size <= whole.capacity or strides[0] >= MAX_EXTENT:
+        return None
+    return kind.at(whole, whole.ptr + first, shape, strides, size)
+
+
+def _kind_and_strides(dtype: Any, shape: Shape, device: Any) -> tuple[Kind, Shape]:
+    kind = kind_of(dtype, len(shape), device)
+    return kind, tuple(kind.element_bytes * math.prod(shape[k + 1 :]) for k in range(len(shape)))
 
 
 class _Releases:
@@ -165,23 +188,14 @@ class _Releases:
     memory_kind = warp_parts.MEMORY_OF_POOL
 
     def __init__(self, device: Any) -> None:
-        self._device, self._context = device, device.context
+        self._device = device
 
     def deallocate(self, address: int, size: int) -> None:
         """Release memory at once, or where another thread is at the device, when the next array is made or dropped."""
-        note_use(self._device)
-        if waiting or not lock.acquire(blocking=False):
-            device_lock.release_in_turn(None, self._release, address, size)
-            return
-        try:
-            if not device_lock.why_no_cuda_here():  # else it is the parent's
-                order_releases()
-                self._release(address, size)
-        finally:
-            lock.release()
+        device_lock.release_in_turn(self._device, self._release, address, size, sets_context=True)
 
     def _release(self, address: int, _: int) -> None:
-        warp_parts.context.runtime.core.wp_free_device_async(self._context, address, None)
+        warp_parts.context.runtime.core.wp_free_device_async(self._device.context, address, None)
 
 
 _by_device: dict[str, _Releases] = {}

@@ -62,6 +62,15 @@ def is_written(target: Any, values: NDArray[Any]) -> bool:
     return _checked(done, device)
 
 
+def is_sent(target: Any, source: Any) -> bool:
+    """Copy an array of a GPU to one of pinned memory on the host, of its type; False where Warp has to."""
+    device = source.device
+    if not _is_plain(source) or not source.size or target.dtype is not source.dtype or target.size != source.size:
+        return False
+    size, stream = source.size * _kind(source).element_bytes, device.stream.cuda_stream
+    return _checked(warp_parts.core().wp_memcpy_d2h(device.context, target.ptr, source.ptr, size, stream), device)
+
+
 def fetched(values: Any) -> NDArray[Any] | None:
     """An array of a GPU on the host (sync); None where Warp has to do it."""
     device = values.device

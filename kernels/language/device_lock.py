@@ -77,16 +77,17 @@ def own(values: Any) -> wp.array:
     return values
 
 
-def release_in_turn(device: Device | None, release: Callable[[int, int], None], address: int, size: int) -> None:
+def release_in_turn(
+    device: Device, release: Callable[[int, int], None], address: int, size: int, *, sets_context: bool = False
+) -> None:
     """Release memory at once, or where another thread is at the device, when the next array is made or dropped.
 
-    Without a device, what releases sets its context itself, and has noted the use of its stream.
+    `sets_context` says that what releases sets its context itself.
     """
     if _is_without_cuda:
         return  # it is the parent's
-    if device is not None:
-        note_use(device)
-    waiting.append((device, release, address, size))
+    note_use(device)
+    waiting.append((None if sets_context else device, release, address, size))
     if lock.acquire(blocking=False):
         try:
             release_pending()

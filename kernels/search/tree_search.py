@@ -27,7 +27,7 @@ from ..lang import (
     tid,
     vec3,
 )
-from ..memory import empty
+from ..memory import empty, flat, rows_of
 from .bucket_walk import points_in_reach
 from .group_scratch import GroupScratch, LaunchPart
 from .group_search import GUESS, gather_candidates, grown_reach, search_member
@@ -238,9 +238,9 @@ def search_nearest(
     is_self = tree.source.ptr == queries.ptr and tree.source.size == total and total <= step
     for begin in range(0, total, step):
         end = min(total, begin + step)
-        rows = queries[begin:end]
+        rows = rows_of(queries, begin, end)
         order = tree.order if is_self else order_along_curve(tree, rows)
-        outputs = [indices[begin:end].flatten(), sqdists[begin:end].flatten(), counts[begin:end]]
+        outputs = [flat(rows_of(a, begin, end)) for a in (indices, sqdists, counts)]
         scratch = GroupScratch(device, end - begin, k)
         for part in scratch.parts():
             search = [rows, order, end - begin, part, int(is_self), tree, scratch, reach_of(radius), *outputs]

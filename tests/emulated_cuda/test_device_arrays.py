@@ -47,10 +47,10 @@ def test_a_new_array_keeps_what_warps_keeps(where, shape, dtype):
 def test_a_part_is_what_a_slice_is_and_keeps_the_whole_alive(where, emulated):
     whole = memory.upload(np.arange(24, dtype=np.float32).reshape(8, 3), wp.vec3, where)
     for first, last in ((0, 8), (2, 5), (7, 8), (0, 0), (3, 3)):
-        ours, warps = memory.part(whole, first, last), whole[first:last]
+        ours, warps = memory.rows_of(whole, first, last), whole[first:last]
         assert state_of(ours) == state_of(warps) and ours.ptr == warps.ptr and ours._ref is whole
         np.testing.assert_array_equal(ours.numpy(), warps.numpy())
-    ours = memory.part(whole, 2, 5)
+    ours = memory.rows_of(whole, 2, 5)
     del whole, warps
     gc.collect()
     assert memory.download(ours).tolist() == [[6, 7, 8], [9, 10, 11], [12, 13, 14]]
@@ -135,7 +135,7 @@ def test_what_goes_up_and_comes_down_is_what_warp_brings(where, by_warp, dtype, 
 
 def test_copies_that_are_not_plain_are_left_to_warp(where):
     a, b = memory.zeros((4, 3), wp.float32, where), memory.zeros(3, wp.float64, where)
-    column, row = a[:, 1], memory.part(a, 0, 1)
+    column, row = a[:, 1], memory.rows_of(a, 0, 1)
     assert not device_copies.is_copied(b, row, 3)  # another width
     assert not device_copies.is_copied(row, a, 4)  # more than there is room for
     assert not device_copies.is_copied(a, row, 4)  # more than there is
@@ -162,3 +162,27 @@ def test_shapes_that_are_none_are_refused_by_warp(where):
         assert device_arrays.new(shape, wp.int32, where) is None
         with pytest.raises(Exception, match=r"shape|dimension|extent|negative|size"):
             memory.empty(shape, wp.int32, where)
+
+
+def test_memory_that_is_seen_as_another_type_is_what_warp_sees(where):
+    whole = memory.upload(np.arange(96, dtype=np.uint8), wp.uint8, where)
+    for first, dtype, shape in ((0, wp.float32, 24), (48, wp.vec3, (2, 2)), (95, wp.uint8, (1,)), (4, wp.int32, (0,))):
+        ours = device_arrays.seen_as(whole, first, dtype, shape)
+        warps = wp.array(ptr=whole.ptr + first, dtype=dtype, shape=shape, device=where)
+        assert state_of(ours) == state_of(warps) and ours.ptr == warps.ptr and ours._ref is whole
+        assert ours.numpy().tobytes() == warps.numpy().tobytes()
+    for first, dtype, shape in ((0, wp.float32, 25), (95, wp.int32, 1), (-4, wp.int32, 1), (0, wp.uint8, (1,) * 5)):
+        assert device_arrays.seen_as(whole, first, dtype, shape) is None
+    rows = memory.upload(np.arange(24, dtype=np.float32).reshape(8, 3), wp.float32, where)
+    assert memory.download(memory.flat(memory.rows_of(rows, 2, 4))).tolist() == [6, 7, 8, 9, 10, 11]
+
+
+def test_what_is_sent_to_pinned_memory_is_what_warp_sends(where, by_warp):
+    values = memory.upload(np.arange(6, dtype=np.int64), wp.int64, where)
+    found = []
+    for _ in range(2):
+        readback = memory.Readback(values)
+        readback.send()
+        found.append(readback.read().tolist())
+        by_warp()
+    assert found == [list(range(6))] * 2

@@ -192,7 +192,7 @@ def test_parts_of_arrays_are_passed_with_warps_bits(kernels, asked, where):
     kinds = (wp.float32, wp.vec3, wp.uint8, wp.mat33d)
     whole = [memory.empty((9, 4, 3, 2)[: k + 1], kind, where) for k, kind in enumerate(kinds)]
     out = memory.empty(9, wp.int32, where)
-    given, values = [memory.part(a, 2, 7) for a in whole], [a[2:7] for a in whole]
+    given, values = [memory.rows_of(a, 2, 7) for a in whole], [a[2:7] for a in whole]
     check_same(asked, kernels.arrays_kernel, 9, [*given, out], [*values, out], where)
     check_same(asked, kernels.arrays_kernel, 9, [*values, out], [*values, out], where)
 
