@@ -11,9 +11,9 @@ from .devices import resolve_device
 def free_memory(device: Any = None) -> int:
     """Hand memory that no array holds back to the system, for other programs and for pools of other libraries.
 
-    A GPU keeps up to half of its memory for the next array (docs/memory.md). What is handed back is what is kept so, with
-    the streams and graphs of operations that have ended; clouds, meshes, volumes and results stay, with what they keep,
-    their search trees among it. The next operation asks the system anew and takes somewhat longer.
+    A GPU keeps up to half of its memory for the next array (docs/memory.md). What is handed back is what is kept so,
+    with the streams and graphs of operations that have ended; clouds, meshes, volumes and results stay, with what they
+    keep, their search trees among it. The next operation asks the system anew and takes somewhat longer.
 
     Args:
         device: The GPU; None for all that this process has worked on.
@@ -25,8 +25,8 @@ def free_memory(device: Any = None) -> int:
         DeviceError: No such device here.
 
     Notes:
-        Waits until the GPU has done all that it was asked for. Objects in cycles of references are collected first. Pools
-        of torch and cupy are theirs (`torch.cuda.empty_cache()`).
+        Waits until the GPU has done all that it was asked for. Objects in cycles of references are collected first.
+        Pools of torch and cupy are theirs (`torch.cuda.empty_cache()`).
 
     Example:
         >>> import pointloom as loom
