@@ -9,7 +9,10 @@ import pytest
 import warp as wp
 
 import pointloom as loom
+from pointloom.core.devices import resolve_device
 from pointloom.core.halves import LEAST, in_halves
+from pointloom.kernels.lang import uint8
+from pointloom.kernels.memory import empty, zeros
 
 COUNT = 2 * LEAST + 300
 
@@ -61,7 +64,7 @@ def test_answers_that_stay_there_are_refused_with_their_size(emulated, search, w
     expected = search.knn_search(queries, 24)
     expected = [array.numpy() for array in expected]
     with_room(24 * COUNT)
-    reason = f"cuda:0 has no room for an array of {4 * 24 * COUNT:,} bytes"
+    reason = rf"cuda:0 has no room for an array of {4 * 24 * COUNT:,} bytes, [\d,]+ are free; take fewer points"
     with emulated.findings.expected(), pytest.raises(MemoryError, match=reason):
         search.knn_search(queries, 24)
     with_room(1 << 30)
@@ -89,3 +92,11 @@ def test_rows_that_do_not_fit_however_few_are_an_error():
 
     with pytest.raises(MemoryError, match=f"no room for {LEAST}"):
         in_halves(4 * LEAST, work)
+
+
+@pytest.mark.parametrize("make", [empty, zeros])
+def test_an_array_that_32_bits_do_not_count_is_refused_before_it_is_made(emulated, make):
+    used = emulated.memory.total
+    with pytest.raises(ValueError, match=r"an array of 2,147,483,648 elements: device code counts them in 32 bits"):
+        make(2**31, uint8, resolve_device("cuda:0"))
+    assert emulated.memory.total == used
