@@ -63,9 +63,17 @@ class _Allocation:
         self.turn.__exit__(kind, error, traceback)
         size = re.match(r"Failed to allocate (\d+) bytes", str(error)) if isinstance(error, RuntimeError) else None
         if size:
+            is_gpu = getattr(self.device, "is_cuda", False)
+            free = f", {free_bytes(self.device):,} are free" if is_gpu else ""
             raise MemoryError(
-                f"{self.device} has no room for an array of {int(size[1]):,} bytes; take fewer points or larger "
+                f"{self.device} has no room for an array of {int(size[1]):,} bytes{free}; take fewer points or larger "
                 "voxels, work in parts, or release what else holds memory there"
+            ) from error
+        if isinstance(error, ValueError) and str(error).startswith("Array shapes must not exceed"):
+            count = re.search(r"got (\d+)", str(error))
+            raise ValueError(
+                f"an array of {int(count[1]) if count else 2**31:,} elements: device code counts them in 32 bits, so "
+                "take fewer than 2^31 at a time (docs/gpu.md, Largest sizes)"
             ) from error
 
 

@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any, NamedTuple
 
 import numpy as np
 import warp as wp
 from numpy.typing import ArrayLike, NDArray
 
-from ..core.array_libraries import Form, form_of, view_as
+from ..core.array_libraries import NUMPY, Form, form_of, view_as
 from ..core.checks import check_count, check_numeric, check_positive, check_rows, is_on_gpu
 from ..core.coordinates import split_origin
 from ..core.devices import check_same_device
 from ..core.gpu_arrays import take_numbers, take_points
+from ..core.halves import in_halves
 from ..core.known_names import ToldNames
 from ..kernels.arrays.row_numbers import run_lengths
 from ..kernels.lang import vec3
@@ -64,7 +66,8 @@ class NearestNeighborSearch(ToldNames):
 
     Distances are those of float32 coordinates relative to the cloud's origin. Points and queries that are not finite
     have no neighbours and are nobody's. The same bits from run to run; memory O(n) for the tree, 8 B a neighbour for
-    results, never n x m.
+    results, never n x m. Where a GPU has no room for results that go to NumPy, it searches for part of the queries at a
+    time.
 
     Args:
         cloud: A PointCloud, or points of shape [n, 3].
@@ -138,15 +141,29 @@ class NearestNeighborSearch(ToldNames):
         """
         reach = check_positive("radius", radius)
         asked = self._queries(queries)
-        indices, sqdists, offsets = search_within(self._tree, asked.points, reach)
-        counts = asked.form.hand_out(run_lengths(offsets))
-        lists = asked.form.hand_out(indices), asked.form.hand_out(sqdists)
-        return Neighbors(*lists, _only(counts) if asked.is_single else counts)
+
+        def search(points: Any) -> tuple[Any, ...]:
+            indices, sqdists, offsets = search_within(self._tree, points, reach)
+            return indices, sqdists, run_lengths(offsets)
+
+        indices, sqdists, counts = self._answers(asked, search)
+        return Neighbors(indices, sqdists, _only(counts) if asked.is_single else counts)
 
     def _nearest(self, queries: PointCloud | ArrayLike, k: int, radius: float) -> Neighbors:
         asked = self._queries(queries)
-        found = Neighbors(*map(asked.form.hand_out, search_nearest(self._tree, asked.points, k, radius)))
+        found = Neighbors(*self._answers(asked, lambda points: search_nearest(self._tree, points, k, radius)))
         return Neighbors(*map(_only, found)) if asked.is_single else found
+
+    def _answers(self, asked: _Queries, search: Callable[[Any], tuple[Any, ...]]) -> tuple[Any, ...]:
+        """What is found for queries, in their form; where that is NumPy's, in parts if a GPU has no room at once."""
+
+        def part(begin: int, end: int) -> tuple[Any, ...]:
+            points = asked.points if end - begin == asked.points.size else asked.points[begin:end]
+            return tuple(map(asked.form.hand_out, search(points)))
+
+        if asked.form.library != NUMPY or asked.points.device.is_cpu:
+            return part(0, asked.points.size)
+        return in_halves(asked.points.size, part)
 
     def _check_neighbors(self, name: str, count: Any) -> int:
         most = len(self.cloud) + FEW

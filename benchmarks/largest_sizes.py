@@ -1,0 +1,146 @@
+"""The largest cloud that an operation takes on a GPU, from what it allocates and launches on the emulated one.
+
+    python benchmarks/largest_sizes.py [OPERATION ...]
+
+An operation runs on two clouds of a surface. What grows with the points is counted: the elements of its largest array
+and of its largest launch, both below 2^31, and the bytes that are in use at once, cloud and search tree included. The
+rows are Markdown: bytes a point, points on 80 GB, points by 2^31, which of the two binds.
+"""
+
+from __future__ import annotations
+
+import gc
+import os
+import sys
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+ROOT = Path(__file__).resolve().parents[1]
+sys.path[:0] = [str(ROOT / "src"), str(ROOT), str(ROOT / "benchmarks")]
+os.environ.setdefault("EMULATED_CUDA_UNINITIALISED", "0")
+from tests.emulated_cuda.install import install, installed  # noqa: E402
+
+install()
+import numpy as np  # noqa: E402
+import scenes  # noqa: E402
+import warp as wp  # noqa: E402
+
+import pointloom as loom  # noqa: E402
+from pointloom.kernels import launches  # noqa: E402
+from pointloom.kernels.search import group_scratch  # noqa: E402
+
+group_scratch.SM_THREADS = 32  # what threads hold while they search grows to these only, whatever the points
+
+COUNTS = 12_007, 36_011
+CARD = 80e9  # bytes
+LIMIT = 2**31
+DEVICE = "cuda:0"
+
+
+class Cloud:
+    """A surface on the device, with what operations ask for besides."""
+
+    def __init__(self, count: int) -> None:
+        points = scenes.bumpy_surface(count, 1).astype(np.float32)
+        self.spacing = scenes.SURFACE_EDGE / count**0.5
+        self.cloud = loom.PointCloud(wp.array(points, device=DEVICE))
+
+    def normals(self) -> Any:
+        return self.cloud.estimate_normals(max_nn=8)
+
+
+def registered(c: Cloud) -> Any:
+    plane = loom.registration.TransformationEstimationPointToPlane()
+    target = c.normals()
+    return loom.registration.registration_icp(c.cloud, target, 3 * c.spacing, estimation_method=plane)
+
+
+OPERATIONS: dict[str, Callable[[Cloud], Any]] = {
+    "voxel_down_sample": lambda c: c.cloud.voxel_down_sample(2 * c.spacing),
+    "estimate_normals, 30 nearest": lambda c: c.cloud.estimate_normals(max_nn=30),
+    "estimate_covariances, 30 nearest": lambda c: c.cloud.estimate_covariances(max_nn=30),
+    "knn_search, 1": lambda c: loom.NearestNeighborSearch(c.cloud).knn_search(c.cloud, 1),
+    "knn_search, 30": lambda c: loom.NearestNeighborSearch(c.cloud).knn_search(c.cloud, 30),
+    "radius_search, some 12": lambda c: loom.NearestNeighborSearch(c.cloud).radius_search(c.cloud, 2 * c.spacing),
+    "compute_point_cloud_distance": lambda c: c.cloud.compute_point_cloud_distance(c.cloud),
+    "remove_statistical_outlier, 20": lambda c: c.cloud.remove_statistical_outlier(20, 2.0),
+    "remove_radius_outlier": lambda c: c.cloud.remove_radius_outlier(4, 3 * c.spacing),
+    "cluster_dbscan": lambda c: c.cloud.cluster_dbscan(2 * c.spacing, 4),
+    "segment_plane": lambda c: c.cloud.segment_plane(c.spacing),
+    "farthest_point_down_sample, 100": lambda c: c.cloud.farthest_point_down_sample(100),
+    "orient_normals_consistent_tangent_plane, 12": lambda c: c.normals().orient_normals_consistent_tangent_plane(12),
+    "smooth_mls": lambda c: c.cloud.smooth_mls(4 * c.spacing),
+    "compute_fpfh_feature, 50": lambda c: loom.compute_fpfh_feature(c.normals(), max_nn=50),
+    "detect_planar_patches, 30": lambda c: c.normals().detect_planar_patches(),
+    "registration_icp": registered,
+    "transform": lambda c: c.cloud.transform(np.eye(4)),
+}
+
+
+class Seen:
+    """The largest array of each parameter of an operation's kernels, and their launches, and the most bytes at once."""
+
+    def __init__(self) -> None:
+        self.elements: dict[tuple[str, int], int] = {}  # by kernel and parameter, -1 for threads
+        self.bytes = 0
+
+
+@contextmanager
+def watched() -> Iterator[Seen]:
+    """What is launched and allocated in here."""
+    device, seen, real = installed(), Seen(), launches.checked_arguments
+    assert device is not None
+
+    def checked(what: Any, thread_count: int, arguments: Any) -> Any:
+        found = real(what, thread_count, arguments)
+        sizes = {k: max(value.shape) for k, value in enumerate(found[0]) if isinstance(value, wp.array)}
+        for k, size in ({-1: thread_count} | sizes).items():
+            seen.elements[what.name, k] = max(size, seen.elements.get((what.name, k), 0))
+        return found
+
+    gc.collect()
+    device.synchronize()
+    device.memory.peak = device.memory.used
+    launches.checked_arguments = checked
+    try:
+        yield seen
+    finally:
+        launches.checked_arguments = real
+        device.synchronize()
+        seen.bytes = device.memory.peak
+
+
+def grown(work: Callable[[Cloud], Any]) -> tuple[float, float]:
+    """How many elements, or threads, and bytes an operation takes for one more point."""
+    found = []
+    for count in COUNTS:
+        gc.collect()
+        installed().synchronize()  # type: ignore[union-attr]
+        before = installed().memory.used  # type: ignore[union-attr]
+        cloud = Cloud(count)
+        with watched() as seen:
+            work(cloud)
+        found.append((seen.elements, seen.bytes - before))
+        del cloud
+    step = COUNTS[1] - COUNTS[0]
+    elements = [(size - found[0][0].get(place, size)) / step for place, size in found[1][0].items()]
+    return max(elements), (found[1][1] - found[0][1]) / step
+
+
+def main(wanted: list[str]) -> None:
+    """Print the table."""
+    print("| operation | bytes a point | points on 80 GB | points by 2^31 | bound by |")
+    print("|---|---|---|---|---|")
+    for name, work in OPERATIONS.items():
+        if wanted and not name.startswith(tuple(wanted)):
+            continue
+        elements, size = grown(work)
+        by_size, by_count = CARD / size / 1e6, LIMIT / max(elements, 1e-9) / 1e6
+        which = "memory" if by_size < by_count else "2^31"
+        print(f"| {name} | {size:,.0f} | {by_size:,.0f} M | {by_count:,.0f} M | {which} |", flush=True)
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:])

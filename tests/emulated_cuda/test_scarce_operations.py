@@ -1,0 +1,64 @@
+"""Memory that runs out in any operation is a MemoryError by the device's name, and the operation goes on afterwards.
+
+At a few allocations of each, spread over its course; test_scarce_memory.py tries every one of some of them.
+"""
+
+from __future__ import annotations
+
+import pytest
+
+from ..small_scenes import ON_CLOUDS, ON_HOST, ONCE, SmallScenes, digest
+from .scarce_memory import failing_allocation
+
+TRIED = 4  # allocations of an operation
+QUICK = (
+    *(
+        "voxel_down_sample",
+        "estimate_normals, knn",
+        "cluster_dbscan",
+        "icp, point to plane",
+        "compute_fpfh_feature, knn",
+    ),
+    *("knn_search", "orient_normals_consistent_tangent_plane", "detect_planar_patches", "segment_plane"),
+)
+
+
+@pytest.fixture(scope="module")
+def small(emulated) -> SmallScenes:
+    return SmallScenes("cuda:0")
+
+
+def check(emulated, work) -> None:
+    digest(work())  # what is kept after a first call is there
+    with failing_allocation(emulated) as allocated:
+        found = work()
+    expected, count = digest(found), allocated.count
+    for number in sorted({1 + k * (count - 1) // (TRIED - 1) for k in range(TRIED)} if count else ()):
+        with failing_allocation(emulated, number) as tried:
+            try:
+                again = work()
+            except MemoryError as error:
+                assert "cuda:0 has no room" in str(error) or " would take about " in str(error)
+            else:
+                assert tried.count > number, "what it did without was not needed"
+                assert digest(again) == expected
+        assert digest(work()) == expected
+
+
+@pytest.mark.parametrize("operation", [name for name in ON_CLOUDS if name in QUICK])
+def test_an_operation_goes_on_after_memory_ran_out(emulated, small, operation):
+    check(emulated, lambda: ON_CLOUDS[operation](small.surface))
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    "operation", [name for name in ON_CLOUDS if not name.startswith(ON_HOST) and name not in QUICK]
+)
+def test_any_operation_on_clouds_goes_on_after_memory_ran_out(emulated, small, operation):
+    check(emulated, lambda: ON_CLOUDS[operation](small.surface))
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("operation", [name for name in ONCE if not name.startswith(ON_HOST)])
+def test_any_operation_on_scenes_goes_on_after_memory_ran_out(emulated, small, operation):
+    check(emulated, lambda: ONCE[operation](small))

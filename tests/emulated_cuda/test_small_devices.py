@@ -1,0 +1,102 @@
+"""A device without room for all answers at once: those that go to the host come in parts, others are refused."""
+
+from __future__ import annotations
+
+import gc
+
+import numpy as np
+import pytest
+import warp as wp
+
+import pointloom as loom
+from pointloom.core.devices import resolve_device
+from pointloom.core.halves import LEAST, in_halves
+from pointloom.kernels.lang import uint8
+from pointloom.kernels.memory import empty, zeros
+
+COUNT = 2 * LEAST + 300
+
+
+@pytest.fixture
+def search(emulated, rng):
+    """A search over points, of which some stand in one place."""
+    points = rng.random((COUNT, 3)).astype(np.float32)
+    points[::7] = points[0]
+    return loom.NearestNeighborSearch(points, device="cuda:0")
+
+
+@pytest.fixture
+def with_room(emulated, monkeypatch):
+    """A function that leaves so many bytes of the device free."""
+
+    def limit(size: int) -> None:
+        gc.collect()
+        emulated.synchronize()
+        monkeypatch.setattr(emulated.memory, "room", emulated.memory.used + size)
+
+    return limit
+
+
+QUERIES = {
+    "knn": lambda search, queries: search.knn_search(queries, 24),
+    "hybrid": lambda search, queries: search.hybrid_search(queries, 0.08, 24),
+    "radius": lambda search, queries: search.radius_search(queries, 0.04),
+}
+
+
+@pytest.mark.parametrize("name", QUERIES)
+def test_answers_for_the_host_come_in_parts_with_the_same_bits(emulated, search, with_room, name):
+    queries, ask = search.cloud.points, QUERIES[name]
+    ask(search, queries[:10])
+    before = emulated.memory.used
+    emulated.memory.peak = before
+    expected = ask(search, queries)
+    need = emulated.memory.peak - before
+    with_room(int(0.7 * need))
+    with emulated.findings.expected():
+        found = ask(search, queries)
+    for array, other in zip(found, expected, strict=True):
+        np.testing.assert_array_equal(array, other)
+
+
+def test_answers_that_stay_there_are_refused_with_their_size(emulated, search, with_room):
+    queries = wp.array(search.cloud.points.astype(np.float32), device="cuda:0")
+    expected = search.knn_search(queries, 24)
+    expected = [array.numpy() for array in expected]
+    with_room(24 * COUNT)
+    reason = rf"cuda:0 has no room for an array of {4 * 24 * COUNT:,} bytes, [\d,]+ are free; take fewer points"
+    with emulated.findings.expected(), pytest.raises(MemoryError, match=reason):
+        search.knn_search(queries, 24)
+    with_room(1 << 30)
+    for array, other in zip(search.knn_search(queries, 24), expected, strict=True):
+        np.testing.assert_array_equal(array.numpy(), other)
+
+
+def test_parts_are_as_few_as_fit_and_in_order():
+    asked = []
+
+    def work(begin, end):
+        asked.append((begin, end))
+        if end - begin > 3 * LEAST:
+            raise MemoryError("too many")
+        return (np.arange(begin, end),)
+
+    (found,) = in_halves(10 * LEAST, work)
+    np.testing.assert_array_equal(found, np.arange(10 * LEAST))
+    assert sum(end - begin <= 3 * LEAST for begin, end in asked) == 4
+
+
+def test_rows_that_do_not_fit_however_few_are_an_error():
+    def work(begin, end):
+        raise MemoryError(f"no room for {end - begin}")
+
+    with pytest.raises(MemoryError, match=f"no room for {LEAST}"):
+        in_halves(4 * LEAST, work)
+
+
+@pytest.mark.parametrize("make", [empty, zeros])
+def test_an_array_that_32_bits_do_not_count_is_refused_before_it_is_made(emulated, make):
+    used = emulated.memory.total
+    with pytest.raises(ValueError, match=r"an array of 2,147,483,648 elements: device code counts them in 32 bits"):
+        make(2**31, uint8, resolve_device("cuda:0"))
+    assert emulated.memory.total == used
