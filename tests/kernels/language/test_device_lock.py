@@ -19,7 +19,8 @@ pytestmark = pytest.mark.both_compilers
 
 def device_array(released):
     """What looks like an array on a GPU, as far as its release goes."""
-    device = SimpleNamespace(is_cuda=True, is_cpu=False, context_guard=contextlib.nullcontext())
+    stream = SimpleNamespace(is_blocking=True)
+    device = SimpleNamespace(is_cuda=True, is_cpu=False, context_guard=contextlib.nullcontext(), stream=stream)
     return SimpleNamespace(device=device, deleter=lambda address, size: released.append((address, size)))
 
 
