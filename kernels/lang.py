@@ -284,7 +284,9 @@ class _Launched(_DeviceCode):
 
     def settle(self) -> None:
         """Check it, and hand it to Warp."""
-        _ = self.cuda if self.twin is self else self.cpu
+        _ = self.cuda if self.twin is self and not self.for_cpu else self.cpu
+
+    for_cpu = False
 
     @once
     def kept(self) -> Kept | None:
@@ -339,7 +341,7 @@ class _Launched(_DeviceCode):
     def cuda(self) -> Any:
         """What Warp compiles for CUDA, of what is its own twin: a kernel, or a sum's."""
         twins = [other.twin for other in LAUNCHED[self.module].values()]
-        self._make_all("cuda", [twin for twin in twins if twin.for_cuda == self.for_cuda])
+        self._make_all("cuda", [twin for twin in twins if twin.for_cuda == self.for_cuda and not twin.for_cpu])
         return vars(self).get("cuda") or self.make("cuda")
 
     @staticmethod
@@ -366,14 +368,21 @@ class Kernel(_Launched):
     """A function of one thread; launch it with `launch(kernel, thread_count, [arguments])`.
 
     `@kernel(most_registers=128)` has CUDA hold no more in registers: from 129 to 255 of them an SM runs half as many
-    threads.
+    threads. `@kernel(for_cpu=True)` is for what no GPU runs: it is not compiled for one.
     """
 
     role = "kernel"
 
-    def __init__(self, function: Callable, *, most_registers: int = 0, for_cuda: bool = False) -> None:
-        self.most_registers = most_registers
+    def __init__(
+        self, function: Callable, *, most_registers: int = 0, for_cpu: bool = False, for_cuda: bool = False
+    ) -> None:
+        self.most_registers, self.for_cpu = most_registers, for_cpu
         super().__init__(function, for_cuda=for_cuda)
+
+    @once
+    def twin(self) -> Kernel:
+        """What CUDA compiles; of what no GPU runs, itself."""
+        return self if self.for_cpu else super().twin
 
     def made_of(self, function: Callable) -> Kernel:
         """The same of another function, for CUDA alone."""
@@ -381,6 +390,8 @@ class Kernel(_Launched):
 
     def make(self, place: str) -> Any:
         """Warp's kernel."""
+        if place == "cuda" and self.for_cpu:
+            raise TypeError(f"{self.name} is the CPU's alone")
         home = place if place == "cpu" or self.for_cuda else ""
         return warp_compiler.make_kernel(self.function, _is_builtin, home, self.most_registers)
 
@@ -452,10 +463,10 @@ cuda_func, cuda_loop = functools.partial(Func, for_cuda=True), functools.partial
 @overload
 def kernel(function: Callable, /) -> Kernel: ...
 @overload
-def kernel(*, most_registers: int) -> Callable[[Callable], Kernel]: ...
-def kernel(function: Callable | None = None, /, *, most_registers: int = 0) -> Any:
+def kernel(*, most_registers: int = 0, for_cpu: bool = False) -> Callable[[Callable], Kernel]: ...
+def kernel(function: Callable | None = None, /, **options: Any) -> Any:
     """Mark a function of one thread, see Kernel."""
-    return Kernel(function) if function is not None else functools.partial(Kernel, most_registers=most_registers)
+    return Kernel(function) if function is not None else functools.partial(Kernel, **options)
 
 
 @overload

@@ -28,6 +28,7 @@ LONG_FUNCTIONS: dict[str, str] = {
 }
 LONG_KERNELS: dict[str, str] = {
     "kernels/icp/correspondences.py:match_lanes_kernel": "one warp's walk: its state lives between the ballots",
+    "kernels/rays/nearest_of_lanes.py:find_nearest_of_lanes": "one warp's walk, likewise",
     "kernels/reconstruction/alpha_stars.py:grow_star": "one call site, as Taichi writes every call of a function out",
     "kernels/search/nearest_point.py:find_nearest_kernel": "the walk's stack stays in registers only within one body",
     "kernels/volumes/integrate.py:integrate_depth_kernel": "CPU vector code over rows of a block that are local arrays",

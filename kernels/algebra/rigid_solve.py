@@ -251,14 +251,14 @@ def solve_system(h: triangle, b: vec6d) -> vec6d:
 
 
 @func
-def euler_motion(x: vec6d) -> mat44d:
-    """The pose with rotation Rz(x2) Ry(x1) Rx(x0) and translation x3..x5, Open3D's update."""
-    ca = cos(x[0])
-    sa = sin(x[0])
-    cb = cos(x[1])
-    sb = sin(x[1])
-    cc = cos(x[2])
-    sc = sin(x[2])
+def turned_and_shifted(x: vec6d, cosines: vec3d, sines: vec3d) -> mat44d:
+    """`euler_motion` from the cosines and sines of its angles."""
+    ca = cosines[0]
+    sa = sines[0]
+    cb = cosines[1]
+    sb = sines[1]
+    cc = cosines[2]
+    sc = sines[2]
     zero = float64(0.0)
     return mat44d(
         cc * cb, cc * sb * sa - sc * ca, cc * sb * ca + sc * sa, x[3],
@@ -266,6 +266,14 @@ def euler_motion(x: vec6d) -> mat44d:
         -sb, cb * sa, cb * ca, x[5],
         zero, zero, zero, 1.0,
     )  # fmt: skip
+
+
+@func
+def euler_motion(x: vec6d) -> mat44d:
+    """The pose with rotation Rz(x2) Ry(x1) Rx(x0) and translation x3..x5, Open3D's update."""
+    cosines = vec3d(cos(x[0]), cos(x[1]), cos(x[2]))
+    sines = vec3d(sin(x[0]), sin(x[1]), sin(x[2]))
+    return turned_and_shifted(x, cosines, sines)
 
 
 @func

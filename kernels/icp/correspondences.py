@@ -201,7 +201,7 @@ def search_lanes(
     return best
 
 
-@kernel
+@kernel(for_cpu=True)
 def match_groups_kernel(matches: Matches, forest: PointForest):
     """The place of the nearest target point of LEAF source points, where what they found before does not hold."""
     i = tid()

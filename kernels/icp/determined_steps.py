@@ -2,7 +2,8 @@
 
 These are found by the eigenvalues of the normal matrix about the middle of the pairs, with rotations scaled by the size
 of the cloud so that both are lengths, and left out of the step (Zhang, Kaess and Singh 2016, "solution remapping").
-All in float64, in one thread.
+All in float64, in one thread; on CUDA by the lanes of a warp, which all hold the whole: what takes a thread longest,
+six columns of an inverse, the step itself and 36 divisions, are a lane's each, by the same operations.
 """
 
 from ..algebra.rigid_solve import (
@@ -17,11 +18,26 @@ from ..algebra.rigid_solve import (
     triangle,
     vec6d,
 )
-from ..lang import array, bits_float, cross, float64, float_bits, func, int32, mat33d, vec3d
+from ..lang import (
+    array,
+    bits_float,
+    cross,
+    cuda_func,
+    float64,
+    float_bits,
+    func,
+    int32,
+    lane,
+    mat33d,
+    shuffle,
+    vec3d,
+    vector,
+)
 from .job_states import free_directions
 from .rows import SPREAD_AT, row_sums
 
 EXPONENT = 0x7F80_0000  # the bits of a float32 that are its power of two
+eighteen = vector(18, float64)
 
 
 @func
@@ -161,29 +177,35 @@ def power_of_two_below(size: float64) -> float64:
 
 
 @func
-def solve_in_lengths(h: triangle, g: vec6d, size: float64) -> vec6d:
-    """The x with H x = -g, rotations in units of about the cloud's size, so that no unit of length decides on a pivot.
-
-    The unit is a power of two: no number is rounded otherwise than in metres.
-    """
-    unit = power_of_two_below(size)
+def in_lengths(h: triangle, inverse: float64) -> triangle:
+    """The normal matrix with rotations in another unit, of which the inverse is given."""
     scaled = triangle(0.0)
-    b = -g
     for i in range(6):
         for j in range(6):
             if j >= i:
                 entry = h[place_of(i, j)]
                 if i < 3:
-                    entry = entry / unit
+                    entry = entry * inverse
                 if j < 3:
-                    entry = entry / unit
+                    entry = entry * inverse
                 scaled[place_of(i, j)] = entry
-    for i in range(3):
-        b[i] = b[i] / unit
-    x = solve_system(scaled, b)
-    for i in range(3):
-        x[i] = x[i] / unit
-    return x
+    return scaled
+
+
+@func
+def turning_in_lengths(x: vec6d, inverse: float64) -> vec6d:
+    """A step, or the right side of its system, likewise; again brings it back."""
+    return vec6d(x[0] * inverse, x[1] * inverse, x[2] * inverse, x[3], x[4], x[5])
+
+
+@func
+def solve_in_lengths(h: triangle, g: vec6d, size: float64) -> vec6d:
+    """The x with H x = -g, rotations in units of about the cloud's size, so that no unit of length decides on a pivot.
+
+    The unit is a power of two, and so is its inverse: no number is rounded otherwise than in metres.
+    """
+    inverse = 1.0 / power_of_two_below(size)
+    return turning_in_lengths(solve_system(in_lengths(h, inverse), turning_in_lengths(-g, inverse)), inverse)
 
 
 @func
@@ -214,6 +236,123 @@ def constrained_step(
         free_counts[job] = 0
     else:
         x = determined_step(h, g, a, center, size, least, job, free_counts, free_ones)
+    return x
+
+
+@cuda_func
+def quotients(x: eighteen, divisor: float64) -> eighteen:
+    """Numbers by a divisor, the same in all lanes: a lane divides one."""
+    row = lane() // 3
+    column = lane() % 3
+    own = x[0]
+    for i in range(6):
+        among = x[i * 3]
+        for j in range(1, 3):
+            among = x[i * 3 + j] if column == j else among
+        own = among if row == i else own
+    quotient = own / divisor
+    found = eighteen(0.0)
+    for i in range(6):
+        for j in range(3):
+            found[i * 3 + j] = shuffle(quotient, i * 3 + j)
+    return found
+
+
+@cuda_func
+def about_of_lanes(h: triangle, center: vec3d, size: float64) -> square:
+    """`about`, for all lanes together."""
+    a = full_matrix(h)
+    rows = eighteen(0.0)
+    for i in range(6):
+        w = cross(vec3d(a[i * UNKNOWNS + 3], a[i * UNKNOWNS + 4], a[i * UNKNOWNS + 5]), center)
+        for j in range(3):
+            rows[i * 3 + j] = a[i * UNKNOWNS + j] + w[j]
+    rows = quotients(rows, size)
+    c = a
+    for i in range(6):
+        for j in range(3):
+            c[i * UNKNOWNS + j] = rows[i * 3 + j]
+    columns = eighteen(0.0)
+    for j in range(6):
+        w = cross(vec3d(c[3 * UNKNOWNS + j], c[4 * UNKNOWNS + j], c[5 * UNKNOWNS + j]), center)
+        for i in range(3):
+            columns[i * 6 + j] = c[i * UNKNOWNS + j] + w[i]
+    columns = quotients(columns, size)
+    out = c
+    for i in range(3):
+        for j in range(6):
+            out[i * UNKNOWNS + j] = columns[i * 6 + j]
+    return out
+
+
+@cuda_func
+def solve_from(a: square, b: vec6d, first: int) -> vec6d:
+    """`solve_factored` for a right side without entries before one, by operations from this one on."""
+    x = b * 1.0
+    for j in range(6):
+        v = b[j]
+        for k in range(j):
+            v = v - a[j * UNKNOWNS + k] * x[k] if k >= first else v
+        x[j] = v
+    for j in range(6):
+        x[j] = x[j] / a[j * UNKNOWNS + j] if a[j * UNKNOWNS + j] > 0.0 else 0.0
+    for step in range(6):
+        j = UNKNOWNS - 1 - step
+        v = x[j]
+        for k in range(6):
+            if k > j:
+                v -= a[k * UNKNOWNS + j] * x[k]
+        x[j] = v
+    return x
+
+
+@constrained_step.on_cuda
+def constrained_step_of_lanes(
+    h: triangle,
+    g: vec6d,
+    geometry: triangle,
+    center: vec3d,
+    size: float64,
+    least: float64,
+    job: int,
+    free_counts: array(dtype=int32),
+    free_ones: array(dtype=free_directions),
+) -> vec6d:
+    """The same for all lanes together: lanes 0 to 5 solve a column of the inverse each, lane 6 the step."""
+    own = lane()
+    a = about_of_lanes(geometry, center, size)
+    system = triangle_of(a)
+    b = vec6d(0.0)
+    trace = float64(0.0)
+    for i in range(6):
+        trace += a[i * UNKNOWNS + i]
+        b[i] = float64(1.0) if own == i else 0.0
+    inverse = 1.0 / power_of_two_below(size)
+    first = own
+    if own == UNKNOWNS:
+        system = in_lengths(h, inverse)
+        b = turning_in_lengths(-g, inverse)
+        first = 0
+    x = solve_from(factor_system(system), b, first)
+    entry = x[0]
+    for k in range(1, 6):
+        entry = x[k] if own == k else entry
+    inverse_trace = float64(0.0)
+    for k in range(6):
+        of_column = shuffle(entry, k)
+        inverse_trace += of_column if of_column > 0.0 else 1.0e300
+    solver = int(UNKNOWNS)
+    if inverse_trace * trace * least < 1.0:
+        x = turning_in_lengths(x, inverse)
+        if own == 0:
+            free_counts[job] = 0
+    else:
+        solver = 0
+        if own == 0:
+            again = about(geometry, center, size)  # where the others hold it, none is indexed by a variable
+            x = determined_step(h, g, again, center, size, least, job, free_counts, free_ones)
+    for i in range(6):
+        x[i] = shuffle(x[i], solver)
     return x
 
 

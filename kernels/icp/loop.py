@@ -103,7 +103,10 @@ class RegistrationLoop:
 
     def step(self, rules: StepRules) -> None:
         """Judge all live jobs by StepRules and move them on."""
-        launch(step_jobs_kernel, self.jobs.count, [rules, self.matches, self.progress])
+        threads = self.jobs.count
+        if self.jobs.device.is_cuda:
+            threads *= WARP
+        launch(step_jobs_kernel, threads, [rules, self.matches, self.progress])
 
     def run(self, iterate: Callable[[], None], watch: Callable[[], None] | None = None) -> None:
         """Run `iterate` until no job is live; `watch` is called after each turn and costs a sync there."""

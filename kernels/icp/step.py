@@ -1,7 +1,7 @@
 """From the sums over its correspondences to the next pose of each job: test of convergence, solve, update.
 
-One thread a job, everything in float64. Motions that the pairs do not determine are left out of the step
-(determined_steps.py).
+One thread a job, on CUDA a warp of which one lane writes; all in float64. Motions that the pairs do not determine are
+left out of the step (determined_steps.py).
 """
 
 from typing import TYPE_CHECKING
@@ -9,8 +9,29 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..algebra.matrices import multiply44
-from ..algebra.rigid_solve import euler_motion, fit_pose, move, pair_sums, triangle, vec6d
-from ..lang import array, atan2, atomic_add, dot, float64, func, int32, kernel, launch, mat44d, sqrt, struct, tid, vec3d
+from ..algebra.rigid_solve import euler_motion, fit_pose, move, pair_sums, triangle, turned_and_shifted, vec6d
+from ..lang import (
+    WARP,
+    array,
+    atan2,
+    atomic_add,
+    cos,
+    dot,
+    float64,
+    func,
+    int32,
+    kernel,
+    lane,
+    launch,
+    mat44d,
+    shuffle,
+    sin,
+    sqrt,
+    struct,
+    sync_lanes,
+    tid,
+    vec3d,
+)
 from ..memory import host_view, zeros
 from .determined_steps import constrained_step, note_free_rotations
 from .job_states import CONVERGED, NO_PAIRS, NOT_FINITE, OUT_OF_ITERATIONS, RUNNING, free_directions
@@ -140,6 +161,43 @@ def measure_velocities_kernel(poses: array(dtype=mat44d), period: float64, veloc
 
 
 @func
+def job_of(thread: int) -> int:
+    """The job of a thread."""
+    return thread
+
+
+@job_of.on_cuda
+def job_of_lane(thread: int) -> int:
+    """The job of a warp."""
+    return thread // WARP
+
+
+@func
+def leads() -> int:
+    """1 in the one thread of a job that writes."""
+    return 1
+
+
+@leads.on_cuda
+def first_lane_leads() -> int:
+    """1 in the first lane."""
+    return 1 if lane() == 0 else 0
+
+
+@func
+def said_by_leader(x: int) -> int:
+    """What the thread that writes has found; from here on the job's others see what it wrote."""
+    return x
+
+
+@said_by_leader.on_cuda
+def said_by_first_lane(x: int) -> int:
+    """The first lane's."""
+    sync_lanes()
+    return shuffle(x, 0)
+
+
+@func
 def moved_size(i: int, matches: Matches, progress: Progress) -> float64:
     """The spread of a job's source [m] under its pose, which may scale."""
     pose = matches.poses[i]
@@ -177,7 +235,8 @@ def solve_job(i: int, rules: StepRules, progress: Progress) -> vec6d:
     sums = progress.totals[i]
     size = progress.sizes[i]
     if rules.method == PAIRS:
-        note_free_rotations(sums, size, rules.least_eigenvalue, i, progress.free_counts, progress.free)
+        if leads() == 1:
+            note_free_rotations(sums, size, rules.least_eigenvalue, i, progress.free_counts, progress.free)
     else:
         center = mean_source(sums)
         plain = progress.plain_totals[i]
@@ -212,9 +271,26 @@ def best_fit(sums: row_sums, pivot: vec3d, scaling: int) -> mat44d:
 
 
 @func
+def motion_of_angles(x: vec6d) -> mat44d:
+    """`euler_motion`."""
+    return euler_motion(x)
+
+
+@motion_of_angles.on_cuda
+def motion_of_lanes(x: vec6d) -> mat44d:
+    """The same: lane k takes the cosine and the sine of angle k."""
+    own = lane()
+    angle = x[0] if own == 0 else (x[1] if own == 1 else x[2])
+    cosine = cos(angle)
+    sine = sin(angle)
+    cosines = vec3d(shuffle(cosine, 0), shuffle(cosine, 1), shuffle(cosine, 2))
+    return turned_and_shifted(x, cosines, vec3d(shuffle(sine, 0), shuffle(sine, 1), shuffle(sine, 2)))
+
+
+@func
 def motion_of(i: int, x: vec6d, rules: StepRules, progress: Progress) -> mat44d:
     """The motion that a job's step stands for."""
-    motion = euler_motion(x)
+    motion = motion_of_angles(x)
     if rules.method == PAIRS:
         motion = best_fit(progress.totals[i], progress.pivots[i], rules.scaling)
     if rules.method == SYMMETRIC:
@@ -261,13 +337,20 @@ def move_job(i: int, motion: mat44d, matches: Matches, progress: Progress) -> in
 def step_jobs_kernel(rules: StepRules, matches: Matches, progress: Progress):
     """Judge the pose of a live job by its sums, and take the next step or stop."""
     i = tid()
-    if matches.live[i] != 0:
-        outcome = judge_job(i, rules, matches, progress)
-        matches.earlier[i] = matches.poses[i]
+    job = job_of(i)
+    if matches.live[job] != 0:
+        outcome = int(RUNNING)
+        if leads() == 1:
+            outcome = judge_job(job, rules, matches, progress)
+            matches.earlier[job] = matches.poses[job]
+        outcome = said_by_leader(outcome)
         if outcome == RUNNING:
-            step = solve_job(i, rules, progress)
-            outcome = move_job(i, motion_of(i, step, rules, progress), matches, progress)
-        if outcome != RUNNING:
-            progress.outcomes[i] = outcome
-            matches.live[i] = 0
+            step = solve_job(job, rules, progress)
+            outcome = said_by_leader(outcome)
+            motion = motion_of(job, step, rules, progress)
+            if leads() == 1:
+                outcome = move_job(job, motion, matches, progress)
+        if leads() == 1 and outcome != RUNNING:
+            progress.outcomes[job] = outcome
+            matches.live[job] = 0
             atomic_add(progress.running, 0, -1)  # a count: the order does not matter

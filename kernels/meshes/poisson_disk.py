@@ -145,7 +145,7 @@ def pair_weight(sqdist: float, widest: float64, gain: float64) -> int:
     return int(fourth * fourth * float64(WEIGHT_UNIT))
 
 
-@kernel
+@kernel(most_registers=128)  # two blocks of an SM, not one
 def count_neighbors_kernel(
     part: LaunchPart,
     ranks: array(dtype=int32),

@@ -233,7 +233,7 @@ def count_flags(flags: lane_flags) -> int:
     return total
 
 
-@kernel
+@kernel(most_registers=128)  # two blocks of an SM, not one
 def count_met_kernel(
     fitness: PoseFitness,
     run: int,
@@ -312,7 +312,7 @@ def sum_matches(fitness: PoseFitness, nearest: array(dtype=int64)) -> match_sums
     return out
 
 
-@kernel
+@kernel(most_registers=128)  # two blocks of an SM, not one
 def judge_matches_kernel(sums: array(dtype=match_sums), limit: float64, with_scaling: int, course: Course):
     """Keep a pose whose matches cost less than those of the best so far, and fit it to them; else end the course."""
     i = tid()

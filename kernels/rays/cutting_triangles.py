@@ -135,7 +135,7 @@ def find_partners(
     return count
 
 
-@kernel
+@kernel(most_registers=128)  # two blocks of an SM, not one
 def count_partners_kernel(
     vertices: array(dtype=vec3),
     triangles: array(dtype=vec3i),
@@ -151,7 +151,7 @@ def count_partners_kernel(
     counts[i] = find_partners(i, vertices, triangles, within, tree, others, -1, no_partners, no_verdicts)
 
 
-@kernel
+@kernel(most_registers=128)  # two blocks of an SM, not one
 def list_partners_kernel(
     vertices: array(dtype=vec3),
     triangles: array(dtype=vec3i),

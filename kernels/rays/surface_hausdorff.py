@@ -89,7 +89,7 @@ def measure_row(p: vec3, vertices: array(dtype=vec3), t: vec3i) -> float64:
     return found[3]
 
 
-@kernel
+@kernel(most_registers=128)  # two blocks of an SM, not one
 def bound_pieces_kernel(
     pieces: array(dtype=vec3),
     nearest: NearestTriangles,

@@ -194,7 +194,7 @@ def nearest_foreign(rank: int, bridges: Bridges) -> int64:
     return nearest
 
 
-@kernel
+@kernel(most_registers=128)  # two blocks of an SM, not one
 def find_ways_kernel(bridges: Bridges):
     """The shortest way out of its component from each point of a leaf; none where it cannot be the component's.
 

@@ -23,6 +23,7 @@ from pointloom.kernels.lang import (
     tid,
 )
 from pointloom.kernels.language.source import KernelLanguageError
+from pointloom.kernels.language.warp_compiler import modules_for_cuda
 from pointloom.kernels.memory import download, empty, upload
 
 pytestmark = pytest.mark.both_compilers
@@ -177,6 +178,27 @@ def test_lanes_take_whole_numbers_of_32_bits_and_floats():
 
     with pytest.raises(KernelLanguageError, match="it takes int32, float32 or float64, and an int32 lane"):
         far.settle()
+
+
+@kernel(for_cpu=True)
+def count_on_the_cpu_kernel(row: Row, totals: array(dtype=int32)):
+    i = tid()
+    totals[i] = twice_the_total(i, row)
+
+
+def test_a_kernel_for_the_cpu_is_not_made_for_cuda(device):
+    row = Row(upload(np.zeros(32), float32, device), upload(np.ones(32), int32, device))
+    totals = empty(32, int32, device)
+    assert count_on_the_cpu_kernel.twin is count_on_the_cpu_kernel
+    if totals.device.is_cuda:
+        with pytest.raises(TypeError, match="count_on_the_cpu_kernel is the CPU's alone"):
+            launch(count_on_the_cpu_kernel, 32, [row, totals])
+    else:
+        launch(count_on_the_cpu_kernel, 32, [row, totals])
+        assert (download(totals) == 64).all()
+    lang.settle(__name__)
+    made = {found.key for module in modules_for_cuda(__name__) for found in module.kernels.values()}
+    assert "copy_kernel" in made and "count_on_the_cpu_kernel" not in made
 
 
 def test_every_variant_of_the_package_can_be_compiled():
