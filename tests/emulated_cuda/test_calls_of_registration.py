@@ -48,6 +48,30 @@ def test_a_scan_waits_for_its_sizes_and_for_its_pose(emulated, is_straightened):
     assert (fourth["waits"], fourth["graphs made"]) == ((4, 0) if is_straightened else (2, 0))
 
 
+def surface_of_hills(count: int, part: slice) -> loom.PointCloud:
+    """A part of hills that lies apart from the others."""
+    x, y = np.random.default_rng(0).uniform(-1, 1, (2, count))
+    hills = np.column_stack([x, y, 0.2 * np.sin(3 * x) * np.cos(4 * y) + 0.1 * np.sin(7 * y + x)])
+    return loom.PointCloud(hills[part], device=DEVICE)
+
+
+def test_a_pose_is_rated_with_few_waits(emulated):
+    source, target = (surface_of_hills(6000, part) for part in (slice(4000), slice(2000, None)))
+    asked = asked_for(emulated, lambda: loom.registration.rate_registration(source, target, np.eye(4), 0.15))
+    # thinning and trees 5 a cloud, refinement, samples, the whole, beside the planes
+    assert asked["waits"] <= 10 + 4 and asked["graphs made"] <= 1
+
+
+def test_global_registrations_wait_for_few_numbers(emulated):
+    source, target = (surface_of_hills(3000, part) for part in (slice(2000), slice(1000, None)))
+    asked = asked_for(emulated, lambda: loom.registration.register_globally(source, target, voxel_size=0.08))
+    assert asked["waits"] <= 34 and asked["graphs made"] <= 2
+    pairs = np.column_stack([np.arange(1000, 2000), np.arange(1000)])
+    fgr = loom.registration.registration_fgr_based_on_correspondence
+    asked = asked_for(emulated, lambda: fgr(source, target, pairs))
+    assert asked["waits"] <= 7 and asked["graphs made"] <= 1
+
+
 def frame_of_a_relief(k: float):
     """A frame of a relief with stripes, a little farther on for another k."""
     v, u = np.mgrid[:72, :96]
