@@ -153,7 +153,7 @@ class CudaLaunch:
         """Launch; take the lock.
 
         Raises:
-            struct.error, OverflowError: A number is out of its parameter's range; nothing was launched.
+            struct.error, OverflowError: A number is out of its range, or none; nothing was launched.
             RuntimeError: The driver refused.
         """
         # Nobody else's while it is filled and read: a signal handler may launch the same kernel in between, and what an

@@ -148,7 +148,7 @@ def new(shape: int | Shape, dtype: Any, device: Any) -> Any:
 
 def rows_of(values: Any, first: int, last: int) -> Any:
     """Rows `first` to below `last` of an array, as `values[first:last]` gives them."""
-    kind = getattr(values, "kind_", None)
+    kind, first, last = getattr(values, "kind_", None), int(first), int(last)  # addresses are plain numbers
     if kind is None or not 0 <= first < last <= values.shape[0]:
         return values[first:last]
     strides = values.strides
@@ -169,7 +169,7 @@ def seen_as(whole: Any, first: int, dtype: Any, shape: int | Shape) -> Any:
     shape = (shape,) if type(shape) is int else tuple(map(int, shape))  # type: ignore[arg-type]
     if not 0 < len(shape) <= warp_parts.MAX_AXES:
         return None
-    kind, strides = _kind_and_strides(dtype, shape, whole.device)
+    first, (kind, strides) = int(first), _kind_and_strides(dtype, shape, whole.device)
     size = shape[0] * strides[0]
     if min(shape) < 0 or not 0 <= first <= first + size <= whole.capacity or strides[0] >= MAX_EXTENT:
         return None

@@ -37,6 +37,7 @@ def is_zeroed(values: Any) -> bool:
 
 def is_copied(target: Any, source: Any, count: int, offset: int = 0) -> bool:
     """Copy the first elements between arrays of a GPU; False, and nothing done, where Warp has to."""
+    count, offset = int(count), int(offset)  # as addresses ctypes takes no numbers of NumPy's
     if target.device is not source.device or not (_is_plain(target) and source.is_contiguous):
         return False
     width = _kind(target).element_bytes

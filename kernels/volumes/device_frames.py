@@ -60,6 +60,7 @@ from .tsdf_blocks import (
     blocks_on_way,
     frame_box,
     ray_grid,
+    ray_slots,
     ray_stride,
 )
 from .voxel_blocks import VoxelBlocks, check_block_count
@@ -234,7 +235,7 @@ class FrameShape:
     ) -> None:
         self.block_size = SIDE * blocks.voxel_size
         self.stride = ray_stride(farthest, camera, self.block_size)
-        _, _, self.slots = frame_box(farthest, camera, np.eye(4), blocks.truncation, blocks.voxel_size)
+        self.slots = ray_slots(camera, blocks.truncation, blocks.voxel_size)
         columns, rows = ray_grid(camera, self.stride)
         self.most = columns * rows * self.slots
         self.threads = -(-columns * rows // 32) * 32

@@ -6,9 +6,11 @@ the stride is chosen so that neighbouring rays are less than half a block apart.
 grid over the frame's box where that is small, else listed and sorted: both give ascending keys.
 """
 
+import functools
 import math
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ..algebra.camera import Camera, CameraLike, pixel_ray
 from ..algebra.transform import Transform, transform_point
@@ -218,15 +220,28 @@ def frame_box(
         blocks that a ray touches at most.
     """
     block_size = SIDE * voxel_size
-    corners = np.array([[u, v, 1.0] for u in (0, camera.width - 1) for v in (0, camera.height - 1)])
-    corners = (corners - [camera.cx, camera.cy, 0]) / [camera.fx, camera.fy, 1]
+    corners, _ = _corner_rays(camera.width, camera.height, camera.fx, camera.fy, camera.cx, camera.cy)
     ends = np.vstack([corners * (farthest + truncation), np.zeros((1, 3))])
     ends = ends @ T_volume_camera[:3, :3].T + T_volume_camera[:3, 3]
     low = np.floor(ends.min(axis=0) / block_size) - 1
     size = np.floor(ends.max(axis=0) / block_size) + 2 - low
-    longest = float(np.linalg.norm(corners, axis=1).max())
-    slots = int(math.ceil(2 * truncation * longest / block_size * math.sqrt(3))) + 3
-    return low, size, slots
+    return low, size, ray_slots(camera, truncation, voxel_size)
+
+
+def ray_slots(camera: CameraLike, truncation: float, voxel_size: float) -> int:
+    """The blocks that a ray of a frame touches at most, wherever its camera is."""
+    _, longest = _corner_rays(camera.width, camera.height, camera.fx, camera.fy, camera.cx, camera.cy)
+    return int(math.ceil(2 * truncation * longest / (SIDE * voxel_size) * math.sqrt(3))) + 3
+
+
+@functools.lru_cache(64)
+def _corner_rays(
+    width: int, height: int, fx: float, fy: float, cx: float, cy: float
+) -> tuple[NDArray[np.float64], float]:
+    """The rays through a picture's corners at depth 1, float64 [4, 3], and the length of the longest."""
+    corners = np.array([[u, v, 1.0] for u in (0, width - 1) for v in (0, height - 1)])
+    corners = (corners - [cx, cy, 0]) / [fx, fy, 1]
+    return corners, float(np.linalg.norm(corners, axis=1).max())
 
 
 def beyond_reach(low: np.ndarray, size: np.ndarray) -> bool:

@@ -301,3 +301,36 @@ def test_a_launch_that_is_packed_otherwise_stays_warps(kernels, where, monkeypat
         lang.launch(kernel, 4, [*numbers, out])
     assert kernel.prepared == {where.alias: None}
     assert memory.download(out).tolist() == [21.75] * 4
+
+
+def test_the_native_library_is_given_what_its_types_take(kernels, where, monkeypatch):
+    """The emulated device takes any number; ctypes, before a real one, takes none of NumPy's for an address."""
+    core, called = warp_parts.core(), set()
+
+    def checked(name):
+        run = getattr(core, name)
+        takes = run.argtypes
+
+        def call(*given):
+            called.add(name)
+            for kind, argument in zip(takes, given, strict=True):
+                kind.from_param(argument)
+            return run(*given)
+
+        return call
+
+    for name in warp_parts.FUNCTIONS:
+        monkeypatch.setattr(core, name, checked(name))
+    n, numbers = np.int64(4), (1, 2, 3, 4, 0.5, 0.25, 5, 6)
+    out, table = memory.zeros((n, np.int32(1)), lang.float64, where), memory.upload(np.arange(4), lang.int32, where)
+    for _ in range(2):
+        lang.launch(kernels.numbers_kernel, n, [*numbers, memory.flat(out)])
+        lang.reduce(kernels.add_up, 4, [memory.rows_of(memory.zeros(9, lang.float32, where), n, 2 * n), 1.0])
+    part = memory.rows_of(table, np.int64(1), np.int64(3))
+    memory.copy(part, table, count=np.int64(1), offset=np.int64(1))
+    memory.write(part, np.zeros(2, np.int32))
+    readback = memory.Readback(memory.clone(table))
+    readback.send()
+    assert memory.download(memory.flat(out)).tolist() == [21.75] * 4 and readback.read().tolist() == [0, 0, 0, 3]
+    del out, table, part, readback
+    assert called == set(warp_parts.FUNCTIONS)
