@@ -10,7 +10,7 @@ from typing import Any
 from .findings import UNWRITTEN, CudaFault, Findings
 from .memory import FRESH, Memory
 from .settings import settings
-from .streams import Streams, address_of
+from .streams import CURRENT_STREAM, Streams, address_of
 
 PLAIN, INDEXED = 0, 1  # Warp's kinds of arrays
 DIGIT_BITS = 8  # of one pass of the device's radix sort, which reads and writes everything once
@@ -31,8 +31,8 @@ class Arrays:
         if self.findings.counters is not None and settings.counters:
             self.findings.counters.touch(address_of(address), size, write=write)
 
-    def _queue(self, operation: Any) -> bool:
-        self.streams.enqueue(self.streams.current, operation, "kernel launch")
+    def _queue(self, operation: Any, context: Any = None) -> bool:
+        self.streams.enqueue(self.streams.stream(CURRENT_STREAM, context), operation, "kernel launch")
         return True
 
     def _description(self, pointer: Any, kind: int) -> Any:
@@ -64,7 +64,7 @@ class Arrays:
             raise CudaFault(f"illegal address: an index outside 0..{length - 1} in an indexed array")
         return real
 
-    def wp_array_copy_device(self, _, dst, src, dst_kind, src_kind, size):
+    def wp_array_copy_device(self, context, dst, src, dst_kind, src_kind, size):
         to, source = self._description(dst, dst_kind), self._description(src, src_kind)
         total = size * _count(to, dst_kind)
 
@@ -77,9 +77,9 @@ class Arrays:
             if not self.real.wp_array_copy_host(ctypes.byref(a), ctypes.byref(b), dst_kind, src_kind, size):
                 raise CudaFault("array copy failed")
 
-        return self._queue(copy)
+        return self._queue(copy, context)
 
-    def wp_array_fill_device(self, _, array, kind, value, size):
+    def wp_array_fill_device(self, context, array, kind, value, size):
         described, data = self._description(array, kind), ctypes.string_at(address_of(value), size)
 
         def fill() -> None:
@@ -88,7 +88,7 @@ class Arrays:
                 pass
             self.real.wp_array_fill_host(ctypes.byref(located), kind, data, size)
 
-        self._queue(fill)
+        self._queue(fill, context)
 
     def _scan(self, name, source, out, count, in_stride, out_stride, length, inclusive):
         scan = getattr(self.real, f"wp_array_scan_{name}_host")

@@ -77,9 +77,16 @@ class Streams:
         self.legacy = Stream(0)
         self.streams: dict[int, Stream] = {0: self.legacy, LEGACY: self.legacy, PER_THREAD: Stream(PER_THREAD)}
         self.currents: dict[int, Stream] = {}  # by the context of a device
-        self.contexts: list[int | None] = [None]
+        self.of_thread = threading.local()
         self.captures = self.blocking_captures = 0
         self.after_wait: Operation = lambda: None  # what the device does whenever something has waited for it
+
+    @property
+    def contexts(self) -> list[int | None]:
+        """The contexts of the thread that asks, the current one last: CUDA has them by thread."""
+        if not hasattr(self.of_thread, "contexts"):
+            self.of_thread.contexts = [None]
+        return self.of_thread.contexts
 
     @property
     def current(self) -> Stream:
