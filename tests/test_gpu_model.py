@@ -10,6 +10,7 @@ import pytest
 
 BENCHMARKS = str(Path(__file__).parents[1] / "benchmarks")
 sys.path.append(BENCHMARKS)
+import gpu_float64  # noqa: E402
 import gpu_machine as machine  # noqa: E402
 import gpu_results  # noqa: E402
 from gpu_machine import Resources, Timeline, predict_kernel, predict_other, resident_blocks  # noqa: E402
@@ -140,3 +141,15 @@ def test_many_launches_of_a_kernel_are_kept_as_their_mean():
     assert found[-1]["times"] == 100 - gpu_results.ONE_BY_ONE
     assert sum(x["units"]["issued"] * x.get("times", 1) for x in found) == sum(range(100))
     assert found[-1]["traffic"]["global load"]["requests"] * found[-1]["times"] == 92
+
+
+def test_float64_keeps_a_desks_units_busy_for_sixteen_cycles_an_instruction():
+    one = launch(blocks=128 * 100, threads=64, units={"fp64": 2.0})  # an instruction a warp, two warps a block
+    assert gpu_float64.RTX_4090.seconds(one) == pytest.approx(100 * 2 * 16 / 2.52e9)
+    few = launch(blocks=1, threads=32, units={"fp64": 20.0})
+    assert gpu_float64.RTX_4090.seconds(few) == pytest.approx(10 * 16 / 2.52e9)
+    assert gpu_float64.H200.seconds(few) == pytest.approx(10 * 0.5 / machine.CLOCK)
+    several = {"launches": [one, {**few, "times": 5}, launch(units={"alu": 9.0})]}
+    millions, *seconds = gpu_float64.kernels_of(several)["k"]
+    assert millions == pytest.approx((128 * 100 * 2 + 5 * 10) / 1e6)
+    assert seconds[1] == pytest.approx((200 + 50) * 16 / 2.52e9)
