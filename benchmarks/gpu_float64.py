@@ -14,34 +14,26 @@ import argparse
 import math
 import sys
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any
 
-from gpu_machine import CLOCK, FEW, SMS
+from gpu_chips import H200, RTX_4090, Chip
+from gpu_machine import FEW
 from gpu_page import PAGE
 from gpu_prediction import predict
 from gpu_results import kept, newest
 
 BEGIN, END = "<!-- gpu_float64: begin -->", "<!-- gpu_float64: end -->"
+UNITS = 64  # of a Hopper's SM
 CYCLES = 2.0  # of a scheduler that costs.py counts for an instruction of float64
 LEAST = 1e-6  # s on the RTX 4090 below which an operation is left out
 
 
-class Chip(NamedTuple):
-    """A GPU's units for float64."""
-
-    sms: int
-    clock: float
-    units: int  # of an SM
-
-    def seconds(self, launch: dict[str, Any]) -> float:
-        """How long they are busy with a launch."""
-        rounds = launch["blocks"] / self.sms
-        rounds = rounds if rounds > FEW else math.ceil(rounds)
-        warps = rounds * -(-launch["threads"] // 32)
-        return warps * instructions_of_warp(launch) * 32 / self.units / self.clock
-
-
-H200, RTX_4090 = Chip(SMS, CLOCK, 64), Chip(128, 2.52e9, 2)
+def seconds(chip: Chip, launch: dict[str, Any]) -> float:
+    """How long a GPU's units for float64 are busy with a launch."""
+    rounds = launch["blocks"] / chip.sms
+    rounds = rounds if rounds > FEW else math.ceil(rounds)
+    warps = rounds * -(-launch["threads"] // 32)
+    return warps * instructions_of_warp(launch) * 32 / (UNITS / chip.fp64_cycles) / chip.clock
 
 
 def instructions_of_warp(launch: dict[str, Any]) -> float:
@@ -57,7 +49,7 @@ def kernels_of(counts: dict[str, Any]) -> dict[str, tuple[float, float, float]]:
             continue
         times = x.get("times", 1)
         total = x["blocks"] * -(-x["threads"] // 32) * instructions_of_warp(x)
-        one = total / 1e6, H200.seconds(x), RTX_4090.seconds(x)
+        one = total / 1e6, seconds(H200, x), seconds(RTX_4090, x)
         before = found.get(x["kernel"], (0.0, 0.0, 0.0))
         found[x["kernel"]] = tuple(a + times * b for a, b in zip(before, one, strict=True))  # type: ignore[assignment]
     return found

@@ -11,6 +11,7 @@ import pytest
 
 BENCHMARKS = str(Path(__file__).parents[1] / "benchmarks")
 sys.path.append(BENCHMARKS)
+import gpu_float64  # noqa: E402
 import gpu_host  # noqa: E402
 import gpu_machine as machine  # noqa: E402
 import gpu_results  # noqa: E402
@@ -325,3 +326,15 @@ def test_operations_whose_host_was_measured_take_its_seconds():
     found = gpu_host.measured_hosts(rows)
     assert found == pytest.approx({"rgbd_frame": 140e-6, "fpfh": 140e-6})
     assert set(gpu_host.NAMES) <= set(OPERATIONS)
+
+
+def test_float64_keeps_a_desks_units_busy_for_sixteen_cycles_an_instruction():
+    one = launch(blocks=128 * 100, threads=64, units={"fp64": 2.0})  # an instruction a warp, two warps a block
+    assert gpu_float64.seconds(RTX_4090, one) == pytest.approx(100 * 2 * 16 / 2.52e9)
+    few = launch(blocks=1, threads=32, units={"fp64": 20.0})
+    assert gpu_float64.seconds(RTX_4090, few) == pytest.approx(10 * 16 / 2.52e9)
+    assert gpu_float64.seconds(H200, few) == pytest.approx(10 * 0.5 / H200.clock)
+    several = {"launches": [one, {**few, "times": 5}, launch(units={"alu": 9.0})]}
+    millions, *seconds = gpu_float64.kernels_of(several)["k"]
+    assert millions == pytest.approx((128 * 100 * 2 + 5 * 10) / 1e6)
+    assert seconds[1] == pytest.approx((200 + 50) * 16 / 2.52e9)
