@@ -52,15 +52,19 @@ def invert_mask(mask: Mask) -> Mask:
     return inverted
 
 
-def positions_of(mask: Mask) -> Indices:
-    """The positions where a uint8 device mask of shape [n] is not zero, as int32, ascending (one sync)."""
+def positions_of(mask: Mask, count: int | None = None) -> Indices:
+    """The positions where a uint8 device mask of shape [n] is not zero, as int32, ascending.
+
+    One sync; none where it is known that there are `count`.
+    """
     device = mask.device
     if not device.is_cuda or not mask.size:
         return upload(np.flatnonzero(download(mask).view(np.bool_)).astype(np.int32), int32, device)
     ranks = empty(mask.size, int32, device)
     launch(count_mask_kernel, mask.size, [mask, ranks])
     inclusive_scan(ranks, ranks)
-    positions = empty(int(download(ranks[-1:])[0]), int32, device)  # sync
+    known = int(download(ranks[-1:])[0]) if count is None else count  # sync
+    positions = empty(known, int32, device)
     launch(scatter_positions_kernel, mask.size, [mask, ranks, positions])
     return positions
 

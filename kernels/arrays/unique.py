@@ -8,7 +8,7 @@ import numpy as np
 
 from ..array_types import Indices, Integers, Keys, LongIntegers
 from ..lang import array, int32, int64, kernel, launch, struct, tid, uint8
-from ..memory import copy, download, empty, upload
+from ..memory import copy, download, empty, full, upload
 from .prefix_sum import inclusive_scan
 from .select import gather_rows, positions_of
 from .sort import argsort_keys
@@ -84,17 +84,19 @@ class UniqueKeys:
         bit_count: int = 63,
         in_order: tuple[LongIntegers, Indices] | None = None,
         beside: Integers | None = None,
+        padded: bool = False,
     ) -> None:
         """Find the distinct ones among int64 keys of `bit_count` bits, none negative; one sync.
 
         `in_order` is what `argsort_keys` would give, where another sort gave it already; `beside` are int32 numbers
-        that the host wants, too.
+        that the host wants, too. Where it may be `padded`, nobody waits: on CUDA `count` is that of all keys, and what
+        stands behind the distinct ones has no positions, and any key.
         """
         device = keys.device
         sorted_keys, self.order = in_order or argsort_keys(keys, bit_count)
         self._last, self.beside = None, []
         if device.is_cuda and keys.size:
-            self._find_at_once(sorted_keys, beside)
+            self._find_at_once(sorted_keys, beside, padded)
             return
         if beside is not None:
             self.beside = download(beside).tolist()  # sync
@@ -107,15 +109,19 @@ class UniqueKeys:
         copy(self.starts, heads, count=self.count)
         copy(self.starts, upload(np.array([keys.size]), int32, device), count=1, offset=self.count)
 
-    def _find_at_once(self, sorted_keys: Keys, beside: Integers | None) -> None:
+    def _find_at_once(self, sorted_keys: Keys, beside: Integers | None, padded: bool) -> None:
         n, device = sorted_keys.size, sorted_keys.device
         ranks = empty(n + 2 + (0 if beside is None else beside.size), int32, device)
         if beside is not None:
             copy(ranks, beside, count=beside.size, offset=n + 2)
         launch(mark_heads_kernel, n, [sorted_keys, ranks])
         inclusive_scan(ranks[:n], ranks[:n])
-        keys, starts = empty(n, int64, device), empty(n + 1, int32, device)  # of any number, so as not to wait for it
+        keys = empty(n, int64, device)  # of any number, so as not to wait for it
+        starts = full(n + 1, n, int32, device) if padded else empty(n + 1, int32, device)
         launch(write_heads_kernel, n, [sorted_keys, ranks, keys, starts])
+        if padded:
+            self.count, self.keys, self.starts = n, keys, starts
+            return
         self.count, low, high, *self.beside = download(ranks[n - 1 :]).tolist()  # sync
         self._last = (high << 32) | (low & 0xFFFF_FFFF)
         self.keys, self.starts = keys[: self.count], starts[: self.count + 1]

@@ -158,7 +158,7 @@ def mark_chosen_kernel(states: array(dtype=int32), marks: array(dtype=int32)):
 def find_parents_kernel(
     level: Level, states: array(dtype=int32), places: array(dtype=int32), parents: array(dtype=int32)
 ):
-    """The coarse vertex of each vertex: of the chosen neighbour with the heaviest edge; none, the last place, if held."""
+    """The coarse vertex of each: of the chosen neighbour with the heaviest edge; the last place for held ones."""
     i = tid()
     parent = places[places.shape[0] - 1]
     if states[i] == CHOSEN:
