@@ -10,12 +10,14 @@ Source: the Python array API standard (`__dlpack__`); the CUDA array interface, 
 from __future__ import annotations
 
 import importlib
+from collections.abc import Mapping
 from typing import Any, NamedTuple
 
 import numpy as np
 import warp as wp
 from numpy.typing import DTypeLike
 
+from ..kernels.arrays.side_by_side import read_together
 from ..kernels.language.device_arrays import seen_as
 from ..kernels.language.device_lock import turn_on
 from ..kernels.memory import cast, download, empty, move, upload
@@ -71,11 +73,7 @@ def hand_out(
         on_host: Whether it shall be on the host, as what was asked about was.
     """
     if library == NUMPY:
-        values = download(array)
-        if dtype is not None and values.dtype != dtype:
-            is_same_size = values.dtype.itemsize == np.dtype(dtype).itemsize
-            values = values.view(dtype) if is_same_size else values.astype(dtype)
-        return values if shape is None else values.reshape((*shape, *values.shape[array.ndim :]))
+        return _formed(download(array), array.ndim, dtype, shape)
     if on_host:
         array = move(array, resolve_device("cpu"))
     if dtype is not None:
@@ -86,6 +84,14 @@ def hand_out(
         return array
     with turn_on(array.device):  # its stream waits for ours
         return _import(library).from_dlpack(array)
+
+
+def _formed(values: np.ndarray, axes: int, dtype: DTypeLike | None, shape: tuple[int, ...] | None) -> np.ndarray:
+    """An array's values as `hand_out` has them; `axes` are those that a shape replaces."""
+    if dtype is not None and values.dtype != dtype:
+        is_same_size = values.dtype.itemsize == np.dtype(dtype).itemsize
+        values = values.view(dtype) if is_same_size else values.astype(dtype)
+    return values if shape is None else values.reshape((*shape, *values.shape[axes:]))
 
 
 class Form(NamedTuple):
@@ -102,6 +108,16 @@ class Form(NamedTuple):
     def hand_out(self, array: wp.array, *, dtype: DTypeLike | None = None, shape: tuple[int, ...] | None = None) -> Any:
         """A result in this form, see `hand_out`."""
         return hand_out(array, self.library, dtype=dtype, shape=shape, on_host=self.on_host)
+
+    def hand_out_all(
+        self, arrays: Mapping[str, wp.array], types: Mapping[str, DTypeLike], *, shape: tuple[int, ...] | None = None
+    ) -> dict[str, Any]:
+        """Results of one shape in this form by name, by one wait; `types` are those of results with another one."""
+        if self.library != NUMPY:
+            return {name: self.hand_out(values, dtype=types.get(name), shape=shape) for name, values in arrays.items()}
+        read = read_together([*arrays.values()])  # sync
+        found = zip(arrays.items(), read, strict=True)
+        return {name: _formed(values, array.ndim, types.get(name), shape) for (name, array), values in found}
 
     def hand_out_host(self, values: np.ndarray, device: Any) -> Any:
         """A result that was made on the host in this form."""

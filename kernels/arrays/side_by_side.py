@@ -4,17 +4,20 @@ An array of its own costs an allocation, a copy and, when it is read, a wait for
 thread of one job notes is some ten numbers in as many arrays.
 """
 
+import itertools
+import math
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
 import warp as wp
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from ..array_types import AnyArray, Device, DeviceArray, Element
 from ..lang import uint8
 from ..language.device_arrays import seen_as
 from ..language.device_lock import turn_on
-from ..memory import download, upload, write
+from ..memory import contiguous, copy, download, empty, upload, write
 
 ALIGNMENT = 256  # bytes: that of an allocation of its own
 
@@ -30,6 +33,24 @@ def part_of(
         part = wp.array(ptr=whole.ptr + first, dtype=dtype, shape=shape, device=whole.device, copy=False)
     part._ref = whole
     return part
+
+
+def read_together(arrays: Sequence[AnyArray]) -> list[NDArray[Any]]:
+    """As `download` gives each of some arrays of one device, by one wait: from a GPU parts of one copy."""
+    if len(arrays) == 1 or not arrays[0].device.is_cuda:
+        return [download(values) for values in arrays]
+    types = [np.dtype(wp.dtype_to_numpy(getattr(values.dtype, "_wp_scalar_type_", values.dtype))) for values in arrays]
+    shapes = [(*values.shape, *getattr(values.dtype, "_shape_", ())) for values in arrays]
+    sizes = [math.prod(shape) * kind.itemsize for shape, kind in zip(shapes, types, strict=True)]
+    order = sorted(range(len(arrays)), key=lambda k: -types[k].itemsize)  # so that all stand on bytes of their own size
+    firsts = dict(zip(order, itertools.accumulate((sizes[k] for k in order), initial=0), strict=False))
+    whole = empty(sum(sizes), uint8, arrays[0].device)
+    for k, size in enumerate(sizes):
+        if size:
+            copy(whole, part_of(contiguous(arrays[k]), 0, uint8, size), count=size, offset=firsts[k])
+    found = download(whole)  # sync
+    parts = (found[firsts[k] : firsts[k] + size] for k, size in enumerate(sizes))
+    return [part.view(kind).reshape(shape) for part, kind, shape in zip(parts, types, shapes, strict=True)]
 
 
 class SideBySide:

@@ -61,12 +61,12 @@ def draw_rows(count: int, drawn: int, seed: int, device: Device) -> Indices:
     keys = empty(count, int64, device)
     launch(draw_keys_kernel, count, [seed, KEY_BITS - bits, keys])
     _, order = argsort_keys(keys, bits)
-    return sort_rows(order[:drawn], count)
+    return sort_rows(order[:drawn], count, are_distinct=True)
 
 
-def sort_rows(rows: Indices, count: int) -> Indices:
-    """The rows of a list, each once, ascending."""
-    return positions_of(_mark(rows, count))
+def sort_rows(rows: Indices, count: int, are_distinct: bool = False) -> Indices:
+    """The rows of a list, each once, ascending; one sync, none where it is known that each is listed once."""
+    return positions_of(_mark(rows, count), rows.size if are_distinct else None)
 
 
 def other_rows(rows: Indices, count: int) -> Indices:

@@ -8,7 +8,7 @@ import numpy as np
 
 from ..array_types import Indices, Integers, Keys, LongIntegers
 from ..lang import array, int32, int64, kernel, launch, struct, tid, uint8
-from ..memory import copy, download, empty, rows_of, upload
+from ..memory import copy, download, empty, full, rows_of, upload
 from .prefix_sum import inclusive_scan
 from .select import gather_rows, positions_of
 from .sort import argsort_keys
@@ -84,17 +84,19 @@ class UniqueKeys:
         bit_count: int = 63,
         in_order: tuple[LongIntegers, Indices] | None = None,
         beside: Integers | None = None,
+        padded: bool = False,
     ) -> None:
         """Find the distinct ones among int64 keys of `bit_count` bits, none negative; one sync.
 
         `in_order` is what `argsort_keys` would give, where another sort gave it already; `beside` are int32 numbers
-        that the host wants, too.
+        that the host wants, too. Where it may be `padded`, nobody waits: on CUDA `count` is that of all keys, and what
+        stands behind the distinct ones has no positions, and any key.
         """
         device = keys.device
         sorted_keys, self.order = in_order or argsort_keys(keys, bit_count)
         self._last, self.beside = None, []
         if device.is_cuda and keys.size:
-            self._find_at_once(sorted_keys, beside)
+            self._find_at_once(sorted_keys, beside, padded)
             return
         if beside is not None:
             self.beside = download(beside).tolist()  # sync
@@ -107,8 +109,11 @@ class UniqueKeys:
         copy(self.starts, heads, count=self.count)
         copy(self.starts, upload(np.array([keys.size]), int32, device), count=1, offset=self.count)
 
-    def _find_at_once(self, sorted_keys: Keys, beside: Integers | None) -> None:
-        keys, starts, told = write_heads(sorted_keys, beside)
+    def _find_at_once(self, sorted_keys: Keys, beside: Integers | None, padded: bool) -> None:
+        keys, starts, told = write_heads(sorted_keys, beside, padded=padded)
+        if padded:
+            self.count, self.keys, self.starts = sorted_keys.size, keys, starts
+            return
         self.count, low, high, *self.beside = download(told).tolist()  # sync
         self._last = (high << 32) | (low & 0xFFFF_FFFF)
         self.keys, self.starts = rows_of(keys, 0, self.count), rows_of(starts, 0, self.count + 1)
@@ -130,12 +135,15 @@ class UniqueKeys:
             self.keys, self.starts = self.keys[: self.count], self.starts[: self.count + 1]
 
 
-def write_heads(sorted_keys: Keys, beside: Integers | None = None) -> tuple[Keys, Integers, Integers]:
+def write_heads(
+    sorted_keys: Keys, beside: Integers | None = None, *, padded: bool = False
+) -> tuple[Keys, Integers, Integers]:
     """The distinct ones of at least one sorted key of a GPU: nothing waits for their number.
 
     Returns:
         (keys, starts, told): as those of UniqueKeys, but with room for n of them; and int32 [3], their number and the
         last key, its low half first; behind them what is wanted `beside`.
+        `padded`: starts beyond those of keys are n.
     """
     n, device = sorted_keys.size, sorted_keys.device
     ranks = empty(n + 2 + (0 if beside is None else beside.size), int32, device)
@@ -144,6 +152,7 @@ def write_heads(sorted_keys: Keys, beside: Integers | None = None) -> tuple[Keys
     launch(mark_heads_kernel, n, [sorted_keys, ranks])
     counted = rows_of(ranks, 0, n)
     inclusive_scan(counted, counted)
-    keys, starts = empty(n, int64, device), empty(n + 1, int32, device)
+    keys = empty(n, int64, device)
+    starts = full(n + 1, n, int32, device) if padded else empty(n + 1, int32, device)
     launch(write_heads_kernel, n, [sorted_keys, ranks, keys, starts])
     return keys, starts, rows_of(ranks, n - 1, ranks.size)

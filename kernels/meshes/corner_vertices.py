@@ -138,15 +138,17 @@ def keep_corners(corners: Indices, rows: Indices) -> Integers:
 def mark_doubled_kernel(edges: UniqueKeys, twins: array(dtype=int32), mask: array(dtype=uint8)):
     """1 for the half-edges between two vertices that are neither the first nor its twin."""
     i = tid()
-    first = edges.order[edges.starts[i]]
+    first = -1
     for j in range(edges.starts[i], edges.starts[i + 1]):
         h = edges.order[j]
+        if first < 0:
+            first = h
         mask[h] = uint8(1 if h != first and twins[first] != h else 0)
 
 
 def find_doubled_edges(triangles: Triangles, vertex_count: int, twins: Indices) -> Indices:
     """The half-edges, ascending, that share both vertices with an earlier one that is not their twin."""
-    mask, edges = empty(twins.size, uint8, twins.device), find_edges(triangles, vertex_count)  # sync
+    mask, edges = empty(twins.size, uint8, twins.device), find_edges(triangles, vertex_count, padded=True)
     launch(mark_doubled_kernel, edges.count, [edges, twins, mask])
     return positions_of(mask)  # sync
 

@@ -9,14 +9,14 @@ of memory a triangle beside the sort.
 import numpy as np
 
 from ..array_types import Doubles, Indices, LongIntegers, Mask, Points, Triangles
+from ..arrays.key_starts import find_key_starts
 from ..arrays.pair_sort import argsort_pairs
 from ..arrays.segment_blocks import SegmentBlocks
 from ..arrays.select import positions_of
-from ..arrays.sort import positions
+from ..arrays.sort import argsort_keys, positions
 from ..arrays.union_find import flatten_sets_kernel, unite
-from ..arrays.unique import UniqueKeys
 from ..lang import array, float64, int32, int64, kernel, launch, tid, uint8
-from ..memory import download, empty, upload
+from ..memory import download, empty, upload, zeros
 from .mesh_topology import list_edge_keys_kernel
 from .surface_samples import measure_areas
 
@@ -88,6 +88,21 @@ def mask_parts_kernel(labels: array(dtype=int64), chosen: array(dtype=uint8), ma
     mask[i] = chosen[int(labels[i])]
 
 
+@kernel
+def find_marked_kernel(labels: array(dtype=int64), marks: array(dtype=uint8), held: array(dtype=uint8)):
+    """1 for parts with a marked triangle; all threads write the same."""
+    i = tid()
+    if marks[i] != 0:
+        held[int(labels[i])] = uint8(1)
+
+
+def holds_marked(labels: LongIntegers, marks: Mask, count: int) -> np.ndarray:
+    """Whether parts hold a marked triangle, bool NumPy array [count]; marks are of the first triangles. One sync."""
+    held = zeros(count, uint8, labels.device)
+    launch(find_marked_kernel, marks.size, [labels, marks, held])
+    return download(held) != 0  # sync
+
+
 def number_parts(parents: Indices) -> tuple[LongIntegers, int]:
     """(labels int64 [t], count): parts by their first triangles, which `parents` gives for each; one sync."""
     device = parents.device
@@ -99,20 +114,40 @@ def number_parts(parents: Indices) -> tuple[LongIntegers, int]:
     return labels, roots.size
 
 
-def sum_by_part(values: Doubles, groups: UniqueKeys, counts: np.ndarray) -> np.ndarray:
-    """Sums over parts, float64 NumPy array [c]: by ascending triangle, in blocks of 1024.
+class PartOrder:
+    """Triangles by part.
 
     Args:
-        values: float64 device array [t].
-        groups: UniqueKeys of the labels of all triangles.
-        counts: Triangles of each part, NumPy array [c].
+        labels: Of `number_parts`.
+        count: Parts.
+
+    Attributes:
+        order: int32 [t], the triangles by part, those of one ascending.
+        starts: int32 [count + 1], where each part begins.
     """
-    device = values.device
-    blocks = SegmentBlocks(download(groups.starts)[:-1], counts, device)  # sync
-    sums, totals = empty(blocks.count, float64, device), empty(groups.count, float64, device)
-    launch(sum_blocks_kernel, blocks.count, [values, groups.order, blocks.firsts, blocks.lasts, sums])
-    launch(fold_blocks_kernel, groups.count, [sums, blocks.starts, totals])
-    return download(totals).copy()  # sync
+
+    def __init__(self, labels: LongIntegers, count: int) -> None:
+        keys, self.order = argsort_keys(labels, max(1, count.bit_length()))
+        self.count, self.starts = count, empty(count + 1, int32, labels.device)
+        find_key_starts(keys, self.starts)
+
+    def counts(self) -> np.ndarray:
+        """The triangles of each part, int32 NumPy array [count]; one sync."""
+        return np.diff(download(self.starts))  # sync
+
+    def sum(self, values: Doubles, counts: np.ndarray) -> Doubles:
+        """Sums over parts, float64 device array [count]: by ascending triangle, in blocks of 1024.
+
+        Args:
+            values: float64 device array [t].
+            counts: Triangles of each part, NumPy array [count].
+        """
+        device = values.device
+        blocks = SegmentBlocks(np.cumsum([0, *counts[:-1]])[: len(counts)], counts, device)
+        sums, totals = empty(blocks.count, float64, device), empty(self.count, float64, device)
+        launch(sum_blocks_kernel, blocks.count, [values, self.order, blocks.firsts, blocks.lasts, sums])
+        launch(fold_blocks_kernel, self.count, [sums, blocks.starts, totals])
+        return totals
 
 
 class Components:
@@ -137,9 +172,10 @@ class Components:
         launch(unite_at_edges_kernel, keys.size, [keys, order, parents])
         launch(flatten_sets_kernel, count, [parents])
         self.labels, part_count = number_parts(parents)  # sync
-        groups = UniqueKeys(self.labels, max(1, part_count.bit_length()))  # sync
-        self.counts = download(groups.counts()).copy()  # sync
-        self.areas = sum_by_part(measure_areas(vertices, triangles), groups, self.counts) / 2  # they are twice as large
+        parts = PartOrder(self.labels, part_count)
+        self.counts = parts.counts()  # sync
+        doubled = parts.sum(measure_areas(vertices, triangles), self.counts)
+        self.areas = download(doubled) / 2  # sync
 
     def mask(self, chosen: np.ndarray) -> Mask:
         """The triangles of chosen parts, uint8 device array [t]; `chosen` is a bool NumPy array [c]."""

@@ -64,10 +64,10 @@ def sorted_edges(triangles: Triangles, vertex_count: int) -> tuple[LongIntegers,
     return argsort_pairs(keys, bits, vertex_count)
 
 
-def find_edges(triangles: Triangles, vertex_count: int) -> UniqueKeys:
-    """The edges of vec3i [t] triangles as UniqueKeys of half-edges; one sync."""
+def find_edges(triangles: Triangles, vertex_count: int, padded: bool = False) -> UniqueKeys:
+    """The edges of vec3i [t] triangles as UniqueKeys of half-edges; one sync, none where they may be padded."""
     keys, order = sorted_edges(triangles, vertex_count)
-    return UniqueKeys(keys, 2 * key_bits(vertex_count), (keys, order))
+    return UniqueKeys(keys, 2 * key_bits(vertex_count), (keys, order), padded=padded)
 
 
 @kernel
@@ -239,7 +239,7 @@ def run_places(groups: UniqueKeys, count: int) -> Indices:
 def find_split_vertices(triangles: Triangles, vertex_count: int) -> Mask:
     """uint8 [m]: 1 where the triangles at a vertex hang together by it alone, and not by edges at it."""
     device, half_edges = triangles.device, 3 * triangles.size
-    edges, parents = find_edges(triangles, vertex_count), positions(half_edges, device)  # sync
+    edges, parents = find_edges(triangles, vertex_count, padded=True), positions(half_edges, device)
     places = run_places(edges, half_edges)
     launch(unite_corners_kernel, half_edges, [triangles, edges, key_bits(vertex_count), places, parents])
     launch(flatten_sets_kernel, half_edges, [parents])

@@ -8,7 +8,7 @@ import numpy as np
 from ..algebra.transform import narrow, widen
 from ..array_types import Array1, Cells, Indices, Integers, Mask, Triangles, Vectors
 from ..arrays.prefix_sum import exclusive_scan, sum_counts
-from ..arrays.select import gather_rows, positions_of
+from ..arrays.select import gather_rows, invert_mask, positions_of
 from ..lang import array, atomic_min, int32, kernel, launch, length, mat33d, tid, uint8, vec2, vec3, vec3i
 from ..memory import empty, full, zeros
 
@@ -132,6 +132,14 @@ def first_listed(rows: Indices, count: int) -> Indices:
     launch(find_first_places_kernel, rows.size, [rows, places])
     launch(mark_first_places_kernel, rows.size, [rows, places, mask])
     return gather_rows(rows, positions_of(mask))  # sync
+
+
+def later_listed(rows: Indices, count: int) -> Indices:
+    """The places in a list of all `count` rows where one is listed that came before."""
+    places, mask = full(count, rows.size, int32, rows.device), empty(rows.size, uint8, rows.device)
+    launch(find_first_places_kernel, rows.size, [rows, places])
+    launch(mark_first_places_kernel, rows.size, [rows, places, mask])
+    return positions_of(invert_mask(mask), rows.size - count)
 
 
 def mark_places(rows: Indices, count: int) -> tuple[Integers, Indices]:

@@ -13,6 +13,7 @@ import numpy as np
 
 from ..algebra.transform import widen
 from ..array_types import Array1, Bytes, LongIntegers, Points, Triangles
+from ..arrays.side_by_side import read_together
 from ..arrays.sort import positions
 from ..arrays.union_find import flatten_sets_kernel, unite
 from ..arrays.unique import UniqueKeys
@@ -33,10 +34,11 @@ from ..lang import (
     vec3i,
 )
 from ..memory import download, empty, upload, zeros
-from .mesh_components import number_parts, sum_by_part
+from .mesh_components import PartOrder, number_parts
 from .mesh_edges import find_edges, higher_end, key_bits, lower_end
 from .mesh_measures import triangle_cross
 from .mesh_topology import corner_vertex
+from .part_votes import follow_most
 
 
 @kernel
@@ -54,14 +56,14 @@ def unite_forms_kernel(
     i = tid()
     first = edges.starts[i]
     last = edges.starts[i + 1]
-    key = edges.keys[i]
-    h = edges.order[first]
-    t = h // 3
     paired = 0
-    if last - first == 2 and lower_end(key, bits) != higher_end(key, bits):
+    if last - first == 2:
+        key = edges.keys[i]
+        h = edges.order[first]
         g = edges.order[first + 1]
+        t = h // 3
         u = g // 3
-        if t != u:
+        if t != u and lower_end(key, bits) != higher_end(key, bits):
             paired = 1
             against = 0
             if corner_vertex(triangles, h) == corner_vertex(triangles, g):
@@ -166,7 +168,7 @@ class Orientation:
 
     def __init__(self, triangles: Triangles, vertex_count: int) -> None:
         device, count = triangles.device, triangles.size
-        edges, parents = find_edges(triangles, vertex_count), positions(2 * count, device)  # sync
+        edges, parents = find_edges(triangles, vertex_count, padded=True), positions(2 * count, device)
         self._is_open = zeros(count, int32, device)
         launch(unite_forms_kernel, edges.count, [triangles, edges, key_bits(vertex_count), parents, self._is_open])
         launch(flatten_sets_kernel, parents.size, [parents])
@@ -187,10 +189,10 @@ class Orientation:
         volumes, open_parts = empty(count, float64, device), zeros(part_count, int32, device)
         launch(measure_turned_kernel, count, [vertices, triangles, self._firsts, self.flips, volumes])
         launch(mark_open_parts_kernel, count, [self._is_open, labels, open_parts])
-        groups = UniqueKeys(labels, max(1, part_count.bit_length()))  # sync
-        counts = np.diff(download(groups.starts))  # sync
-        sums = sum_by_part(volumes, groups, counts) / 6  # sync
-        return OrientedParts(labels, counts, sums, download(open_parts) == 0)  # sync
+        parts = PartOrder(labels, part_count)
+        counts = parts.counts()  # sync
+        sums, is_open = read_together([parts.sum(volumes, counts), open_parts])  # sync
+        return OrientedParts(labels, counts, sums / 6, is_open == 0)
 
     def turn_parts(self, labels: LongIntegers, turned: np.ndarray) -> None:
         """Flip all triangles of chosen parts once more: int64 [t] numbers of parts, a bool NumPy array a part."""
@@ -199,10 +201,7 @@ class Orientation:
 
     def follow_most(self) -> None:
         """Let most triangles of each part stay as they are; as many as are flipped, and its first one decides."""
-        labels, part_count = number_parts(self._firsts)  # sync
-        numbers, flips = download(labels), download(self.flips)  # sync
-        flipped = np.bincount(numbers, flips, part_count)
-        self.turn_parts(labels, flipped * 2 > np.bincount(numbers, minlength=part_count))
+        follow_most(self._firsts, self.flips)
 
 
 class OrientedParts(NamedTuple):

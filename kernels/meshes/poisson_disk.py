@@ -17,7 +17,7 @@ import math
 
 from ..array_types import Integers
 from ..arrays.packed_keys import key_index, key_number
-from ..arrays.prefix_sum import exclusive_scan, sum_counts
+from ..arrays.prefix_sum import offsets_of, sum_counts
 from ..arrays.sort import argsort_keys
 from ..arrays.subsets import sort_rows
 from ..lang import (
@@ -112,7 +112,7 @@ class Elimination:
         if total > MOST_PAIRS:
             raise CrowdedError(total)
         check_room(device, 8 * total, f"{total:,} neighbours of {count:,} samples")
-        starts, _ = exclusive_scan(counts)
+        starts = offsets_of(counts)
         self.firsts, self.lasts = starts[:count], starts[1:]
         self.lists, self.shares = (empty(total, int32, device) for _ in range(2))
         near.visit(list_neighbors_kernel, near.places, [0, self, zeros(1, int32, device)])
@@ -337,4 +337,4 @@ def eliminate_samples(tree: PointTree, kept: int, widest: float) -> Integers:
     keys = full(tree.source.size, 2**weight_bits, int64, tree.device)  # beyond all weights: samples that are not finite
     launch(spread_keys_kernel, tree.count, [samples.states, tree.order, keys])
     _, order = argsort_keys(keys, weight_bits + 1)
-    return sort_rows(order[:kept], tree.source.size)
+    return sort_rows(order[:kept], tree.source.size, are_distinct=True)

@@ -6,18 +6,17 @@ matched by the positions of their ends (open_edges.py). Pairs of two that run th
 only where they leave their part two sides. About 40 B a half-edge beside the sorts.
 """
 
-import numpy as np
-
 from ..array_types import Indices, Integers, Mask, Points, Triangles
 from ..arrays.sort import positions
 from ..arrays.union_find import flatten_sets_kernel, unite
 from ..arrays.unique import UniqueKeys
 from ..lang import array, int32, kernel, launch, tid, uint8, vec3i
-from ..memory import download, empty, full, upload, zeros
+from ..memory import empty, full, zeros
 from .mesh_edges import corner_at, find_edges
 from .mesh_measures import measure
 from .mesh_topology import corner_vertex, next_corner
 from .open_edges import OpenEdges, crowded_rows, match_by_angle, pair_two_kernel, tip_of, write_twins_kernel
+from .part_votes import follow_most
 
 FLAT = 1.0e-6  # of its area to the power of 1.5: with less volume a mesh looks neither way
 
@@ -145,7 +144,7 @@ def part_copies_kernel(
 def mask_loose(triangles: Triangles, vertex_count: int) -> Mask:
     """uint8 [t]: 0 for triangles of closed parts that turn alike, 1 for all others."""
     device, count = triangles.device, triangles.size
-    edges = find_edges(triangles, vertex_count)  # sync
+    edges = find_edges(triangles, vertex_count, padded=True)
     unsound, of_part, parents = zeros(count, uint8, device), zeros(count, uint8, device), positions(count, device)
     launch(mark_unsound_kernel, edges.count, [triangles, edges, unsound])
     launch(unite_runs_kernel, edges.count, [edges, parents])
@@ -156,12 +155,19 @@ def mask_loose(triangles: Triangles, vertex_count: int) -> Mask:
     return loose
 
 
-def follow_most(forms: Indices, parents: Indices, inwards: bool) -> Mask:
-    """uint8 [t]: 1 for triangles that are wound against most of their part, 0 where all look `inwards`; one sync."""
-    flips = download(forms)[::2] % 2
-    parts = download(parents)
-    against = np.bincount(parts, flips, len(parts)) * 2 > np.bincount(parts, minlength=len(parts))
-    return upload(flips ^ against[parts] ^ inwards, uint8, parents.device)
+@kernel
+def read_flips_kernel(forms: array(dtype=int32), flips: array(dtype=uint8)):
+    """1 for triangles in the set of their part's flipped form."""
+    i = tid()
+    flips[i] = uint8(forms[2 * i] % 2)
+
+
+def _winding(forms: Indices, parents: Indices, inwards: bool) -> Mask:
+    """uint8 [t]: 1 for triangles that are wound against most of their part, 0 where all look `inwards`."""
+    flips = empty(parents.size, uint8, parents.device)
+    launch(read_flips_kernel, flips.size, [forms, flips])
+    follow_most(parents, flips, inwards)
+    return flips
 
 
 class Sheets:
@@ -182,7 +188,7 @@ class Sheets:
         device, count, vertex_count = triangles.device, triangles.size, vertices.size
         self._placed, half_edges = placed, 3 * count
         self.twins, self.crowding = full(half_edges, -1, int32, device), zeros(count, uint8, device)
-        is_open, edges = zeros(half_edges, uint8, device), find_edges(triangles, vertex_count)  # sync
+        is_open, edges = zeros(half_edges, uint8, device), find_edges(triangles, vertex_count, padded=True)
         launch(pair_given_kernel, edges.count, [placed, edges, loose, self.twins, is_open])
         found = OpenEdges(placed, vertex_count, is_open)
         natural = zeros(count, uint8, device)
@@ -198,7 +204,7 @@ class Sheets:
         launch(mark_roots_kernel, count, [parents, natural, ends])
         launch(spread_marks_kernel, count, [parents, ends, naturals])
         area, volume = measure(vertices, placed)  # sync
-        flips = follow_most(self._forms(), parents, volume < -FLAT * area**1.5)  # sync
+        flips = _winding(self._forms(), parents, volume < -FLAT * area**1.5)
         match_by_angle(found, vertices, placed, rows, naturals, flips)
         tentative = zeros(3 * count, uint8, device)
         launch(write_twins_kernel, found.count, [found, self.twins, tentative, self.crowding])

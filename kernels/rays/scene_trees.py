@@ -75,7 +75,9 @@ class SceneTrees:
         middles = np.where(low <= high, low / 2, 0) + np.where(low <= high, high / 2, 0)
         # an empty box is infinite: what a walk reckons with is a point, since infinity less itself would be NaN
         motions[:, 12:][~(low <= high).all(axis=1)] = 0
-        order = download(HilbertOrder(upload(middles, vec3, self.device)).order)  # sync
+        order = np.zeros(1, np.int32)
+        if count > 1:
+            order = download(HilbertOrder(upload(middles, vec3, self.device)).order)  # sync
         self.rows = upload(self._rows()[order].ravel(), int32, self.device)
         self.motions = upload(motions[order].ravel(), float64, self.device)
         self.low, self.high = (np.where(np.isfinite(v), v, 0) for v in (low.min(axis=0), high.max(axis=0)))

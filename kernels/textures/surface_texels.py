@@ -10,7 +10,7 @@ made picture by picture, in their order: 76 B a texel, some 150 operations and a
 
 from ..algebra.transform import narrow, widen
 from ..array_types import Array1, Bytes, Points, Triangles, Vectors
-from ..arrays.prefix_sum import exclusive_scan
+from ..arrays.prefix_sum import exclusive_scan, sum_counts
 from ..arrays.select import positions_of
 from ..lang import (
     array,
@@ -172,6 +172,13 @@ def write_texels_kernel(
     marks[texel] = 1
 
 
+@kernel
+def mark_shown_kernel(sums: array(dtype=vec4d), shown: array(dtype=int32)):
+    """1 for the texels that a picture shows."""
+    i = tid()
+    shown[i] = 1 if sums[i][3] > 0.0 else 0
+
+
 class SurfaceTexels:
     """The texels of a square texture that belong to triangles.
 
@@ -212,6 +219,12 @@ class SurfaceTexels:
             given = [self.points, self.normals, image, pictures, seen, sums]
             launch(blend_picture_kernel, self.texels.size, given)
         return sums
+
+    def share_shown(self, sums: Array1[vec4d]) -> float:
+        """The share of the texels that a picture shows; one sync."""
+        shown = empty(sums.size, int32, sums.device)
+        launch(mark_shown_kernel, sums.size, [sums, shown])
+        return sum_counts(shown) / sums.size  # sync
 
     def write(self, sums: Array1[vec4d], colors: Vectors | None, gutter: int) -> Bytes:
         """The texture, uint8 [3 size^2].

@@ -9,13 +9,14 @@ Source: Zhou and Koltun 2014, section 3.
 """
 
 from collections.abc import Iterable, Sequence
+from itertools import pairwise
 
 import numpy as np
 
 from ..array_types import Array2, Indices, Integers, Mask, Points, Scalars, Vectors
 from ..arrays.concatenation import concatenate_rows
-from ..arrays.prefix_sum import exclusive_scan
-from ..arrays.select import positions_of
+from ..arrays.prefix_sum import find_owner, inclusive_scan, offsets_of
+from ..arrays.select import count_mask_kernel, positions_of
 from ..arrays.sort import argsort_keys
 from ..lang import (
     array,
@@ -34,8 +35,10 @@ from ..lang import (
     uint8,
     vec3,
 )
-from ..memory import cast, empty, upload, zeros
+from ..memory import cast, download, empty, upload, zeros
 from .posed_pictures import PosedPictures, Warps, find_vertex, is_inside, nearest_pixel, project_vertex
+
+MOST_MARKS = 1 << 26  # of pictures whose vertices are listed at once: 5 B each
 
 
 @struct
@@ -82,12 +85,21 @@ class Sightings:
         self.counts = np.array([row.size for row in rows])
         self.count = int(self.counts.sum())
         self.vertices = concatenate_rows(rows)
-        self.images = upload(np.repeat(np.arange(len(rows)), self.counts), int32, device)
+        self.images = empty(self.count, int32, device)
+        firsts = upload(np.cumsum([0, *self.counts]), int32, device)
+        launch(name_images_kernel, self.count, [firsts, self.images])
         bits = max(1, (max(vertex_count, 1) - 1).bit_length())
         _, self.order = argsort_keys(cast(self.vertices, int64), bit_count=bits)
         seen = zeros(vertex_count, int32, device)
         launch(count_views_kernel, self.count, [self.vertices, seen])
-        self.starts, _ = exclusive_scan(seen)
+        self.starts = offsets_of(seen)
+
+
+@kernel
+def name_images_kernel(firsts: array(dtype=int32), images: array(dtype=int32)):
+    """The picture of each pair."""
+    i = tid()
+    images[i] = find_owner(firsts, i)
 
 
 @kernel
@@ -245,13 +257,53 @@ def see_in_frame(vertices: Points, image: int, pictures: PosedPictures, farthest
     return seen
 
 
+@kernel
+def count_shown_kernel(ranks: array(dtype=int32), vertex_count: int, counts: array(dtype=int32)):
+    """How many vertices the pictures up to and with each one show."""
+    i = tid()
+    counts[i] = ranks[(i + 1) * vertex_count - 1]
+
+
+@kernel
+def list_shown_kernel(
+    mask: array(dtype=uint8), ranks: array(dtype=int32), vertex_count: int, vertices: array(dtype=int32)
+):
+    """The vertices that pictures show, by picture; ranks count from one."""
+    i = tid()
+    if mask[i] != 0:
+        vertices[ranks[i] - 1] = i % vertex_count
+
+
 def list_sightings(masks: Iterable[Mask]) -> Sightings:
-    """Sightings of masks uint8 [m], one a picture; an iterable, so that no two need exist at once."""
-    rows, count = [], 0
+    """Sightings of masks uint8 [m], one a picture; an iterable, so that few need exist at once.
+
+    On CUDA one sync for as many masks as make MOST_MARKS.
+    """
+    rows: list[Indices] = []
+    held: list[Mask] = []
+    count = 0
     for mask in masks:
-        rows.append(positions_of(mask))
         count = mask.size
-    return Sightings(rows, count)
+        held.append(mask)
+        if not mask.device.is_cuda or (len(held) + 1) * count > MOST_MARKS:
+            rows += _rows_of(held)  # sync
+            held = []
+    return Sightings(rows + _rows_of(held), count)
+
+
+def _rows_of(masks: Sequence[Mask]) -> list[Indices]:
+    """The vertices of each mask, ascending."""
+    if len(masks) < 2:
+        return [positions_of(mask) for mask in masks]  # sync
+    device, count, whole = masks[0].device, masks[0].size, concatenate_rows(masks)
+    ranks, counts = empty(whole.size, int32, device), empty(len(masks), int32, device)
+    launch(count_mask_kernel, whole.size, [whole, ranks])
+    inclusive_scan(ranks, ranks)
+    launch(count_shown_kernel, len(masks), [ranks, count, counts])
+    ends = download(counts).tolist()  # sync
+    vertices = empty(ends[-1], int32, device)
+    launch(list_shown_kernel, whole.size, [whole, ranks, count, vertices])
+    return [vertices[first:end] if end > first else empty(0, int32, device) for first, end in pairwise([0, *ends])]
 
 
 def average_colors(

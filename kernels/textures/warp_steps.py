@@ -16,6 +16,7 @@ from ..algebra.matrices import multiply44
 from ..algebra.rigid_solve import place_of, small_motion, solve_system, triangle, vec6d
 from ..array_types import Points
 from ..arrays.key_starts import find_key_starts
+from ..arrays.side_by_side import read_together
 from ..arrays.sort import argsort_keys
 from ..lang import (
     array,
@@ -35,7 +36,7 @@ from ..lang import (
     vec3,
     vector,
 )
-from ..memory import clone, copy, download, empty, upload
+from ..memory import clone, copy, empty, upload
 from .color_steps import ColorSearch, SearchState, measure_pair, pose_sums
 from .posed_pictures import PosedPictures, Warps
 from .vertex_views import Sightings
@@ -380,7 +381,7 @@ class WarpSearch(ColorSearch):
         self.measure()
         launch(sum_ties_kernel, self.pictures.count, [warps, system, self.ties])
         self.judge()
-        better, running = int(download(self.state.outcome)[0]), int(download(self.state.running)[0])  # sync
+        better, running = (int(values[0]) for values in read_together([self.state.outcome, self.state.running]))  # sync
         shifts = (self.best_shifts, warps.shifts) if better else (warps.shifts, self.best_shifts)
         copy(*shifts, count=warps.count)
         if running:

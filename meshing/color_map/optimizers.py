@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 
 from ...cameras.trajectory import Trajectory
 from ...kernels.arrays.select import gather_rows, invert_mask, positions_of
+from ...kernels.arrays.side_by_side import read_together
 from ...kernels.lang import loop_while
-from ...kernels.memory import download
 from ...kernels.search.tree_search import search_nearest
 from ...kernels.textures.color_steps import COUNT, SQUARES, ColorSearch
 from ...kernels.textures.hidden_vertices import plant_trees, render_depth
@@ -229,19 +229,18 @@ def _conclude(
     """The colours under the best poses."""
     colors, seen = average_colors(search.vertices, search.sightings, search.pictures, search.warps)
     _fill_unseen(mesh, colors, seen, option.invisible_vertex_color_knn)
-    sums, state = download(search.best_sums), search.state
+    state = search.state
+    found = read_together([search.best_sums, state.error, state.turns, search.pictures.poses, seen])  # sync
+    sums, error, turns, poses, seen_there = found
     count = max(float(sums[:, COUNT].sum()), 1.0)
-    residual = float(np.sqrt(sums[:, SQUARES].sum() / count))
-    before = float(np.sqrt(download(state.error)[0]))
-    turns = int(download(state.turns)[0]) - 1  # the first looks at the poses given
     return ColorMapResult(
         mesh.with_arrays(vertex_colors=colors),
-        Trajectory(_world_poses(mesh, images, given, search.pictures), given.timestamps, given.ids),
-        download(seen).astype(bool),
+        Trajectory(_world_poses(mesh, images, given, poses), given.timestamps, given.ids),
+        seen_there.astype(bool),
         search.sightings.counts.copy(),
-        before,
-        residual,
-        turns,
+        float(np.sqrt(error[0])),
+        float(np.sqrt(sums[:, SQUARES].sum() / count)),
+        int(turns[0]) - 1,  # the first looks at the poses given
         search.pictures,
         search.warps,
     )
@@ -249,7 +248,8 @@ def _conclude(
 
 def _fill_unseen(mesh: TriangleMesh, colors: wp.array, seen: wp.array, neighbor_count: int) -> None:
     """Give vertices that no picture shows the mean colour of the nearest that have one."""
-    known, rows = positions_of(seen), positions_of(invert_mask(seen))
+    known = positions_of(seen)  # sync
+    rows = positions_of(invert_mask(seen), seen.size - known.size)
     if not neighbor_count or not known.size or not rows.size:
         return
     vertices = mesh.array("vertices")
@@ -260,13 +260,13 @@ def _fill_unseen(mesh: TriangleMesh, colors: wp.array, seen: wp.array, neighbor_
 
 
 def _world_poses(
-    mesh: TriangleMesh, images: PosedImages, given: Trajectory, pictures: PosedPictures
+    mesh: TriangleMesh, images: PosedImages, given: Trajectory, poses: NDArray[Any]
 ) -> NDArray[np.float64]:
     """T_world_camera of each picture; one that did not move keeps its bits."""
     start = images.T_camera_world.copy()
     start[:, :3, 3] += start[:, :3, :3] @ mesh.origin
     result = given.poses.copy()
-    for i, pose in enumerate(np.array(download(pictures.poses), np.float64)):  # sync
+    for i, pose in enumerate(np.array(poses, np.float64)):
         if (pose != start[i]).any():
             result[i] = np.linalg.inv(pose)
             result[i, :3, 3] += mesh.origin

@@ -31,10 +31,10 @@ def part_doubled_edges(mesh: MeshType, twins: Indices) -> MeshType:
         twins: The other half-edge of each one's pair or -1, int32 [3 t].
     """
     count = mesh.device_arrays["vertices"].size
-    doubled = download(find_doubled_edges(mesh.device_arrays["triangles"], count, twins))  # sync
-    if not len(doubled):
+    found = find_doubled_edges(mesh.device_arrays["triangles"], count, twins)  # sync
+    if not found.size:
         return mesh
-    others = download(twins)[doubled]  # sync
+    doubled, others = download(found), download(gather_rows(twins, found))  # sync
     triangles = download(mesh.device_arrays["triangles"]).reshape(-1, 3)  # sync
     pairs = np.where(others >= 0, np.minimum(doubled, others), doubled)
     halves, middles = np.unique(pairs, return_inverse=True)

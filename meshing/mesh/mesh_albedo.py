@@ -84,7 +84,7 @@ class MeshAlbedo(MeshArrays):
         sums = texels.blend(checked.pictures(self._origin, 0), trees)
         colors = self._arrays.get("vertex_colors")
         picture = download(texels.write(sums, colors, GUTTER)).reshape(size, size, 3)  # sync
-        share = float(np.mean(download(sums)[:, 3] > 0))
+        share = texels.share_shown(sums)  # sync
         textured = self.with_arrays(triangle_material_ids=None)
         textured.textures = (picture.copy(),)
         return textured, share

@@ -6,7 +6,6 @@ from dataclasses import dataclass
 from typing import Any, Self
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ...core.checks import check_positive
 from ...core.dropped_results import returns_new
@@ -17,6 +16,7 @@ from ...kernels.memory import download
 from ...kernels.meshes import clean_triangles
 from ...kernels.meshes.corner_vertices import split_fans
 from ...kernels.meshes.holes import Filling, spread_corners, spread_ids
+from ...kernels.meshes.mesh_components import holds_marked
 from ...kernels.meshes.mesh_edits import count_unlike
 from ...kernels.meshes.orientation import Orientation, flip_some, flip_some_corners
 from .mesh_nesting import Parts, choose_sides, find_enclosing
@@ -163,12 +163,12 @@ class MeshRepair(MeshTopology, MeshSelection):
         found = cut_and_stitch(finite)
         mesh, orientation = found.mesh, Orientation(found.mesh.device_arrays["triangles"], found.mesh._vertex_count)
         orientation.follow_most()
-        mesh, flipped = found.mesh._flipped(orientation.flips), download(orientation.flips) != 0  # sync
+        mesh, flipped = found.mesh._flipped(orientation.flips), orientation.flips
         area, filled, left = mesh.get_surface_area(), 0, None
         if size is not None:
             mesh, filled, left = mesh._fill(size)
-        added = len(mesh) - len(flipped)
-        mesh, orientable = mesh._nested(np.append(flipped, np.zeros(added, np.bool_)))
+        added = len(mesh) - flipped.size
+        mesh, orientable = mesh._nested(flipped)
         report = MeshRepairReport(
             removed_non_finite_triangles=len(self) - len(finite),
             merged_vertices=found.merged + before - finite._vertex_count,
@@ -231,17 +231,19 @@ class MeshRepair(MeshTopology, MeshSelection):
             arrays["triangle_uvs"] = flip_some_corners(self._arrays["triangle_uvs"], flips)
         return self.with_arrays(**arrays)
 
-    def _nested(self, flipped: NDArray[np.bool_]) -> tuple[Self, bool]:
+    def _nested(self, flipped: Mask) -> tuple[Self, bool]:
         """(the mesh with its closed parts turned by what they lie within, whether all can be wound alike).
 
-        Triangles that were `flipped` belong to parts that were not wound alike as they were given.
+        The first triangles are those of a mask, uint8: what was flipped belongs to parts that were not wound alike as
+        they were given.
         """
         vertices, triangles = self._arrays["vertices"], self._arrays["triangles"]
         found = Orientation(triangles, vertices.size)
         measured = found.measure_parts(vertices, triangles)
-        labels = download(measured.labels)  # sync
+        several = np.count_nonzero(measured.closed & (measured.volumes != 0)) > 1  # else no part lies within another
+        labels = download(measured.labels) if several else np.empty(0, np.int64)  # sync
         parts = Parts(labels, measured.closed, measured.volumes)
-        kept = np.bincount(labels[flipped], minlength=len(measured.closed)) == 0
+        kept = ~holds_marked(measured.labels, flipped, len(measured.closed))  # sync
         found.turn_parts(measured.labels, choose_sides(parts, find_enclosing(vertices, triangles, parts), kept))
         return self._flipped(found.flips), found.orientable
 

@@ -9,15 +9,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...kernels.array_types import Indices, Mask, Triangles
+from ...kernels.arrays.prefix_sum import sum_counts
 from ...kernels.arrays.select import gather_rows, positions_of
 from ...kernels.arrays.sort import positions
 from ...kernels.arrays.subsets import other_rows
 from ...kernels.lang import int32, uint8
-from ...kernels.memory import download, upload
+from ...kernels.memory import download, empty, upload
 from ...kernels.meshes import clean_triangles, merge_vertices
 from ...kernels.meshes.copies import find_copies
 from ...kernels.meshes.corner_vertices import CornerVertices, keep_corners
-from ...kernels.meshes.mesh_edits import count_referenced, gather_triangles
+from ...kernels.meshes.mesh_edits import count_referenced, gather_triangles, later_listed
+from ...kernels.meshes.part_votes import keep_alone, mark_open_sides
 from ...kernels.meshes.sheets import Sheets, mask_loose
 from .covered_parts import Copies, find_covered, find_doubled
 from .doubled_edges import part_doubled_edges
@@ -101,7 +103,7 @@ def _sew(mesh: MeshType, placed: Triangles, loose: Mask, folded: Indices, repeat
         merged=used - found.kept,
         split=whole.device_arrays["vertices"].size - found.kept,
         unused=vertices.size - used,
-        open_sides=int((download(twins) < 0).sum()),  # sync
+        open_sides=sum_counts(mark_open_sides(twins)),  # sync
     )
 
 
@@ -117,9 +119,7 @@ def _find_worthless(mesh: MeshCleaning, placed: Triangles, loose: Mask) -> tuple
     classes, count = find_copies(triangles, vertices.size)  # sync
     turned = again
     if count < rest.size:
-        mask = np.ones(rest.size, np.bool_)
-        mask[np.unique(download(classes), return_index=True)[1]] = False
-        turned = _rows_of(mask, rows.device)
+        turned = later_listed(classes, count)
     return gather_rows(rows, folded), gather_rows(rows_left, again), gather_rows(rows_left, turned)
 
 
@@ -136,10 +136,13 @@ def _find_parts_to_drop(mesh: MeshCleaning, sheets: Sheets, placed: Triangles, l
             sheets.part_copies(upload(doubled, uint8, device))
             names = download(sheets.parts())  # sync
         covered = find_covered(mesh, copies, names, download(sheets.twins))  # sync
+    alone = positions_of(sheets.crowding)  # sync
+    if alone.size:
+        keep_alone(sheets.parts(), sheets.crowding)
+        alone = positions_of(sheets.crowding)  # sync
+    if not covered.any():
+        return empty(0, int32, device), alone
     crowding = download(sheets.crowding) != 0  # sync
-    if crowding.any():
-        names = download(sheets.parts())  # sync
-        crowding &= np.bincount(names, minlength=count)[names] == 1
     return _rows_of(covered, device), _rows_of(crowding & ~covered, device)
 
 

@@ -68,7 +68,7 @@ class MeshTopology(MeshMeasures):
             >>> mesh.get_boundary_edges().tolist()
             [[0, 1], [0, 2], [1, 3], [2, 3]]
         """
-        edges = self._edges()
+        edges = self._edges(padded=True)
         return self._ends(edges, mesh_edges.mask_counts(edges, 1, 1))
 
     def get_boundaries(self) -> list[NDArray[np.int32]]:
@@ -217,8 +217,8 @@ class MeshTopology(MeshMeasures):
         doubled = measure_areas(self._arrays["vertices"], self._arrays["triangles"])
         return self.handed_out(halve_areas(doubled))
 
-    def _edges(self) -> mesh_edges.UniqueKeys:
-        return mesh_edges.find_edges(self._arrays["triangles"], self._arrays["vertices"].size)
+    def _edges(self, padded: bool = False) -> mesh_edges.UniqueKeys:
+        return mesh_edges.find_edges(self._arrays["triangles"], self._arrays["vertices"].size, padded)
 
     def _ends(self, edges: mesh_edges.UniqueKeys, mask: Mask) -> NDArray[np.int32]:
         ends = mesh_edges.edge_ends(edges, positions_of(mask), self._arrays["vertices"].size)

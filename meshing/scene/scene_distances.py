@@ -113,13 +113,9 @@ class SceneDistances(SceneGeometries):
             there = self._seen_from(number, queries)
             describe(there, self._trees[self._mesh_of[number]], nearest, number, poses[number], closest)
         places = add_origin(closest.points, self._origin) if self._origin.any() else closest.points
-        return {
-            "points": form.hand_out(places, shape=shape),
-            "geometry_ids": form.hand_out(nearest.meshes, dtype=np.uint32, shape=shape),
-            "primitive_ids": form.hand_out(nearest.triangles, dtype=np.uint32, shape=shape),
-            "primitive_uvs": form.hand_out(closest.uvs, shape=shape),
-            "primitive_normals": form.hand_out(closest.normals, shape=shape),
-        }
+        found = {"points": places, "geometry_ids": nearest.meshes, "primitive_ids": nearest.triangles}
+        found |= {"primitive_uvs": closest.uvs, "primitive_normals": closest.normals}
+        return form.hand_out_all(found, dict.fromkeys(("geometry_ids", "primitive_ids"), np.uint32), shape=shape)
 
     def compute_distance(self, query_points: Any, nthreads: int = 0) -> NDArray[np.float32]:
         """Measure how far each query is from the surface.

@@ -20,6 +20,7 @@ from .pinhole_rays import pinhole_rays
 from .scene_geometries import SceneGeometries
 
 INVALID_ID = 0xFFFFFFFF
+IDS: dict[str, Any] = dict.fromkeys(("geometry_ids", "primitive_ids"), np.uint32)
 
 
 class SceneRays(SceneGeometries):
@@ -67,7 +68,7 @@ class SceneRays(SceneGeometries):
         if not len(self):
             return self._given_out(_missed(shape), form)
         hits, normals = ray_casting.cast_rays(self._scene_trees(), flat)
-        return _hits_in(form, hits, shape) | {"primitive_normals": form.hand_out(normals, shape=shape)}
+        return form.hand_out_all(_named(hits) | {"primitive_normals": normals}, IDS, shape=shape)
 
     def test_occlusions(self, rays: Any, tnear: float = 0.0, tfar: float = math.inf) -> NDArray[np.bool_]:
         """Find out whether rays meet anything.
@@ -165,8 +166,7 @@ class SceneRays(SceneGeometries):
             return self._given_out(_no_intersections(flat.size // 6), form)
         hits, ray_ids, splits = ray_casting.list_hits(self._scene_trees(), flat)
         numbers = {"ray_splits": splits, "ray_ids": ray_ids}
-        found = {name: form.hand_out(values, dtype=np.uint32) for name, values in numbers.items()}
-        return found | _hits_in(form, hits)
+        return form.hand_out_all(numbers | _named(hits), IDS | dict.fromkeys(numbers, np.uint32))
 
     @staticmethod
     def create_rays_pinhole(*args: Any, **kwargs: Any) -> NDArray[Any]:
@@ -222,13 +222,8 @@ class SceneRays(SceneGeometries):
         return upload(flat.ravel(), float32, self._device, copied=False), given.shape[:-1], form
 
 
-def _hits_in(form: Form, hits: ray_casting.RayHits, shape: tuple[int, ...] | None = None) -> dict[str, Any]:
-    return {
-        "t_hit": form.hand_out(hits.t_hit, shape=shape),
-        "geometry_ids": form.hand_out(hits.geometry_ids, dtype=np.uint32, shape=shape),
-        "primitive_ids": form.hand_out(hits.primitive_ids, dtype=np.uint32, shape=shape),
-        "primitive_uvs": form.hand_out(hits.primitive_uvs, shape=shape),
-    }
+def _named(hits: ray_casting.RayHits) -> dict[str, Any]:
+    return {"t_hit": hits.t_hit} | {name: getattr(hits, name) for name in (*IDS, "primitive_uvs")}
 
 
 def _missed(shape: tuple[int, ...]) -> dict[str, NDArray[Any]]:

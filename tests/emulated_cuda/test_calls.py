@@ -87,3 +87,23 @@ def test_a_mesh_is_bent_with_one_wait_a_level(emulated):
             emulated, lambda turns=turns: mesh.deform_as_rigid_as_possible([0, 1], [[0, 0, 1], [0, 0, -2]], turns)
         )
         assert (asked["graphs made"], asked["graphs"], asked["copies to host"]) == (3, 2 * turns, 9)
+
+
+def test_answers_of_a_scene_come_in_one_copy(emulated):
+    mesh, rays = loom.TriangleMesh.create_sphere(), np.tile([0.1, 0.2, 3.0, 0.0, 0.0, -1.0], (50, 1))
+    scene = loom.RaycastingScene(device="cuda:0")
+    scene.add_triangles(mesh.to("cuda:0"))
+    scene.cast_rays(rays)
+    asked = asked_for(emulated, lambda: scene.cast_rays(rays))
+    assert asked["copies to host"] == 1
+    asked = asked_for(emulated, lambda: scene.list_intersections(rays))
+    assert asked["copies to host"] == 2  # how many there are
+    asked = asked_for(emulated, lambda: scene.compute_closest_points(rays[:, :3]))
+    assert asked["copies to host"] == 2  # the box of the queries
+
+
+def test_samples_are_spread_with_three_waits(emulated):
+    """The area, the box of the samples, and how many neighbours they have."""
+    mesh = loom.TriangleMesh.create_sphere().to("cuda:0")
+    asked = asked_for(emulated, lambda: mesh.sample_points_poisson_disk(100).to("cuda:0", arrays="warp"))
+    assert asked["copies to host"] == 3

@@ -31,6 +31,17 @@ def test_numbers_come_to_the_host_beside_the_count(device, rng, count):
     assert unique.count == max(len(np.unique(keys)) - 1, 0)
 
 
+@pytest.mark.parametrize("count", [0, 1, 500])
+def test_padding_has_no_positions(device, rng, count):
+    keys = rng.integers(0, 40, count)
+    unique = UniqueKeys(upload(keys, int64, device), 6, padded=True)
+    expected, counts = np.unique(keys, return_counts=True)
+    assert unique.count in (len(expected), count)
+    assert (download(unique.keys)[: len(expected)] == expected).all()
+    found = download(unique.starts)
+    assert found.tolist() == [0, *np.cumsum(counts), *[count] * (unique.count - len(expected))]
+
+
 def test_the_last_key_is_dropped_only_where_it_is_the_one_named(device):
     keys = upload(np.array([5, 9, 5]), int64, device)
     unique = UniqueKeys(keys)
