@@ -131,8 +131,7 @@ class Poisson(MeshArrays):
             normals = _weights_as_lengths(points, normals)
         cube, rows = _cube_around(points, normals, edge)
         _warn_of_sides(cloud, float(cube.side))
-        if cell > 0:
-            deepest = _depth_of_width(float(cube.side), cell)
+        deepest = _depth_of_width(float(cube.side), cell) if cell > 0 else deepest
         _check_reach(edge, deepest, count, points.size)
         surface = reconstruct_poisson(
             points,
