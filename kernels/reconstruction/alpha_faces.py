@@ -225,10 +225,10 @@ def find_alpha_shapes(
         kinds = range(first, min(first + TOGETHER, len(alphas)))
         marks = [mark_rows(mark_faces_kernel, face_table, kind) for kind in kinds]
         marks += [mark_rows(mark_tetrahedra_kernel, table, kind) for kind in kinds if table is not None]
-        rows = positions_of_each(*marks)  # sync
+        listed = positions_of_each(*marks)  # sync
         for k in range(len(kinds)):
-            corners = None if table is None else read_rows(read_tetrahedra_kernel, vec4i, table, rows[len(kinds) + k])
-            shapes.append((read_rows(read_faces_kernel, vec3i, face_table, rows[k]), corners))
+            corners = None if table is None else read_rows(read_tetrahedra_kernel, vec4i, table, listed[len(kinds) + k])
+            shapes.append((read_rows(read_faces_kernel, vec3i, face_table, listed[k]), corners))
     return shapes
 
 

@@ -343,7 +343,7 @@ class Limits:
         device = points.device
         planes = runs.fit(points, normals)  # sync
         measured = runs.measure(points, normals, planes)
-        bounds = runs.tolerate(*measured, self.slack)
+        bounds = runs.tolerate(measured[0], measured[1], self.slack)
         outliers, packed = zeros(runs.count, int32, device), empty((runs.count, PACKED), int32, device)
         launch(count_outliers_kernel, runs.rows.size, [*measured, runs.runs, *bounds, outliers])
         launch(pack_planes_kernel, runs.count, [*planes, *bounds, outliers, runs.starts, packed])
