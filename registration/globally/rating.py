@@ -303,12 +303,12 @@ def compare_under(
     pairs = [way for T in poses for way in ((source, target, T), (target, source, invert_pose(T)))]
     limits = distance, NEAR * distance, COSINE, TIGHT * distance
     sums = weigh_overlaps(pairs, *limits, beside_planes=beside_planes)  # sync
-    return [_evidence_of(both) for both in sums.reshape(len(poses), 2, -1)]
+    return [_evidence_of(both) for both in zip(sums[0::2], sums[1::2], strict=True)]
 
 
-def _evidence_of(both: NDArray[np.float64]) -> Evidence:
+def _evidence_of(both: tuple[NDArray[np.float64], NDArray[np.float64]]) -> Evidence:
     """The weaker evidence of two ways' sums."""
-    if not both[:, MATCHED_AT].all():
+    if not all(sums[MATCHED_AT] for sums in both):
         return NO_EVIDENCE
     found = []
     for sums in both:

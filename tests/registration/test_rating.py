@@ -310,6 +310,16 @@ def test_beside_planes_the_evidence_is_that_of_the_points_beside_them(device, rn
     np.testing.assert_allclose(sums[MATCHED_AT], matched, rtol=0.1)
 
 
+def test_poses_that_are_asked_for_together_have_the_evidence_of_each(device, rng):
+    source, target = (surface_of(loom.PointCloud(hills(rng, 1500), device=device), 0.1) for _ in range(2))
+    poses = np.array([np.eye(4), as_pose([0, 0, 0.02], [0.05, 0, 0]), as_pose([0, 0, 0], [50, 0, 0])])
+    for beside in (False, True):
+        together = rating.compare_under(source, target, poses, 0.15, beside_planes=beside)
+        alone = [rating.compare_surfaces(source, target, T, 0.15, beside_planes=beside) for T in poses]
+        assert together == alone and together[2] == rating.NO_EVIDENCE
+        assert rating.compare_under(source, target, poses[:0], 0.15, beside_planes=beside) == []
+
+
 def test_beside_planes_of_other_boxes_nothing_matches(device, rng):
     source, target = (surface_of(loom.PointCloud(corner(rng, b, 12000), device=device), 0.06) for b in (ONE, OTHER))
     both = [weigh_overlap(source, target, np.eye(4), 0.09, 0.36, 0.866, 0.018, beside_planes=b) for b in (False, True)]
