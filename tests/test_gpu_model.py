@@ -149,6 +149,14 @@ def test_many_launches_of_a_kernel_are_kept_as_their_mean():
     assert found[-1]["traffic"]["global load"]["requests"] * found[-1]["times"] == 92
 
 
+def test_launches_of_other_sizes_or_inside_graphs_are_not_in_a_mean():
+    small, large = launch(blocks=1, in_graph=True), launch(blocks=5000)
+    found = gpu_results.merged([small, large] * 300 + [launch(blocks=5000, in_graph=True)])
+    assert [(x["blocks"], x["in_graph"], x.get("times", 1)) for x in found] == [
+        *[(1, True, 1), (5000, False, 1), (1, True, 299), (5000, False, 299), (5000, True, 1)]
+    ]
+
+
 # ------------------------------------------------------------------------------------------------ spills, code, caches
 
 
