@@ -98,7 +98,7 @@ def _filled(counts: dict[str, Any]) -> dict[str, Any]:
     zero = {
         **{"symbol": "", "blocks": 0, "threads": 0, "shared_bytes": 0, "in_graph": False, "units": {}, "traffic": {}},
         **{"lane_statements": 0.0, "warp_statements": 0.0, "chain": 0.0, "hits": 0.0, "misses": 0.0, "imbalance": 1.0},
-        **{"own_sectors": 0.0, "own_loads": 0.0, "own_stores": 0.0, "issued_by_depth": []},
+        **{"own_sectors": 0.0, "own_loads": 0.0, "own_stores": 0.0, "issued_by_depth": [], "code_by_depth": []},
         **{"memory_reads": 0, "memory_writes": 0, "bytes_read": 0, "bytes_written": 0, "nodes": 0, "hot_atomics": 0.0},
     }
     fields = dict.fromkeys(("requests", "lanes", "bytes", "sectors", "wavefronts", "missed"), 0.0)
