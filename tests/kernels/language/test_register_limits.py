@@ -5,7 +5,6 @@ import pytest
 from pointloom.kernels.lang import array, float32, kernel, segment_reduction, tid, vector
 from pointloom.kernels.language.register_limits import VARIABLE, most_registers_of
 
-
 Two = vector(2, float32)
 
 
