@@ -90,7 +90,7 @@ def _drop_depths(launches: list[Any], resources: dict[str, Any], others: dict[st
     asked |= {symbol for found in others.values() for symbol, values in found.items() if values["code"]}
     for x in launches:
         if x.symbol not in asked:
-            x.issued_by_depth = []
+            x.issued_by_depth, x.code_by_depth = [], []
 
 
 def count(name: str, size: int, *, lines: bool, fast: bool, architectures: list[int]) -> dict[str, Any]:

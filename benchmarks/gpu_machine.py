@@ -120,13 +120,26 @@ class _Spills:
 
 
 def _runs(x: dict[str, Any], resources: Resources) -> list[tuple[int, float]]:
-    """By depth of loops: instructions of the code, and how many a warp gives out of them.
+    """By depth of loops in the cubin: instructions of the code, and how many a warp gives out of them.
 
-    The assembler unrolls loops, so that it has fewer of them; what ran deeper is of its deepest.
+    The PTX's loops are others than the cubin's: some are unrolled, some turn once. So the code that runs most often is
+    taken for the deepest, share by share of all code, down to what never ran.
     """
-    ran, last = x.get("issued_by_depth") or [], len(resources.code) - 1
-    found = [sum(ran[depth:] if depth == last else ran[depth : depth + 1]) for depth in range(last + 1)]
-    return [(code, resources.instruction_ratio * run) for code, run in zip(resources.code, found, strict=True)]
+    ran = list(zip(x.get("issued_by_depth") or [], x.get("code_by_depth") or [], strict=False))
+    statements, code = max(resources.statements, sum(c for _, c in ran)), sum(resources.code)
+    if not statements or not code:
+        return [(c, 0.0) for c in resources.code]
+    parts = sorted(((issued / c, c / statements) for issued, c in ran if c), reverse=True)
+    found = []
+    for own in reversed(resources.code):
+        left, total = own / code, 0.0
+        while left > 0 and parts:
+            often, share = parts[0]
+            taken = min(left, share)
+            total, left = total + often * taken * statements, left - taken
+            parts[:1] = [(often, share - taken)] if share > taken else []
+        found.append((own, resources.instruction_ratio * total))
+    return found[::-1]
 
 
 def _spills(x: dict[str, Any], resources: Resources, resident_warps: int, chip: Chip) -> _Spills:

@@ -11,6 +11,7 @@ from typing import Any
 RESULTS = Path(__file__).parent / "results"
 BEFORE = RESULTS / "gpu-model-before.json"  # of commit 7a4e84e, before kernels were shaped for a GPU
 ONE_BY_ONE = 8  # launches of a kernel that are kept one by one; of the others their mean
+MANY, FEWER = 100, 1  # launches of a call from which on fewer are
 DIGITS = 4
 
 
@@ -43,18 +44,26 @@ def keep(file: Path, counts: dict[str, Any]) -> None:
 
 
 def merged(launches: list[dict[str, Any]]) -> list[dict[str, Any]]:
-    """The first launches of each kernel, and the mean of its others as one that stands for several."""
+    """The first launches of each kernel and kind, and the mean of its others as one that stands for several."""
     found, seen, others = [], {}, {}
+    kept_alone = ONE_BY_ONE if len(launches) <= MANY else FEWER
     for x in launches:
-        seen[x["kernel"]] = seen.get(x["kernel"], 0) + 1
-        if seen[x["kernel"]] <= ONE_BY_ONE:
+        kind = kind_of(x)
+        seen[kind] = seen.get(kind, 0) + 1
+        if seen[kind] <= kept_alone:
             found.append(x)
             continue
-        if x["kernel"] not in others:
-            others[x["kernel"]] = []
-            found.append({"rest of": x["kernel"]})
-        others[x["kernel"]].append(x)
+        if kind not in others:
+            others[kind] = []
+            found.append({"rest of": kind})
+        others[kind].append(x)
     return [_mean(others[x["rest of"]]) if "rest of" in x else x for x in found]
+
+
+def kind_of(x: dict[str, Any]) -> tuple[Any, ...]:
+    """What launches have in common whose mean can stand for them: of one kernel, in a graph or not, of like sizes."""
+    size = x["blocks"] or x["bytes_read"] + x["bytes_written"]
+    return x["kernel"], x["in_graph"], size.bit_length()
 
 
 def _mean(all_of: list[Any]) -> Any:
@@ -77,7 +86,8 @@ def _mean(all_of: list[Any]) -> Any:
 def _short(value: Any) -> Any:
     """Without what is zero or empty, and with a few digits."""
     if isinstance(value, dict):
-        return {k: _short(v) for k, v in value.items() if v not in (0, 0.0, "", {}, [], False)}
+        told = {k: v for k, v in value.items() if v not in (0, 0.0, "", {}, [], False) and (k, v) != ("imbalance", 1.0)}
+        return {k: _short(v) for k, v in told.items()}
     if isinstance(value, list):
         return [_short(v) for v in value]
     return float(f"{value:.{DIGITS}g}") if isinstance(value, float) else value
@@ -88,7 +98,7 @@ def _filled(counts: dict[str, Any]) -> dict[str, Any]:
     zero = {
         **{"symbol": "", "blocks": 0, "threads": 0, "shared_bytes": 0, "in_graph": False, "units": {}, "traffic": {}},
         **{"lane_statements": 0.0, "warp_statements": 0.0, "chain": 0.0, "hits": 0.0, "misses": 0.0, "imbalance": 1.0},
-        **{"own_sectors": 0.0, "own_loads": 0.0, "own_stores": 0.0, "issued_by_depth": []},
+        **{"own_sectors": 0.0, "own_loads": 0.0, "own_stores": 0.0, "issued_by_depth": [], "code_by_depth": []},
         **{"memory_reads": 0, "memory_writes": 0, "bytes_read": 0, "bytes_written": 0, "nodes": 0, "hot_atomics": 0.0},
     }
     fields = dict.fromkeys(("requests", "lanes", "bytes", "sectors", "wavefronts", "missed"), 0.0)

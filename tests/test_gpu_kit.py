@@ -233,6 +233,15 @@ def test_kernels_of_a_trace_are_summed_by_their_names_in_the_sources():
     ]
 
 
+def test_a_profiler_that_fails_leaves_the_callers_time(monkeypatch):
+    def fail(_: object) -> None:
+        raise RuntimeError("no CUPTI")
+
+    monkeypatch.setattr(profile, "timed", lambda *_: ([0.002, 0.004, 0.003], None))
+    monkeypatch.setattr(profile, "kernels_of", fail)
+    assert profile.measured("tree", 5) == {"caller_ms": 3.0, "best_ms": 2.0, "profiler": "RuntimeError: no CUPTI"}
+
+
 def test_trials_of_registers_name_kernels_that_are_there():
     sources = "\n".join(path.read_text() for path in (ROOT / "kernels").rglob("*.py"))
     names = {name for *_, kernels in register_trials.TRIALS for name in kernels}

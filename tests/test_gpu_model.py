@@ -150,12 +150,20 @@ def test_many_launches_of_a_kernel_are_kept_as_their_mean():
     assert found[-1]["traffic"]["global load"]["requests"] * found[-1]["times"] == 92
 
 
+def test_launches_of_other_sizes_or_inside_graphs_are_not_in_a_mean():
+    small, large = launch(blocks=1, in_graph=True), launch(blocks=5000)
+    found = gpu_results.merged([small, large] * 300 + [launch(blocks=5000, in_graph=True)])
+    assert [(x["blocks"], x["in_graph"], x.get("times", 1)) for x in found] == [
+        *[(1, True, 1), (5000, False, 1), (1, True, 299), (5000, False, 299), (5000, True, 1)]
+    ]
+
+
 # ------------------------------------------------------------------------------------------------ spills, code, caches
 
 
 def test_spilled_registers_take_turns_in_the_l1_as_often_as_the_code_around_them_runs():
     held = Resources(64, 16, 400, 400, code=[200, 200], local_loads=[10, 20], local_stores=[10, 0])
-    found = predict_kernel(launch(issued_by_depth=[200.0, 2000.0]), held)
+    found = predict_kernel(launch(issued_by_depth=[200.0, 2000.0], code_by_depth=[200, 200]), held)
     times = 10 + 10 + 20 * 10  # once each, and ten turns of the loop
     assert found.limits["L1"] == pytest.approx(100 * 8 * times / H200.clock)
     assert found.spilled == pytest.approx(132 * 100 * 8 * times * 128)
@@ -166,21 +174,26 @@ def test_spilled_registers_take_turns_in_the_l1_as_often_as_the_code_around_them
 def test_code_that_is_unrolled_has_more_spills_and_runs_less_often():
     plain = Resources(64, 16, 100, 100, code=[0, 100], local_loads=[0, 5], local_stores=[0, 0])
     unrolled = Resources(64, 16, 110, 100, code=[0, 400], local_loads=[0, 20], local_stores=[0, 0])
-    counts = launch(issued_by_depth=[0.0, 1000.0])
+    counts = launch(issued_by_depth=[0.0, 1000.0], code_by_depth=[0, 100])
     one, other = (predict_kernel(counts, resources).spilled for resources in (plain, unrolled))
     assert other == pytest.approx(1.1 * one)
 
 
-def test_loops_that_the_assembler_has_unrolled_away_ran_in_its_deepest():
-    held = Resources(code=[100, 100], local_loads=[0, 1], local_stores=[0, 0])
-    deep = predict_kernel(launch(issued_by_depth=[100.0, 300.0, 600.0]), held)
-    flat = predict_kernel(launch(issued_by_depth=[100.0, 900.0]), held)
-    assert deep.spilled == flat.spilled > 0
+def test_what_runs_most_often_is_the_deepest_code_whatever_loops_the_assembler_made():
+    held = Resources(statements=200, code=[100, 100], local_loads=[0, 1], local_stores=[0, 0])
+    deep = predict_kernel(launch(issued_by_depth=[100.0, 300.0, 600.0], code_by_depth=[100, 40, 60]), held)
+    flat = predict_kernel(launch(issued_by_depth=[100.0, 900.0], code_by_depth=[100, 100]), held)
+    assert deep.spilled == pytest.approx(flat.spilled) and flat.spilled > 0
+    nested = Resources(statements=200, code=[0, 100, 100], local_loads=[0, 0, 1], local_stores=[0, 0, 0])
+    turned_once = predict_kernel(launch(issued_by_depth=[100.0, 900.0], code_by_depth=[100, 100]), nested)
+    assert turned_once.spilled == pytest.approx(flat.spilled)
+    rare = predict_kernel(launch(issued_by_depth=[100.0, 900.0], code_by_depth=[50, 50]), held)  # half never runs
+    assert rare.spilled == pytest.approx(132 * 100 * 8 * 128 * (900 + 100) / 100)
 
 
 def test_spills_that_the_l1_cannot_hold_go_to_the_l2():
     held = Resources(128, 1024, 100, 100, code=[100], local_loads=[10], local_stores=[10])
-    found = predict_kernel(launch(issued_by_depth=[100.0]), held)
+    found = predict_kernel(launch(issued_by_depth=[100.0], code_by_depth=[100]), held)
     resident = 2 * 8  # warps of an SM, at 128 registers
     missed = 1 - (H200.l1_bytes - machine.RESERVED_SHARED) / (1024 * 32 * resident)
     assert found.limits["L2"] == pytest.approx(132 * 100 * 8 * 20 * 128 * missed / H200.l2_bandwidth)
@@ -203,13 +216,14 @@ def test_data_that_resident_warps_write_and_load_again_are_lost_where_they_outgr
 
 def test_code_of_loops_beyond_the_caches_is_fetched_again():
     size = 2 * H200.code_bytes // machine.INSTRUCTION_BYTES
-    counts = launch(issued_by_depth=[0.0, 10.0 * size])
-    large = predict_kernel(counts, Resources(code=[100, size]))
+    counts = launch(issued_by_depth=[0.0, 10.0 * size], code_by_depth=[0, size])
+    large = predict_kernel(counts, Resources(statements=size + 100, code=[100, size]))
     fetched = 0.5 * 10 * size * machine.INSTRUCTION_BYTES
     assert large.limits["code"] == pytest.approx(100 * fetched / H200.fill_bytes / H200.clock)
-    assert predict_kernel(counts, Resources(code=[100, size // 2])).limits["code"] == 0
-    once = launch(issued_by_depth=[float(size), 0.0])
-    assert predict_kernel(once, Resources(code=[size, 10])).limits["code"] == 0  # straight through
+    less = launch(issued_by_depth=[0.0, 10.0 * size], code_by_depth=[0, size // 2])
+    assert predict_kernel(less, Resources(statements=size // 2 + 100, code=[100, size // 2])).limits["code"] == 0
+    once = launch(issued_by_depth=[float(size)], code_by_depth=[size])
+    assert predict_kernel(once, Resources(statements=size, code=[size, 10])).limits["code"] == 0  # straight through
 
 
 # ------------------------------------------------------------------------------------------------ chips, hosts, links

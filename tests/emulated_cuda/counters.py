@@ -89,6 +89,7 @@ class LaunchCounts:
     own_loads: float = 0.0  # per warp: sectors of these, load by load
     own_stores: float = 0.0
     issued_by_depth: list[float] = field(default_factory=list)  # per warp: instructions, by how many loops they are in
+    code_by_depth: list[int] = field(default_factory=list)  # instructions of the code of these, each once
     cut: int = 0  # lanes whose trace was too long
 
     @property
@@ -178,7 +179,15 @@ class Counters:
             self._take(found, state, counts)
         elif last is not None:
             kept = ("units", "lane_statements", "warp_statements", "traffic", "chain", "hits", "misses", "imbalance")
-            for name in (*kept, "slowest", "own_sectors", "own_loads", "own_stores", "issued_by_depth"):
+            for name in (
+                *kept,
+                "slowest",
+                "own_sectors",
+                "own_loads",
+                "own_stores",
+                "issued_by_depth",
+                "code_by_depth",
+            ):
                 setattr(counts, name, getattr(last, name))
         self._take_memory(counts, counts.warps / state.warps if state is not None and state.alone else 1.0)
         self.known[found.name] = times + 1, (counts if state is not None else last or counts)
@@ -222,11 +231,12 @@ class Counters:
         own = (ctypes.c_uint64 * 3)()
         self.runtime.emulator_own(own)
         counts.own_sectors, counts.own_loads, counts.own_stores = (x / warps for x in own)
-        counts.issued_by_depth = [x / warps for x in self._issued_by_depth(tables)]
+        issued, counts.code_by_depth = self._by_depth(tables)
+        counts.issued_by_depth = [x / warps for x in issued]
         self._take_places(found, tables, counts.warps / warps)
 
-    def _issued_by_depth(self, tables: Tables) -> list[float]:
-        """Instructions of the sampled warps by how many loops, of those that led back, hold them."""
+    def _by_depth(self, tables: Tables) -> tuple[list[float], list[int]]:
+        """Instructions of the sampled warps by how many loops, of those that led back, hold them; and their code's."""
         count = len(tables.blocks)
         ends = (ctypes.c_uint32 * max(count, 1))()
         self.runtime.emulator_loops(ends, ctypes.c_uint32(count))
@@ -235,12 +245,16 @@ class Counters:
             if end:
                 starts[first] += 1
                 starts[end] -= 1
-        found: list[float] = []
+        issued: list[float] = []
+        code: list[int] = []
         depths = itertools.accumulate(starts)
         for depth, issues, block in zip(depths, tables.arrays["issues"], tables.blocks, strict=False):
-            found += [0.0] * (depth + 1 - len(found))
-            found[depth] += issues * block["units"]["issued"]
-        return found
+            if issues:
+                issued += [0.0] * (depth + 1 - len(issued))
+                code += [0] * (depth + 1 - len(code))
+                issued[depth] += issues * block["units"]["issued"]
+                code[depth] += block["units"]["issued"]
+        return issued, code
 
     def _take_places(self, found: Any, tables: Tables, scale: float) -> None:
         def place(name: str) -> PlaceCounts:

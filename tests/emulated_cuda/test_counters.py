@@ -401,6 +401,7 @@ def test_instructions_are_counted_by_the_loops_that_they_are_in(count):
     alone = count(turned("    add.s32 %r7, %r7, %r1;", 12, register=6))
     assert twice == alone.issued_by_depth[1]  # as often, in one loop
     assert len(alone.issued_by_depth) == 2 and plain < once < twice
+    assert alone.issued_by_depth == [alone.code_by_depth[0], 12 * alone.code_by_depth[1]]
 
 
 def test_a_loop_that_never_turns_is_none(count):
