@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import ctypes
 import functools
-import inspect
 from typing import Any, NoReturn
 
 import warp as wp
@@ -72,8 +71,8 @@ def _size(structure: Any) -> int:
 
 
 def _has(kind: type, name: str) -> bool:
-    """Whether objects of a class have an attribute: of the class, or set by its first function."""
-    return hasattr(kind, name) or f"self.{name}" in inspect.getsource(kind.__init__)
+    """Whether objects of a class have an attribute: of the class, or named where they are made."""
+    return hasattr(kind, name) or name in kind.__init__.__code__.co_names
 
 
 @functools.cache
@@ -81,7 +80,7 @@ def is_known() -> bool:
     """Whether this Warp is one that can be gone past."""
     try:
         return not missing()
-    except (AttributeError, TypeError, OSError):  # OSError: there is no source to look at
+    except (AttributeError, TypeError):
         return False
 
 

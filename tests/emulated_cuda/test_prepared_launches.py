@@ -268,6 +268,17 @@ def test_what_is_wrong_is_said_in_the_same_words_before_and_after(kernels, where
         lang.launch(kernels.numbers_kernel, -1, [*number, out])
 
 
+def test_an_array_with_a_gradient_brings_it(kernels, asked, where):
+    kernel, number = kernels.numbers_kernel, (1, 2, 3, 4, 0.5, 0.1, 5, 6)
+    out = wp.zeros(4, dtype=wp.float64, device=where, requires_grad=True)
+    for array in (memory.zeros(4, lang.float64, where), out):
+        lang.launch(kernel, 4, [*number, array])
+    asked.sizes = sizes_of(kernel.cuda)
+    lang.launch(kernel, 4, [*number, out])
+    wp.launch(kernel.cuda, 4, [*number, out], device=where)
+    assert asked.launches[-2] == asked.launches[-1]
+
+
 def test_numbers_beyond_float32_stay_infinite(kernels, asked, where):
     out = memory.zeros(4, lang.float64, where)
     asked.sizes = sizes_of(kernels.numbers_kernel.cuda)
