@@ -30,7 +30,7 @@ TRIALS = (  # operation, size, kernels as CUDA has them: the hottest that have a
     ("knn20", 1_000_000, ("search_nearest_of_lanes_kernel",)),
     ("fpfh", 300_000, ("count_angles_kernel", "sum_histograms_of_lanes_kernel")),
     ("icp_plane", 200_000, ("match_lanes_kernel", "sum_plane_rows")),
-    ("closest_points", 200_000, ("find_nearest_triangles_kernel",)),
+    ("closest_points", 200_000, ("find_nearest_triangles_of_lanes_kernel",)),
 )
 DRY_TRIALS = (("voxel_down_sample", 3000, ("encode_voxels_kernel",)),)
 DRY_BOUNDS = (OWN, 96)
