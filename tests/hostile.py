@@ -220,8 +220,9 @@ def missing_from(table: Table, arguments: dict[str, set[str]]) -> dict[str, set[
 DEVICE_LEVEL = {
     *(f"PointCloud.{name}" for name in ("device_array", "from_device_arrays", "handed_out", "points_about")),
     *(f"PointCloud.{name}" for name in ("from_device_depth", "required_array", "select_rows", "with_arrays")),
+    "PointCloud.adopt_search_tree",
     *(f"TriangleMesh.{name}" for name in ("from_device_arrays", "handed_out", "triangles_at", "with_arrays")),
-    *(f"TSDFVolume.{name}" for name in ("integrate_device_frame", "render_maps")),
+    *(f"TSDFVolume.{name}" for name in ("integrate_device_frame", "render_maps", "render_colors")),
     *("DetailTree()", "RGBDImage.from_device_arrays", "OdometryFrame.from_device_maps", "OdometryFrame.from_image"),
 }
 

@@ -92,7 +92,7 @@ NOT_COMPARED = {
         *("device_array", "device_bounds", "from_device_arrays", "from_device_depth", "handed_out", "points_about"),
         *("required_array", "search_tree", "select_rows", "with_arrays", "triangles_at", "edge_topology"),
         "vertices_at",
-        *("integrate_device_frame", "render_maps"),
+        *("integrate_device_frame", "render_maps", "render_colors", "adopt_search_tree"),
     ),
 }
 
