@@ -30,8 +30,8 @@ class ndarray:  # noqa: N801  as cupy has it
         self.library.asked_streams.append(stream)
         if self.memory.device.is_cuda:
             assert isinstance(stream, int)
-            consumer = wp.Stream(self.memory.device, cuda_stream=stream)
-            consumer.wait_event(self.library.stream.record_event())
+            event = self.library.stream.record_event()  # by no wp.Stream: Warp would forget the stream at its end
+            wp._src.context.runtime.core.wp_cuda_stream_wait_event(stream, event.cuda_event, False)
         return wp.to_dlpack(self.memory)
 
     @property
