@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import contextlib
 import re
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any, overload
 
@@ -39,11 +39,16 @@ def _keep_pool(device: Device) -> None:
         wp.set_mempool_release_threshold(device, POOL_SHARE)
 
 
+on_give_back: list[Callable[[], None]] = []  # what lets go of arrays that are kept for the next call
+
+
 def give_back(device: Device) -> int:
     """Hand what a GPU keeps of released memory back to the system (sync); how many bytes, 0 where nothing is kept.
 
     A GPU that this process has made no array on is left alone.
     """
+    for let_go in on_give_back:
+        let_go()
     return pools.trim(device) if device.is_cuda and device.alias in _pools else 0
 
 

@@ -6,7 +6,7 @@ thread of one job notes is some ten numbers in as many arrays.
 
 import itertools
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -64,7 +64,7 @@ class SideBySide:
         arrays: The device arrays by name. Each keeps the memory of all.
     """
 
-    def __init__(self, values: dict[str, tuple[ArrayLike, Any]], device: Device) -> None:
+    def __init__(self, values: Mapping[str, tuple[ArrayLike, Any]], device: Device) -> None:
         self._places: dict[str, tuple[int, tuple[int, ...], np.dtype]] = {}
         self._size = 0
         for name, (value, dtype) in values.items():
@@ -75,14 +75,14 @@ class SideBySide:
         self._whole = upload(content, uint8, device)
         self.arrays = {name: self._part(name, dtype) for name, (_, dtype) in values.items()}
 
-    def _content(self, values: dict[str, tuple[ArrayLike, Any]]) -> np.ndarray:
+    def _content(self, values: Mapping[str, tuple[ArrayLike, Any]]) -> np.ndarray:
         content = np.zeros(self._size, np.uint8)
         for name, (first, _, _) in self._places.items():
             host = _as_elements(*values[name])
             content[first : first + host.nbytes] = host.reshape(-1).view(np.uint8)
         return content
 
-    def rewrite(self, values: dict[str, tuple[ArrayLike, Any]]) -> None:
+    def rewrite(self, values: Mapping[str, tuple[ArrayLike, Any]]) -> None:
         """Write other values of the same shapes over all arrays, in one copy."""
         write(self._whole, self._content(values))
 

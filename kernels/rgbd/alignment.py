@@ -17,7 +17,7 @@ import numpy as np
 from ..arrays.segment_blocks import SegmentBlocks
 from ..arrays.side_by_side import SideBySide
 from ..lang import DeviceLoop, array, float32, int32, kernel, launch, mat44d, reduce, reduce_segments, tid, vec4
-from ..memory import empty
+from ..memory import empty, on_give_back
 from .alignment_rows import AlignmentRules, AlignmentState, row_sums, sum_alignment_rows
 from .alignment_step import begin_alignment_kernel, step_alignment_kernel
 from .certainty_rows import certainty_sums, sum_certainty
@@ -149,6 +149,9 @@ def clear_descents() -> None:
     """Release what alignments keep on GPUs for the next ones: levels of two frames, MOST_KEPT times."""
     with _turn:
         _descents.clear()
+
+
+on_give_back.append(clear_descents)
 
 
 @contextlib.contextmanager

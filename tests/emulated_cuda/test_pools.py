@@ -9,6 +9,7 @@ import pytest
 
 import pointloom as loom
 from pointloom.core.devices import resolve_device
+from pointloom.kernels import memory
 from pointloom.kernels.lang import float32
 from pointloom.kernels.language import pools
 from pointloom.kernels.memory import check_room, empty, free_bytes
@@ -87,3 +88,9 @@ def test_a_pool_that_does_not_answer_is_an_error_of_its_own(emulated, gpu, monke
     monkeypatch.setattr(emulated.driver, "cuMemPoolTrimTo", lambda *_: 999, raising=False)
     with pytest.raises(RuntimeError, match=r"cuda:0: its pool of memory does not answer \(CUDA error 999\)"):
         loom.free_memory(gpu)
+
+
+def test_what_is_kept_for_the_next_call_goes_too(gpu, monkeypatch):
+    kept = [empty(SIZE, float32, gpu)]
+    monkeypatch.setattr(memory, "on_give_back", [kept.clear])
+    assert loom.free_memory(gpu) == 4 * SIZE
