@@ -280,14 +280,15 @@ def sum_planes_kernel(course: Course, rows: array(dtype=float64, ndim=2)):
     total = triangle(0.0)
     for k in range(i * PLANE_RUN, i * PLANE_RUN + min(PLANE_RUN, count - i * PLANE_RUN)):
         j = begin + k
-        at = course.planes[j]
-        if course.known[j] >= 0 and at[3] > 0.0:
-            n = vec3d(float64(at[0]), float64(at[1]), float64(at[2]))
-            m = cross(turn(pose, widen(course.points[j])), n)
-            row = vec6d(m[0], m[1], m[2], n[0], n[1], n[2])
-            for a in range(UNKNOWNS):
-                for b in range(a, UNKNOWNS):
-                    total[place_of(a, b)] = total[place_of(a, b)] + row[a] * row[b]
+        if course.known[j] >= 0:
+            at = course.planes[j]
+            if at[3] > 0.0:
+                n = vec3d(float64(at[0]), float64(at[1]), float64(at[2]))
+                m = cross(turn(pose, widen(course.points[j])), n)
+                row = vec6d(m[0], m[1], m[2], n[0], n[1], n[2])
+                for a in range(UNKNOWNS):
+                    for b in range(a, UNKNOWNS):
+                        total[place_of(a, b)] = total[place_of(a, b)] + row[a] * row[b]
     for column in range(TRIANGLE):
         rows[i, column] = total[column]
 

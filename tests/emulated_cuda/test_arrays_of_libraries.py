@@ -99,7 +99,7 @@ OPERATIONS = {
 }
 
 
-KEPT = dict.fromkeys(("pairs", "ransac"), 512 * 33 * 4)  # the sample of features that their tree chooses its axes by
+KEPT = dict.fromkeys(("pairs", "ransac"), 2 * 512 * 33 * 4)  # samples of features that both trees choose their axes by
 
 
 @pytest.fixture
