@@ -8,7 +8,12 @@ natural loops: the assembler puts rare ways behind all others, so that not every
 from __future__ import annotations
 
 import struct
+import sys
 from dataclasses import dataclass, field
+from pathlib import Path
+
+sys.path.append(str(Path(__file__).parents[1] / "tests"))
+from emulated_cuda.ptx.dominators import dominators  # pyright: ignore[reportMissingImports]
 
 BYTES = 16
 BRANCH, LOAD_LOCAL, STORE_LOCAL = 0x947, 0x983, 0x387
@@ -66,7 +71,7 @@ def depths(words: list[tuple[int, int]], architecture: int) -> list[int]:
     """By instruction: how many natural loops hold it (Aho et al. 2006, 9.6)."""
     leaders, ways = _graph(words, architecture)
     inside: dict[int, set[int]] = {}
-    above = _dominators(ways)
+    above = dominators(ways, 0)
     before: dict[int, list[int]] = {}
     for block, targets in ways.items():
         for to in targets:
@@ -99,44 +104,6 @@ def _graph(words: list[tuple[int, int]], architecture: int) -> tuple[list[int], 
         ways[block] = [number[targets[last]]] if last in targets else []
         ways[block] += [block + 1] if goes_on and last + 1 < len(words) else []
     return leaders, ways
-
-
-def _dominators(ways: dict[int, list[int]]) -> dict[int, int]:
-    """The immediate dominator of each block that is reached from the first (Cooper et al. 2001)."""
-    order, seen, stack = [], {0}, [(0, iter(ways.get(0, [])))]
-    while stack:
-        block, rest = stack[-1]
-        step = next((to for to in rest if to not in seen), None)
-        if step is None:
-            order.append(block)
-            stack.pop()
-        else:
-            seen.add(step)
-            stack.append((step, iter(ways[step])))
-    place = {block: k for k, block in enumerate(order)}
-    before: dict[int, list[int]] = {}
-    for block in order:
-        for to in ways.get(block, []):
-            before.setdefault(to, []).append(block)
-    found, changed = {0: 0}, True
-    while changed:
-        changed = False
-        for block in reversed(order[:-1]):
-            new = None
-            for other in (b for b in before[block] if b in found):
-                new = other if new is None else _meet(other, new, found, place)
-            if new is not None and found.get(block) != new:
-                found[block], changed = new, True
-    return found
-
-
-def _meet(a: int, b: int, found: dict[int, int], place: dict[int, int]) -> int:
-    while a != b:
-        while place[a] < place[b]:
-            a = found[a]
-        while place[b] < place[a]:
-            b = found[b]
-    return a
 
 
 def _dominates(head: int, block: int, above: dict[int, int]) -> bool:

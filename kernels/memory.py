@@ -239,17 +239,6 @@ def copy(target: wp.array, source: wp.array, *, count: int, offset: int = 0) -> 
                 wp.copy(target, source, dest_offset=offset, count=count)
 
 
-def join(arrays: Sequence[Array]) -> Array:
-    """Arrays of one type on one device, with one axis, behind each other as one."""
-    first: Any = arrays[0]
-    whole: Any = empty(sum(each.size for each in arrays), first.dtype, first.device)
-    place = 0
-    for each in arrays:
-        copy(whole, each, count=each.size, offset=place)
-        place += each.size
-    return whole
-
-
 def fill_column(target: Any, column: int, source: wp.array) -> None:
     """Copy an array [n] to one column of another, [n, c], on the same device."""
     if source.size:

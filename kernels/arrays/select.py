@@ -4,7 +4,7 @@ from typing import Any
 
 import numpy as np
 
-from ..array_types import Array, Indices, Mask
+from ..array_types import Array, Indices, Integers, Mask
 from ..lang import array, int32, kernel, launch, tid, uint8, vec3
 from ..memory import contiguous, download, empty, rows_of, upload, zeros
 from .prefix_sum import inclusive_scan
@@ -26,6 +26,13 @@ def scatter_positions_kernel(mask: array(dtype=uint8), ranks: array(dtype=int32)
     i = tid()
     if mask[i] != 0:
         positions[ranks[i] - 1] = i
+
+
+@kernel
+def number_rows_kernel(rows: array(dtype=int32), numbers: array(dtype=int32)):
+    """numbers[rows[i]] = i: where each row stands among those that are listed, each once; of others nothing is said."""
+    i = tid()
+    numbers[rows[i]] = i
 
 
 @kernel
@@ -52,6 +59,14 @@ def invert_mask(mask: Mask) -> Mask:
     return inverted
 
 
+def _ranks_of(mask: Mask) -> Integers:
+    """How many elements are set up to each, itself included; of a GPU's mask that has any."""
+    ranks = empty(mask.size, int32, mask.device)
+    launch(count_mask_kernel, mask.size, [mask, ranks])
+    inclusive_scan(ranks, ranks)
+    return ranks
+
+
 def positions_of(mask: Mask, count: int | None = None) -> Indices:
     """The positions where a uint8 device mask of shape [n] is not zero, as int32, ascending.
 
@@ -60,9 +75,7 @@ def positions_of(mask: Mask, count: int | None = None) -> Indices:
     device = mask.device
     if not device.is_cuda or not mask.size:
         return upload(np.flatnonzero(download(mask).view(np.bool_)).astype(np.int32), int32, device)
-    ranks = empty(mask.size, int32, device)
-    launch(count_mask_kernel, mask.size, [mask, ranks])
-    inclusive_scan(ranks, ranks)
+    ranks = _ranks_of(mask)
     if count is None:
         count = int(download(rows_of(ranks, mask.size - 1, mask.size))[0])  # sync
     positions = empty(count, int32, device)
@@ -84,10 +97,8 @@ def positions_of_each(*masks: Mask) -> list[Indices]:
         return [positions_of(mask) for mask in masks]
     counts, every = zeros(len(masks), int32, device), []
     for k, mask in enumerate(masks):
-        ranks = empty(mask.size, int32, device)
+        ranks = _ranks_of(mask) if mask.size else empty(0, int32, device)
         if mask.size:
-            launch(count_mask_kernel, mask.size, [mask, ranks])
-            inclusive_scan(ranks, ranks)
             launch(copy_last_kernel, 1, [ranks, k, counts])
         every.append(ranks)
     found = [empty(count, int32, device) for count in download(counts).tolist()]  # sync
@@ -113,9 +124,7 @@ def positions_and_starts(mask: Mask, firsts: np.ndarray) -> tuple[Indices, np.nd
     if not device.is_cuda or not mask.size:
         positions = positions_of(mask)
         return positions, np.searchsorted(download(positions), firsts)
-    ranks, counts = empty(mask.size, int32, device), empty(len(firsts), int32, device)
-    launch(count_mask_kernel, mask.size, [mask, ranks])
-    inclusive_scan(ranks, ranks)
+    ranks, counts = _ranks_of(mask), empty(len(firsts), int32, device)
     launch(gather_counts_kernel, len(firsts), [ranks, upload(firsts, int32, device), counts])
     starts = download(counts).astype(np.int64)  # sync
     positions = empty(int(starts[-1]), int32, device)

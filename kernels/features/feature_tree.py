@@ -18,6 +18,7 @@ import numpy as np
 
 from ..algebra.plain_min_max import larger, smaller
 from ..array_types import Array2, Indices
+from ..arrays.concatenation import concatenate_rows
 from ..arrays.select import positions_of
 from ..arrays.sort import argsort_keys
 from ..lang import (
@@ -38,7 +39,7 @@ from ..lang import (
     uint8,
     vector,
 )
-from ..memory import download, empty, join, upload, zeros
+from ..memory import download, empty, upload, zeros
 
 LEADING = 15  # principal axes
 AXES = 16  # and the length of what is left; with 9, three times as many rows have to be compared in full
@@ -324,7 +325,7 @@ def find_axes(source: FeatureRows, target: FeatureRows) -> Array2[float64]:
     Returns:
         float64 [d, 1 + LEADING], a column each; zeros for axes that are not there.
     """
-    samples = join([side.sample().flatten() for side in (source, target)])
+    samples = concatenate_rows([side.sample().flatten() for side in (source, target)])
     rows = download(samples).astype(np.float64).reshape(-1, source.columns)  # sync
     basis = np.zeros((source.columns, 1 + LEADING))
     if len(rows):

@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING
 from ..array_types import Array2, Indices, Integers, Points, Vectors
 from ..arrays.lanes import sum_of_lanes
 from ..arrays.packed_keys import key_index, key_number
-from ..arrays.select import gather_vec3_kernel, positions_of
+from ..arrays.select import gather_vec3_kernel, number_rows_kernel, positions_of
 from ..arrays.sort import fill_positions_kernel
 from ..lang import (
     NAN,
@@ -66,13 +66,6 @@ def mask_points_kernel(
             atomic_max(masked, 0, 1)  # settles who sets it, all of them to 1
         p = vec3(NAN, NAN, NAN)
     usable[i] = p
-
-
-@kernel
-def invert_order_kernel(order: array(dtype=int32), places: array(dtype=int32)):
-    """The place on the curve of each point."""
-    i = tid()
-    places[order[i]] = i
 
 
 @kernel
@@ -350,7 +343,7 @@ def _compute_chosen(
     """Features of some points; histograms are counted for these and their neighbours only."""
     device, count = tree.device, tree.count
     places, chosen = empty(tree.order.size, int32, device), zeros(count, int32, device)
-    launch(invert_order_kernel, tree.order.size, [tree.order, places])
+    launch(number_rows_kernel, tree.order.size, [tree.order, places])
     launch(mark_chosen_kernel, rows.size, [rows, places, count, chosen])
     centers = positions_of(cast(chosen, uint8))  # sync
     neighborhood = Neighborhood(tree, radius, max_nn, centers)
@@ -359,7 +352,7 @@ def _compute_chosen(
     histograms = count_angles(neighborhood, normals, ranks)
     slots, within = empty(count, int32, device), empty(centers.size, int32, device)
     launch(fill_positions_kernel, centers.size, [within])
-    launch(invert_order_kernel, centers.size, [centers, slots])
+    launch(number_rows_kernel, centers.size, [centers, slots])
     compact = empty((centers.size, COLUMNS), float32, device)
     sum_histograms(neighborhood, histograms, centers, within, compact)
     features = empty((rows.size, COLUMNS), float32, device)

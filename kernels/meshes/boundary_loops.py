@@ -9,7 +9,7 @@ it ends, and what is left is a chain and no loop. About 60 B a half-edge of the 
 
 from ..array_types import Indices, Integers, LongIntegers, Triangles
 from ..arrays.packed_keys import pack_bits
-from ..arrays.select import gather_rows, positions_of
+from ..arrays.select import gather_rows, number_rows_kernel, positions_of
 from ..arrays.sort import argsort_keys
 from ..arrays.unique import UniqueKeys
 from ..lang import Kernel, array, func, int32, int64, kernel, launch, tid, uint8, vec3i
@@ -41,13 +41,6 @@ def mark_border_kernel(twins: array(dtype=int32), mask: array(dtype=uint8)):
     """1 for half-edges at the border."""
     i = tid()
     mask[i] = uint8(1 if twins[i] == BORDER else 0)
-
-
-@kernel
-def number_border_kernel(half_edges: array(dtype=int32), places: array(dtype=int32)):
-    """The place of each half-edge at the border among them."""
-    i = tid()
-    places[half_edges[i]] = i
 
 
 @kernel
@@ -96,7 +89,7 @@ class Border:
         launch(mark_border_kernel, mask.size, [twins, mask])
         self.half_edges, self.edges = positions_of(mask), edges  # sync
         count, places = self.half_edges.size, empty(twins.size, int32, device)
-        launch(number_border_kernel, count, [self.half_edges, places])
+        launch(number_rows_kernel, count, [self.half_edges, places])
         self.nexts, self.vertices = empty(count, int32, device), empty(count, int32, device)
         launch(find_next_kernel, count, [triangles, twins, self.half_edges, places, self.nexts, self.vertices])
 

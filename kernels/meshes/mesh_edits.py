@@ -224,13 +224,6 @@ def mark_referenced(triangles: Triangles, vertex_count: int) -> Integers:
     return used
 
 
-def drop_unreferenced(
-    triangles: Triangles, vertex_count: int, per_vertex: Iterable[Vectors]
-) -> tuple[Triangles, list[Any]]:
-    """As `keep_vertices`, with the vertices that triangles use."""
-    return keep_vertices(triangles, mark_referenced(triangles, vertex_count), per_vertex)
-
-
 def keep_vertices(triangles: Triangles, used: Integers, per_vertex: Iterable[Vectors]) -> tuple[Triangles, list[Any]]:
     """Cut arrays to the vertices that are used, and renumber triangles, none of which has another.
 

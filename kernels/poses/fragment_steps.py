@@ -16,6 +16,7 @@ import numpy as np
 from ..algebra.rigid_solve import factor_system, place_of, solve_factored, square, triangle, vec6d
 from ..algebra.transform import widen
 from ..array_types import Doubles, Positions
+from ..arrays.concatenation import concatenate_rows
 from ..arrays.conjugate_gradients import ConjugateGradients, Gradients
 from ..lang import (
     array,
@@ -36,7 +37,7 @@ from ..lang import (
     vec3d,
     vector,
 )
-from ..memory import download, empty, full, join, upload, zeros
+from ..memory import download, empty, full, upload, zeros
 from .anchor_ties import pull_anchors_kernel, sum_stretch, turn_anchors_kernel
 from .control_lattice import AROUND, CORNERS, ControlLattice, corner_weight
 from .fragment_rows import FragmentRows, corner_sums, map_rows_kernel, slope_sums
@@ -339,7 +340,7 @@ class FragmentStep:
         ties = [self.lattice, self.system.tie, self.system.rotations]
         residuals = reduce(sum_residuals, self.rows.count, [self.rows])
         stretches = reduce(sum_stretch, self.lattice.anchor_count, ties)
-        (squares, count), (stretch, _) = download(join([residuals, stretches])).tolist()  # sync
+        (squares, count), (stretch, _) = download(concatenate_rows([residuals, stretches])).tolist()  # sync
         return squares, int(count), stretch
 
     def solve(self, tolerance: float = TOLERANCE) -> tuple[Positions, int]:

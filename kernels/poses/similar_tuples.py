@@ -6,10 +6,11 @@ depends on the seed alone. 12 B a triple are written.
 """
 
 from ..array_types import Integers
+from ..arrays.concatenation import concatenate_rows
 from ..arrays.random import random_below, random_bits
 from ..arrays.select import positions_of
 from ..lang import array, dot, float64, func, int32, kernel, launch, sqrt, tid, uint8, vec3d
-from ..memory import empty, join
+from ..memory import empty
 from .pair_fits import PairCoordinates, source_point, target_point
 
 TRIPLE = 3
@@ -73,4 +74,4 @@ def similar_tuples(pairs: PairCoordinates, seed: int, trials: int, ratio: float,
             found.append(rows)
             total += chosen.size
         done, batch = done + size, min(2 * batch, MOST_BATCH)
-    return join(found) if found else empty(0, int32, device)
+    return concatenate_rows(found) if found else empty(0, int32, device)

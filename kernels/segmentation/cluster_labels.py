@@ -6,7 +6,7 @@ lower label than the worst found, and takes the lowest label of a node that lies
 """
 
 from ..array_types import Integers
-from ..arrays.select import positions_of
+from ..arrays.select import number_rows_kernel, positions_of
 from ..arrays.sort import argsort_keys
 from ..lang import INFINITY, array, atomic_add, atomic_min, func, int32, int64, kernel, launch, tid, uint8, vec3
 from ..memory import empty, full, zeros
@@ -47,13 +47,6 @@ def mark_first_kernel(cores: Cores, firsts: array(dtype=int32), marks: array(dty
     i = tid()
     if cores.owners[i] == i:
         marks[firsts[i]] = 1
-
-
-@kernel
-def number_clusters_kernel(heads: array(dtype=int32), labels: array(dtype=int32)):
-    """The cluster's number at its first core."""
-    i = tid()
-    labels[heads[i]] = i
 
 
 @kernel
@@ -205,7 +198,7 @@ def rank_sizes_kernel(counts: array(dtype=int32), least: int, most: int, keys: a
 
 
 @kernel
-def renumber_clusters_kernel(keys: array(dtype=int64), order: array(dtype=int32), renamed: array(dtype=int32)):
+def renumber_rows_kernel(keys: array(dtype=int64), order: array(dtype=int32), renamed: array(dtype=int32)):
     """The new number of each cluster; NOISE for those of other sizes."""
     i = tid()
     label = int(NOISE)
@@ -237,7 +230,7 @@ def label_cores(cores: Cores, labels: Integers) -> int:
     launch(find_first_kernel, count, [cores, firsts])
     launch(mark_first_kernel, count, [cores, firsts, marks])
     heads = positions_of(marks)
-    launch(number_clusters_kernel, heads.size, [heads, labels])
+    launch(number_rows_kernel, heads.size, [heads, labels])
     launch(label_cores_kernel, cores.leaf_count, [cores, firsts, labels])
     return heads.size
 
@@ -267,5 +260,5 @@ def rank_by_size(labels: Integers, cluster_count: int, least: int, most: int) ->
     launch(rank_sizes_kernel, cluster_count, [counts, least, most, keys])
     ranked, order = argsort_keys(keys, 31)
     renamed = empty(cluster_count, int32, device)
-    launch(renumber_clusters_kernel, cluster_count, [ranked, order, renamed])
+    launch(renumber_rows_kernel, cluster_count, [ranked, order, renamed])
     launch(rename_labels_kernel, labels.size, [renamed, labels])

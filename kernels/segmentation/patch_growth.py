@@ -14,7 +14,7 @@ import numpy as np
 
 from ..array_types import Array2, Integers, Points, Vectors
 from ..arrays.concatenation import concatenate_rows
-from ..arrays.select import gather_rows, positions_of
+from ..arrays.select import gather_rows, number_rows_kernel, positions_of
 from ..arrays.sort import argsort_keys, positions
 from ..lang import (
     array,
@@ -210,13 +210,6 @@ def order_counts_kernel(counts: array(dtype=int32), keys: array(dtype=int64)):
 
 
 @kernel
-def rank_patches_kernel(by_rank: array(dtype=int32), ranks: array(dtype=int32)):
-    """The rank of each patch."""
-    i = tid()
-    ranks[by_rank[i]] = i
-
-
-@kernel
 def write_planes_kernel(
     patches: array(dtype=int32),
     new_centers: array(dtype=vec3),
@@ -339,7 +332,7 @@ class Patches:
         keys, ranks = empty(count, int64, self.device), empty(count, int32, self.device)
         launch(order_counts_kernel, count, [numbers, keys])
         order = argsort_keys(keys, 31)[1]
-        launch(rank_patches_kernel, count, [order, ranks])
+        launch(number_rows_kernel, count, [order, ranks])
         partners = full(count, NO_OFFER, int32, self.device)
         launch(choose_partners_kernel, self.labels.size, [self.cloud, planes, ranks, partners])
         together = download(concatenate_rows([partners, order, numbers]))  # sync

@@ -9,7 +9,7 @@ One thread a pixel: 25 looks at labels for a sure one, twice. 12 B a pixel, and 
 
 from ..array_types import Array1, Device, Indices, Integers, Keys
 from ..arrays.prefix_sum import exclusive_scan
-from ..arrays.select import positions_of
+from ..arrays.select import number_rows_kernel, positions_of
 from ..arrays.sort import argsort_keys
 from ..arrays.union_find import flatten_sets_kernel, unite
 from ..lang import array, atomic_add, func, int32, int64, kernel, launch, struct, tid, uint8, vec2
@@ -102,13 +102,6 @@ def mark_places_kernel(areas: array(dtype=int32), large: array(dtype=uint8)):
     if areas[i] >= LEAST_AREA:
         mark = 1
     large[i] = uint8(mark)
-
-
-@kernel
-def number_places_kernel(roots: array(dtype=int32), numbers: array(dtype=int32)):
-    """The number of each of them."""
-    k = tid()
-    numbers[roots[k]] = k
 
 
 @func
@@ -208,7 +201,7 @@ def find_places(judged: Array1[vec2], width: int) -> Places | None:
         return None
     numbers = areas  # of no more use
     fill(numbers, -1)
-    launch(number_places_kernel, roots.size, [roots, numbers])
+    launch(number_rows_kernel, roots.size, [roots, numbers])
     pairs = _list_pairs(judged, width, labels, numbers, roots)
     return Places(labels, numbers, roots.size, pairs, width) if pairs.size else None
 

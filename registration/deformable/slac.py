@@ -20,7 +20,7 @@ from ...files.points.point_cloud import read_point_cloud
 from ...kernels.algebra.transform import transform_points
 from ...kernels.arrays.concatenation import concatenate_rows
 from ...kernels.lang import launch, mat44d
-from ...kernels.memory import download, join
+from ...kernels.memory import download
 from ...kernels.poses.anchor_ties import shift_anchors_kernel
 from ...kernels.poses.control_lattice import motion_of, move_anchors_kernel
 from ...kernels.poses.fragment_rows import FragmentRows, Fragments, Pairs
@@ -308,7 +308,7 @@ def _agreement(clouds: Sequence[PointCloud], graph: GraphArrays, distance: float
         counted.append(count_agreeing(points, target.device_array("points"), nearest, *ends, distance))
     if not counted:
         return np.zeros(0)
-    found, agreeing = download(join(counted)).T  # sync
+    found, agreeing = download(concatenate_rows(counted)).T  # sync
     return agreeing / np.maximum(found, 1)
 
 

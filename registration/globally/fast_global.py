@@ -13,8 +13,9 @@ from ...core.checks import check_count, check_positive, check_seed
 from ...core.told_arguments import told_arguments
 from ...core.watching import report
 from ...kernels.arrays.bounds import bound_each
+from ...kernels.arrays.concatenation import concatenate_rows
 from ...kernels.lang import mat44d
-from ...kernels.memory import download, join, upload
+from ...kernels.memory import download, upload
 from ...kernels.poses.pair_fits import PairCoordinates
 from ...kernels.poses.pose_fitness import half_diagonal, middle_of
 from ...kernels.poses.similar_tuples import similar_tuples
@@ -226,7 +227,7 @@ def _register(
     mu = 1.0 if option.use_absolute_scale else radius * radius
     least = option.maximum_correspondence_distance**2 if option.decrease_mu else np.inf
     before = pairs.anneal(pose, mu, least, option.division_factor, EVERY, option.iteration_number)
-    local, previous = download(join([pose, before])).astype(np.float64)  # sync
+    local, previous = download(concatenate_rows([pose, before])).astype(np.float64)  # sync
     T = to_world(local, *world_middles(source, target, middles))
     result = evaluate_registration(source, target, option.maximum_correspondence_distance, T)
     change = np.abs(local - previous)

@@ -9,7 +9,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ...core.checks import check_positive, check_transformation
-from ...kernels.memory import contiguous, download, join
+from ...kernels.arrays.concatenation import concatenate_rows
+from ...kernels.memory import contiguous, download
 from ...kernels.poses.overlap_evidence import ALIGNED_AT, MATCHED_AT, weigh_overlaps
 from ...kernels.poses.sight import Sight, find_sight
 from ...kernels.surface.hollow_side import Surface
@@ -283,7 +284,7 @@ def count_blocked(source: Witness, target: Witness, pose: NDArray[np.float64]) -
             counted.append(watched.sight.count_in_the_way(other.surface.points, T))
     if not counted:
         return 0.0
-    counts = np.split(download(join(counted)), np.cumsum([way.size for way in counted])[:-1])  # sync
+    counts = np.split(download(concatenate_rows(counted)), np.cumsum([way.size for way in counted])[:-1])  # sync
     return float(max(way.min() for way in counts))
 
 

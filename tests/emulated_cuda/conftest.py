@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import pytest
 
@@ -10,6 +11,9 @@ from .install import Device, installed
 from .plugin import is_asked_for
 from .ptx_programs import Programs
 from .settings import settings as process_settings
+
+if TYPE_CHECKING:
+    from ..small_scenes import SmallScenes
 
 
 def pytest_ignore_collect(collection_path: Path, config: pytest.Config) -> bool | None:
@@ -42,3 +46,11 @@ def settings(monkeypatch):
 def programs(emulated, tmp_path_factory) -> Programs:
     """Kernels written in PTX."""
     return Programs(emulated, tmp_path_factory.mktemp("ptx"))
+
+
+@pytest.fixture(scope="module")
+def small(emulated) -> SmallScenes:
+    """Scenes on the device, small enough for each operation to run several times."""
+    from ..small_scenes import SmallScenes
+
+    return SmallScenes("cuda:0")

@@ -14,7 +14,6 @@ import argparse
 import json
 import re
 import sys
-from collections import Counter
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
@@ -93,18 +92,12 @@ def device_clouds() -> Iterator[None]:
         digest_scenes.textured = _textured
 
 
-def counted(work: Callable[[], Any]) -> tuple[Any, Counter[str]]:
+def counted(work: Callable[[], Any]) -> tuple[Any, dict[str, int]]:
     """The result of a call, and what it asked of the device."""
-    device = installed()
+    device, found = installed(), []
     assert device is not None
-    device.synchronize()
-    before = Counter(device.findings.counts)
-    result = work()
-    device.synchronize()
-    asked = Counter(device.findings.counts)
-    asked.subtract(before)
-    asked["waits"] -= 1  # the one above
-    return result, asked
+    asked = device.asked(lambda: found.append(work()))
+    return found[0], asked
 
 
 def host_bytes(result: Any) -> int:

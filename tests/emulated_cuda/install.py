@@ -7,6 +7,7 @@ import contextlib
 import ctypes
 import os
 import re
+from collections.abc import Callable
 from typing import Any
 
 from .allocations import Allocations
@@ -71,6 +72,16 @@ class Device:
         """Run all that is queued; faults are recorded."""
         with contextlib.suppress(CudaFault):
             self.streams.wp_cuda_context_synchronize(None)
+
+    def asked(self, run: Callable[[], Any]) -> dict[str, int]:
+        """What a call asks of the device."""
+        self.synchronize()
+        before = dict(self.findings.counts)
+        run()
+        self.synchronize()
+        found = {what: count - before[what] for what, count in self.findings.counts.items()}
+        found["waits"] -= 1  # the one above
+        return found
 
     def write_report(self) -> None:
         """What settings.report asks for."""

@@ -11,15 +11,10 @@ from pointloom.kernels.language.streams import NonBlockingStream
 from pointloom.kernels.memory import Readback
 
 from ..array_library import installed
-from ..small_scenes import ON_CLOUDS, ON_HOST, ONCE, SmallScenes, digest
+from ..small_scenes import ON_CLOUDS, ON_HOST, ONCE, digest
 from .findings import caller
 
 DEVICE = "cuda:0"
-
-
-@pytest.fixture(scope="module")
-def small(emulated) -> SmallScenes:
-    return SmallScenes(DEVICE)
 
 
 class Streams:

@@ -50,24 +50,15 @@ def data(emulated) -> Data:
     return Data()
 
 
-def asked_for(emulated, run) -> dict[str, int]:
-    """What a call asks of the device."""
-    wp.synchronize()
-    before = dict(emulated.findings.counts)
-    run()
-    wp.synchronize()
-    return {what: count - before[what] for what, count in emulated.findings.counts.items()}
-
-
 @pytest.mark.parametrize("name", CALLS)
 def test_an_operation_asks_little_of_the_device(emulated, data, name):
     run, kernels, copies = CALLS[name]
-    asked = asked_for(emulated, lambda: run(data))
+    asked = emulated.asked(lambda: run(data))
     assert (asked["launches"], asked["copies to host"]) == (kernels, copies)
 
 
 def test_farthest_points_are_one_graph_and_one_wait(emulated, data):
-    asked = asked_for(emulated, lambda: choose_farthest(data.tree, 1000, 0))
+    asked = emulated.asked(lambda: choose_farthest(data.tree, 1000, 0))
     assert (asked["graphs"], asked["copies to host"]) == (1, 1)
 
 
@@ -75,7 +66,7 @@ def test_decimation_is_one_graph_and_four_waits(emulated):
     """However many rounds: the box, whether a triangle is there twice, what is left, the vertices that are used."""
     mesh = loom.TriangleMesh.create_sphere(resolution=20).to("cuda:0")
     for target in (500, 60):
-        asked = asked_for(emulated, lambda target=target: mesh.simplify_quadric_decimation(target))
+        asked = emulated.asked(lambda target=target: mesh.simplify_quadric_decimation(target))
         assert (asked["graphs"], asked["copies to host"], asked["bytes to host"]) == (1, 4, 84)
 
 
@@ -83,8 +74,8 @@ def test_a_mesh_is_bent_with_one_wait_a_level(emulated):
     """The held vertices, seams, edges, five levels, and whether it settled: however many turns."""
     mesh = loom.TriangleMesh.create_sphere(resolution=20).to("cuda:0")
     for turns in (2, 6):
-        asked = asked_for(
-            emulated, lambda turns=turns: mesh.deform_as_rigid_as_possible([0, 1], [[0, 0, 1], [0, 0, -2]], turns)
+        asked = emulated.asked(
+            lambda turns=turns: mesh.deform_as_rigid_as_possible([0, 1], [[0, 0, 1], [0, 0, -2]], turns)
         )
         assert (asked["graphs made"], asked["graphs"], asked["copies to host"]) == (3, 2 * turns, 9)
 
@@ -94,16 +85,16 @@ def test_answers_of_a_scene_come_in_one_copy(emulated):
     scene = loom.RaycastingScene(device="cuda:0")
     scene.add_triangles(mesh.to("cuda:0"))
     scene.cast_rays(rays)
-    asked = asked_for(emulated, lambda: scene.cast_rays(rays))
+    asked = emulated.asked(lambda: scene.cast_rays(rays))
     assert asked["copies to host"] == 1
-    asked = asked_for(emulated, lambda: scene.list_intersections(rays))
+    asked = emulated.asked(lambda: scene.list_intersections(rays))
     assert asked["copies to host"] == 2  # how many there are
-    asked = asked_for(emulated, lambda: scene.compute_closest_points(rays[:, :3]))
+    asked = emulated.asked(lambda: scene.compute_closest_points(rays[:, :3]))
     assert asked["copies to host"] == 2  # the box of the queries
 
 
 def test_samples_are_spread_with_three_waits(emulated):
     """The area, the box of the samples, and how many neighbours they have."""
     mesh = loom.TriangleMesh.create_sphere().to("cuda:0")
-    asked = asked_for(emulated, lambda: mesh.sample_points_poisson_disk(100).to("cuda:0", arrays="warp"))
+    asked = emulated.asked(lambda: mesh.sample_points_poisson_disk(100).to("cuda:0", arrays="warp"))
     assert asked["copies to host"] == 3

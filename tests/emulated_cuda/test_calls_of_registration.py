@@ -7,22 +7,10 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-import warp as wp
 
 import pointloom as loom
 
 DEVICE = "cuda:0"
-
-
-def asked_for(emulated, run) -> dict[str, int]:
-    """What a call asks of the device."""
-    wp.synchronize()
-    before = dict(emulated.findings.counts)
-    run()
-    wp.synchronize()
-    asked = {what: count - before[what] for what, count in emulated.findings.counts.items()}
-    asked["waits"] -= 1
-    return asked
 
 
 def room_seen_from(x: float) -> np.ndarray:
@@ -40,7 +28,7 @@ def test_a_scan_waits_for_its_sizes_and_for_its_pose(emulated, is_straightened):
     asked = {}
     for k, x in enumerate((0.0, 0.1, 0.2, 0.4, 0.6)):  # the fourth comes as nobody predicted
         scan = loom.PointCloud(room_seen_from(x), device=DEVICE)
-        asked = asked_for(emulated, lambda: odometry.register(scan, times))  # noqa: B023  runs at once
+        asked = emulated.asked(lambda: odometry.register(scan, times))  # noqa: B023  runs at once
         if k == 3:
             fourth = asked
     assert odometry.steps[-1].is_sound
@@ -58,18 +46,18 @@ def surface_of_hills(count: int, part: slice) -> loom.PointCloud:
 
 def test_a_pose_is_rated_with_few_waits(emulated):
     source, target = (surface_of_hills(6000, part) for part in (slice(4000), slice(2000, None)))
-    asked = asked_for(emulated, lambda: loom.registration.rate_registration(source, target, np.eye(4), 0.15))
+    asked = emulated.asked(lambda: loom.registration.rate_registration(source, target, np.eye(4), 0.15))
     # thinning and trees 5 a cloud, refinement, samples, the whole, beside the planes
     assert asked["waits"] <= 10 + 4 and asked["graphs made"] <= 1
 
 
 def test_global_registrations_wait_for_few_numbers(emulated):
     source, target = (surface_of_hills(3000, part) for part in (slice(2000), slice(1000, None)))
-    asked = asked_for(emulated, lambda: loom.registration.register_globally(source, target, voxel_size=0.08))
+    asked = emulated.asked(lambda: loom.registration.register_globally(source, target, voxel_size=0.08))
     assert asked["waits"] <= 34 and asked["graphs made"] <= 2
     pairs = np.column_stack([np.arange(1000, 2000), np.arange(1000)])
     fgr = loom.registration.registration_fgr_based_on_correspondence
-    asked = asked_for(emulated, lambda: fgr(source, target, pairs))
+    asked = emulated.asked(lambda: fgr(source, target, pairs))
     assert asked["waits"] <= 7 and asked["graphs made"] <= 1
 
 
@@ -88,10 +76,10 @@ def test_frames_of_the_same_size_share_a_graph_and_wait_once(emulated):
     clear_descents()
     first, second, third = (frame_of_a_relief(k) for k in range(3))
     align = loom.odometry.align_frames
-    asked = asked_for(emulated, lambda: align(first, second))
+    asked = emulated.asked(lambda: align(first, second))
     assert (asked["graphs made"], asked["waits"]) == (1, 1)
     results = []
-    asked = asked_for(emulated, lambda: results.append(align(second, third)))
+    asked = emulated.asked(lambda: results.append(align(second, third)))
     assert (asked["graphs made"], asked["graphs"], asked["waits"]) == (0, 1, 1)
     clear_descents()
     fresh = align(second, third)  # what was kept of other frames says nothing

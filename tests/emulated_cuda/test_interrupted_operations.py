@@ -12,7 +12,7 @@ import warp as wp
 import pointloom as loom
 from pointloom.kernels.language import device_lock
 
-from ..small_scenes import ON_CLOUDS, ONCE, SmallScenes, digest
+from ..small_scenes import ON_CLOUDS, ONCE, digest
 
 CAMERA = loom.PinholeCameraIntrinsic(24, 18, 20.0, 20.0, 12.0, 9.0)
 RECORDED = ("icp, point to plane", "icp, generalised", "registration_icp_batch, three poses")
@@ -24,11 +24,6 @@ RECORDED_ONCE = (
     "rgbd odometry",
     "icp, coloured",
 )
-
-
-@pytest.fixture(scope="module")
-def small(emulated) -> SmallScenes:
-    return SmallScenes("cuda:0")
 
 
 class Launches:

@@ -7,11 +7,10 @@ from __future__ import annotations
 
 import pytest
 
-from ..small_scenes import ON_CLOUDS, ON_HOST, ONCE, SmallScenes, digest
+from ..small_scenes import ON_CLOUDS, ON_HOST, ONCE, digest
 from .plugin import QUICK
 from .settings import Order
 
-DEVICE = "cuda:0"
 ON_SCENES = (
     *("from_depth_image, normals", "from_rgbd_image", "filter_depth", "erode_depth", "create_normal_map"),
     *("tsdf, integrate", "tsdf, extract", "tsdf, ray_cast", "marching_cubes", "iterate_odometry"),
@@ -22,11 +21,6 @@ ON_SCENES = (
 )
 
 LONG = ("slam, DenseSLAM", "odometry", "odometry, as measured", "run_system", "SLAC", "register_fragments")
-
-
-@pytest.fixture(scope="module")
-def small() -> SmallScenes:
-    return SmallScenes(DEVICE)
 
 
 @pytest.fixture

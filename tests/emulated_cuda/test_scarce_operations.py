@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import pytest
 
-from ..small_scenes import ON_CLOUDS, ON_HOST, ONCE, SmallScenes, digest
+from ..small_scenes import ON_CLOUDS, ON_HOST, ONCE, digest
 from .scarce_memory import failing_allocation
 
 TRIED = 4  # allocations of an operation
@@ -21,11 +21,6 @@ QUICK = (
     ),
     *("knn_search", "orient_normals_consistent_tangent_plane", "detect_planar_patches", "segment_plane"),
 )
-
-
-@pytest.fixture(scope="module")
-def small(emulated) -> SmallScenes:
-    return SmallScenes("cuda:0")
 
 
 def check(emulated, work) -> None:

@@ -6,7 +6,6 @@ from functools import partial
 
 import numpy as np
 import pytest
-import warp as wp
 
 import pointloom as loom
 
@@ -43,12 +42,7 @@ def clouds(count):
 def asked_for(emulated, run) -> dict[str, int]:
     """What a call asks of the device that has been called before: trees and tables are there."""
     run()
-    wp.synchronize()
-    before = dict(emulated.findings.counts)
-    run()
-    found = {what: count - before[what] for what, count in emulated.findings.counts.items()}
-    wp.synchronize()
-    return found
+    return emulated.asked(run)
 
 
 @pytest.mark.parametrize("name", MOST_WAITS)

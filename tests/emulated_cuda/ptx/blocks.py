@@ -7,6 +7,7 @@ from dataclasses import asdict, dataclass, field
 from typing import Any
 
 from .costs import SHARED_LATENCY, UNITS, cost_of
+from .dominators import dominators
 from .instructions import Instruction
 
 SPACES = ("local", "shared", "global", "generic")  # as in runtime/counters.h
@@ -180,34 +181,5 @@ def post_dominators(ways: dict[int, set[int]]) -> dict[int, int]:
     for b, targets in ways.items():
         for w in targets:
             before.setdefault(w, []).append(b)
-    order, seen, stack = [], {END}, [(END, iter(before.get(END, [])))]
-    while stack:  # depth first from the end, backwards
-        b, rest = stack[-1]
-        step = next((x for x in rest if x not in seen), None)
-        if step is None:
-            order.append(b)
-            stack.pop()
-        else:
-            seen.add(step)
-            stack.append((step, iter(before.get(step, []))))
-    place = {b: k for k, b in enumerate(order)}
-    found = {END: END}
-    changed = True
-    while changed:
-        changed = False
-        for b in reversed(order[:-1]):
-            new = None
-            for w in (w for w in ways[b] if w in found):
-                new = w if new is None else _meet(w, new, found, place)
-            if new is not None and found.get(b) != new:
-                found[b], changed = new, True
+    found = dominators(before, END)
     return {b: found.get(b, END) for b in ways}
-
-
-def _meet(a: int, b: int, found: dict[int, int], place: dict[int, int]) -> int:
-    while a != b:
-        while place[a] < place[b]:
-            a = found[a]
-        while place[b] < place[a]:
-            b = found[b]
-    return a
