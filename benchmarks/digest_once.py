@@ -93,6 +93,15 @@ def las_chunks(p: Place) -> list[Any]:
         return list(loom().read_las_chunks(path, 3000))
 
 
+def copc_window(p: Place) -> list[Any]:
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "cloud.copc.laz"
+        loom().write_point_cloud(path, p.cloud, scale=1e-4)
+        low, high = p.cloud.get_axis_aligned_bounding_box()
+        window = loom().AxisAlignedBoundingBox(low, (low + high) / 2)
+        return [loom().read_copc(path, within=window), loom().read_copc(path, spacing=float((high - low).max()) / 50)]
+
+
 def mesh_file(mesh: Any, ending: str, **options: Any) -> Any:
     return there_and_back(mesh, ending, "write_triangle_mesh", "read_triangle_mesh", **options)
 
@@ -452,6 +461,7 @@ ONCE: dict[str, Callable[[Scenes], Any]] = {
     "write and read .las": lambda d: cloud_file(d.far.cloud, ".las"),
     "write and read .laz": lambda d: cloud_file(d.far.cloud, ".laz", scale=1e-4),
     "write and read .e57": lambda d: cloud_file(d.cloud(d.far.cloud.points, colors=d.far.cloud.colors), ".e57"),
+    "write and read_copc": lambda d: copc_window(d.far),
     "read_las_chunks": lambda d: las_chunks(d.far),
     "from_depth_image": lambda d: loom().PointCloud.from_depth_image(d.frames.depths[0], d.lens, device=d.device),
     "from_depth_image, normals": lambda d: loom().PointCloud.from_depth_image(

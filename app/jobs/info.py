@@ -27,6 +27,7 @@ from ...files.frames.datasets import is_dataset, open_frames
 from ...files.meshes import tables
 from ...files.models.colmap import is_colmap_model
 from ...files.pictures.image_files import read_color, read_depth, read_picture_header
+from ...files.points.copc import is_copc
 from ...files.points.e57 import describe_e57
 from ...files.points.las import attribute_types, open_las
 from ...files.points.las_crs import crs_name
@@ -201,10 +202,11 @@ def _describe_las(path: Path) -> Las:
     file = open_las(path)
     header, (low, high) = file.header, file.header.bounds
     units = units_of(header)
+    kind = ", COPC" if is_copc(file) else ", compressed" if header.is_compressed else ""
     is_box = header.point_count > 0 and bool(np.isfinite([low, high]).all())
     return Las(
         points=header.point_count,
-        version=f"LAS {header.version}{', compressed' if header.is_compressed else ''}",
+        version=f"LAS {header.version}{kind}",
         point_format=header.point_format,
         coordinates="int32, scaled",
         scale=[*header.scales],

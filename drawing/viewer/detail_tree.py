@@ -32,10 +32,10 @@ from ...kernels.lang import vec3
 from ...kernels.memory import download, upload
 from ...kernels.sampling.detail_levels import NODE_BITS, find_levels
 from ...pcd.cloud import PointCloud
+from ...pcd.detail_nodes import MOST, NodeTable, make_nodes
 from ...pcd.point_arrays import check_cloud
 from ..render.view import View, check_view
 from .detail_files import bytes_at, columns_of, no_attribute
-from .detail_nodes import NodeTable, make_nodes
 
 Points = NDArray[np.float32]
 
@@ -115,7 +115,7 @@ class DetailTree:
         low, high, count = bound_points(positions)
         self._corner, self._side = _cube(low, high) if count else (np.zeros(3), 1.0)
         self.low, self.high = (ends.astype(np.float64) + self.origin if count else np.zeros(3) for ends in (low, high))
-        table = make_nodes(*find_levels(positions, self._corner, self._side))
+        table = make_nodes(*find_levels(positions, self._corner, self._side), most=MOST)
         self._positions: Points = download(positions).reshape(-1, 3)
         self.count = len(table.order)
         self._place(table)

@@ -1,15 +1,17 @@
-"""Which reader and which writer of clouds an extension names: tables in NumPy, no device."""
+"""Which reader and which writer of clouds an extension names: tables in NumPy."""
 
 from __future__ import annotations
 
 import os
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 from numpy.typing import ArrayLike
 
 from ..source import netted
 from ..table import PointTable
+from .copc_writer import write_copc
 from .e57 import read_e57
 from .e57_writer import write_e57
 from .header_units import PCD, PLY, tells_unit, unit_comment, warn_of_lost_unit
@@ -33,6 +35,8 @@ _READERS: dict[str, Callable[..., PointTable]] = {
 #: The readers by extension; whatever a file's content makes them raise is a FileError.
 READERS = {extension: netted(reader) for extension, reader in _READERS.items()}
 
+COPC = ".copc.laz"
+
 #: The extensions that clouds are written to.
 WRITTEN = tuple(extension for extension in READERS if extension not in (".csv", ".txt", ".bin"))
 
@@ -46,16 +50,20 @@ def write_table(
     scale: ArrayLike | None = None,
     offset: ArrayLike | None = None,
     like: LasHeader | None = None,
+    device: Any = None,
 ) -> None:
     """Write a table in the format of the path's extension, which is one of WRITTEN.
 
-    `ascii` is for .ply and .pcd; `scale`, `offset` and `like` are for .las and .laz, see write_las.
+    `ascii` is for .ply and .pcd; `scale`, `offset` and `like` are for .las and .laz, see write_las; a name that ends in
+    .copc.laz is a COPC file, whose octree is made on the device.
 
     Raises:
         FileError: The file cannot be made, or the format cannot hold an attribute.
     """
     extension = Path(path).suffix.lower()
-    if extension == ".ply":
+    if Path(path).name.lower().endswith(COPC):
+        write_copc(path, table, scale=scale, offset=offset, like=like, overwrite=overwrite, device=device)
+    elif extension == ".ply":
         write_ply(path, table, ascii=ascii, overwrite=overwrite, comments=unit_comment(table))
     elif extension == ".pcd":
         write_pcd(path, table, encoding="ascii" if ascii else "binary", overwrite=overwrite)

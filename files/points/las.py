@@ -67,14 +67,14 @@ class LasFile:
     def blocks(self, size: int) -> Iterator[dict[str, NDArray[Any]]]:
         """The points as columns, at most `size` of them at a time; first a block of none, which tells the types."""
         row = self.layout.dtype()
-        yield self._decode(np.empty(0, row))
+        yield self.decode(np.empty(0, row))
         if self.header.is_compressed:
             for block in unpack_blocks(self.path, self.header, size):
-                yield self._decode(np.frombuffer(block, row))
+                yield self.decode(np.frombuffer(block, row))
             return
         rows = np.frombuffer(self.source, row, self.header.point_count, self.header.begin)
         for begin in range(0, len(rows), size):
-            yield self._decode(rows[begin : begin + size])
+            yield self.decode(rows[begin : begin + size])
 
     def sample(self, count: int) -> PointTable:
         """At most so many points, evenly over the file, or of a compressed one the first of each chunk.
@@ -87,13 +87,13 @@ class LasFile:
         else:
             rows = np.frombuffer(self.source, row, self.header.point_count, self.header.begin)
             rows = np.ascontiguousarray(rows[:: -(-len(rows) // count) or 1])
-        arrays = self._decode(rows)
+        arrays = self.decode(rows)
         if "colors" in arrays:
             _scale_colors(arrays["colors"])
-        return _table(self, arrays)
+        return table_of(self, arrays)
 
     @quiet()
-    def _decode(self, rows: Any) -> dict[str, NDArray[Any]]:
+    def decode(self, rows: Any) -> dict[str, NDArray[Any]]:
         """Positions as "points", colours as stored as "colors", any other dimension by its name behind a dot."""
         from laspy import PackedPointRecord
 
@@ -149,7 +149,7 @@ def read_las(path: str | os.PathLike[str]) -> PointTable:
     arrays = columns.finish()
     if "colors" in arrays:
         _scale_colors(arrays["colors"])
-    return _table(file, arrays)
+    return table_of(file, arrays)
 
 
 def _scale_colors(colors: NDArray[np.float32]) -> None:
@@ -177,18 +177,19 @@ def iterate_las(file: LasFile, chunk_size: int) -> Iterator[PointTable]:
                 remedy = "Read it whole, or in larger parts"
                 raise FileError(file.path, reason, where=f"points from {(number - 1) * chunk_size} on", remedy=remedy)
             block["colors"] /= np.float32(full or 65535)
-        yield _table(file, block)
+        yield table_of(file, block)
 
 
 def attribute_types(file: LasFile) -> dict[str, str]:
     """What a file holds beside positions: NumPy's types by the names that they have in a cloud."""
-    table = _table(file, next(file.blocks(1)))
+    table = table_of(file, next(file.blocks(1)))
     named = {"normals": table.normals, "colors": table.colors, **table.attributes}
     present = {name: values for name, values in named.items() if values is not None}
     return {name: f"{v.dtype}" + (f" x {v.shape[1]}" if v.ndim == 2 else "") for name, v in present.items()}
 
 
-def _table(file: LasFile, arrays: dict[str, NDArray[Any]]) -> PointTable:
+def table_of(file: LasFile, arrays: dict[str, NDArray[Any]]) -> PointTable:
+    """The table of columns as `decode` makes them, colours in 0..1."""
     attributes = {name[1:]: values for name, values in arrays.items() if name.startswith(".")}
     normals = None
     if all(name in attributes and attributes[name].dtype.kind == "f" for name in NORMALS):

@@ -14,6 +14,7 @@ from __future__ import annotations
 
 import math
 import os
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -79,6 +80,63 @@ def write_las(
         ValueError: An array of the table has the wrong shape, or a scale is not above 0.
     """
     path = check_writable(path, overwrite=overwrite)
+    layout = lay_out(path, table, scale, offset, like)
+    compress = path.suffix.lower() == ".laz"
+    with (
+        atomic_write(path, overwrite=overwrite) as file,
+        foreign_errors(path, "cannot be written"),
+        quiet(),
+        layout.laspy.LasWriter(file, layout.header, do_compress=compress, closefd=False) as writer,
+    ):
+        for begin in range(0, len(layout.table.points), _BLOCK):
+            writer.write_points(layout.pack(slice(begin, begin + _BLOCK)))
+        if layout.extended:
+            writer.write_evlrs(layout.extended)
+
+
+@dataclass(frozen=True)
+class LasLayout:
+    """How a table is stored.
+
+    Attributes:
+        laspy: The package.
+        table: The points, known to be storable.
+        header: laspy's, without counts and bounds.
+        extra: What is stored beside the standard dimensions, by name.
+        extended: Records that follow the points.
+    """
+
+    laspy: Any
+    table: PointTable
+    header: Any
+    extra: dict[str, NDArray[Any]]
+    extended: Any
+
+    @quiet()
+    def pack(self, part: Any) -> Any:
+        """Some of the points, by a slice or indices, as laspy's record."""
+        points = self.table.points[part].astype(np.float64, copy=False)
+        rows: Any = np.zeros(len(points), self.header.point_format.dtype())
+        record = self.laspy.PackedPointRecord(rows, self.header.point_format)
+        for axis, name in enumerate("XYZ"):
+            rows[name] = np.rint((points[:, axis] - self.header.offsets[axis]) / self.header.scales[axis])
+        if self.table.colors is not None:
+            for axis, name in enumerate(COLORS):
+                rows[name] = np.rint(self.table.colors[part, axis] * np.float32(65535))
+        for name, values in self.extra.items():
+            rows[name] = values[part]
+        for dimension in self.header.point_format.standard_dimensions:
+            if dimension.name in self.table.attributes and dimension.name not in _TAKEN:
+                record[dimension.name][:] = self.table.attributes[dimension.name][part]
+        return record
+
+
+def lay_out(path: Any, table: PointTable, scale: Any, offset: Any, like: LasHeader | None) -> LasLayout:
+    """How `write_las` stores a table.
+
+    Raises:
+        FileError, ValueError: As write_las.
+    """
     table, laspy = table.checked(), import_for(path, "laspy", "las")
     lost = unstorable_in_las(path, table)
     if lost:
@@ -97,18 +155,7 @@ def write_las(
     if told:
         header.global_encoding.value |= _WKT_BIT
         header.vlrs.append(told)
-    compress = path.suffix.lower() == ".laz"
-    with (
-        atomic_write(path, overwrite=overwrite) as file,
-        foreign_errors(path, "cannot be written"),
-        quiet(),
-        laspy.LasWriter(file, header, do_compress=compress, closefd=False) as writer,
-    ):
-        for begin in range(0, len(table.points), _BLOCK):
-            part = slice(begin, begin + _BLOCK)
-            writer.write_points(_pack(laspy, header.point_format, table, extra, part, scales, offsets))
-        if extended:
-            writer.write_evlrs(extended)
+    return LasLayout(laspy, table, header, extra, extended)
 
 
 def _is_from_1_4(like: LasHeader) -> bool:
@@ -276,30 +323,3 @@ def _fitting_scales(points: NDArray[Any], reach: NDArray[np.float64]) -> list[fl
             step = max(step, math.floor(math.log10(extent / _STEPS_ACROSS)))
         scales.append(min(_COARSEST_SCALE, float(f"1e{step}")))
     return scales
-
-
-@quiet()
-def _pack(
-    laspy: Any,
-    layout: Any,
-    table: PointTable,
-    extra: dict[str, NDArray[Any]],
-    part: slice,
-    scales: NDArray[np.float64],
-    offsets: NDArray[np.float64],
-) -> Any:
-    """Some of the points as laspy's record."""
-    points = table.points[part].astype(np.float64, copy=False)
-    rows: Any = np.zeros(len(points), layout.dtype())
-    record = laspy.PackedPointRecord(rows, layout)
-    for axis, name in enumerate("XYZ"):
-        rows[name] = np.rint((points[:, axis] - offsets[axis]) / scales[axis])
-    if table.colors is not None:
-        for axis, name in enumerate(COLORS):
-            rows[name] = np.rint(table.colors[part, axis] * np.float32(65535))
-    for name, values in extra.items():
-        rows[name] = values[part]
-    for dimension in layout.standard_dimensions:
-        if dimension.name in table.attributes and dimension.name not in _TAKEN:
-            record[dimension.name][:] = table.attributes[dimension.name][part]
-    return record

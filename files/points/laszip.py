@@ -15,7 +15,10 @@ import itertools
 import struct
 from collections.abc import Iterator
 from pathlib import Path
-from typing import Any
+from typing import IO, Any
+
+import numpy as np
+from numpy.typing import NDArray
 
 from ...core.errors import FileError
 from ...core.paths import path_of
@@ -23,7 +26,7 @@ from ..foreign import foreign_errors, import_for
 from ..source import Source
 from .las_header import LasHeader
 
-_RECORD = ("laszip encoded", 22204)
+RECORD = ("laszip encoded", 22204)
 _FIELDS = struct.Struct("<HHBBHIIqqH")
 _CHUNK_SIZE_AT = 12
 _ITEM = struct.Struct("<HHH")
@@ -92,9 +95,26 @@ def unpack_beginnings(path: Path, header: LasHeader, count: int) -> bytearray:
     return rows
 
 
+def chunks_at(path: Any, file: IO[bytes], begin: int, record: bytes) -> NDArray[np.int64]:
+    """First byte, points and bytes of each chunk of an open file whose compressed points start at a byte, [m, 3].
+
+    The file must have passed check_laszip, or be our own.
+
+    Raises:
+        FileError: lazrs is missing.
+    """
+    lazrs = import_for(path, "lazrs", "las")
+    with foreign_errors(path, "the table of chunks is damaged"):
+        file.seek(begin)
+        chunks = np.array(lazrs.read_chunk_table(file, lazrs.LazVlr(record)), np.int64)
+    points, sizes = chunks.reshape(-1, 2).T
+    ends = np.cumsum(sizes) + begin + 8  # behind the place of the table
+    return np.column_stack([ends - sizes, points, sizes])
+
+
 def _lower_chunk_size(header: LasHeader) -> bytes:
     """The LASzip record; of a file of one chunk, the chunk is no larger than the points: lazrs takes memory for it."""
-    record = bytearray(header.find(*_RECORD) or b"")
+    record = bytearray(header.find(*RECORD) or b"")
     (chunk_size,) = struct.unpack_from("<I", record, _CHUNK_SIZE_AT)
     if chunk_size != _VARIABLE:
         struct.pack_into("<I", record, _CHUNK_SIZE_AT, min(chunk_size, header.point_count))
@@ -108,7 +128,7 @@ def check_laszip(path: Any, source: Source, header: LasHeader) -> None:
         FileError: They do not, or lazrs is missing.
     """
     lazrs = import_for(path, "lazrs", "las")
-    record = header.find(*_RECORD)
+    record = header.find(*RECORD)
     if record is None:
         raise FileError(path, "its points are compressed, but there is no LASzip record", where="byte 100")
     compressor, chunk_size, layers = _check_record(path, record, header)

@@ -10,17 +10,19 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ...core.checks import check_count
+from ...core.checks import check_count, check_positive
 from ...core.coordinates import FLOAT32_MAX, choose_origin, finite_box, quiet, written_steps
 from ...core.devices import resolve_device
 from ...core.errors import FileError
 from ...core.paths import path_of
 from ...core.units import LengthUnit, warn_of_units
 from ...kernels.memory import download
+from ...pcd.boxes import AxisAlignedBoundingBox
 from ...pcd.cloud import PointCloud
 from ...pcd.point_arrays import VECTORS, check_cloud
 from ..table import PointTable
 from . import text_table
+from .copc import open_copc
 from .formats import READERS, WRITTEN, write_table
 from .las import LasFile, iterate_las, open_las
 from .las_crs import is_geographic, warn_of_degrees
@@ -120,6 +122,49 @@ def read_las_chunks(
     return _chunks(file, size, where)
 
 
+def read_copc(
+    path: str | os.PathLike[str],
+    *,
+    within: AxisAlignedBoundingBox | None = None,
+    spacing: float = 0.0,
+    device: Any = None,
+) -> PointCloud:
+    """Read a part of a COPC file: what lies in a box, or a coarse version of it.
+
+    The file's octree tells which of its chunks may hold such points; no others are read.
+
+    Args:
+        path: The file: .copc.laz.
+        within: A box, ends included; None takes all.
+        spacing: Of the coarsest version that is at least as fine as this [unit of the file]; 0 takes every point.
+        device: Where the cloud goes.
+
+    Returns:
+        The points, level by level, with all their attributes.
+
+    Raises:
+        FileError: As read_point_cloud; or the file has no octree, or one that does not go with its chunks.
+        DeviceError: No such device.
+        TypeError: No box, or no number.
+        ValueError: A spacing below 0.
+
+    Example:
+        >>> import numpy as np, pointloom as loom
+        >>> cloud = loom.PointCloud(np.random.default_rng(0).random((50_000, 3)) * (100, 100, 1))
+        >>> loom.write_point_cloud("tile.copc.laz", cloud)
+        >>> len(loom.read_copc("tile.copc.laz", within=loom.AxisAlignedBoundingBox((0, 0, 0), (50, 50, 1)))) < 13_000
+        True
+        >>> len(loom.read_copc("tile.copc.laz", spacing=1)) < len(cloud)
+        True
+    """
+    spacing, where = check_positive("spacing", spacing, allow_zero=True), resolve_device(device)
+    if within is not None and not isinstance(within, AxisAlignedBoundingBox):
+        raise TypeError(f"within: expected an AxisAlignedBoundingBox, got {type(within).__name__}")
+    low, high = (None, None) if within is None else (within.min_bound, within.max_bound)
+    file = open_copc(path)
+    return cloud_of(file.read(low, high, spacing), file.path, device=where)
+
+
 @quiet()
 def _common_origin(file: LasFile, first: PointTable) -> NDArray[np.float64]:
     """The origin of all parts: that of the box which the header gives, unless the first part lies outside it."""
@@ -194,8 +239,10 @@ def write_point_cloud(
 
     Coordinates of a cloud whose origin is zero are written in float32 as they are held; those of a moved origin in
     float64, so that nothing is lost. LAS and LAZ alone round them, to multiples of `scale` about the cloud's origin.
-    A cloud knows no coordinate system: `like` takes it over from the file that the cloud came from. Its unit is written
-    where the format has a place for it; E57 holds metres, so that coordinates in another unit are multiplied.
+    A name that ends in .copc.laz makes a Cloud Optimized Point Cloud: LAZ in the order of an octree, of which
+    `read_copc`, QGIS, PDAL and Potree read parts. A cloud knows no coordinate system: `like` takes it over from the
+    file that the cloud came from. Its unit is written where the format has a place for it; E57 holds metres, so that
+    coordinates in another unit are multiplied.
 
     Args:
         path: The file: .ply .pcd .npz .xyz .xyzn .xyzrgb .pts .las .laz .e57.
@@ -236,7 +283,16 @@ def write_point_cloud(
         raise TypeError(f"like: expected the path of a LAS or LAZ file, got {type(like).__name__}")
     header = None if like is None else open_las(like).header
     offset = cloud.origin if cloud.origin.any() and header is None else None
-    write_table(path, table_of(cloud), ascii=ascii, overwrite=overwrite, scale=scale, offset=offset, like=header)
+    write_table(
+        path,
+        table_of(cloud),
+        ascii=ascii,
+        overwrite=overwrite,
+        scale=scale,
+        offset=offset,
+        like=header,
+        device=cloud.device,
+    )
 
 
 def table_of(cloud: PointCloud) -> PointTable:

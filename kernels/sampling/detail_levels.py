@@ -17,7 +17,7 @@ devices give the same.
 
 import numpy as np
 
-from ..array_types import Indices, Integers, LongIntegers, Points
+from ..array_types import Indices, Integers, LongIntegers, Points, Positions
 from ..arrays.sort import SortKeys, put_key
 from ..lang import array, float64, floor, func, int32, int64, isfinite, kernel, launch, struct, tid, uint8, vec3, vec3d
 from ..memory import download, empty, host_view
@@ -77,20 +77,26 @@ class Minima:
 
 
 @func
-def cell_along(p: vec3, cube: Cube, axis: int) -> int:
+def cell_along(coordinate: float64, cube: Cube, axis: int) -> int:
     """The index of a point's finest cell along one axis."""
-    return min(int(floor((float64(p[axis]) - cube.corner[axis]) * cube.scale)), LAST_CELL)
+    return min(int(floor((coordinate - cube.corner[axis]) * cube.scale)), LAST_CELL)
+
+
+@func
+def key_of_cell(x: int, y: int, z: int) -> int64:
+    """The bits of a finest cell, x above y above z."""
+    return (spread_bits(x) << 2) | (spread_bits(y) << 1) | spread_bits(z)
 
 
 @func
 def morton_key(p: vec3, cube: Cube) -> int64:
-    """The bits of a point's finest cell, x above y above z; SKIPPED where the point is not finite."""
+    """The bits of a point's finest cell; SKIPPED where the point is not finite."""
     key = int64(SKIPPED)
     if isfinite(p):
-        x = spread_bits(cell_along(p, cube, 0))
-        y = spread_bits(cell_along(p, cube, 1))
-        z = spread_bits(cell_along(p, cube, 2))
-        key = (x << 2) | (y << 1) | z
+        x = cell_along(float64(p[0]), cube, 0)
+        y = cell_along(float64(p[1]), cube, 1)
+        z = cell_along(float64(p[2]), cube, 2)
+        key = key_of_cell(x, y, z)
     return key
 
 
@@ -109,6 +115,14 @@ def encode_points_kernel(points: array(dtype=vec3), cube: Cube, keys: SortKeys):
     """The key of each point."""
     i = tid()
     put_key(i, morton_key(points[i], cube), keys)
+
+
+@kernel
+def encode_world_points_kernel(points: array(dtype=vec3d), cube: Cube, keys: SortKeys):
+    """The key of each point in float64, all of which are finite."""
+    i = tid()
+    p = points[i]
+    put_key(i, key_of_cell(cell_along(p[0], cube, 0), cell_along(p[1], cube, 1), cell_along(p[2], cube, 2)), keys)
 
 
 @kernel
@@ -229,9 +243,13 @@ def find_levels_kernel(order: array(dtype=int32), keys: array(dtype=int64), mini
     levels[i] = uint8(depth - (NODE_BITS - 1))
 
 
-def sort_by_cell(points: Points, cube: Cube) -> tuple[LongIntegers, Integers]:
-    """(keys, order) of vec3 points in Morton order, int64 and int32 [n] on their device; equal keys by index."""
+def sort_by_cell(points: Points | Positions, cube: Cube) -> tuple[LongIntegers, Integers]:
+    """(keys, order) of points in Morton order, int64 and int32 [n] on their device; equal keys by index."""
     count, device = points.size, points.device
+    if points.dtype is vec3d:
+        keys = SortKeys(count, device)
+        launch(encode_world_points_kernel, count, [points, cube, keys])
+        return keys.sort()
     if device.is_cuda or count == 0:
         keys = SortKeys(count, device)
         launch(encode_points_kernel, count, [points, cube, keys])
@@ -249,11 +267,13 @@ def sort_by_cell(points: Points, cube: Cube) -> tuple[LongIntegers, Integers]:
     return places, order
 
 
-def find_levels(points: Points, corner: np.ndarray, side: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+def find_levels(
+    points: Points | Positions, corner: np.ndarray, side: float
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """The level of each finite point within a cube.
 
     Args:
-        points: Device array of vec3.
+        points: Device array of vec3, or of vec3d where float32 would move points across cells.
         corner: The low corner [m] of a cube that holds the finite ones.
         side: Its side [m], above 0.
 

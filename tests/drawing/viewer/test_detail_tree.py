@@ -6,10 +6,10 @@ import pytest
 import pointloom as loom
 from pointloom.core.errors import FileError
 from pointloom.drawing.render.view import View, fit_view
-from pointloom.drawing.viewer import detail_nodes
+from pointloom.drawing.viewer import detail_tree
 from pointloom.drawing.viewer.detail_files import sample_file
-from pointloom.drawing.viewer.detail_nodes import LEAST, SHARE
 from pointloom.drawing.viewer.detail_tree import DetailTree
+from pointloom.pcd.detail_nodes import LEAST, SHARE
 
 UTM = np.array([512_345.0, 5_402_111.0, 240.0])
 
@@ -79,7 +79,7 @@ def test_a_level_of_a_dense_cloud_leaves_no_voxel_empty(rng):
 
 
 def test_large_nodes_are_cut_and_stay_within_their_cubes(rng, monkeypatch):
-    monkeypatch.setattr(detail_nodes, "MOST", 500)
+    monkeypatch.setattr(detail_tree, "MOST", 500)
     points = rng.random((30_000, 3))
     points[:2000] = 0.3  # in one place, which no halving parts
     tree = DetailTree.from_cloud(loom.PointCloud(points))
@@ -100,7 +100,7 @@ def test_odd_clouds_have_trees(points):
     check_nodes(tree, points)
     if len(tree):
         assert tree.select(fit_view(points), 10**6)
-    assert (tree.counts <= detail_nodes.MOST).all()
+    assert (tree.counts <= detail_tree.MOST).all()
 
 
 def look_at(points, distance=None):

@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ...kernels.sampling.detail_levels import DEPTH, LEVELS
+from ..kernels.sampling.detail_levels import DEPTH, LEVELS
 
 # Deeper points that join the node above: so many, or a quarter of its own. A cell beside it that is not joined is then
 # at most a quarter thinner, which is not seen; a node of fewer points than this costs more to name than to send.
@@ -78,13 +78,17 @@ class _Node:
         return sum(end - begin for begin, end in self.runs)
 
 
-def make_nodes(keys: NDArray[np.int64], order: NDArray[np.int32], levels: NDArray[np.uint8]) -> NodeTable:
+def make_nodes(
+    keys: NDArray[np.int64], order: NDArray[np.int32], levels: NDArray[np.uint8], *, most: int, least: int = LEAST
+) -> NodeTable:
     """The nodes of points in Morton order.
 
     Args:
         keys: Morton keys, ascending, [n].
         order: The point of each, [n].
         levels: Its level, [n].
+        most: Points of a node above which it is cut.
+        least: Deeper points that join the node above, if not more.
 
     Notes:
         Memory: 8 B a point beside the arguments, of which 4 B are the result's.
@@ -96,12 +100,12 @@ def make_nodes(keys: NDArray[np.int64], order: NDArray[np.int32], levels: NDArra
         bounds = [(rows.count_before(j, begins), rows.count_before(j, ends)) for j in range(LEVELS)]
         counts = np.stack([last - first for first, last in bounds])
         own, deeper = counts[level], counts[level + 1 :].sum(axis=0)
-        closed = deeper <= np.maximum(LEAST, own // SHARE)
+        closed = deeper <= np.maximum(least, own // SHARE)
         for k in np.flatnonzero((own > 0) | closed).tolist():
             span = bounds[level:] if closed[k] else bounds[level : level + 1]
             runs = [(int(first[k]), int(last[k])) for first, last in span if last[k] > first[k]]
             if runs:
-                nodes += _parts(_Node(level, int(codes[k]), level, runs), keys, rows)
+                nodes += _parts(_Node(level, int(codes[k]), level, runs), keys, rows, most)
         codes = (codes[~closed, None] * 8 + np.arange(8)).ravel()
         begins, ends = _runs_of(keys, codes, level + 1)
         codes, begins, ends = codes[ends > begins], begins[ends > begins], ends[ends > begins]
@@ -115,12 +119,12 @@ def _runs_of(keys: NDArray[np.int64], codes: Any, depth: int) -> tuple[NDArray[n
     return np.searchsorted(keys, lows), np.searchsorted(keys, lows | ((1 << shift) - 1), side="right")
 
 
-def _parts(node: _Node, keys: NDArray[np.int64], rows: _Rows) -> list[_Node]:
+def _parts(node: _Node, keys: NDArray[np.int64], rows: _Rows, most: int) -> list[_Node]:
     """A node, or the parts of one that is too large: by its cell's octants, or by count where they share one place."""
-    if node.count <= MOST:
+    if node.count <= most:
         return [node]
     if node.depth == DEPTH:
-        cuts = [(at, min(at + MOST, end)) for begin, end in node.runs for at in range(begin, end, MOST)]
+        cuts = [(at, min(at + most, end)) for begin, end in node.runs for at in range(begin, end, most)]
         return [dataclasses.replace(node, runs=[cut]) for cut in cuts]
     codes = node.code * 8 + np.arange(8)
     begins, ends = _runs_of(keys, codes, node.depth + 1)
@@ -130,7 +134,7 @@ def _parts(node: _Node, keys: NDArray[np.int64], rows: _Rows) -> list[_Node]:
     for k, code in enumerate(codes.tolist()):
         runs = [(int(cut[k]), int(cut[k + 1])) for cut in cuts if cut[k + 1] > cut[k]]
         if runs:
-            parts += _parts(_Node(node.level, code, node.depth + 1, runs), keys, rows)
+            parts += _parts(_Node(node.level, code, node.depth + 1, runs), keys, rows, most)
     return parts
 
 

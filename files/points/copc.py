@@ -1,0 +1,206 @@
+"""Cloud Optimized Point Clouds: LAZ files whose chunks are the nodes of an octree.
+
+A record tells the octree's cube, and pages at the end of the file which chunk each node is. So a window, or the coarse
+levels alone, is read without the rest of the file. Every page and every node is held against the file and against the
+table of chunks before a byte is unpacked by them; a file without such records is an ordinary LAZ file.
+
+Source: Hobu Inc. 2021, "COPC: Cloud Optimized Point Cloud specification 1.0".
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import os
+import struct
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...core.errors import FileError
+from ..foreign import foreign_errors, import_for
+from ..source import Source
+from ..table import PointTable
+from .las import COLORS, LasFile, open_las, table_of
+from .laszip import RECORD as LASZIP
+from .laszip import chunks_at
+
+INFO, HIERARCHY = ("copc", 1), ("copc", 1000)
+INFO_FIELDS = struct.Struct("<5d2Q2d11Q")
+ENTRY = np.dtype([("level", "<i4"), ("cell", "<i4", 3), ("begin", "<u8"), ("size", "<i4"), ("count", "<i4")])
+POINT_FORMATS = (6, 7, 8)
+IN_PAGE = -1  # a count that says that the entry's node is told by another page
+_MOST_LEVELS = 31  # cells are told in 32 bits
+
+
+@dataclass(frozen=True, eq=False)
+class CopcFile:
+    """A file whose octree is known to go with its chunks.
+
+    Attributes:
+        file: The file as LAZ.
+        corner: Low corner of the octree's cube, float64 [3].
+        side: Of that cube.
+        spacing: Of points of the coarsest level; each finer level halves it.
+        times: Lowest and highest GPS time, as the file says.
+        nodes: The nodes that hold points, coarse before fine, with the fields of ENTRY.
+        full: The value of a full colour: 255 where none of the coarsest level exceeds that, else 65535.
+    """
+
+    file: LasFile
+    corner: NDArray[np.float64]
+    side: float
+    spacing: float
+    times: tuple[float, float]
+    nodes: NDArray[Any]
+    full: int = 65535
+
+    @property
+    def path(self) -> Path:
+        """The file."""
+        return self.file.path
+
+    def nodes_within(self, low: Any = None, high: Any = None, spacing: float = 0.0) -> NDArray[np.int64]:
+        """Which nodes may hold points of a box, down to the first level that is as fine as a spacing.
+
+        Args:
+            low, high: The box, in the file's unit, both ends included; None has no end.
+            spacing: Between points [unit of the coordinates]; 0 takes all levels.
+        """
+        widths = self.side / 2.0 ** self.nodes["level"]
+        lows = self.corner + self.nodes["cell"] * widths[:, None]
+        keep = self.spacing / 2.0 ** (self.nodes["level"] - 1.0) > spacing
+        keep[self.nodes["level"] == 0] = True
+        slack = 1e-9 * self.side  # corners of cells are rounded
+        if low is not None:
+            keep &= (lows + widths[:, None] + slack >= low).all(axis=1)
+        if high is not None:
+            keep &= (lows - slack <= high).all(axis=1)
+        return np.flatnonzero(keep)
+
+    def read(self, low: Any = None, high: Any = None, spacing: float = 0.0) -> PointTable:
+        """The points of a box, down to a spacing; see `nodes_within`.
+
+        Raises:
+            FileError: The compressed bytes are damaged, or colours look like 8 bits in the coarsest level alone.
+
+        Notes:
+            Memory: the nodes that reach into the box, unpacked and as columns; then the result.
+        """
+        file = self.file
+        columns = file.decode(np.frombuffer(self.unpack(self.nodes_within(low, high, spacing)), file.layout.dtype()))
+        keep = np.ones(len(columns["points"]), bool)
+        if low is not None:
+            keep &= (columns["points"] >= low).all(axis=1)
+        if high is not None:
+            keep &= (columns["points"] <= high).all(axis=1)
+        if not keep.all():
+            columns = {name: values[keep] for name, values in columns.items()}
+        if "colors" in columns:
+            if columns["colors"].max(initial=0) > self.full:
+                reason = "colours look like 8 bits in its coarsest level and like 16 elsewhere"
+                raise FileError(self.path, reason, remedy="Read it whole")
+            columns["colors"] /= np.float32(self.full)
+        return table_of(file, columns)
+
+    def unpack(self, which: NDArray[np.int64]) -> bytes:
+        """The points of nodes as they lie in an uncompressed file, one node after the other."""
+        nodes, header = self.nodes[which], self.file.header
+        rows = np.empty(int(nodes["count"].sum()) * header.record_length, np.uint8)
+        if not len(nodes):
+            return rows.tobytes()
+        lazrs = import_for(self.path, "lazrs", "las")
+        source, record = self.file.source, header.find(*LASZIP) or b""
+        begins, sizes, counts = (nodes[name].tolist() for name in ("begin", "size", "count"))
+        chunks = [bytes(source[begin : begin + size]) for begin, size in zip(begins, sizes, strict=True)]
+        told = list(zip(counts, sizes, strict=True))
+        with foreign_errors(self.path, "the compressed points are damaged"):
+            lazrs.decompress_points_with_chunk_table(b"".join(chunks), record, rows, told)
+        return rows.tobytes()
+
+
+def is_copc(file: LasFile) -> bool:
+    """Whether a file says that it is one."""
+    return file.header.is_compressed and file.header.find(*INFO) is not None
+
+
+def open_copc(path: str | os.PathLike[str]) -> CopcFile:
+    """Open a file and hold its octree against its chunks; no point is unpacked but for the coarsest level's colours.
+
+    Raises:
+        FileError: It cannot be read, is no COPC file, or does not go with its header; or laspy is missing.
+    """
+    file = open_las(path)
+    if not is_copc(file):
+        raise FileError(file.path, "is no COPC file: it has no record that tells an octree", remedy="Read it whole")
+    header, source = file.header, file.source
+    if header.point_format not in POINT_FORMATS:
+        raise FileError(
+            file.path, f"COPC has point formats 6, 7 and 8, this is {header.point_format}", where="byte 104"
+        )
+    told = header.find(*INFO) or b""
+    if len(told) != INFO_FIELDS.size:
+        raise FileError(file.path, f"the record of its octree has {len(told)} bytes, not {INFO_FIELDS.size}")
+    values = INFO_FIELDS.unpack(told)
+    middle, half, spacing = np.array(values[:3]), values[3], values[4]
+    if not (np.isfinite(middle).all() and 0 < half < np.inf and 0 < spacing < np.inf):
+        reason = f"its octree has the middle {middle.tolist()}, half width {half} and spacing {spacing}"
+        raise FileError(file.path, reason, remedy="Write it anew from its points")
+    nodes = _read_pages(file.path, source, values[5], values[6])
+    _check_nodes(file, nodes)
+    copc = CopcFile(file, middle - half, 2 * half, spacing, (values[7], values[8]), nodes)
+    return dataclasses.replace(copc, full=_full_color(copc))
+
+
+def _full_color(copc: CopcFile) -> int:
+    names = copc.file.layout.dtype().names
+    if COLORS[0] not in names:
+        return 65535
+    coarsest = np.flatnonzero(copc.nodes["level"] == copc.nodes["level"][:1])
+    rows: Any = np.frombuffer(copc.unpack(coarsest), copc.file.layout.dtype())
+    brightest = max(int(rows[name].max(initial=0)) for name in COLORS)
+    return 255 if 0 < brightest <= 255 else 65535
+
+
+def _read_pages(path: Path, source: Source, begin: int, size: int) -> NDArray[Any]:
+    """The entries of all pages that hold points, coarse before fine, along the cells of a level."""
+    pages, wanted, read = [], [(begin, size)], set()
+    while wanted:
+        begin, size = wanted.pop()
+        if begin in read:
+            raise FileError(path, "pages of the octree lead to each other in a circle", where=f"byte {begin}")
+        read.add(begin)
+        if size < 0 or size % ENTRY.itemsize or begin + size > len(source):
+            reason = f"a page of the octree should have {size} bytes, whole entries of {ENTRY.itemsize}"
+            raise FileError(path, f"{reason}; the file ends at byte {len(source)}", where=f"byte {begin}")
+        page = np.frombuffer(source, ENTRY, size // ENTRY.itemsize, begin)
+        further = page["count"] == IN_PAGE
+        wanted += zip(page["begin"][further].tolist(), page["size"][further].tolist(), strict=True)
+        pages.append(page[~further])
+    nodes = np.concatenate(pages)
+    levels, cells = nodes["level"].astype(np.int64), nodes["cell"].astype(np.int64)
+    if (nodes["count"] < 0).any() or (levels < 0).any() or (levels >= _MOST_LEVELS).any():
+        raise FileError(path, "a node of the octree has a level or a count that cannot be", where=f"byte {begin}")
+    if (cells < 0).any() or (cells >= (np.int64(1) << levels)[:, None]).any():
+        raise FileError(path, "a node of the octree lies outside its cube", where=f"byte {begin}")
+    order = np.lexsort((*cells.T[::-1], levels))
+    keys = np.column_stack([levels, cells])[order]
+    if (keys[1:] == keys[:-1]).all(axis=1).any():
+        raise FileError(path, "a node of the octree is told twice", where=f"byte {begin}")
+    nodes = nodes[order]
+    return nodes[nodes["count"] > 0]
+
+
+def _check_nodes(file: LasFile, nodes: NDArray[Any]) -> None:
+    """Hold that each chunk of the file is one node."""
+    chunks, header = np.empty((0, 3), np.int64), file.header
+    if header.point_count:
+        with file.path.open("rb") as stream:
+            chunks = chunks_at(file.path, stream, header.begin, header.find(*LASZIP) or b"")
+    told = np.column_stack([nodes["begin"].astype(np.int64), nodes["count"], nodes["size"]])
+    told = told[np.argsort(told[:, 0])]
+    if not np.array_equal(told, chunks):
+        reason = f"its octree has {len(told)} nodes with points, which are not the {len(chunks)} chunks of the file"
+        raise FileError(file.path, reason, remedy="Read it whole, or write it anew")

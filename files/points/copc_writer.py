@@ -1,0 +1,216 @@
+"""Writing Cloud Optimized Point Clouds: LAZ whose chunks are the nodes of an octree; reading is copc.py's matter.
+
+The cube of the octree has the low corner of the points and their longest extent, as some readers take it from the
+header's bounds and not from the octree's record. Each voxel of a 128th of a node's side is
+stood for by one of its points, picked by a scattered priority, in the coarsest node that it can be in; where few points
+lie deeper they join the node above (pcd/detail_nodes.py). Within a node points keep their order. Cells are those of the
+coordinates as they are stored, rounded to their steps.
+
+Points are stored in format 6, 7 or 8, as COPC wants; whole degrees of `scan_angle_rank` become `scan_angle`, in its
+steps of 0.006 degrees.
+
+Source: Hobu Inc. 2021, "COPC: Cloud Optimized Point Cloud specification 1.0".
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+import os
+from collections.abc import Iterator
+from typing import IO, Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ...core.atomic import atomic_write, check_writable
+from ...core.coordinates import quiet
+from ...core.devices import resolve_device
+from ...kernels.lang import vec3d
+from ...kernels.memory import upload
+from ...kernels.sampling.detail_levels import NODE_BITS, find_levels
+from ...pcd.detail_nodes import NodeTable, make_nodes
+from ..foreign import foreign_errors, import_for
+from ..table import PointTable
+from .copc import ENTRY, HIERARCHY, IN_PAGE, INFO, INFO_FIELDS
+from .las_header import LasHeader
+from .las_writer import LasLayout, lay_out
+from .laszip import RECORD as LASZIP
+from .laszip import chunks_at
+
+_ANGLE_STEP = 0.006  # degrees
+# Deeper points that join the node above: smaller nodes compress worse, larger ones are read for few points.
+_LEAST = 8192
+_BATCH = 1 << 20  # points compressed at a time, a node a core
+_EXTENDED_HEADER = 60  # bytes
+_PAGE_DEPTH = 5  # from this level on the branches of a large octree have pages of their own
+_PAGE = 1 << 12  # entries that one page may have before
+
+
+def write_copc(
+    path: str | os.PathLike[str],
+    table: PointTable,
+    *,
+    scale: ArrayLike | None = None,
+    offset: ArrayLike | None = None,
+    like: LasHeader | None = None,
+    overwrite: bool = True,
+    device: Any = None,
+) -> None:
+    """Write points as a COPC file.
+
+    Args:
+        path: The file; it appears whole or not at all.
+        table: The points.
+        scale, offset, like: As of write_las.
+        overwrite: Whether an existing file may be replaced.
+        device: Where the octree is made; the file is the same on each.
+
+    Raises:
+        FileError, ValueError: As write_las.
+
+    Notes:
+        Memory: 100 B a point beside the table, while the octree is made.
+    """
+    path, where = check_writable(path, overwrite=overwrite), resolve_device(device)
+    layout = lay_out(path, _with_steps_of_angle(table), scale, offset, like)
+    corner, side, nodes = _octree(layout, where)
+    with atomic_write(path, overwrite=overwrite) as file, foreign_errors(path, "cannot be written"), quiet():
+        writer = CopcWriter(path, file, layout, corner, side)
+        ends = np.cumsum(nodes.counts)
+        begin = 0
+        while begin < len(ends):
+            end = max(int(np.searchsorted(ends, nodes.firsts[begin] + _BATCH)), begin + 1)
+            rows = [np.sort(nodes.order[ends[k] - nodes.counts[k] : ends[k]]) for k in range(begin, end)]
+            writer.add(nodes.depths[begin:end], nodes.cells[begin:end], [layout.pack(part) for part in rows])
+            begin = end
+        writer.finish(layout.extended)
+
+
+class CopcWriter:
+    """Nodes of an octree to a file, in any order.
+
+    Args:
+        path: The file's name, for errors.
+        file: An empty file that can be read too, which is left open.
+        layout: How points are stored.
+        corner: Low corner of the octree's cube.
+        side: Of that cube.
+    """
+
+    def __init__(self, path: Any, file: IO[bytes], layout: LasLayout, corner: NDArray[np.float64], side: float):
+        lazrs = import_for(path, "lazrs", "las")
+        self._path, self._file = path, file
+        self._laspy, self._header = layout.laspy, layout.header
+        self._middle, self._side = np.asarray(corner, np.float64) + side / 2, side
+        self._laszip = lazrs.LazVlr.new_for_compression(
+            self._header.point_format.id, self._header.point_format.num_extra_bytes, use_variable_size_chunks=True
+        )
+        self._levels: list[int] = []
+        self._cells: list[tuple[int, int, int]] = []
+        self._counts: list[int] = []
+        self._times = (math.inf, -math.inf)
+        self._header.partial_reset()
+        self._header.set_compressed(True)
+        self._header.global_encoding.wkt = True  # as all files of these formats
+        self._header.vlrs.insert(0, self._info(0, 0))
+        self._header.vlrs.append(self._laspy.VLR(*LASZIP, "", self._laszip.record_data()))
+        self._header.write_to(file)
+        self._compressor = lazrs.ParLasZipCompressor(file, self._laszip)
+
+    def add(self, levels: Any, cells: Any, records: list[Any]) -> None:
+        """Add nodes: the level and the cell of each, and its points, at least one, as `LasLayout.pack` makes them."""
+        for record in records:
+            self._header.grow(record)
+            times = record["gps_time"]
+            self._times = min(self._times[0], float(times.min())), max(self._times[1], float(times.max()))
+        self._compressor.compress_chunks([np.frombuffer(record.array, np.uint8) for record in records])
+        self._levels += np.asarray(levels).tolist()
+        self._cells += np.asarray(cells).tolist()
+        self._counts += [len(record) for record in records]
+
+    def finish(self, extended: Any) -> None:
+        """Write the octree, further records that follow the points, and the header."""
+        file, header = self._file, self._header
+        self._compressor.done()
+        file.seek(0, os.SEEK_END)
+        at = file.tell()
+        begin = at + _EXTENDED_HEADER
+        pages, root_size = _pages(self._entries(), begin)
+        file.seek(at)
+        records = self._laspy.vlrs.vlrlist.VLRList([self._laspy.VLR(*HIERARCHY, "", pages), *extended])
+        header.start_of_first_evlr, header.number_of_evlrs = at, len(records)
+        records.write_to(file, as_extended=True)
+        header.vlrs[0] = self._info(begin, root_size)
+        if not header.point_count:
+            header.mins, header.maxs = np.zeros(3), np.zeros(3)
+        file.seek(0)
+        header.write_to(file, ensure_same_size=True)
+
+    def _entries(self) -> NDArray[Any]:
+        """The nodes with their chunks, and a node without points where only nodes below it have some."""
+        entries = np.zeros(len(self._counts), ENTRY)
+        if len(entries):
+            entries["level"], entries["cell"], entries["count"] = self._levels, self._cells, self._counts
+            self._file.flush()
+            with os.fdopen(os.dup(self._file.fileno()), "rb") as file:
+                chunks = chunks_at(self._path, file, self._header.offset_to_point_data, self._laszip.record_data())
+            entries["begin"], entries["size"] = chunks[:, 0], chunks[:, 2]
+        told = set(zip(entries["level"].tolist(), *entries["cell"].T.tolist(), strict=True))
+        bare = {above for key in told for above in _ancestors(*key)} - told
+        without = np.zeros(len(bare) if told else 1, ENTRY)
+        if bare:
+            keys = np.array(sorted(bare))
+            without["level"], without["cell"] = keys[:, 0], keys[:, 1:]
+        return np.concatenate([entries, without])
+
+    def _info(self, begin: int, size: int) -> Any:
+        times = self._times if self._counts else (0.0, 0.0)
+        spacing = self._side / 2**NODE_BITS
+        told = INFO_FIELDS.pack(*self._middle.tolist(), self._side / 2, spacing, begin, size, *times, *[0] * 11)
+        return self._laspy.VLR(*INFO, "", told)
+
+
+def _octree(layout: LasLayout, device: Any) -> tuple[NDArray[np.float64], float, NodeTable]:
+    """Corner and side of a cube about the points as they are stored, and the nodes in it."""
+    points, header = layout.table.points, layout.header
+    stored = np.empty((len(points), 3))
+    for axis in range(3):
+        offset, scale = header.offsets[axis], header.scales[axis]
+        stored[:, axis] = np.rint((points[:, axis].astype(np.float64) - offset) / scale) * scale + offset
+    corner = stored.min(axis=0) if len(points) else np.zeros(3)
+    reach = float((stored.max(axis=0) - corner).max()) if len(points) else 0.0
+    side = max(reach, float(header.scales.max()))
+    levels = find_levels(upload(stored, vec3d, device), corner, side)
+    return corner, side, make_nodes(*levels, most=len(points), least=_LEAST)
+
+
+def _pages(entries: NDArray[Any], begin: int) -> tuple[bytes, int]:
+    """All pages of an octree, from byte `begin` on, and the bytes of the first."""
+    entries = entries[np.lexsort((*entries["cell"].T[::-1], entries["level"]))]
+    if len(entries) <= _PAGE:
+        return entries.tobytes(), entries.nbytes
+    deep = entries["level"] >= _PAGE_DEPTH
+    below = entries[deep]
+    roots, branch = np.unique(below["cell"] >> (below["level"] - _PAGE_DEPTH)[:, None], axis=0, return_inverse=True)
+    order = np.argsort(branch.ravel(), kind="stable")
+    sizes = np.bincount(branch.ravel(), minlength=len(roots)) * ENTRY.itemsize
+    links = np.zeros(len(roots), ENTRY)
+    links["level"], links["cell"], links["count"], links["size"] = _PAGE_DEPTH, roots, IN_PAGE, sizes
+    root_size = (len(entries) - len(below) + len(links)) * ENTRY.itemsize
+    links["begin"] = begin + root_size + np.cumsum(sizes) - sizes
+    return np.concatenate([entries[~deep], links, below[order]]).tobytes(), root_size
+
+
+def _ancestors(level: int, x: int, y: int, z: int) -> Iterator[tuple[int, int, int, int]]:
+    for up in range(1, level + 1):
+        yield level - up, x >> up, y >> up, z >> up
+
+
+def _with_steps_of_angle(table: PointTable) -> PointTable:
+    """A table whose scan angle, if any, is that of the new point formats."""
+    if "scan_angle_rank" not in table.attributes or "scan_angle" in table.attributes:
+        return table
+    attributes = dict(table.attributes)
+    attributes["scan_angle"] = np.rint(attributes.pop("scan_angle_rank") / _ANGLE_STEP).astype(np.int16)
+    return dataclasses.replace(table, attributes=attributes)
