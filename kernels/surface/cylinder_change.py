@@ -1,0 +1,248 @@
+"""How far one surface lies from another along the surface's normal: the sums of M3C2 over cylinders.
+
+Lague, Brodu and Leroux, "Accurate 3D comparison of complex topography with terrestrial laser scanner", ISPRS Journal
+82, 2013, section 3: at a core point, the normal of the scale at which the points are flattest, then a cylinder along
+it, and of each cloud the mean and the spread of the points in it. Planarity is (l2 - l1) / l3 of ascending eigenvalues,
+as in py4dgeo. A cylinder is searched in balls around pieces of it, no longer than wide; a point counts in the piece
+that its place on the axis is in, so that none counts twice. 12 B read a point found.
+"""
+
+import math
+
+import numpy as np
+
+from ..algebra.eigen import eigenvalues, smallest_eigenvector
+from ..algebra.moments import add_difference, covariance_of, moments
+from ..array_types import Array1, Indices, Integers, Points, Scalars, Vectors
+from ..lang import (
+    NAN,
+    array,
+    dot,
+    float32,
+    float64,
+    floor,
+    func,
+    int32,
+    isfinite,
+    kernel,
+    launch,
+    sqrt,
+    struct,
+    tid,
+    vec3,
+    vec3d,
+    vector,
+)  # fmt: skip
+from ..memory import empty, upload
+from ..search.bucket_walk import points_in_reach
+from ..search.point_tree import PointTree
+from ..search.tree_search import find_bucket, order_along_curve, reach_of
+
+MIN_NEIGHBORS = 3.0  # fewer points span no plane
+SLACK = 1.0e-4  # of a ball's radius: its middle is rounded to float32
+TWO_SIDED = 1.96  # standard deviations that hold 95 of 100
+
+place_sums = vector(3, float64)  # of points in a cylinder: their count, places along the axis, squares of these
+
+
+@struct
+class Cylinder:
+    """The shape of all cylinders.
+
+    Attributes:
+        radius: Its radius [m], the boundary included.
+        length: How far it reaches to either side of the core point [m].
+        pieces: How many balls it is searched in.
+        reach: The square of their radius [m^2].
+    """
+
+    radius: float64
+    length: float64
+    pieces: int
+    reach: float32
+
+    def __init__(self, radius: float, length: float) -> None:
+        self.radius, self.length = radius, length
+        self.pieces = max(1, math.ceil(length / radius))
+        ball = math.hypot(radius, length / self.pieces) * (1 + SLACK)
+        self.reach = reach_of(ball)
+
+
+@struct
+class Changes:
+    """What is known at each core point.
+
+    Attributes:
+        distances: From the first cloud to the second along the normal [m], float64 [n].
+        limits: What a distance must exceed to be a change with 95 % confidence [m], float64 [n].
+        first_spreads, second_spreads: Standard deviations along the normal [m], float64 [n].
+        first_counts, second_counts: Points in the cylinder, int32 [n].
+    """
+
+    distances: array(dtype=float64)
+    limits: array(dtype=float64)
+    first_spreads: array(dtype=float64)
+    second_spreads: array(dtype=float64)
+    first_counts: array(dtype=int32)
+    second_counts: array(dtype=int32)
+
+    def __init__(self, cores: Points) -> None:
+        for name in ("distances", "limits", "first_spreads", "second_spreads"):
+            setattr(self, name, empty(cores.size, float64, cores.device))
+        self.first_counts = empty(cores.size, int32, cores.device)
+        self.second_counts = empty(cores.size, int32, cores.device)
+
+
+@kernel
+def find_flattest_kernel(
+    cores: array(dtype=vec3),
+    order: array(dtype=int32),
+    tree: PointTree,
+    reaches: array(dtype=float32),
+    orientation: vec3,
+    directions: array(dtype=vec3),
+    scales: array(dtype=int32),
+):
+    """The normal of the scale with the highest planarity, turned to a direction, and which scale; NaN and -1 where the
+    points of no scale span a plane."""
+    t = tid()
+    i = order[t]
+    p = cores[i]
+    best = float64(0.0)
+    direction = vec3(NAN, NAN, NAN)
+    scale = -1
+    if tree.count > 0 and isfinite(p):
+        start = find_bucket(p, tree)
+        for s in range(reaches.shape[0]):
+            total = moments(0.0)
+            for j, sqdist in points_in_reach(start, p, reaches[s], tree):
+                total = add_difference(total, p, tree.points[j])
+            covariance = covariance_of(total)
+            values = eigenvalues(covariance)
+            planarity = float64(0.0)
+            if total[0] >= float64(MIN_NEIGHBORS) and values[2] > 0.0:
+                planarity = (values[1] - values[0]) / values[2]
+            if planarity > best:
+                best = planarity
+                v = smallest_eigenvector(covariance)
+                direction = vec3(float(v[0]), float(v[1]), float(v[2]))
+                scale = s
+        if dot(direction, orientation) < 0.0:
+            direction = -direction
+    directions[i] = direction
+    scales[i] = scale
+
+
+@func
+def piece_of(place: float64, cylinder: Cylinder) -> int:
+    """Which piece of the cylinder a place on its axis [m] is in; -1 beyond its ends."""
+    piece = -1
+    if abs(place) <= cylinder.length:
+        share = (place + cylinder.length) / (cylinder.length * 2.0)
+        piece = min(int(floor(share * float64(cylinder.pieces))), cylinder.pieces - 1)
+    return piece
+
+
+@kernel
+def sum_cylinders_kernel(
+    cores: array(dtype=vec3),
+    order: array(dtype=int32),
+    directions: array(dtype=vec3),
+    tree: PointTree,
+    cylinder: Cylinder,
+    sums: array(dtype=place_sums),
+):
+    """Count, places along the axis and their squares, of the points of a cloud in each cylinder."""
+    t = tid()
+    i = order[t]
+    p = cores[i]
+    axis = directions[i]
+    total = place_sums(0.0)
+    if tree.count > 0 and isfinite(p) and isfinite(axis):
+        middle = vec3d(float64(p[0]), float64(p[1]), float64(p[2]))
+        along = vec3d(float64(axis[0]), float64(axis[1]), float64(axis[2]))
+        along = along / sqrt(dot(along, along))
+        for piece in range(cylinder.pieces):
+            share = float64(2 * piece + 1 - cylinder.pieces) / float64(cylinder.pieces)
+            at = middle + along * (share * cylinder.length)
+            ball = vec3(float(at[0]), float(at[1]), float(at[2]))
+            for j, sqdist in points_in_reach(find_bucket(ball, tree), ball, cylinder.reach, tree):
+                q = tree.points[j]
+                to = vec3d(float64(q[0]), float64(q[1]), float64(q[2])) - middle
+                place = dot(to, along)
+                beside = dot(to, to) - place * place
+                if beside <= cylinder.radius * cylinder.radius and piece_of(place, cylinder) == piece:
+                    total = total + place_sums(1.0, place, place * place)
+    sums[i] = total
+
+
+@func
+def variance_of(sums: place_sums) -> float64:
+    """The variance [m^2], divided by the count less one; NaN of fewer than two."""
+    variance = float64(NAN)
+    if sums[0] >= 2.0:
+        variance = max((sums[2] - sums[1] * sums[1] / sums[0]) / (sums[0] - 1.0), 0.0)
+    return variance
+
+
+@kernel
+def compare_sums_kernel(
+    first: array(dtype=place_sums), second: array(dtype=place_sums), registration_error: float64, changes: Changes
+):
+    """Distance, limit, spreads and counts of each core point; NaN where a cylinder is empty."""
+    i = tid()
+    a = first[i]
+    b = second[i]
+    spread_a = variance_of(a)
+    spread_b = variance_of(b)
+    distance = float64(NAN)
+    if a[0] > 0.0 and b[0] > 0.0:
+        distance = b[1] / b[0] - a[1] / a[0]
+    error = sqrt(spread_a / max(a[0], 1.0) + spread_b / max(b[0], 1.0))
+    changes.distances[i] = distance
+    changes.limits[i] = (error + registration_error) * float64(TWO_SIDED)
+    changes.first_spreads[i] = sqrt(spread_a)
+    changes.second_spreads[i] = sqrt(spread_b)
+    changes.first_counts[i] = int(a[0])
+    changes.second_counts[i] = int(b[0])
+
+
+def find_flattest(
+    tree: PointTree, cores: Points, radii: np.ndarray, orientation: np.ndarray
+) -> tuple[Vectors, Integers]:
+    """The direction of each core point at the scale at which the cloud is flattest around it, and that scale's number.
+
+    Args:
+        tree: The cloud.
+        cores: Device array of vec3, shape [n].
+        radii: The scales [m], boundaries excluded.
+        orientation: The direction to whose side normals are turned, shape [3].
+
+    Returns:
+        vec3 [n] and int32 [n] on the device; NaN and -1 where the points of no scale span a plane.
+    """
+    reaches: Scalars = upload(np.array([reach_of(radius) for radius in radii], np.float32), float32, cores.device)
+    directions, scales = empty(cores.size, vec3, cores.device), empty(cores.size, int32, cores.device)
+    around = [cores, order_along_curve(tree, cores), tree, reaches, vec3(*orientation.tolist())]
+    launch(find_flattest_kernel, cores.size, [*around, directions, scales])
+    return directions, scales
+
+
+def measure_changes(
+    first: PointTree,
+    second: PointTree,
+    cores: Points,
+    directions: Vectors,
+    cylinder: Cylinder,
+    registration_error: float,
+) -> Changes:
+    """How far the second cloud lies from the first at core points, along directions."""
+    order: Indices = order_along_curve(first, cores)
+    sums: list[Array1[place_sums]] = []
+    for tree in (first, second):
+        found = empty(cores.size, place_sums, cores.device)
+        launch(sum_cylinders_kernel, cores.size, [cores, order, directions, tree, cylinder, found])
+        sums.append(found)
+    changes = Changes(cores)
+    launch(compare_sums_kernel, cores.size, [*sums, registration_error, changes])
+    return changes
