@@ -8,7 +8,7 @@ into four, in rounds, all pieces of a round at once; after a few rounds only tho
 alike.) 120 B a piece.
 
 The first round looks at all triangles, and says how many pieces there are to be. From there on rounds follow each other
-on the device, in room for twice as many; where more are left, the host makes room for twice those.
+on the device, in room for four times as many; where more are left, the host makes room for four times those.
 """
 
 import math
@@ -50,7 +50,7 @@ from .point_triangle import measure_triangle
 from .triangle_tree import TriangleTree
 
 MOST_PIECES = 2**22  # of a round: about 500 MB
-LEAST_ROOM = 1024  # pieces of a round
+LEAST_ROOM = 4096  # pieces of a round
 ROUNDS = 24  # a float32 has as many bits to halve
 # What is known: a distance that some point has, one that none exceeds, the largest bound of the round, the pieces of
 # the next round, how many rounds there were, and whether there is to be another one.
@@ -338,7 +338,7 @@ class FarthestSearch:
         """Whether what the host has read are the bounds; else they are read again: it goes on (no sync)."""
         if not found[WANTED]:
             return True
-        before, room = self._pieces, max(LEAST_ROOM, min(2 * int(found[COUNT]), MOST_PIECES))
+        before, room = self._pieces, max(LEAST_ROOM, min(4 * int(found[COUNT]), MOST_PIECES))
         self._pieces = Pieces(room, self.known)
         self._pieces.go_on(self._tree, self._tolerance, before)
         return False
