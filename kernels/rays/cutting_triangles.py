@@ -274,12 +274,11 @@ def find_meeting_pairs(
     is_meeting, is_open = empty(total, uint8, device), empty(total, uint8, device)
     pairs = [triangles, others, owners, partners]
     launch(test_pairs_kernel, total, [vertices, *pairs, verdicts, is_meeting, is_open])
-    (rows, open_rows), about = positions_beside(
-        (is_meeting, is_open), _about(vertices) if device.is_cuda else ()
-    )  # sync
+    beside = _about(vertices) if device.is_cuda else ()
+    (rows, open_rows), about = positions_beside((is_meeting, is_open), beside)  # sync
     if open_rows.size:
-        about = about or read_together(_about(vertices))
-        given = exact_sides(vertices, *about, min(open_rows.size, PART))
+        lowest, extremes = about or read_together(_about(vertices))
+        given = exact_sides(vertices, lowest, extremes, min(open_rows.size, PART))
         for first in range(0, open_rows.size, PART):
             part = open_rows[first : min(first + PART, open_rows.size)]
             launch(settle_pairs_kernel, part.size, [part, *pairs, given, is_meeting])

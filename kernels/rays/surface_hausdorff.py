@@ -50,7 +50,7 @@ from .point_triangle import measure_triangle
 from .triangle_tree import TriangleTree
 
 MOST_PIECES = 2**22  # of a round: about 500 MB
-LEAST_ROOM = 4096  # pieces of a round
+LEAST_ROOM = 1024  # pieces of a round
 ROUNDS = 24  # a float32 has as many bits to halve
 # What is known: a distance that some point has, one that none exceeds, the largest bound of the round, the pieces of
 # the next round, how many rounds there were, and whether there is to be another one.
