@@ -100,10 +100,12 @@ def fold_box_kernel(extremes: array(dtype=int32), box: array(dtype=float32)):
     """A corner's coordinate of the box of all rows, low ones first; 0 where no point is finite."""
     i = tid()
     most = int(NOTHING)
+    count = int(NOTHING)
     for row in range(extremes.shape[0] // WIDTH):
         most = max(most, extremes[row * WIDTH + i])
+        count = max(count, extremes[row * WIDTH + 6])
     end = 0.0
-    if most > NOTHING:
+    if count > NOTHING:
         end = bits_float(most ^ ((most >> 31) & MAGNITUDE)) + 0.0
     box[i] = end
     if i < 3:
