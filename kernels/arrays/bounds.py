@@ -8,13 +8,15 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from ..array_types import Points
+from ..array_types import Array1, Integers, Points
 from ..lang import (
     INFINITY,
     WARP,
     array,
     atomic_add,
     atomic_max,
+    bits_float,
+    float32,
     float_bits,
     func,
     int32,
@@ -25,7 +27,7 @@ from ..lang import (
     tid,
     vec3,
 )
-from ..memory import download, full
+from ..memory import download, empty, full
 from .lanes import LANE_BITS, least_of_each, most_of_each
 from .runs import Runs, elements_of, row_of
 
@@ -93,6 +95,38 @@ def bound_points_kernel(points: array(dtype=vec3), runs: Runs, extremes: array(d
     settle_box(i, vec3(x0, y0, z0), vec3(x1, y1, z1), count, runs, extremes)
 
 
+@kernel
+def fold_box_kernel(extremes: array(dtype=int32), box: array(dtype=float32)):
+    """A corner's coordinate of the box of all rows, low ones first; 0 where no point is finite."""
+    i = tid()
+    most = int(NOTHING)
+    count = int(NOTHING)
+    for row in range(extremes.shape[0] // WIDTH):
+        most = max(most, extremes[row * WIDTH + i])
+        count = max(count, extremes[row * WIDTH + 6])
+    end = 0.0
+    if count > NOTHING:
+        end = bits_float(most ^ ((most >> 31) & MAGNITUDE)) + 0.0
+    box[i] = end
+    if i < 3:
+        box[i] = 0.0 - end
+
+
+def find_extremes(points: Points) -> Integers:
+    """What a box is made of, WIDTH numbers a row, int32: for `box_of`, when it is on the host; no sync."""
+    runs = Runs(points.size, points.device, RUN)
+    extremes = full(runs.rows * WIDTH, NOTHING, int32, points.device)
+    launch(bound_points_kernel, runs.threads, [points, runs, extremes])
+    return extremes
+
+
+def find_box(points: Points) -> Array1[float32]:
+    """The box of the finite points where they are: the low corner, behind it the high one, float32 [6]; no sync."""
+    box = empty(6, float32, points.device)
+    launch(fold_box_kernel, 6, [find_extremes(points), box])
+    return box
+
+
 def bound_points(points: Points) -> tuple[np.ndarray, np.ndarray, int]:
     """The box of the finite points.
 
@@ -111,10 +145,11 @@ def bound_each(clouds: Sequence[Points]) -> list[tuple[np.ndarray, np.ndarray, i
     for points, run, end in zip(clouds, runs, ends, strict=True):
         launch(bound_points_kernel, run.threads, [points, run, extremes[end - run.rows * WIDTH : end]])
     found = download(extremes)  # sync
-    return [_box_of(found[end - run.rows * WIDTH : end]) for run, end in zip(runs, ends, strict=True)]
+    return [box_of(found[end - run.rows * WIDTH : end]) for run, end in zip(runs, ends, strict=True)]
 
 
-def _box_of(extremes: np.ndarray) -> tuple[np.ndarray, np.ndarray, int]:
+def box_of(extremes: np.ndarray) -> tuple[np.ndarray, np.ndarray, int]:
+    """(low, high, count), as of `bound_points`."""
     rows = extremes.reshape(-1, WIDTH)
     count = int((rows[:, 6].astype(np.int64) - NOTHING).sum())
     if not count:

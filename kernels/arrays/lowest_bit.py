@@ -1,7 +1,9 @@
 """The lowest bit that any coordinate of a cloud has: all are whole multiples of it (algebra/residues.py)."""
 
+import numpy as np
+
 from ..algebra.residues import EXPONENT_SHIFT, FIELDS, MANTISSA_BITS, MANTISSA_MASK
-from ..array_types import Points
+from ..array_types import Integers, Points
 from ..lang import array, atomic_min, bit_count, float_bits, func, int32, kernel, launch, tid, vec3
 from ..memory import download, full
 from .runs import Runs, elements_of, row_of
@@ -35,10 +37,20 @@ def find_lowest_bit_kernel(points: array(dtype=vec3), runs: Runs, lowest: array(
     atomic_min(lowest, row_of(i, runs), found)
 
 
-def lowest_bit(points: Points) -> int:
-    """The exponent of the lowest bit of the coordinates of vec3 points, all finite; 0 where all are zero (one sync)."""
+def find_lowest_bits(points: Points) -> Integers:
+    """What the lowest bit is told from, when it is on the host, by `bit_of`: int32; no sync."""
     runs = Runs(points.size, points.device, RUN)
     lowest = full(runs.rows, NO_BIT, int32, points.device)
     launch(find_lowest_bit_kernel, runs.threads, [points, runs, lowest])
-    bit = int(download(lowest).min())  # sync
+    return lowest
+
+
+def bit_of(found: np.ndarray) -> int:
+    """The exponent of the lowest bit; 0 where all coordinates are zero."""
+    bit = int(found.min())
     return 0 if bit == NO_BIT else bit
+
+
+def lowest_bit(points: Points) -> int:
+    """The exponent of the lowest bit of the coordinates of vec3 points, all finite; 0 where all are zero (one sync)."""
+    return bit_of(download(find_lowest_bits(points)))  # sync

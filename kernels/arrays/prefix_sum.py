@@ -5,7 +5,7 @@ from collections.abc import Sequence
 import numpy as np
 import warp as wp
 
-from ..array_types import Array, Integers
+from ..array_types import Array, Integers, LongIntegers
 from ..lang import array, atomic_add, func, int32, int64, kernel, launch, tid
 from ..language.device_lock import turn_on
 from ..memory import download, empty, host_view, rows_of, upload, zeros
@@ -81,21 +81,34 @@ def exclusive_scan(counts: Integers) -> tuple[Integers, int]:
     Raises:
         ValueError: The sum passes 2^31 - 1.
     """
+    offsets, parts = scan_unread(counts)
+    return offsets, _checked(total_of(download(parts)))  # sync
+
+
+def scan_unread(counts: Integers) -> tuple[Integers, LongIntegers]:
+    """As `exclusive_scan`, but nobody waits: the offsets, and what the host tells the sum from, by `total_of`.
+
+    Where that passes 2^31 - 1 the offsets are of no use.
+    """
     device, n = counts.device, counts.size
     if n == 0:
-        return zeros(1, int32, device), 0
-    offsets = empty(n + 1, int32, device)
-    if not device.is_cuda:
-        total = _checked(int(download(counts).sum(dtype=np.int64)))
-        host = host_view(offsets)
-        host[0] = 0
-        np.cumsum(download(counts), out=host[1:], dtype=np.int32)
-        return offsets, total
-    runs = Runs(n, device, RUN)
-    totals = zeros(runs.rows, int64, device)
-    launch(start_offsets_kernel, runs.threads, [counts, runs, totals, offsets])
-    inclusive_scan(counts, rows_of(offsets, 1, n + 1))
-    return offsets, _checked(int(download(totals).sum()))  # sync
+        return zeros(1, int32, device), zeros(1, int64, device)
+    offsets, runs = empty(n + 1, int32, device), Runs(n, device, RUN)
+    parts = zeros(runs.rows, int64, device)
+    if device.is_cuda:
+        launch(start_offsets_kernel, runs.threads, [counts, runs, parts, offsets])
+        inclusive_scan(counts, rows_of(offsets, 1, n + 1))
+        return offsets, parts
+    host = host_view(offsets)
+    host[0] = 0
+    np.cumsum(download(counts), out=host[1:], dtype=np.int32)
+    host_view(parts)[0] = download(counts).sum(dtype=np.int64)
+    return offsets, parts
+
+
+def total_of(parts: np.ndarray) -> int:
+    """The sum, of what the host has read about a scan."""
+    return int(parts.sum())
 
 
 def scan_two(counts: Integers) -> tuple[Integers, int, int]:

@@ -1,13 +1,15 @@
 """Compaction and gathering: rows of arrays by mask or by index."""
 
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
 
-from ..array_types import Array, Indices, Integers, Mask
+from ..array_types import AnyArray, Array, Indices, Integers, Mask
 from ..lang import array, int32, kernel, launch, tid, uint8, vec3
 from ..memory import contiguous, download, empty, rows_of, upload, zeros
 from .prefix_sum import inclusive_scan
+from .side_by_side import read_together
 
 
 @kernel
@@ -92,19 +94,25 @@ def copy_last_kernel(ranks: array(dtype=int32), place: int, counts: array(dtype=
 
 def positions_of_each(*masks: Mask) -> list[Indices]:
     """As `positions_of` of several masks of one device; one sync for all of them."""
+    return positions_beside(masks, ())[0]
+
+
+def positions_beside(masks: Sequence[Mask], beside: Sequence[AnyArray]) -> tuple[list[Indices], list[np.ndarray]]:
+    """As `positions_of` of several masks of one device, and other arrays as NumPy; one sync for all of them."""
     device = masks[0].device
     if not device.is_cuda:
-        return [positions_of(mask) for mask in masks]
+        return [positions_of(mask) for mask in masks], read_together(beside) if beside else []
     counts, every = zeros(len(masks), int32, device), []
     for k, mask in enumerate(masks):
         ranks = _ranks_of(mask) if mask.size else empty(0, int32, device)
         if mask.size:
             launch(copy_last_kernel, 1, [ranks, k, counts])
         every.append(ranks)
-    found = [empty(count, int32, device) for count in download(counts).tolist()]  # sync
+    sizes, *read = read_together([counts, *beside])  # sync
+    found = [empty(count, int32, device) for count in sizes.tolist()]
     for mask, ranks, positions in zip(masks, every, found, strict=True):
         launch(scatter_positions_kernel, mask.size, [mask, ranks, positions])
-    return found
+    return found, read
 
 
 @kernel

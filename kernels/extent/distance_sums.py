@@ -43,15 +43,33 @@ def count_below_kernel(
         atomic_add(within, row * radii.shape[0] + r, count)
 
 
+class DistanceSums:
+    """Sums over distances where they are.
+
+    Attributes:
+        whole: float64 device array, all of them: `told` makes numbers of what the host reads.
+        largest: The part of it in which the largest finite distance is the greatest number; none is below zero.
+    """
+
+    def __init__(self, distances: Doubles, radii: Sequence[float]) -> None:
+        device, n = distances.device, distances.size
+        runs, limits = Runs(n, device, RUN), upload(np.array(radii), float64, device)
+        self._rows, self._radii = runs.rows, len(radii)
+        counts = self._rows * self._radii
+        self.whole = zeros(2 + self._rows + (counts + 1) // 2, float64, device)
+        copy(part_of(self.whole, 0, count_sum, 1), reduce(sum_finite, n, [distances]), count=1)
+        within = part_of(self.whole, (2 + self._rows) * DOUBLE, int32, counts)
+        self.largest = self.whole[2 : 2 + self._rows]
+        launch(count_below_kernel, runs.threads, [distances, runs, limits, within, self.largest])
+
+    def told(self, found: np.ndarray) -> tuple[int, float, float, np.ndarray]:
+        """As of `summarize_distances`, of what the host has read."""
+        end = 2 + self._rows
+        counts = found[end:].view(np.int32)[: self._rows * self._radii].reshape(self._rows, self._radii)
+        return int(found[0]), float(found[1]), float(found[2:end].max()), counts.sum(axis=0, dtype=np.int64)
+
+
 def summarize_distances(distances: Doubles, radii: Sequence[float]) -> tuple[int, float, float, np.ndarray]:
     """(finite distances, their sum, the largest, how many are below each radius as int64 [r]); one sync."""
-    device, n = distances.device, distances.size
-    runs, limits = Runs(n, device, RUN), upload(np.array(radii), float64, device)
-    rows, counts = runs.rows, runs.rows * len(radii)
-    whole = zeros(2 + rows + (counts + 1) // 2, float64, device)  # in one array, so that one copy brings all of it
-    copy(part_of(whole, 0, count_sum, 1), reduce(sum_finite, n, [distances]), count=1)
-    within = part_of(whole, (2 + rows) * DOUBLE, int32, counts)
-    launch(count_below_kernel, runs.threads, [distances, runs, limits, within, whole[2 : 2 + rows]])
-    found = download(whole)  # sync
-    below = found[2 + rows :].view(np.int32)[:counts].reshape(rows, len(radii)).sum(axis=0, dtype=np.int64)
-    return int(found[0]), float(found[1]), float(found[2 : 2 + rows].max()), below
+    sums = DistanceSums(distances, radii)
+    return sums.told(download(sums.whole))  # sync

@@ -12,7 +12,7 @@ from ..array_types import Array1, Doubles, Integers, Triangles, Vectors
 from ..arrays.prefix_sum import exclusive_scan
 from ..arrays.select import gather_rows, positions_of
 from ..arrays.unique import UniqueKeys
-from ..lang import array, float64, int32, int64, kernel, launch, length, struct, tid, uint8, vec2, vec3, vec3i
+from ..lang import array, float64, int32, int64, kernel, launch, length, struct, tid, uint8, vec2, vec3, vec3d, vec3i
 from ..memory import copy, empty, full
 from .mesh_edges import higher_end, lower_end, spread_runs_kernel
 from .mesh_topology import corner_vertex, list_edge_keys_kernel, next_corner
@@ -49,19 +49,22 @@ class CutEdges:
         edges: UniqueKeys of the edges, by the numbers of their two vertices.
         vertices: int32 [3 t], the new vertex of each half-edge, -1 where it is not cut.
         shares: float64 [c], where between its lower and its higher vertex each edge is cut.
+        count: Edges c; on CUDA as many as half-edges, of which those behind the last edge are none: what stands for
+            them has shares and rows of zeros.
     """
 
     vertices: array(dtype=int32)
     shares: array(dtype=float64)
 
-    def __init__(self, triangles: Triangles, values: Doubles, sides: Integers, level: float) -> None:
+    def __init__(self, triangles: Triangles, values: Doubles, sides: Integers, level: float, crossings: int) -> None:
+        """Of triangles whose edges pass the level as often as `crossings` says; no sync."""
         device, half_edges = triangles.device, 3 * triangles.size
         self.bits = max(1, values.size.bit_length())
         keys, mask = empty(half_edges, int64, device), empty(half_edges, uint8, device)
         launch(list_edge_keys_kernel, triangles.size, [triangles, self.bits, keys])
         launch(mark_cut_edges_kernel, half_edges, [triangles, sides, mask])
-        rows = positions_of(mask)  # sync
-        self.edges = UniqueKeys(gather_rows(keys, rows), 2 * self.bits)  # sync
+        rows = positions_of(mask, crossings)
+        self.edges = UniqueKeys(gather_rows(keys, rows), 2 * self.bits, padded=True)
         self.count = self.edges.count
         self.vertex_count = values.size
         self.vertices, self.shares = full(half_edges, -1, int32, device), empty(self.count, float64, device)
@@ -83,10 +86,13 @@ def place_cuts_kernel(
 ):
     """Where each edge is cut; halved first, so that no difference overflows."""
     i = tid()
-    half = float64(0.5)
-    a = values[lower_end(edges.keys[i], bits)] * half
-    b = values[higher_end(edges.keys[i], bits)] * half
-    shares[i] = (level * half - a) / (b - a)
+    share = float64(0.0)
+    if edges.starts[i + 1] > edges.starts[i]:
+        half = float64(0.5)
+        a = values[lower_end(edges.keys[i], bits)] * half
+        b = values[higher_end(edges.keys[i], bits)] * half
+        share = (level * half - a) / (b - a)
+    shares[i] = share
 
 
 @kernel
@@ -95,22 +101,25 @@ def interpolate_rows_kernel(
 ):
     """The rows of new vertices between those of their edges; of unit length where `unit` is 1 and there is a length."""
     i = tid()
-    a = widen(rows[lower_end(edges.keys[i], bits)])
-    b = widen(rows[higher_end(edges.keys[i], bits)])
-    row = a * (1.0 - shares[i]) + b * shares[i]
-    size = length(row)
-    if unit == 1 and size > 0.0:
-        row = row / size
+    row = vec3d(0.0, 0.0, 0.0)
+    if edges.starts[i + 1] > edges.starts[i]:
+        a = widen(rows[lower_end(edges.keys[i], bits)])
+        b = widen(rows[higher_end(edges.keys[i], bits)])
+        row = a * (1.0 - shares[i]) + b * shares[i]
+        size = length(row)
+        if unit == 1 and size > 0.0:
+            row = row / size
     rows[first + i] = narrow(row)
 
 
 @kernel
-def count_pieces_kernel(cuts: CutEdges, counts: array(dtype=int32)):
+def count_pieces_kernel(triangles: array(dtype=vec3i), sides: array(dtype=int32), counts: array(dtype=int32)):
     """The triangles that each triangle becomes: one more than its edges that are cut."""
     i = tid()
+    t = triangles[i]
     count = 1
     for k in range(3):
-        if cuts.vertices[3 * i + k] >= 0:
+        if sides[t[k]] * sides[t[(k + 1) % 3]] < 0:
             count += 1
     counts[i] = count
 
@@ -173,8 +182,11 @@ def split_cut_keys_kernel(
     """The new vertex and the two ends of each edge."""
     i = tid()
     numbers[i] = first + i
-    lows[i] = lower_end(edges.keys[i], bits)
-    highs[i] = higher_end(edges.keys[i], bits)
+    lows[i] = 0
+    highs[i] = 0
+    if edges.starts[i + 1] > edges.starts[i]:
+        lows[i] = lower_end(edges.keys[i], bits)
+        highs[i] = higher_end(edges.keys[i], bits)
 
 
 @kernel
@@ -214,11 +226,12 @@ class LevelCut:
         pieces: vec3i [p], wound as their triangles are.
         above: uint8 [p]: 1 for pieces above the level, and those that lie on it.
         sources: int32 [p], the triangle that each piece is of.
-        cuts: The edges that are cut; the vertex on edge i has the number m + i.
+        cuts: The edges that are cut; the vertex on edge i has the number m + i. Beyond the last one are vertices that
+            no piece uses.
     """
 
     def __init__(self, triangles: Triangles, values: Doubles, level: float) -> None:
-        """Cut.
+        """Cut; one sync.
 
         Args:
             triangles: vec3i [t].
@@ -228,10 +241,10 @@ class LevelCut:
         device, self.triangles = triangles.device, triangles
         self.sides = empty(values.size, int32, device)
         launch(mark_sides_kernel, values.size, [values, level, self.sides])
-        self.cuts = CutEdges(triangles, values, self.sides, level)
         counts = empty(triangles.size, int32, device)
-        launch(count_pieces_kernel, triangles.size, [self.cuts, counts])
+        launch(count_pieces_kernel, triangles.size, [triangles, self.sides, counts])
         offsets, total = exclusive_scan(counts)  # sync
+        self.cuts = CutEdges(triangles, values, self.sides, level, total - triangles.size)
         self.pieces, self.above = empty(total, vec3i, device), empty(total, uint8, device)
         self.sources = empty(total, int32, device)
         launch(spread_runs_kernel, triangles.size, [offsets, self.sources])

@@ -43,6 +43,16 @@ def mark_referenced_kernel(triangles: array(dtype=vec3i), used: array(dtype=int3
 
 
 @kernel
+def mark_chosen_kernel(triangles: array(dtype=vec3i), mask: array(dtype=uint8), used: array(dtype=uint8)):
+    """1 for the vertices of chosen triangles; whichever thread writes last writes the same."""
+    i = tid()
+    if mask[i] != 0:
+        t = triangles[i]
+        for k in range(3):
+            used[t[k]] = uint8(1)
+
+
+@kernel
 def mask_whole_triangles_kernel(triangles: array(dtype=vec3i), used: array(dtype=int32), mask: array(dtype=uint8)):
     """1 for the triangles whose three vertices are used."""
     i = tid()
@@ -221,6 +231,13 @@ def mark_referenced(triangles: Triangles, vertex_count: int) -> Integers:
     """int32 [m]: 1 for the vertices that triangles use."""
     used = zeros(vertex_count, int32, triangles.device)
     launch(mark_referenced_kernel, triangles.size, [triangles, used])
+    return used
+
+
+def mark_chosen(triangles: Triangles, mask: Mask, vertex_count: int) -> Mask:
+    """uint8 [m]: 1 for the vertices of the triangles that a mask, uint8 [t], chooses."""
+    used = zeros(vertex_count, uint8, triangles.device)
+    launch(mark_chosen_kernel, triangles.size, [triangles, mask, used])
     return used
 
 

@@ -7,7 +7,9 @@ triangle to triangle. About 40 B a half-edge.
 
 from typing import NamedTuple
 
-from ..array_types import Triangles
+import numpy as np
+
+from ..array_types import Integers, LongIntegers, Triangles
 from ..arrays.pair_sort import argsort_pairs
 from ..lang import array, atomic_max, func, int32, int64, kernel, launch, struct, tid, vec3i
 from ..memory import download, empty, zeros
@@ -174,6 +176,13 @@ def walk_fans_kernel(
         atomic_max(findings, SPLIT, 1)
 
 
+def sorted_edges(triangles: Triangles, vertex_count: int) -> tuple[LongIntegers, Integers]:
+    """The half-edges of triangles by their two vertices: (keys, order), as of `argsort_pairs`."""
+    bits, keys = max(1, vertex_count.bit_length()), empty(3 * triangles.size, int64, triangles.device)
+    launch(list_edge_keys_kernel, triangles.size, [triangles, bits, keys])
+    return argsort_pairs(keys, bits, vertex_count)
+
+
 class Topology(NamedTuple):
     """What a mesh is made of.
 
@@ -190,14 +199,24 @@ class Topology(NamedTuple):
     has_split_vertex: bool
 
 
-def examine(triangles: Triangles, vertex_count: int) -> Topology:
-    """The topology of vec3i [t] triangles; one sync. Vertices without triangles do not count."""
+def find_topology(
+    triangles: Triangles, vertex_count: int, edges: tuple[LongIntegers, Integers] | None = None
+) -> Integers:
+    """What a Topology is made of, int32 [4] device array; `edges` of `sorted_edges`, where they are known; no sync."""
     device, count = triangles.device, 3 * triangles.size
-    bits = max(1, vertex_count.bit_length())
-    keys, twins, findings = empty(count, int64, device), empty(count, int32, device), zeros(4, int32, device)
-    launch(list_edge_keys_kernel, triangles.size, [triangles, bits, keys])
-    keys, order = argsort_pairs(keys, bits, vertex_count)
+    keys, order = edges or sorted_edges(triangles, vertex_count)
+    twins, findings = empty(count, int32, device), zeros(4, int32, device)
     launch(pair_edges_kernel, count, [triangles, keys, order, twins, findings])
     around = CornersByVertex(triangles, vertex_count)
     launch(walk_fans_kernel, vertex_count, [triangles, around, twins, findings])
-    return Topology(*(bool(found) for found in download(findings)))  # sync
+    return findings
+
+
+def examine(triangles: Triangles, vertex_count: int) -> Topology:
+    """The topology of vec3i [t] triangles; one sync. Vertices without triangles do not count."""
+    return topology_of(download(find_topology(triangles, vertex_count)))  # sync
+
+
+def topology_of(findings: np.ndarray) -> Topology:
+    """The topology, of what the host has read of `find_topology`."""
+    return Topology(*(bool(found) for found in findings))

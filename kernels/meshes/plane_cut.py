@@ -4,13 +4,15 @@ A vertex that is nearer to the plane than float32 rounds the mesh's largest coor
 half-edge.
 """
 
+from typing import NamedTuple
+
 import numpy as np
 
 from ..algebra.transform import widen
-from ..array_types import Doubles, Integers, Mask, Points, Triangles
-from ..arrays.select import positions_of
+from ..array_types import Doubles, Indices, Integers, Mask, Points, Triangles
+from ..arrays.side_by_side import read_together
 from ..lang import array, dot, float64, int32, isfinite, kernel, launch, tid, uint8, vec3, vec3d, vec3i
-from ..memory import download, empty
+from ..memory import empty
 from .level_cut import LevelCut
 from .mesh_measures import triangle_cross
 from .mesh_topology import corner_vertex, next_corner
@@ -81,19 +83,44 @@ def mark_half_edges_kernel(pieces: array(dtype=vec3i), sides: array(dtype=int32)
 
 
 @kernel
+def clear_half_edges_kernel(kept: array(dtype=uint8), mask: array(dtype=uint8)):
+    """0 for half-edges of pieces that go."""
+    i = tid()
+    if kept[i // 3] == 0:
+        mask[i] = uint8(0)
+
+
+@kernel
 def list_half_edges_kernel(
+    vertices: array(dtype=vec3),
     pieces: array(dtype=vec3i),
     side_of: array(dtype=int32),
     rows: array(dtype=int32),
     listed: array(dtype=int32, ndim=2),
+    ends: array(dtype=vec3),
 ):
-    """Tail, head and the piece's side of half-edges."""
+    """Tail, head, the piece's side and the number of half-edges; and where their tails and heads are."""
     i = tid()
     h = rows[i]
-    listed[i, 0] = corner_vertex(pieces, h)
-    listed[i, 1] = corner_vertex(pieces, next_corner(h))
+    tail = corner_vertex(pieces, h)
+    head = corner_vertex(pieces, next_corner(h))
+    listed[i, 0] = tail
+    listed[i, 1] = head
     listed[i, 2] = side_of[h // 3]
     listed[i, 3] = h
+    ends[2 * i] = vertices[tail]
+    ends[2 * i + 1] = vertices[head]
+
+
+@kernel
+def renumber_half_edges_kernel(
+    vertex_places: array(dtype=int32), piece_places: array(dtype=int32), listed: array(dtype=int32, ndim=2)
+):
+    """Half-edges by the new numbers of vertices and pieces."""
+    i = tid()
+    listed[i, 0] = vertex_places[listed[i, 0]]
+    listed[i, 1] = vertex_places[listed[i, 1]]
+    listed[i, 3] = 3 * piece_places[listed[i, 3] // 3] + listed[i, 3] % 3
 
 
 @kernel
@@ -145,11 +172,47 @@ def mask_above(side_of: Integers, *, with_up: bool) -> Mask:
     return mask
 
 
-def half_edges_in_plane(cut: LevelCut, pieces: Triangles, side_of: Integers) -> np.ndarray:
-    """The half-edges of pieces that lie in the plane: int32 [n, 4] of tail, head, the piece's side, its number."""
-    mask = empty(3 * pieces.size, uint8, pieces.device)
-    launch(mark_half_edges_kernel, mask.size, [pieces, cut.sides, mask])
-    rows = positions_of(mask)  # sync
-    listed = empty((rows.size, 4), int32, pieces.device)
-    launch(list_half_edges_kernel, rows.size, [pieces, side_of, rows, listed])
-    return download(listed)  # sync
+class HalfEdges(NamedTuple):
+    """Half-edges that lie in a plane, on the host.
+
+    Attributes:
+        rows: int32 [n, 4] of tail, head, the piece's side, its number.
+        ends: float32 [n, 2, 3], where tails and heads are.
+    """
+
+    rows: np.ndarray
+    ends: np.ndarray
+
+    def places(self, vertices: np.ndarray) -> np.ndarray:
+        """Where some of their vertices are, float64 [k, 3]."""
+        numbers, first = np.unique(self.rows[:, :2], return_index=True)
+        return self.ends.reshape(-1, 3)[first[np.searchsorted(numbers, vertices)]].astype(np.float64)
+
+
+def mark_in_plane(cut: LevelCut, kept: Mask | None = None) -> Mask:
+    """uint8 [3 p]: 1 for the half-edges of pieces, of those that are kept, that lie in the plane of a cut."""
+    mask = empty(3 * cut.pieces.size, uint8, cut.pieces.device)
+    launch(mark_half_edges_kernel, mask.size, [cut.pieces, cut.sides, mask])
+    if kept is not None:
+        launch(clear_half_edges_kernel, mask.size, [kept, mask])
+    return mask
+
+
+def read_half_edges(
+    vertices: Points, pieces: Triangles, side_of: Integers, rows: Indices, places: tuple[Indices, Indices] | None = None
+) -> HalfEdges:
+    """Half-edges of pieces; one sync.
+
+    Args:
+        vertices: vec3, those of the pieces.
+        pieces: vec3i [p].
+        side_of: int32 [p], of `find_sides`.
+        rows: int32 [n], the half-edges.
+        places: The new numbers of vertices and of pieces, int32, where they have some.
+    """
+    listed, ends = empty((rows.size, 4), int32, pieces.device), empty(2 * rows.size, vec3, pieces.device)
+    launch(list_half_edges_kernel, rows.size, [vertices, pieces, side_of, rows, listed, ends])
+    if places is not None:
+        launch(renumber_half_edges_kernel, rows.size, [*places, listed])
+    found, at = read_together([listed, ends])  # sync
+    return HalfEdges(found, at.reshape(-1, 2, 3))

@@ -12,14 +12,13 @@ About 40 B a half-edge to build; 12 B a triangle and 24 B a vertex are kept.
 from ..algebra.angles import angle_between
 from ..algebra.transform import widen
 from ..array_types import Points, Triangles
-from ..arrays.pair_sort import argsort_pairs
+from ..arrays.side_by_side import read_together
 from ..lang import (
     array,
     dot,
     float64,
     func,
     int32,
-    int64,
     kernel,
     launch,
     length,
@@ -33,8 +32,9 @@ from ..lang import (
     vec3i,
 )
 from ..memory import download, empty, zeros
-from .mesh_measures import triangle_cross
-from .mesh_topology import CornersByVertex, list_edge_keys_kernel, pair_edges_kernel
+from .mesh_components import label_parts
+from .mesh_measures import measure_triangle, triangle_cross
+from .mesh_topology import CornersByVertex, find_topology, pair_edges_kernel, sorted_edges, topology_of
 
 NARROW = 1e-16  # sine squared of the angle at the first corner: below it float32 corners give no direction
 
@@ -99,11 +99,9 @@ class Pseudonormals:
     turn: float64
 
     def __init__(self, vertices: Points, triangles: Triangles, volume: float) -> None:
-        device, count, bits = vertices.device, 3 * triangles.size, max(1, vertices.size.bit_length())
+        device, count = vertices.device, 3 * triangles.size
         self.vertices, self.triangles, self.turn = vertices, triangles, 1.0 if volume >= 0 else -1.0
-        keys, self.twins = empty(count, int64, device), empty(count, int32, device)
-        launch(list_edge_keys_kernel, triangles.size, [triangles, bits, keys])
-        keys, order = argsort_pairs(keys, bits, vertices.size)
+        self.twins, (keys, order) = empty(count, int32, device), sorted_edges(triangles, vertices.size)
         launch(pair_edges_kernel, count, [triangles, keys, order, self.twins, zeros(4, int32, device)])
         self.normals = empty(vertices.size, vec3d, device)
         around = CornersByVertex(triangles, vertices.size)
@@ -133,6 +131,19 @@ def side_of_part(gap: vec3d, triangle: int, part: int, sides: Pseudonormals) -> 
     return dot(gap, normal) * sides.turn
 
 
-def has_narrow_triangles(vertices: Points, triangles: Triangles) -> bool:
-    """Whether some triangle has no area or a corner that is not finite."""
-    return bool(download(reduce(count_narrow, triangles.size, [vertices, triangles]))[0][0] > 0)  # sync
+def volume_of_shell(vertices: Points, triangles: Triangles) -> float | None:
+    """The signed volume of a mesh of one part whose sides pseudonormals tell, if it does not cut itself; else None.
+
+    One sync. Each edge has two triangles, wound alike; the triangles at each vertex are one fan; none is narrow.
+    """
+    if not triangles.size:
+        return None
+    edges = sorted_edges(triangles, vertices.size)
+    findings = find_topology(triangles, vertices.size, edges)
+    if not findings.device.is_cuda and any(topology_of(download(findings))):
+        return None  # what comes next would not be looked at
+    mesh = [vertices, triangles]
+    sums = [reduce(reduction, triangles.size, mesh) for reduction in (count_narrow, measure_triangle)]
+    found = read_together([findings, label_parts(edges, triangles.size)[1], *sums])  # sync
+    topology, parts, narrow, measured = topology_of(found[0]), found[1][0], found[2][0][0], found[3][0]
+    return float(measured[1]) / 6 if parts == 1 and narrow == 0 and not any(topology) else None

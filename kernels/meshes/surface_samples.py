@@ -10,12 +10,16 @@ attribute.
 Triangles without area, and those with a corner that is not finite, get none.
 """
 
+from functools import cached_property
+
+import numpy as np
+
 from ..algebra.transform import narrow, widen
 from ..array_types import Doubles, Points, Triangles, Vectors
 from ..arrays.random import random_bits
 from ..arrays.running_sums import running_sums
 from ..lang import NAN, array, float64, func, int32, isfinite, kernel, launch, length, sqrt, tid, vec3, vec3d, vec3i
-from ..memory import download, empty
+from ..memory import download, empty, rows_of
 from .mesh_measures import triangle_cross, unit_or_up
 
 WORD = 1.0 / 4294967296.0  # 2^-32
@@ -146,13 +150,25 @@ class SurfaceSamples:
         triangles: vec3i [t].
 
     Attributes:
-        area: Of the mesh; 0 where there is nothing to draw from. One sync.
+        doubled_area: float64 device array, twice the area of the mesh; empty without triangles.
     """
 
     def __init__(self, vertices: Points, triangles: Triangles) -> None:
         self.vertices, self.triangles, self.device = vertices, triangles, vertices.device
         self.running = running_sums(measure_areas(vertices, triangles))
-        self.area = float(download(self.running[triangles.size - 1 :])[0]) / 2 if triangles.size else 0.0  # sync
+        self.doubled_area = (
+            rows_of(self.running, triangles.size - 1, triangles.size) if triangles.size else self.running
+        )
+
+    @cached_property
+    def area(self) -> float:
+        """The area of the mesh; 0 where there is nothing to draw from. One sync when it is first asked for."""
+        return self.area_of(download(self.doubled_area))  # sync
+
+    @staticmethod
+    def area_of(doubled: np.ndarray) -> float:
+        """The area, of what the host has read of `doubled_area`."""
+        return float(doubled[0]) / 2 if doubled.size else 0.0
 
     def draw(self, count: int, seed: int) -> None:
         """Draw samples; the area must not be 0."""

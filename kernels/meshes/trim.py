@@ -3,45 +3,64 @@
 Source: SurfaceTrimmer of PoissonRecon (Kazhdan), whose islands and holes are these.
 """
 
-from ..array_types import Mask, Points, Triangles
-from ..arrays.pair_sort import argsort_pairs
-from ..arrays.select import invert_mask, positions_of
-from ..lang import array, atomic_max, int32, int64, kernel, launch, tid, uint8
-from ..memory import download, empty, full, zeros
+from ..array_types import Array1, Mask, Points, Triangles
+from ..arrays.select import invert_mask
+from ..lang import array, atomic_max, float64, func, int32, int64, kernel, launch, reduce, tid, uint8, vec2d
+from ..memory import zeros
 from .level_cut import LevelCut
-from .mesh_components import Components
-from .mesh_edits import keep_triangles
-from .mesh_measures import measure
-from .mesh_topology import list_edge_keys_kernel
+from .mesh_components import Parts
+from .mesh_measures import measure_triangle
+from .mesh_topology import sorted_edges
+
+
+@func
+def is_small(part: int, parts: Parts, ratio: float64, twice: array(dtype=vec2d)) -> int:
+    """1 where a part has less than a share of the area of the mesh, of which there is the double."""
+    whole = twice[0]
+    return 1 if parts.doubled[part] / 2.0 < ratio * (whole[0] / 2.0) else 0
 
 
 @kernel
-def spread_mask_kernel(rows: array(dtype=int32), chosen: array(dtype=uint8), value: int, mask: array(dtype=uint8)):
-    """Set the mask to a value at the chosen ones of some rows."""
+def drop_islands_kernel(parts: Parts, ratio: float64, twice: array(dtype=vec2d), mask: array(dtype=uint8)):
+    """Clear the mask of triangles in small parts."""
     i = tid()
-    if chosen[i] == 1:
-        mask[rows[i]] = uint8(value)
+    if mask[i] != 0:
+        small = is_small(int(parts.labels[i]), parts, ratio, twice)
+        if small == 1:
+            mask[i] = uint8(0)
 
 
 @kernel
-def spread_parts_kernel(rows: array(dtype=int32), labels: array(dtype=int64), parts: array(dtype=int32)):
-    """The part of each of some rows."""
+def keep_holes_kernel(
+    parts: Parts,
+    ratio: float64,
+    twice: array(dtype=vec2d),
+    is_open: array(dtype=int32),
+    touches: array(dtype=int32),
+    mask: array(dtype=uint8),
+):
+    """Set the mask of triangles in small parts that others enclose."""
     i = tid()
-    parts[rows[i]] = int(labels[i])
+    part = int(parts.labels[i])
+    if part < mask.shape[0]:
+        small = is_small(part, parts, ratio, twice)
+        if small == 1 and is_open[part] == 0 and touches[part] == 1:
+            mask[i] = uint8(1)
 
 
 @kernel
 def find_edges_of_parts_kernel(
     keys: array(dtype=int64),
     order: array(dtype=int32),
-    parts: array(dtype=int32),
+    labels: array(dtype=int64),
     is_open: array(dtype=int32),
     touches: array(dtype=int32),
 ):
     """Which parts end at the mesh's own border, and which touch what is in none; any thread may set it to 1."""
     i = tid()
-    part = parts[order[i] // 3]
-    if part >= 0:
+    count = labels.shape[0]
+    part = int(labels[order[i] // 3])
+    if part < count:
         first = i
         while first > 0 and keys[max(first - 1, 0)] == keys[i]:
             first -= 1
@@ -51,35 +70,30 @@ def find_edges_of_parts_kernel(
         if last - first == 1:
             atomic_max(is_open, part, 1)
         for j in range(first, last):
-            if parts[order[j] // 3] < 0:
+            if labels[order[j] // 3] == int64(count):
                 atomic_max(touches, part, 1)
 
 
-def drop_islands(vertices: Points, triangles: Triangles, mask: Mask, least: float) -> None:
-    """Clear the mask (uint8 [t]) of parts of the chosen triangles whose area is below `least`."""
-    rows = positions_of(mask)  # sync
-    parts = Components(vertices, keep_triangles(triangles, mask))
-    chosen = parts.mask(parts.areas < least)
-    launch(spread_mask_kernel, rows.size, [rows, chosen, 0, mask])
+def change_small_parts(vertices: Points, pieces: Triangles, mask: Mask, ratio: float, twice: Array1[vec2d]) -> None:
+    """Clear the mask, uint8 [p], of parts of the chosen pieces whose area is too small; then set it for such parts of
+    the others that chosen ones enclose.
 
-
-def keep_holes(vertices: Points, triangles: Triangles, mask: Mask, least: float) -> None:
-    """Set the mask of parts of the other triangles whose area is below `least` and that chosen ones enclose."""
-    device = triangles.device
-    others = invert_mask(mask)
-    rows = positions_of(others)  # sync
-    found = Components(vertices, keep_triangles(triangles, others))
-    parts = full(triangles.size, -1, int32, device)
-    launch(spread_parts_kernel, rows.size, [rows, found.labels, parts])
-    bits = max(1, vertices.size.bit_length())
-    keys = empty(3 * triangles.size, int64, device)
-    launch(list_edge_keys_kernel, triangles.size, [triangles, bits, keys])
-    keys, order = argsort_pairs(keys, bits, vertices.size)
-    is_open, touches = (zeros(len(found.counts), int32, device) for _ in range(2))
-    launch(find_edges_of_parts_kernel, keys.size, [keys, order, parts, is_open, touches])
-    enclosed = (download(is_open) == 0) & (download(touches) == 1)  # sync
-    chosen = found.mask(enclosed & (found.areas < least))
-    launch(spread_mask_kernel, rows.size, [rows, chosen, 1, mask])
+    Args:
+        vertices: vec3.
+        pieces: vec3i [p].
+        mask: uint8 [p], changed.
+        ratio: Parts with less than this share of the area are too small.
+        twice: Twice the area, of `measure_triangle`.
+    """
+    device, count = pieces.device, pieces.size
+    edges = sorted_edges(pieces, vertices.size)
+    islands = Parts(vertices, pieces, mask, edges)
+    launch(drop_islands_kernel, count, [islands, ratio, twice, mask])
+    holes = Parts(vertices, pieces, invert_mask(mask), edges)
+    is_open, touches = zeros(count, int32, device), zeros(count, int32, device)
+    keys, order = edges
+    launch(find_edges_of_parts_kernel, keys.size, [keys, order, holes.labels, is_open, touches])
+    launch(keep_holes_kernel, count, [holes, ratio, twice, is_open, touches, mask])
 
 
 def mask_trimmed(vertices: Points, cut: LevelCut, whole: Triangles, island_ratio: float) -> Mask:
@@ -92,10 +106,9 @@ def mask_trimmed(vertices: Points, cut: LevelCut, whole: Triangles, island_ratio
         island_ratio: Parts of less than this share of the whole area change sides.
 
     Returns:
-        uint8 [p].
+        uint8 [p]; no sync.
     """
-    area, mask = measure(vertices, whole)[0], cut.above
     if island_ratio > 0:
-        drop_islands(vertices, cut.pieces, mask, island_ratio * area)
-        keep_holes(vertices, cut.pieces, mask, island_ratio * area)
-    return mask
+        twice = reduce(measure_triangle, whole.size, [vertices, whole])
+        change_small_parts(vertices, cut.pieces, cut.above, island_ratio, twice)
+    return cut.above

@@ -11,12 +11,15 @@ written a pair.
 import math
 from fractions import Fraction
 
+import numpy as np
+
 from ..algebra.plain_min_max import larger, smaller
-from ..array_types import Bytes, Cells, Indices, Points, Triangles
-from ..arrays.bounds import bound_points
-from ..arrays.lowest_bit import lowest_bit
+from ..array_types import Cells, Indices, Integers, Points, Triangles
+from ..arrays.bounds import box_of, find_extremes
+from ..arrays.lowest_bit import bit_of, find_lowest_bits
 from ..arrays.prefix_sum import exclusive_scan
-from ..arrays.select import gather_rows, positions_of
+from ..arrays.select import gather_rows, positions_beside, positions_of
+from ..arrays.side_by_side import read_together
 from ..lang import array, float32, func, int32, isfinite, kernel, launch, partial, tid, uint8, vec3, vec3i
 from ..memory import empty
 from ..search.bucket_walk import children_in_reach, next_step, start_walk, walk
@@ -185,21 +188,24 @@ def list_partners_kernel(
 
 @kernel
 def test_pairs_kernel(
-    rows: array(dtype=int32),
     vertices: array(dtype=vec3),
     triangles: array(dtype=vec3i),
     others: array(dtype=vec3i),
     owners: array(dtype=int32),
     partners: array(dtype=int32),
     verdicts: array(dtype=uint8),
+    is_meeting: array(dtype=uint8),
+    is_open: array(dtype=uint8),
 ):
-    """Test pairs in float64."""
+    """Test pairs in float64; 1 where they meet, and where that does not tell."""
     i = tid()
-    row = rows[i]
-    s = triangles[owners[row]]
-    t = others[partners[row]]
-    verdict = triangles_meet(vertices, s, t, partial(side_of_plane, vertices), partial(side_of_line, vertices))
-    verdicts[row] = uint8(verdict)
+    verdict = int(verdicts[i])
+    if verdict == UNSURE:
+        s = triangles[owners[i]]
+        t = others[partners[i]]
+        verdict = triangles_meet(vertices, s, t, partial(side_of_plane, vertices), partial(side_of_line, vertices))
+    is_meeting[i] = uint8(1 if verdict == MEETING else 0)
+    is_open[i] = uint8(1 if verdict == UNSURE else 0)
 
 
 @kernel
@@ -210,9 +216,9 @@ def settle_pairs_kernel(
     owners: array(dtype=int32),
     partners: array(dtype=int32),
     given: ExactSides,
-    verdicts: array(dtype=uint8),
+    is_meeting: array(dtype=uint8),
 ):
-    """Test pairs exactly."""
+    """Test pairs exactly; 1 where they meet."""
     i = tid()
     row = rows[i]
     s = triangles[owners[row]]
@@ -220,29 +226,19 @@ def settle_pairs_kernel(
     verdict = triangles_meet(
         given.vertices, s, t, partial(exact_side_of_plane, i, given), partial(exact_side_of_line, i, given)
     )
-    verdicts[row] = uint8(verdict)
+    is_meeting[row] = uint8(1 if verdict == MEETING else 0)
 
 
-@kernel
-def mark_verdicts_kernel(verdicts: array(dtype=uint8), wanted: int, mask: array(dtype=uint8)):
-    """1 where a verdict is the one wanted."""
-    i = tid()
-    mask[i] = uint8(1 if int(verdicts[i]) == wanted else 0)
-
-
-def rows_of(verdicts: Bytes, wanted: int) -> Indices:
-    """Where a verdict is the one wanted, int32."""
-    mask = empty(verdicts.size, uint8, verdicts.device)
-    launch(mark_verdicts_kernel, verdicts.size, [verdicts, wanted, mask])
-    return positions_of(mask)  # sync
-
-
-def exact_sides(vertices: Points, threads: int) -> ExactSides:
-    """ExactSides of vertices, those that are not finite aside; two syncs."""
-    unit = lowest_bit(vertices)
-    low, high, _ = bound_points(vertices)
+def exact_sides(vertices: Points, lowest: np.ndarray, extremes: np.ndarray, threads: int) -> ExactSides:
+    """ExactSides of vertices, those that are not finite aside, of what the host has read about them: see `_about`."""
+    unit, (low, high, _) = bit_of(lowest), box_of(extremes)
     sides = [Fraction(float(b)) - Fraction(float(a)) for a, b in zip(low, high, strict=True)]
     return ExactSides(vertices, unit, max(1, math.ceil(max(sides) / Fraction(2) ** unit)), threads)
+
+
+def _about(vertices: Points) -> list[Integers]:
+    """What exact sides begin with, on the device."""
+    return [find_lowest_bits(vertices), find_extremes(vertices)]
 
 
 def find_meeting_pairs(
@@ -262,6 +258,8 @@ def find_meeting_pairs(
 
     Raises:
         ValueError: 2^31 pairs or more.
+
+    Two syncs; one more where float64 does not tell of all.
     """
     device, count = vertices.device, triangles.size
     search, counts = [vertices, triangles, int(within), tree, others], empty(count, int32, device)
@@ -270,17 +268,21 @@ def find_meeting_pairs(
     offsets, total = exclusive_scan(counts)  # sync
     owners, partners = empty(total, int32, device), empty(total, int32, device)
     verdicts = empty(total, uint8, device)
-    if total:
-        launch(list_partners_kernel, count, [*search, offsets, owners, partners, verdicts])
-        rows = rows_of(verdicts, UNSURE)
-        launch(test_pairs_kernel, rows.size, [rows, vertices, triangles, others, owners, partners, verdicts])
-        open_rows = rows_of(verdicts, UNSURE)
-        if open_rows.size:
-            given = exact_sides(vertices, min(open_rows.size, PART))
-            for first in range(0, open_rows.size, PART):
-                rows = open_rows[first : min(first + PART, open_rows.size)]
-                launch(settle_pairs_kernel, rows.size, [rows, triangles, others, owners, partners, given, verdicts])
-    rows = rows_of(verdicts, MEETING)
+    if not total:
+        return partners, owners
+    launch(list_partners_kernel, count, [*search, offsets, owners, partners, verdicts])
+    is_meeting, is_open = empty(total, uint8, device), empty(total, uint8, device)
+    pairs = [triangles, others, owners, partners]
+    launch(test_pairs_kernel, total, [vertices, *pairs, verdicts, is_meeting, is_open])
+    beside = _about(vertices) if device.is_cuda else ()
+    (rows, open_rows), about = positions_beside((is_meeting, is_open), beside)  # sync
+    if open_rows.size:
+        lowest, extremes = about or read_together(_about(vertices))
+        given = exact_sides(vertices, lowest, extremes, min(open_rows.size, PART))
+        for first in range(0, open_rows.size, PART):
+            part = open_rows[first : min(first + PART, open_rows.size)]
+            launch(settle_pairs_kernel, part.size, [part, *pairs, given, is_meeting])
+        rows = positions_of(is_meeting)  # sync
     return gather_rows(owners, rows), gather_rows(partners, rows)
 
 

@@ -15,8 +15,7 @@ import math
 import numpy as np
 
 from ..algebra.plain_min_max import smaller
-from ..array_types import Points
-from ..arrays.bounds import bound_points
+from ..array_types import Indices, Points
 from ..lang import (
     INFINITY,
     WARP,
@@ -38,7 +37,7 @@ from ..lang import (
 )
 from ..memory import full
 from ..search.bucket_walk import byte_place
-from ..search.hilbert_order import HilbertCurve, argsort_along
+from ..search.hilbert_order import order_in_box
 from ..search.point_tree import FAN, LARGEST_SQDIST, measure_boxes
 from .nearest_of_lanes import BYTE, EVERY, find_nearest_of_lanes
 from .triangle_bounds import bound_distance, load_corners, measure_place, reach_of
@@ -194,13 +193,12 @@ class NearestTriangles:
     meshes: array(dtype=int32)
     triangles: array(dtype=int32)
 
-    def __init__(self, queries: Points) -> None:
-        """Nothing yet, for vec3 queries."""
+    def __init__(self, queries: Points, order: Indices | None = None) -> None:
+        """Nothing yet, for vec3 queries; in an order of theirs, if it is given."""
         device, n = queries.device, queries.size
         self.sqdists = full(n, math.inf, float64, device)
         self.meshes, self.triangles = full(n, NOBODY, int32, device), full(n, NOBODY, int32, device)
-        low, high, count = bound_points(queries)
-        self.order = argsort_along(queries, HilbertCurve(low, high, CURVE_LEVELS, is_empty=not count))[1]
+        self.order = order_in_box(queries, CURVE_LEVELS) if order is None else order
 
     def look_into(self, tree: TriangleTree, queries: Points, mesh: int) -> None:
         """Go on in one more mesh; of equally near triangles the one of the earlier mesh, then of lower number, stays.

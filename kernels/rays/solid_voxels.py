@@ -10,19 +10,11 @@ crossings. In float64; the same voxels on every device. 8 B a column of a triang
 import numpy as np
 
 from ..array_types import Keys, Points, Triangles
-from ..arrays.prefix_sum import exclusive_scan, find_owner, sum_counts
+from ..arrays.prefix_sum import find_owner, scan_unread, total_of
 from ..arrays.sort import argsort_keys
 from ..lang import array, ceil, cross, float64, func, int32, int64, kernel, launch, tid, vec3, vec3d, vec3i
-from ..memory import check_room, empty
-from .triangle_voxels import (
-    COLUMN_BYTES,
-    VoxelFrame,
-    count_columns_kernel,
-    first_cells,
-    last_cells,
-    refuse_many,
-    widened_corners,
-)
+from ..memory import check_room, download, empty
+from .triangle_voxels import Columns, VoxelFrame, first_cells, last_cells, refuse_many, widened_corners
 
 CROSSING_BYTES = 36
 CELL_BYTES = 52
@@ -53,8 +45,16 @@ def cross_columns_kernel(
     crossed: array(dtype=int32),
     keys: array(dtype=int64),
 ):
-    """Whether a column's line crosses its triangle, or (writing) the column and the first voxel centred above."""
+    """Whether a column's line crosses its triangle, or (writing) the column and the first voxel centred above.
+
+    As `visit_columns_kernel` counts.
+    """
     i = tid()
+    count = columns[columns.shape[0] - 1]
+    if is_writing == 0:
+        crossed[i] = 0
+        if i >= count or count > crossed.shape[0]:
+            return
     owner = find_owner(columns, i)
     a, b, c = widened_corners(vertices, triangles[owner])
     low = first_cells(a, b, c, frame)
@@ -98,36 +98,31 @@ def fill_pairs_kernel(
             keys[counts[i] + k - begin] = place * int64(depth) + int64(k)
 
 
-def inner_voxels(vertices: Points, triangles: Triangles, frame: VoxelFrame) -> Keys:
-    """The keys of the voxels whose centres a closed surface encloses, int64 device array, each once; three syncs.
+def crossed_columns(vertices: Points, triangles: Triangles, frame: VoxelFrame) -> Columns:
+    """The columns along z that triangles may cross."""
+    return Columns(cross_columns_kernel, vertices, triangles, frame, 1)
 
-    Every edge of the surface belongs to two triangles; none has a corner that is not finite.
+
+def inner_voxels(columns: Columns, frame: VoxelFrame) -> Keys:
+    """The keys of the voxels whose centres a closed surface encloses, int64 device array, each once; one sync.
+
+    Every edge of the surface belongs to two triangles; none has a corner that is not finite. Columns are settled.
 
     Raises:
-        ValueError: More than 2^31 - 1 columns of voxels over all triangles, or voxels.
+        ValueError: More than 2^31 - 1 voxels.
         MemoryError: The device has no room for them.
     """
-    device = triangles.device
-    counts = empty(triangles.size, int32, device)
-    launch(count_columns_kernel, triangles.size, [vertices, triangles, frame, 1, counts])
-    total = sum_counts(counts)  # sync
-    refuse_many(total, "columns of voxels over all triangles")
-    check_room(device, total * COLUMN_BYTES, f"voxel_size: {total:,} columns of voxels over all triangles")
-    columns, total = exclusive_scan(counts)
-    crossed, none = empty(total, int32, device), empty(1, int64, device)
-    launch(cross_columns_kernel, total, [vertices, triangles, frame, columns, 0, crossed, none])
-    places, found = exclusive_scan(crossed)  # sync
+    device, found = columns.device, columns.found
     check_room(device, found * CROSSING_BYTES, f"voxel_size: {found:,} crossings of columns")
-    keys = empty(found, int64, device)
-    launch(cross_columns_kernel, total, [vertices, triangles, frame, columns, 1, places, keys])
     x, y, depth = (int(count) for count in frame.counts)
-    keys, _ = argsort_keys(keys, max(1, int(np.prod([x, y, depth + 1], dtype=object)).bit_length()))
+    bits = max(1, int(np.prod([x, y, depth + 1], dtype=object)).bit_length())
+    keys, _ = argsort_keys(columns.write(), bits)
     spans = empty(found // 2, int32, device)
-    launch(fill_pairs_kernel, found // 2, [keys, depth, 0, spans, none])
-    inside = sum_counts(spans) if found else 0  # sync
+    launch(fill_pairs_kernel, found // 2, [keys, depth, 0, spans, empty(1, int64, device)])
+    offsets, parts = scan_unread(spans)
+    inside = total_of(download(parts))  # sync
     refuse_many(inside, "voxels inside")
     check_room(device, inside * CELL_BYTES, f"voxel_size: {inside:,} voxels inside")
-    offsets, inside = exclusive_scan(spans)
     cells = empty(inside, int64, device)
     launch(fill_pairs_kernel, found // 2, [keys, depth, 1, offsets, cells])
     return cells

@@ -132,11 +132,14 @@ def order_by_splits(points: Points, unit: int) -> Indices:
         points: Device array of vec3.
         unit: Points of the smallest runs.
     """
-    device = points.device
-    mask = empty(points.size, uint8, device)
+    mask = empty(points.size, uint8, points.device)
     launch(mark_finite_kernel, points.size, [points, mask])
-    order = positions_of(mask)  # sync
-    count = order.size
+    return order_rows_by_splits(points, positions_of(mask), unit)  # sync
+
+
+def order_rows_by_splits(points: Points, rows: Indices, unit: int) -> Indices:
+    """Rows of finite points, int32 [count], in such an order; no sync."""
+    device, count, order = points.device, rows.size, rows
     half = unit
     while 2 * half < count:
         half *= 2

@@ -14,15 +14,51 @@ Triangles with a corner that is not finite are left out. Triangles without area 
 Boxes are the lowest and highest of the float32 coordinates, without any rounding.
 """
 
+from collections.abc import Sequence
+
+import numpy as np
+
 from ..algebra.transform import narrow, widen
-from ..array_types import Points, Triangles
-from ..lang import INFINITY, NAN, array, float32, func, int32, isfinite, kernel, launch, struct, tid, vec3, vec3i
-from ..memory import download, empty, upload
+from ..array_types import AnyArray, Points, Triangles
+from ..arrays.bounds import NOTHING, WIDTH, box_of, settle_box
+from ..arrays.runs import Runs, elements_of
+from ..arrays.select import positions_of
+from ..arrays.side_by_side import read_together
+from ..lang import INFINITY, NAN, array, float32, func, int32, isfinite, kernel, launch, struct, tid, uint8, vec3, vec3i
+from ..memory import download, empty, full, upload
 from ..search.point_tree import FAN, SIDES, bound_levels, level_sizes
-from .split_order import order_by_splits
+from .split_order import order_rows_by_splits
 
 LEAF = 8  # triangles a leaf
+RUN = 1024  # triangles that a thread of the CPU bounds: one atomic each
 LEAF_NUMBERS = 9 * LEAF  # numbers of a leaf's corners
+
+
+class Extent:
+    """How far triangles reach: what a TriangleTree over them begins with, where they are.
+
+    Attributes:
+        middles: vec3 [t], the middle of each triangle; NaN where a corner is not finite.
+        mask: uint8 [t], 1 for triangles whose corners are finite.
+        extremes: int32, the box of those and how many they are: `box_of` makes it of what the host reads.
+    """
+
+    def __init__(self, vertices: Points, triangles: Triangles) -> None:
+        device, runs = vertices.device, Runs(triangles.size, vertices.device, RUN)
+        self.middles, self.mask = empty(triangles.size, vec3, device), empty(triangles.size, uint8, device)
+        self.extremes = full(runs.rows * WIDTH, NOTHING, int32, device)
+        results = [self.middles, self.mask, self.extremes]
+        launch(bound_triangles_kernel, runs.threads, [vertices, triangles, runs, *results])
+
+
+def trees_over(
+    meshes: Sequence[tuple[Points, Triangles]], beside: Sequence[AnyArray] = ()
+) -> tuple[list["TriangleTree"], list[np.ndarray]]:
+    """The trees over the vertices and triangles of some meshes on a device, and other arrays as NumPy; one sync."""
+    extents = [Extent(vertices, triangles) for vertices, triangles in meshes]
+    found = read_together([*(extent.extremes for extent in extents), *beside])  # sync
+    known = zip(extents, found, strict=False)
+    return [TriangleTree(*mesh, of) for mesh, of in zip(meshes, known, strict=True)], found[len(meshes) :]
 
 
 @struct
@@ -53,12 +89,14 @@ class TriangleTree:
     corners: array(dtype=float32)
     order: array(dtype=int32)
 
-    def __init__(self, vertices: Points, triangles: Triangles) -> None:
+    def __init__(self, vertices: Points, triangles: Triangles, known: tuple[Extent, np.ndarray] | None = None) -> None:
+        """Build it; one sync, none where it is known how far the triangles reach, and what the host has read of it."""
         self.vertices, self.triangles, self.device = vertices, triangles, vertices.device
-        middles = empty(triangles.size, vec3, self.device)
-        launch(find_middles_kernel, triangles.size, [vertices, triangles, middles])
-        placed = order_by_splits(middles, LEAF)  # sync
-        self.count = placed.size
+        extent = known[0] if known else Extent(vertices, triangles)
+        extremes = known[1] if known else download(extent.extremes)  # sync
+        self.low, self.high, self.count = box_of(extremes)
+        rows = positions_of(extent.mask, self.count)
+        placed = order_rows_by_splits(extent.middles, rows, LEAF)
         self.leaf_count = -(-self.count // LEAF)
         places = self.leaf_count * LEAF
         self.order = empty(places, int32, self.device)
@@ -70,8 +108,6 @@ class TriangleTree:
         self.boxes = empty(int(self.level_firsts[-1]) * SIDES, float32, self.device)
         launch(bound_leaves_kernel, sizes[0] * FAN, [self.corners, self.boxes])
         bound_levels(self.levels, sizes, self.boxes, known=0)
-        sides = download(self.boxes[-SIDES:]).reshape(2, 3, FAN)  # sync
-        self.low, self.high = sides[0].min(axis=1), sides[1].max(axis=1)
 
 
 @func
@@ -79,6 +115,12 @@ def leaf_corner(corners: array(dtype=float32), leaf: int, lane: int, corner: int
     """The corner (0, 1 or 2) of one of a leaf's triangles."""
     at = leaf * LEAF_NUMBERS + 3 * corner * LEAF + lane
     return vec3(corners[at], corners[at + LEAF], corners[at + 2 * LEAF])
+
+
+@func
+def middle_of(a: vec3, b: vec3, c: vec3) -> vec3:
+    """The middle of a triangle."""
+    return narrow((widen(a) + widen(b) + widen(c)) / 3.0)
 
 
 @kernel
@@ -91,8 +133,41 @@ def find_middles_kernel(vertices: array(dtype=vec3), triangles: array(dtype=vec3
     c = vertices[t[2]]
     middle = vec3(NAN, NAN, NAN)
     if isfinite(a) and isfinite(b) and isfinite(c):
-        middle = narrow((widen(a) + widen(b) + widen(c)) / 3.0)
+        middle = middle_of(a, b, c)
     middles[i] = middle
+
+
+@kernel
+def bound_triangles_kernel(
+    vertices: array(dtype=vec3),
+    triangles: array(dtype=vec3i),
+    runs: Runs,
+    middles: array(dtype=vec3),
+    mask: array(dtype=uint8),
+    extremes: array(dtype=int32),
+):
+    """The middles of a thread's triangles and whether they are finite; a row's box is widened to those that are."""
+    i = tid()
+    low = vec3(INFINITY, INFINITY, INFINITY)
+    high = vec3(-INFINITY, -INFINITY, -INFINITY)
+    count = 0
+    for j in elements_of(i, runs):
+        t = triangles[j]
+        a = vertices[t[0]]
+        b = vertices[t[1]]
+        c = vertices[t[2]]
+        middle = vec3(NAN, NAN, NAN)
+        is_finite = 0
+        if isfinite(a) and isfinite(b) and isfinite(c):
+            middle = middle_of(a, b, c)
+            is_finite = 1
+            for axis in range(3):
+                low[axis] = min(low[axis], min(a[axis], min(b[axis], c[axis])))
+                high[axis] = max(high[axis], max(a[axis], max(b[axis], c[axis])))
+        middles[j] = middle
+        mask[j] = uint8(is_finite)
+        count += is_finite
+    settle_box(i, low, high, count, runs, extremes)
 
 
 @kernel

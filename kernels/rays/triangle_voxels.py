@@ -16,10 +16,12 @@ from collections.abc import Sequence
 import numpy as np
 
 from ..algebra.transform import widen
-from ..array_types import Cells, Keys, Points, Triangles
-from ..arrays.prefix_sum import exclusive_scan, find_owner, sum_counts
+from ..array_types import Cells, Keys, LongIntegers, Points, Triangles
+from ..arrays.prefix_sum import find_owner, scan_unread, total_of
+from ..arrays.side_by_side import read_together
 from ..arrays.unique import UniqueKeys
 from ..lang import (
+    Kernel,
     array,
     cross,
     dot,
@@ -43,6 +45,7 @@ from ..memory import check_room, empty
 SLACK = 1.0e-3
 # Of half an edge, added to the box: what touches it may round to the outside. Enough for triangles of 10^6 voxels.
 TOUCH = 1.0 + 1.0 / 1073741824.0
+ROOM, LEAST_ROOM, MOST_ROOM = 4, 1024, 2**22  # columns of the first visit
 COLUMN_BYTES = 8
 HIT_BYTES = 52  # a key, the sort's two copies with positions, marks and runs
 MOST = 2**31 - 1
@@ -197,8 +200,16 @@ def visit_columns_kernel(
     hits: array(dtype=int32),
     keys: array(dtype=int64),
 ):
-    """The voxels of each column that its triangle touches: how many, or (writing) their keys from `hits` on."""
+    """The voxels of each column that its triangle touches: how many, or (writing) their keys from `hits` on.
+
+    Counting, there may be more threads than columns, which find none; where there are more columns, nothing is found.
+    """
     i = tid()
+    count = columns[columns.shape[0] - 1]
+    if is_writing == 0:
+        hits[i] = 0
+        if i >= count or count > hits.shape[0]:
+            return
     owner = find_owner(columns, i)
     a, b, c = widened_corners(vertices, triangles[owner])
     low = first_cells(a, b, c, frame)
@@ -253,29 +264,92 @@ def refuse_many(count: int, what: str) -> None:
         raise ValueError(f"voxel_size: {count:,} {what} are more than 2^31 - 1; take larger voxels")
 
 
-def touched_voxels(vertices: Points, triangles: Triangles, frame: VoxelFrame) -> Keys:
-    """The keys of the voxels that triangles touch, int64 device array with repeats; two syncs.
+class Columns:
+    """The columns of voxels over triangles, and how much a visit to each of them finds.
+
+    On CUDA the first visit is made before anybody knows how many there are: in room for some a triangle, and some for
+    each voxel at the sides of the grid.
+
+    Args:
+        visit: A kernel like `visit_columns_kernel`.
+        vertices: Device array of vec3.
+        triangles: Device array of vec3i.
+        frame: The grid.
+        upright: 1 for columns along z.
+
+    Attributes:
+        arrays: What the host has to read, see `settle`.
+        is_settled: Whether it has.
+        found: How much all visits find, then.
+    """
+
+    def __init__(self, visit: Kernel, vertices: Points, triangles: Triangles, frame: VoxelFrame, upright: int) -> None:
+        device, count = triangles.device, triangles.size
+        counts = empty(count, int32, device)
+        launch(count_columns_kernel, count, [vertices, triangles, frame, upright, counts])
+        self._offsets, totals = scan_unread(counts)
+        self._visit, self._given, self.device = visit, [vertices, triangles, frame, self._offsets], device
+        self.arrays, self.is_settled = [totals], False
+        if device.is_cuda and count:
+            x, y, z = (int(number) for number in frame.counts)
+            self.arrays.append(self._count(min(MOST_ROOM, LEAST_ROOM + ROOM * (count + 2 * (x * y + y * z + z * x)))))
+
+    def _count(self, room: int) -> LongIntegers:
+        self._room, hits = room, empty(room, int32, self.device)
+        launch(self._visit, room, [*self._given, 0, hits, empty(1, int64, self.device)])
+        self._places, found = scan_unread(hits)
+        return found
+
+    def take(self, totals: np.ndarray, found: np.ndarray | None) -> None:
+        """Take what the host has read of `arrays`; they are to be read again where that is not all."""
+        self._total = total_of(totals)
+        refuse_many(self._total, "columns of voxels over all triangles")
+        size = self._total * COLUMN_BYTES
+        check_room(self.device, size, f"voxel_size: {self._total:,} columns of voxels over all triangles")
+        self.is_settled = found is not None and self._total <= self._room
+        if found is not None and self.is_settled:
+            self.found = total_of(found)
+        else:
+            self.arrays = [self.arrays[0], self._count(self._total)]
+
+    def write(self) -> Keys:
+        """The keys of what the visits find, int64 device array."""
+        keys = empty(self.found, int64, self.device)
+        launch(self._visit, self._total, [*self._given, 1, self._places, keys])
+        return keys
+
+
+def settle(columns: Sequence[Columns]) -> None:
+    """Let the host know how much there is; one sync, two where some have more columns than room was made for.
 
     Raises:
-        ValueError: More than 2^31 - 1 columns of voxels over all triangles, or voxels of triangles.
+        ValueError: More than 2^31 - 1 columns.
         MemoryError: The device has no room for them.
     """
-    device = triangles.device
-    counts = empty(triangles.size, int32, device)
-    launch(count_columns_kernel, triangles.size, [vertices, triangles, frame, 0, counts])
-    total = sum_counts(counts) if triangles.size else 0  # sync
-    refuse_many(total, "columns of voxels over all triangles")
-    check_room(device, total * COLUMN_BYTES, f"voxel_size: {total:,} columns of voxels over all triangles")
-    columns, total = exclusive_scan(counts)
-    hits, none = empty(total, int32, device), empty(1, int64, device)
-    launch(visit_columns_kernel, total, [vertices, triangles, frame, columns, 0, hits, none])
-    found = sum_counts(hits) if total else 0  # sync
-    refuse_many(found, "voxels of triangles")
-    check_room(device, found * HIT_BYTES, f"voxel_size: {found:,} voxels of triangles")
-    offsets, found = exclusive_scan(hits)
-    keys = empty(found, int64, device)
-    launch(visit_columns_kernel, total, [vertices, triangles, frame, columns, 1, offsets, keys])
-    return keys
+    left = list(columns)
+    while left:
+        found = iter(read_together([array for of in left for array in of.arrays]))  # sync
+        for of in left:
+            of.take(next(found), next(found) if len(of.arrays) > 1 else None)
+        left = [of for of in left if not of.is_settled]
+
+
+def touched_columns(vertices: Points, triangles: Triangles, frame: VoxelFrame) -> Columns:
+    """The columns of voxels that triangles touch."""
+    return Columns(visit_columns_kernel, vertices, triangles, frame, 0)
+
+
+def touched_voxels(columns: Columns) -> Keys:
+    """The keys of the voxels that triangles touch, int64 device array with repeats; of columns that are settled.
+
+    Raises:
+        ValueError: More than 2^31 - 1 voxels of triangles.
+        MemoryError: The device has no room for them.
+    """
+    refuse_many(columns.found, "voxels of triangles")
+    size = columns.found * HIT_BYTES
+    check_room(columns.device, size, f"voxel_size: {columns.found:,} voxels of triangles")
+    return columns.write()
 
 
 def voxels_of(keys: Keys, frame: VoxelFrame) -> Cells:

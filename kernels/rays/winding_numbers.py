@@ -12,7 +12,7 @@ from ..algebra.angles import arctangent
 from ..algebra.transform import widen
 from ..array_types import Doubles, Indices, Points
 from ..lang import array, cross, dot, float64, func, int32, isfinite, kernel, launch, length, struct, tid, vec3, vec3d
-from ..memory import download, zeros
+from ..memory import zeros
 from ..search.point_tree import FAN, SIDES
 from .triangle_tree import LEAF, TriangleTree, leaf_corner
 
@@ -124,7 +124,7 @@ class Dipoles:
     moments: array(dtype=float64)
 
     def __init__(self, tree: TriangleTree) -> None:
-        levels = download(tree.levels)
+        levels = tree.level_firsts
         records = int(levels[-1])
         self.tree, self.moments = tree, zeros(records * FAN * MOMENTS, float64, tree.device)
         launch(sum_leaf_moments_kernel, tree.leaf_count, [tree, self.moments])

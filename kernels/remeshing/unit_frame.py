@@ -35,8 +35,9 @@ class UnitFrame:
         scale: A power of two.
     """
 
-    def __init__(self, points: Points) -> None:
-        low, high, count = bound_points(points)  # sync
+    def __init__(self, points: Points, box: tuple[np.ndarray, np.ndarray, int] | None = None) -> None:
+        """Of points, whose box may be known, as `bound_points` gives it; else one sync."""
+        low, high, count = box or bound_points(points)  # sync
         low, high = low.astype(np.float64), high.astype(np.float64)
         extent = float((high - low).max()) if count else 0.0
         self.scale = float(2.0 ** -np.ceil(np.log2(extent))) if extent > 0 else 1.0

@@ -14,7 +14,7 @@ import numpy as np
 from ..algebra.transform import narrow, widen
 from ..array_types import Integers, Points, Triangles, Vectors
 from ..arrays.bounds import bound_points
-from ..arrays.prefix_sum import exclusive_scan
+from ..arrays.prefix_sum import offsets_of
 from ..arrays.select import positions_of
 from ..arrays.unique import UniqueKeys
 from ..lang import (
@@ -54,6 +54,7 @@ class VertexClusters:
         starts, stops: int32 [c], where each voxel's vertices begin and end in `order`.
         labels: int32 [m], the voxel of each vertex; -1 where it is not finite.
         count: Voxels c; on the host.
+        box: Of the vertices, as of `bound_points`.
     """
 
     order: array(dtype=int32)
@@ -68,7 +69,8 @@ class VertexClusters:
             ValueError: The grid needs more than 62 bits.
         """
         device = vertices.device
-        low, high, finite = bound_points(vertices)  # sync
+        self.box = bound_points(vertices)  # sync
+        low, high, finite = self.box
         low, high = (low.astype(np.float64), high.astype(np.float64)) if finite else (np.zeros(3), np.zeros(3))
         corner = low - 0.5 * voxel_size
         with np.errstate(over="ignore"):  # more voxels than a float counts: refused below
@@ -77,7 +79,7 @@ class VertexClusters:
         self.order, self.count = groups.order, groups.count
         firsts = zeros(vertices.size, int32, device)
         launch(mark_first_vertices_kernel, self.count, [groups.order, groups.starts, firsts])
-        ranks, _ = exclusive_scan(firsts)  # sync
+        ranks = offsets_of(firsts)
         self.starts, self.stops = empty(self.count, int32, device), empty(self.count, int32, device)
         self.labels = full(vertices.size, -1, int32, device)
         arguments = [groups.order, groups.starts, ranks, self.starts, self.stops, self.labels]
@@ -207,14 +209,15 @@ def list_triple_keys_kernel(
 def mark_first_rows_kernel(groups: UniqueKeys, rows: array(dtype=int32), mask: array(dtype=uint8)):
     """1 for the first row of each group."""
     i = tid()
-    mask[rows[groups.order[groups.starts[i]]]] = 1
+    if groups.starts[i + 1] > groups.starts[i]:
+        mask[rows[groups.order[groups.starts[i]]]] = 1
 
 
 def join_triangles(triangles: Triangles, labels: Integers, count: int) -> Triangles:
     """The triangles between three of `count` voxels, each once, in the order in which they first appear.
 
     Returns:
-        vec3i: lowest vertex first; two of opposite winding are two.
+        vec3i: lowest vertex first; two of opposite winding are two. Two syncs.
     """
     device, bits = triangles.device, max(1, count.bit_length())
     relabeled, mask = empty(triangles.size, vec3i, device), empty(triangles.size, uint8, device)
@@ -222,9 +225,9 @@ def join_triangles(triangles: Triangles, labels: Integers, count: int) -> Triang
     rows = positions_of(mask)  # sync
     keys = empty(rows.size, int64, device)
     launch(list_pair_keys_kernel, rows.size, [relabeled, rows, bits, keys])
-    pairs = UniqueKeys(keys, 2 * bits)  # sync
+    pairs = UniqueKeys(keys, 2 * bits, padded=True)
     launch(list_triple_keys_kernel, pairs.count, [pairs, relabeled, rows, bits, keys])
-    groups = UniqueKeys(keys, bits + max(1, pairs.count.bit_length()))  # sync
+    groups = UniqueKeys(keys, bits + max(1, pairs.count.bit_length()), padded=True)
     mask = zeros(triangles.size, uint8, device)
     launch(mark_first_rows_kernel, groups.count, [groups, rows, mask])
     return keep_triangles(relabeled, mask)  # sync
@@ -257,7 +260,7 @@ def cluster_vertices(
         launch(average_clusters_kernel, clusters.count, [clusters, int(is_unit), rows, means])
         arrays.append(means)
     if with_planes:
-        frame = UnitFrame(vertices)
+        frame = UnitFrame(vertices, clusters.box)
         points = empty(clusters.count, vec3d, device)
         around = CornersByVertex(triangles, vertices.size)
         arguments = [clusters, frame.scaled(vertices), triangles, around, voxel_size * frame.scale, points]

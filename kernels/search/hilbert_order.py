@@ -8,9 +8,9 @@ speed.
 import numpy as np
 
 from ..array_types import Integers, LongIntegers, Points
-from ..arrays.bounds import bound_points
+from ..arrays.bounds import bound_points, find_box
 from ..arrays.sort import SortKeys, put_key
-from ..lang import array, func, int32, int64, isfinite, kernel, launch, struct, tid, vec3, vector
+from ..lang import array, float32, float64, func, int32, int64, isfinite, kernel, launch, struct, tid, vec3, vector
 
 LANES = 8  # points a thread: their codes are computed side by side in vector registers
 lanes = vector(8, int32)
@@ -92,53 +92,84 @@ def hilbert_codes(cx: lanes, cy: lanes, cz: lanes, levels: int) -> lane_codes:
 
 
 @func
-def cell_on_axis(coordinate: float, low: float, curve: HilbertCurve) -> int:
+def cell_on_axis(coordinate: float, low: float, scale: float, levels: int) -> int:
     """The cell of a coordinate; the nearest one of coordinates outside the box."""
-    top = float((1 << curve.levels) - 1)
-    return int(min(max((coordinate - low) * curve.scale, 0.0), top))
+    top = float((1 << levels) - 1)
+    return int(min(max((coordinate - low) * scale, 0.0), top))
 
 
 @func
 def locate_on_curve(p: vec3, curve: HilbertCurve) -> int64:
     """The code of a point; points outside the box take the nearest cell."""
-    x = lanes(cell_on_axis(p[0], curve.low[0], curve))
-    y = lanes(cell_on_axis(p[1], curve.low[1], curve))
-    z = lanes(cell_on_axis(p[2], curve.low[2], curve))
+    x = lanes(cell_on_axis(p[0], curve.low[0], curve.scale, curve.levels))
+    y = lanes(cell_on_axis(p[1], curve.low[1], curve.scale, curve.levels))
+    z = lanes(cell_on_axis(p[2], curve.low[2], curve.scale, curve.levels))
     codes = hilbert_codes(x, y, z, curve.levels)
     return codes[0]
 
 
-@kernel
-def encode_points_kernel(points: array(dtype=vec3), curve: HilbertCurve, apart: int, step: int, codes: SortKeys):
+@func
+def put_eight(head: int, step: int, points: array(dtype=vec3), low: vec3, scale: float, levels: int, codes: SortKeys):
     """The codes of eight points, `step` places from one to the next; points that are not finite come last."""
-    i = tid()
-    head = i * apart
     last = points.shape[0] - 1
     x = lanes(0)
     y = lanes(0)
     z = lanes(0)
     for j in range(LANES):
         p = points[min(head + j * step, last)]
-        x[j] = cell_on_axis(p[0], curve.low[0], curve)
-        y[j] = cell_on_axis(p[1], curve.low[1], curve)
-        z[j] = cell_on_axis(p[2], curve.low[2], curve)
-    places = hilbert_codes(x, y, z, curve.levels)
+        x[j] = cell_on_axis(p[0], low[0], scale, levels)
+        y[j] = cell_on_axis(p[1], low[1], scale, levels)
+        z[j] = cell_on_axis(p[2], low[2], scale, levels)
+    places = hilbert_codes(x, y, z, levels)
     for j in range(LANES):
         place = head + j * step
         if place <= last:
             p = points[place]
-            code = 1 << int64(3 * curve.levels)
+            code = 1 << int64(3 * levels)
             if isfinite(p):
                 code = places[j]
             put_key(place, code, codes)
 
 
-def encode_points(points: Points, curve: HilbertCurve) -> SortKeys:
-    """The code of each point on a curve, as SortKeys; 8^levels for points that are not finite."""
-    codes = SortKeys(points.size, points.device)
+@kernel
+def encode_points_kernel(points: array(dtype=vec3), curve: HilbertCurve, apart: int, step: int, codes: SortKeys):
+    """The codes of eight points on a curve."""
+    i = tid()
+    put_eight(i * apart, step, points, curve.low, curve.scale, curve.levels, codes)
+
+
+@kernel
+def encode_in_box_kernel(
+    points: array(dtype=vec3), box: array(dtype=float32), levels: int, apart: int, step: int, codes: SortKeys
+):
+    """The codes of eight points on the curve through a box: its low corner, then its high one."""
+    i = tid()
+    extent = float64(0.0)
+    for axis in range(3):
+        extent = max(extent, float64(box[axis + 3]) - float64(box[axis]))
+    scale = 0.0
+    if extent > float64(SMALLEST_EXTENT):
+        scale = float(float64((1 << levels) - 1) / extent)
+    put_eight(i * apart, step, points, vec3(box[0], box[1], box[2]), scale, levels, codes)
+
+
+def _threads_of_eight(points: Points) -> tuple[int, int, int]:
+    """Threads of eight points each, and how far a thread's first point is from the next thread's, and its own apart."""
     threads = -(-points.size // LANES)
     # on the CPU the eight stand side by side, on CUDA those of threads side by side do
-    apart, step = (1, threads) if points.device.is_cuda else (LANES, 1)
+    return (threads, 1, threads) if points.device.is_cuda else (threads, LANES, 1)
+
+
+def order_in_box(points: Points, levels: int) -> Integers:
+    """The order of points along the curve through their box, int32 [n]; no sync. As of `argsort_along`."""
+    codes, (threads, apart, step) = SortKeys(points.size, points.device), _threads_of_eight(points)
+    launch(encode_in_box_kernel, threads, [points, find_box(points), levels, apart, step, codes])
+    return codes.sort(3 * levels + 1)[1]
+
+
+def encode_points(points: Points, curve: HilbertCurve) -> SortKeys:
+    """The code of each point on a curve, as SortKeys; 8^levels for points that are not finite."""
+    codes, (threads, apart, step) = SortKeys(points.size, points.device), _threads_of_eight(points)
     launch(encode_points_kernel, threads, [points, curve, apart, step, codes])
     return codes
 

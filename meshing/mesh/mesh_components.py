@@ -10,8 +10,7 @@ from numpy.typing import NDArray
 from ...core.array_libraries import hand_out_host
 from ...core.checks import check_count, check_positive
 from ...core.dropped_results import returns_new
-from ...kernels.arrays.select import positions_of
-from ...kernels.meshes.mesh_components import Components
+from ...kernels.meshes.mesh_components import Parts
 from .mesh_edits import MeshEdits
 
 
@@ -39,8 +38,8 @@ class MeshComponents(MeshEdits):
             >>> labels.tolist(), counts.tolist(), areas.tolist()
             ([0, 1, 0], [2, 1], [1.0, 1.5])
         """
-        parts = self._components()
-        found = (hand_out_host(values, self._library, self._device) for values in (parts.counts, parts.areas))
+        parts = self._parts()
+        found = (hand_out_host(values, self._library, self._device) for values in parts.read())
         return self.handed_out(parts.labels, dtype=np.int32), *found
 
     @returns_new
@@ -68,9 +67,7 @@ class MeshComponents(MeshEdits):
             TriangleMesh(4 vertices, 2 triangles, cpu)
         """
         count, area = check_count("min_triangles", min_triangles), check_positive("min_area", min_area, allow_zero=True)
-        parts = self._components()
-        mask = parts.mask((parts.counts >= count) & (parts.areas >= area))
-        return self.with_arrays(**self.triangles_at(positions_of(mask))).remove_unreferenced_vertices()
+        return self._with_triangles(self._parts().mask_large(count, area))  # sync
 
-    def _components(self) -> Components:
-        return Components(self._arrays["vertices"], self._arrays["triangles"])
+    def _parts(self) -> Parts:
+        return Parts(self._arrays["vertices"], self._arrays["triangles"])

@@ -13,10 +13,10 @@ from ...core.checks import check_direction, check_finite, check_numeric, check_s
 from ...core.dropped_results import returns_new
 from ...kernels.arrays.bounds import bound_points
 from ...kernels.arrays.concatenation import concatenate_rows
-from ...kernels.arrays.select import gather_rows, positions_of
+from ...kernels.arrays.select import positions_of
 from ...kernels.lang import int32, vec3i
-from ...kernels.memory import download, upload
-from ...kernels.meshes import clean_triangles, plane_cut
+from ...kernels.memory import upload
+from ...kernels.meshes import clean_triangles, mesh_edits, plane_cut
 from ...kernels.meshes.holes import spread_corners
 from ...kernels.meshes.level_cut import LevelCut
 from ...pcd.line_set import LineSet
@@ -79,14 +79,15 @@ class MeshCutting(MeshTrim, MeshCleaning):
             >>> half.is_watertight(), half.get_volume()
             (True, 0.5)
         """
-        plane, mesh = self._plane(point, normal), self._finite()
+        plane, mesh = self._plane(point, normal)
         if cap:
             load_manifold("cap")
         cut, sides, whole = mesh._cut_by(plane)
-        kept = whole.with_arrays(**whole.triangles_at(positions_of(plane_cut.mask_above(sides, with_up=not cap))))
-        if cap:
-            kept = kept._with_lid(cut, plane)
-        return kept.remove_unreferenced_vertices()
+        kept = plane_cut.mask_above(sides, with_up=not cap)
+        if not cap:
+            return whole._with_triangles(kept)  # sync
+        above, half_edges = whole._above(cut, sides, kept)  # sync
+        return above._with_lid(half_edges, plane)
 
     @overload
     def slice_plane(self, point: ArrayLike, normal: ArrayLike, contour_values: ArrayLike = (0.0,)) -> LineSet: ...
@@ -130,7 +131,7 @@ class MeshCutting(MeshTrim, MeshCleaning):
         heights = check_finite("contour_values", np.atleast_1d(check_numeric("contour_values", contour_values)))
         if heights.ndim != 1:
             raise ValueError(f"contour_values: expected shape [k], got {list(heights.shape)}")
-        plane, mesh, points, lines = self._plane(point, normal), self._finite(), [np.zeros((0, 3))], []
+        (plane, mesh), points, lines = self._plane(point, normal), [np.zeros((0, 3))], []
         for height in heights.tolist():
             places, ends = mesh._section(plane._replace(offset=plane.offset - height))
             lines.append(ends + sum(map(len, points)))
@@ -158,28 +159,27 @@ class MeshCutting(MeshTrim, MeshCleaning):
             >>> len(loop), loop[0].tolist() == loop[-1].tolist(), loop[:, 2].tolist()[:2]
             (9, True, [0.25, 0.25])
         """
-        plane = self._plane(point, normal)
-        points, ends = self._finite()._section(plane)
+        plane, mesh = self._plane(point, normal)
+        points, ends = mesh._section(plane)
         flat = (points - self._origin) @ plane.axes().T
         loops, paths = join_lines(ends, dict(enumerate(flat)))
         return [points[[*loop, loop[0]]] for loop in loops] + [points[path] for path in paths]
 
     # ------------------------------------------------------------------------------------------------ internals
 
-    def _plane(self, point: ArrayLike, normal: ArrayLike) -> _Plane:
+    def _plane(self, point: ArrayLike, normal: ArrayLike) -> tuple[_Plane, Self]:
+        """The plane, and the mesh without triangles that have a corner which is not finite; one sync, two with such."""
         place = check_finite("point", check_shape("point", point, (3,)))
-        way = check_direction("normal", normal)
-        low, high, count = bound_points(self._arrays["vertices"])
+        way, vertices = check_direction("normal", normal), self._arrays["vertices"]
+        low, high, count = bound_points(vertices)  # sync
         largest = np.abs([low, high]).max(axis=0).astype(np.float64) if count else np.zeros(3)
         slack = float(
             np.abs(way) @ (plane_cut.ROUNDING * largest + plane_cut.COARSE * (np.abs(self._origin) + np.abs(place)))
         )
-        return _Plane(way, float(way @ (self._origin - place)), slack)
-
-    def _finite(self) -> Self:
-        """The mesh without triangles that have a corner which is not finite."""
-        wrong = clean_triangles.mask_not_finite(self._arrays["vertices"], self._arrays["triangles"])
-        return self._without(wrong) if positions_of(wrong).size else self  # sync
+        mesh = self
+        if count < vertices.size:
+            mesh = self._without(clean_triangles.mask_not_finite(vertices, self._arrays["triangles"]))  # sync
+        return _Plane(way, float(way @ (self._origin - place)), slack), mesh
 
     def _cut_by(self, plane: _Plane) -> tuple[LevelCut, wp.array, Self]:
         """(the cut, the side of each piece, all pieces as a mesh)."""
@@ -191,24 +191,24 @@ class MeshCutting(MeshTrim, MeshCleaning):
     def _section(self, plane: _Plane) -> tuple[NDArray[np.float64], NDArray[np.int64]]:
         """(points [m] [n, 3], lines between them [k, 2])."""
         cut, sides, whole = self._cut_by(plane)
-        half_edges = plane_cut.half_edges_in_plane(cut, cut.pieces, sides)  # sync
-        ends = lines_in_plane(half_edges, self._arrays["vertices"].size)
+        rows = positions_of(plane_cut.mark_in_plane(cut))  # sync
+        found = plane_cut.read_half_edges(whole._arrays["vertices"], cut.pieces, sides, rows)  # sync
+        ends = lines_in_plane(found.rows, self._arrays["vertices"].size)
         used, numbers = np.unique(ends, return_inverse=True)
-        return whole._places(used) + self._origin, numbers.reshape(-1, 2)
+        return found.places(used) + self._origin, numbers.reshape(-1, 2)
 
-    def _places(self, rows: NDArray[np.int64]) -> NDArray[np.float64]:
-        """Vertices about the origin, float64 [n, 3]."""
-        chosen = gather_rows(self._arrays["vertices"], upload(rows.astype(np.int32), int32, self._device))
-        return download(chosen).astype(np.float64).reshape(-1, 3)
+    def _above(self, cut: LevelCut, sides: wp.array, kept: wp.array) -> tuple[Self, plane_cut.HalfEdges]:
+        """The pieces that are kept with the vertices that they use, and their half-edges in the plane; two syncs."""
+        mesh, rows, chosen, found = self._chosen(kept, plane_cut.mark_in_plane(cut, kept))  # sync
+        vertices, pieces = self._arrays["vertices"], cut.pieces
+        places = [mesh_edits.mark_places(*listed)[1] for listed in ((chosen, vertices.size), (rows, pieces.size))]
+        return mesh, plane_cut.read_half_edges(vertices, pieces, sides, found, (places[0], places[1]))  # sync
 
-    def _with_lid(self, cut: LevelCut, plane: _Plane) -> Self:
+    def _with_lid(self, found: plane_cut.HalfEdges, plane: _Plane) -> Self:
         """The pieces above a plane, closed along it."""
-        triangles = self._arrays["triangles"]
-        sides = plane_cut.find_sides(self._arrays["vertices"], triangles, cut.sides, plane.normal)
-        half_edges = plane_cut.half_edges_in_plane(cut, triangles, sides)  # sync
-        ends = outline(half_edges)[:, ::-1]  # as the lid's triangles run
+        ends = outline(found.rows)[:, ::-1]  # as the lid's triangles run
         used = np.unique(ends)
-        flat = self._places(used) @ plane.axes()[::-1].T  # seen from below
+        flat = found.places(used) @ plane.axes()[::-1].T  # seen from below
         loops, paths = join_lines(ends, dict(zip(used.tolist(), flat, strict=True)))
         if paths:
             warnings.warn(f"cap: {len(paths)} outlines are not closed, as the mesh is not; no lid there", stacklevel=4)
@@ -219,7 +219,7 @@ class MeshCutting(MeshTrim, MeshCleaning):
             loops = [loop[::-1] if turn else loop for loop, turn in zip(loops, turned, strict=True)]
             places = [place[::-1] if turn else place for place, turn in zip(places, turned, strict=True)]
         numbers = np.array([v for loop in loops for v in loop], np.int32)
-        return self._with_more(numbers[fill_loops("cap", places)], half_edges)
+        return self._with_more(numbers[fill_loops("cap", places)], found.rows)
 
     def _with_more(self, lid: NDArray[np.int32], half_edges: NDArray[np.int32]) -> Self:
         """The mesh with more triangles, whose corners take what belongs to the first of some half-edges there."""

@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 from ...core.checks import check_numeric, is_on_gpu
 from ...core.dropped_results import returns_new
 from ...core.gpu_arrays import take_mask
-from ...kernels.arrays.select import invert_mask, positions_of
+from ...kernels.arrays.select import invert_mask, positions_of, positions_of_each
 from ...kernels.lang import int32, uint8
 from ...kernels.memory import cast, upload
 from ...kernels.meshes import mesh_edits
@@ -77,6 +77,20 @@ class MeshEdits(MeshMotion):
         if self._attributes["vertex_attributes"]:
             arrays |= self._attributes_at("vertex_attributes", positions_of(cast(used, uint8)))  # sync
         return self.with_arrays(triangles=triangles, **arrays, **per_triangle)
+
+    def _with_triangles(self, mask: wp.array) -> Self:
+        """The triangles where a uint8 device mask is set, and the vertices that they use; one sync."""
+        return self._chosen(mask)[0]  # sync
+
+    def _chosen(self, mask: wp.array, *others: wp.array) -> tuple[Any, ...]:
+        """As `_with_triangles`: (mesh, rows of the triangles, of the vertices, positions of other masks); one sync."""
+        count = self._arrays["vertices"].size
+        used = mesh_edits.mark_chosen(self._arrays["triangles"], mask, count)
+        rows, vertices, *positions = positions_of_each(mask, used, *others)  # sync
+        arrays = self.triangles_at(rows) | self.vertices_at(vertices)
+        places = mesh_edits.mark_places(vertices, count)[1]
+        arrays["triangles"] = mesh_edits.renumber_triangles(arrays["triangles"], places)
+        return self.with_arrays(**arrays), rows, vertices, *positions
 
     def _left_by(self, mask: ArrayLike, count: int, of: str) -> wp.array:
         """What a mask of removals leaves, uint8 on the mesh's device."""

@@ -14,17 +14,25 @@ from ...core.devices import check_same_device
 from ...core.dropped_results import returns_new
 from ...core.units import common_unit
 from ...kernels.arrays.concatenation import concatenate_points
-from ...kernels.extent.distance_sums import summarize_distances
-from ...kernels.memory import download
+from ...kernels.arrays.side_by_side import read_together
+from ...kernels.extent.distance_sums import DistanceSums, summarize_distances
+from ...kernels.meshes.surface_samples import SurfaceSamples
 from ...kernels.rays.distance_colors import color_distances
-from ...kernels.rays.surface_hausdorff import distances_to, farthest_distance, root_mean_square
-from ...kernels.rays.triangle_tree import TriangleTree
+from ...kernels.rays.surface_hausdorff import (
+    FarthestSearch,
+    distances_to,
+    root_mean_square,
+    search_farthest,
+    sum_squares,
+)
+from ...kernels.rays.triangle_tree import TriangleTree, trees_over
 from .mesh_intersections import check_mesh
 from .mesh_sampling import MeshSampling
 
 if TYPE_CHECKING:
     from .mesh import TriangleMesh
 
+UNREACHED = "mesh2: has no finite triangle, or lies 1.8e19 m away or farther"
 CLOSE = 1e-5  # of the meshes' size: how far the bounds of a Hausdorff distance may be apart
 
 
@@ -101,7 +109,7 @@ class MeshMetrics(MeshSampling):
         given = check_numeric("fscore_radius", fscore_radius).reshape(-1).tolist()
         radii = [check_positive("fscore_radius", radius) for radius in given]
         count, seed = check_count("n_sampled_points", n_sampled_points), check_seed(seed)
-        there, back = _one_way(self, mesh2, radii, count, seed), _one_way(mesh2, self, radii, count, seed)
+        there, back = _both_ways(self, mesh2, radii, count, seed)
         both = there.within + back.within
         fscore = np.divide(2 * there.within * back.within, both, out=np.zeros_like(both), where=both > 0)
         return SurfaceMetrics(
@@ -153,8 +161,7 @@ class MeshMetrics(MeshSampling):
         tree = TriangleTree(mesh2.device_arrays["vertices"], mesh2.device_arrays["triangles"])
         distances = distances_to(points, tree)
         if largest is None:
-            host = download(distances).astype(np.float32)  # sync
-            largest = float(host[np.isfinite(host)].max(initial=0.0))
+            largest = float(np.float32(summarize_distances(distances, [])[2]))  # sync
         colored = self.with_arrays(vertex_colors=color_distances(distances, largest))
         return colored, self.handed_out(distances, dtype=np.float32)
 
@@ -169,17 +176,72 @@ class _OneWay(NamedTuple):
     most: float
 
 
-def _one_way(mesh: Any, other: Any, radii: list[float], count: int, seed: int) -> _OneWay:
-    tree = TriangleTree(other.device_arrays["vertices"], other.device_arrays["triangles"])
-    cloud = mesh.sample_points_uniformly(count, seed=seed)
-    sampled = distances_to(points_about(cloud.device_arrays["points"], mesh.origin, other.origin), tree)
-    finite, total, farthest, within = summarize_distances(sampled, radii)
-    if finite < count:
-        raise ValueError("mesh2: has no finite triangle, or lies 1.8e19 m away or farther")
-    vertices = points_about(mesh.device_arrays["vertices"], mesh.origin, other.origin)
-    size = float(np.max(tree.high.astype(np.float64) - tree.low))
-    least, most = farthest_distance(vertices, mesh.device_arrays["triangles"], tree, farthest, CLOSE * size)
-    return _OneWay(total / count, root_mean_square(sampled), 100 * within / count, least, most)
+class _Measured:
+    """What is measured from one surface to another one, where it is measured.
+
+    Args:
+        mesh: The surface.
+        other: The other one.
+        tree: Its tree.
+        surface: The surface to draw from.
+        radii, count, seed: As of `compute_metrics`.
+
+    Attributes:
+        arrays: What the host has to read.
+    """
+
+    def __init__(
+        self,
+        mesh: Any,
+        other: Any,
+        tree: TriangleTree,
+        surface: SurfaceSamples,
+        radii: list[float],
+        count: int,
+        seed: int,
+    ) -> None:
+        if not tree.count:
+            raise ValueError(UNREACHED)
+        self._count, shift = count, (mesh.origin, other.origin)
+        cloud = mesh._draw(surface, count, False, seed)
+        sampled = distances_to(points_about(cloud.device_arrays["points"], *shift), tree)
+        self._sums = DistanceSums(sampled, radii)
+        vertices = points_about(mesh.device_arrays["vertices"], *shift)
+        size = float(np.max(tree.high.astype(np.float64) - tree.low))
+        triangles, known = mesh.device_arrays["triangles"], self._sums.largest
+        self.farthest = FarthestSearch(vertices, triangles, tree, known, CLOSE * size)
+        self.arrays = [self._sums.whole, sum_squares(sampled), self.farthest.known]
+
+    def check(self, whole: NDArray[Any]) -> None:
+        """Refuse surfaces that are too far apart."""
+        if self._sums.told(whole)[0] < self._count:
+            raise ValueError(UNREACHED)
+
+    def told(self, whole: NDArray[Any], squares: NDArray[Any], bounds: tuple[float, float]) -> _OneWay:
+        """The numbers, of what the host has read."""
+        _, total, _, within = self._sums.told(whole)
+        count = self._count
+        return _OneWay(total / count, root_mean_square(squares, count), 100 * within / count, *bounds)
+
+
+def _both_ways(one: Any, two: Any, radii: list[float], count: int, seed: int) -> tuple[_OneWay, _OneWay]:
+    """Distances from one surface to the other one, and back; three syncs, rarely more."""
+    meshes = [(mesh.device_arrays["vertices"], mesh.device_arrays["triangles"]) for mesh in (one, two)]
+    surfaces = [SurfaceSamples(*mesh) for mesh in meshes]
+    trees, doubled = trees_over(meshes, [surface.doubled_area for surface in surfaces])  # sync
+    for surface, found in zip(surfaces, doubled, strict=True):
+        surface.area = surface.area_of(found)
+    ways = []
+    for mesh, other, surface, tree in ((one, two, surfaces[0], trees[1]), (two, one, surfaces[1], trees[0])):
+        mesh._check_surface(surface, "sample_points_uniformly")
+        ways.append(_Measured(mesh, other, tree, surface, radii, count, seed))
+    found = read_together([array for way in ways for array in way.arrays])  # sync
+    parts = list(zip(found[::3], found[1::3], strict=True))
+    for way, (whole, _) in zip(ways, parts, strict=True):
+        way.check(whole)
+    bounds = search_farthest([way.farthest for way in ways], found[2::3])  # sync
+    there, back = (way.told(*part, bound) for way, part, bound in zip(ways, parts, bounds, strict=True))
+    return there, back
 
 
 def points_about(points: wp.array, origin: NDArray[np.float64], target: NDArray[np.float64]) -> wp.array:

@@ -124,15 +124,19 @@ class MeshSampling(MeshArrays):
 
     def _surface(self, operation: str) -> SurfaceSamples:
         """The surface to draw from."""
+        surface = SurfaceSamples(self._arrays["vertices"], self._arrays["triangles"])
+        self._check_surface(surface, operation)
+        return surface
+
+    def _check_surface(self, surface: SurfaceSamples, operation: str) -> None:
+        """Refuse a surface that there is nothing to draw from."""
         if not len(self):
             raise ValueError(f"{operation}: the mesh has no triangles, so it has no surface to draw points from")
-        surface = SurfaceSamples(self._arrays["vertices"], self._arrays["triangles"])
         if not surface.area > 0:
             raise ValueError(
                 f"{operation}: none of the mesh's {len(self)} triangles has an area; each has two corners at one "
                 "place, all three on a line, or one that is not finite"
             )
-        return surface
 
     def _draw(self, surface: SurfaceSamples, count: int, use_triangle_normal: bool, seed: int) -> PointCloud:
         check_room(self._device, count * SAMPLE_BYTES, f"number_of_points: {count:,} points with what they are made of")

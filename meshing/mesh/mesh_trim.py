@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike
 
 from ...core.checks import check_finite, check_number, check_numeric, check_share
 from ...core.dropped_results import returns_new
-from ...kernels.arrays.select import gather_rows, positions_of
+from ...kernels.arrays.select import gather_rows
 from ...kernels.lang import float64
 from ...kernels.memory import upload
 from ...kernels.meshes.level_cut import LevelCut
@@ -63,9 +63,8 @@ class MeshTrim(MeshEdits):
         where, ratio = check_number("level", level), check_share("island_ratio", island_ratio)
         cut = LevelCut(self._arrays["triangles"], upload(values, float64, self._device), where)
         whole = self._cut_up(cut)
-        vertices = whole.device_arrays["vertices"]
-        mask = mask_trimmed(vertices, cut, self._arrays["triangles"], ratio)
-        return whole.with_arrays(**whole.triangles_at(positions_of(mask))).remove_unreferenced_vertices()  # sync
+        mask = mask_trimmed(whole.device_arrays["vertices"], cut, self._arrays["triangles"], ratio)
+        return whole._with_triangles(mask)  # sync
 
     def _cut_up(self, cut: LevelCut) -> Self:
         """All pieces of a cut as a mesh, with all that belongs to vertices and triangles."""

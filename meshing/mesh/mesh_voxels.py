@@ -3,16 +3,19 @@
 from __future__ import annotations
 
 import math
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ...core.checks import check_finite, check_positive, check_shape
-from ...kernels.arrays.bounds import bound_points
+from ...kernels.arrays.bounds import box_of, find_extremes
 from ...kernels.arrays.concatenation import concatenate_rows
+from ...kernels.arrays.side_by_side import read_together
 from ...kernels.memory import download
-from ...kernels.rays.solid_voxels import inner_voxels
-from ...kernels.rays.triangle_voxels import VoxelFrame, touched_voxels, voxels_of
+from ...kernels.meshes.mesh_topology import Topology, find_topology, topology_of
+from ...kernels.rays.solid_voxels import crossed_columns, inner_voxels
+from ...kernels.rays.triangle_voxels import VoxelFrame, settle, touched_columns, touched_voxels, voxels_of
 from .mesh_measures import MeshMeasures
 from .voxel_grid import VoxelGrid
 
@@ -68,7 +71,8 @@ class MeshVoxels(MeshMeasures):
             (98, 125)
         """
         size = check_positive("voxel_size", voxel_size, maximum=LONGEST)
-        low, high = self._bounds_of_voxels(size, min_bound, max_bound)
+        extremes, findings = self._examined(solid)  # sync
+        low, high = self._bounds_of_voxels(box_of(extremes), size, min_bound, max_bound)
         with np.errstate(over="ignore"):
             reach = np.floor((high - low) / size + 0.5)
         if not (reach < MOST_CELLS).all():
@@ -82,22 +86,38 @@ class MeshVoxels(MeshMeasures):
                 f"voxel_size: a grid of {' x '.join(map(str, counts))} has more than 2^62 voxels; take larger voxels"
             )
         if solid:
-            self._check_closed()
+            self._check_closed(topology_of(findings), box_of(extremes)[2])
         cells = np.empty((0, 3), np.int32)
         if min(counts) > 0 and len(self):
             vertices, triangles = self._arrays["vertices"], self._arrays["triangles"]
             frame = VoxelFrame(low, size, counts)
-            keys = touched_voxels(vertices, triangles, frame)
+            columns = [touched_columns(vertices, triangles, frame)]
             if solid:
-                keys = concatenate_rows([keys, inner_voxels(vertices, triangles, frame)])
+                columns.append(crossed_columns(vertices, triangles, frame))
+            settle(columns)  # sync
+            keys = touched_voxels(columns[0])
+            if solid:
+                keys = concatenate_rows([keys, inner_voxels(columns[1], frame)])  # sync
             cells = download(voxels_of(keys, frame)).reshape(-1, 3).astype(np.int32)
         return VoxelGrid(low + self._origin, size, counts, cells)
 
+    def _examined(self, solid: bool) -> list[NDArray[Any]]:
+        """What the box of the vertices is told from, and the topology, which only solids ask for; one sync."""
+        vertices, triangles = self._arrays["vertices"], self._arrays["triangles"]
+        arrays: list[Any] = [find_extremes(vertices)]
+        if solid:
+            arrays.append(find_topology(triangles, vertices.size))
+        return [*read_together(arrays), np.ones(4)][:2]  # sync
+
     def _bounds_of_voxels(
-        self, size: float, min_bound: ArrayLike | None, max_bound: ArrayLike | None
+        self,
+        box: tuple[NDArray[Any], NDArray[Any], int],
+        size: float,
+        min_bound: ArrayLike | None,
+        max_bound: ArrayLike | None,
     ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         """The corners of the grid, relative to the mesh's origin."""
-        low, high, count = bound_points(self._arrays["vertices"])
+        low, high, count = box
         at_low = low.astype(np.float64) - size * 0.5 if count else -np.full(3, size * 0.5)
         at_high = high.astype(np.float64) + size * 0.5 if count else np.full(3, size * 0.5)
         if min_bound is not None:
@@ -109,14 +129,13 @@ class MeshVoxels(MeshMeasures):
             raise ValueError(f"min_bound, max_bound: expected the lower corner first, got {shown}")
         return at_low, at_high
 
-    def _check_closed(self) -> None:
-        topology = self.edge_topology()
+    def _check_closed(self, topology: Topology, finite_count: int) -> None:
         if not len(self) or topology.has_boundary or topology.has_crowded_edge:
             raise ValueError(
                 "voxelize: solid wants a closed mesh, with two triangles at every edge; merge vertices at one place, "
                 "or fill its holes first"
             )
-        if bound_points(self._arrays["vertices"])[2] < self._arrays["vertices"].size:
+        if finite_count < self._arrays["vertices"].size:
             raise ValueError("voxelize: solid wants finite vertices, and some are not")
 
 

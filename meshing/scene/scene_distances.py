@@ -16,14 +16,11 @@ from ...kernels.algebra.transform import transform_points
 from ...kernels.arrays.origins import add_origin
 from ...kernels.lang import float64, vec3
 from ...kernels.memory import upload, zeros
-from ...kernels.meshes.mesh_components import Components
-from ...kernels.meshes.mesh_measures import measure
-from ...kernels.meshes.pseudonormals import Pseudonormals, has_narrow_triangles
+from ...kernels.meshes.pseudonormals import Pseudonormals, volume_of_shell
 from ...kernels.rays.closest_points import ClosestPoints, describe, find_sides, mark_inside, sign_distances
 from ...kernels.rays.cutting_triangles import meet_anywhere
 from ...kernels.rays.nearest_triangle import NearestTriangles
 from ...kernels.rays.winding_numbers import Dipoles, add_winding_numbers
-from ..mesh.mesh_measures import is_closed
 from .scene_geometries import SceneGeometries
 
 INVALID_ID = 0xFFFFFFFF
@@ -267,12 +264,8 @@ class SceneDistances(SceneGeometries):
         if number not in self._side_data:
             mesh = self._meshes[number]
             vertices, triangles = mesh.array("vertices"), mesh.array("triangles")
-            topology, is_shell = mesh.edge_topology(), False
-            is_sound = is_closed(topology) and not (topology.has_twisted_edge or topology.has_split_vertex)
-            if len(mesh) and is_sound:
-                is_whole = len(Components(vertices, triangles).counts) == 1
-                is_shell = is_whole and not has_narrow_triangles(vertices, triangles)
-                is_shell = is_shell and not meet_anywhere(self._trees[number], vertices, triangles)
-            volume = measure(vertices, triangles)[1] if is_shell else 0.0
-            self._side_data[number] = Pseudonormals(vertices, triangles, volume) if is_shell else None
+            volume = volume_of_shell(vertices, triangles)  # sync
+            if volume is not None and meet_anywhere(self._trees[number], vertices, triangles):
+                volume = None
+            self._side_data[number] = None if volume is None else Pseudonormals(vertices, triangles, volume)
         return self._side_data[number]

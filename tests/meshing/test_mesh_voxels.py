@@ -77,6 +77,16 @@ SCENES = {
 }
 
 
+def test_a_stack_of_plates_has_all_its_voxels_whatever_was_made_room_for(device):
+    edge, count = 12, 60  # one above the other: far more columns than a surface of as many triangles in this grid has
+    corners = np.array([[0.25, 0.25, 0], [edge - 0.25, 0.25, 0], [edge - 0.25, edge - 0.25, 0], [0.25, edge - 0.25, 0]])
+    heights = np.linspace(0.25, 1.75, count)
+    plates = (corners + heights[:, None, None] * [0, 0, 1]).reshape(-1, 3)
+    triangles = (np.array([[0, 1, 2], [0, 2, 3]]) + 4 * np.arange(count)[:, None, None]).reshape(-1, 3)
+    found = TriangleMesh(plates, triangles, device=device).voxelize(1, np.zeros(3), [edge, edge, 2])
+    assert as_set(found) == {(x, y, z) for x in range(edge) for y in range(edge) for z in range(2)}
+
+
 @pytest.mark.parametrize("name", SCENES)
 def test_touched_voxels_are_open3ds(device, name):
     make, size = SCENES[name]

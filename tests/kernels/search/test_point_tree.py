@@ -6,10 +6,19 @@ import numpy as np
 import pytest
 
 from pointloom.core.devices import resolve_device
+from pointloom.kernels.arrays.bounds import bound_points
 from pointloom.kernels.lang import array, int32, int64, kernel, launch, tid, vec3
-from pointloom.kernels.memory import empty, upload, zeros
+from pointloom.kernels.memory import download, empty, upload, zeros
 from pointloom.kernels.search.bucket_walk import next_bucket, start_walk
-from pointloom.kernels.search.hilbert_order import HilbertOrder, hilbert_codes, lanes, spread_bits
+from pointloom.kernels.search.hilbert_order import (
+    HilbertCurve,
+    HilbertOrder,
+    argsort_along,
+    hilbert_codes,
+    lanes,
+    order_in_box,
+    spread_bits,
+)
 from pointloom.kernels.search.neighbor_keys import keep_nearest, sort_keys, thin_keys
 from pointloom.kernels.search.point_tree import BUCKET, FAN, LEAF, PointTree
 from pointloom.kernels.search.tree_search import reach_of
@@ -192,3 +201,13 @@ def test_a_walk_without_a_radius_comes_to_each_bucket_once_and_to_none_that_is_n
         visits = zeros(buckets + 1, int32, resolve_device(device))
         launch(walk_kernel, 1, [start, reach_of(np.inf), tree, visits])
         np.testing.assert_array_equal(visits.numpy(), [1] * buckets + [0])
+
+
+@pytest.mark.parametrize("spread", [0.0, 1e-36, 1.0, 1e30])
+def test_the_order_along_the_curve_does_not_depend_on_where_the_box_is_known(device, spread, rng):
+    points = 3.0 * (spread < 1) + spread * rng.normal(size=(1_003, 3))
+    points[::50] = np.nan
+    given = upload(points, vec3, resolve_device(device))
+    low, high, count = bound_points(given)
+    expected = argsort_along(given, HilbertCurve(low, high, 10, is_empty=not count))[1]
+    np.testing.assert_array_equal(download(order_in_box(given, 10)), download(expected))
