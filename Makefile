@@ -9,6 +9,9 @@ ARGS ?=
 # Processes that share the tests, a room each in turn (tests/choice.py); ARGS="-n 0 --pdb" runs them in one.
 WORKERS ?= $(shell n=$$(nproc); echo $$((n < 4 ? n : 4)))
 BIN := .venv/bin
+# Bytecode is kept, also where the surroundings say not to (containers): without it each process of tests compiles every
+# file that it imports anew, and pytest rewrites every assertion, 14 s of CPU a process.
+unexport PYTHONDONTWRITEBYTECODE
 PYTEST := $(BIN)/python -m pytest -n $(WORKERS) --dist loadscope --no-loadscope-reorder
 # What `make test` leaves out of test-all: tests/choice.py says how, CONTRIBUTING.md why.
 QUICK := -m "not slow" --compilers warp

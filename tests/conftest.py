@@ -7,6 +7,7 @@ first GPU where there is one. Without a GPU its runs there are left out, and one
 
 from __future__ import annotations
 
+import gc
 import importlib.util
 import logging
 import os
@@ -54,6 +55,17 @@ def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
         asked_for_device = True
         places = [*choice.places_of(metafunc.config, metafunc.definition), *(["cuda:0"] if has_cuda() else [])]
         metafunc.parametrize("device", places, indirect=True)
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_collection() -> Iterator[Any]:
+    """What is collected stays till the end: no search for rubbish walks over it, which is most of what there is."""
+    gc.disable()
+    try:
+        return (yield)
+    finally:
+        gc.freeze()
+        gc.enable()
 
 
 def pytest_sessionfinish(session: pytest.Session) -> None:

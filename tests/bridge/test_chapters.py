@@ -19,7 +19,16 @@ TOLERANCES: dict[str, dict[str, float]] = {
 }
 
 
-@pytest.mark.parametrize("chapter", sorted(path.stem for path in CHAPTERS.glob("*.py")))
+LONG = {"chapter_14_robust_kernels"}  # a robust ICP and two surfaces: a page and chapter 11 hold each by itself
+
+
+@pytest.mark.parametrize(
+    "chapter",
+    [
+        pytest.param(name, marks=[pytest.mark.slow] if name in LONG else [])
+        for name in sorted(path.stem for path in CHAPTERS.glob("*.py"))
+    ],
+)
 def test_a_script_runs_with_its_import_line_changed(chapter, tutorial_files, monkeypatch):
     import open3d
 

@@ -10,6 +10,13 @@ CHAPTERS = sorted(EXAMPLES.glob("chapters/plot_*.py"))
 OTHERS = sorted(set(EXAMPLES.glob("*/plot_*.py")) - set(CHAPTERS))
 
 
+# What a second of CPU does not do; `make docs` runs all of them too.
+LONG = {"02", "07", "08", "09", "11", "13", "14", "15"}
+CHAPTERS_BY_TIME = [
+    pytest.param(path, marks=[pytest.mark.slow] if path.stem.split("_")[1] in LONG else []) for path in CHAPTERS
+]
+
+
 def run_example(path, folder, monkeypatch):
     monkeypatch.chdir(folder)
     before = set(path.parent.glob("*.*"))
@@ -17,7 +24,7 @@ def run_example(path, folder, monkeypatch):
     assert set(path.parent.glob("*.*")) == before
 
 
-@pytest.mark.parametrize("path", CHAPTERS, ids=lambda path: path.stem)
+@pytest.mark.parametrize("path", CHAPTERS_BY_TIME, ids=lambda path: path.stem)
 def test_the_chapter_runs(path, tmp_path, monkeypatch):
     run_example(path, tmp_path, monkeypatch)
 

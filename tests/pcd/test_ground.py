@@ -137,7 +137,7 @@ def test_equal_points_lines_and_nothing_finite_are_answered(device, points):
     assert found.tolist() == [bool(np.isfinite(points).all())] * len(points)
 
 
-@pytest.mark.parametrize("compiler", ["taichi", "warp"])
+@pytest.mark.parametrize("compiler", ["warp", pytest.param("taichi", marks=pytest.mark.slow)])
 @settings(max_examples=30, deadline=None)
 @given(seed=st.integers(0, 2**20), count=st.integers(1, 60), spread=st.floats(0.01, 30))
 def test_the_lowest_point_of_a_flat_scene_is_ground(compiler, seed, count, spread):

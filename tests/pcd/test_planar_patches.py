@@ -197,7 +197,7 @@ def test_equal_points_and_lines_end(device, points):
     assert all(np.sort(patch.extent)[1] < 0.002 * patch.extent.max() for patch in patches), "a tenth of a degree"
 
 
-@pytest.mark.parametrize("compiler", ["taichi", "warp"])
+@pytest.mark.parametrize("compiler", ["warp", pytest.param("taichi", marks=pytest.mark.slow)])
 @settings(max_examples=15, deadline=None)
 @given(seed=st.integers(0, 2**20), kind=st.sampled_from(["lattice", "noise", "copies", "nan"]))
 def test_boxes_of_any_cloud_are_boxes(compiler, seed, kind):

@@ -298,7 +298,7 @@ def test_wrong_limits_of_several_planes_are_refused(rng):
 coordinates = st.one_of(st.integers(-3, 3).map(float), st.floats(-3, 3, width=32), st.just(np.nan))
 
 
-@pytest.mark.parametrize("compiler", ["taichi", "warp"])
+@pytest.mark.parametrize("compiler", ["warp", pytest.param("taichi", marks=pytest.mark.slow)])
 @settings(max_examples=60, deadline=None)
 @given(rows=st.lists(st.tuples(coordinates, coordinates, coordinates), min_size=3, max_size=40), seed=st.integers(0, 9))
 def test_no_better_plane_stands_through_three_points_of_any_small_cloud(compiler, rows, seed):

@@ -67,7 +67,7 @@ def test_two_motions_with_as_many_correspondences_leave_doubt(device, rng):
     assert most.score > 0.8 and most.converged
 
 
-@pytest.mark.parametrize("compiler", ["warp", "taichi"])
+@pytest.mark.parametrize("compiler", ["warp", pytest.param("taichi", marks=pytest.mark.slow)])
 @settings(max_examples=15, deadline=None)
 @given(seed=st.integers(0, 2**31 - 1), count=st.integers(8, 40))
 def test_exact_correspondences_give_the_exact_pose(compiler, seed, count):

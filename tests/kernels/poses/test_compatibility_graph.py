@@ -49,7 +49,7 @@ def test_edges_join_what_keeps_its_distance(device, rng, count):
     assert (graph.degrees.numpy() == edges.sum(axis=1)).all()
 
 
-@pytest.mark.parametrize("compiler", ["warp", "taichi"])
+@pytest.mark.parametrize("compiler", ["warp", pytest.param("taichi", marks=pytest.mark.slow)])
 @settings(max_examples=30, deadline=None)
 @given(rows=st.lists(st.tuples(*[st.integers(0, 4)] * 6).map(lambda t: tuple(map(float, t))), min_size=1, max_size=40))
 def test_counts_are_those_of_brute_force_on_lattices_and_duplicates(compiler, rows):

@@ -97,6 +97,7 @@ def test_a_known_distance_gives_metres_and_makes_the_mesh_alone_again(made, phot
     assert 2 < np.linalg.norm(np.subtract(bounds["max"], bounds["min"])) < 6  # the room is 5 m x 4 m x 2.6 m
 
 
+@pytest.mark.slow
 def test_the_call_from_python_gives_what_the_command_wrote(made, photos):
     report, folder = made
     settings = loom.video.Settings(max_size=SIZE)
