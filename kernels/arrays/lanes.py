@@ -1,11 +1,12 @@
 """What the 32 lanes of a CUDA warp hold, together: the least, the most, the sum, the same in all lanes.
 
-Five shuffles a number. All lanes take part.
+Five shuffles a number; three for what eight lanes that follow each other hold. All lanes take part.
 """
 
 from ..lang import cuda_func, shuffle_xor, vec3
 
 LANE_BITS = 5  # of a lane's number
+EIGHT_BITS = 3  # of its number among eight
 
 
 @cuda_func
@@ -45,3 +46,33 @@ def least_of_each(p: vec3) -> vec3:
 def most_of_each(p: vec3) -> vec3:
     """The high corner."""
     return vec3(most(p[0]), most(p[1]), most(p[2]))
+
+
+@cuda_func
+def least_of_eight(x: float) -> float:
+    """The least number of eight lanes."""
+    found = x
+    for bit in range(EIGHT_BITS):
+        found = min(found, shuffle_xor(found, 1 << bit))
+    return found
+
+
+@cuda_func
+def most_of_eight(x: float) -> float:
+    """The greatest number of eight lanes."""
+    found = x
+    for bit in range(EIGHT_BITS):
+        found = max(found, shuffle_xor(found, 1 << bit))
+    return found
+
+
+@cuda_func
+def low_of_eight(p: vec3) -> vec3:
+    """The low corner of the box around eight lanes' points."""
+    return vec3(least_of_eight(p[0]), least_of_eight(p[1]), least_of_eight(p[2]))
+
+
+@cuda_func
+def high_of_eight(p: vec3) -> vec3:
+    """The high corner."""
+    return vec3(most_of_eight(p[0]), most_of_eight(p[1]), most_of_eight(p[2]))

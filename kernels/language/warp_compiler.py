@@ -15,6 +15,7 @@ from . import pool_code
 from .cache_folders import cache_folder, is_writable, temporary_cache
 from .quiet import kept_from_stderr
 from .register_limits import most_registers_of
+from .zeroed_variables import zero_variables
 
 wp.config.log_level = wp.LOG_ERROR  # no banner on stdout: it belongs to the program
 
@@ -39,6 +40,7 @@ PART = 4  # numbers of a vector that a block sums at once
 # is exact only where the distances of a box and of a point round alike. CUDA then gives the CPU's bits, but for the two
 # things that the docstring of kernels/lang.py names: reductions, and functions like sin.
 _OPTIONS = {"enable_backward": False, "fuse_fp": False, "block_dim": REDUCTION_BLOCK}
+_OPTIONS_FOR_CUDA = _OPTIONS | zero_variables()
 
 
 @wp.func
@@ -195,7 +197,7 @@ def cuda_module(module: str) -> Any:
 def _module_of(module: str, place: str) -> Any:
     """Warp compiles a module whole, for one place and with its options."""
     found = wp.get_module(f"{module}.{place}")
-    found.options.update(_OPTIONS | (pool_code.options() if place == "cpu" else {}))
+    found.options.update(_OPTIONS | pool_code.options() if place == "cpu" else _OPTIONS_FOR_CUDA)
     return found
 
 
@@ -369,4 +371,4 @@ def _sum_of_block(length: int) -> str:
 
 
 def _set_options(module: str) -> None:
-    wp.set_module_options(_OPTIONS, module=sys.modules[module])
+    wp.set_module_options(_OPTIONS_FOR_CUDA, module=sys.modules[module])

@@ -15,6 +15,7 @@ from .point_tree import BUCKET, LEAF
 CPU_RUN = 32  # groups a thread on the CPU; the queries of the first have no group before and walk the tree
 SCRATCH = 2**25  # scratch numbers of one kind a launch on the CPU
 SM_THREADS = 768  # a launch on CUDA: what a multiprocessor holds at 80 registers a thread; a warp takes groups in turn
+MOST_LEAVES = 512  # that a warp measures, besides two a neighbour
 MOST_KEYS = 2**28  # a launch on CUDA, 2 GB
 
 
@@ -106,5 +107,8 @@ def held_key_of_lane(scratch: GroupScratch, base: int, j: int) -> int64:
 
 
 def candidate_room(device: Device, k: int) -> int:
-    """How many candidates a group may gather: points on the CPU, leaves on CUDA, twice what a surface asks for."""
-    return BUCKET + 2 * k if device.is_cuda else LEAF * max(64, 2 * k + 24)
+    """How many candidates a group may gather: points on the CPU, twice what a surface asks for; leaves on CUDA.
+
+    There a lane that walks the tree alone takes longer than all lanes with many leaves, and a list holds them cheaply.
+    """
+    return MOST_LEAVES + 2 * k if device.is_cuda else LEAF * max(64, 2 * k + 24)

@@ -11,7 +11,7 @@ used again for the next group, so that it stays in the L2.
 """
 
 from ..algebra.plain_min_max import larger
-from ..arrays.lanes import least, least_of_each, most, most_of_each
+from ..arrays.lanes import high_of_eight, least, least_of_each, low_of_eight, most_of_each, most_of_eight
 from ..arrays.packed_keys import key_bits, key_index, key_number, pack_bits, pack_key
 from ..lang import (
     INFINITY,
@@ -30,6 +30,7 @@ from ..lang import (
     shuffle,
     sqrt,
     sync_lanes,
+    vec2,
     vec2i,
     vec3,
     vector,
@@ -46,7 +47,7 @@ SPARE = 1.5  # times the squared reach that k points are expected in
 MOST_GROWTH = 8.0  # of a squared reach at once
 SHRUNK = 0.25  # a squared reach of too many leaves
 TINY = 1.0e-37  # [m^2] what a squared reach of zero grows to
-TURNS = 8  # guesses at a reach, and then each lane walks the tree
+TURNS = 12  # guesses at a reach, and then each lane walks the tree
 
 
 @cuda_func
@@ -57,9 +58,14 @@ def point_of_lane(p: vec3, owner: int) -> vec3:
 
 @cuda_func
 def nearby_children(boxes: array(dtype=float32), node: int, a: vec3, b: vec3, bound: float) -> int:
-    """`children_within`, a lane a child: a byte, with a bit for each child within the squared distance `bound`."""
+    """`children_within`, a lane a child: a byte, with a bit for each child within the squared distance `bound`.
+
+    Eight lanes may have a box and a bound of their own: of the children near any of the four.
+    """
     sqdist = measure_box(boxes, node, lane() & (FAN - 1), a, b)
-    return ballot(1 if sqdist <= bound else 0) & BYTE
+    near = ballot(1 if sqdist <= bound else 0)
+    near = near | (near >> (2 * FAN))
+    return (near | (near >> FAN)) & BYTE
 
 
 @cuda_func
@@ -85,13 +91,14 @@ def next_bucket_of_lanes(step: walk, a: vec3, b: vec3, bound: float, tree: Point
 
 @cuda_func
 def list_leaves(p: vec3, reach: float, start: int, tree: PointTree, scratch: GroupScratch, listing: int) -> int:
-    """List the first places of all leaves within the lanes' largest squared distance of the box around their points.
+    """List the first places of all leaves near the lanes' points; how many, more than `gather` are not all listed.
 
-    How many they are; more than `gather` are not all listed.
+    Of each eight lanes, those within their largest squared distance of the box around their points: a leaf's points are
+    close together, four leaves often are not.
     """
-    a = least_of_each(p)
-    b = most_of_each(p)
-    widest = most(reach)
+    a = low_of_eight(p)
+    b = high_of_eight(p)
+    widest = most_of_eight(reach)
     own = lane()
     sync_lanes()  # with those that still read the list before
     size = 0
@@ -115,25 +122,14 @@ def sqdist_of(leaf: eight_points, j: int, p: vec3) -> float:
 
 
 @cuda_func
-def count_near(p: vec3, reach: float, tree: PointTree, scratch: GroupScratch, listing: int, size: int) -> int:
-    """How many points of the listed leaves lie within the squared distance `reach`."""
-    found = 0
-    for entry in range(size):
-        leaf = load_eight(tree.points, scratch.ids[listing + entry])
-        for j in range(LEAF):
-            if sqdist_of(leaf, j, p) <= reach:
-                found += 1
-    return found
-
-
-@cuda_func
 def keep_near(p: vec3, reach: float, tree: PointTree, scratch: GroupScratch, listing: int, size: int, base: int) -> int:
     """Keep the keys of the points of the listed leaves within the squared distance `reach`, above their places.
 
-    How many there are; more than `room` - LEAF where there is no room for all.
+    How many there are; not all are kept where they are more than `room` - LEAF.
     """
     at = base
     last = base + (scratch.room - LEAF) * scratch.stride
+    lacking = 0
     for entry in range(size):
         first = scratch.ids[listing + entry]
         leaf = load_eight(tree.points, first)
@@ -143,7 +139,11 @@ def keep_near(p: vec3, reach: float, tree: PointTree, scratch: GroupScratch, lis
                 if sqdist <= reach:
                     scratch.keys[at] = pack_key(sqdist, first + j)
                     at += scratch.stride
-    return (at - base) // scratch.stride
+        else:
+            for j in range(LEAF):
+                if sqdist_of(leaf, j, p) <= reach:
+                    lacking += 1
+    return (at - base) // scratch.stride + lacking
 
 
 @cuda_func
@@ -159,14 +159,19 @@ def keep_up_to_limit(
 
 
 @cuda_func
-def narrow_reach(p: vec3, reach: float, tree: PointTree, scratch: GroupScratch, listing: int, size: int) -> float:
-    """A squared distance of k candidates or more that there is room for, below one of too many; -1 where none is found.
+def keep_nearer(
+    p: vec3, reach: float, found: int, tree: PointTree, scratch: GroupScratch, listing: int, size: int, base: int
+) -> vec2:
+    """Keep the keys of k candidates or more that there is room for, where `found` within `reach` are too many.
 
     Points within a squared radius grow in proportion to it on a surface.
+
+    Returns:
+        The squared distance that they lie within, -1 where none is found; how many there are.
     """
     low = 0.0
     high = reach
-    above = count_near(p, reach, tree, scratch, listing, size)
+    above = int(found)
     most_held = scratch.room - LEAF
     middle = (scratch.k + most_held) // 2
     turn = 0
@@ -174,14 +179,14 @@ def narrow_reach(p: vec3, reach: float, tree: PointTree, scratch: GroupScratch, 
         guess = low + (high - low) * (float(middle) / float(above))
         if turn >= GUESSES:
             guess = low + (high - low) * 0.5
-        found = count_near(p, guess, tree, scratch, listing, size)
-        if found < scratch.k:
+        kept = keep_near(p, guess, tree, scratch, listing, size, base)
+        if kept < scratch.k:
             low = guess
         else:
             high = guess
-            above = found
+            above = kept
         turn += 1
-    return high if above <= most_held else -1.0
+    return vec2(high if above <= most_held else -1.0, float(above))
 
 
 @cuda_func
@@ -277,9 +282,9 @@ def search_lanes(
     if listed > scratch.gather or (size < scratch.k and near < reach):
         near = -1.0
     if near >= 0.0 and size > scratch.room - LEAF:
-        near = narrow_reach(p, near, tree, scratch, listing, listed)
-        if near >= 0.0:
-            size = keep_near(p, near, tree, scratch, listing, listed, thread)
+        nearer = keep_nearer(p, near, size, tree, scratch, listing, listed, thread)
+        near = nearer[0]
+        size = int(nearer[1])
     if near < 0.0:
         size = 0
         if is_query == 1:
