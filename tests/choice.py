@@ -25,8 +25,8 @@ TESTS = Path(__file__).parent
 # Groups of tests that take longest, the longest first, so that the last ones to be handed out are short. By CPU seconds
 # of `make test`: only the order counts, and folders that are not named come behind these.
 DEAREST = (
-    "registration", "pcd", "meshing", "app", "files", "test_compilers.py", "drawing/viewer", "test_doctests.py",
-    "photos/sfm", "rgbd/reconstruction", "kernels/reconstruction", "photos/mvs", "kernels/language", "photos/depth",
+    "registration", "pcd", "test_compilers.py", "meshing", "drawing/viewer", "app", "files", "rgbd/slam", "photos/sfm",
+    "test_doctests.py", "kernels/language", "photos/depth", "rgbd/reconstruction", "kernels", "bridge", "photos/mvs",
 )  # fmt: skip
 
 

@@ -18,8 +18,8 @@ pytestmark = pytest.mark.taichi
 DEAR = {"slam, DenseSLAM", "run_system"}  # what they are made of has lines of its own
 # What Taichi compiles for ten to forty seconds after a change, as it writes out each call of a function. In `make test`
 # their results on Warp are held against NumPy and Open3D.
-DEAR |= {"scene, closest points and signs", "rays, all queries", "alpha_shape", "from_point_cloud_ball_pivoting"}
-DEAR |= {"compute_fpfh_feature, hybrid"}
+DEAR |= {"scene, closest points and signs", "rays, all queries", "alpha_shape", "alpha_shape, several"}
+DEAR |= {"from_point_cloud_ball_pivoting", "from_point_cloud_ball_pivoting, radii"}
 
 
 def lines(names):

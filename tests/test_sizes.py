@@ -1,6 +1,8 @@
 """No file, function or kernel grows past what a reader holds in mind; the few that do are listed with the reason."""
 
 import ast
+import gc
+from collections.abc import Iterator
 
 import pytest
 
@@ -60,6 +62,14 @@ def lines_of_code(node: ast.FunctionDef) -> int:
     is_docstring = isinstance(first, ast.Expr) and isinstance(first.value, ast.Constant)
     docstring = (first.end_lineno or 0) - first.lineno + 1 if is_docstring else 0
     return (node.end_lineno or 0) - node.lineno + 1 - docstring
+
+
+@pytest.fixture(autouse=True, scope="module")
+def no_search_for_rubbish() -> Iterator[None]:
+    """Trees of a million nodes have none, and looking for it takes three times as long as parsing."""
+    gc.disable()
+    yield
+    gc.enable()
 
 
 @pytest.fixture(scope="module")

@@ -82,6 +82,7 @@ def test_runs_give_the_same_bits(device):
     np.testing.assert_array_equal(again.vertices, first.vertices)
 
 
+@pytest.mark.slow  # a line of tests/test_compilers.py
 @pytest.mark.taichi
 def test_both_compilers_give_the_same_bits():
     results = []

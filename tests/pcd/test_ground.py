@@ -150,6 +150,7 @@ def test_the_lowest_point_of_a_flat_scene_is_ground(compiler, seed, count, sprea
     assert found[:count].all() and not found[count:].any()
 
 
+@pytest.mark.slow  # a line of tests/test_compilers.py
 @pytest.mark.taichi
 def test_two_runs_and_both_compilers_agree(rng):
     points, _ = village(rng, 8000)

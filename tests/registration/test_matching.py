@@ -299,6 +299,7 @@ def test_matching_twice_gives_the_same_bits(device, scenes):
     assert all(x.numpy().tobytes() == y.numpy().tobytes() for x, y in zip(first, second, strict=True))
 
 
+@pytest.mark.slow  # a line of tests/test_compilers.py
 @pytest.mark.taichi
 def test_the_two_compilers_find_the_same_bits(scenes):
     from pointloom.kernels.lang import cpu_compiler

@@ -72,6 +72,7 @@ def test_little_room_on_the_device_changes_no_bit():
     assert digest(estimate(cameras, sources=sources)) == digest(estimate(cameras, sources=sources, device_bytes=0))
 
 
+@pytest.mark.slow  # a line of tests/test_compilers.py
 @pytest.mark.taichi
 def test_both_compilers_give_the_same_bits():
     from pointloom.kernels.lang import cpu_compiler

@@ -106,6 +106,7 @@ def test_a_textured_ball_before_a_grey_wall_stays_a_ball(monkeypatch, device):
     assert (wrong[0][wall] < 0.01).mean() > (before[0][wall] < 0.01).mean() + 0.2
 
 
+@pytest.mark.slow  # a line of tests/test_compilers.py
 @pytest.mark.taichi
 def test_both_compilers_fill_a_wall_with_the_same_bits():
     from pointloom.kernels.lang import cpu_compiler
