@@ -117,24 +117,27 @@ def draw_histogram(
     inner = draw_head(canvas, area, title, ", ".join(notes), entries, size)
     most = max(1.0, 1.05 * float(heights.max()))
     axes = Axes(canvas, inner, ends, (0.0, most), titles=labels, size=size, whole=(False, True))
-    colors = None
+    filled, colors = np.flatnonzero(heights), None
     if colormap is not None:
         low, high = widen(*(ends if color_limits is None else _check_ends("color_limits", color_limits)))
-        shares = ((edges[:-1] + edges[1:]) / 2 - low) / (high - low)
+        shares = ((edges[filled] + edges[filled + 1]) / 2 - low) / (high - low)
         colors = colormap_table(check_colormap(colormap))[np.floor(shares.clip(0, 1) * 255 + 0.5).astype(int)]
-    _draw_bars(axes, edges, heights, colors)
+    _draw_bars(axes, edges, heights, filled, colors)
     for k, (_, value) in enumerate(named):
         axes.polyline([value, value], [0.0, most], color=label_color(k + 1), width=2)
 
 
-def _draw_bars(axes: Axes, edges: NDArray[Any], heights: NDArray[Any], colors: NDArray[Any] | None) -> None:
-    places, tops = np.round(axes.columns(edges)).tolist(), np.round(axes.rows(heights)).tolist()
-    gap = int(places[1] - places[0] > 4)
-    for k in np.flatnonzero(heights).tolist():
+def _draw_bars(
+    axes: Axes, edges: NDArray[Any], heights: NDArray[Any], filled: NDArray[np.int64], colors: NDArray[Any] | None
+) -> None:
+    """Bars of the bins that hold something, whose colours these are."""
+    begins, ends = (np.round(axes.columns(edges[at])).astype(int).tolist() for at in (filled, filled + 1))
+    tops, (first, second) = np.round(axes.rows(heights[filled])).astype(int).tolist(), np.round(axes.columns(edges[:2]))
+    gap = int(second - first > 4)
+    for k, (begin, end, top) in enumerate(zip(begins, ends, tops, strict=True)):
         color = PLAIN if colors is None else colors[k].tolist()
-        top = min(tops[k], axes.bottom - 1)  # even a bar of one among millions is seen
-        wide = max(places[k + 1] - places[k] - gap, 1)
-        axes.canvas.rectangle(places[k] + 1, top, wide, axes.bottom - top, fill=color)
+        top = min(top, axes.bottom - 1)  # even a bar of one among millions is seen
+        axes.canvas.rectangle(begin + 1, top, max(end - begin - gap, 1), axes.bottom - top, fill=color)
 
 
 def curves(

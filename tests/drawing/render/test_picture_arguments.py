@@ -26,12 +26,7 @@ loom.save_picture(path="picture.png", image=picture)
 loom.CameraFrustum(intrinsic=camera, T_world_camera=pose, scale=0.2, color=(1, 0, 0))
 """  # noqa: E501
 TABLE = read_table(CALLS, {"view": "View"})
-DEAR = {("plots.histogram", "bins")}  # 2^24 bins are drawn
-CASES = [
-    pytest.param(call, name, marks=[pytest.mark.slow] if (call, name) in DEAR else [])
-    for call, (_, names) in TABLE.items()
-    for name in names
-]
+CASES = [(call, name) for call, (_, names) in TABLE.items() for name in names]
 
 
 def test_the_table_names_every_argument_of_every_public_call():
