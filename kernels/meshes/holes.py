@@ -95,10 +95,10 @@ class FoundLoops:
 
     def __init__(self, vertices: Points, triangles: Triangles) -> None:
         border = Border(triangles, vertices.size)
-        rows, loops = find_loops(border)
+        rows, loops, starts = find_loops(border)  # sync
         self.vertices, self.half_edges = gather_rows(border.vertices, rows), gather_rows(border.half_edges, rows)
         self.starts, self.edge_keys, self.border_count = loops.starts, border.edges.keys, border.half_edges.size
-        self.counts = np.diff(download(loops.starts))  # sync
+        self.counts = np.diff(starts)
         radii = empty(loops.count, float64, vertices.device)
         launch(measure_loops_kernel, loops.count, [vertices, self.vertices, self.half_edges, self.starts, radii])
         self.radii = download(radii).copy()  # sync
