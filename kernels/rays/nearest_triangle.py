@@ -42,7 +42,7 @@ from ..search.hilbert_order import HilbertCurve, argsort_along
 from ..search.point_tree import FAN, LARGEST_SQDIST, measure_boxes
 from .nearest_of_lanes import BYTE, EVERY, find_nearest_of_lanes
 from .triangle_bounds import bound_distance, load_corners, measure_place, reach_of
-from .triangle_tree import LEAF, LEAF_NUMBERS, TriangleTree
+from .triangle_tree import LEAF, LEAF_NUMBERS, Box, TriangleTree
 
 NOBODY = -1  # the number of no triangle
 RUN = 16  # queries a thread
@@ -194,12 +194,12 @@ class NearestTriangles:
     meshes: array(dtype=int32)
     triangles: array(dtype=int32)
 
-    def __init__(self, queries: Points) -> None:
-        """Nothing yet, for vec3 queries."""
+    def __init__(self, queries: Points, box: Box | None = None) -> None:
+        """Nothing yet, for vec3 queries: one sync, none where a box (low, high) is known that most of them lie in."""
         device, n = queries.device, queries.size
         self.sqdists = full(n, math.inf, float64, device)
         self.meshes, self.triangles = full(n, NOBODY, int32, device), full(n, NOBODY, int32, device)
-        low, high, count = bound_points(queries)
+        low, high, count = bound_points(queries) if box is None else (*box, n)
         self.order = argsort_along(queries, HilbertCurve(low, high, CURVE_LEVELS, is_empty=not count))[1]
 
     def look_into(self, tree: TriangleTree, queries: Points, mesh: int) -> None:

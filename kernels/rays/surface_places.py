@@ -13,7 +13,7 @@ from ..meshes.mixed_rows import MixedRows
 from .closest_points import measure_row
 from .nearest_triangle import NearestTriangles
 from .point_triangle import point_at
-from .triangle_tree import TriangleTree, find_middles_kernel
+from .triangle_tree import Box, TriangleTree, find_middles_kernel
 
 
 @kernel
@@ -49,9 +49,10 @@ class SurfacePlaces:
         points: vec3 [n], the nearest points.
     """
 
-    def __init__(self, queries: Points, tree: TriangleTree) -> None:
+    def __init__(self, queries: Points, tree: TriangleTree, box: Box | None = None) -> None:
+        """One sync, none where a box (low, high) is known that most queries lie in."""
         device, count = queries.device, queries.size
-        nearest = NearestTriangles(queries)
+        nearest = NearestTriangles(queries, box)
         nearest.look_into(tree, queries, 0)
         self.triangles, self.points = empty(count, int32, device), empty(count, vec3, device)
         self.mixed = MixedRows(empty(count, vec3i, device), empty(count, vec3d, device))

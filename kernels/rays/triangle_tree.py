@@ -14,12 +14,19 @@ Triangles with a corner that is not finite are left out. Triangles without area 
 Boxes are the lowest and highest of the float32 coordinates, without any rounding.
 """
 
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
 from ..algebra.transform import narrow, widen
 from ..array_types import Points, Triangles
 from ..lang import INFINITY, NAN, array, float32, func, int32, isfinite, kernel, launch, struct, tid, vec3, vec3i
 from ..memory import download, empty, upload
 from ..search.point_tree import FAN, SIDES, bound_levels, level_sizes
 from .split_order import order_by_splits
+
+Box = tuple[NDArray[np.float32], NDArray[np.float32]]
 
 LEAF = 8  # triangles a leaf
 LEAF_NUMBERS = 9 * LEAF  # numbers of a leaf's corners
@@ -43,7 +50,8 @@ class TriangleTree:
         order: int32, the triangle's number by place (leaf * LEAF + lane); full leaves, so it may pass `count`.
         leaf_count: Leaves.
         vertices, triangles: What it was built over.
-        low, high: The box of the triangles, float32 [3] on the host; from infinity to minus infinity without any.
+        low, high: The box of the triangles, float32 [3] on the host; from infinity to minus infinity without any. The
+            first look takes one sync.
     """
 
     count: int
@@ -53,11 +61,15 @@ class TriangleTree:
     corners: array(dtype=float32)
     order: array(dtype=int32)
 
-    def __init__(self, vertices: Points, triangles: Triangles) -> None:
+    def __init__(
+        self, vertices: Points, triangles: Triangles, *, all_finite: bool = False, box: Box | None = None
+    ) -> None:
+        """One sync, none where it is known that all corners are finite; and the box (low, high), where it is known."""
+        self._known_box = box
         self.vertices, self.triangles, self.device = vertices, triangles, vertices.device
         middles = empty(triangles.size, vec3, self.device)
         launch(find_middles_kernel, triangles.size, [vertices, triangles, middles])
-        placed = order_by_splits(middles, LEAF)  # sync
+        placed = order_by_splits(middles, LEAF, all_finite=all_finite)  # sync
         self.count = placed.size
         self.leaf_count = -(-self.count // LEAF)
         places = self.leaf_count * LEAF
@@ -70,8 +82,24 @@ class TriangleTree:
         self.boxes = empty(int(self.level_firsts[-1]) * SIDES, float32, self.device)
         launch(bound_leaves_kernel, sizes[0] * FAN, [self.corners, self.boxes])
         bound_levels(self.levels, sizes, self.boxes, known=0)
+
+    @cached_property
+    def box(self) -> Box:
+        """(low, high)."""
+        if self._known_box is not None:
+            return self._known_box
         sides = download(self.boxes[-SIDES:]).reshape(2, 3, FAN)  # sync
-        self.low, self.high = sides[0].min(axis=1), sides[1].max(axis=1)
+        return sides[0].min(axis=1), sides[1].max(axis=1)
+
+    @property
+    def low(self) -> NDArray[np.float32]:
+        """The lowest coordinates."""
+        return self.box[0]
+
+    @property
+    def high(self) -> NDArray[np.float32]:
+        """The highest coordinates."""
+        return self.box[1]
 
 
 @func
