@@ -69,9 +69,9 @@ def sort_rows(rows: Indices, count: int, are_distinct: bool = False) -> Indices:
     return positions_of(_mark(rows, count), rows.size if are_distinct else None)
 
 
-def other_rows(rows: Indices, count: int) -> Indices:
-    """The rows of `count` that a list leaves out, ascending."""
-    return positions_of(invert_mask(_mark(rows, count)))
+def other_rows(rows: Indices, count: int, are_distinct: bool = False) -> Indices:
+    """The rows of `count` that a list leaves out, ascending; one sync, none where each is listed once."""
+    return positions_of(invert_mask(_mark(rows, count)), count - rows.size if are_distinct else None)
 
 
 def _mark(rows: Indices, count: int) -> Mask:

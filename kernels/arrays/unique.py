@@ -4,13 +4,18 @@ On CUDA three launches and a scan follow the sort, 40 B a key, and one read tell
 the last.
 """
 
-import numpy as np
+from collections.abc import Sequence
+from typing import Any
 
-from ..array_types import Indices, Integers, Keys, LongIntegers
+import numpy as np
+from numpy.typing import NDArray
+
+from ..array_types import AnyArray, Indices, Integers, Keys, LongIntegers
 from ..lang import array, int32, int64, kernel, launch, struct, tid, uint8
 from ..memory import copy, download, empty, full, rows_of, upload
 from .prefix_sum import inclusive_scan
 from .select import gather_rows, positions_of
+from .side_by_side import read_together
 from .sort import argsort_keys
 
 
@@ -72,6 +77,8 @@ class UniqueKeys:
         keys: int64 [m].
         order: int32 [n], positions by key; those of one key in their own order.
         starts: int32 [m + 1], where each key's positions begin in `order`.
+        told: Where they are padded, int32 device array [3]: how many are distinct and the last of them, its low half
+            first; None where `count` is their number.
     """
 
     keys: array(dtype=int64)
@@ -94,7 +101,7 @@ class UniqueKeys:
         """
         device = keys.device
         sorted_keys, self.order = in_order or argsort_keys(keys, bit_count)
-        self._last, self.beside = None, []
+        self._last, self.beside, self.told = None, [], None
         if device.is_cuda and keys.size:
             self._find_at_once(sorted_keys, beside, padded)
             return
@@ -112,11 +119,16 @@ class UniqueKeys:
     def _find_at_once(self, sorted_keys: Keys, beside: Integers | None, padded: bool) -> None:
         keys, starts, told = write_heads(sorted_keys, beside, padded=padded)
         if padded:
-            self.count, self.keys, self.starts = sorted_keys.size, keys, starts
+            self.count, self.keys, self.starts, self.told = sorted_keys.size, keys, starts, told
             return
         self.count, low, high, *self.beside = download(told).tolist()  # sync
         self._last = (high << 32) | (low & 0xFFFF_FFFF)
         self.keys, self.starts = rows_of(keys, 0, self.count), rows_of(starts, 0, self.count + 1)
+
+    def cut(self, count: int) -> None:
+        """No longer padded: so many are distinct."""
+        self.count, self.told = count, None
+        self.keys, self.starts = rows_of(self.keys, 0, count), rows_of(self.starts, 0, count + 1)
 
     def counts(self) -> Integers:
         """How often each key occurs, int32 [m]."""
@@ -133,6 +145,15 @@ class UniqueKeys:
             self._last = None
             self.count -= 1
             self.keys, self.starts = self.keys[: self.count], self.starts[: self.count + 1]
+
+
+def cut_together(groups: Sequence[UniqueKeys], *beside: AnyArray) -> list[NDArray[Any]]:
+    """Cut padded ones to their distinct keys, and fetch arrays `beside` them, as `download` gives each; one sync."""
+    padded = [group for group in groups if group.told is not None]
+    found = read_together([*(group.told for group in padded), *beside]) if padded or beside else []
+    for group, told in zip(padded, found, strict=False):
+        group.cut(int(told[0]))
+    return found[len(padded) :]
 
 
 def write_heads(

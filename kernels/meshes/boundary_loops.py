@@ -7,11 +7,13 @@ loop, with a stack. Where the way leads through an edge of three triangles or mo
 it ends, and what is left is a chain and no loop. About 60 B a half-edge of the border, 8 B a half-edge of the mesh.
 """
 
+import numpy as np
+
 from ..array_types import Indices, Integers, LongIntegers, Triangles
 from ..arrays.packed_keys import pack_bits
 from ..arrays.select import gather_rows, number_rows_kernel, positions_of
 from ..arrays.sort import argsort_keys
-from ..arrays.unique import UniqueKeys
+from ..arrays.unique import UniqueKeys, cut_together
 from ..lang import Kernel, array, func, int32, int64, kernel, launch, tid, uint8, vec3i
 from ..memory import clone, empty, full
 from .mesh_edges import find_edges, higher_end, key_bits, lower_end, run_places
@@ -26,12 +28,15 @@ def pair_half_edges_kernel(edges: UniqueKeys, bits: int, twins: array(dtype=int3
     i = tid()
     first = edges.starts[i]
     count = edges.starts[i + 1] - first
-    whole = lower_end(edges.keys[i], bits) != higher_end(edges.keys[i], bits)
+    whole = 0
+    if count > 0:
+        if lower_end(edges.keys[i], bits) != higher_end(edges.keys[i], bits):
+            whole = 1
     for j in range(first, first + count):
         twin = BLOCKED
-        if whole and count == 1:
+        if whole == 1 and count == 1:
             twin = BORDER
-        if whole and count == 2:
+        if whole == 1 and count == 2:
             twin = edges.order[2 * first + 1 - j]
         twins[edges.order[j]] = twin
 
@@ -78,12 +83,13 @@ class Border:
     Attributes:
         half_edges: int32 [b], ascending.
         vertices: int32 [b], where each one starts.
+        edges: The edges of the mesh, padded.
         nexts: int32 [b], the place of the one that follows, or -1.
     """
 
     def __init__(self, triangles: Triangles, vertex_count: int) -> None:
         device = triangles.device
-        edges, twins = find_edges(triangles, vertex_count), empty(3 * triangles.size, int32, device)  # sync
+        edges, twins = find_edges(triangles, vertex_count, True), empty(3 * triangles.size, int32, device)
         launch(pair_half_edges_kernel, edges.count, [edges, key_bits(vertex_count), twins])
         mask = empty(twins.size, uint8, device)
         launch(mark_border_kernel, mask.size, [twins, mask])
@@ -190,7 +196,8 @@ def rank_loops(vertices: Indices, nexts: Integers) -> tuple[Indices, UniqueKeys]
         nexts: int32 [b], no two the same but -1.
 
     Returns:
-        (rows int32 [k], loops): the places along all loops, and UniqueKeys whose `starts` say where each loop begins.
+        (rows int32 [k], loops): the places along all loops, and padded UniqueKeys whose `starts` say where each loop
+        begins.
     """
     device, count = nexts.device, nexts.size
     leaders = empty(count, int64, device)
@@ -205,7 +212,7 @@ def rank_loops(vertices: Indices, nexts: Integers) -> tuple[Indices, UniqueKeys]
     before = empty(rows.size, int64, device)
     launch(list_loop_keys_kernel, rows.size, [rows, leaders, lengths, before])
     rows = gather_rows(rows, argsort_keys(before, max(1, count.bit_length()))[1])
-    loops = UniqueKeys(gather_rows(leaders, rows))  # sync
+    loops = UniqueKeys(gather_rows(leaders, rows), padded=True)
     return gather_rows(rows, loops.order), loops
 
 
@@ -271,18 +278,24 @@ def cut_at_vertices_kernel(
     closed = close_loop(rows, stack, base, top, nexts)
 
 
-def find_loops(border: Border) -> tuple[Indices, UniqueKeys]:
-    """The loops of a Border, none of which passes a vertex twice: (rows, loops) as of `rank_loops`."""
+def find_loops(border: Border) -> tuple[Indices, UniqueKeys, np.ndarray]:
+    """The loops of a Border, none of which passes a vertex twice: (rows, loops, starts), the last on the host.
+
+    The first two are as of `rank_loops`, but neither the loops nor the edges of the Border are padded.
+    """
     device = border.nexts.device
     rows, loops = rank_loops(border.vertices, border.nexts)
     places, keys = run_places(loops, rows.size), empty(rows.size, int64, device)
     launch(list_passes_kernel, rows.size, [rows, border.vertices, places, keys])
-    passes = UniqueKeys(keys)  # sync
+    passes = UniqueKeys(keys, padded=True)
+    (starts,) = cut_together([loops, passes, border.edges], loops.starts)  # sync
     if passes.count == rows.size:
-        return rows, loops
+        return rows, loops, starts[: loops.count + 1]
     slots, own = empty(rows.size, int32, device), run_places(passes, rows.size)
     launch(spread_passes_kernel, rows.size, [passes, own, slots])
     nexts, stack = clone(border.nexts), empty(rows.size, int32, device)
     heights = full(passes.count, -1, int32, device)
     launch(cut_at_vertices_kernel, loops.count, [rows, loops.starts, slots, heights, stack, nexts])
-    return rank_loops(border.vertices, nexts)
+    rows, loops = rank_loops(border.vertices, nexts)
+    (starts,) = cut_together([loops], loops.starts)  # sync
+    return rows, loops, starts[: loops.count + 1]

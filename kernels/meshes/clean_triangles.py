@@ -7,7 +7,7 @@ Repeats stand side by side in the order (triangle_order.py) of triangles turned 
 
 from ..array_types import Mask, Points, Triangles
 from ..lang import array, func, int32, isfinite, kernel, launch, length, tid, uint8, vec3, vec3i
-from ..memory import empty
+from ..memory import empty, zeros
 from .mesh_measures import triangle_cross
 from .triangle_order import mark_new_triangles_kernel, sort_triangles
 
@@ -87,6 +87,38 @@ def mask_not_finite(vertices: Points, triangles: Triangles) -> Mask:
     mask = empty(triangles.size, uint8, triangles.device)
     launch(mask_not_finite_kernel, triangles.size, [vertices, triangles, mask])
     return mask
+
+
+@kernel
+def join_masks_kernel(more: array(dtype=uint8), mask: array(dtype=uint8)):
+    """1 where another mask has it, too."""
+    i = tid()
+    if more[i] != 0:
+        mask[i] = uint8(1)
+
+
+def join_masks(mask: Mask, *others: Mask) -> Mask:
+    """A mask, set where others are, too."""
+    for more in others:
+        launch(join_masks_kernel, mask.size, [more, mask])
+    return mask
+
+
+@kernel
+def mark_corners_kernel(triangles: array(dtype=vec3i), gone: array(dtype=uint8), used: array(dtype=uint8)):
+    """1 for the vertices of triangles that a mask leaves; threads that meet write the same."""
+    i = tid()
+    if gone[i] == 0:
+        t = triangles[i]
+        for k in range(3):
+            used[t[k]] = uint8(1)
+
+
+def mask_used(triangles: Triangles, gone: Mask, vertex_count: int) -> Mask:
+    """uint8 [m]: 1 for the vertices of the triangles that a mask leaves."""
+    used = zeros(vertex_count, uint8, triangles.device)
+    launch(mark_corners_kernel, triangles.size, [triangles, gone, used])
+    return used
 
 
 def mask_repeats(triangles: Triangles, vertex_count: int) -> Mask:

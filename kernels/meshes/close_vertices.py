@@ -9,16 +9,17 @@ Vertices lie in cells of half the reach, whose diagonal is shorter than the reac
 and the others after it follow. So a vertex looks at the states of at most 512 cells, whatever the reach and however
 many vertices lie in it, and the time is linear. Cells stand in blocks of 4 x 4 x 4, found by a hash of their
 coordinates; where two blocks have one hash another one is taken. A vertex reaches into at most eight blocks. A round
-lets all vertices try that come first in their cells; after ROUNDS rounds, which only chains of thousands of vertices in
+lets all vertices try that come first in their cells; after 64 rounds, which only chains of thousands of vertices in
 the order of their numbers need, one thread goes through the rest. About 130 B a vertex.
 """
 
 from ..algebra.transform import widen
 from ..array_types import Indices, Integers, Points
 from ..arrays.hash_table import HashTable, find_position, list_keys, mix_bits
-from ..arrays.select import gather_rows, positions_of
-from ..arrays.sort import positions
-from ..arrays.unique import UniqueKeys
+from ..arrays.open_rows import settle_in_rounds
+from ..arrays.select import gather_rows
+from ..arrays.sort import argsort_keys
+from ..arrays.unique import UniqueKeys, cut_together
 from ..lang import (
     array,
     atomic_max,
@@ -37,13 +38,12 @@ from ..lang import (
     vec3d,
     vector,
 )
-from ..memory import download, empty, zeros
+from ..memory import empty, zeros
 from .mesh_edges import run_places
 
 HASH_BITS = 57  # of a block
 CELL_BITS = 6  # of a cell in it
 NO_STATE = -1  # of a cell in which none stayed
-ROUNDS = 64
 WIDER = 1 + 1e-6  # cells than half the reach: more than coordinates of up to 1e10 times the reach round by
 cell = vector(3, int64)
 
@@ -78,23 +78,36 @@ def hash_cells_kernel(points: array(dtype=vec3), side: float64, salt: int64, key
 
 @kernel
 def compare_blocks_kernel(
-    points: array(dtype=vec3), side: float64, cells: UniqueKeys, places: array(dtype=int32), differ: array(dtype=int32)
+    points: array(dtype=vec3),
+    side: float64,
+    keys: array(dtype=int64),
+    order: array(dtype=int32),
+    differ: array(dtype=int32),
 ):
-    """Set where two blocks of one hash are not the same; any thread may set it."""
+    """Set where two blocks of one hash are not the same; keys are sorted, and any thread may set it."""
     i = tid()
     if i > 0:
-        if (cells.keys[places[i]] >> int64(CELL_BITS)) == (cells.keys[places[i - 1]] >> int64(CELL_BITS)):
-            a = block_of(widen(points[cells.order[i]]), side)
-            b = block_of(widen(points[cells.order[i - 1]]), side)
+        if (keys[i] >> int64(CELL_BITS)) == (keys[i - 1] >> int64(CELL_BITS)):
+            a = block_of(widen(points[order[i]]), side)
+            b = block_of(widen(points[order[i - 1]]), side)
             if a[0] != b[0] or a[1] != b[1] or a[2] != b[2]:
                 atomic_max(differ, 0, 1)
 
 
 @kernel
 def list_blocks_kernel(keys: array(dtype=int64), blocks: array(dtype=int64)):
-    """The hash of each cell's block."""
+    """The hash of the block that each point lies in."""
     i = tid()
     blocks[i] = keys[i] >> int64(CELL_BITS)
+
+
+@kernel
+def begin_at_cells_kernel(own: array(dtype=int32), cell_count: int, starts: array(dtype=int32)):
+    """Where the cells of each block begin, in the place of where its points do; and the end of all."""
+    i = tid()
+    starts[i] = own[starts[i]]
+    if i + 2 == starts.shape[0]:
+        starts[i + 1] = cell_count
 
 
 @kernel
@@ -122,7 +135,7 @@ class Cells:
 
     Attributes:
         cells: UniqueKeys of the cells; points of a cell stand by their numbers.
-        blocks: UniqueKeys of the blocks over the cells, which stand in their order.
+        blocks: UniqueKeys of the blocks; their `starts` are those of cells, which stand in their order.
         table: HashTable of the blocks.
         of_point, place: int32 [n], the cell of each point, and where it stands.
         states: int32, one a cell: the vertex to settle next; NO_STATE: none of it stayed; -2 - v: vertex v stayed.
@@ -147,15 +160,17 @@ class Cells:
         while True:
             keys = empty(count, int64, device)
             launch(hash_cells_kernel, count, [points, self.side, self.salt, keys])
-            self.cells = UniqueKeys(keys, HASH_BITS + CELL_BITS)  # sync
-            own, differ = run_places(self.cells, count), zeros(1, int32, device)
-            launch(compare_blocks_kernel, count, [points, self.side, self.cells, own, differ])
-            if not download(differ)[0]:  # sync
+            keys, order = argsort_keys(keys, HASH_BITS + CELL_BITS)
+            self.cells = UniqueKeys(keys, in_order=(keys, order), padded=True)
+            blocks, differ = empty(count, int64, device), zeros(1, int32, device)
+            launch(list_blocks_kernel, count, [keys, blocks])
+            self.blocks = UniqueKeys(blocks, in_order=(blocks, order), padded=True)
+            launch(compare_blocks_kernel, count, [points, self.side, keys, order, differ])
+            if not cut_together([self.cells, self.blocks], differ)[0][0]:  # sync
                 break
             self.salt += 1
-        blocks = empty(self.cells.count, int64, device)
-        launch(list_blocks_kernel, self.cells.count, [self.cells.keys, blocks])
-        self.blocks = UniqueKeys(blocks, HASH_BITS)  # sync
+        own = run_places(self.cells, count)
+        launch(begin_at_cells_kernel, self.blocks.count, [own, self.cells.count, self.blocks.starts])
         self.table = list_keys(self.blocks.keys, self.blocks.count)
         self.of_point, self.place = empty(count, int32, device), empty(count, int32, device)
         launch(place_points_kernel, count, [self.cells, own, self.of_point, self.place])
@@ -274,13 +289,9 @@ def find_close_vertices(vertices: Points, finite: Integers, reach: float, owners
     if count == 0:
         return
     cells = Cells(gather_rows(vertices, finite), reach)
-    rows = positions(count, device)
-    for _ in range(ROUNDS):
-        open_rows = empty(rows.size, uint8, device)
-        launch(try_vertices_kernel, rows.size, [rows, cells, open_rows])
-        rows = gather_rows(rows, positions_of(open_rows))  # sync
-        if rows.size == 0:
-            break
+    rows = settle_in_rounds(
+        lambda rows, open_rows: launch(try_vertices_kernel, rows.size, [rows, cells, open_rows]), count, device
+    )
     launch(settle_rest_kernel, min(1, rows.size), [rows, cells])
     found = empty(count, int32, device)
     launch(find_owners_kernel, count, [cells, found])

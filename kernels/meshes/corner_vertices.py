@@ -5,7 +5,7 @@ whose vertices are what they were keeps their numbers. About 20 B a corner.
 """
 
 from ..array_types import Indices, Integers, Triangles
-from ..arrays.prefix_sum import exclusive_scan
+from ..arrays.prefix_sum import exclusive_scan, scan_together
 from ..arrays.select import positions_of
 from ..arrays.sort import positions
 from ..arrays.union_find import flatten_sets_kernel
@@ -105,8 +105,8 @@ class CornerVertices:
         used, further = empty(vertex_count, int32, device), empty(corners, int32, device)
         launch(mark_first_sets_kernel, vertex_count, [firsts, used])
         launch(mark_further_sets_kernel, corners, [sets, lowest, firsts, further])
-        places, self.kept = exclusive_scan(used)  # sync
-        behind, count = exclusive_scan(further)  # sync
+        parts = [(used, [vertex_count]), (further, [corners])]
+        (places, (self.kept,)), (behind, (count,)) = scan_together(parts)  # sync
         numbers, self.rows = zeros(corners, int32, device), empty(self.kept + count, int32, device)
         launch(write_rows_kernel, corners, [sets, lowest, firsts, places, self.kept, behind, numbers, self.rows])
         self.triangles = empty(triangles.size, vec3i, device)
@@ -255,7 +255,7 @@ def split_fans(triangles: Triangles, vertex_count: int) -> tuple[Triangles, Indi
         (triangles, rows): vec3i [t], and the earlier vertex of each, int32: all that there are, then the new ones.
     """
     device, corners = triangles.device, 3 * triangles.size
-    edges, fans = find_edges(triangles, vertex_count), positions(corners, device)  # sync
+    edges, fans = find_edges(triangles, vertex_count, padded=True), positions(corners, device)
     places = run_places(edges, corners)
     launch(unite_corners_kernel, corners, [triangles, edges, key_bits(vertex_count), places, fans])
     launch(flatten_sets_kernel, corners, [fans])

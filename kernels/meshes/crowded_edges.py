@@ -4,24 +4,23 @@ Triangles are taken in the order of their areas in float32, equal ones by their 
 comes, an edge of its has more than two that are still there. So at an edge alone the two largest stay. What comes of it
 is one set, whatever the order of the threads: a triangle is settled when it is the next of all of its crowded edges,
 which one word an edge tells, so no two threads write the same. Beforehand all triangles at crowded edges go that name a
-vertex twice. After ROUNDS rounds, which only chains of many crowded edges need, one thread goes through the rest.
+vertex twice. After 64 rounds, which only chains of many crowded edges need, one thread goes through the rest.
 
 About 100 B a triangle at crowded edges beside the sort of all edges.
 """
 
 from ..array_types import Indices, Mask, Points, Triangles
-from ..arrays.select import gather_rows, positions_of
-from ..arrays.sort import argsort_keys, positions
+from ..arrays.open_rows import settle_in_rounds
+from ..arrays.select import gather_rows, invert_mask, positions_of, positions_of_each
+from ..arrays.sort import argsort_keys
 from ..arrays.unique import UniqueKeys
 from ..lang import array, float64, float_bits, func, int32, int64, kernel, launch, struct, tid, uint8, vec3i
 from ..memory import empty, full, zeros
 from .clean_triangles import names_twice
-from .mesh_edges import find_edges, mask_counts, run_places
+from .mesh_edges import find_edges, run_places
 from .surface_samples import measure_areas
 
-ROUNDS = 64
 MANIFOLD = 2  # triangles that an edge may have
-MOST = 2**31 - 1
 COUNT_MASK = 0xFFFF_FFFF  # of a word: the triangles of an edge that are still there; above it those that are settled
 OPEN, STAYS, GOES = 0, 1, 2
 
@@ -69,12 +68,14 @@ def list_crowded_slots_kernel(
 
 
 @kernel
-def number_turns_kernel(groups: UniqueKeys, of_slot: array(dtype=int32), turns: array(dtype=int32)):
-    """The group of each slot, and its turn there; one thread a group."""
+def number_turns_kernel(groups: UniqueKeys, none: int, of_slot: array(dtype=int32), turns: array(dtype=int32)):
+    """The group of each slot, and its turn there, where it is an edge; one thread a group."""
     i = tid()
-    for j in range(groups.starts[i], groups.starts[i + 1]):
-        of_slot[groups.order[j]] = i
-        turns[groups.order[j]] = j - groups.starts[i]
+    if groups.starts[i + 1] > groups.starts[i]:
+        if groups.keys[i] != int64(none):
+            for j in range(groups.starts[i], groups.starts[i + 1]):
+                of_slot[groups.order[j]] = i
+                turns[groups.order[j]] = j - groups.starts[i]
 
 
 @kernel
@@ -104,20 +105,20 @@ class CrowdedEdges:
         device, slots = rows.device, 3 * rows.size
         keys = empty(slots, int64, device)
         launch(list_crowded_slots_kernel, rows.size, [rows, of_half_edge, edge_count, keys])
-        groups = UniqueKeys(keys, max(1, edge_count.bit_length()))  # sync
-        groups.drop_last(edge_count)  # sync
+        groups = UniqueKeys(keys, max(1, edge_count.bit_length()), padded=True)
         self.of_slot, self.turns = full(slots, -1, int32, device), empty(slots, int32, device)
-        launch(number_turns_kernel, groups.count, [groups, self.of_slot, self.turns])
+        launch(number_turns_kernel, groups.count, [groups, edge_count, self.of_slot, self.turns])
         self.words, self.states = empty(groups.count, int64, device), zeros(rows.size, int32, device)
         launch(begin_words_kernel, groups.count, [groups, self.words])
 
 
 @func
 def settle_triangle(i: int, crowded: CrowdedEdges) -> int:
-    """Settle a triangle where it is the next of all of its edges; its state.
+    """Settle a triangle where it is the next of all of its edges; its state, which one that is settled keeps.
 
     Only the thread of the triangle that is the next of an edge writes its word, and others read whole words.
     """
+    before = crowded.states[i]
     state = STAYS
     for k in range(3):
         g = crowded.of_slot[3 * i + k]
@@ -127,7 +128,9 @@ def settle_triangle(i: int, crowded: CrowdedEdges) -> int:
                 state = OPEN
             elif state == STAYS and int(word & int64(COUNT_MASK)) > MANIFOLD:
                 state = GOES
-    if state != OPEN:
+    if before != OPEN:
+        state = before
+    if before == OPEN and state != OPEN:
         for k in range(3):
             g = crowded.of_slot[3 * i + k]
             if g >= 0:
@@ -164,26 +167,25 @@ def mask_gone_kernel(rows: array(dtype=int32), states: array(dtype=int32), mask:
 
 
 def _crowded_edges_of(triangles: Triangles, vertex_count: int) -> tuple[Indices, int]:
-    """(edges of half-edges, -1 where not crowded; how many edges there are)."""
-    edges = find_edges(triangles, vertex_count)  # sync
+    """(edges of half-edges, -1 where not crowded; a number beyond those of edges)."""
+    edges = find_edges(triangles, vertex_count, padded=True)
     places = run_places(edges, 3 * triangles.size)
     of_half_edge = empty(3 * triangles.size, int32, triangles.device)
     launch(spread_edges_kernel, of_half_edge.size, [edges, places, of_half_edge])
     return of_half_edge, edges.count
 
 
-def has_crowded_edges(triangles: Triangles, vertex_count: int) -> bool:
-    """Whether an edge has more than two half-edges."""
-    edges = find_edges(triangles, vertex_count)  # sync
-    return positions_of(mask_counts(edges, MANIFOLD + 1, MOST)).size > 0  # sync
+def find_at_crowded_edges(triangles: Triangles, vertex_count: int) -> tuple[Indices, Indices]:
+    """(the triangles at edges of more than two half-edges, all triangles but those of them that name a vertex twice).
 
-
-def mask_folded_at_crowded_edges(triangles: Triangles, vertex_count: int) -> Mask:
-    """uint8 [t]: 1 for the triangles at edges of more than two that name a vertex twice."""
-    mask = empty(triangles.size, uint8, triangles.device)
-    of_half_edge, _ = _crowded_edges_of(triangles, vertex_count)
-    launch(mask_crowded_kernel, triangles.size, [triangles, of_half_edge, 1, mask])
-    return mask
+    int32 each, ascending; one sync.
+    """
+    device, of_half_edge = triangles.device, _crowded_edges_of(triangles, vertex_count)[0]
+    crowded, folded = empty(triangles.size, uint8, device), empty(triangles.size, uint8, device)
+    launch(mask_crowded_kernel, triangles.size, [triangles, of_half_edge, 0, crowded])
+    launch(mask_crowded_kernel, triangles.size, [triangles, of_half_edge, 1, folded])
+    found = positions_of_each(crowded, invert_mask(folded))  # sync
+    return found[0], found[1]
 
 
 def mask_crowding(vertices: Points, triangles: Triangles) -> Mask:
@@ -200,13 +202,9 @@ def mask_crowding(vertices: Points, triangles: Triangles) -> Mask:
     launch(list_area_keys_kernel, found.size, [measure_areas(vertices, triangles), found, keys])
     chosen = gather_rows(found, argsort_keys(keys, 31)[1])
     crowded = CrowdedEdges(chosen, of_half_edge, edge_count)
-    rows = positions(chosen.size, device)
-    for _ in range(ROUNDS):
-        open_rows = empty(rows.size, uint8, device)
-        launch(try_triangles_kernel, rows.size, [rows, crowded, open_rows])
-        rows = gather_rows(rows, positions_of(open_rows))  # sync
-        if rows.size == 0:
-            break
+    rows = settle_in_rounds(
+        lambda rows, open_rows: launch(try_triangles_kernel, rows.size, [rows, crowded, open_rows]), chosen.size, device
+    )
     launch(settle_rest_kernel, min(1, rows.size), [rows, crowded])
     launch(mask_gone_kernel, chosen.size, [chosen, crowded.states, gone])
     return gone

@@ -14,7 +14,7 @@ import numpy as np
 
 from ..algebra.transform import widen
 from ..array_types import Indices, Points, Triangles
-from ..arrays.select import gather_rows, positions_of
+from ..arrays.select import gather_rows
 from ..lang import (
     INFINITY,
     array,
@@ -254,8 +254,12 @@ def name_pieces_kernel(
 
 def close_loops(
     vertices: Points, triangles: Triangles, found: "FoundLoops", batch: np.ndarray
-) -> tuple[Triangles, Indices, Indices]:
-    """(pieces vec3i [p], corners int32 [3 p], loop of each int32 [p]) of the loops of a batch that can be closed."""
+) -> tuple[Triangles, Indices, Indices, int]:
+    """The pieces of the loops of a batch that can be closed; one sync.
+
+    Returns:
+        (pieces, corners, of_loop, closed): vec3i [p], int32 [3 p], the loop of each, int32 [p]; how many were closed.
+    """
     device, counts = triangles.device, found.counts[batch]
     loops, bits = Loops(found, batch, counts), key_bits(vertices.size)
     launch(begin_loops_kernel, loops.owners.size, [vertices, triangles, loops])
@@ -263,11 +267,11 @@ def close_loops(
         launch(weigh_chords_kernel, loops.owners.size, [found.edge_keys, bits, loops, span])
     mask = empty(len(batch), uint8, device)
     launch(mark_closed_kernel, len(batch), [loops, mask])
-    closed = positions_of(mask)  # sync
-    sizes = counts[download(closed)] - 2
+    rows = np.flatnonzero(download(mask))  # sync
+    closed, sizes = upload(rows, int32, device), counts[rows] - 2
     offsets = upload(np.concatenate([[0], np.cumsum(sizes)]), int32, device)
     count, stack = int(sizes.sum()), empty(loops.owners.size, int32, device)
     pieces, corners, of_loop = empty(count, vec3i, device), empty(3 * count, int32, device), empty(count, int32, device)
     launch(write_triangles_kernel, closed.size, [loops, closed, offsets, stack, pieces])
     launch(name_pieces_kernel, count, [loops, upload(batch, int32, device), pieces, corners, of_loop])
-    return pieces, corners, of_loop
+    return pieces, corners, of_loop, len(rows)

@@ -95,10 +95,10 @@ class FoundLoops:
 
     def __init__(self, vertices: Points, triangles: Triangles) -> None:
         border = Border(triangles, vertices.size)
-        rows, loops = find_loops(border)
+        rows, loops, starts = find_loops(border)  # sync
         self.vertices, self.half_edges = gather_rows(border.vertices, rows), gather_rows(border.half_edges, rows)
         self.starts, self.edge_keys, self.border_count = loops.starts, border.edges.keys, border.half_edges.size
-        self.counts = np.diff(download(loops.starts))  # sync
+        self.counts = np.diff(starts)
         radii = empty(loops.count, float64, vertices.device)
         launch(measure_loops_kernel, loops.count, [vertices, self.vertices, self.half_edges, self.starts, radii])
         self.radii = download(radii).copy()  # sync
@@ -121,7 +121,7 @@ def drop_conflicts(
 ) -> tuple[Triangles, Indices, int]:
     """The pieces of loops that share no chord with an earlier one, their corners, and how many loops wait."""
     device = pieces.device
-    edges, waits = find_edges(pieces, vertex_count), zeros(loop_count, int32, device)  # sync
+    edges, waits = find_edges(pieces, vertex_count, padded=True), zeros(loop_count, int32, device)
     launch(find_conflicts_kernel, edges.count, [edges, of_loop, waits])
     waiting = int(download(waits).sum())  # sync
     if not waiting:
@@ -165,8 +165,8 @@ class Filling:
         parts = [close_loops(vertices, self.triangles, found, batch) for batch in plan_batches(chosen, found.counts)]
         if not parts:
             return 0
-        pieces, corners, of_loop = (concatenate_rows(rows) for rows in zip(*parts, strict=True))
-        closed = len(np.unique(download(of_loop)))  # sync
+        pieces, corners, of_loop = (concatenate_rows(rows) for rows in list(zip(*parts, strict=True))[:3])
+        closed = sum(count for *_, count in parts)
         pieces, corners, waiting = drop_conflicts(pieces, corners, of_loop, len(found.counts), vertices.size)
         self.filled += closed - waiting
         self.left -= closed - waiting

@@ -139,7 +139,7 @@ def average_members(
     device = owners.device
     keys = empty(owners.size, int64, device)
     launch(list_owner_places_kernel, owners.size, [owners, places, keys])
-    groups, means = UniqueKeys(keys, max(1, count.bit_length())), []  # sync
+    groups, means = UniqueKeys(keys, max(1, count.bit_length()), padded=True), []
     for rows, is_unit in zip(arrays, unit, strict=True):
         means.append(empty(count, vec3, device))
         launch(average_members_kernel, count, [rows, groups, int(is_unit), means[-1]])

@@ -12,7 +12,7 @@ from ..arrays.sort import positions
 from ..arrays.union_find import flatten_sets_kernel, unite
 from ..arrays.unique import UniqueKeys
 from ..lang import array, func, int32, int64, kernel, launch, struct, tid, uint8, vec2i, vec3i
-from ..memory import empty
+from ..memory import empty, rows_of
 from .mesh_topology import CornersByVertex, corner_vertex, list_edge_keys_kernel, next_corner
 
 
@@ -78,6 +78,19 @@ def split_edge_keys_kernel(keys: array(dtype=int64), bits: int, lows: array(dtyp
     highs[i] = higher_end(keys[i], bits)
 
 
+@kernel
+def split_padded_keys_kernel(edges: UniqueKeys, bits: int, lows: array(dtype=int32), highs: array(dtype=int32)):
+    """The two vertices of each edge, vertex 0 twice for those behind the last one."""
+    i = tid()
+    a = 0
+    b = 0
+    if edges.starts[i + 1] > edges.starts[i]:
+        a = lower_end(edges.keys[i], bits)
+        b = higher_end(edges.keys[i], bits)
+    lows[i] = a
+    highs[i] = b
+
+
 @struct
 class MeshEdges:
     """The edges of a mesh, by ascending vertices. Half-edge 3 t + k runs from corner k of triangle t to the next.
@@ -87,6 +100,7 @@ class MeshEdges:
         lows, highs: Their vertices, int32 [e]; the same one where a triangle has a vertex twice.
         starts: int32 [e + 1], where each edge's half-edges begin in `halves`.
         halves: int32 [3 t], those of an edge ascending.
+        told: Where they are padded, as of UniqueKeys; behind the edges stand some of no half-edges, at vertex 0 twice.
     """
 
     lows: array(dtype=int32)
@@ -94,11 +108,21 @@ class MeshEdges:
     starts: array(dtype=int32)
     halves: array(dtype=int32)
 
-    def __init__(self, triangles: Triangles, vertex_count: int) -> None:
-        device, edges = triangles.device, find_edges(triangles, vertex_count)  # sync
-        self.count, self.starts, self.halves = edges.count, edges.starts, edges.order
+    def __init__(self, triangles: Triangles, vertex_count: int, padded: bool = False) -> None:
+        """One sync, none where they may be padded."""
+        device, edges = triangles.device, find_edges(triangles, vertex_count, padded)
+        self.count, self.starts, self.halves, self.told = edges.count, edges.starts, edges.order, edges.told
         self.lows, self.highs = empty(self.count, int32, device), empty(self.count, int32, device)
-        launch(split_edge_keys_kernel, self.count, [edges.keys, key_bits(vertex_count), self.lows, self.highs])
+        bits = key_bits(vertex_count)
+        if self.told is None:
+            launch(split_edge_keys_kernel, self.count, [edges.keys, bits, self.lows, self.highs])
+        else:
+            launch(split_padded_keys_kernel, self.count, [edges, bits, self.lows, self.highs])
+
+    def cut(self, count: int) -> None:
+        """No longer padded: so many stay, with their half-edges."""
+        self.count, self.told, self.starts = count, None, rows_of(self.starts, 0, count + 1)
+        self.lows, self.highs = rows_of(self.lows, 0, count), rows_of(self.highs, 0, count)
 
 
 @func

@@ -57,6 +57,8 @@ def unite_ends_kernel(
     """Make one set of the vertices at each end of half-edges with the same ends; one thread a place."""
     i = tid()
     first = groups.starts[i]
+    if first == groups.starts[i + 1]:
+        return
     h = rows[groups.order[first]]
     a = corner_vertex(triangles, h)
     b = corner_vertex(triangles, next_corner(h))
@@ -74,15 +76,8 @@ def unite_ends_kernel(
             unite(parents, b, c)
 
 
-@kernel
-def mark_members_kernel(owners: array(dtype=int32), mask: array(dtype=uint8)):
-    """1 for vertices that follow another."""
-    i = tid()
-    mask[i] = uint8(1 if owners[i] != i else 0)
-
-
 def find_seams(vertices: Points, triangles: Triangles) -> Indices | None:
-    """The lowest vertex of those that are one place of the surface, int32 [m]; None where there is no seam."""
+    """The lowest vertex of those that are one place of the surface, int32 [m]; None where there is no border."""
     device, count = triangles.device, vertices.size
     border = empty(3 * triangles.size, uint8, device)
     launch(mark_border_kernel, border.size, [*sorted_edges(triangles, count), border])
@@ -91,9 +86,7 @@ def find_seams(vertices: Points, triangles: Triangles) -> Indices | None:
         return None
     owners, keys, parents = find_equal_vertices(vertices), empty(rows.size, int64, device), positions(count, device)
     launch(list_place_keys_kernel, rows.size, [triangles, owners, rows, bits, keys])
-    groups = UniqueKeys(keys, 2 * bits)  # sync
+    groups = UniqueKeys(keys, 2 * bits, padded=True)
     launch(unite_ends_kernel, groups.count, [triangles, owners, rows, groups, parents])
     launch(flatten_sets_kernel, count, [parents])
-    moved = empty(count, uint8, device)
-    launch(mark_members_kernel, count, [parents, moved])
-    return parents if positions_of(moved).size else None  # sync
+    return parents

@@ -125,8 +125,8 @@ def key_places_kernel(
     put_key(i, (int64(run) << int64(STEP_BITS)) | int64(step), keys)
 
 
-def order_by_splits(points: Points, unit: int) -> Indices:
-    """The finite points in such an order, int32 [count]; one sync.
+def order_by_splits(points: Points, unit: int, *, all_finite: bool = False) -> Indices:
+    """The finite points in such an order, int32 [count]; one sync, none where it is known that all are finite.
 
     Args:
         points: Device array of vec3.

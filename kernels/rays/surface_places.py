@@ -50,6 +50,7 @@ class SurfacePlaces:
     """
 
     def __init__(self, queries: Points, tree: TriangleTree) -> None:
+        """No sync."""
         device, count = queries.device, queries.size
         nearest = NearestTriangles(queries)
         nearest.look_into(tree, queries, 0)

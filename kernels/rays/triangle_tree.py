@@ -15,8 +15,10 @@ Boxes are the lowest and highest of the float32 coordinates, without any roundin
 """
 
 from collections.abc import Sequence
+from functools import cached_property
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ..algebra.transform import narrow, widen
 from ..array_types import AnyArray, Points, Triangles
@@ -79,7 +81,8 @@ class TriangleTree:
         order: int32, the triangle's number by place (leaf * LEAF + lane); full leaves, so it may pass `count`.
         leaf_count: Leaves.
         vertices, triangles: What it was built over.
-        low, high: The box of the triangles, float32 [3] on the host; from infinity to minus infinity without any.
+        low, high: The box of the triangles, float32 [3] on the host; from infinity to minus infinity without any. The
+            first look takes one sync.
     """
 
     count: int
@@ -89,14 +92,22 @@ class TriangleTree:
     corners: array(dtype=float32)
     order: array(dtype=int32)
 
-    def __init__(self, vertices: Points, triangles: Triangles, known: tuple[Extent, np.ndarray] | None = None) -> None:
-        """Build it; one sync, none where it is known how far the triangles reach, and what the host has read of it."""
+    def __init__(
+        self,
+        vertices: Points,
+        triangles: Triangles,
+        known: tuple[Extent, np.ndarray] | None = None,
+        *,
+        all_finite: bool = False,
+    ) -> None:
+        """Build it; one sync, none where it is known that all corners are finite, or how far the triangles reach, and
+        what the host has read of it."""
         self.vertices, self.triangles, self.device = vertices, triangles, vertices.device
         extent = known[0] if known else Extent(vertices, triangles)
-        extremes = known[1] if known else download(extent.extremes)  # sync
-        self.low, self.high, self.count = box_of(extremes)
-        rows = positions_of(extent.mask, self.count)
-        placed = order_rows_by_splits(extent.middles, rows, LEAF)
+        self._extremes, self._known, self.count = extent.extremes, known[1] if known else None, triangles.size
+        if not all_finite:
+            self.count = self._box[2]  # sync, if it is not known
+        placed = order_rows_by_splits(extent.middles, positions_of(extent.mask, self.count), LEAF)
         self.leaf_count = -(-self.count // LEAF)
         places = self.leaf_count * LEAF
         self.order = empty(places, int32, self.device)
@@ -108,6 +119,20 @@ class TriangleTree:
         self.boxes = empty(int(self.level_firsts[-1]) * SIDES, float32, self.device)
         launch(bound_leaves_kernel, sizes[0] * FAN, [self.corners, self.boxes])
         bound_levels(self.levels, sizes, self.boxes, known=0)
+
+    @cached_property
+    def _box(self) -> tuple[NDArray[np.float32], NDArray[np.float32], int]:
+        return box_of(download(self._extremes) if self._known is None else self._known)  # sync
+
+    @property
+    def low(self) -> NDArray[np.float32]:
+        """The lowest coordinates."""
+        return self._box[0]
+
+    @property
+    def high(self) -> NDArray[np.float32]:
+        """The highest coordinates."""
+        return self._box[1]
 
 
 @func

@@ -4,13 +4,18 @@ An edge is a crease where it has not exactly two triangles that run it in opposi
 an angle, or where it was one before: creases are flagged at half-edges and follow what is done to their triangles. A
 vertex is free where no crease ends, on a line where two do, and a corner else, or where its line bends by more than the
 angle. About 200 B a triangle while edges are sorted.
+
+On CUDA triangles that have gone stay in their places, as three times the number of vertices: a corner of theirs is none
+of a vertex', and the edge of all of them is the last one, which is cut off. So nothing waits for how many are left.
 """
 
 import math
+from typing import Any
 
 from ..algebra.transform import widen
-from ..array_types import Bytes, Indices, Points, Triangles
+from ..array_types import Bytes, Indices, Integers, Points, Triangles
 from ..arrays.select import positions_of
+from ..arrays.side_by_side import read_together
 from ..arrays.sort import positions
 from ..arrays.union_find import flatten_sets_kernel, unite
 from ..lang import (
@@ -34,7 +39,7 @@ from ..lang import (
     vec3i,
 )
 from ..memory import empty, full, zeros
-from ..meshes.mesh_edges import MeshEdges
+from ..meshes.mesh_edges import MeshEdges, key_bits
 from ..meshes.mesh_measures import triangle_cross
 from ..meshes.mesh_topology import CornersByVertex, corner_vertex, next_corner
 
@@ -57,11 +62,11 @@ def mixed_key(number: int, i: int) -> int64:
 
 @struct
 class CreasedMesh:
-    """A mesh between two steps.
+    """A mesh between two steps; its edges are padded until `count_edges`.
 
     Attributes:
         vertices: vec3 [m].
-        triangles: vec3i [t], none with a vertex twice.
+        triangles: vec3i [t], none with a vertex twice but those that have gone: m three times.
         creases: uint8 [3 t], 1 for half-edges of creases.
         fixed: uint8 [m], 1 for vertices that are corners whatever ends there.
         edges: Its MeshEdges.
@@ -84,12 +89,31 @@ class CreasedMesh:
     def __init__(self, vertices: Points, triangles: Triangles, creases: Bytes, fixed: Bytes) -> None:
         self.vertices, self.triangles, self.creases, self.fixed = vertices, triangles, creases, fixed
         device, count = vertices.device, vertices.size
-        self.edges, self.around = MeshEdges(triangles, count), CornersByVertex(triangles, count)  # sync
+        self.edges, self.around = MeshEdges(triangles, count, padded=True), CornersByVertex(triangles, count)
         self.edge_of = empty(3 * triangles.size, int32, device)
         self.rims, ends = zeros(count, uint8, device), zeros(count, int32, device)
         self.kinds = empty(count, uint8, device)
         launch(join_creases_kernel, self.edges.count, [self, self.edge_of, self.creases, self.rims, ends])
         launch(sort_vertices_kernel, count, [ends, fixed, self.kinds])
+
+    @property
+    def gone_edge(self) -> int:
+        """The key of the edge of triangles that have gone."""
+        return self.vertices.size << key_bits(self.vertices.size) | self.vertices.size
+
+    def count_edges(self, *beside: Integers) -> list[Any]:
+        """Cut off what stands behind the edges, and fetch the arrays `beside`, as NumPy; one sync."""
+        if self.edges.told is None:
+            return read_together(beside) if beside else []
+        (count, low, high), *found = read_together([self.edges.told, *beside])  # sync
+        self.edges.cut(int(count) - int((int(high) << 32 | int(low) & 0xFFFF_FFFF) == self.gone_edge))
+        return found
+
+
+@func
+def is_edge(edges: MeshEdges, e: int) -> int:
+    """1 for edges of triangles, 0 for that of those that have gone, and behind it."""
+    return 1 if edges.lows[e] != edges.highs[e] else 0
 
 
 @func
@@ -113,6 +137,8 @@ def join_creases_kernel(
 ):
     """Let all half-edges of an edge be creases where one is; count them at vertices, in whole numbers."""
     e = tid()
+    if is_edge(mesh.edges, e) == 0:
+        return
     first = mesh.edges.starts[e]
     last = mesh.edges.starts[e + 1]
     crease = 1 - is_paired(mesh.triangles, mesh.edges, e)
@@ -214,21 +240,31 @@ def drop_creases_kernel(
         creases[h] = uint8(0)
 
 
+@func
+def is_crease(mesh: CreasedMesh, e: int) -> int:
+    """1 for edges that are creases."""
+    found = 0
+    if is_edge(mesh.edges, e) == 1:
+        found = int(mesh.creases[mesh.edges.halves[mesh.edges.starts[e]]])
+    return found
+
+
 @kernel
-def unite_creases_kernel(mesh: CreasedMesh, rows: array(dtype=int32), sets: array(dtype=int32)):
+def unite_creases_kernel(mesh: CreasedMesh, sets: array(dtype=int32)):
     """One set of the vertices that creases join."""
-    i = tid()
-    unite(sets, mesh.edges.lows[rows[i]], mesh.edges.highs[rows[i]])
+    e = tid()
+    if is_crease(mesh, e) == 1:
+        unite(sets, mesh.edges.lows[e], mesh.edges.highs[e])
 
 
 @kernel
-def stretch_sets_kernel(
-    mesh: CreasedMesh, rows: array(dtype=int32), sets: array(dtype=int32), extents: array(dtype=float32, ndim=2)
-):
+def stretch_sets_kernel(mesh: CreasedMesh, sets: array(dtype=int32), extents: array(dtype=float32, ndim=2)):
     """The box of each set: maxima are the same in any order."""
-    i = tid()
-    a = mesh.edges.lows[rows[i]]
-    b = mesh.edges.highs[rows[i]]
+    e = tid()
+    if is_crease(mesh, e) == 0:
+        return
+    a = mesh.edges.lows[e]
+    b = mesh.edges.highs[e]
     root = sets[a]
     for c in range(3):
         p = mesh.vertices[a]
@@ -251,11 +287,11 @@ def choose_wide_kernel(extents: array(dtype=float32, ndim=2), least: float64, ch
 def drop_short_creases(mesh: CreasedMesh, least: float) -> Bytes:
     """The creases of a mesh without those that hang together over less than a length; borders are found again."""
     device, count = mesh.vertices.device, mesh.vertices.size
-    rows, sets = crease_rows(mesh), positions(count, device)  # sync
-    launch(unite_creases_kernel, rows.size, [mesh, rows, sets])
+    sets = positions(count, device)
+    launch(unite_creases_kernel, mesh.edges.count, [mesh, sets])
     launch(flatten_sets_kernel, count, [sets])
     extents, chosen = full((count, 6), -math.inf, float32, device), empty(count, uint8, device)
-    launch(stretch_sets_kernel, rows.size, [mesh, rows, sets, extents])
+    launch(stretch_sets_kernel, mesh.edges.count, [mesh, sets, extents])
     launch(choose_wide_kernel, count, [extents, least, chosen])
     launch(drop_creases_kernel, mesh.creases.size, [mesh, sets, chosen, mesh.creases])
     return mesh.creases
@@ -272,7 +308,7 @@ def find_features(vertices: Points, triangles: Triangles, angle: float, least: f
     """
     device = vertices.device
     creases, cosine = zeros(3 * triangles.size, uint8, device), math.cos(angle)
-    edges = MeshEdges(triangles, vertices.size)  # sync
+    edges = MeshEdges(triangles, vertices.size, padded=True)
     launch(find_creases_kernel, edges.count, [vertices, triangles, edges, cosine, creases])
     free = zeros(vertices.size, uint8, device)
     creases = drop_short_creases(CreasedMesh(vertices, triangles, creases, free), least)
@@ -286,7 +322,7 @@ def find_features(vertices: Points, triangles: Triangles, angle: float, least: f
 def mark_creased_kernel(mesh: CreasedMesh, mask: array(dtype=uint8)):
     """1 for the edges that are creases."""
     e = tid()
-    mask[e] = mesh.creases[mesh.edges.halves[mesh.edges.starts[e]]]
+    mask[e] = uint8(is_crease(mesh, e))
 
 
 @kernel
@@ -311,3 +347,47 @@ def crease_segments(mesh: CreasedMesh) -> Triangles:
     segments = empty(rows.size, vec3i, mesh.vertices.device)
     launch(list_segments_kernel, rows.size, [mesh, rows, segments])
     return segments
+
+
+@kernel
+def end_rounds_kernel(
+    told: array(dtype=int32), gone_edge: int64, few: float64, changed: array(dtype=int32), rounds: array(dtype=int32)
+):
+    """Count a round, and end them where one changed few edges; one thread.
+
+    rounds: 1 where they have ended, and how many there were until then.
+    """
+    i = tid()
+    if rounds[i] == 0:
+        edges = told[0]
+        if (int64(told[2]) << 32) | (int64(told[1]) & 0xFFFFFFFF) == gone_edge:
+            edges -= 1
+        rounds[i + 1] = rounds[i + 1] + 1
+        if float64(changed[0]) <= few * float64(edges):
+            rounds[i] = 1
+
+
+def end_rounds(made: CreasedMesh, changed: Integers, few: float, rounds: Integers) -> None:
+    """After a round on CUDA, whose edges are padded: end the rounds where it changed at most `few` of all edges.
+
+    Args:
+        made: The mesh that it made.
+        changed: int32 [1], how many edges it changed.
+        few: A share of all edges.
+        rounds: int32 [2], 1 where they have ended, and how many there were until then.
+    """
+    launch(end_rounds_kernel, 1, [made.edges.told, made.gone_edge, few, changed, rounds])
+
+
+def after_round(
+    mesh: CreasedMesh, made: CreasedMesh, count: Integers, few: float, rounds: Integers | None
+) -> tuple[CreasedMesh, int | None]:
+    """(the mesh that a round made, or the one before where it changed nothing; how many edges it changed).
+
+    With `rounds` nothing waits, and None says so.
+    """
+    if rounds is not None:
+        end_rounds(made, count, few, rounds)
+        return made, None
+    changed = int(made.count_edges(count)[0][0])  # sync
+    return (made, changed) if changed else (mesh, 0)

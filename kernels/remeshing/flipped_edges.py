@@ -5,9 +5,10 @@ Of these flip those whose key, the gain above a mixed number, is the least at al
 """
 
 from ..algebra.transform import widen
-from ..arrays.prefix_sum import sum_counts
+from ..array_types import Integers
 from ..lang import (
     array,
+    atomic_add,
     atomic_min,
     cross,
     dot,
@@ -24,9 +25,9 @@ from ..lang import (
     vec3d,
     vec3i,
 )
-from ..memory import clone, full, zeros
+from ..memory import clone, download, full, zeros
 from ..meshes.mesh_topology import corner_vertex, next_corner
-from .creased_mesh import NO_NUMBER, CreasedMesh, last_corner, mixed_key
+from .creased_mesh import NO_NUMBER, CreasedMesh, after_round, is_crease, is_edge, last_corner, mixed_key
 from .short_edges import LEAST_COSINE, is_next_to
 
 MOST_GAIN = 1 << 20  # beyond all gains
@@ -59,8 +60,11 @@ def agrees(n: vec3d, m: vec3d) -> int:
 def flip_gain(mesh: CreasedMesh, e: int) -> int:
     """By how much the squares become less where an edge flips; 0 where it may not."""
     gain = 0
-    g = mesh.edges.halves[mesh.edges.starts[e]]
-    if mesh.creases[g] == 0:
+    whole = is_edge(mesh.edges, e)
+    if whole == 1:
+        whole = 1 - is_crease(mesh, e)
+    if whole == 1:
+        g = mesh.edges.halves[mesh.edges.starts[e]]
         h = mesh.edges.halves[mesh.edges.starts[e] + 1]
         a = corner_vertex(mesh.triangles, g)
         b = corner_vertex(mesh.triangles, next_corner(g))
@@ -86,11 +90,15 @@ def flip_gain(mesh: CreasedMesh, e: int) -> int:
 
 
 @kernel
-def price_flips_kernel(mesh: CreasedMesh, keys: array(dtype=int64), lowest: array(dtype=int64)):
+def price_flips_kernel(
+    mesh: CreasedMesh, ended: array(dtype=int32), keys: array(dtype=int64), lowest: array(dtype=int64)
+):
     """The key of each edge that may flip, and the least at each vertex: a minimum is the same in any order."""
     e = tid()
     keys[e] = int64(NO_NUMBER)
-    gain = flip_gain(mesh, e)
+    gain = 0
+    if ended[0] == 0:
+        gain = flip_gain(mesh, e)
     if gain > 0:
         g = mesh.edges.halves[mesh.edges.starts[e]]
         h = mesh.edges.halves[mesh.edges.starts[e] + 1]
@@ -111,7 +119,7 @@ def flip_kernel(
     creases: array(dtype=uint8),
     count: array(dtype=int32),
 ):
-    """Give two triangles the other diagonal."""
+    """Give two triangles the other diagonal; `count` is a sum of whole numbers."""
     e = tid()
     key = keys[e]
     if key == int64(NO_NUMBER):
@@ -123,7 +131,7 @@ def flip_kernel(
     c = corner_vertex(mesh.triangles, last_corner(g))
     d = corner_vertex(mesh.triangles, last_corner(h))
     if lowest[a] == key and lowest[b] == key and lowest[c] == key and lowest[d] == key:
-        count[e] = 1
+        atomic_add(count, 0, 1)
         i = g // 3
         j = h // 3
         triangles[i] = vec3i(a, d, c)
@@ -136,12 +144,13 @@ def flip_kernel(
         creases[3 * j + 2] = uint8(0)
 
 
-def flip_edges(mesh: CreasedMesh) -> tuple[CreasedMesh, int]:
-    """(the mesh after one round, how many edges flipped)."""
+def flip_edges(mesh: CreasedMesh, few: float, rounds: Integers | None = None) -> tuple[CreasedMesh, int | None]:
+    """(the mesh after one round, how many edges flipped); `few` and `rounds` as of `collapse_short_edges`."""
     device, edges = mesh.vertices.device, mesh.edges.count
     keys, lowest = full(edges, NO_NUMBER, int64, device), full(mesh.vertices.size, NO_NUMBER, int64, device)
-    launch(price_flips_kernel, edges, [mesh, keys, lowest])
-    triangles, creases, marks = clone(mesh.triangles), clone(mesh.creases), zeros(edges, int32, device)
-    launch(flip_kernel, edges, [mesh, keys, lowest, triangles, creases, marks])
-    flipped = sum_counts(marks)  # sync
-    return (CreasedMesh(mesh.vertices, triangles, creases, mesh.fixed), flipped) if flipped else (mesh, 0)
+    launch(price_flips_kernel, edges, [mesh, zeros(1, int32, device) if rounds is None else rounds, keys, lowest])
+    triangles, creases, count = clone(mesh.triangles), clone(mesh.creases), zeros(1, int32, device)
+    launch(flip_kernel, edges, [mesh, keys, lowest, triangles, creases, count])
+    if not device.is_cuda and not download(count)[0]:
+        return mesh, 0
+    return after_round(mesh, CreasedMesh(mesh.vertices, triangles, creases, mesh.fixed), count, few, rounds)

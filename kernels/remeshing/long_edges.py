@@ -6,19 +6,24 @@ edges, triangles that of their first ones.
 """
 
 from ..algebra.transform import narrow, widen
-from ..arrays.prefix_sum import exclusive_scan
+from ..array_types import Integers
+from ..arrays.prefix_sum import scan_together
 from ..lang import array, dot, float64, func, int32, kernel, launch, tid, uint8, vec3, vec3i
 from ..memory import copy, empty, zeros
 from ..meshes.mesh_topology import corner_vertex, next_corner
-from .creased_mesh import CreasedMesh
+from .creased_mesh import CreasedMesh, is_edge
 
 
 @kernel
 def mark_long_kernel(mesh: CreasedMesh, most: float64, marks: array(dtype=int32)):
     """1 for edges longer than the root of `most`."""
     e = tid()
-    d = widen(mesh.vertices[mesh.edges.highs[e]]) - widen(mesh.vertices[mesh.edges.lows[e]])
-    marks[e] = 1 if dot(d, d) > most else 0
+    mark = 0
+    if is_edge(mesh.edges, e) == 1:
+        d = widen(mesh.vertices[mesh.edges.highs[e]]) - widen(mesh.vertices[mesh.edges.lows[e]])
+        if dot(d, d) > most:
+            mark = 1
+    marks[e] = mark
 
 
 @kernel
@@ -34,9 +39,13 @@ def place_middles_kernel(
 
 @kernel
 def count_parts_kernel(mesh: CreasedMesh, marks: array(dtype=int32), counts: array(dtype=int32)):
-    """The triangles that each one becomes."""
+    """The triangles that each one becomes; none where it has gone."""
     i = tid()
-    counts[i] = 1 + marks[mesh.edge_of[3 * i]] + marks[mesh.edge_of[3 * i + 1]] + marks[mesh.edge_of[3 * i + 2]]
+    count = 0
+    t = mesh.triangles[i]
+    if t[0] != t[1]:
+        count = 1 + marks[mesh.edge_of[3 * i]] + marks[mesh.edge_of[3 * i + 1]] + marks[mesh.edge_of[3 * i + 2]]
+    counts[i] = count
 
 
 @func
@@ -63,6 +72,8 @@ def write_parts_kernel(
     i = tid()
     at = offsets[i]
     count = offsets[i + 1] - at
+    if count == 0:
+        return
     # Begin where the corner is between the two edges that split, or with the one edge that does.
     h = 3 * i
     for k in range(3):
@@ -103,21 +114,24 @@ def write_parts_kernel(
         put_part(at + 3, vec3i(ab, bc, ca), vec3i(0, 0, 0), triangles, creases)
 
 
-def split_long_edges(mesh: CreasedMesh, longest: float) -> tuple[CreasedMesh, int]:
-    """(the mesh with edges longer than `longest` split once, how many were)."""
+def split_long_edges(
+    mesh: CreasedMesh, longest: float, beside: Integers | None = None
+) -> tuple[CreasedMesh, int, list[int]]:
+    """(the mesh with edges longer than `longest` split once, how many were, the numbers `beside`); one sync."""
     device, count = mesh.vertices.device, mesh.vertices.size
     marks = empty(mesh.edges.count, int32, device)
     launch(mark_long_kernel, marks.size, [mesh, longest * longest, marks])
-    places, split = exclusive_scan(marks)  # sync
+    counts = empty(mesh.triangles.size, int32, device)
+    launch(count_parts_kernel, counts.size, [mesh, marks, counts])
+    wanted = [(marks, [marks.size]), (counts, [counts.size])]
+    (places, (split,)), (offsets, (total,)), *told = scan_together(wanted, beside)  # sync
+    found = told[0][1] if told else []
     if not split:
-        return mesh, 0
+        return mesh, 0, found
     vertices, fixed = empty(count + split, vec3, device), zeros(count + split, uint8, device)
     copy(vertices, mesh.vertices, count=count)
     copy(fixed, mesh.fixed, count=count)
     launch(place_middles_kernel, marks.size, [mesh, marks, places, count, vertices])
-    counts = empty(mesh.triangles.size, int32, device)
-    launch(count_parts_kernel, counts.size, [mesh, marks, counts])
-    offsets, total = exclusive_scan(counts)  # sync
     triangles, creases = empty(total, vec3i, device), empty(3 * total, uint8, device)
     launch(write_parts_kernel, counts.size, [mesh, marks, places, count, offsets, vertices, triangles, creases])
-    return CreasedMesh(vertices, triangles, creases, fixed), split
+    return CreasedMesh(vertices, triangles, creases, fixed), split, found

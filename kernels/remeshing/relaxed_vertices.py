@@ -4,14 +4,17 @@ A free vertex goes to the mean of the middles of its triangles, weighted by thei
 its normal; one of a line goes to the middle between its neighbours, along the way between them.
 """
 
+import itertools
+
 from ..algebra.transform import narrow, widen
-from ..array_types import Points
-from ..arrays.prefix_sum import sum_counts
-from ..lang import array, dot, float64, int32, kernel, launch, length, tid, uint8, vec3, vec3d
-from ..memory import empty, zeros
+from ..array_types import Integers, Points
+from ..lang import array, atomic_add, dot, float64, int32, kernel, launch, length, tid, uint8, vec3, vec3d
+from ..memory import download, empty, zeros
 from ..meshes.mesh_measures import triangle_cross
 from .creased_mesh import FREE, LINE, CreasedMesh, line_neighbor
 from .flipped_edges import agrees
+
+TURNS = 2  # of taking back before the host looks: nearly always the first takes nothing
 
 
 @kernel
@@ -52,35 +55,32 @@ def relax_kernel(mesh: CreasedMesh, moved: array(dtype=vec3)):
 
 
 @kernel
-def mark_turned_kernel(
-    mesh: CreasedMesh, moved: array(dtype=vec3), back: array(dtype=uint8), turned: array(dtype=int32)
-):
-    """1 for triangles that turn, and for their vertices; threads that meet write the same."""
+def mark_turned_kernel(mesh: CreasedMesh, moved: array(dtype=vec3), back: array(dtype=uint8)):
+    """1 for the vertices of triangles that turn; threads that meet write the same."""
     i = tid()
     t = mesh.triangles[i]
-    n = triangle_cross(mesh.vertices, t)
-    m = triangle_cross(moved, t)
     wrong = 0
-    if length(n) > 0.0:
-        wrong = 1 - agrees(n, m)
+    if t[0] != t[1]:
+        n = triangle_cross(mesh.vertices, t)
+        m = triangle_cross(moved, t)
+        if length(n) > 0.0:
+            wrong = 1 - agrees(n, m)
     for k in range(3):
         if wrong == 1:
             back[t[k]] = uint8(1)
-    turned[i] = wrong
 
 
 @kernel
 def take_back_kernel(
     before: array(dtype=vec3), back: array(dtype=uint8), moved: array(dtype=vec3), taken: array(dtype=int32)
 ):
-    """Marked vertices where they were; how many of them had moved, as whole numbers."""
+    """Marked vertices where they were; how many of them had moved, a sum of whole numbers."""
     i = tid()
-    taken[i] = 0
     if back[i] != 0:
         p = before[i]
         q = moved[i]
         if p[0] != q[0] or p[1] != q[1] or p[2] != q[2]:
-            taken[i] = 1
+            atomic_add(taken, 0, 1)
         moved[i] = p
 
 
@@ -116,14 +116,21 @@ def choose_places(mesh: CreasedMesh, on_surface: Points, on_lines: Points) -> Po
     return chosen
 
 
-def move_where_nothing_turns(mesh: CreasedMesh, moved: Points) -> None:
-    """Give a mesh other places, but for the vertices of triangles that would turn there by more than 60 degrees."""
-    device = moved.device
-    turned, taken = empty(mesh.triangles.size, int32, device), empty(moved.size, int32, device)
-    while True:  # each turn takes a vertex back that had moved
-        back = zeros(moved.size, uint8, device)
-        launch(mark_turned_kernel, turned.size, [mesh, moved, back, turned])
-        launch(take_back_kernel, moved.size, [mesh.vertices, back, moved, taken])
-        if not sum_counts(taken):  # sync
+def move_where_nothing_turns(mesh: CreasedMesh, moved: Points, taken: Integers | None = None) -> None:
+    """Give a mesh other places, but for the vertices of triangles that would turn there by more than 60 degrees.
+
+    Args:
+        mesh: The mesh.
+        moved: vec3 [m], which are changed.
+        taken: int32 [1], zero; where it is given nothing waits: TURNS turns are made, and the last one adds how many
+            vertices it took back. Where that is none, all is as without it.
+    """
+    for turn in itertools.count(1):  # each turn takes a vertex back that had moved
+        back, count = zeros(moved.size, uint8, moved.device), zeros(1, int32, moved.device)
+        if taken is not None and turn == TURNS:
+            count = taken
+        launch(mark_turned_kernel, mesh.triangles.size, [mesh, moved, back])
+        launch(take_back_kernel, moved.size, [mesh.vertices, back, moved, count])
+        if turn == TURNS if taken is not None else not download(count)[0]:  # sync, where it is not given
             break
     mesh.vertices = moved

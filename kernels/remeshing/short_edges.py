@@ -7,10 +7,11 @@ key, the length above a mixed number, is the least at all vertices around both e
 """
 
 from ..algebra.transform import narrow, widen
-from ..arrays.prefix_sum import sum_counts
+from ..array_types import Bytes, Integers, Triangles
 from ..arrays.select import positions_of
 from ..lang import (
     array,
+    atomic_add,
     atomic_min,
     cross,
     dot,
@@ -28,10 +29,10 @@ from ..lang import (
     vec3d,
     vec3i,
 )
-from ..memory import clone, empty, full, zeros
+from ..memory import clone, download, empty, full, zeros
 from ..meshes.mesh_edges import opposite_vertex
 from ..meshes.mesh_edits import gather_triangles
-from .creased_mesh import FREE, LINE, NO_NUMBER, CreasedMesh, is_paired, mixed_key
+from .creased_mesh import FREE, LINE, NO_NUMBER, CreasedMesh, after_round, is_edge, is_paired, mixed_key
 
 LEAST_COSINE = 0.5  # between the normals of a triangle before and after
 
@@ -134,11 +135,20 @@ def goal_place(mesh: CreasedMesh, e: int, way: int) -> vec3d:
 
 @kernel
 def price_short_kernel(
-    mesh: CreasedMesh, least: float64, most: float64, keys: array(dtype=int64), lowest: array(dtype=int64)
+    mesh: CreasedMesh,
+    least: float64,
+    most: float64,
+    ended: array(dtype=int32),
+    keys: array(dtype=int64),
+    lowest: array(dtype=int64),
 ):
     """The key of each edge that may collapse, and the least at each vertex: a minimum is the same in any order."""
     e = tid()
     keys[e] = int64(NO_NUMBER)
+    if is_edge(mesh.edges, e) == 0:
+        return
+    if ended[0] != 0:
+        return
     a = mesh.edges.lows[e]
     b = mesh.edges.highs[e]
     gap = widen(mesh.vertices[b]) - widen(mesh.vertices[a])
@@ -191,11 +201,10 @@ def collapse_short_kernel(
     lowest: array(dtype=int64),
     vertices: array(dtype=vec3),
     triangles: array(dtype=vec3i),
-    kept: array(dtype=uint8),
     fixed: array(dtype=uint8),
     count: array(dtype=int32),
 ):
-    """Move one end, give it the other's triangles, and drop those of the edge; `count` is a sum of whole numbers."""
+    """Move one end, give it the other's triangles, and let those of the edge go; `count` is a sum of whole numbers."""
     e = tid()
     key = keys[e]
     if key == int64(NO_NUMBER):
@@ -206,16 +215,24 @@ def collapse_short_kernel(
     if first == 1:
         first = is_lowest_around(mesh, b, key, lowest)
     if first == 1:
-        count[e] = 1
+        atomic_add(count, 0, 1)
         vertices[a] = narrow(goal_place(mesh, e, goal(mesh, e)))
         fixed[a] = uint8(max(int(mesh.fixed[a]), int(mesh.fixed[b])))
         for j in range(mesh.around.starts[b], mesh.around.starts[b + 1]):
             i = mesh.around.corners[j] // 3
             t = mesh.triangles[i]
             if t[0] == a or t[1] == a or t[2] == a:
-                kept[i] = uint8(0)
+                triangles[i] = vec3i(vertices.shape[0])
             else:
                 triangles[i] = vec3i(a if t[0] == b else t[0], a if t[1] == b else t[1], a if t[2] == b else t[2])
+
+
+@kernel
+def mask_left_kernel(triangles: array(dtype=vec3i), mask: array(dtype=uint8)):
+    """1 for triangles that have not gone."""
+    i = tid()
+    t = triangles[i]
+    mask[i] = uint8(1 if t[0] != t[1] else 0)
 
 
 @kernel
@@ -225,27 +242,42 @@ def gather_creases_kernel(creases: array(dtype=uint8), rows: array(dtype=int32),
     gathered[i] = creases[3 * rows[i // 3] + i % 3]
 
 
-def collapse_short_edges(mesh: CreasedMesh, shortest: float, longest: float) -> tuple[CreasedMesh, int]:
+def collapse_short_edges(
+    mesh: CreasedMesh, shortest: float, longest: float, few: float, rounds: Integers | None = None
+) -> tuple[CreasedMesh, int | None]:
     """One round.
 
     Args:
         mesh: The mesh.
         shortest: Edges shorter than this collapse.
         longest: Where no edge gets longer than this.
+        few: As of `end_rounds`.
+        rounds: Those of `end_rounds`, on CUDA; where they are given nothing waits.
 
     Returns:
-        (the mesh, how many edges collapsed); vertices without triangles stay.
+        (the mesh, how many edges collapsed, None where nothing waits); vertices without triangles stay.
     """
     device, edges = mesh.vertices.device, mesh.edges.count
     keys, lowest = full(edges, NO_NUMBER, int64, device), full(mesh.vertices.size, NO_NUMBER, int64, device)
-    launch(price_short_kernel, edges, [mesh, shortest * shortest, longest * longest, keys, lowest])
+    ended = zeros(1, int32, device) if rounds is None else rounds
+    launch(price_short_kernel, edges, [mesh, shortest * shortest, longest * longest, ended, keys, lowest])
     vertices, triangles, fixed = clone(mesh.vertices), clone(mesh.triangles), clone(mesh.fixed)
-    kept, marks = full(triangles.size, 1, uint8, device), zeros(edges, int32, device)
-    launch(collapse_short_kernel, edges, [mesh, keys, lowest, vertices, triangles, kept, fixed, marks])
-    collapsed = sum_counts(marks)  # sync
-    if not collapsed:
-        return mesh, 0
-    rows = positions_of(kept)  # sync
-    creases = empty(3 * rows.size, uint8, device)
-    launch(gather_creases_kernel, creases.size, [mesh.creases, rows, creases])
-    return CreasedMesh(vertices, gather_triangles(triangles, rows), creases, fixed), collapsed
+    count = zeros(1, int32, device)
+    launch(collapse_short_kernel, edges, [mesh, keys, lowest, vertices, triangles, fixed, count])
+    if not device.is_cuda:
+        if not download(count)[0]:
+            return mesh, 0
+        made = CreasedMesh(vertices, *without_gone(triangles, mesh.creases), fixed)
+    else:
+        made = CreasedMesh(vertices, triangles, clone(mesh.creases), fixed)
+    return after_round(mesh, made, count, few, rounds)
+
+
+def without_gone(triangles: Triangles, creases: Bytes) -> tuple[Triangles, Bytes]:
+    """The triangles that have not gone, and the flags of their half-edges; one sync."""
+    mask = empty(triangles.size, uint8, triangles.device)
+    launch(mask_left_kernel, mask.size, [triangles, mask])
+    rows = positions_of(mask)  # sync
+    left = empty(3 * rows.size, uint8, triangles.device)
+    launch(gather_creases_kernel, left.size, [creases, rows, left])
+    return gather_triangles(triangles, rows), left

@@ -10,7 +10,7 @@ surface reconstruction", SIGGRAPH 1994; edges of more than two triangles as in O
 from collections.abc import Sequence
 
 from ..array_types import Array1, Integers, Positions, Triangles
-from ..arrays.prefix_sum import exclusive_scan
+from ..arrays.prefix_sum import offsets_of
 from ..lang import array, float64, int32, kernel, launch, struct, tid, vec2, vec3d, vec3i
 from ..memory import copy, empty, full, zeros
 from ..meshes.mesh_edges import MeshEdges, count_sharers, opposite_vertex
@@ -57,7 +57,7 @@ class EdgeSplit:
         self.edges = MeshEdges(triangles, vertex_count)  # sync
         firsts = zeros(halves, int32, device)
         launch(mark_first_halves_kernel, self.edges.count, [self.edges, firsts])
-        places, _ = exclusive_scan(firsts)  # sync
+        places = offsets_of(firsts)
         self.numbers, self.middles = empty(self.edges.count, int32, device), empty(halves, int32, device)
         arguments = [self.edges, places, vertex_count, self.numbers, self.middles]
         launch(number_edges_kernel, self.edges.count, arguments)

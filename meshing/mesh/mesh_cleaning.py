@@ -9,12 +9,14 @@ import warp as wp
 
 from ...core.checks import check_positive
 from ...core.dropped_results import returns_new
+from ...kernels.array_types import Mask
 from ...kernels.arrays.bounds import bound_points
-from ...kernels.arrays.select import invert_mask, positions_of
+from ...kernels.arrays.select import invert_mask, positions_of, positions_of_each
 from ...kernels.arrays.sort import positions
 from ...kernels.extent.masks import mask_finite
 from ...kernels.meshes import clean_triangles, crowded_edges, merge_vertices
 from ...kernels.meshes.close_vertices import find_close_vertices
+from ...kernels.meshes.mesh_edits import mark_places, renumber_triangles
 from .mesh_edits import MeshEdits
 
 FINEST = 2.0**-45  # of the largest coordinate: cells of a smaller size cannot be told apart in float64
@@ -78,8 +80,8 @@ class MeshCleaning(MeshEdits):
             ([[0, 1, 2], [1, 3, 2]], 4)
         """
         owners = merge_vertices.find_equal_vertices(self._arrays["vertices"])
-        places, _ = merge_vertices.number_owners(owners)  # sync
-        kept = positions_of(merge_vertices.mask_owners(owners))  # sync
+        places, count = merge_vertices.number_owners(owners)  # sync
+        kept = positions_of(merge_vertices.mask_owners(owners), count)
         triangles = merge_vertices.rename_corners(self._arrays["triangles"], owners, places)
         return self.with_arrays(triangles=triangles, **self.vertices_at(kept))
 
@@ -138,10 +140,10 @@ class MeshCleaning(MeshEdits):
             >>> mesh.remove_non_manifold_edges().triangles.tolist()
             [[0, 1, 3], [0, 1, 4]]
         """
-        if not crowded_edges.has_crowded_edges(self._arrays["triangles"], self._vertex_count):
+        crowded, plain = crowded_edges.find_at_crowded_edges(self._arrays["triangles"], self._vertex_count)
+        if not crowded.size:
             return self.with_arrays()
-        folded = crowded_edges.mask_folded_at_crowded_edges(self._arrays["triangles"], self._vertex_count)
-        mesh = self._without(folded)
+        mesh = self if plain.size == len(self) else self.with_arrays(**self.triangles_at(plain))
         return mesh._without(
             crowded_edges.mask_crowding(mesh.device_arrays["vertices"], mesh.device_arrays["triangles"])
         )
@@ -159,7 +161,7 @@ class MeshCleaning(MeshEdits):
                 "merges those at one position"
             )
         owners = positions(vertices.size, self._device)
-        find_close_vertices(vertices, positions_of(mask_finite(vertices, True, True)), reach, owners)
+        find_close_vertices(vertices, positions_of(mask_finite(vertices, True, True), count), reach, owners)
         places, count = merge_vertices.number_owners(owners)  # sync
         rows = self._per_vertex()
         unit = [name == "vertex_normals" for name in rows]
@@ -167,9 +169,27 @@ class MeshCleaning(MeshEdits):
         triangles = merge_vertices.rename_corners(self._arrays["triangles"], owners, places)
         arrays: dict[str, Any] = dict(zip(rows, means, strict=True))
         if self._attributes["vertex_attributes"]:
-            kept = positions_of(merge_vertices.mask_owners(owners))  # sync
+            kept = positions_of(merge_vertices.mask_owners(owners), count)
             arrays |= self._attributes_at("vertex_attributes", kept)
         return self.with_arrays(triangles=triangles, **arrays)
+
+    def _without_waste(self) -> Self:
+        """Without triangles that are not finite, name a vertex twice or repeat another, and vertices that none has."""
+        vertices, triangles = self._arrays["vertices"], self._arrays["triangles"]
+        gone = clean_triangles.join_masks(
+            clean_triangles.mask_repeats(triangles, vertices.size),
+            clean_triangles.mask_degenerate(vertices, triangles, zero_area=False),
+            clean_triangles.mask_not_finite(vertices, triangles),
+        )
+        return self._left(gone, clean_triangles.mask_used(triangles, gone, vertices.size))
+
+    def _left(self, gone: Mask, used: Mask) -> Self:
+        """The triangles that a mask leaves, and the vertices that another one has, theirs among them; one sync."""
+        rows, vertices = positions_of_each(invert_mask(gone), used)  # sync
+        taken = self.triangles_at(rows) | self.vertices_at(vertices)
+        places = mark_places(vertices, used.size)[1]
+        taken["triangles"] = renumber_triangles(taken["triangles"], places)
+        return self.with_arrays(**taken)
 
     @property
     def _vertex_count(self) -> int:

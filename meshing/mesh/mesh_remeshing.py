@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from typing import Self
 
 import numpy as np
 
 from ...core.checks import LARGEST_NUMBER, check_count, check_number, check_positive
 from ...core.dropped_results import returns_new
-from ...kernels.array_types import Points, Triangles
+from ...kernels.array_types import Integers
 from ...kernels.arrays.bounds import bound_points
-from ...kernels.memory import check_room
+from ...kernels.lang import int32
+from ...kernels.memory import check_room, download, fill, zeros
 from ...kernels.meshes import clean_triangles
 from ...kernels.meshes.mesh_measures import measure
 from ...kernels.rays.surface_places import SurfacePlaces
@@ -27,6 +29,7 @@ from .surface_values import with_attributes_of, with_vectors_of
 
 MOST_TRIANGLES = 2**29  # half-edges and what they become are counted in 32 bits
 LONG, SHORT = 4 / 3, 4 / 5  # of the length asked for: edges beyond are split or collapse (Botsch and Kobbelt 2004)
+RELAXED = 2  # times that vertices move in an iteration
 ROUNDS = 3  # of collapses and of flips in an iteration; each is a set of edges of which none is next to another
 LEAST_CREASE = 3.0  # of the length asked for: what hangs together over less is roughness
 MOST_ITERATIONS = 1000
@@ -82,42 +85,112 @@ class MeshRemeshing(MeshCleaning):
         angle = check_number("feature_angle", feature_angle)
         if not 0 <= angle <= 180:
             raise ValueError(f"feature_angle: expected 0 to 180 degrees, got {angle:g}")
-        source = self._without(clean_triangles.mask_not_finite(self._arrays["vertices"], self._arrays["triangles"]))
-        source = source.remove_degenerate_triangles().remove_duplicated_triangles().remove_unreferenced_vertices()
+        source = self._without_waste()  # sync
         if not count or not len(source):
             return source.with_arrays(**dict.fromkeys(TEXTURE))
         vertices, triangles = source._arrays["vertices"], source._arrays["triangles"]
-        low, high, _ = bound_points(vertices)
-        span, area = float(np.abs([low, high]).max()), measure(vertices, triangles)[0]
+        low, high, _ = bound_points(vertices)  # sync
+        span, area = float(np.abs([low, high]).max()), measure(vertices, triangles)[0]  # sync
         if target < 2.0**-20 * span or area > MOST_TRIANGLES * 0.25 * target**2:
             raise ValueError(
                 f"edge_length: {target:g} m is too small for a mesh of {area:g} m2 that reaches {span:g} m"
             )
         expected = area / (0.43 * target**2)  # of equilateral triangles
         check_room(self._device, int(TRIANGLE_BYTES * expected), f"some {expected:,.0f} triangles")
-        mesh = _remesh(vertices, triangles, target, count, math.radians(angle))
+        surface = TriangleTree(vertices, triangles, all_finite=True)
+        mesh = _remesh(surface, target, count, math.radians(angle))
         bare = source._bare().with_arrays(vertex_normals=None, vertex_colors=None, **dict.fromkeys(TEXTURE))
-        made = bare.with_arrays(vertices=mesh.vertices, triangles=mesh.triangles).remove_unreferenced_vertices()
-        return with_attributes_of(with_vectors_of(made, source), source)
+        made = bare.with_arrays(vertices=mesh.vertices, triangles=mesh.triangles)._without_gone()
+        return with_attributes_of(with_vectors_of(made, source, surface), source, surface)
+
+    def _without_gone(self) -> Self:
+        """Without triangles that name a vertex three times, and vertices that none has; one sync."""
+        triangles, count = self._arrays["triangles"], self._vertex_count
+        gone = clean_triangles.mask_degenerate(self._arrays["vertices"], triangles, zero_area=False)
+        return self._left(gone, clean_triangles.mask_used(triangles, gone, count))
 
 
-def _remesh(vertices: Points, triangles: Triangles, target: float, iterations: int, angle: float) -> CreasedMesh:
+def _remesh(surface: TriangleTree, target: float, iterations: int, angle: float) -> CreasedMesh:
+    vertices, triangles = surface.vertices, surface.triangles
     creases, fixed = find_features(vertices, triangles, angle, LEAST_CREASE * target)
     mesh = CreasedMesh(vertices, triangles, creases, fixed)
-    surface, segments = TriangleTree(vertices, triangles), crease_segments(mesh)
-    lines = TriangleTree(vertices, segments) if segments.size else surface
-    longest, shortest = LONG * target, SHORT * target
+    segments = crease_segments(mesh)  # sync
+    lines = TriangleTree(vertices, segments, all_finite=True) if segments.size else surface
+    course = Course(mesh, (surface, lines), target)
     for _ in range(iterations):
-        split = 1
+        course.iterate()
+    return course.end()
+
+
+class Course:
+    """The iterations of a mesh.
+
+    On CUDA the device counts the rounds of a step where all of them were made in the iteration before: the host makes
+    ROUNDS then, and those after the last do nothing. What it has to know of an iteration it reads with the number of
+    edges that split in the next.
+    """
+
+    def __init__(self, mesh: CreasedMesh, trees: tuple[TriangleTree, TriangleTree], target: float) -> None:
+        self.mesh, self.trees = mesh, trees
+        self.longest, self.shortest = LONG * target, SHORT * target
+        self.steps: tuple[Callable[..., tuple[CreasedMesh, int | None]], ...] = (self._collapse, flip_edges)
+        self.all_rounds = [mesh.vertices.device.is_cuda for _ in self.steps]
+        self.state: Integers | None = None  # two numbers of `end_rounds` a step, then `taken` for each relaxation
+        self.before = mesh.vertices
+
+    def iterate(self) -> None:
+        """Split, collapse, flip, move."""
+        split, device = 1, self.before.device
         while split:
-            mesh, split = split_long_edges(mesh, longest)
-        for step in (lambda m: collapse_short_edges(m, shortest, longest), flip_edges):
-            for _ in range(ROUNDS):
-                mesh, changed = step(mesh)
-                if changed <= FEW * mesh.edges.count:
-                    break
-        for _ in range(2):
-            moved = relaxed(mesh)
-            on_surface, on_lines = SurfacePlaces(moved, surface).points, SurfacePlaces(moved, lines).points
-            move_where_nothing_turns(mesh, choose_places(mesh, on_surface, on_lines))
-    return mesh
+            made, split, found = split_long_edges(self.mesh, self.longest, self.state)  # sync
+            if self._is_settled(found):
+                self.mesh = made
+            else:
+                split = 1
+        state = zeros(2 * len(self.steps) + RELAXED, int32, device)
+        for k, step in enumerate(self.steps):
+            self._make_rounds(k, step, state[2 * k : 2 * k + 2])
+        if not device.is_cuda:
+            self._relax()
+            return
+        self.state, self.before = state, self.mesh.vertices
+        self._relax(state[2 * len(self.steps) :])
+
+    def end(self) -> CreasedMesh:
+        """The mesh."""
+        if self.state is not None:
+            self._is_settled(download(self.state).tolist())  # sync
+        return self.mesh
+
+    def _is_settled(self, found: list[int]) -> bool:
+        """Read what the last iteration says; False where its vertices had to move anew, so that the mesh is another."""
+        if self.state is None:
+            return True
+        self.state = None
+        self.all_rounds = [found[2 * k + 1] == ROUNDS for k in range(len(self.steps))]
+        if not any(found[2 * len(self.steps) :]):
+            return True
+        self.mesh.vertices = self.before
+        self._relax()  # sync
+        return False
+
+    def _collapse(
+        self, mesh: CreasedMesh, few: float, rounds: Integers | None = None
+    ) -> tuple[CreasedMesh, int | None]:
+        return collapse_short_edges(mesh, self.shortest, self.longest, few, rounds)
+
+    def _make_rounds(self, k: int, step: Callable[..., tuple[CreasedMesh, int | None]], rounds: Integers) -> None:
+        """The rounds of a step: without a look at them, or with one after each (sync)."""
+        for turn in range(1, ROUNDS + 1):
+            self.mesh, changed = step(self.mesh, FEW, rounds if self.all_rounds[k] else None)
+            if changed is not None and (changed <= FEW * self.mesh.edges.count or turn == ROUNDS):
+                fill(rounds[1:], turn)
+                break
+
+    def _relax(self, taken: Integers | None = None) -> None:
+        """Move vertices along the surface and their lines, RELAXED times; one sync each where `taken` is not given."""
+        for k in range(RELAXED):
+            moved = relaxed(self.mesh)
+            on_surface, on_lines = (SurfacePlaces(moved, tree).points for tree in self.trees)
+            places = choose_places(self.mesh, on_surface, on_lines)
+            move_where_nothing_turns(self.mesh, places, None if taken is None else taken[k : k + 1])

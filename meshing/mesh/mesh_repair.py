@@ -10,13 +10,14 @@ import numpy as np
 from ...core.checks import check_positive
 from ...core.dropped_results import returns_new
 from ...kernels.array_types import Mask
-from ...kernels.arrays.select import positions_of
+from ...kernels.arrays.select import positions_of_each
 from ...kernels.arrays.sort import positions
 from ...kernels.memory import download
 from ...kernels.meshes import clean_triangles
 from ...kernels.meshes.corner_vertices import split_fans
 from ...kernels.meshes.holes import Filling, spread_corners, spread_ids
 from ...kernels.meshes.mesh_components import holds_marked
+from ...kernels.meshes.mesh_edges import find_split_vertices, mask_counts
 from ...kernels.meshes.mesh_edits import count_unlike
 from ...kernels.meshes.orientation import Orientation, flip_some, flip_some_corners
 from .mesh_nesting import Parts, choose_sides, find_enclosing
@@ -249,12 +250,17 @@ class MeshRepair(MeshTopology, MeshSelection):
 
     def _findings(self) -> dict[str, Any]:
         """What may still be wrong, as MeshRepairReport names it."""
-        empty = clean_triangles.mask_degenerate(self._arrays["vertices"], self._arrays["triangles"], zero_area=True)
+        vertices, triangles = self._arrays["vertices"], self._arrays["triangles"]
+        boundary, split, empty = positions_of_each(  # sync
+            mask_counts(self._edges(padded=True), 1, 1),
+            find_split_vertices(triangles, vertices.size),
+            clean_triangles.mask_degenerate(vertices, triangles, zero_area=True),
+        )
         return {
-            "is_watertight": self.is_watertight(),
-            "boundary_edges": len(self.get_boundary_edges()),
-            "non_manifold_vertices": len(self.get_non_manifold_vertices()),
-            "zero_area_triangles": positions_of(empty).size,
+            "is_watertight": self.is_watertight(),  # sync
+            "boundary_edges": boundary.size,
+            "non_manifold_vertices": split.size,
+            "zero_area_triangles": empty.size,
         }
 
 

@@ -43,7 +43,9 @@ def sew(mesh: MeshType) -> Sewn[MeshType]:
     if owners is None:
         return Sewn(mesh, None)
     numbers, count = merge_vertices.number_owners(owners)  # sync
-    kept = positions_of(merge_vertices.mask_owners(owners))  # sync
+    if count == owners.size:
+        return Sewn(mesh, None)
+    kept = positions_of(merge_vertices.mask_owners(owners), count)
     rows = mesh.vertices_at(kept)
     means = {name: values for name, values in mesh._per_vertex().items() if values.dtype == vec3}
     unit = [name == "vertex_normals" for name in means]

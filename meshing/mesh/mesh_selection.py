@@ -14,7 +14,7 @@ from ...kernels.arrays.select import positions_of
 from ...kernels.arrays.subsets import other_rows
 from ...kernels.lang import int32
 from ...kernels.memory import upload
-from ...kernels.meshes import mesh_edits
+from ...kernels.meshes import clean_triangles, mesh_edits
 from ...pcd.bounding_box import BoundingBox
 from ...pcd.boxes import AxisAlignedBoundingBox, OrientedBoundingBox
 from ...pcd.polygon_volume import SelectionPolygonVolume, mask_volume
@@ -136,8 +136,12 @@ class MeshSelection(MeshCleaning):
         chosen = self._at_vertices(rows)
         if not cleanup:
             return chosen
-        chosen = chosen.remove_duplicated_vertices().remove_duplicated_triangles()
-        return chosen.remove_unreferenced_vertices().remove_degenerate_triangles()
+        chosen = chosen.remove_duplicated_vertices()
+        vertices, triangles = chosen._arrays["vertices"], chosen._arrays["triangles"]
+        repeats = clean_triangles.mask_repeats(triangles, vertices.size)
+        used = clean_triangles.mask_used(triangles, repeats, vertices.size)  # those of degenerate triangles stay
+        degenerate = clean_triangles.mask_degenerate(vertices, triangles, zero_area=False)
+        return chosen._left(clean_triangles.join_masks(repeats, degenerate), used)
 
     def _at_vertices(self, rows: wp.array) -> Self:
         """The vertices at some rows, each once, and the triangles between them."""

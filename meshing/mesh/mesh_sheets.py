@@ -81,13 +81,13 @@ def cut_and_stitch(mesh: MeshType) -> Stitched[MeshType]:
 def _sew(mesh: MeshType, placed: Triangles, loose: Mask, folded: Indices, repeated: Indices) -> Stitched[MeshType]:
     """`cut_and_stitch` without the triangles at some rows."""
     vertices, copied_area = mesh.device_arrays["vertices"], _area_of(mesh, repeated)
-    kept = other_rows(_joined(folded, repeated), placed.size)
+    kept = other_rows(_joined(folded, repeated), placed.size, are_distinct=True)
     clean = mesh.with_arrays(**mesh.triangles_at(kept))
     placed, loose = gather_triangles(placed, kept), gather_rows(loose, kept)
     sheets = Sheets(vertices, clean.device_arrays["triangles"], placed, loose)
     covered, crowding = _find_parts_to_drop(clean, sheets, placed, loose)
     copied_area += _area_of(clean, covered)
-    kept = other_rows(_joined(covered, crowding), placed.size)
+    kept = other_rows(_joined(covered, crowding), placed.size, are_distinct=True)
     sets, twins = keep_corners(sheets.corner_sets(), kept), keep_corners(sheets.twins, kept)
     clean = clean.with_arrays(**clean.triangles_at(kept))
     used = count_referenced(clean.device_arrays["triangles"], vertices.size)
@@ -113,7 +113,7 @@ def _find_worthless(mesh: MeshCleaning, placed: Triangles, loose: Mask) -> tuple
     own = gather_triangles(placed, rows)
     vertices = mesh.device_arrays["vertices"]
     folded = positions_of(clean_triangles.mask_degenerate(vertices, own, zero_area=False))  # sync
-    rest = other_rows(folded, rows.size)
+    rest = other_rows(folded, rows.size, are_distinct=True)
     triangles, rows_left = gather_triangles(own, rest), gather_rows(rows, rest)
     again = positions_of(clean_triangles.mask_repeats(triangles, vertices.size))  # sync
     classes, count = find_copies(triangles, vertices.size)  # sync

@@ -91,10 +91,10 @@ class MeshTopology(MeshMeasures):
             [[0, 1, 3, 2]]
         """
         border = Border(self._arrays["triangles"], self._arrays["vertices"].size)
-        rows, loops = find_loops(border)
+        rows, loops, starts = find_loops(border)  # sync
         if not loops.count:
             return []
-        vertices, ends = self.handed_out(gather_rows(border.vertices, rows)), download(loops.starts).tolist()  # sync
+        vertices, ends = self.handed_out(gather_rows(border.vertices, rows)), starts.tolist()
         return [vertices[first:end] for first, end in pairwise(ends)]
 
     def get_non_manifold_vertices(self) -> NDArray[np.int32]:

@@ -16,16 +16,17 @@ from .mesh_attributes import each, rows_of
 Mesh = TypeVar("Mesh", bound=Any)
 
 
-def with_attributes_of(mesh: Mesh, source: Any) -> Mesh:
+def with_attributes_of(mesh: Mesh, source: Any, tree: TriangleTree | None = None) -> Mesh:
     """A mesh with the further attributes of another one about the same origin.
 
     Those of a vertex are the source's at the nearest point of its surface, floating ones between the three corners
-    there and others those of the nearest corner; those of a triangle are of the source's nearest to its centre.
+    there and others those of the nearest corner; those of a triangle are of the source's nearest to its centre. The
+    source's `tree` is made where it is not given.
     """
     held = {kind: getattr(source, kind).arrays for kind in ("vertex_attributes", "triangle_attributes")}
     if not any(held.values()) or not len(source) or not mesh.device_arrays["vertices"].size:
         return mesh
-    tree = TriangleTree(source.device_arrays["vertices"], source.device_arrays["triangles"])
+    tree = tree or TriangleTree(source.device_arrays["vertices"], source.device_arrays["triangles"])
     arrays: dict[str, Any] = {}
     vertices, triangles = mesh.device_arrays["vertices"], mesh.device_arrays["triangles"]
     if held["vertex_attributes"]:
@@ -36,12 +37,12 @@ def with_attributes_of(mesh: Mesh, source: Any) -> Mesh:
     return mesh.with_arrays(**arrays)
 
 
-def with_vectors_of(mesh: Mesh, source: Any) -> Mesh:
+def with_vectors_of(mesh: Mesh, source: Any, tree: TriangleTree | None = None) -> Mesh:
     """A mesh with the normals, of unit length, and the colours of another one at the nearest points of its surface."""
     names = [name for name in ("vertex_normals", "vertex_colors") if name in source.device_arrays]
     if not names or not len(source) or not mesh.device_arrays["vertices"].size:
         return mesh
-    tree = TriangleTree(source.device_arrays["vertices"], source.device_arrays["triangles"])
+    tree = tree or TriangleTree(source.device_arrays["vertices"], source.device_arrays["triangles"])
     mixed, arrays = SurfacePlaces(mesh.device_arrays["vertices"], tree).mixed, {}
     for name in names:
         rows = source.device_arrays[name]

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from pointloom.kernels.arrays.run_sums import sum_columns
-from pointloom.kernels.arrays.unique import UniqueKeys
+from pointloom.kernels.arrays.unique import UniqueKeys, cut_together
 from pointloom.kernels.lang import float64, int32, int64
 from pointloom.kernels.memory import download, upload
 
@@ -40,6 +40,17 @@ def test_padding_has_no_positions(device, rng, count):
     assert (download(unique.keys)[: len(expected)] == expected).all()
     found = download(unique.starts)
     assert found.tolist() == [0, *np.cumsum(counts), *[count] * (unique.count - len(expected))]
+
+
+def test_padded_keys_are_cut_together_to_those_that_there_are(device, rng):
+    lists = [rng.integers(0, 40, count) for count in (500, 1, 0, 60)]
+    groups = [UniqueKeys(upload(keys, int64, device), 6, padded=True) for keys in lists]
+    (found,) = cut_together(groups, upload(np.array([7, -3]), int32, device))
+    assert found.tolist() == [7, -3]
+    for keys, group in zip(lists, groups, strict=True):
+        expected, counts = np.unique(keys, return_counts=True)
+        assert group.count == len(expected) and group.told is None
+        assert (download(group.keys) == expected).all() and (download(group.counts()) == counts).all()
 
 
 def test_the_last_key_is_dropped_only_where_it_is_the_one_named(device):
