@@ -57,6 +57,20 @@ def test_an_operation_asks_little_of_the_device(emulated, data, name):
     assert (asked["launches"], asked["copies to host"]) == (kernels, copies)
 
 
+ALLOCATIONS = {  # of calls on a cloud whose tree is there
+    "normals": (lambda d: d.cloud.estimate_normals(max_nn=30), 3),
+    "distances": (lambda d: d.cloud.compute_nearest_neighbor_distance(), 4),
+}
+
+
+@pytest.mark.parametrize("name", ALLOCATIONS)
+def test_scratch_of_a_search_is_one_allocation(emulated, data, name):
+    run, most = ALLOCATIONS[name]
+    run(data)
+    asked = emulated.asked(lambda: run(data))
+    assert asked["allocations"] <= most
+
+
 def test_farthest_points_are_one_graph_and_one_wait(emulated, data):
     asked = emulated.asked(lambda: choose_farthest(data.tree, 1000, 0))
     assert (asked["graphs"], asked["copies to host"]) == (1, 1)
