@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from .plain_poses import is_plainly_rigid
 from .progress import ReportProgress
 from .verbosity import LoggedProgress
 
@@ -362,6 +363,8 @@ def check_rigid(name: str, matrix: Any, *, tolerance: float = RIGID_TOLERANCE) -
     scale, shear, reflection, NaN or a last row other than (0, 0, 0, 1) is refused.
     """
     T = check_shape(name, matrix, (4, 4))
+    if is_plainly_rigid(T.tolist(), tolerance, LARGEST_NUMBER):
+        return T
     if not np.isfinite(T).all():
         raise ValueError(f"{name}: expected a rigid motion, got NaN or infinite entries")
     check_finite(name, T)

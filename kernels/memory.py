@@ -319,6 +319,7 @@ class Readback:
     def __init__(self, values: wp.array) -> None:
         self.values: Any = values
         self._kept: Any = None  # on the host, where copies arrive without the host's help
+        self._seen: Any = None  # the same memory as NumPy
         self._event: Any = None
         self._is_sent = False
 
@@ -330,7 +331,7 @@ class Readback:
         with turn_on(device):
             if self._kept is None:
                 self._kept = wp.empty(self.values.shape, dtype=self.values.dtype, device="cpu", pinned=True)
-                self._event = wp.Event(device)
+                self._seen, self._event = self._kept.numpy(), wp.Event(device)
             if not device_copies.is_sent(self._kept, self.values):
                 wp.copy(self._kept, self.values)
             device.stream.record_event(self._event)
@@ -346,4 +347,4 @@ class Readback:
             return download(self.values)
         with turn_on(self.values.device):
             wp.synchronize_event(self._event)
-            return self._kept.numpy().copy()
+            return self._seen.copy()

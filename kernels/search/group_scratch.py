@@ -8,6 +8,7 @@ a launch are interleaved, key j of thread i at i + j * stride, so that a warp ta
 from collections.abc import Iterator
 
 from ..array_types import Device
+from ..arrays.side_by_side import part_of
 from ..lang import WARP, array, float32, func, int32, int64, struct
 from ..memory import empty
 from .point_tree import BUCKET, LEAF
@@ -42,8 +43,8 @@ class GroupScratch:
     """Scratch memory of searches in groups, and the parts in which they are launched.
 
     Attributes:
-        xs, ys, zs, ids: Candidates of a group: coordinates and labels; on CUDA only ids, the first places of leaves. A
-            group's begin at its number times `gather`.
+        xs, ys, zs, ids: Candidates of a group: coordinates and labels; on CUDA only ids, the first places of leaves,
+            which lie behind the keys. A group's begin at its number times `gather`.
         keys: A thread's, read by `held_key`: first `room` that are held, then, on the CPU, k
             that are kept.
         k: Neighbours a query.
@@ -79,11 +80,16 @@ class GroupScratch:
         else:
             self.run, self.most = CPU_RUN, max(1, SCRATCH // row)
         threads = min(-(-self.groups // self.run), self.most)
-        copied = 1 if device.is_cuda else max(1, threads * self.gather)
-        self.xs, self.ys, self.zs = (empty(copied, float32, device) for _ in range(3))
-        self.ids = empty(max(1, threads * self.gather), int32, device)
         self.stride = max(1, threads * self.lanes)
-        self.keys = empty(self.stride * row, int64, device)
+        listed, held = max(1, threads * self.gather), self.stride * row
+        if device.is_cuda:  # one allocation, since each takes the host longer than the parts of one
+            self.keys = empty(held + -(-listed // 2), int64, device)
+            self.ids = part_of(self.keys, 8 * held, int32, listed)
+            self.xs = self.ys = self.zs = part_of(self.keys, 0, float32, 1)
+        else:
+            copied = max(1, threads * self.gather)
+            self.xs, self.ys, self.zs = (empty(copied, float32, device) for _ in range(3))
+            self.ids, self.keys = empty(listed, int32, device), empty(held, int64, device)
 
     def parts(self, shift: int = 0) -> Iterator[LaunchPart]:
         """The LaunchPart of each launch; `shift` is the number of the first query, a multiple of `width`."""

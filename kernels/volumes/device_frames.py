@@ -10,6 +10,7 @@ memory, as many as were counted, for which the host waits once.
 """
 
 from types import ModuleType
+from typing import Any
 
 import numpy as np
 
@@ -221,18 +222,9 @@ class FrameShape:
         slots: Blocks that a ray touches at most.
         most: Blocks that a frame touches at most.
         threads: Of the walk of rays.
-        key: What tells it from others.
     """
 
-    def __init__(
-        self,
-        raw: Scalars | Array1[uint16],
-        scale: float,
-        farthest: float,
-        camera: CameraLike,
-        has_color: bool,
-        blocks: VoxelBlocks,
-    ) -> None:
+    def __init__(self, scale: float, farthest: float, camera: CameraLike, has_color: bool, blocks: VoxelBlocks) -> None:
         self.block_size = SIDE * blocks.voxel_size
         self.stride = ray_stride(farthest, camera, self.block_size)
         self.slots = ray_slots(camera, blocks.truncation, blocks.voxel_size)
@@ -240,8 +232,6 @@ class FrameShape:
         self.most = columns * rows * self.slots
         self.threads = -(-columns * rows // 32) * 32
         self.scale, self.farthest, self.has_color = scale, farthest, has_color
-        numbers = (camera.width, camera.height, camera.fx, camera.fy, camera.cx, camera.cy)
-        self.key = (*numbers, raw.dtype, scale, farthest, has_color)
 
 
 class DeviceFrames:
@@ -251,6 +241,7 @@ class DeviceFrames:
         """`images` is images/depth.py, of a room that comes behind this one."""
         self._blocks, self._images = blocks, images
         self._shape: FrameShape | None = None
+        self._key: Any = None  # what tells the frames at hand from those of another shape
         self._graph, self._recorded, self._cells = None, None, 0
 
     def integrate(
@@ -285,7 +276,7 @@ class DeviceFrames:
         if beyond_reach(low, size) or size.prod() > MAX_GRID:
             return None
         known = blocks.count  # as the last frame sent it
-        self._prepare(FrameShape(raw, scale, limit, camera, pixels is not None, blocks), raw, camera, int(size.prod()))
+        self._prepare(raw, scale, limit, camera, pixels is not None, int(size.prod()))
         copy(self._raw, raw, count=raw.size)
         if pixels is not None:
             copy(self._frame.pixels, pixels, count=pixels.size)
@@ -306,11 +297,22 @@ class DeviceFrames:
         blocks.record.readback.send()
         return counts
 
-    def _prepare(self, shape: FrameShape, raw: Scalars | Array1[uint16], camera: CameraLike, cells: int) -> None:
+    def _prepare(
+        self,
+        raw: Scalars | Array1[uint16],
+        scale: float,
+        farthest: float,
+        camera: CameraLike,
+        has_color: bool,
+        cells: int,
+    ) -> None:
         """Arrays for frames of this shape, where those at hand are for others."""
-        if self._shape is not None and shape.key == self._shape.key and cells <= self._cells:
+        numbers = (camera.width, camera.height, camera.fx, camera.fy, camera.cx, camera.cy)
+        key = (*numbers, raw.dtype, scale, farthest, has_color)
+        if self._shape is not None and key == self._key and cells <= self._cells:
             return
         self._graph, self._shape, self._recorded = None, None, None
+        shape = FrameShape(scale, farthest, camera, has_color, self._blocks)
         device, count = raw.device, raw.size
         self._raw, self._depth = empty(count, raw.dtype, device), empty(count, float32, device)
         self._largest = zeros(self._images.depth_runs(raw).rows, int32, device)
@@ -321,7 +323,7 @@ class DeviceFrames:
         self._grid = zeros(self._groups * GROUP, uint8, device)
         self._sizes, self._offsets = zeros(2 * self._groups, int32, device), zeros(2 * self._groups + 1, int32, device)
         self._touched = empty(min(shape.most, self._cells), int32, device)
-        self._shape = shape
+        self._shape, self._key = shape, key
 
     def _has_room(self, known: int) -> bool:
         """Whether all blocks that a frame could touch have room, which is made where it costs little."""

@@ -25,6 +25,10 @@ class FrameRecord:
 
     def __init__(self, device: Device, counted: int = 0) -> None:
         self.values, self.counts = zeros(LENGTH, float64, device), zeros(3, int32, device)
+        self._host = np.zeros(LENGTH)  # what is written next; the places in it of both poses
+        self._poses = [
+            (self._host[at : at + 9].reshape(3, 3), self._host[at + 9 : at + 12]) for at in (INTO_VOLUME, INTO_CAMERA)
+        ]
         self.readback = Readback(self.counts)
         if counted:
             self.write_counts(counted, 0, 0)
@@ -33,8 +37,11 @@ class FrameRecord:
         self, T_volume_camera: np.ndarray, T_camera_volume: np.ndarray, low: np.ndarray, size: np.ndarray, number: int
     ) -> None:
         """Write down a frame's poses, float64 [4, 4], its box in blocks, and its number."""
-        poses = [part for T in (T_volume_camera, T_camera_volume) for part in (T[:3, :3].ravel(), T[:3, 3])]
-        write(self.values, np.concatenate([*poses, low, size, [number]]))
+        for (rotation, translation), T in zip(self._poses, (T_volume_camera, T_camera_volume), strict=True):
+            rotation[:], translation[:] = T[:3, :3], T[:3, 3]
+        host = self._host
+        host[LOW:SIZE], host[SIZE:NUMBER], host[NUMBER] = low, size, number
+        write(self.values, host)
 
     def write_counts(self, counted: int, touched: int, missing: int) -> None:
         """Write down the numbers of blocks, where the host knows them."""

@@ -202,7 +202,7 @@ def encode_cells_kernel(cells: array(dtype=int32), marks: BlockMarks, keys: arra
 def ray_stride(farthest: float, camera: CameraLike, block_size: float) -> int:
     """Every how many-th pixel's ray is walked, where no depth is beyond `farthest` [m]."""
     spacing = farthest / min(camera.fx, camera.fy)
-    return int(np.clip(block_size / 2 / spacing, 1, MAX_STRIDE)) if spacing > 0 else MAX_STRIDE
+    return int(min(max(block_size / 2 / spacing, 1), MAX_STRIDE)) if spacing > 0 else MAX_STRIDE
 
 
 def ray_grid(camera: CameraLike, stride: int) -> tuple[int, int]:
@@ -221,10 +221,10 @@ def frame_box(
     """
     block_size = SIDE * voxel_size
     corners, _ = _corner_rays(camera.width, camera.height, camera.fx, camera.fy, camera.cx, camera.cy)
-    ends = np.vstack([corners * (farthest + truncation), np.zeros((1, 3))])
+    ends = corners * (farthest + truncation)
     ends = ends @ T_volume_camera[:3, :3].T + T_volume_camera[:3, 3]
-    low = np.floor(ends.min(axis=0) / block_size) - 1
-    size = np.floor(ends.max(axis=0) / block_size) + 2 - low
+    low = np.floor(np.minimum.reduce(ends) / block_size) - 1
+    size = np.floor(np.maximum.reduce(ends) / block_size) + 2 - low
     return low, size, ray_slots(camera, truncation, voxel_size)
 
 
@@ -238,10 +238,10 @@ def ray_slots(camera: CameraLike, truncation: float, voxel_size: float) -> int:
 def _corner_rays(
     width: int, height: int, fx: float, fy: float, cx: float, cy: float
 ) -> tuple[NDArray[np.float64], float]:
-    """The rays through a picture's corners at depth 1, float64 [4, 3], and the length of the longest."""
+    """The rays through a picture's corners at depth 1 and the camera, float64 [5, 3]; the longest ray's length."""
     corners = np.array([[u, v, 1.0] for u in (0, width - 1) for v in (0, height - 1)])
     corners = (corners - [cx, cy, 0]) / [fx, fy, 1]
-    return corners, float(np.linalg.norm(corners, axis=1).max())
+    return np.vstack([corners, np.zeros((1, 3))]), float(np.linalg.norm(corners, axis=1).max())
 
 
 def beyond_reach(low: np.ndarray, size: np.ndarray) -> bool:

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from pointloom.core.checks import (
+    LARGEST_NUMBER,
     check_count,
     check_finite,
     check_positive,
@@ -14,6 +15,7 @@ from pointloom.core.checks import (
     check_seed,
     check_transformation,
 )
+from pointloom.core.plain_poses import is_plainly_rigid
 
 
 @pytest.mark.parametrize("value", [True, False, np.True_, np.False_, 2.0, "2", None, np.float64(3)])
@@ -59,6 +61,32 @@ def test_a_pose_may_be_rounded_but_no_mirror_and_no_scale():
     for wrong in (scaled, mirrored, projective):
         with pytest.raises(ValueError, match=r"^T: expected a rigid motion"):
             check_rigid("T", wrong)
+
+
+@pytest.mark.parametrize("bad", [np.nan, np.inf, -np.inf, 1e200, -0.5])
+def test_a_pose_with_one_wrong_number_is_none_wherever_that_stands(bad):
+    for row, column in np.ndindex(4, 4):
+        wrong = np.eye(4)
+        wrong[row, column] = bad
+        if abs(bad) == 0.5 and column == 3 and row < 3:
+            continue  # a translation
+        with pytest.raises(ValueError, match=r"^T: expected"):
+            check_rigid("T", wrong)
+
+
+@pytest.mark.parametrize("tolerance", [1e-12, 1e-6, 0.02])
+def test_what_is_plainly_a_pose_is_one_to_numpy_too(tolerance):
+    rng = np.random.default_rng(0)
+    plain = 0
+    for _ in range(300):
+        R = np.linalg.qr(rng.standard_normal((3, 3)))[0] + rng.uniform(-2, 2) * tolerance * rng.random((3, 3))
+        T = np.eye(4)
+        T[:3, :3], T[:3, 3] = R, rng.standard_normal(3)
+        is_rigid = np.abs(R @ R.T - np.eye(3)).max() <= tolerance and np.linalg.det(R) > 0
+        is_plain = is_plainly_rigid(T.tolist(), tolerance, LARGEST_NUMBER)
+        assert is_rigid or not is_plain
+        plain += is_plain
+    assert 20 < plain < 200
 
 
 def test_a_matrix_that_flattens_space_is_refused():

@@ -42,7 +42,7 @@ class Data:
         self.counts = upload(rng.integers(0, 5, COUNT), int32, device)
         self.mask = upload(rng.integers(0, 2, COUNT), uint8, device)
         self.keys = upload(rng.integers(0, 900, COUNT), int64, device)
-        self.tree = PointTree(self.points)
+        self.tree, self.search = PointTree(self.points), loom.NearestNeighborSearch(self.cloud)
 
 
 @pytest.fixture(scope="module")
@@ -55,6 +55,20 @@ def test_an_operation_asks_little_of_the_device(emulated, data, name):
     run, kernels, copies = CALLS[name]
     asked = emulated.asked(lambda: run(data))
     assert (asked["launches"], asked["copies to host"]) == (kernels, copies)
+
+
+ALLOCATIONS = {  # of calls on a cloud whose tree is there
+    "normals": (lambda d: d.cloud.estimate_normals(max_nn=30), 3),
+    "k nearest": (lambda d: d.search.knn_search(d.points, 20), 6),
+}
+
+
+@pytest.mark.parametrize("name", ALLOCATIONS)
+def test_scratch_of_a_search_is_one_allocation(emulated, data, name):
+    run, allocations = ALLOCATIONS[name]
+    run(data)
+    asked = emulated.asked(lambda: run(data))
+    assert asked["allocations"] == allocations
 
 
 def test_farthest_points_are_one_graph_and_one_wait(emulated, data):
