@@ -8,7 +8,7 @@ by number. At 70,000 points those are 14 sorts, where a Hilbert curve takes one;
 
 from ..array_types import Indices, Points
 from ..arrays.lanes import least_of_each, most_of_each
-from ..arrays.select import gather_rows, positions_of
+from ..arrays.select import gather_rows
 from ..arrays.sort import SortKeys, put_key
 from ..lang import (
     INFINITY,
@@ -27,7 +27,7 @@ from ..lang import (
     uint8,
     vec3,
 )
-from ..memory import empty, full
+from ..memory import full
 
 RUN = 512  # points that a thread bounds, on CUDA a warp: the atomics of a run cost little beside its reads
 STEP_BITS = 16  # of a coordinate in its run
@@ -125,20 +125,14 @@ def key_places_kernel(
     put_key(i, (int64(run) << int64(STEP_BITS)) | int64(step), keys)
 
 
-def order_by_splits(points: Points, unit: int, *, all_finite: bool = False) -> Indices:
-    """The finite points in such an order, int32 [count]; one sync, none where it is known that all are finite.
+def order_by_splits(points: Points, rows: Indices, unit: int) -> Indices:
+    """Rows of finite points, int32 [count], in such an order; no sync.
 
     Args:
         points: Device array of vec3.
+        rows: Those that are finite, ascending.
         unit: Points of the smallest runs.
     """
-    mask = empty(points.size, uint8, points.device)
-    launch(mark_finite_kernel, points.size, [points, mask])
-    return order_rows_by_splits(points, positions_of(mask), unit)  # sync
-
-
-def order_rows_by_splits(points: Points, rows: Indices, unit: int) -> Indices:
-    """Rows of finite points, int32 [count], in such an order; no sync."""
     device, count, order = points.device, rows.size, rows
     half = unit
     while 2 * half < count:

@@ -29,7 +29,7 @@ from ..arrays.side_by_side import read_together
 from ..lang import INFINITY, NAN, array, float32, func, int32, isfinite, kernel, launch, struct, tid, uint8, vec3, vec3i
 from ..memory import download, empty, full, upload
 from ..search.point_tree import FAN, SIDES, bound_levels, level_sizes
-from .split_order import order_rows_by_splits
+from .split_order import order_by_splits
 
 LEAF = 8  # triangles a leaf
 RUN = 1024  # triangles that a thread of the CPU bounds: one atomic each
@@ -107,7 +107,7 @@ class TriangleTree:
         self._extremes, self._known, self.count = extent.extremes, known[1] if known else None, triangles.size
         if not all_finite:
             self.count = self._box[2]  # sync, if it is not known
-        placed = order_rows_by_splits(extent.middles, positions_of(extent.mask, self.count), LEAF)
+        placed = order_by_splits(extent.middles, positions_of(extent.mask, self.count), LEAF)
         self.leaf_count = -(-self.count // LEAF)
         places = self.leaf_count * LEAF
         self.order = empty(places, int32, self.device)

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from pointloom import TriangleMesh
+from pointloom.kernels.arrays.sort import positions
 from pointloom.kernels.memory import download
 from pointloom.kernels.rays.split_order import order_by_splits
 from pointloom.kernels.rays.triangle_tree import FAN, LEAF, TriangleTree
@@ -71,11 +72,11 @@ def test_a_run_is_halved_along_its_longest_side(device):
     x = np.random.default_rng(0).permutation(64)
     points = np.stack([x, np.zeros(64), np.zeros(64)], axis=1)
     mesh = TriangleMesh(points, device=device)
-    order = download(order_by_splits(mesh.array("vertices"), 8))
+    order = download(order_by_splits(mesh.array("vertices"), positions(len(mesh.vertices), mesh.device_arrays["vertices"].device), 8))
     for run in range(8):
         assert sorted(x[order[8 * run : 8 * run + 8]]) == list(range(8 * run, 8 * run + 8))
 
 
 def test_points_in_one_place_stand_by_number(device):
     mesh = TriangleMesh(np.ones((100, 3)), device=device)
-    assert download(order_by_splits(mesh.array("vertices"), 8)).tolist() == list(range(100))
+    assert download(order_by_splits(mesh.array("vertices"), positions(len(mesh.vertices), mesh.device_arrays["vertices"].device), 8)).tolist() == list(range(100))
