@@ -83,7 +83,7 @@ WARP_FILES = {
     "kernels/language/pools.py",
     "kernels/language/streams.py",
     "kernels/language/warp_compiler.py",
-    "kernels/language/zeroed_variables.py",
+    "kernels/language/cuda_code.py",
     "kernels/language/taichi_compiler.py",
     "kernels/check_cuda.py",
     "kernels/memory.py",

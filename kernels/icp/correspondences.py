@@ -14,7 +14,7 @@ On CUDA the 32 points of a warp share a walk. Both keep the same pairs but for s
 from ..algebra.plain_min_max import larger, smaller
 from ..algebra.rigid_solve import move
 from ..algebra.transform import narrow, widen
-from ..arrays.lanes import least_of_each, most, most_of_each
+from ..arrays.lanes import high_of_eight, low_of_eight, most_of_eight
 from ..lang import (
     INFINITY,
     array,
@@ -362,9 +362,9 @@ def match_lanes_kernel(matches: Matches, forest: PointForest):
             high = q
             limit = limit_beside(best, second, margin)
         asking = asking ^ ballot(is_mine)
-        a = least_of_each(low)
-        b = most_of_each(high)
-        widest = most(limit)
+        a = low_of_eight(low)
+        b = high_of_eight(high)
+        widest = most_of_eight(limit)
         first_bucket = forest.levels[shared * HEIGHTS]
         step = start_walk(shuffle(bucket, leader))
         while int(step[0]) <= forest.roots[shared]:
@@ -385,7 +385,7 @@ def match_lanes_kernel(matches: Matches, forest: PointForest):
                             else:
                                 second = min(second, bits)
                         limit = limit_beside(best, second, margin)
-            widest = most(limit)
+            widest = most_of_eight(limit)
             step = next_bucket_of_lanes(step, a, b, widest, shared, forest)
         if is_mine == 1:
             matches.nearest[row] = pair

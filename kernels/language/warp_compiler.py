@@ -11,11 +11,10 @@ from typing import Any
 
 import warp as wp
 
-from . import pool_code
+from . import cuda_code, pool_code
 from .cache_folders import cache_folder, is_writable, temporary_cache
 from .quiet import kept_from_stderr
 from .register_limits import most_registers_of
-from .zeroed_variables import zero_variables
 
 wp.config.log_level = wp.LOG_ERROR  # no banner on stdout: it belongs to the program
 
@@ -40,7 +39,7 @@ PART = 4  # numbers of a vector that a block sums at once
 # is exact only where the distances of a box and of a point round alike. CUDA then gives the CPU's bits, but for the two
 # things that the docstring of kernels/lang.py names: reductions, and functions like sin.
 _OPTIONS = {"enable_backward": False, "fuse_fp": False, "block_dim": REDUCTION_BLOCK}
-_OPTIONS_FOR_CUDA = _OPTIONS | zero_variables()
+_OPTIONS_FOR_CUDA = _OPTIONS | cuda_code.options()
 
 
 @wp.func

@@ -117,3 +117,43 @@ def search_k_nearest(
                 bound = key_number(limit)
         step = next_bucket_of_point(step, p, bound, tree)
     return keep_nearest(keys, base, stride, thin_keys(keys, base, stride, size, k, bound), k, room)
+
+
+@search_k_nearest.on_cuda
+def search_with_one_pick(
+    p: vec3,
+    start: int,
+    tree: PointTree,
+    labels: array(dtype=int32),
+    keys: array(dtype=int64),
+    base: int,
+    stride: int,
+    k: int,
+    room: int,
+    reach: float,
+) -> int:
+    """The same, with one place where keys are picked: each is written out, and takes some 20 KB of instructions."""
+    bound = reach
+    limit = key_limit(reach)
+    crowd = min(room - BUCKET, 3 * k + BUCKET)
+    size = 0
+    walking = 1
+    step = start_walk(start)
+    while walking == 1:
+        if int(step[0]) <= tree.root:
+            bucket = int(step[2])
+            held = size
+            size = offer_bucket(bucket, p, tree, labels, keys, base, stride, size, bound, limit)
+            if size == held:
+                if is_one_place(tree.boxes, bucket, 0) == 1:
+                    step = pass_over_equal(step, p, p, limit, tree, labels)
+        else:
+            walking = 0
+        if walking == 0 or size > crowd or (size >= k and bound >= BOUNDLESS):
+            size = keep_nearest(keys, base, stride, size, k, room)
+            if size == k:
+                limit = min(limit, keys[base + (k - 1) * stride])
+                bound = key_number(limit)
+        if walking == 1:
+            step = next_bucket_of_point(step, p, bound, tree)
+    return size

@@ -137,13 +137,14 @@ def limit_between(keys: array(dtype=int64), base: int, stride: int, held: int, k
         count = 0
         up_to = 0.0
         beyond = largest
-        for j in range(held):
-            sqdist = key_number(keys[base + j * stride])
-            if sqdist <= guess:
-                count += 1
-                up_to = max(up_to, sqdist)
-            else:
-                beyond = min(beyond, sqdist)
+        at = base + 0
+        for _ in range(held):
+            sqdist = key_number(keys[at])
+            inside = sqdist <= guess
+            count += 1 if inside else 0
+            up_to = max(up_to, sqdist if inside else 0.0)
+            beyond = min(beyond, largest if inside else sqdist)
+            at += stride
         if count >= k:
             largest = up_to
             above = count
