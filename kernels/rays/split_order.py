@@ -24,7 +24,6 @@ from ..lang import (
     kernel,
     launch,
     tid,
-    uint8,
     vec3,
 )
 from ..memory import full
@@ -32,13 +31,6 @@ from ..memory import full
 RUN = 512  # points that a thread bounds, on CUDA a warp: the atomics of a run cost little beside its reads
 STEP_BITS = 16  # of a coordinate in its run
 STEPS = 65535.0
-
-
-@kernel
-def mark_finite_kernel(points: array(dtype=vec3), mask: array(dtype=uint8)):
-    """1 for points that are finite."""
-    i = tid()
-    mask[i] = uint8(1 if isfinite(points[i]) else 0)
 
 
 @kernel

@@ -68,15 +68,20 @@ def test_triangles_that_are_not_finite_are_left_out(device):
     assert np.isposinf(download(nothing.boxes)[: 3 * FAN]).all()
 
 
+def ordered(mesh):
+    vertices = mesh.device_arrays["vertices"]
+    return order_by_splits(vertices, positions(vertices.size, vertices.device), 8)
+
+
 def test_a_run_is_halved_along_its_longest_side(device):
     x = np.random.default_rng(0).permutation(64)
     points = np.stack([x, np.zeros(64), np.zeros(64)], axis=1)
     mesh = TriangleMesh(points, device=device)
-    order = download(order_by_splits(mesh.array("vertices"), positions(len(mesh.vertices), mesh.device_arrays["vertices"].device), 8))
+    order = download(ordered(mesh))
     for run in range(8):
         assert sorted(x[order[8 * run : 8 * run + 8]]) == list(range(8 * run, 8 * run + 8))
 
 
 def test_points_in_one_place_stand_by_number(device):
     mesh = TriangleMesh(np.ones((100, 3)), device=device)
-    assert download(order_by_splits(mesh.array("vertices"), positions(len(mesh.vertices), mesh.device_arrays["vertices"].device), 8)).tolist() == list(range(100))
+    assert download(ordered(mesh)).tolist() == list(range(100))
