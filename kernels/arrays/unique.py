@@ -149,9 +149,9 @@ class UniqueKeys:
 
 def cut_together(groups: Sequence[UniqueKeys], *beside: AnyArray) -> list[NDArray[Any]]:
     """Cut padded ones to their distinct keys, and fetch arrays `beside` them, as `download` gives each; one sync."""
-    padded = [group for group in groups if group.told is not None]
-    found = read_together([*(group.told for group in padded), *beside]) if padded or beside else []
-    for group, told in zip(padded, found, strict=False):
+    padded = [(group, group.told) for group in groups if group.told is not None]
+    found = read_together([*(told for _, told in padded), *beside]) if padded or beside else []
+    for (group, _), told in zip(padded, found, strict=False):
         group.cut(int(told[0]))
     return found[len(padded) :]
 

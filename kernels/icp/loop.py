@@ -108,15 +108,15 @@ class RegistrationLoop:
             threads *= WARP
         launch(step_jobs_kernel, threads, [rules, self.matches, self.progress])
 
-    def run(self, iterate: Callable[[], None], watch: Callable[[], None] | None = None) -> None:
-        """Run `iterate` until no job is live; `watch` is called after each turn and costs a sync there."""
-        running = self.progress.running
+    def run(self, iterate: Callable[[], None], watch: Callable[[], bool] | None = None) -> None:
+        """Run `iterate` until no job is live; `watch` is called after each turn, reads whether one is, and says it."""
         if watch is None:
-            loop_while(running, iterate)
+            loop_while(self.progress.running, iterate)
             return
-        while download(running)[0]:  # sync
+        is_live = self.jobs.count > 0
+        while is_live:
             iterate()
-            watch()
+            is_live = watch()  # sync
 
     def measure_information(self) -> np.ndarray:
         """The information of the pairs of each job about its target's origin: upper triangles, float64 [jobs, 21]."""

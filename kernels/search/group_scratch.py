@@ -74,22 +74,31 @@ class GroupScratch:
             self.room = max(self.gather, 3 * k + 2 * BUCKET)  # a ball from the query before holds some 2 k
             row = self.room + k
         self.groups = -(-query_count // self.width)
-        if device.is_cuda:  # one launch, whose threads take groups in turn
-            most = max(1, min(device.sm_count * SM_THREADS, MOST_KEYS // row) // WARP)
-            self.run, self.most = max(1, -(-self.groups // most)), max(1, self.groups)
-        else:
-            self.run, self.most = CPU_RUN, max(1, SCRATCH // row)
-        threads = min(-(-self.groups // self.run), self.most)
-        self.stride = max(1, threads * self.lanes)
-        listed, held = max(1, threads * self.gather), self.stride * row
-        if device.is_cuda:  # one allocation, since each takes the host longer than the parts of one
-            self.keys = empty(held + -(-listed // 2), int64, device)
-            self.ids = part_of(self.keys, 8 * held, int32, listed)
-            self.xs = self.ys = self.zs = part_of(self.keys, 0, float32, 1)
-        else:
-            copied = max(1, threads * self.gather)
-            self.xs, self.ys, self.zs = (empty(copied, float32, device) for _ in range(3))
-            self.ids, self.keys = empty(listed, int32, device), empty(held, int64, device)
+        if device.is_cuda:
+            self._allocate_for_warps(device, row)
+            return
+        self.run, self.most = CPU_RUN, max(1, SCRATCH // row)
+        self.stride = max(1, min(-(-self.groups // self.run), self.most))
+        self.xs, self.ys, self.zs = (empty(self.stride * self.gather, float32, device) for _ in range(3))
+        self.ids, self.keys = empty(self.stride * self.gather, int32, device), empty(self.stride * row, int64, device)
+
+    def _allocate_for_warps(self, device: Device, row: int) -> None:
+        """One launch, whose warps take groups in turn: as many as the device holds, fewer where it has no room."""
+        warps = max(1, min(device.sm_count * SM_THREADS, MOST_KEYS // row) // WARP)
+        while True:
+            self.run, self.most = max(1, -(-self.groups // warps)), max(1, self.groups)
+            used = max(1, -(-self.groups // self.run))
+            self.stride = used * WARP
+            held, listed = self.stride * row, used * self.gather
+            try:  # one allocation, since each takes the host longer than the parts of one
+                self.keys = empty(held + -(-listed // 2), int64, device)
+                break
+            except MemoryError:
+                if used == 1:
+                    raise
+                warps = used // 2
+        self.ids = part_of(self.keys, 8 * held, int32, listed)
+        self.xs = self.ys = self.zs = part_of(self.keys, 0, float32, 1)
 
     def parts(self, shift: int = 0) -> Iterator[LaunchPart]:
         """The LaunchPart of each launch; `shift` is the number of the first query, a multiple of `width`."""

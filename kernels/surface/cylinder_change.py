@@ -13,7 +13,7 @@ import numpy as np
 
 from ..algebra.eigen import eigenvalues, smallest_eigenvector
 from ..algebra.moments import add_difference, covariance_of, moments
-from ..array_types import Array1, Indices, Integers, Points, Scalars, Vectors
+from ..array_types import AnyArray, Indices, Integers, Points, Scalars, Vectors
 from ..lang import (
     NAN,
     array,
@@ -238,7 +238,7 @@ def measure_changes(
 ) -> Changes:
     """How far the second cloud lies from the first at core points, along directions."""
     order: Indices = order_along_curve(first, cores)
-    sums: list[Array1[place_sums]] = []
+    sums: list[AnyArray] = []
     for tree in (first, second):
         found = empty(cores.size, place_sums, cores.device)
         launch(sum_cylinders_kernel, cores.size, [cores, order, directions, tree, cylinder, found])

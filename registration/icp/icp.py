@@ -312,12 +312,17 @@ def _check_rules(method: Any, criteria: Any) -> tuple[TransformationEstimation, 
     return method, criteria
 
 
-def _report(problem: IterativeRegistration, callback: Watcher | None, source: PointCloud, target: PointCloud) -> None:
-    """Tell those who watch of the pose that a turn judged, and a callback too, once a step has led to it."""
-    state = problem.judged()
+def _report(problem: IterativeRegistration, callback: Watcher | None, source: PointCloud, target: PointCloud) -> bool:
+    """Tell those who watch of the pose that a turn judged, and a callback too, once a step has led to it.
+
+    Returns:
+        Whether there is a further turn.
+    """
+    state, goes_on = problem.judged()
     report("icp", source=source, target=target, **state)
     if callback is not None and state["iteration_index"] > 0:
         callback(state)
+    return goes_on
 
 
 def _make_problem(

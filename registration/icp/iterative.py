@@ -140,7 +140,7 @@ class IterativeRegistration:
         max_iteration: int,
         relative_fitness: float,
         relative_rmse: float | None,
-        watch: Callable[[], None] | None = None,
+        watch: Callable[[], bool] | None = None,
     ) -> None:
         """Run all jobs to their ends; without a `relative_rmse` [m] it is STILL of each source's spread."""
         estimation, loop = self.estimation, self.loop
@@ -161,16 +161,20 @@ class IterativeRegistration:
             return
         loop.run(iterate, watch)
 
-    def judged(self) -> dict[str, Any]:
-        """What the last turn judged of the first job: steps so far, pose in world coordinates, fitness and rmse."""
+    def judged(self) -> tuple[dict[str, Any], bool]:
+        """What the last turn judged of the first job, and whether any job goes on.
+
+        That is steps so far, pose in world coordinates, fitness and rmse.
+        """
         states = self.loop.states.download()  # sync
-        return {
+        told = {
             # a job that goes on has taken one step more
             "iteration_index": int(states["iterations"][0]) - int(states["live"][0]),
             "transformation": self._world(0, states["earlier"][0]),
             "fitness": float(states["fitness"][0]),
             "inlier_rmse": float(states["rmse"][0]),
         }
+        return told, bool(states["running"][0])
 
     def results(self) -> list[RegistrationResult]:
         """The results of all jobs, in their order."""

@@ -59,6 +59,30 @@ def test_answers_for_the_host_come_in_parts_with_the_same_bits(emulated, search,
         np.testing.assert_array_equal(array, other)
 
 
+OPERATIONS = {
+    "normals": lambda cloud: cloud.estimate_normals(max_nn=30).normals,
+    "covariances": lambda cloud: cloud.estimate_covariances(max_nn=30)["covariances"],
+    "statistical outliers": lambda cloud: cloud.remove_statistical_outlier(20, 1.5)[1],
+    "features": lambda cloud: loom.compute_fpfh_feature(cloud.estimate_normals(max_nn=30), max_nn=50),
+}
+
+
+@pytest.mark.parametrize("name", OPERATIONS)
+def test_searches_with_less_scratch_give_the_same_bits(search, emulated, with_room, name):
+    """Fewer warps take more groups in turn: two fifths of the memory do, and next to none is refused by name."""
+    work = OPERATIONS[name]
+    work(search.cloud)
+    emulated.memory.peak = before = emulated.memory.used
+    expected = work(search.cloud)
+    need = emulated.memory.peak - before
+    with_room(int(0.4 * need))
+    with emulated.findings.expected():
+        np.testing.assert_array_equal(work(search.cloud), expected)
+    with_room(COUNT)
+    with emulated.findings.expected(), pytest.raises(MemoryError, match="cuda:0 has no room"):
+        work(search.cloud)
+
+
 def test_answers_that_stay_there_are_refused_with_their_size(emulated, search, with_room):
     queries = wp.array(search.cloud.points.astype(np.float32), device="cuda:0")
     expected = search.knn_search(queries, 24)
