@@ -12,9 +12,11 @@ from ..core.checks import check_direction, check_finite, check_numeric, check_po
 from ..core.devices import check_same_device
 from ..core.told_arguments import told_arguments
 from ..core.units import common_unit
+from ..kernels.array_types import Integers, Vectors
+from ..kernels.arrays.side_by_side import read_together
 from ..kernels.lang import vec3
-from ..kernels.memory import download, upload
-from ..kernels.surface.cylinder_change import Cylinder, find_flattest, measure_changes
+from ..kernels.memory import upload
+from ..kernels.surface.cylinder_change import Changes, Cylinder, find_flattest, measure_changes
 from .cloud import PointCloud
 from .point_arrays import check_cloud
 
@@ -126,19 +128,24 @@ def m3c2(
     upwards = check_direction("orientation", orientation)
     radii = _check_radii(normal_radii, directions)
     places, tree = cores.points_about(first.origin), first.search_tree()
-    scales = np.full(len(cores), np.nan)
     if directions is not None:
-        given = upload(_check_directions(directions, len(cores)), vec3, first.device)
-        changes = measure_changes(tree, _tree_about(second, first), places, given, Cylinder(radius, reach), error)
+        given, which = upload(_check_directions(directions, len(cores)), vec3, first.device), None
     else:
         given, which = find_flattest(tree, places, radii, upwards)
-        changes = measure_changes(tree, _tree_about(second, first), places, given, Cylinder(radius, reach), error)
-        found = download(which)
-        scales[found >= 0] = radii[found[found >= 0]]
-    spreads = np.column_stack([download(changes.first_spreads), download(changes.second_spreads)])
-    counts = np.column_stack([download(changes.first_counts), download(changes.second_counts)])
-    distances, limits = download(changes.distances), download(changes.limits)
-    return M3C2Result(distances, limits, download(given).reshape(-1, 3), scales, spreads, counts)
+    changes = measure_changes(tree, _tree_about(second, first), places, given, Cylinder(radius, reach), error)
+    return _told(changes, given, which, radii)
+
+
+def _told(changes: Changes, directions: Vectors, which: Integers | None, radii: NDArray[np.float64]) -> M3C2Result:
+    told = [changes.distances, changes.limits, changes.first_spreads, changes.second_spreads]
+    told += [changes.first_counts, changes.second_counts, directions]
+    found = read_together(told if which is None else [*told, which])  # sync
+    distances, limits, *spreads = found[:4]
+    scales = np.full(len(distances), np.nan)
+    if which is not None:
+        scales[found[7] >= 0] = radii[found[7][found[7] >= 0]]
+    counts, rows = np.column_stack(found[4:6]), found[6].reshape(-1, 3)
+    return M3C2Result(distances, limits, rows, scales, np.column_stack(spreads), counts)
 
 
 def _tree_about(cloud: PointCloud, other: PointCloud) -> Any:
