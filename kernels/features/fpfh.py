@@ -287,6 +287,7 @@ def sum_histograms_of_lanes_kernel(
             features[row, own] = total * scale_of(per_angle) + histograms[rank, own]
             if own == 0:
                 features[row, 2 * HALF] = end * scale_of(sums[2]) + histograms[rank, 2 * HALF]
+        sync_lanes()  # the next group's keys are written over these
         sync_lanes()
 
 

@@ -104,7 +104,7 @@ def test_answers_of_a_scene_come_in_one_copy(emulated):
     asked = emulated.asked(lambda: scene.list_intersections(rays))
     assert asked["copies to host"] == 2  # how many there are
     asked = emulated.asked(lambda: scene.compute_closest_points(rays[:, :3]))
-    assert asked["copies to host"] == 2  # the box of the queries
+    assert asked["copies to host"] == 1
 
 
 def test_samples_are_spread_with_three_waits(emulated):

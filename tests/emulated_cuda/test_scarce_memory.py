@@ -48,6 +48,8 @@ def icp(target):
     return [found.transformation, found.correspondence_set]
 
 
+SEARCHES = ("estimate_normals", "poisson")  # go on with less scratch
+
 # what there is before, and the operation on it
 OPERATIONS = {
     "voxel_down_sample": (cloud, lambda c: c.voxel_down_sample(0.1)),
@@ -65,6 +67,20 @@ def assert_same(arrays: list, others: list) -> None:
         np.testing.assert_array_equal(array, other)
 
 
+def goes_on(emulated, number, act, expected) -> bool:
+    """Whether an operation goes on in less memory where an allocation fails, to the same result; else it is refused."""
+    with failing_allocation(emulated, number) as tried:
+        try:
+            found = act()
+        except MemoryError as error:
+            assert "cuda:0 has no room" in str(error)
+            assert tried.count == number, "nothing goes on after it"
+            return False
+    assert tried.count > number, "what it did without was not needed"
+    assert_same(arrays_of(found), expected)
+    return True
+
+
 @pytest.mark.parametrize("name", OPERATIONS)
 def test_at_every_allocation_memory_may_run_out_and_nothing_is_lost(emulated, name):
     make, act = OPERATIONS[name]
@@ -76,9 +92,9 @@ def test_at_every_allocation_memory_may_run_out_and_nothing_is_lost(emulated, na
     for number in range(1, allocated.count + 1):
         before = make()
         held = [np.array(array) for array in arrays_of(before)]
-        with failing_allocation(emulated, number) as tried, pytest.raises(MemoryError, match="cuda:0 has no room"):
-            act(before)
-        assert tried.count == number, "nothing goes on after it"
+        if goes_on(emulated, number, lambda: act(before), expected):  # noqa: B023  at once
+            assert name in SEARCHES
+            continue
         if isinstance(before, loom.TSDFVolume) and before.frame_count == 2:
             assert_same(arrays_of(before), expected)  # it ran out once the frame was in
             continue
