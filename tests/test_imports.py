@@ -23,7 +23,7 @@ FLOORS = [
     ["files"],
     ["registration", "meshing"],
     ["rgbd", "drawing"],
-    ["photos"],
+    ["photos", "scale"],
     ["data"],
     ["app", "bridge"],
 ]
