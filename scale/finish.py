@@ -6,8 +6,6 @@ import shutil
 from pathlib import Path
 from typing import Any
 
-import numpy as np
-
 from ..core.atomic import atomic_write, check_writable
 from ..core.errors import FileError, FilePath
 from ..files.foreign import foreign_errors, import_for
@@ -83,7 +81,9 @@ def _merge(path: Path, parts: list[tuple[Path, int]], overwrite: bool) -> None:
         for part, count in parts:
             told = open_las(part)
             if told.header.point_count != count or told.header.offsets != tuple(header.offsets):
-                raise FileError(part, f"is not the tile that was written: {told.header.point_count} points, not {count}")
+                raise FileError(
+                    part, f"is not the tile that was written: {told.header.point_count} points, not {count}"
+                )
             with laspy.open(part) as reader:
                 for points in reader.chunk_iterator(BLOCK):
                     writer.write_points(points)

@@ -157,7 +157,9 @@ class Manifest:
 
     def owners(self) -> list[str]:
         """Who has claimed something."""
-        query = "SELECT owner FROM tiles WHERE state = 'running' UNION SELECT owner FROM sources WHERE state = 'running'"
+        query = (
+            "SELECT owner FROM tiles WHERE state = 'running' UNION SELECT owner FROM sources WHERE state = 'running'"
+        )
         return [row["owner"] for row in self.rows(query)]
 
     def counts(self, table: str = "tiles", where: str = "1", *values: Any) -> dict[str, int]:

@@ -207,8 +207,6 @@ def _joined(tables: list[PointTable]) -> PointTable:
     for name in ("normals", "colors"):
         values = [getattr(table, name) for table in tables]
         setattr(first, name, None if values[0] is None else np.concatenate(values))
-    first.attributes = {
-        name: np.concatenate([table.attributes[name] for table in tables]) for name in first.attributes
-    }
+    first.attributes = {name: np.concatenate([table.attributes[name] for table in tables]) for name in first.attributes}
     first.points = np.concatenate([table.points for table in tables])
     return first

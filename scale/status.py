@@ -54,8 +54,12 @@ class TileStatus:
 
     def __str__(self) -> str:
         tiles = self.waiting + self.running + self.done + self.empty + self.failed + self.aside
-        told = [f"{self.done + self.empty} of {tiles} tiles done, {self.points_in:,} points in, {self.points_out:,} out"]
-        told += [f"{count} {name}" for name in ("waiting", "running", "failed", "aside") if (count := getattr(self, name))]
+        told = [
+            f"{self.done + self.empty} of {tiles} tiles done, {self.points_in:,} points in, {self.points_out:,} out"
+        ]
+        told += [
+            f"{count} {name}" for name in ("waiting", "running", "failed", "aside") if (count := getattr(self, name))
+        ]
         return "; ".join(told) + "".join(f"\n  tile {tile}: {error}" for tile, error in self.troubles.items())
 
 

@@ -262,7 +262,7 @@ class Function(Step):
             raise ValueError(f"{self.params['call']}: expected a PointCloud of some of its rows, got {shown(cloud)}")
         rows = np.asarray(cloud[ROW])
         cloud = cloud.copy()
-        del cloud[ROW]
+        del cloud.attributes[ROW]
         left = part.take(rows, cloud)
         if not np.array_equal(part.cloud.points[rows], cloud.points):
             raise ValueError(f"{self.params['call']}: moved points, which a step of a function may not")
@@ -270,8 +270,7 @@ class Function(Step):
 
 
 KNOWN: dict[str, type[Step]] = {
-    kind.name: kind
-    for kind in (VoxelDownSample, RadiusOutlier, EstimateNormals, StatisticalOutlier, Crop, Function)
+    kind.name: kind for kind in (VoxelDownSample, RadiusOutlier, EstimateNormals, StatisticalOutlier, Crop, Function)
 }
 
 
