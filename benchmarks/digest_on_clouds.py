@@ -112,12 +112,8 @@ ON_CLOUDS: dict[str, Callable[[Place], Any]] = {
     "compute_mahalanobis_distance": lambda p: p.cloud.compute_mahalanobis_distance(),
     "compute_metrics": lambda p: loom().compute_metrics(p.cloud, p.other, [0.5 * p.spacing, 2 * p.spacing]),
     "m3c2": lambda p: loom().change.m3c2(
-        p.cloud,
-        p.other,
-        normal_radii=[3 * p.spacing, 5 * p.spacing],
-        cylinder_radius=3 * p.spacing,
-        max_distance=8 * p.spacing,
-        core_points=p.cloud.uniform_down_sample(3),
+        p.cloud, p.other, normal_radii=[3 * p.spacing, 5 * p.spacing], cylinder_radius=3 * p.spacing,
+        max_distance=8 * p.spacing, core_points=p.cloud.uniform_down_sample(3),
     ),  # fmt: skip
     "knn_search": lambda p: search(p).knn_search(p.other, 8),
     "knn_search, array": lambda p: search(p).knn_search(p.other.points[::3], 40),

@@ -48,8 +48,8 @@ CREATE TABLE numbers (
 """
 
 
-def canonical(plan: dict[str, Any]) -> str:
-    """A plan as the one text that stands for it."""
+def canonical(plan: Any) -> str:
+    """A plan, or a part of one, as the one text that stands for it."""
     return json.dumps(plan, sort_keys=True, separators=(",", ":"), allow_nan=False)
 
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import os
 from pathlib import Path
 from typing import Any
 
@@ -64,7 +63,9 @@ class Plan:
         """The numbers of the tiles that a window reaches into, ascending."""
         with np.errstate(invalid="ignore"):
             ends = np.floor((np.array(window).reshape(2, 2) - self.corner) / self.size)
-        (x0, y0), (x1, y1) = np.clip(ends + [[-1], [1]], 0, np.array(self.shape) - 1).astype(np.int64).tolist()
+        (x0, y0), (x1, y1) = (
+            np.clip(ends + np.array([[-1], [1]]), 0, np.array(self.shape) - 1).astype(np.int64).tolist()
+        )
         return [y * self.shape[0] + x for y in range(y0, y1 + 1) for x in range(x0, x1 + 1)]
 
     def window(self, ix: int, iy: int, halo: float) -> Window:
@@ -170,7 +171,7 @@ def check_same_plan(manifest: Manifest, told: dict[str, Any]) -> None:
             if before == now:
                 continue
             if key == "sources":
-                old, new = ({source["path"]: source for source in listed} for listed in (before, now))
+                old, new = ({source["path"]: source for source in listed or ()} for listed in (before, now))
                 changed += [f"{path} is gone" for path in old if path not in new]
                 changed += [f"{path} is new" for path in new if path not in old]
                 changed += [f"{path} has changed" for path in new if path in old and new[path] != old[path]]
@@ -244,7 +245,7 @@ def _make_folder(folder: Path) -> None:
         raise FileError(folder, "is not a folder", remedy="Give the name of a folder")
     try:
         folder.mkdir(exist_ok=True)
-        other = [name for name in os.listdir(folder) if not name.endswith(".part")]
+        other = [path for path in folder.iterdir() if path.suffix != ".part"]
     except OSError as error:
         raise FileError(folder, f"cannot be made: {error.strerror or error}") from error
     if other:

@@ -94,10 +94,12 @@ def _check_part(part: Any) -> tuple[int, int]:
     return check_count("part", part[0], maximum=of, because="there are no more parts"), of
 
 
-def _work(manifest: Manifest, plan: Plan, owner: str, part: tuple[int, int], report: ReportProgress) -> None:
-    """Claim and do tasks until none is left for this worker."""
+def _work(
+    manifest: Manifest, plan: Plan, owner: str, part: tuple[int, int], report: ReportProgress, parent: int = 0
+) -> None:
+    """Claim and do tasks until none is left for this worker, or its parent is gone."""
     share = ("id % ? = ?", part[1], part[0] - 1)
-    while True:
+    while not parent or os.getppid() == parent:
         row = manifest.claim("sources", owner)
         if row is not None:
             _do_source(manifest, plan, owner, row["id"])
@@ -237,13 +239,13 @@ def _start(folder: Path, part: tuple[int, int], count: int) -> subprocess.Popen[
     threads = os.environ.get("POINTLOOM_CPU_THREADS") or str(max(1, (os.cpu_count() or 1) // count))
     paths = os.pathsep.join(path or os.getcwd() for path in sys.path)  # noqa: PTH109
     environment = os.environ | {"PYTHONPATH": paths, "POINTLOOM_CPU_THREADS": threads}
-    command = [sys.executable, "-c", _WORKER, str(folder.absolute()), *map(str, part)]
+    command = [sys.executable, "-c", _WORKER, str(folder.absolute()), *map(str, part), str(os.getpid())]
     return subprocess.Popen(command, env=environment, stdin=subprocess.DEVNULL)
 
 
 def main() -> None:
-    """A worker process: `main FOLDER WHICH OF`; it ends when nothing is left for it."""
-    folder, which, of = sys.argv[1:]
+    """A worker process: `main FOLDER WHICH OF PARENT`; it ends when nothing is left for it."""
+    folder, which, of, parent = sys.argv[1:]
     manifest, plan = open_plan(folder)
     with manifest, a_worker(manifest.folder) as owner:
-        _work(manifest, plan, owner, (int(which), int(of)), say_nothing)
+        _work(manifest, plan, owner, (int(which), int(of)), say_nothing, int(parent))

@@ -14,7 +14,7 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -85,7 +85,7 @@ class Step:
     """
 
     name = ""
-    defaults: dict[str, Any] = {}
+    defaults: ClassVar[dict[str, Any]] = {}
     required: tuple[str, ...] = ()
     reach = 0.0
     neighbors: int | None = None
@@ -125,9 +125,11 @@ class Step:
 class VoxelDownSample(Step):
     """Means of voxels of a grid that the plan fixes; a voxel is of the tile that its middle is in."""
 
-    name, required, defaults = "voxel_down_sample", ("voxel_size",), {"corner": None}
+    name, required = "voxel_down_sample", ("voxel_size",)
+    defaults: ClassVar[dict[str, Any]] = {"corner": None}
 
     def check(self) -> None:
+        """Set reach and neighbours by the parameters."""
         self.size = check_positive("voxel_size", self.params["voxel_size"])
         self.reach = self.size / 2
         if self.params["corner"] is not None:
@@ -135,12 +137,15 @@ class VoxelDownSample(Step):
             self.params["corner"] = corner.tolist()
 
     def spread_after(self, spread: float) -> float:
+        """Means lie in their voxel, whose middle is their home."""
         return self.size / 2
 
     def halo_before(self, after: float, spread: float, reach: float) -> float:
+        """Whole voxels are wanted."""
         return after + reach + spread
 
     def run(self, part: Part, plan: Any, numbers: ExactSums | None) -> Part:
+        """The step on a part."""
         corner = np.array(self.params["corner"] or plan.voxel_corner, np.float64)
         trace = part.cloud.voxel_down_sample_and_trace(self.size, min_bound=corner)
         offsets, order = np.asarray(trace.offsets), np.asarray(trace.indices)
@@ -156,10 +161,12 @@ class RadiusOutlier(Step):
     name, required = "remove_radius_outlier", ("nb_points", "radius")
 
     def check(self) -> None:
+        """Set reach and neighbours by the parameters."""
         check_count("nb_points", self.params["nb_points"])
         self.reach = check_positive("radius", self.params["radius"])
 
     def run(self, part: Part, plan: Any, numbers: ExactSums | None) -> Part:
+        """The step on a part."""
         mask = mask_crowded(part.cloud.search_tree(), self.reach, self.params["nb_points"] + 1)
         return part.select(download(mask) != 0)
 
@@ -168,9 +175,10 @@ class EstimateNormals(Step):
     """Normals of the neighbours within a radius, of the nearest, or both; turned to a direction or left."""
 
     name = "estimate_normals"
-    defaults = {"radius": None, "max_nn": 30, "orient": (0.0, 0.0, 1.0)}
+    defaults: ClassVar[dict[str, Any]] = {"radius": None, "max_nn": 30, "orient": (0.0, 0.0, 1.0)}
 
     def check(self) -> None:
+        """Set reach and neighbours by the parameters."""
         radius, count = check_search(self.params["radius"], self.params["max_nn"])
         if math.isfinite(radius):
             self.reach = radius
@@ -183,6 +191,7 @@ class EstimateNormals(Step):
         self.params["orient"] = None if orient is None else check_direction("orient", orient).tolist()
 
     def run(self, part: Part, plan: Any, numbers: ExactSums | None) -> Part:
+        """The step on a part."""
         cloud = part.cloud.estimate_normals(radius=self.params["radius"], max_nn=self.params["max_nn"])
         if self.params["orient"] is not None:
             cloud = cloud.orient_normals_to_align_with_direction(self.params["orient"])
@@ -195,14 +204,17 @@ class StatisticalOutlier(Step):
     name, required, needs_numbers = "remove_statistical_outlier", ("nb_neighbors", "std_ratio"), True
 
     def check(self) -> None:
+        """Set reach and neighbours by the parameters."""
         self.neighbors = check_count("nb_neighbors", self.params["nb_neighbors"])
         check_positive("std_ratio", self.params["std_ratio"])
 
     def measure(self, part: Part) -> NDArray[np.float64]:
+        """Mean distances of the nearest."""
         assert self.neighbors is not None
         return download(average_distances(part.cloud.search_tree(), self.neighbors))
 
     def run(self, part: Part, plan: Any, numbers: ExactSums | None) -> Part:
+        """The step on a part."""
         assert numbers is not None
         mean, deviation = numbers.mean_and_deviation()
         limit = (mean + self.params["std_ratio"] * deviation) * ROUNDING if numbers.count else 0.0
@@ -212,14 +224,17 @@ class StatisticalOutlier(Step):
 class Crop(Step):
     """Points in a box stay, its faces included; or with `invert` all others."""
 
-    name, required, defaults = "crop", ("min_bound", "max_bound"), {"invert": False}
+    name, required = "crop", ("min_bound", "max_bound")
+    defaults: ClassVar[dict[str, Any]] = {"invert": False}
 
     def check(self) -> None:
+        """Set reach and neighbours by the parameters."""
         for name in self.required:
             self.params[name] = check_finite(name, check_shape(name, self.params[name], (3,))).tolist()
         self.box = AxisAlignedBoundingBox(self.params["min_bound"], self.params["max_bound"])
 
     def run(self, part: Part, plan: Any, numbers: ExactSums | None) -> Part:
+        """The step on a part."""
         mask = self.box.mask_points(part.cloud.device_array("points"), part.cloud.origin)
         return part.select((download(mask) != 0) != self.params["invert"])
 
@@ -231,9 +246,11 @@ class Function(Step):
     add any.
     """
 
-    name, required, defaults = "function", ("call", "reach"), {"arguments": {}}
+    name, required = "function", ("call", "reach")
+    defaults: ClassVar[dict[str, Any]] = {"arguments": {}}
 
     def check(self) -> None:
+        """Set reach and neighbours by the parameters."""
         self.reach = check_positive("reach", self.params["reach"], allow_zero=True)
         call = self.params["call"]
         if callable(call):
@@ -245,6 +262,7 @@ class Function(Step):
         self.function()
 
     def function(self) -> Callable[..., Any]:
+        """The function itself."""
         module, _, path = self.params["call"].partition(":")
         try:
             found: Any = importlib.import_module(module)
@@ -255,6 +273,7 @@ class Function(Step):
         return found
 
     def run(self, part: Part, plan: Any, numbers: ExactSums | None) -> Part:
+        """The step on a part."""
         given = part.cloud.copy()
         given[ROW] = np.arange(len(given))
         cloud = self.function()(given, **self.params["arguments"])

@@ -57,7 +57,7 @@ class Outcome:
     sums: ExactSums | None
 
 
-class HaloTooSmall(Exception):
+class HaloError(Exception):
     """A step of the k nearest saw too little to be sure of its result."""
 
     def __init__(self, step: int):
@@ -98,7 +98,7 @@ def work_tile(
             if not own and _keeps_homes(steps):
                 return Outcome(0, 0, len(table.points), halos[0], ExactSums())
             part, sums = _run(plan, (ix, iy), part, steps, (reaches, halos), numbers, target)
-        except HaloTooSmall as found:
+        except HaloError as found:
             reaches[found.step] *= 2
             continue
         if target is None:
@@ -189,11 +189,11 @@ def _certify(plan: Plan, number: int, part: Part, wanted: Any, k: int, reach: fl
     edges = np.array(window)
     free = np.minimum(places[:, :2] - edges[:2], edges[2:] - places[:, :2]).min(axis=1) - part.spread - plan.slack
     if k > len(part.cloud):
-        raise HaloTooSmall(number)
+        raise HaloError(number)
     found = NearestNeighborSearch(part.cloud).knn_search(places, k)
     farthest = np.sqrt(np.asarray(found.sqdists, np.float64)[:, -1]) * _REACH_SLACK
     if not (farthest < free).all():
-        raise HaloTooSmall(number)
+        raise HaloError(number)
 
 
 def write_tile(plan: Plan, folder: Path, tile: int, part: Part) -> None:

@@ -27,7 +27,7 @@ def survey(folder, *, count=6000, files=2, suffix=".laz", seed=0):
     height = np.sin(places[:, 0] / 5) + 0.1 * rng.normal(size=count)
     height[::97] += rng.random(len(height[::97])) * 5
     points = np.round(np.column_stack([places, height]) / 0.05) * 0.05 + CORNER
-    points[0], points[1] = CORNER, CORNER + [SIDE, SIDE, 0]
+    points[0], points[1] = CORNER, CORNER + np.array([SIDE, SIDE, 0])
     paths, cuts = [], np.array_split(rng.permutation(count), files)
     for number, rows in enumerate(cuts):
         if number == 1:

@@ -8,7 +8,7 @@ from pointloom.scale import work_tile
 
 from .scenes import CORNER, SIDE, in_memory, plan_of, rows_of, survey, tiled, whole_cloud
 
-MIDDLE = (CORNER + [SIDE / 2, SIDE / 2, 0]).tolist()
+MIDDLE = (CORNER + np.array([SIDE / 2, SIDE / 2, 0])).tolist()
 CHAINS = {
     "voxels": [{"step": "voxel_down_sample", "voxel_size": 0.7}],
     "radius outliers": [{"step": "remove_radius_outlier", "nb_points": 4, "radius": 0.9}],
