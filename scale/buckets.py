@@ -165,6 +165,17 @@ def positions_of(file: LasFile, rows: NDArray[Any]) -> NDArray[np.float64]:
     return np.column_stack([rows[name] * scales[k] + offsets[k] for k, name in enumerate("XY")])
 
 
+def check_size(plan: Any, count: int) -> None:
+    """Refuse a tile that would take more memory than the plan allows.
+
+    Raises:
+        ValueError: It has more points with its halo.
+    """
+    if count > plan.most:
+        reason = f"a tile and its halo hold {count:,} points or more, at most {plan.most:,} may be"
+        raise ValueError(f"size: {reason}; plan smaller tiles, or take stray points away first")
+
+
 def inside(places: NDArray[np.float64], window: Window) -> NDArray[np.bool_]:
     """Which places are in a window, its low ends included."""
     x, y = places[:, 0], places[:, 1]
@@ -219,6 +230,7 @@ def read_buckets(plan: Any, folder: Path, number: int, file: LasFile, window: An
         for block, which in found:
             rows.append(block)
             numbers.append(which)
+        check_size(plan, sum(map(len, rows)))
     if not rows:
         return np.empty(0, file.layout.dtype())
     joined = np.concatenate(rows)

@@ -24,6 +24,8 @@ from .steps import Step, parse_steps
 MOST_TILES = 1 << 22
 POINTS = 2_000_000  # a tile, where nothing is said
 OUTPUTS = ("laz", "copc")
+MOST_POINTS = 8  # times the points of a usual tile that one may hold with its halo, and at least
+LEAST_POINTS = 4_000_000
 LEAST_LEVELS = 12  # of the search tree's curve, which order points that are equally near: 2^26 points a tile
 _ROUNDING = 2.0**-21  # of a coordinate about the origin: those of two points and of their distance, in float32
 
@@ -41,6 +43,7 @@ class Plan:
         size: Edge of a tile.
         shape: Tiles along x and y.
         slack: What coordinates are rounded by, and more.
+        most: Points that a tile and its halo may have.
     """
 
     def __init__(self, told: dict[str, Any]):
@@ -51,7 +54,7 @@ class Plan:
         self.origin = np.array(told["origin"])
         self.voxel_corner = told["voxel_corner"]
         self.corner, self.size, self.shape = np.array(told["corner"]), told["size"], tuple(told["shape"])
-        self.slack = told["slack"]
+        self.slack, self.most = told["slack"], told["most"]
 
     def tile_of(self, places: NDArray[np.float64]) -> NDArray[np.int64]:
         """The number of the tile that each place is in, [n, 2]; of places beyond the grid the nearest one's."""
@@ -103,7 +106,7 @@ def plan_tiles(
             pass lays the points on disk by tile.
         steps: Dictionaries such as `{"step": "voxel_down_sample", "voxel_size": 0.5}`, or a TOML file of [[step]]
             tables. Steps: voxel_down_sample, remove_radius_outlier, remove_statistical_outlier, estimate_normals,
-            crop, function.
+            smooth_mls, crop, function.
         folder: Of the job; made where it is missing.
         size: Edge of a tile [unit of the files].
         points: Points a tile, about; 2 million where no size is given either.
@@ -112,6 +115,17 @@ def plan_tiles(
 
     Returns:
         A TileStatus.
+
+    Notes:
+        The result is that of the operations on a cloud of all files in their order, about the plan's origin: the same
+        bits, whatever the tiles' size, but for three things. The grid of voxels starts at the lowest corner in whole
+        units, or at the step's `corner`, as with `voxel_down_sample_and_trace(size, corner)`. The mean and
+        the deviation of statistical outliers are exact sums, where those in memory are rounded: a point whose distance
+        is within a part in 10^12 of the limit may differ. And of points that are equally far as the k-th neighbour,
+        those taken after a step that removed the outermost points of all may be others than in memory; whatever the
+        tiles' size they are the same.
+
+        Memory: a tile and its halo, 300 B a point; 4 million rows while points are laid by tile.
 
     Raises:
         FileError: A file cannot be read, goes ill with the others, or holds degrees; the folder holds another plan,
@@ -220,6 +234,7 @@ def _make(sources: Any, steps: list[Step], size: Any, points: Any, only: Any, ou
         "size": size,
         "shape": shape,
         "slack": max(reach, 1.0) * _ROUNDING,
+        "most": max(LEAST_POINTS, int(MOST_POINTS * total * min(1.0, size * size / area))),
         "only": only,
         "output": output,
     }

@@ -23,7 +23,7 @@ from ..files.points.las import LasFile, attribute_types, open_las, table_of
 from ..files.points.las_crs import crs_name, is_geographic
 from ..files.points.las_units import units_of
 from ..files.table import PointTable
-from .buckets import Window, inside, positions_of, read_buckets
+from .buckets import Window, check_size, inside, positions_of, read_buckets
 
 SUFFIXES = (".las", ".laz")
 
@@ -171,6 +171,7 @@ def read_window(plan: Any, folder: Path, fulls: dict[int, int], window: Window) 
             rows = read_buckets(plan, folder, number, file, window)
         if len(rows):
             tables.append(_decoded(file, rows, full))
+        check_size(plan, sum(len(table.points) for table in tables))
     if not tables:
         file = _opened(*(plan.sources[0][key] for key in ("path", "size", "mtime_ns")))
         return _decoded(file, np.empty(0, file.layout.dtype()), 65535)
@@ -185,6 +186,7 @@ def _meets(source: dict[str, Any], window: Window, slack: float) -> bool:
 def _rows_of_copc(copc: CopcFile, firsts: NDArray[np.int64], window: Window, plan: Any) -> NDArray[Any]:
     low, high = np.array([*window[:2], -np.inf]), np.array([*window[2:], np.inf])
     which = copc.nodes_within(low, high)
+    check_size(plan, int(copc.nodes["count"][which].sum()) // 4)  # of which many may lie outside
     which = which[np.argsort(copc.nodes["begin"][which], kind="stable")]
     rows = np.frombuffer(copc.unpack(which), copc.file.layout.dtype())
     return rows[inside(positions_of(copc.file, rows), window)]

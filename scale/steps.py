@@ -239,6 +239,27 @@ class Crop(Step):
         return part.select((download(mask) != 0) != self.params["invert"])
 
 
+class SmoothMls(Step):
+    """Each point moves onto the plane through its neighbours within a radius; it stays at home in its tile."""
+
+    name, required = "smooth_mls", ("radius",)
+    defaults: ClassVar[dict[str, Any]] = {"max_nn": 30}
+
+    def check(self) -> None:
+        """Set reach and neighbours by the parameters."""
+        self.reach = check_positive("radius", self.params["radius"])
+        check_search(self.reach, self.params["max_nn"])
+
+    def spread_after(self, spread: float) -> float:
+        """A plane through neighbours is no farther away than they are."""
+        return spread + self.reach
+
+    def run(self, part: Part, plan: Any, numbers: ExactSums | None) -> Part:
+        """The step on a part."""
+        cloud = part.cloud.smooth_mls(radius=self.reach, max_nn=self.params["max_nn"])
+        return Part(cloud, None, part.homes, self.spread_after(part.spread))
+
+
 class Function(Step):
     """A function of a module, with its reach: it takes a cloud and gives one, of the same rows or fewer.
 
@@ -289,7 +310,8 @@ class Function(Step):
 
 
 KNOWN: dict[str, type[Step]] = {
-    kind.name: kind for kind in (VoxelDownSample, RadiusOutlier, EstimateNormals, StatisticalOutlier, Crop, Function)
+    kind.name: kind
+    for kind in (VoxelDownSample, RadiusOutlier, EstimateNormals, StatisticalOutlier, Crop, SmoothMls, Function)
 }
 
 

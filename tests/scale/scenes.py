@@ -10,7 +10,7 @@ from pointloom.files.points.las_writer import write_las
 from pointloom.files.table import PointTable
 from pointloom.scale.manifest import Manifest
 
-STEP = 0.01
+STEP = 1e-7  # [m] below what float32 tells apart here, so that files hold means and moved points to the bit
 CORNER = np.array([500_000.0, 4_000_000.0, 100.0])
 SIDE = 40.0
 
@@ -49,7 +49,10 @@ def whole_cloud(paths, origin):
     tables = [read_las(path) for path in paths]
     names = tables[0].attributes
     attributes = {name: np.concatenate([table.attributes[name] for table in tables]) for name in names}
-    return loom.PointCloud(np.concatenate([table.points for table in tables]), origin=origin, **attributes)
+    normals = None if tables[0].normals is None else np.concatenate([table.normals for table in tables])
+    return loom.PointCloud(
+        np.concatenate([table.points for table in tables]), normals=normals, origin=origin, **attributes
+    )
 
 
 def in_memory(cloud, steps, corner):
@@ -64,6 +67,8 @@ def in_memory(cloud, steps, corner):
             cloud, _ = cloud.remove_statistical_outlier(**params)
         elif step["step"] == "estimate_normals":
             cloud = cloud.estimate_normals(**params).orient_normals_to_align_with_direction()
+        elif step["step"] == "smooth_mls":
+            cloud = cloud.smooth_mls(**params)
         elif step["step"] == "crop":
             cloud = cloud.crop(loom.AxisAlignedBoundingBox(params["min_bound"], params["max_bound"]))
         else:
@@ -73,7 +78,7 @@ def in_memory(cloud, steps, corner):
 
 def rows_of(cloud):
     """What a cloud holds as a sorted array of rows of bytes; positions in steps of the files."""
-    columns = [np.rint((cloud.points - CORNER) / STEP).astype(np.int64)]
+    columns = [np.rint((cloud.points - cloud.origin) / STEP).astype(np.int64)]
     names = [name for name in cloud.attributes if name in ("intensity", "gps_time", "range")]
     columns += [np.asarray(cloud[name], np.float64)[:, None].view(np.int64) for name in sorted(names)]
     if cloud.has_normals:
@@ -88,8 +93,13 @@ def plan_of(folder):
 
 
 def tiled(paths, steps, folder, **how):
-    """Plan, run and finish; the result as read back, and the plan."""
+    """Plan, run and finish; the result as read back about the plan's origin, and the plan."""
     loom.scale.plan_tiles(paths, steps, folder, **how)
     status = loom.scale.run_tiles(folder)
     assert status.is_finished, status
-    return loom.read_point_cloud(loom.scale.finish_tiles(folder)), plan_of(folder)
+    return finished(folder), plan_of(folder)
+
+
+def finished(folder):
+    """The result of a folder about the plan's origin."""
+    return whole_cloud([loom.scale.finish_tiles(folder)], np.array(plan_of(folder)["origin"]))

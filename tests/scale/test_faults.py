@@ -16,7 +16,7 @@ from pointloom.files.table import PointTable
 from pointloom.scale import runners
 from pointloom.scale.manifest import Manifest, a_worker
 
-from .scenes import CORNER, SIDE, rows_of, survey, tiled
+from .scenes import CORNER, SIDE, STEP, finished, rows_of, survey, tiled
 
 RADIUS = [{"step": "remove_radius_outlier", "nb_points": 4, "radius": 0.9}]
 
@@ -60,13 +60,13 @@ def test_steps_may_stand_in_a_file(files, tmp_path, expected):
 
 @pytest.mark.parametrize("what", ["scale", "attributes", "unit"])
 def test_files_that_go_ill_together_are_told_by_name(files, tmp_path, what):
-    cloud = loom.PointCloud(np.full((5, 3), CORNER), intensity=np.arange(5, dtype=np.uint16))
+    cloud = loom.PointCloud(np.full((5, 3), CORNER), origin=CORNER, intensity=np.arange(5, dtype=np.uint16))
     if what != "attributes":
         cloud["gps_time"], cloud["range"] = np.zeros(5), np.zeros(5, np.float32)
     if what == "unit":
         cloud.unit = "foot"
     other = tmp_path / "other.laz"
-    cloud_scale = 0.001 if what == "scale" else 0.01
+    cloud_scale = 0.001 if what == "scale" else STEP
     loom.write_point_cloud(other, cloud, scale=cloud_scale)
     with pytest.raises(FileError, match=r"other\.laz: its (scale|attributes|unit)"):
         loom.scale.plan_tiles([*files, other], RADIUS, tmp_path / "job")
@@ -126,7 +126,7 @@ def test_parts_of_an_array_job_do_all_tiles_once(files, tmp_path, expected):
     loom.scale.plan_tiles(files, RADIUS, job, size=10.0)
     done = [loom.scale.run_tiles(job, part=(which, 3)).done for which in (2, 1, 3)]
     assert done[0] < done[1] < done[2]
-    np.testing.assert_array_equal(rows_of(loom.read_point_cloud(loom.scale.finish_tiles(job))), expected)
+    np.testing.assert_array_equal(rows_of(finished(job)), expected)
 
 
 def test_a_part_ends_where_it_needs_the_numbers_of_others(files, tmp_path):
@@ -148,7 +148,7 @@ def test_two_runs_at_once_share_the_tiles(files, tmp_path, expected):
         run.join()
     status = loom.scale.tile_status(job)
     assert status.is_finished and status.points_in == status.points
-    np.testing.assert_array_equal(rows_of(loom.read_point_cloud(loom.scale.finish_tiles(job))), expected)
+    np.testing.assert_array_equal(rows_of(finished(job)), expected)
 
 
 def test_what_a_dead_worker_claimed_is_done_again_and_a_live_ones_is_not(files, tmp_path):
@@ -244,5 +244,15 @@ def test_workers_that_are_killed_at_random_lose_and_double_nothing(files, tmp_pa
     (status,) = results
     assert kills and status.aside + status.failed == 0
     assert status.is_finished and status.points_in == status.points
-    np.testing.assert_array_equal(rows_of(loom.read_point_cloud(loom.scale.finish_tiles(job))), expected)
+    np.testing.assert_array_equal(rows_of(finished(job)), expected)
     assert not [*job.rglob("*.part")]
+
+
+def test_a_tile_that_holds_too_much_is_named(tmp_path, monkeypatch):
+    monkeypatch.setattr("pointloom.scale.plan.LEAST_POINTS", 500)
+    rng = np.random.default_rng(3)
+    points = np.concatenate([rng.random((1500, 3)) * 2, rng.random((200, 3)) * SIDE]) + CORNER
+    write_las(tmp_path / "dense.laz", PointTable(points), scale=0.01, offset=CORNER)
+    loom.scale.plan_tiles(tmp_path / "dense.laz", RADIUS, tmp_path / "job", size=5.0)
+    status = loom.scale.run_tiles(tmp_path / "job")
+    assert status.failed == 1 and "at most 500 may be" in status.troubles["0_0"]

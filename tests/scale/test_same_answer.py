@@ -6,7 +6,7 @@ import pytest
 import pointloom as loom
 from pointloom.scale import work_tile
 
-from .scenes import CORNER, SIDE, in_memory, plan_of, rows_of, survey, tiled, whole_cloud
+from .scenes import CORNER, SIDE, finished, in_memory, plan_of, rows_of, survey, tiled, whole_cloud
 
 MIDDLE = (CORNER + np.array([SIDE / 2, SIDE / 2, 0])).tolist()
 CHAINS = {
@@ -16,6 +16,8 @@ CHAINS = {
     "normals of both": [{"step": "estimate_normals", "radius": 1.5, "max_nn": 10}],
     "normals of the nearest": [{"step": "estimate_normals", "max_nn": 12}],
     "statistical outliers": [{"step": "remove_statistical_outlier", "nb_neighbors": 8, "std_ratio": 1.5}],
+    "smoothing": [{"step": "smooth_mls", "radius": 1.0, "max_nn": None}],
+    "smoothing of the nearest": [{"step": "smooth_mls", "radius": 1.5, "max_nn": 12}],
     "a box": [
         {"step": "crop", "min_bound": MIDDLE, "max_bound": (np.array(MIDDLE) + 15).tolist()},
         {"step": "remove_radius_outlier", "nb_points": 4, "radius": 0.9},
@@ -58,7 +60,7 @@ def test_a_halo_that_is_too_small_is_doubled(files, tmp_path, monkeypatch):
     loom.scale.plan_tiles(files, steps, tmp_path / "job", size=10.0)
     monkeypatch.setattr("pointloom.scale.plan.Plan.__init__", _with_small_guesses(work_tile.Plan.__init__))
     assert loom.scale.run_tiles(tmp_path / "job").is_finished
-    found = loom.read_point_cloud(loom.scale.finish_tiles(tmp_path / "job"))
+    found = finished(tmp_path / "job")
     plan = plan_of(tmp_path / "job")
     expected = in_memory(whole_cloud(files, np.array(plan["origin"])), steps, plan["voxel_corner"])
     np.testing.assert_array_equal(rows_of(found), rows_of(expected))
@@ -88,7 +90,7 @@ def test_every_kind_of_file_gives_the_same(tmp_path, suffix):
     clouds = [loom.read_point_cloud(path) for path in files]
     others = [tmp_path / f"other{number}{suffix}" for number in range(3)]
     for cloud, path, like in zip(clouds, others, files, strict=True):
-        loom.write_point_cloud(path, cloud, like=like)
+        loom.write_point_cloud(path, cloud, like=like, scale=1e-6)
     steps = CHAINS["normals of the nearest"]
     found, plan = tiled(others, steps, tmp_path / "job", size=11.0)
     expected = in_memory(whole_cloud(others, np.array(plan["origin"])), steps, plan["voxel_corner"])
