@@ -15,6 +15,7 @@ from .buckets import FOLDER as BUCKETS
 from .manifest import Manifest
 from .plan import Plan, open_plan
 from .status import status_of
+from .work_tile import FOLDER as TILES
 from .work_tile import offset_of, tile_path
 
 BLOCK = 1 << 18
@@ -55,6 +56,8 @@ def finish_tiles(folder: FilePath, path: FilePath | None = None, *, overwrite: b
             finally:
                 merged.unlink(missing_ok=True)
         shutil.rmtree(manifest.folder / BUCKETS, ignore_errors=True)
+        for left in (manifest.folder / TILES).glob(".*.part"):  # of workers that were killed
+            left.unlink(missing_ok=True)
         return path
 
 

@@ -110,7 +110,7 @@ def plan_tiles(
         folder: Of the job; made where it is missing.
         size: Edge of a tile [unit of the files].
         points: Points a tile, about; 2 million where no size is given either.
-        only: (x0, y0, x1, y1): only the tiles that this area touches.
+        only: (x0, y0, x1, y1): only the tiles that this area touches; numbers of the whole are then theirs.
         output: "laz" or "copc", what `finish_tiles` makes.
 
     Returns:
@@ -131,6 +131,18 @@ def plan_tiles(
         FileError: A file cannot be read, goes ill with the others, or holds degrees; the folder holds another plan,
             and what of it differs.
         ValueError: A step or a parameter that there is not, one that needs the whole cloud; too many tiles.
+
+    Example:
+        >>> import numpy as np, pointloom as loom
+        >>> points = np.random.default_rng(0).random((20_000, 3)) * (100, 100, 1)
+        >>> loom.write_point_cloud("survey.laz", loom.PointCloud(points))
+        >>> steps = [{"step": "voxel_down_sample", "voxel_size": 2}, {"step": "estimate_normals", "max_nn": 12}]
+        >>> loom.scale.plan_tiles("survey.laz", steps, "job", size=50).waiting
+        4
+        >>> loom.scale.run_tiles("job").is_finished
+        True
+        >>> len(loom.read_point_cloud(loom.scale.finish_tiles("job"))) < 5000
+        True
     """
     parsed = parse_steps(steps)
     if output not in OUTPUTS:
@@ -207,7 +219,8 @@ def _make(sources: Any, steps: list[Step], size: Any, points: Any, only: Any, ou
     if not np.isfinite(corners).all():
         raise FileError(filled[0]["path"], "the bounds in a header are not finite")
     origin = choose_origin(corners, np.array(sources[0]["scales"]))
-    area = max(float(np.prod((high - low)[:2])), 1e-12)
+    extent = np.maximum((high - low)[:2], np.max((high - low)[:2]) / 1000)  # of a line of points, too
+    area = max(float(np.prod(extent)), 1e-12)
     if size is None:
         share = check_count("points", POINTS if points is None else points)
         size = math.sqrt(area * min(1.0, share / total)) * (1 + 1e-9)

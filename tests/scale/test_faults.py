@@ -3,8 +3,11 @@
 import os
 import random
 import struct
+import subprocess
+import sys
 import threading
 import time
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -18,6 +21,7 @@ from pointloom.scale.manifest import Manifest, a_worker
 
 from .scenes import CORNER, SIDE, STEP, finished, rows_of, survey, tiled
 
+SOURCES = str(Path(__file__).parents[2] / "src")
 RADIUS = [{"step": "remove_radius_outlier", "nb_points": 4, "radius": 0.9}]
 
 
@@ -256,3 +260,33 @@ def test_a_tile_that_holds_too_much_is_named(tmp_path, monkeypatch):
     loom.scale.plan_tiles(tmp_path / "dense.laz", RADIUS, tmp_path / "job", size=5.0)
     status = loom.scale.run_tiles(tmp_path / "job")
     assert status.failed == 1 and "at most 500 may be" in status.troubles["0_0"]
+
+
+def test_a_damaged_file_is_an_error_by_name_and_leaves_no_bucket(files, tmp_path):
+    content = bytearray(files[1].read_bytes())
+    (begin,) = struct.unpack_from("<I", content, 96)
+    struct.pack_into("<i", content, begin + 8, 2**31 - 1)  # x of the first point
+    files[1].write_bytes(content)
+    loom.scale.plan_tiles(files, RADIUS, tmp_path / "job", size=10.0)
+    with pytest.raises(FileError, match=r"part1\.laz: .* outside"):
+        loom.scale.run_tiles(tmp_path / "job")
+    assert [path.name for path in (tmp_path / "job" / "buckets").iterdir()] == ["000000"]
+
+
+@pytest.mark.slow
+def test_a_runner_that_is_killed_takes_its_workers_along_and_is_gone_on_with(files, tmp_path, expected):
+    job = tmp_path / "job"
+    loom.scale.plan_tiles(files, RADIUS, job, size=4.0)
+    program = "import sys, pointloom as loom; loom.scale.run_tiles(sys.argv[1], workers=2)"
+    runner = subprocess.Popen([sys.executable, "-c", program, str(job)], env=os.environ | {"PYTHONPATH": SOURCES})
+    while not loom.scale.tile_status(job).done:
+        time.sleep(0.05)
+        assert runner.poll() is None
+    runner.kill()
+    runner.wait()
+    before = loom.scale.tile_status(job)
+    assert before.done and not before.is_finished
+    status = loom.scale.run_tiles(job)
+    assert status.is_finished and status.points_in == status.points
+    np.testing.assert_array_equal(rows_of(finished(job)), expected)
+    assert not [*(job / "locks").iterdir()]
