@@ -51,7 +51,7 @@ test-all: $(TEST) ## Run all tests on all compilers, as CI does (some twenty min
 	@$(PYTEST) $(ARGS)
 
 # Folders whose tests use the device; ARGS may name others.
-HOUSES := kernels core cameras pcd files registration meshing rgbd drawing photos data app bridge
+HOUSES := kernels core cameras pcd files registration meshing rgbd drawing photos scale data app bridge
 ON_DEVICE = $(if $(filter tests%,$(ARGS)),,tests/emulated_cuda $(addprefix tests/,$(HOUSES)))
 
 test-cuda-emulated: $(EMULATION) ## Run the tests on an emulated CUDA device (needs gcc, no GPU)

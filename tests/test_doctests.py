@@ -10,7 +10,7 @@ import pytest
 
 PACKAGE = Path(__file__).parents[1]
 FOLDERS = (
-    *("core", "cameras", "pcd", "files", "registration", "meshing", "rgbd", "drawing", "photos"),
+    *("core", "cameras", "pcd", "files", "registration", "meshing", "rgbd", "drawing", "photos", "scale"),
     *("data", "app", "bridge"),
 )
 IMPORTED = {"bridge": "open3d"}  # houses that are imported by another name

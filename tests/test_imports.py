@@ -25,7 +25,7 @@ FLOORS = [
     ["files"],
     ["registration", "meshing"],
     ["rgbd", "drawing"],
-    ["photos"],
+    ["photos", "scale"],
     ["data"],
     ["app", "bridge"],
 ]

@@ -18,7 +18,7 @@ from packaging.utils import canonicalize_name
 ROOT = Path(__file__).resolve().parents[1]
 FOLDERS = (
     *("kernels", "core", "cameras", "pcd", "files", "registration", "meshing", "rgbd", "drawing", "photos"),
-    *("data", "app", "bridge"),
+    *("scale", "data", "app", "bridge"),
 )
 IMPORTED = {"bridge": "open3d"}  # houses that are imported by another name
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text())

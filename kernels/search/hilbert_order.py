@@ -179,8 +179,15 @@ def argsort_along(points: Points, curve: HilbertCurve) -> tuple[LongIntegers, In
     return encode_points(points, curve).sort(curve.code_bits)
 
 
+def levels_for(count: int) -> int:
+    """The levels of a curve whose codes and the indices of so many points fit into 62 bits."""
+    return min(MAX_LEVELS, (62 - max(1, (count - 1).bit_length() if count else 1)) // 3)
+
+
 class HilbertOrder:
-    """The order of a cloud's finite points along a curve through their box.
+    """The order of a cloud's finite points along a curve through their box, or along a given one.
+
+    Parts of a cloud along the curve of the whole have the order that their points have in the whole.
 
     Attributes:
         order: int32 [n], positions in the cloud by rank on the curve; points that are not finite stand last.
@@ -190,9 +197,8 @@ class HilbertOrder:
         curve: The HilbertCurve.
     """
 
-    def __init__(self, points: Points) -> None:
+    def __init__(self, points: Points, curve: HilbertCurve | None = None) -> None:
         self.low, self.high, self.finite_count = bound_points(points)
-        index_bits = max(1, (points.size - 1).bit_length()) if points.size else 1
-        levels = min(MAX_LEVELS, (62 - index_bits) // 3)
-        self.curve = HilbertCurve(self.low, self.high, levels, is_empty=not self.finite_count)
+        levels = levels_for(points.size)
+        self.curve = curve or HilbertCurve(self.low, self.high, levels, is_empty=not self.finite_count)
         self.codes, self.order = argsort_along(points, self.curve)

@@ -73,8 +73,8 @@ class PointTree:
     codes: array(dtype=int64)
     curve: HilbertCurve
 
-    def __init__(self, points: Points) -> None:
-        found = HilbertOrder(points)
+    def __init__(self, points: Points, curve: HilbertCurve | None = None) -> None:
+        found = HilbertOrder(points, curve)
         self.source, self.device = points, points.device
         self.low, self.high = found.low, found.high
         self.count, self.order, self.curve = found.finite_count, found.order, found.curve

@@ -5,6 +5,7 @@ from .pcd import change as change
 from . import registration as registration
 from .photos import mvs as mvs
 from .rgbd import reconstruction as reconstruction
+from . import scale as scale
 from .photos import sfm as sfm
 from .photos import video as video
 from .rgbd import slam as slam

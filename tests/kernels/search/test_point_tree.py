@@ -211,3 +211,15 @@ def test_the_order_along_the_curve_does_not_depend_on_where_the_box_is_known(dev
     low, high, count = bound_points(given)
     expected = argsort_along(given, HilbertCurve(low, high, 10, is_empty=not count))[1]
     np.testing.assert_array_equal(download(order_in_box(given, 10)), download(expected))
+
+
+def test_a_part_on_the_curve_of_the_whole_has_the_order_of_the_whole(device):
+    points = np.round(np.random.default_rng(4).random((3000, 3)), 1).astype(np.float32)  # many at one place
+    device = resolve_device(device)
+    whole = HilbertOrder(upload(points, vec3, device))
+    rows = np.flatnonzero((abs(points - 0.6) < 0.25).all(axis=1))
+    part = download(PointTree(upload(points[rows], vec3, device), whole.curve).order)
+    in_whole = download(whole.order)
+    np.testing.assert_array_equal(rows[part], in_whole[np.isin(in_whole, rows)])
+    own = download(PointTree(upload(points[rows], vec3, device)).order)
+    assert not np.array_equal(own, part)

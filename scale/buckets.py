@@ -1,0 +1,286 @@
+"""Buckets: the rows of a file that knows no windows, laid on disk by tile in one pass, compressed.
+
+A file's folder appears under its name when all of its rows are in it. Each tile that has rows has a file of blocks:
+rows as they lie in an uncompressed LAS file, packed by LASzip where it knows the format, and their numbers in the file.
+A block says which part of the plane it covers, so that a neighbour's halo reads few of them.
+"""
+
+from __future__ import annotations
+
+import io
+import json
+import shutil
+import struct
+import zlib
+from functools import lru_cache
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..core.errors import FileError
+from ..files.foreign import foreign_errors, import_for
+from ..files.points.las import COLORS, LasFile, open_las
+from ..files.points.laszip import unpack_blocks
+
+FOLDER, INDEX = "buckets", "index.json"
+MOST_ROWS = 1 << 22  # held in memory before some go to disk
+MOST_BYTES = 1 << 28
+_READ = 1 << 18  # rows unpacked at a time
+_CELL_ROWS = 16384  # rows from which a block is cut into cells
+_MOST_CELLS = 4  # along a side
+_BLOCK = struct.Struct("<4sIIII4dI")  # mark, rows, bytes of rows, bytes of numbers, packed how, box, checksum
+_MARK = b"LOOM"
+_ZLIB, _LASZIP = 0, 1
+Window = tuple[float, float, float, float]  # low x, low y, high x, high y: the low ends included
+
+_LASZIP_FORMATS = (0, 1, 2, 3, 6, 7, 8)
+
+
+class Filled(NamedTuple):
+    """What a pass over a file found: its rows, the value of a full colour, bytes on disk, and rows by tile."""
+
+    points: int
+    full: int
+    size: int
+    tiles: dict[int, int]
+
+
+def folder_of(folder: Path, number: int) -> Path:
+    """Where the buckets of a file lie."""
+    return folder / FOLDER / f"{number:06d}"
+
+
+def fill_buckets(plan: Any, folder: Path, number: int, owner: str) -> Filled:
+    """Lay the rows of a file by tile; what an earlier pass left unfinished is removed.
+
+    Raises:
+        FileError: The file is damaged, or has points outside the bounds that its header tells; the disk is full.
+    """
+    source, done = plan.sources[number], folder_of(folder, number)
+    file = open_las(source["path"])
+    part = done.with_name(f"{done.name}.{owner}.part")
+    for old in (done, *done.parent.glob(f"{done.name}.*.part")):
+        shutil.rmtree(old, ignore_errors=True)
+    try:
+        part.mkdir(parents=True)
+        filled = _fill(plan, file, part)
+        told = filled._asdict() | {"tiles": {str(tile): rows for tile, rows in sorted(filled.tiles.items())}}
+        (part / INDEX).write_text(json.dumps(told))
+        part.rename(done)
+    except OSError as error:
+        shutil.rmtree(part, ignore_errors=True)
+        if isinstance(error, FileError):
+            raise
+        raise FileError(part, f"cannot be written: {error.strerror or error}") from error
+    except BaseException:
+        shutil.rmtree(part, ignore_errors=True)
+        raise
+    return filled
+
+
+def _fill(plan: Any, file: LasFile, part: Path) -> Filled:
+    held: dict[int, list[tuple[Any, NDArray[np.uint64]]]] = {}
+    sizes: dict[int, int] = {}
+    tiles: dict[int, int] = {}
+    writer = _Writer(plan, file, part)
+    most = min(MOST_ROWS, MOST_BYTES // (file.header.record_length + 8))
+    begin = brightest = 0
+    for rows in _blocks_of(file):
+        places = _checked_places(plan, file, rows, begin)
+        owners = plan.tile_of(places)
+        order = np.argsort(owners, kind="stable")
+        cuts = np.flatnonzero(np.diff(owners[order], prepend=-1))
+        for chosen in np.split(order, cuts[1:]) if len(order) else []:
+            tile = int(owners[chosen[0]])
+            held.setdefault(tile, []).append((rows[chosen], (chosen + begin).astype(np.uint64)))
+            sizes[tile] = sizes.get(tile, 0) + len(chosen)
+            tiles[tile] = tiles.get(tile, 0) + len(chosen)
+        if COLORS[0] in (rows.dtype.names or ()):
+            brightest = max(brightest, *(int(rows[name].max(initial=0)) for name in COLORS))
+        begin += len(rows)
+        if sum(sizes.values()) > most:
+            for tile in sorted(sizes, key=lambda tile: -sizes[tile]):
+                if sum(sizes.values()) <= most // 2:
+                    break
+                writer.write(tile, held.pop(tile))
+                del sizes[tile]
+    for tile in sorted(held):
+        writer.write(tile, held[tile])
+    if begin != file.header.point_count:
+        raise FileError(file.path, f"the header counts {file.header.point_count} points, the file holds {begin}")
+    return Filled(begin, 255 if brightest <= 255 else 65535, writer.size, tiles)
+
+
+def _blocks_of(file: LasFile) -> Any:
+    row = file.layout.dtype()
+    if file.header.is_compressed:
+        for block in unpack_blocks(file.path, file.header, _READ):
+            yield np.frombuffer(block, row)
+        return
+    rows = np.frombuffer(file.source, row, file.header.point_count, file.header.begin)
+    for begin in range(0, len(rows), _READ):
+        yield rows[begin : begin + _READ]
+
+
+def _checked_places(plan: Any, file: LasFile, rows: Any, begin: int) -> NDArray[np.float64]:
+    """x and y of rows that are known to lie in the box of the header, whose numbers may be rounded."""
+    scales, offsets, (low, high) = file.header.scales, file.header.offsets, file.header.bounds
+    places = np.empty((len(rows), 3))
+    for k, name in enumerate("XYZ"):
+        places[:, k] = rows[name] * scales[k] + offsets[k]
+    slack = plan.slack + np.array(scales)
+    beyond = ((places < low - slack) | (places > high + slack)).any(axis=1)
+    if beyond.any():
+        row = int(np.flatnonzero(beyond)[0])
+        reason = f"its header tells the bounds {[*low]}..{[*high]}, but the point at {places[row].tolist()} is outside"
+        raise FileError(file.path, reason, where=f"point {begin + row}", remedy="Write it anew with right bounds")
+    return places[:, :2]
+
+
+class _Writer:
+    """Appends blocks to the files of tiles."""
+
+    def __init__(self, plan: Any, file: LasFile, part: Path):
+        self._plan, self._file, self._part, self.size = plan, file, part, 0
+
+    def write(self, tile: int, pieces: list[tuple[Any, NDArray[np.uint64]]]) -> None:
+        rows = np.concatenate([rows for rows, _ in pieces])
+        numbers = np.concatenate([numbers for _, numbers in pieces])
+        places = positions_of(self._file, rows)
+        cells = min(_MOST_CELLS, int((len(rows) / _CELL_ROWS) ** 0.5)) or 1
+        low, extent = places.min(axis=0), np.ptp(places, axis=0)
+        cell = np.floor((places - low) / np.where(extent > 0, extent, 1.0) * cells).clip(0, cells - 1)
+        which = (cell[:, 0] * cells + cell[:, 1]).astype(np.int64)
+        with (self._part / f"{tile}.blocks").open("ab") as stream:
+            for k in np.unique(which).tolist():
+                mine = np.flatnonzero(which == k)
+                self.size += stream.write(_packed(self._file, rows[mine], numbers[mine], places[mine]))
+
+
+def positions_of(file: LasFile, rows: NDArray[Any]) -> NDArray[np.float64]:
+    """x and y of rows, as decoding gives them."""
+    scales, offsets = file.header.scales, file.header.offsets
+    return np.column_stack([rows[name] * scales[k] + offsets[k] for k, name in enumerate("XY")])
+
+
+def check_size(plan: Any, count: int) -> None:
+    """Refuse a tile that would take more memory than the plan allows.
+
+    Raises:
+        ValueError: It has more points with its halo.
+    """
+    if count > plan.most:
+        reason = f"a tile and its halo hold {count:,} points or more, at most {plan.most:,} may be"
+        raise ValueError(f"size: {reason}; plan smaller tiles, or take stray points away first")
+
+
+def inside(places: NDArray[np.float64], window: Window) -> NDArray[np.bool_]:
+    """Which places are in a window, its low ends included."""
+    x, y = places[:, 0], places[:, 1]
+    return (x >= window[0]) & (y >= window[1]) & (x < window[2]) & (y < window[3])
+
+
+def _lazrs_record(file: LasFile) -> Any:
+    """lazrs's description of how rows are packed; None where it does not know their format."""
+    if file.header.point_format not in _LASZIP_FORMATS:
+        return None
+    lazrs = import_for("buckets.laz", "lazrs", "las")
+    return lazrs.LazVlr.new_for_compression(
+        file.header.point_format, file.layout.num_extra_bytes, use_variable_size_chunks=True
+    )
+
+
+def _packed(file: LasFile, rows: Any, numbers: NDArray[np.uint64], places: NDArray[np.float64]) -> bytes:
+    record = _lazrs_record(file)
+    if record is None:
+        how, body = _ZLIB, zlib.compress(rows.tobytes(), 1)
+    else:
+        lazrs = import_for("buckets.laz", "lazrs", "las")
+        stream = io.BytesIO()
+        with foreign_errors(file.path, "its points cannot be packed"):
+            compressor = lazrs.LasZipCompressor(stream, record)
+            compressor.compress_many(rows.tobytes())
+            compressor.done()
+        how, body = _LASZIP, stream.getvalue()
+    steps = np.diff(numbers, prepend=np.uint64(0))  # ascending
+    told = zlib.compress(np.ascontiguousarray(steps.view(np.uint8).reshape(-1, 8).T).tobytes(), 1)
+    box = (*places.min(axis=0), *places.max(axis=0))
+    head = _BLOCK.pack(_MARK, len(rows), len(body), len(told), how, *box, zlib.crc32(told, zlib.crc32(body)))
+    return head + body + told
+
+
+def read_buckets(plan: Any, folder: Path, number: int, file: LasFile, window: Any) -> NDArray[Any]:
+    """The rows of a file in a window, in the order of the file.
+
+    Raises:
+        FileError: A bucket is missing or damaged.
+    """
+    place = folder_of(folder, number)
+    counts = _index_of(place, _time_of(place))
+    rows, numbers = [], []
+    for tile in plan.tiles_in(window):
+        if tile not in counts:
+            continue
+        path = place / f"{tile}.blocks"
+        found, size = _read_blocks(path, file, window)
+        if size != counts[tile]:
+            raise FileError(path, f"holds {size} points, the index counts {counts[tile]}", remedy="Plan it anew")
+        for block, which in found:
+            rows.append(block)
+            numbers.append(which)
+        check_size(plan, sum(map(len, rows)))
+    if not rows:
+        return np.empty(0, file.layout.dtype())
+    joined = np.concatenate(rows)
+    return joined[np.argsort(np.concatenate(numbers), kind="stable")]
+
+
+def _time_of(place: Path) -> int:
+    try:
+        return (place / INDEX).stat().st_mtime_ns
+    except OSError as error:
+        raise FileError(place / INDEX, f"cannot be read: {error.strerror or error}") from error
+
+
+@lru_cache(maxsize=64)
+def _index_of(place: Path, time: int) -> dict[int, int]:
+    try:
+        return {int(tile): rows for tile, rows in json.loads((place / INDEX).read_text())["tiles"].items()}
+    except (OSError, ValueError, KeyError) as error:
+        raise FileError(place / INDEX, f"cannot be read: {error}", remedy="Plan it anew in another folder") from error
+
+
+def _read_blocks(path: Path, file: LasFile, window: Any) -> tuple[list[tuple[Any, NDArray[np.uint64]]], int]:
+    """The rows of a tile's blocks that are in a window, and how many rows all blocks have."""
+    found, size = [], 0
+    with path.open("rb") as stream:
+        while head := stream.read(_BLOCK.size):
+            if len(head) < _BLOCK.size or head[:4] != _MARK:
+                raise FileError(path, "is damaged", where=f"byte {stream.tell() - len(head)}")
+            _, count, body_size, told_size, how, x0, y0, x1, y1, checksum = _BLOCK.unpack(head)
+            size += count
+            if x1 < window[0] or y1 < window[1] or x0 >= window[2] or y0 >= window[3]:
+                stream.seek(body_size + told_size, 1)
+                continue
+            body, told = stream.read(body_size), stream.read(told_size)
+            if zlib.crc32(told, zlib.crc32(body)) != checksum:
+                raise FileError(path, "is damaged: a block does not go with its checksum", where=f"at {stream.tell()}")
+            block = np.frombuffer(_unpacked(path, file, body, count, how), file.layout.dtype())
+            steps = np.frombuffer(zlib.decompress(told), np.uint8).reshape(8, -1).T
+            numbers = np.cumsum(np.ascontiguousarray(steps).view(np.uint64).ravel(), dtype=np.uint64)
+            keep = inside(positions_of(file, block), window)
+            found.append((block[keep], numbers[keep]))
+    return found, size
+
+
+def _unpacked(path: Path, file: LasFile, body: bytes, count: int, how: int) -> Any:
+    if how == _ZLIB:
+        return zlib.decompress(body)
+    lazrs = import_for("buckets.laz", "lazrs", "las")
+    rows = np.empty(count * file.header.record_length, np.uint8)
+    with foreign_errors(path, "the packed points are damaged"):
+        decompressor = lazrs.LasZipDecompressor(io.BytesIO(body), _lazrs_record(file).record_data())
+        decompressor.decompress_many(rows)
+    return rows.tobytes()

@@ -1,0 +1,63 @@
+"""Sums of float64 numbers and of their squares without any rounding: the same in any order and any grouping."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from fractions import Fraction
+
+import numpy as np
+from numpy.typing import NDArray
+
+_LOW_BITS = 27
+_PLACES = 1200  # of the unit, 2^-1200: below the smallest float64's half
+
+
+@dataclass(frozen=True)
+class ExactSums:
+    """How many numbers, their sum and that of their squares.
+
+    Attributes:
+        count: Of the numbers.
+        total: Their sum, in units of 2^-1200.
+        squares: The sum of their squares, in units of 2^-2400.
+    """
+
+    count: int = 0
+    total: int = 0
+    squares: int = 0
+
+    @classmethod
+    def of(cls, values: NDArray[np.float64]) -> ExactSums:
+        """The sums of the finite ones of an array."""
+        values = values[np.isfinite(values)]
+        mantissas, exponents = np.frexp(values)
+        whole = np.ldexp(mantissas, 53).astype(np.int64)
+        high, low = whole >> _LOW_BITS, whole & ((1 << _LOW_BITS) - 1)
+        total = squares = 0
+        for exponent in np.unique(exponents).tolist():
+            here = exponents == exponent
+            a, b = high[here], low[here]
+            scale = exponent - 53 + _PLACES
+            total += ((_sum(a) << _LOW_BITS) + _sum(b)) << scale
+            square = (_sum(a * a) << 2 * _LOW_BITS) + (_sum(a * b) << (_LOW_BITS + 1)) + _sum(b * b)
+            squares += square << 2 * scale
+        return cls(len(values), total, squares)
+
+    def __add__(self, other: ExactSums) -> ExactSums:
+        return ExactSums(self.count + other.count, self.total + other.total, self.squares + other.squares)
+
+    def mean_and_deviation(self) -> tuple[float, float]:
+        """The mean and the standard deviation with n - 1, each rounded once or twice; NaN of no numbers."""
+        if not self.count:
+            return math.nan, math.nan
+        mean = Fraction(self.total, self.count << _PLACES)
+        if self.count == 1:
+            return float(mean), 0.0
+        spread = Fraction(self.squares, 1 << 2 * _PLACES) - self.count * mean * mean
+        return float(mean), math.sqrt(spread / (self.count - 1))
+
+
+def _sum(values: NDArray[np.int64]) -> int:
+    """The sum of integers below 2^54, by halves that no number of rows makes overflow."""
+    return (int((values >> 27).sum()) << 27) + int((values & ((1 << 27) - 1)).sum())

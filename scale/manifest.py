@@ -1,0 +1,250 @@
+"""The manifest of a job of tiles: one SQLite file that says what is to be done, what is done, and who does what.
+
+All changes are transactions, so that any number of processes of one machine, or of machines that share the folder by a
+file system with locks, may work on one folder. Who works is told by a locked file, which the system lets go of however
+the process ends: what a dead worker had claimed is given back, and what a slow one works on is not.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import hashlib
+import json
+import os
+import sqlite3
+import uuid
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+from ..core.errors import FileError
+
+try:
+    import fcntl
+except ImportError:  # Windows
+    fcntl = None
+
+NAME, LOCKS = "plan.sqlite", "locks"
+SCHEMA = 1
+MOST_ATTEMPTS = 3  # deaths of workers at one task
+PATIENCE = 60.0  # [s] for another's transaction
+STATES = ("waiting", "running", "done", "empty", "failed", "aside")
+OVER = ("done", "empty", "failed", "aside")  # states that a tile leaves by `retry` alone
+
+_TABLES = """
+CREATE TABLE meta (key TEXT PRIMARY KEY, value TEXT NOT NULL);
+CREATE TABLE sources (
+    id INTEGER PRIMARY KEY, state TEXT NOT NULL DEFAULT 'waiting', owner TEXT, attempts INTEGER NOT NULL DEFAULT 0,
+    points INTEGER NOT NULL DEFAULT 0, full INTEGER NOT NULL DEFAULT 0, bytes INTEGER NOT NULL DEFAULT 0, error TEXT);
+CREATE TABLE tiles (
+    id INTEGER PRIMARY KEY, ix INTEGER NOT NULL, iy INTEGER NOT NULL, x0 REAL, y0 REAL, x1 REAL, y1 REAL,
+    state TEXT NOT NULL DEFAULT 'waiting', pass INTEGER NOT NULL DEFAULT 0, owner TEXT,
+    attempts INTEGER NOT NULL DEFAULT 0, points_in INTEGER NOT NULL DEFAULT 0, points_out INTEGER NOT NULL DEFAULT 0,
+    points_read INTEGER NOT NULL DEFAULT 0, halo REAL NOT NULL DEFAULT 0, seconds REAL NOT NULL DEFAULT 0, error TEXT);
+CREATE INDEX tiles_by_state ON tiles (state, pass, id);
+CREATE TABLE numbers (
+    pass INTEGER, tile INTEGER, count INTEGER NOT NULL, total TEXT NOT NULL, squares TEXT NOT NULL,
+    PRIMARY KEY (pass, tile));
+"""
+
+
+def canonical(plan: Any) -> str:
+    """A plan, or a part of one, as the one text that stands for it."""
+    return json.dumps(plan, sort_keys=True, separators=(",", ":"), allow_nan=False)
+
+
+def hash_of(plan: dict[str, Any]) -> str:
+    """SHA-256 of a plan's text."""
+    return hashlib.sha256(canonical(plan).encode()).hexdigest()
+
+
+class Manifest:
+    """An open manifest; use it in one thread.
+
+    Attributes:
+        folder: The job's.
+        plan: What the tiles are and what is done to them, in JSON's types.
+        version: The version of pointloom that planned it.
+    """
+
+    def __init__(self, folder: Path):
+        """Open the manifest of a folder.
+
+        Raises:
+            FileError: There is none, or one that this version does not read.
+        """
+        self.folder, path = folder, folder / NAME
+        if not path.is_file():
+            raise FileError(path, "does not exist", remedy="Call plan_tiles(sources, steps, folder) first")
+        self.base = connect(path)
+        try:
+            told = dict(self.base.execute("SELECT key, value FROM meta").fetchall())
+            if told.get("schema") != str(SCHEMA):
+                reason = f"is a manifest of schema {told.get('schema')}, this version reads {SCHEMA}"
+                raise FileError(path, reason, remedy="Plan it anew in another folder")
+            self.plan: dict[str, Any] = json.loads(told["plan"])
+            self.version = told["version"]
+            if hash_of(self.plan) != told["hash"]:
+                raise FileError(path, "its plan does not go with its hash", remedy="Plan it anew in another folder")
+        except (sqlite3.DatabaseError, KeyError, ValueError) as error:
+            self.base.close()
+            if isinstance(error, FileError):
+                raise
+            raise FileError(path, f"is no manifest of tiles: {error}", remedy="Plan it anew") from error
+
+    def __enter__(self) -> Manifest:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.base.close()
+
+    @contextlib.contextmanager
+    def change(self) -> Iterator[sqlite3.Connection]:
+        """One transaction that nobody else's falls into."""
+        with told_as_file_errors(self.folder / NAME):
+            self.base.execute("BEGIN IMMEDIATE")
+            try:
+                yield self.base
+            except BaseException:
+                self.base.execute("ROLLBACK")
+                raise
+            self.base.execute("COMMIT")
+
+    def rows(self, query: str, *values: Any) -> list[sqlite3.Row]:
+        """What a query gives."""
+        with told_as_file_errors(self.folder / NAME):
+            return self.base.execute(query, values).fetchall()
+
+    def claim(self, table: str, owner: str, where: str = "1", *values: Any) -> sqlite3.Row | None:
+        """Take the first waiting row of `sources` or `tiles` for a worker; None where none waits."""
+        with self.change() as base:
+            query = f"SELECT * FROM {table} WHERE state = 'waiting' AND {where} ORDER BY id LIMIT 1"
+            row = base.execute(query, values).fetchone()
+            if row is not None:
+                base.execute(f"UPDATE {table} SET state = 'running', owner = ? WHERE id = ?", (owner, row["id"]))
+        return row
+
+    def settle(self, table: str, row: int, owner: str, **values: Any) -> bool:
+        """Write what became of a claimed row; False where it is no longer the worker's."""
+        with self.change() as base:
+            return self.settle_in(base, table, row, owner, **values)
+
+    @staticmethod
+    def settle_in(base: sqlite3.Connection, table: str, row: int, owner: str, **values: Any) -> bool:
+        """As `settle`, inside a transaction."""
+        told = ", ".join(f"{name} = ?" for name in values)
+        query = f"UPDATE {table} SET {told}, owner = NULL WHERE id = ? AND owner = ? AND state = 'running'"
+        return base.execute(query, (*values.values(), row, owner)).rowcount == 1
+
+    def give_back(self) -> int:
+        """Let others have what dead workers had claimed; how many rows. After some deaths a task is set aside."""
+        given = 0
+        for owner in self.owners():
+            if not is_dead(self.folder, owner):
+                continue
+            reason = f"the worker died {MOST_ATTEMPTS} times at it, of memory or a fault of a step"
+            with self.change() as base:
+                for table in ("sources", "tiles"):
+                    query = (
+                        f"UPDATE {table} SET attempts = attempts + 1, owner = NULL,"
+                        " error = CASE WHEN attempts + 1 >= ? THEN ? ELSE error END,"
+                        " state = CASE WHEN attempts + 1 >= ? THEN 'aside' ELSE 'waiting' END"
+                        " WHERE owner = ? AND state = 'running'"
+                    )
+                    given += base.execute(query, (MOST_ATTEMPTS, reason, MOST_ATTEMPTS, owner)).rowcount
+            (self.folder / LOCKS / owner).unlink(missing_ok=True)
+        return given
+
+    def owners(self) -> list[str]:
+        """Who has claimed something."""
+        query = (
+            "SELECT owner FROM tiles WHERE state = 'running' UNION SELECT owner FROM sources WHERE state = 'running'"
+        )
+        return [row["owner"] for row in self.rows(query)]
+
+    def counts(self, table: str = "tiles", where: str = "1", *values: Any) -> dict[str, int]:
+        """How many rows are in each state."""
+        found = self.rows(f"SELECT state, count(*) AS n FROM {table} WHERE {where} GROUP BY state", *values)
+        return {state: 0 for state in STATES} | {row["state"]: row["n"] for row in found}
+
+
+def connect(path: Path) -> sqlite3.Connection:
+    """A connection whose transactions are begun by hand."""
+    with told_as_file_errors(path):
+        base = sqlite3.connect(path, timeout=PATIENCE, isolation_level=None)
+        base.row_factory = sqlite3.Row
+        return base
+
+
+def write_manifest(folder: Path, plan: dict[str, Any], version: str, tiles: list[tuple[Any, ...]]) -> None:
+    """Write a new manifest, whole or not at all; tiles are (id, ix, iy, x0, y0, x1, y1)."""
+    path, part = folder / NAME, folder / f"{NAME}.{uuid.uuid4().hex}.part"
+    base = connect(part)
+    with told_as_file_errors(path):
+        try:
+            base.executescript(_TABLES)
+            base.execute("BEGIN")
+            told = {"schema": str(SCHEMA), "version": version, "plan": canonical(plan), "hash": hash_of(plan)}
+            base.executemany("INSERT INTO meta VALUES (?, ?)", told.items())
+            has_windows = [source["kind"] == "copc" for source in plan["sources"]]
+            rows = [(k, "done" if windows else "waiting") for k, windows in enumerate(has_windows)]
+            base.executemany("INSERT INTO sources (id, state) VALUES (?, ?)", rows)
+            base.executemany("INSERT INTO tiles (id, ix, iy, x0, y0, x1, y1) VALUES (?, ?, ?, ?, ?, ?, ?)", tiles)
+            base.execute("COMMIT")
+            base.execute("PRAGMA journal_mode = WAL")
+            base.close()
+            os.link(part, path)  # fails where another process made it meanwhile
+        except FileExistsError as error:
+            raise FileError(path, "another run plans in this folder", remedy="Wait until it is done") from error
+        finally:
+            base.close()
+            part.unlink(missing_ok=True)
+
+
+@contextlib.contextmanager
+def told_as_file_errors(path: Path) -> Iterator[None]:
+    """Turn what SQLite and the system raise over a file into a FileError."""
+    try:
+        yield
+    except sqlite3.Error as error:
+        raise FileError(path, f"the manifest cannot be used: {error}") from error
+    except FileError:
+        raise
+    except OSError as error:
+        raise FileError(path, f"cannot be written: {error.strerror or error}") from error
+
+
+@contextlib.contextmanager
+def a_worker(folder: Path) -> Iterator[str]:
+    """The name of a worker that lives as long as the block, and as its process at most."""
+    owner = uuid.uuid4().hex
+    path = folder / LOCKS / owner
+    with told_as_file_errors(path):
+        path.parent.mkdir(exist_ok=True)
+        descriptor = os.open(path, os.O_RDWR | os.O_CREAT, 0o666)
+    try:
+        if fcntl is not None:
+            with told_as_file_errors(path):
+                fcntl.flock(descriptor, fcntl.LOCK_EX)
+        yield owner
+    finally:
+        path.unlink(missing_ok=True)
+        os.close(descriptor)
+
+
+def is_dead(folder: Path, owner: str) -> bool:
+    """Whether nobody holds the lock of a worker."""
+    try:
+        descriptor = os.open(folder / LOCKS / owner, os.O_RDWR)
+    except FileNotFoundError:
+        return True
+    try:
+        if fcntl is None:
+            return False
+        fcntl.flock(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except OSError:
+        return False
+    else:
+        return True
+    finally:
+        os.close(descriptor)

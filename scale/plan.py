@@ -1,0 +1,280 @@
+"""Planning tiles: what the job is made of, written down once and refused where it is no longer so."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .. import __version__  # pyright: ignore[reportMissingImports]
+from ..core.checks import check_count, check_finite, check_positive, check_shape, shown
+from ..core.coordinates import choose_origin
+from ..core.errors import FileError, FilePath
+from ..core.paths import path_of
+from ..kernels.search.hilbert_order import levels_for
+from .buckets import Window
+from .manifest import NAME, Manifest, canonical, hash_of, write_manifest
+from .sources import check_alike, check_same, describe, list_files
+from .status import TileStatus, status_of
+from .steps import Step, parse_steps
+
+MOST_TILES = 1 << 22
+POINTS = 2_000_000  # a tile, where nothing is said
+OUTPUTS = ("laz", "copc")
+MOST_POINTS = 8  # times the points of a usual tile that one may hold with its halo, and at least
+LEAST_POINTS = 4_000_000
+LEAST_LEVELS = 12  # of the search tree's curve, which order points that are equally near: 2^26 points a tile
+_ROUNDING = 2.0**-21  # of a coordinate about the origin: those of two points and of their distance, in float32
+
+
+class Plan:
+    """A plan, as tiles work with it.
+
+    Attributes:
+        told: As the manifest holds it, in JSON's types.
+        sources: What it says of each file.
+        steps: The steps, parsed.
+        origin: Of all tiles' clouds, float64 [3].
+        voxel_corner: Of the grid of voxels, float64 [3].
+        corner: Low corner of the grid of tiles, float64 [2].
+        size: Edge of a tile.
+        shape: Tiles along x and y.
+        slack: What coordinates are rounded by, and more.
+        most: Points that a tile and its halo may have.
+    """
+
+    def __init__(self, told: dict[str, Any]):
+        self.told, self.sources = told, told["sources"]
+        self.steps: list[Step] = parse_steps(told["steps"])
+        for step, reach in zip(self.steps, told["guesses"], strict=True):
+            step.reach = reach
+        self.origin = np.array(told["origin"])
+        self.voxel_corner = told["voxel_corner"]
+        self.corner, self.size, self.shape = np.array(told["corner"]), told["size"], tuple(told["shape"])
+        self.slack, self.most = told["slack"], told["most"]
+
+    def tile_of(self, places: NDArray[np.float64]) -> NDArray[np.int64]:
+        """The number of the tile that each place is in, [n, 2]; of places beyond the grid the nearest one's."""
+        cells = np.floor((places - self.corner) / self.size)
+        cells = np.clip(cells, 0, np.array(self.shape) - 1).astype(np.int64)
+        return cells[:, 1] * self.shape[0] + cells[:, 0]
+
+    def tiles_in(self, window: Window) -> list[int]:
+        """The numbers of the tiles that a window reaches into, ascending."""
+        with np.errstate(invalid="ignore"):
+            ends = np.floor((np.array(window).reshape(2, 2) - self.corner) / self.size)
+        (x0, y0), (x1, y1) = (
+            np.clip(ends + np.array([[-1], [1]]), 0, np.array(self.shape) - 1).astype(np.int64).tolist()
+        )
+        return [y * self.shape[0] + x for y in range(y0, y1 + 1) for x in range(x0, x1 + 1)]
+
+    def window(self, ix: int, iy: int, halo: float) -> Window:
+        """A tile and its halo; there is no end where there is no further tile."""
+        (nx, ny), (x, y), size = self.shape, self.corner.tolist(), self.size
+        return (
+            x + ix * size - halo if ix else -math.inf,
+            y + iy * size - halo if iy else -math.inf,
+            x + (ix + 1) * size + halo if ix + 1 < nx else math.inf,
+            y + (iy + 1) * size + halo if iy + 1 < ny else math.inf,
+        )
+
+    @property
+    def passes(self) -> list[int | None]:
+        """The step that each pass over the tiles measures for, None of the last one, which does all of them."""
+        return [*(k for k, step in enumerate(self.steps) if step.needs_numbers), None]
+
+
+def plan_tiles(
+    sources: Any,
+    steps: Any,
+    folder: FilePath,
+    *,
+    size: float | None = None,
+    points: int | None = None,
+    only: Any = None,
+    output: str = "laz",
+) -> TileStatus:
+    """Plan a job of tiles in a folder: which files, which steps, which tiles; nothing is read but headers.
+
+    A folder that holds the same plan already keeps all that was done; one that holds another is refused.
+
+    Args:
+        sources: Paths of .las and .laz files, and of folders of them. COPC files are read by windows; of others one
+            pass lays the points on disk by tile.
+        steps: Dictionaries such as `{"step": "voxel_down_sample", "voxel_size": 0.5}`, or a TOML file of [[step]]
+            tables. Steps: voxel_down_sample, remove_radius_outlier, remove_statistical_outlier, estimate_normals,
+            smooth_mls, crop, function.
+        folder: Of the job; made where it is missing.
+        size: Edge of a tile [unit of the files].
+        points: Points a tile, about; 2 million where no size is given either.
+        only: (x0, y0, x1, y1): only the tiles that this area touches; numbers of the whole are then theirs.
+        output: "laz" or "copc", what `finish_tiles` makes.
+
+    Returns:
+        A TileStatus.
+
+    Notes:
+        The result is that of the operations on a cloud of all files in their order, about the plan's origin: the same
+        bits, whatever the tiles' size, but for three things. The grid of voxels starts at the lowest corner in whole
+        units, or at the step's `corner`, as with `voxel_down_sample_and_trace(size, corner)`. The mean and
+        the deviation of statistical outliers are exact sums, where those in memory are rounded: a point whose distance
+        is within a part in 10^12 of the limit may differ. And of points that are equally far as the k-th neighbour,
+        those taken after a step that removed the outermost points of all may be others than in memory; whatever the
+        tiles' size they are the same.
+
+        Memory: a tile and its halo, 300 B a point; 4 million rows while points are laid by tile.
+
+    Raises:
+        FileError: A file cannot be read, goes ill with the others, or holds degrees; the folder holds another plan,
+            and what of it differs.
+        ValueError: A step or a parameter that there is not, one that needs the whole cloud; too many tiles.
+
+    Example:
+        >>> import numpy as np, pointloom as loom
+        >>> points = np.random.default_rng(0).random((20_000, 3)) * (100, 100, 1)
+        >>> loom.write_point_cloud("survey.laz", loom.PointCloud(points))
+        >>> steps = [{"step": "voxel_down_sample", "voxel_size": 2}, {"step": "estimate_normals", "max_nn": 12}]
+        >>> loom.scale.plan_tiles("survey.laz", steps, "job", size=50).waiting
+        4
+        >>> loom.scale.run_tiles("job").is_finished
+        True
+        >>> len(loom.read_point_cloud(loom.scale.finish_tiles("job"))) < 5000
+        True
+    """
+    parsed = parse_steps(steps)
+    if output not in OUTPUTS:
+        raise ValueError(f"output: expected {' or '.join(map(repr, OUTPUTS))}, got {shown(output)}")
+    if size is not None and points is not None:
+        raise ValueError("size, points: expected one of them, got both")
+    described = [describe(path) for path in list_files(sources)]
+    check_alike(described)
+    told = _make(described, parsed, size, points, only, output)
+    folder = path_of(folder)
+    if (folder / NAME).exists():
+        with Manifest(folder) as manifest:
+            check_same_plan(manifest, told)
+            return status_of(manifest)
+    _make_folder(folder)
+    write_manifest(folder, told, __version__, _tiles(Plan(told)))
+    with Manifest(folder) as manifest:
+        return status_of(manifest)
+
+
+def open_plan(folder: FilePath) -> tuple[Manifest, Plan]:
+    """The manifest of a folder and its plan, once it is sure that version and files are those it was made with.
+
+    Raises:
+        FileError: There is none, or what has changed.
+    """
+    manifest = Manifest(path_of(folder))
+    try:
+        if manifest.version != __version__:
+            reason = f"was planned by pointloom {manifest.version}, this is {__version__}"
+            raise FileError(manifest.folder / NAME, reason, remedy="Plan it anew in another folder")
+        for source in manifest.plan["sources"]:
+            check_same(source)
+        return manifest, Plan(manifest.plan)
+    except BaseException:
+        manifest.base.close()
+        raise
+
+
+def check_same_plan(manifest: Manifest, told: dict[str, Any]) -> None:
+    """Hold that a manifest is of a plan and of this version.
+
+    Raises:
+        FileError: What differs.
+    """
+    changed = []
+    if manifest.version != __version__:
+        changed.append(f"pointloom is {__version__}, was {manifest.version}")
+    if hash_of(manifest.plan) != hash_of(told):
+        for key in sorted({*manifest.plan, *told}):
+            before, now = manifest.plan.get(key), told.get(key)
+            if before == now:
+                continue
+            if key == "sources":
+                old, new = ({source["path"]: source for source in listed or ()} for listed in (before, now))
+                changed += [f"{path} is gone" for path in old if path not in new]
+                changed += [f"{path} is new" for path in new if path not in old]
+                changed += [f"{path} has changed" for path in new if path in old and new[path] != old[path]]
+            else:
+                changed.append(f"{key} {canonical(now)}, was {canonical(before)}")
+    if changed:
+        reason = f"holds the tiles of another plan: {'; '.join(changed)}"
+        raise FileError(manifest.folder, reason, remedy="Give another folder")
+
+
+def _make(sources: Any, steps: list[Step], size: Any, points: Any, only: Any, output: str) -> dict[str, Any]:
+    filled = [source for source in sources if source["points"]]
+    if not filled:
+        raise FileError(sources[0]["path"], "the files hold no points")
+    low = np.min([source["low"] for source in filled], axis=0)
+    high = np.max([source["high"] for source in filled], axis=0)
+    total = sum(source["points"] for source in filled)
+    corners = np.array([end for source in filled for end in (source["low"], source["high"])])
+    if not np.isfinite(corners).all():
+        raise FileError(filled[0]["path"], "the bounds in a header are not finite")
+    origin = choose_origin(corners, np.array(sources[0]["scales"]))
+    extent = np.maximum((high - low)[:2], np.max((high - low)[:2]) / 1000)  # of a line of points, too
+    area = max(float(np.prod(extent)), 1e-12)
+    if size is None:
+        share = check_count("points", POINTS if points is None else points)
+        size = math.sqrt(area * min(1.0, share / total)) * (1 + 1e-9)
+        size = float(f"{size:.3g}") or float(np.max(sources[0]["scales"]))
+    size = check_positive("size", size)
+    shape = [int(n) for n in np.floor((high - low)[:2] / size) + 1]
+    if math.prod(shape) > MOST_TILES:
+        raise ValueError(f"size: {size} makes {shape[0]:,} x {shape[1]:,} tiles, more than {MOST_TILES:,}; take larger")
+    if only is not None:
+        only = check_finite("only", check_shape("only", only, (4,))).tolist()
+    reach = float(max(np.abs(low - origin).max(), np.abs(high - origin).max()))
+    spacing = math.sqrt(area / total)
+    guesses = [step.reach if step.neighbors is None else 2 * spacing * math.sqrt(step.neighbors) for step in steps]
+    return {
+        "sources": sources,
+        "steps": [{"step": step.name} | step.params for step in steps],
+        "guesses": guesses,
+        "origin": origin.tolist(),
+        "voxel_corner": np.floor(low).tolist(),
+        "low": low.tolist(),
+        "high": high.tolist(),
+        "levels": max(levels_for(total), LEAST_LEVELS),
+        "corner": low[:2].tolist(),
+        "size": size,
+        "shape": shape,
+        "slack": max(reach, 1.0) * _ROUNDING,
+        "most": max(LEAST_POINTS, int(MOST_POINTS * total * min(1.0, size * size / area))),
+        "only": only,
+        "output": output,
+    }
+
+
+def _tiles(plan: Plan) -> list[tuple[Any, ...]]:
+    """All tiles row by row; those outside `only` are not in the manifest, their numbers are left out."""
+    (nx, ny), (x, y), size = plan.shape, plan.corner.tolist(), plan.size
+    tiles = []
+    for iy in range(ny):
+        for ix in range(nx):
+            box = (x + ix * size, y + iy * size, x + (ix + 1) * size, y + (iy + 1) * size)
+            area = plan.told["only"]
+            if area is None or (box[0] <= area[2] and box[2] > area[0] and box[1] <= area[3] and box[3] > area[1]):
+                tiles.append((iy * nx + ix, ix, iy, *box))
+    if not tiles:
+        raise ValueError(f"only: {plan.told['only']} touches none of the tiles")
+    return tiles
+
+
+def _make_folder(folder: Path) -> None:
+    if folder.exists() and not folder.is_dir():
+        raise FileError(folder, "is not a folder", remedy="Give the name of a folder")
+    try:
+        folder.mkdir(exist_ok=True)
+        other = [path for path in folder.iterdir() if path.suffix != ".part"]
+    except OSError as error:
+        raise FileError(folder, f"cannot be made: {error.strerror or error}") from error
+    if other:
+        raise FileError(folder, "holds other files than those of a run", remedy="Give another folder")

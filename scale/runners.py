@@ -1,0 +1,251 @@
+"""Runners of a job of tiles: in this process, by several of this machine, or by one part of an array job.
+
+All of them work one loop over the manifest, so any number of runs on one folder share its tiles. A worker is a process
+that claims one task after the other: files to be laid by tile, then tiles, pass after pass.
+"""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+import time
+from pathlib import Path
+from typing import Any
+
+from ..core.checks import check_count, check_progress
+from ..core.errors import FileError, FilePath
+from ..core.paths import path_of
+from ..core.progress import ReportProgress, say_nothing
+from .buckets import FOLDER as BUCKETS
+from .buckets import fill_buckets
+from .exact_sums import ExactSums
+from .manifest import OVER, Manifest, a_worker
+from .plan import Plan, open_plan
+from .status import TileStatus, status_of
+from .work_tile import FOLDER as TILES
+from .work_tile import work_tile
+
+LOOK = 0.2  # [s] between looks at what other workers do
+MOST_VAIN = 3  # workers that die in a row without one task done
+_WORKER = "from pointloom.scale.runners import main; main()"
+
+
+def run_tiles(
+    folder: FilePath, *, workers: int = 0, part: tuple[int, int] | None = None, progress: ReportProgress = say_nothing
+) -> TileStatus:
+    """Work the tiles of a folder off; what earlier runs have done stays.
+
+    Several runs may work on one folder at once: each tile is one run's. A worker that dies is replaced and its tile is
+    done again; after three deaths at one tile it is set aside. A tile whose steps raise an error has failed, and the
+    others go on.
+
+    Args:
+        folder: Of `plan_tiles`.
+        workers: Processes; 0 works in this one.
+        part: (17, 400): only the 17th of 400 shares of the tiles, for array jobs of a cluster whose machines share the
+            folder. Where a step needs numbers of the whole, a share ends where it needs the others': run it again.
+        progress: Called with "files" or "tiles", how many are done, and how many there are.
+
+    Returns:
+        A TileStatus; look at `failed` and `aside`.
+
+    Raises:
+        FileError: There is no plan, it is of other files or of another version, a file cannot be laid by tile, or
+            workers die before they do anything.
+    """
+    count, report = check_count("workers", workers, minimum=0), check_progress(progress)
+    share = _check_part(part)
+    manifest, plan = open_plan(folder)
+    with manifest:
+        for name in (TILES, BUCKETS):
+            (manifest.folder / name).mkdir(exist_ok=True)
+        manifest.give_back()
+        if count:
+            _oversee(manifest, count, share, report)
+        else:
+            with a_worker(manifest.folder) as owner:
+                _work(manifest, plan, owner, share, report)
+        bad = manifest.rows("SELECT id, error FROM sources WHERE state IN ('failed', 'aside') ORDER BY id")
+        if bad:
+            path = plan.sources[bad[0]["id"]]["path"]
+            remedy = "Mend it and call retry_tiles(folder)"
+            raise FileError(path, f"its points cannot be laid by tile: {bad[0]['error']}", remedy=remedy)
+        return status_of(manifest)
+
+
+def retry_tiles(folder: FilePath) -> TileStatus:
+    """Have the tiles that failed or were set aside, and such files, wait again; `run_tiles` then does them."""
+    with Manifest(path_of(folder)) as manifest:
+        manifest.give_back()
+        with manifest.change() as base:
+            for table in ("sources", "tiles"):
+                told = "state = 'waiting', attempts = 0, error = NULL"
+                base.execute(f"UPDATE {table} SET {told} WHERE state IN ('failed', 'aside')")
+        return status_of(manifest)
+
+
+def _check_part(part: Any) -> tuple[int, int]:
+    if part is None:
+        return 1, 1
+    if not isinstance(part, tuple | list) or len(part) != 2:
+        raise ValueError(f"part: expected (which, of how many), such as (17, 400), got {part!r}")
+    of = check_count("part", part[1])
+    return check_count("part", part[0], maximum=of, because="there are no more parts"), of
+
+
+def _work(
+    manifest: Manifest, plan: Plan, owner: str, part: tuple[int, int], report: ReportProgress, parent: int = 0
+) -> None:
+    """Claim and do tasks until none is left for this worker, or its parent is gone."""
+    share = ("id % ? = ?", part[1], part[0] - 1)
+    while not parent or os.getppid() == parent:
+        row = manifest.claim("sources", owner)
+        if row is not None:
+            _do_source(manifest, plan, owner, row["id"])
+            _tell(manifest, "sources", "files", report)
+            continue
+        files = manifest.counts("sources")
+        if files["failed"] + files["aside"]:
+            return
+        if files["running"]:
+            _wait(manifest)
+            continue
+        number = _next_pass(manifest)
+        row = None if number is None else manifest.claim("tiles", owner, f"pass = ? AND {share[0]}", number, *share[1:])
+        if row is not None:
+            _do_tile(manifest, plan, owner, row)
+            _tell(manifest, "tiles", "tiles", report)
+            continue
+        left = manifest.counts("tiles", *share)
+        if number is None or not (left["waiting"] or left["running"]):
+            return
+        others = manifest.counts("tiles", "pass = ?", number)
+        if not others["running"]:
+            if manifest.counts("tiles", f"pass = ? AND {share[0]}", number, *share[1:])["waiting"]:
+                continue
+            return  # other shares have tiles of this pass to do
+        _wait(manifest)
+
+
+def _wait(manifest: Manifest) -> None:
+    if not manifest.give_back():
+        time.sleep(LOOK)
+
+
+def _next_pass(manifest: Manifest) -> int | None:
+    """The pass that tiles are to be done in now: one begins where all are through the one before."""
+    (row,) = manifest.rows("SELECT min(pass) AS n FROM tiles WHERE state NOT IN ('done', 'empty')")
+    return row["n"]
+
+
+def _do_source(manifest: Manifest, plan: Plan, owner: str, number: int) -> None:
+    try:
+        filled = fill_buckets(plan, manifest.folder, number, owner)
+    except (FileError, ValueError, OSError, MemoryError) as error:
+        manifest.settle("sources", number, owner, state="failed", error=_said(error))
+        return
+    told = {"points": filled.points, "full": filled.full, "bytes": filled.size}
+    manifest.settle("sources", number, owner, state="done", error=None, **told)
+
+
+def _do_tile(manifest: Manifest, plan: Plan, owner: str, row: Any) -> None:
+    begin = time.monotonic()
+    numbers = {}
+    for earlier, step in enumerate(plan.passes[: row["pass"]]):
+        assert step is not None
+        numbers[step] = sums_of(manifest, earlier)
+    fulls = {found["id"]: found["full"] for found in manifest.rows("SELECT id, full FROM sources")}
+    try:
+        found = work_tile(plan, manifest.folder, row["id"], row["pass"], numbers, fulls)
+    except (Exception, MemoryError) as error:  # of steps, which may be a user's
+        manifest.settle("tiles", row["id"], owner, state="failed", error=_said(error))
+        return
+    is_last = row["pass"] == len(plan.passes) - 1
+    told: dict[str, Any] = {"points_in": found.points_in, "halo": found.halo, "error": None}
+    told |= {"points_read": row["points_read"] + found.points_read, "points_out": found.points_out}
+    told["seconds"] = row["seconds"] + time.monotonic() - begin
+    told |= {"state": ("done" if found.points_out else "empty") if is_last else "waiting"}
+    told["pass"] = row["pass"] if is_last else row["pass"] + 1
+    with manifest.change() as base:
+        if manifest.settle_in(base, "tiles", row["id"], owner, **told) and not is_last:
+            sums = found.sums or ExactSums()
+            values = (row["pass"], row["id"], sums.count, hex(sums.total), hex(sums.squares))
+            base.execute("INSERT OR REPLACE INTO numbers VALUES (?, ?, ?, ?, ?)", values)
+
+
+def sums_of(manifest: Manifest, number: int) -> ExactSums:
+    """The sums of a pass over all tiles."""
+    total = ExactSums()
+    for row in manifest.rows("SELECT * FROM numbers WHERE pass = ?", number):
+        total += ExactSums(row["count"], int(row["total"], 16), int(row["squares"], 16))
+    return total
+
+
+def _said(error: BaseException) -> str:
+    return f"{type(error).__name__}: {error}"[:2000]
+
+
+def _tell(manifest: Manifest, table: str, stage: str, report: ReportProgress) -> None:
+    if report is not say_nothing:
+        counts = manifest.counts(table)
+        report(stage, sum(counts[state] for state in OVER), sum(counts.values()))
+
+
+def _oversee(manifest: Manifest, count: int, part: tuple[int, int], report: ReportProgress) -> None:
+    """Keep so many workers at it; one that dies is replaced."""
+    crew: list[subprocess.Popen[bytes]] = []
+    vain = 0
+    before = _progress_of(manifest)
+    try:
+        crew = [_start(manifest.folder, part, count) for _ in range(count)]
+        while crew:
+            time.sleep(LOOK)
+            now = _progress_of(manifest)
+            if now != before:
+                before, vain = now, 0
+                _tell(manifest, "sources" if manifest.counts("sources")["running"] else "tiles", "tiles", report)
+            ended = [worker for worker in crew if worker.poll() is not None]
+            crew = [worker for worker in crew if worker.poll() is None]
+            if any(worker.returncode for worker in ended):
+                manifest.give_back()
+            for worker in ended:
+                if not worker.returncode:
+                    continue
+                vain += 1
+                if vain > MOST_VAIN * count:
+                    reason = f"{vain} workers died without doing anything, the last with code {worker.returncode}"
+                    raise FileError(manifest.folder, reason, remedy="Run it with workers=0 to see why")
+                crew.append(_start(manifest.folder, part, count))
+    finally:
+        for worker in crew:
+            worker.terminate()
+        for worker in crew:
+            worker.wait()
+        manifest.give_back()
+
+
+def _progress_of(manifest: Manifest) -> list[Any]:
+    (row,) = manifest.rows(
+        "SELECT (SELECT count(*) FROM sources WHERE state != 'waiting' AND state != 'running') AS files,"
+        " (SELECT sum(pass) + sum(state NOT IN ('waiting', 'running')) FROM tiles) AS tiles,"
+        " (SELECT sum(attempts) FROM tiles) AS deaths"
+    )
+    return [*row]
+
+
+def _start(folder: Path, part: tuple[int, int], count: int) -> subprocess.Popen[bytes]:
+    """A worker, which finds the modules that this process finds and takes its share of the cores."""
+    threads = os.environ.get("POINTLOOM_CPU_THREADS") or str(max(1, (os.cpu_count() or 1) // count))
+    paths = os.pathsep.join(path or os.getcwd() for path in sys.path)  # noqa: PTH109
+    environment = os.environ | {"PYTHONPATH": paths, "POINTLOOM_CPU_THREADS": threads}
+    command = [sys.executable, "-c", _WORKER, str(folder.absolute()), *map(str, part), str(os.getpid())]
+    return subprocess.Popen(command, env=environment, stdin=subprocess.DEVNULL)
+
+
+def main() -> None:
+    """A worker process: `main FOLDER WHICH OF PARENT`; it ends when nothing is left for it."""
+    folder, which, of, parent = sys.argv[1:]
+    manifest, plan = open_plan(folder)
+    with manifest, a_worker(manifest.folder) as owner:
+        _work(manifest, plan, owner, (int(which), int(of)), say_nothing, int(parent))

@@ -1,0 +1,214 @@
+"""The files of a job: what the plan writes down of each, and the rows of a window in their canonical order.
+
+The order of points is that of the files and of the rows in them, whatever tile or window they are read for. COPC files
+are read by windows; of other LAS and LAZ files a pass over the whole has made buckets (buckets.py).
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable
+from functools import lru_cache
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..core.errors import FileError
+from ..core.paths import path_of
+from ..core.units import text_of
+from ..files.points.copc import CopcFile, is_copc, open_copc
+from ..files.points.las import LasFile, attribute_types, open_las, table_of
+from ..files.points.las_crs import crs_name, is_geographic
+from ..files.points.las_units import units_of
+from ..files.table import PointTable
+from .buckets import Window, check_size, inside, positions_of, read_buckets
+
+SUFFIXES = (".las", ".laz")
+
+
+def list_files(sources: Any) -> list[Path]:
+    """The files that paths of files and folders stand for, absolute and without repeats, in their order.
+
+    Raises:
+        FileError: One is not there or cannot be read, is no LAS or LAZ file, or a folder holds none.
+    """
+    given: Iterable[Any] = [sources] if isinstance(sources, str | os.PathLike) else sources
+    found: dict[Path, None] = {}
+    for path in map(path_of, given):
+        if path.is_dir():
+            try:
+                names = sorted(child for child in path.iterdir() if child.suffix.lower() in SUFFIXES)
+            except OSError as error:
+                raise FileError(path, f"cannot be read: {error.strerror or error}") from error
+            if not names:
+                raise FileError(path, "the folder holds no .las or .laz file")
+            found |= dict.fromkeys(child.resolve() for child in names)
+        elif path.suffix.lower() in SUFFIXES:
+            found[path.resolve()] = None
+        else:
+            raise FileError(path, "tiles are made of .las and .laz files", remedy="Write it as .laz first")
+    if not found:
+        raise ValueError("sources: expected at least one file")
+    return [*found]
+
+
+def describe(path: Path) -> dict[str, Any]:
+    """What the plan writes down of a file, in JSON's types.
+
+    Raises:
+        FileError: It cannot be read, does not go with its header, or holds degrees.
+    """
+    file = open_las(path)
+    header, told = file.header, path.stat()
+    if is_geographic(header):
+        remedy = "Project it first, project_to_utm(cloud) gives metres"
+        raise FileError(path, "x and y are degrees of longitude and latitude, not lengths", remedy=remedy)
+    kind = "copc" if is_copc(file) else "rows"
+    if kind == "copc":
+        open_copc(path)  # holds the octree against the chunks
+    units = units_of(header)
+    low, high = header.bounds
+    return {
+        "path": str(path),
+        "size": told.st_size,
+        "mtime_ns": told.st_mtime_ns,
+        "kind": kind,
+        "points": header.point_count,
+        "low": [*map(float, low)],
+        "high": [*map(float, high)],
+        "scales": [*header.scales],
+        "offsets": [*header.offsets],
+        "crs": crs_name(header),
+        "unit": None if units.plane is None else text_of(units.plane),
+        "format": header.point_format,
+        "attributes": attribute_types(file),
+    }
+
+
+def check_alike(sources: list[dict[str, Any]]) -> None:
+    """Hold that files may be taken for one cloud.
+
+    Raises:
+        FileError: One has another coordinate system, unit, scale or other attributes than the first.
+    """
+    first = sources[0]
+    for other in sources[1:]:
+        for key, what in (
+            ("crs", "coordinate system"),
+            ("unit", "unit"),
+            ("scales", "scale"),
+            ("attributes", "attributes"),
+        ):
+            if other[key] != first[key]:
+                said = f"its {what} is {_said(other[key])}, that of {first['path']} {_said(first[key])}"
+                raise FileError(other["path"], said, remedy="Bring the files to one first, nothing is converted here")
+
+
+def _said(value: Any) -> str:
+    if isinstance(value, dict):
+        return ", ".join(f"{name} ({kind})" for name, kind in value.items()) or "none"
+    return "unknown" if value is None else str(value)
+
+
+def check_same(source: dict[str, Any]) -> None:
+    """Hold that a file is still the one that was planned with.
+
+    Raises:
+        FileError: It is gone, or its size or time is another.
+    """
+    path = Path(source["path"])
+    try:
+        told = path.stat()
+    except OSError as error:
+        raise FileError(path, f"cannot be read: {error.strerror or error}") from error
+    if (told.st_size, told.st_mtime_ns) != (source["size"], source["mtime_ns"]):
+        what = f"{source['size']} bytes" + ("" if told.st_size == source["size"] else f", now {told.st_size}")
+        remedy = "Plan the tiles anew in another folder"
+        raise FileError(path, f"has changed since the tiles were planned ({what})", remedy=remedy)
+
+
+@lru_cache(maxsize=8)
+def _opened(path: str, size: int, mtime_ns: int) -> LasFile:
+    return open_las(path)
+
+
+@lru_cache(maxsize=8)
+def _opened_copc(path: str, size: int, mtime_ns: int) -> tuple[CopcFile, NDArray[np.int64]]:
+    """A COPC file, and the row in the file at which each of its nodes begins."""
+    copc = open_copc(path)
+    in_file = np.argsort(copc.nodes["begin"], kind="stable")
+    counts = copc.nodes["count"][in_file].astype(np.int64)
+    firsts = np.empty(len(counts), np.int64)
+    firsts[in_file] = np.cumsum(counts) - counts
+    return copc, firsts
+
+
+def read_window(plan: Any, folder: Path, fulls: dict[int, int], window: Window) -> PointTable:
+    """The points of all files in a window, in canonical order.
+
+    Args:
+        plan: The Plan.
+        folder: Where the buckets are.
+        fulls: The value of a full colour of each file with buckets.
+        window: Which points.
+
+    Raises:
+        FileError: A file or a bucket is damaged, or a file has changed.
+    """
+    tables = []
+    for number, source in enumerate(plan.sources):
+        if not _meets(source, window, plan.slack):
+            continue
+        check_same(source)
+        key = (source["path"], source["size"], source["mtime_ns"])
+        if source["kind"] == "copc":
+            copc, firsts = _opened_copc(*key)
+            file, full, rows = copc.file, copc.full, _rows_of_copc(copc, firsts, window, plan)
+        else:
+            file, full = _opened(*key), fulls[number]
+            rows = read_buckets(plan, folder, number, file, window)
+        if len(rows):
+            tables.append(_decoded(file, rows, full))
+        check_size(plan, sum(len(table.points) for table in tables))
+    if not tables:
+        file = _opened(*(plan.sources[0][key] for key in ("path", "size", "mtime_ns")))
+        return _decoded(file, np.empty(0, file.layout.dtype()), 65535)
+    return _joined(tables)
+
+
+def _meets(source: dict[str, Any], window: Window, slack: float) -> bool:
+    low, high = source["low"], source["high"]
+    return all(high[k] + slack >= window[k] and low[k] - slack <= window[k + 2] for k in range(2))
+
+
+def _rows_of_copc(copc: CopcFile, firsts: NDArray[np.int64], window: Window, plan: Any) -> NDArray[Any]:
+    low, high = np.array([*window[:2], -np.inf]), np.array([*window[2:], np.inf])
+    which = copc.nodes_within(low, high)
+    check_size(plan, int(copc.nodes["count"][which].sum()) // 4)  # of which many may lie outside
+    which = which[np.argsort(copc.nodes["begin"][which], kind="stable")]
+    rows = np.frombuffer(copc.unpack(which), copc.file.layout.dtype())
+    return rows[inside(positions_of(copc.file, rows), window)]
+
+
+def _decoded(file: LasFile, rows: Any, full: int) -> PointTable:
+    columns = file.decode(rows)
+    if "colors" in columns:
+        if columns["colors"].max(initial=0) > full:
+            reason = "colours look like 8 bits in its coarsest level and like 16 elsewhere"
+            raise FileError(file.path, reason, remedy="Write it as .las first, which is read whole once")
+        columns["colors"] /= np.float32(full)
+    return table_of(file, columns)
+
+
+def _joined(tables: list[PointTable]) -> PointTable:
+    if len(tables) == 1:
+        return tables[0]
+    first = tables[0]
+    for name in ("normals", "colors"):
+        values = [getattr(table, name) for table in tables]
+        setattr(first, name, None if values[0] is None else np.concatenate(values))
+    first.attributes = {name: np.concatenate([table.attributes[name] for table in tables]) for name in first.attributes}
+    first.points = np.concatenate([table.points for table in tables])
+    return first

@@ -1,0 +1,97 @@
+"""How far a job of tiles is."""
+
+from __future__ import annotations
+
+from dataclasses import asdict, dataclass
+from typing import Any
+
+from ..core.errors import FilePath
+from ..core.paths import path_of
+from ..core.wording import to_json
+from .manifest import Manifest
+
+
+@dataclass(frozen=True)
+class TileStatus:
+    """How far a job of tiles is.
+
+    Attributes:
+        folder: The job's.
+        waiting, running, done, empty, failed, aside: Tiles in each state. Empty ones have no points in the end; failed
+            ones ended in an error that would come again; at those set aside workers died.
+        sources_waiting: Files whose points are not laid by tile yet.
+        points: Points in the files.
+        points_in: Points of the tiles that are done, without halos.
+        points_out: What the steps left of them.
+        points_read: With halos, over all passes.
+        bucket_bytes: On disk meanwhile.
+        troubles: The tile and the error, of tiles that failed or were set aside.
+    """
+
+    folder: str
+    waiting: int
+    running: int
+    done: int
+    empty: int
+    failed: int
+    aside: int
+    sources_waiting: int
+    points: int
+    points_in: int
+    points_out: int
+    points_read: int
+    bucket_bytes: int
+    troubles: dict[str, str]
+
+    @property
+    def is_finished(self) -> bool:
+        """Whether every tile is done or empty."""
+        return not (self.waiting or self.running or self.failed or self.aside)
+
+    def to_json(self) -> str:
+        """All of it as JSON."""
+        return to_json(asdict(self))
+
+    def __str__(self) -> str:
+        tiles = self.waiting + self.running + self.done + self.empty + self.failed + self.aside
+        told = [
+            f"{self.done + self.empty} of {tiles} tiles done, {self.points_in:,} points in, {self.points_out:,} out"
+        ]
+        told += [
+            f"{count} {name}" for name in ("waiting", "running", "failed", "aside") if (count := getattr(self, name))
+        ]
+        return "; ".join(told) + "".join(f"\n  tile {tile}: {error}" for tile, error in self.troubles.items())
+
+
+def tile_status(folder: FilePath) -> TileStatus:
+    """How far the job of a folder is.
+
+    Raises:
+        FileError: The folder holds no manifest.
+    """
+    with Manifest(path_of(folder)) as manifest:
+        return status_of(manifest)
+
+
+def status_of(manifest: Manifest) -> TileStatus:
+    """How far the job of an open manifest is."""
+    counts: dict[str, Any] = manifest.counts()
+    sources = manifest.counts("sources")
+    query = "SELECT sum(points_in) AS a, sum(points_out) AS b, sum(points_read) AS c FROM tiles"
+    (sums,) = manifest.rows(query)
+    (disk,) = manifest.rows("SELECT sum(bytes) AS n FROM sources")
+    bad = manifest.rows("SELECT ix, iy, error FROM tiles WHERE state IN ('failed', 'aside') ORDER BY id")
+    troubles = {f"{row['ix']}_{row['iy']}": row["error"] or "" for row in bad}
+    files = manifest.rows("SELECT id, error FROM sources WHERE state IN ('failed', 'aside') ORDER BY id")
+    troubles |= {manifest.plan["sources"][row["id"]]["path"]: row["error"] or "" for row in files}
+    return TileStatus(
+        folder=str(manifest.folder),
+        **counts,
+        sources_waiting=sources["waiting"] + sources["running"],
+        points=sum(source["points"] for source in manifest.plan["sources"]),
+        points_in=sums["a"] or 0,
+        points_out=sums["b"] or 0,
+        points_read=sums["c"] or 0,
+        bucket_bytes=disk["n"] or 0,
+        troubles=troubles,
+    )

@@ -1,0 +1,232 @@
+"""One tile, as a pure function of the files, the plan and the numbers of the passes before.
+
+The rows of the tile and its halo are read in their canonical order, so that sums over neighbours and voxels run in the
+order that they have in the whole. The tree of a search stands on one curve for all tiles, by which it orders points
+that are equally near. After each step only what is sure to be right is kept, and in the end the points at home in the
+tile.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..core.errors import FileError
+from ..files.points.las import open_las
+from ..files.points.las_writer import write_las
+from ..files.points.point_cloud import cloud_of, table_of
+from ..files.table import PointTable
+from ..kernels.memory import download
+from ..kernels.search.hilbert_order import HilbertCurve, levels_for
+from ..kernels.search.point_tree import PointTree
+from ..kernels.segmentation.neighbor_counts import mask_crowded
+from ..pcd.search import NearestNeighborSearch
+from .exact_sums import ExactSums
+from .plan import Plan
+from .sources import read_window
+from .steps import Part, Step
+
+FOLDER = "tiles"
+MOST_DOUBLINGS = 40
+_ANGLE_STEP = 0.006  # degrees, of LAS 1.4's scan angle
+_REACH_SLACK = 1 + 1e-5  # of a distance in float32
+_MOST_STEPS = 2**31 - 2
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """What became of a tile in one pass.
+
+    Attributes:
+        points_in: Points of the files in the tile.
+        points_out: What the steps left, in the last pass.
+        points_read: With the halo.
+        halo: That was read in the end.
+        sums: Of the values that the pass measures.
+    """
+
+    points_in: int
+    points_out: int
+    points_read: int
+    halo: float
+    sums: ExactSums | None
+
+
+class HaloError(Exception):
+    """A step of the k nearest saw too little to be sure of its result."""
+
+    def __init__(self, step: int):
+        super().__init__(step)
+        self.step = step
+
+
+def work_tile(
+    plan: Plan, folder: Path, tile: int, number: int, numbers: dict[int, ExactSums], fulls: dict[int, int]
+) -> Outcome:
+    """Work one pass over a tile off; the last one writes the tile's file, if it has points.
+
+    Args:
+        plan: The Plan.
+        folder: Of the job.
+        tile: Its number.
+        number: Of the pass.
+        numbers: What earlier passes measured, by the step that needs them.
+        fulls: The value of a full colour of each file with buckets.
+
+    Raises:
+        FileError: A file, a bucket or the tile's own file.
+        ValueError: A step.
+    """
+    iy, ix = divmod(tile, plan.shape[0])
+    target = plan.passes[number]
+    steps = plan.steps if target is None else plan.steps[: target + 1]
+    reaches = [step.reach for step in steps]
+    for _ in range(MOST_DOUBLINGS):
+        halos = halos_of(steps, reaches, plan.slack)
+        window = plan.window(ix, iy, halos[0])
+        table = read_window(plan, folder, fulls, window)
+        if not len(table.points):
+            return Outcome(0, 0, 0, halos[0], ExactSums())
+        part = _first_part(plan, table)
+        own = int((plan.tile_of(part.homes) == tile).sum())
+        try:
+            if not own and _keeps_homes(steps):
+                return Outcome(0, 0, len(table.points), halos[0], ExactSums())
+            part, sums = _run(plan, (ix, iy), part, steps, (reaches, halos), numbers, target)
+        except HaloError as found:
+            reaches[found.step] *= 2
+            continue
+        if target is None:
+            part = part.select(plan.tile_of(part.homes) == tile)
+            if len(part.cloud):
+                write_tile(plan, folder, tile, part)
+        return Outcome(own, len(part.cloud) if target is None else 0, len(table.points), halos[0], sums)
+    raise FileError(folder, f"tile {ix}_{iy}: the halo doubled {MOST_DOUBLINGS} times and was still too small")
+
+
+def halos_of(steps: list[Step], reaches: list[float], slack: float) -> list[float]:
+    """The halo that each step must be given, and at the end 0, behind the last."""
+    spreads = [0.0]
+    for step in steps:
+        spreads.append(step.spread_after(spreads[-1]))
+    halos = [0.0]
+    for step, reach, spread in zip(reversed(steps), reversed(reaches), reversed(spreads[:-1]), strict=True):
+        wanted = step.halo_before(halos[0], spread, reach * _REACH_SLACK)
+        is_local = step.reach == 0 and step.neighbors is None
+        halos.insert(0, halos[0] if is_local else wanted + 4 * slack)
+    return halos
+
+
+def _keeps_homes(steps: list[Step]) -> bool:
+    return all(step.spread_after(0.0) == 0.0 for step in steps)
+
+
+def _first_part(plan: Plan, table: PointTable) -> Part:
+    path = plan.sources[0]["path"]
+    exact = np.asarray(table.points, np.float64)
+    return Part(cloud_of(table, path, device="cpu", origin=plan.origin), exact, exact[:, :2])
+
+
+def _run(
+    plan: Plan,
+    place: tuple[int, int],
+    part: Part,
+    steps: list[Step],
+    reach: tuple[list[float], list[float]],
+    numbers: dict[int, ExactSums],
+    target: int | None,
+) -> tuple[Part, ExactSums | None]:
+    reaches, halos = reach
+    for k, step in enumerate(steps):
+        if not len(part.cloud):
+            return part, ExactSums()
+        if step.reach > 0 or step.neighbors is not None:
+            _adopt_tree(plan, part)
+        after = plan.window(*place, halos[k + 1])
+        wanted = _at_home(plan, part.homes, after, place)
+        if step.neighbors is not None:
+            _certify(plan, k, part, wanted, step.neighbors, reaches[k], plan.window(*place, halos[k]))
+        if k == target:
+            return part, ExactSums.of(step.measure(part)[wanted])
+        part = step.run(part, plan, numbers.get(k))
+        part = part.select(_at_home(plan, part.homes, plan.window(*place, halos[k + 1]), place))
+    return part, None
+
+
+def _at_home(plan: Plan, homes: NDArray[np.float64], window: Any, place: tuple[int, int]) -> NDArray[np.bool_]:
+    """Which homes are in a tile and its halo; without a halo by the number of the tile, whose rounding counts."""
+    if window == plan.window(*place, 0.0):
+        return plan.tile_of(homes) == place[1] * plan.shape[0] + place[0]
+    x, y = homes[:, 0], homes[:, 1]
+    return (x >= window[0]) & (y >= window[1]) & (x < window[2]) & (y < window[3])
+
+
+def _adopt_tree(plan: Plan, part: Part) -> None:
+    """Give a cloud its tree, on the curve of the whole."""
+    points = part.cloud.device_array("points")
+    low, high = ((np.array(plan.told[end]) - plan.origin).astype(np.float32) for end in ("low", "high"))
+    levels = plan.told["levels"]
+    if levels > levels_for(points.size):
+        raise ValueError(f"size: {points.size:,} points in a tile and its halo are too many; take smaller tiles")
+    if part.cloud.known_search_tree is None:
+        part.cloud.adopt_search_tree(PointTree(points, HilbertCurve(low, high, levels)))
+
+
+def _certify(plan: Plan, number: int, part: Part, wanted: Any, k: int, reach: float, window: Any) -> None:
+    """Hold that each wanted point has k points, itself among them, nearer than any that is not there."""
+    if not np.isfinite(window).any():
+        return  # the whole is there
+    crowded = download(mask_crowded(part.cloud.search_tree(), reach, k)) != 0
+    doubtful = np.flatnonzero(wanted & ~crowded)
+    if not len(doubtful):
+        return
+    places = part.cloud.points[doubtful]
+    edges = np.array(window)
+    free = np.minimum(places[:, :2] - edges[:2], edges[2:] - places[:, :2]).min(axis=1) - part.spread - plan.slack
+    if k > len(part.cloud):
+        raise HaloError(number)
+    found = NearestNeighborSearch(part.cloud).knn_search(places, k)
+    farthest = np.sqrt(np.asarray(found.sqdists, np.float64)[:, -1]) * _REACH_SLACK
+    if not (farthest < free).all():
+        raise HaloError(number)
+
+
+def write_tile(plan: Plan, folder: Path, tile: int, part: Part) -> None:
+    """Write a tile's points: positions as in the files where no step has moved them, in the steps of the files."""
+    told = table_of(part.cloud)
+    if part.exact is not None:
+        told.points = part.exact
+    told = with_new_format(told)
+    told.unit = None if plan.sources[0]["unit"] is None else told.unit
+    header = open_las(plan.sources[0]["path"]).header
+    write_las(tile_path(plan, folder, tile), told, scale=header.scales, offset=offset_of(plan), like=header)
+
+
+def tile_path(plan: Plan, folder: Path, tile: int) -> Path:
+    """The file of a tile."""
+    iy, ix = divmod(tile, plan.shape[0])
+    return folder / FOLDER / f"{ix}_{iy}.laz"
+
+
+def offset_of(plan: Plan) -> list[float]:
+    """What all tiles count their steps from: the first file's offset, if all files lie within its steps."""
+    first = plan.sources[0]
+    low, high, scales = np.array(plan.told["low"]), np.array(plan.told["high"]), np.array(first["scales"])
+    offsets = np.array(first["offsets"])
+    if (np.maximum(high - offsets, offsets - low) / scales < _MOST_STEPS).all():
+        return first["offsets"]
+    return np.round((low + high) / 2).tolist()
+
+
+def with_new_format(table: PointTable) -> PointTable:
+    """A table that goes to the point formats of LAS 1.4 whatever its values are, so that all tiles have one."""
+    if "scan_angle_rank" not in table.attributes or "scan_angle" in table.attributes:
+        return table
+    attributes = dict(table.attributes)
+    attributes["scan_angle"] = np.rint(attributes.pop("scan_angle_rank") / _ANGLE_STEP).astype(np.int16)
+    return dataclasses.replace(table, attributes=attributes)

@@ -1,0 +1,292 @@
+"""What goes wrong is an error by name, or a tile named at the end; nothing is lost or doubled."""
+
+import os
+import random
+import struct
+import subprocess
+import sys
+import threading
+import time
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import pointloom as loom
+from pointloom.core.errors import FileError
+from pointloom.files.points.las_writer import write_las
+from pointloom.files.table import PointTable
+from pointloom.scale import runners
+from pointloom.scale.manifest import Manifest, a_worker
+
+from .scenes import CORNER, SIDE, STEP, finished, rows_of, survey, tiled
+
+SOURCES = str(Path(__file__).parents[2] / "src")
+RADIUS = [{"step": "remove_radius_outlier", "nb_points": 4, "radius": 0.9}]
+
+
+@pytest.fixture
+def files(tmp_path):
+    return survey(tmp_path, count=2000)
+
+
+@pytest.fixture(scope="module")
+def expected(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("expected")
+    return rows_of(tiled(survey(folder, count=2000), RADIUS, folder / "job", size=100.0)[0])
+
+
+@pytest.mark.parametrize(
+    ("steps", "message"),
+    [
+        ([{"step": "voxel_down_sampel", "voxel_size": 1}], "did you mean 'voxel_down_sample'"),
+        ([{"step": "voxel_down_sample", "voxel": 1}], "has no parameter 'voxel'"),
+        ([{"step": "voxel_down_sample"}], "needs 'voxel_size'"),
+        ([{"step": "voxel_down_sample", "voxel_size": -1}], "voxel_size"),
+        ([{"step": "estimate_normals", "max_nn": None}], "radius"),
+        ([{"step": "cluster_dbscan", "eps": 1}], "needs the whole cloud at once: clusters reach"),
+        ([{"step": "function", "call": lambda cloud: cloud, "reach": 1}], "top of a module"),
+        ([{"step": "function", "call": "no.such:thing", "reach": 1}], "cannot be imported"),
+        (["voxel_down_sample"], "expected a dictionary"),
+    ],
+)
+def test_bad_steps_are_refused_when_planned(files, tmp_path, steps, message):
+    with pytest.raises(ValueError, match=message):
+        loom.scale.plan_tiles(files, steps, tmp_path / "job")
+    assert not (tmp_path / "job").exists()
+
+
+def test_steps_may_stand_in_a_file(files, tmp_path, expected):
+    told = tmp_path / "steps.toml"
+    told.write_text('[[step]]\nname = "remove_radius_outlier"\nnb_points = 4\nradius = 0.9\n')
+    np.testing.assert_array_equal(rows_of(tiled(files, told, tmp_path / "job", size=10.0)[0]), expected)
+
+
+@pytest.mark.parametrize("what", ["scale", "attributes", "unit"])
+def test_files_that_go_ill_together_are_told_by_name(files, tmp_path, what):
+    cloud = loom.PointCloud(np.full((5, 3), CORNER), origin=CORNER, intensity=np.arange(5, dtype=np.uint16))
+    if what != "attributes":
+        cloud["gps_time"], cloud["range"] = np.zeros(5), np.zeros(5, np.float32)
+    if what == "unit":
+        cloud.unit = "foot"
+    other = tmp_path / "other.laz"
+    cloud_scale = 0.001 if what == "scale" else STEP
+    loom.write_point_cloud(other, cloud, scale=cloud_scale)
+    with pytest.raises(FileError, match=r"other\.laz: its (scale|attributes|unit)"):
+        loom.scale.plan_tiles([*files, other], RADIUS, tmp_path / "job")
+
+
+@pytest.mark.parametrize("name", ["missing.laz", "cloud.ply", "empty"])
+def test_sources_that_cannot_be_read_are_told_by_name(tmp_path, name):
+    (tmp_path / "empty").mkdir()
+    (tmp_path / "cloud.ply").write_text("ply")
+    with pytest.raises(FileError, match=name):
+        loom.scale.plan_tiles(tmp_path / name, RADIUS, tmp_path / "job")
+
+
+def test_a_header_that_lies_about_the_bounds_is_an_error_at_the_pass(tmp_path):
+    (path, _) = survey(tmp_path, count=1000, suffix=".las")
+    content = bytearray(path.read_bytes())
+    struct.pack_into("<d", content, 179, CORNER[0] + SIDE / 2)  # the highest x
+    path.write_bytes(content)
+    loom.scale.plan_tiles(path, RADIUS, tmp_path / "job", size=10.0)
+    with pytest.raises(FileError, match=r"its header tells the bounds .* outside"):
+        loom.scale.run_tiles(tmp_path / "job")
+    assert loom.scale.tile_status(tmp_path / "job").sources_waiting == 0
+
+
+def test_a_plan_that_changed_is_refused_with_what_changed(files, tmp_path):
+    first = loom.scale.plan_tiles(files, RADIUS, tmp_path / "job", size=10.0)
+    assert loom.scale.plan_tiles(files, RADIUS, tmp_path / "job", size=10.0) == first
+    with pytest.raises(FileError, match=r"size 20\.0, was 10\.0"):
+        loom.scale.plan_tiles(files, RADIUS, tmp_path / "job", size=20.0)
+    with pytest.raises(FileError, match=r"part1\.laz is gone"):
+        loom.scale.plan_tiles(files[:1], RADIUS, tmp_path / "job", size=10.0)
+
+
+def test_a_file_that_changes_in_between_is_refused(files, tmp_path):
+    loom.scale.plan_tiles(files, RADIUS, tmp_path / "job", size=10.0)
+    os.utime(files[1], ns=(0, 0))
+    with pytest.raises(FileError, match=r"part1\.laz: has changed since"):
+        loom.scale.run_tiles(tmp_path / "job")
+
+
+def test_another_version_is_refused(files, tmp_path, monkeypatch):
+    loom.scale.plan_tiles(files, RADIUS, tmp_path / "job", size=10.0)
+    monkeypatch.setattr("pointloom.scale.plan.__version__", "9.9")
+    with pytest.raises(FileError, match=r"was planned by pointloom .*, this is 9\.9"):
+        loom.scale.run_tiles(tmp_path / "job")
+
+
+def test_a_folder_of_other_things_is_refused(files, tmp_path):
+    with pytest.raises(FileError, match="holds other files"):
+        loom.scale.plan_tiles(files, RADIUS, tmp_path)
+    with pytest.raises(FileError, match="plan_tiles"):
+        loom.scale.run_tiles(tmp_path)
+
+
+def test_parts_of_an_array_job_do_all_tiles_once(files, tmp_path, expected):
+    job = tmp_path / "job"
+    loom.scale.plan_tiles(files, RADIUS, job, size=10.0)
+    done = [loom.scale.run_tiles(job, part=(which, 3)).done for which in (2, 1, 3)]
+    assert done[0] < done[1] < done[2]
+    np.testing.assert_array_equal(rows_of(finished(job)), expected)
+
+
+def test_a_part_ends_where_it_needs_the_numbers_of_others(files, tmp_path):
+    job = tmp_path / "job"
+    steps = [{"step": "remove_statistical_outlier", "nb_neighbors": 8, "std_ratio": 1.5}]
+    loom.scale.plan_tiles(files, steps, job, size=20.0)
+    assert loom.scale.run_tiles(job, part=(1, 2)).done == 0
+    assert 0 < loom.scale.run_tiles(job, part=(2, 2)).done < 9
+    assert loom.scale.run_tiles(job, part=(1, 2)).is_finished
+
+
+def test_two_runs_at_once_share_the_tiles(files, tmp_path, expected):
+    job = tmp_path / "job"
+    loom.scale.plan_tiles(files, RADIUS, job, size=10.0)
+    runs = [threading.Thread(target=loom.scale.run_tiles, args=(job,)) for _ in range(2)]
+    for run in runs:
+        run.start()
+    for run in runs:
+        run.join()
+    status = loom.scale.tile_status(job)
+    assert status.is_finished and status.points_in == status.points
+    np.testing.assert_array_equal(rows_of(finished(job)), expected)
+
+
+def test_what_a_dead_worker_claimed_is_done_again_and_a_live_ones_is_not(files, tmp_path):
+    job = tmp_path / "job"
+    loom.scale.plan_tiles(files, RADIUS, job, size=10.0)
+    with Manifest(job) as manifest:
+        manifest.claim("sources", "dead")
+        with a_worker(job) as alive:
+            manifest.claim("sources", alive)
+            assert manifest.give_back() == 1
+            assert manifest.counts("sources")["running"] == 1
+        manifest.claim("sources", "dead again")
+    assert loom.scale.run_tiles(job).is_finished
+
+
+def test_a_task_at_which_workers_die_is_set_aside(files, tmp_path):
+    job = tmp_path / "job"
+    loom.scale.plan_tiles(files, RADIUS, job, size=10.0)
+    with Manifest(job) as manifest:
+        for death in range(3):
+            assert manifest.claim("tiles", f"dead {death}")["id"] == 0
+            manifest.give_back()
+    status = loom.scale.run_tiles(job)
+    assert (status.aside, status.waiting) == (1, 0)
+    assert "died 3 times" in status.troubles["0_0"]
+    with pytest.raises(FileError, match="is not finished"):
+        loom.scale.finish_tiles(job)
+    loom.scale.retry_tiles(job)
+    assert loom.scale.run_tiles(job).is_finished
+
+
+def fails_in_the_east(cloud):
+    if os.environ.get("POINTLOOM_TEST_FAILS") and cloud.points[:, 0].max() > CORNER[0] + 35:
+        raise RuntimeError("no points in the east, please")
+    return cloud
+
+
+def test_a_step_that_raises_fails_its_tile_alone(files, tmp_path, monkeypatch):
+    job = tmp_path / "job"
+    monkeypatch.setenv("POINTLOOM_TEST_FAILS", "1")
+    loom.scale.plan_tiles(files, [{"step": "function", "call": fails_in_the_east, "reach": 0}], job, size=20.0)
+    status = loom.scale.run_tiles(job)
+    assert status.failed and status.done
+    assert "no points in the east" in str(status)
+    monkeypatch.delenv("POINTLOOM_TEST_FAILS")
+    loom.scale.retry_tiles(job)
+    assert loom.scale.run_tiles(job).is_finished
+
+
+def test_empty_tiles_and_a_halo_larger_than_tiles(tmp_path):
+    rng = np.random.default_rng(3)
+    points = np.concatenate([rng.random((300, 3)), rng.random((300, 3)) + np.array([30, 20, 0])]) + CORNER
+    write_las(tmp_path / "two.laz", PointTable(points), scale=0.01, offset=CORNER)
+    steps = [{"step": "estimate_normals", "max_nn": 500}]
+    found, _ = tiled(tmp_path / "two.laz", steps, tmp_path / "job", size=7.0)
+    other, _ = tiled(tmp_path / "two.laz", steps, tmp_path / "one", size=100.0)
+    assert loom.scale.tile_status(tmp_path / "job").empty > 3
+    np.testing.assert_array_equal(rows_of(found), rows_of(other))
+
+
+def test_a_damaged_bucket_is_told_by_name(files, tmp_path):
+    job = tmp_path / "job"
+    loom.scale.plan_tiles(files, RADIUS, job, size=10.0)
+    with Manifest(job) as manifest:
+        manifest.claim("tiles", "dead")  # the rest is done meanwhile
+    runners.run_tiles(job)
+    with Manifest(job) as manifest, manifest.change() as base:
+        base.execute("UPDATE tiles SET state = 'waiting' WHERE id = 0")
+    path = job / "buckets" / "000000" / "0.blocks"
+    content = bytearray(path.read_bytes())
+    content[-5] ^= 1
+    path.write_bytes(content)
+    status = loom.scale.run_tiles(job)
+    assert status.failed == 1 and "does not go with its checksum" in status.troubles["0_0"]
+
+
+@pytest.mark.slow
+def test_workers_that_are_killed_at_random_lose_and_double_nothing(files, tmp_path, expected, monkeypatch):
+    job, started, start = tmp_path / "job", [], runners._start
+    monkeypatch.setattr(runners, "_start", lambda *args: started.append(start(*args)) or started[-1])
+    loom.scale.plan_tiles(files, RADIUS, job, size=4.0)
+    chance, results = random.Random(5), []
+    run = threading.Thread(target=lambda: results.append(loom.scale.run_tiles(job, workers=2)))
+    run.start()
+    kills = 0
+    while run.is_alive() and kills < 6:
+        time.sleep(0.5 + chance.random())
+        alive = [worker for worker in started if worker.poll() is None]
+        if alive:
+            chance.choice(alive).kill()
+            kills += 1
+    run.join()
+    (status,) = results
+    assert kills and status.aside + status.failed == 0
+    assert status.is_finished and status.points_in == status.points
+    np.testing.assert_array_equal(rows_of(finished(job)), expected)
+    assert not [*job.rglob("*.part")]
+
+
+def test_a_tile_that_holds_too_much_is_named(tmp_path, monkeypatch):
+    monkeypatch.setattr("pointloom.scale.plan.LEAST_POINTS", 500)
+    rng = np.random.default_rng(3)
+    points = np.concatenate([rng.random((1500, 3)) * 2, rng.random((200, 3)) * SIDE]) + CORNER
+    write_las(tmp_path / "dense.laz", PointTable(points), scale=0.01, offset=CORNER)
+    loom.scale.plan_tiles(tmp_path / "dense.laz", RADIUS, tmp_path / "job", size=5.0)
+    status = loom.scale.run_tiles(tmp_path / "job")
+    assert status.failed == 1 and "at most 500 may be" in status.troubles["0_0"]
+
+
+def test_a_damaged_file_is_an_error_by_name_and_leaves_no_bucket(files, tmp_path):
+    content = bytearray(files[1].read_bytes())
+    (begin,) = struct.unpack_from("<I", content, 96)
+    struct.pack_into("<i", content, begin + 8, 2**31 - 1)  # x of the first point
+    files[1].write_bytes(content)
+    loom.scale.plan_tiles(files, RADIUS, tmp_path / "job", size=10.0)
+    with pytest.raises(FileError, match=r"part1\.laz: .* outside"):
+        loom.scale.run_tiles(tmp_path / "job")
+    assert [path.name for path in (tmp_path / "job" / "buckets").iterdir()] == ["000000"]
+
+
+@pytest.mark.slow
+def test_a_runner_that_is_killed_takes_its_workers_along_and_is_gone_on_with(files, tmp_path, expected):
+    job = tmp_path / "job"
+    loom.scale.plan_tiles(files, RADIUS, job, size=4.0)
+    program = "import sys, pointloom as loom; loom.scale.run_tiles(sys.argv[1], workers=2)"
+    runner = subprocess.Popen([sys.executable, "-c", program, str(job)], env=os.environ | {"PYTHONPATH": SOURCES})
+    while not loom.scale.tile_status(job).done:
+        time.sleep(0.05)
+        assert runner.poll() is None
+    runner.kill()
+    runner.wait()
+    before = loom.scale.tile_status(job)
+    assert before.done and not before.is_finished
+    status = loom.scale.run_tiles(job)
+    assert status.is_finished and status.points_in == status.points
+    np.testing.assert_array_equal(rows_of(finished(job)), expected)
+    assert not [*(job / "locks").iterdir()]
