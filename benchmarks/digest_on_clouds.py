@@ -118,7 +118,7 @@ ON_CLOUDS: dict[str, Callable[[Place], Any]] = {
         cylinder_radius=3 * p.spacing,
         max_distance=8 * p.spacing,
         core_points=p.cloud.uniform_down_sample(3),
-    ),  # fmt: skip
+    ),
     "knn_search": lambda p: search(p).knn_search(p.other, 8),
     "knn_search, array": lambda p: search(p).knn_search(p.other.points[::3], 40),
     "hybrid_search": lambda p: search(p).hybrid_search(p.other, 2 * p.spacing, 10),
