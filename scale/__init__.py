@@ -1,6 +1,16 @@
 """Clouds larger than memory: tiles whose answer is that of one machine, planned on disk and worked off by processes.
 
 Each public name is loaded when it is first used, as in `pointloom` itself.
+
+Example:
+    >>> import numpy as np, pointloom as loom
+    >>> points = np.random.default_rng(0).random((5_000, 3)) * (40, 20, 1)
+    >>> loom.write_point_cloud("survey.laz", loom.PointCloud(points))
+    >>> steps = [{"step": "voxel_down_sample", "voxel_size": 1}]
+    >>> waiting = loom.scale.plan_tiles("survey.laz", steps, "job", size=10).waiting
+    >>> done = loom.scale.run_tiles("job")
+    >>> loom.scale.finish_tiles("job", "thinned.laz").name
+    'thinned.laz'
 """
 
 from ..public_names import attach  # pyright: ignore[reportMissingImports]
