@@ -99,11 +99,12 @@ def _work(
 ) -> None:
     """Claim and do tasks until none is left for this worker, or its parent is gone."""
     share = ("id % ? = ?", part[1], part[0] - 1)
+    numbers: dict[int, ExactSums] = {}  # of passes that are over, by the step that needs them
     while not parent or os.getppid() == parent:
         row = manifest.claim("sources", owner)
         if row is not None:
             _do_source(manifest, plan, owner, row["id"])
-            _tell(manifest, "sources", "files", report)
+            _tell(manifest, "sources", report)
             continue
         files = manifest.counts("sources")
         if files["failed"] + files["aside"]:
@@ -114,8 +115,11 @@ def _work(
         number = _next_pass(manifest)
         row = None if number is None else manifest.claim("tiles", owner, f"pass = ? AND {share[0]}", number, *share[1:])
         if row is not None:
-            _do_tile(manifest, plan, owner, row)
-            _tell(manifest, "tiles", "tiles", report)
+            for earlier, step in enumerate(plan.passes[: row["pass"]]):
+                if step is not None and step not in numbers:
+                    numbers[step] = sums_of(manifest, earlier)
+            _do_tile(manifest, plan, owner, row, numbers)
+            _tell(manifest, "tiles", report)
             continue
         left = manifest.counts("tiles", *share)
         if number is None or not (left["waiting"] or left["running"]):
@@ -149,12 +153,8 @@ def _do_source(manifest: Manifest, plan: Plan, owner: str, number: int) -> None:
     manifest.settle("sources", number, owner, state="done", error=None, **told)
 
 
-def _do_tile(manifest: Manifest, plan: Plan, owner: str, row: Any) -> None:
+def _do_tile(manifest: Manifest, plan: Plan, owner: str, row: Any, numbers: dict[int, ExactSums]) -> None:
     begin = time.monotonic()
-    numbers = {}
-    for earlier, step in enumerate(plan.passes[: row["pass"]]):
-        assert step is not None
-        numbers[step] = sums_of(manifest, earlier)
     fulls = {found["id"]: found["full"] for found in manifest.rows("SELECT id, full FROM sources")}
     try:
         found = work_tile(plan, manifest.folder, row["id"], row["pass"], numbers, fulls)
@@ -186,10 +186,10 @@ def _said(error: BaseException) -> str:
     return f"{type(error).__name__}: {error}"[:2000]
 
 
-def _tell(manifest: Manifest, table: str, stage: str, report: ReportProgress) -> None:
+def _tell(manifest: Manifest, table: str, report: ReportProgress) -> None:
     if report is not say_nothing:
         counts = manifest.counts(table)
-        report(stage, sum(counts[state] for state in OVER), sum(counts.values()))
+        report("files" if table == "sources" else "tiles", sum(counts[state] for state in OVER), sum(counts.values()))
 
 
 def _oversee(manifest: Manifest, count: int, part: tuple[int, int], report: ReportProgress) -> None:
@@ -204,7 +204,7 @@ def _oversee(manifest: Manifest, count: int, part: tuple[int, int], report: Repo
             now = _progress_of(manifest)
             if now != before:
                 before, vain = now, 0
-                _tell(manifest, "sources" if manifest.counts("sources")["running"] else "tiles", "tiles", report)
+                _tell(manifest, "sources" if manifest.counts("sources")["running"] else "tiles", report)
             ended = [worker for worker in crew if worker.poll() is not None]
             crew = [worker for worker in crew if worker.poll() is None]
             if any(worker.returncode for worker in ended):
