@@ -22,7 +22,6 @@ from numpy.typing import NDArray
 from ..core.errors import FileError
 from ..files.foreign import foreign_errors, import_for
 from ..files.points.las import COLORS, LasFile, open_las
-from ..files.points.laszip import unpack_blocks
 
 FOLDER, INDEX = "buckets", "index.json"
 MOST_ROWS = 1 << 22  # held in memory before some go to disk
@@ -87,7 +86,7 @@ def _fill(plan: Any, file: LasFile, part: Path) -> Filled:
     writer = _Writer(plan, file, part)
     most = min(MOST_ROWS, MOST_BYTES // (file.header.record_length + 8))
     begin = brightest = 0
-    for rows in _blocks_of(file):
+    for rows in file.rows(_READ):
         places = _checked_places(plan, file, rows, begin)
         owners = plan.tile_of(places)
         order = np.argsort(owners, kind="stable")
@@ -113,24 +112,11 @@ def _fill(plan: Any, file: LasFile, part: Path) -> Filled:
     return Filled(begin, 255 if brightest <= 255 else 65535, writer.size, tiles)
 
 
-def _blocks_of(file: LasFile) -> Any:
-    row = file.layout.dtype()
-    if file.header.is_compressed:
-        for block in unpack_blocks(file.path, file.header, _READ):
-            yield np.frombuffer(block, row)
-        return
-    rows = np.frombuffer(file.source, row, file.header.point_count, file.header.begin)
-    for begin in range(0, len(rows), _READ):
-        yield rows[begin : begin + _READ]
-
-
 def _checked_places(plan: Any, file: LasFile, rows: Any, begin: int) -> NDArray[np.float64]:
     """x and y of rows that are known to lie in the box of the header, whose numbers may be rounded."""
-    scales, offsets, (low, high) = file.header.scales, file.header.offsets, file.header.bounds
-    places = np.empty((len(rows), 3))
-    for k, name in enumerate("XYZ"):
-        places[:, k] = rows[name] * scales[k] + offsets[k]
-    slack = plan.slack + np.array(scales)
+    low, high = file.header.bounds
+    places = positions_of(file, rows, "XYZ")
+    slack = plan.slack + np.array(file.header.scales)
     beyond = ((places < low - slack) | (places > high + slack)).any(axis=1)
     if beyond.any():
         row = int(np.flatnonzero(beyond)[0])
@@ -159,10 +145,10 @@ class _Writer:
                 self.size += stream.write(_packed(self._file, rows[mine], numbers[mine], places[mine]))
 
 
-def positions_of(file: LasFile, rows: NDArray[Any]) -> NDArray[np.float64]:
-    """x and y of rows, as decoding gives them."""
+def positions_of(file: LasFile, rows: NDArray[Any], axes: str = "XY") -> NDArray[np.float64]:
+    """Coordinates of rows, as decoding gives them."""
     scales, offsets = file.header.scales, file.header.offsets
-    return np.column_stack([rows[name] * scales[k] + offsets[k] for k, name in enumerate("XY")])
+    return np.column_stack([rows[name] * scales[k] + offsets[k] for k, name in enumerate(axes)])
 
 
 def check_size(plan: Any, count: int) -> None:

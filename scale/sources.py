@@ -18,8 +18,8 @@ from numpy.typing import NDArray
 from ..core.errors import FileError
 from ..core.paths import path_of
 from ..core.units import text_of
-from ..files.points.copc import CopcFile, is_copc, open_copc
-from ..files.points.las import LasFile, attribute_types, open_las, table_of
+from ..files.points.copc import CopcFile, is_copc, octree_of
+from ..files.points.las import LasFile, attribute_types, open_las, scale_by, table_of
 from ..files.points.las_crs import crs_name, is_geographic
 from ..files.points.las_units import units_of
 from ..files.table import PointTable
@@ -67,7 +67,7 @@ def describe(path: Path) -> dict[str, Any]:
         raise FileError(path, "x and y are degrees of longitude and latitude, not lengths", remedy=remedy)
     kind = "copc" if is_copc(file) else "rows"
     if kind == "copc":
-        open_copc(path)  # holds the octree against the chunks
+        octree_of(file)  # held against the chunks
     units = units_of(header)
     low, high = header.bounds
     return {
@@ -129,6 +129,15 @@ def check_same(source: dict[str, Any]) -> None:
         raise FileError(path, f"has changed since the tiles were planned ({what})", remedy=remedy)
 
 
+def file_of(source: dict[str, Any]) -> LasFile:
+    """A file of the plan, opened; it stays so for a while."""
+    return _opened(*_state_of(source))
+
+
+def _state_of(source: dict[str, Any]) -> tuple[str, int, int]:
+    return source["path"], source["size"], source["mtime_ns"]
+
+
 @lru_cache(maxsize=8)
 def _opened(path: str, size: int, mtime_ns: int) -> LasFile:
     return open_las(path)
@@ -137,7 +146,7 @@ def _opened(path: str, size: int, mtime_ns: int) -> LasFile:
 @lru_cache(maxsize=8)
 def _opened_copc(path: str, size: int, mtime_ns: int) -> tuple[CopcFile, NDArray[np.int64]]:
     """A COPC file, and the row in the file at which each of its nodes begins."""
-    copc = open_copc(path)
+    copc = octree_of(_opened(path, size, mtime_ns))
     in_file = np.argsort(copc.nodes["begin"], kind="stable")
     counts = copc.nodes["count"][in_file].astype(np.int64)
     firsts = np.empty(len(counts), np.int64)
@@ -162,18 +171,17 @@ def read_window(plan: Any, folder: Path, fulls: dict[int, int], window: Window) 
         if not _meets(source, window, plan.slack):
             continue
         check_same(source)
-        key = (source["path"], source["size"], source["mtime_ns"])
         if source["kind"] == "copc":
-            copc, firsts = _opened_copc(*key)
+            copc, firsts = _opened_copc(*_state_of(source))
             file, full, rows = copc.file, copc.full, _rows_of_copc(copc, firsts, window, plan)
         else:
-            file, full = _opened(*key), fulls[number]
+            file, full = file_of(source), fulls[number]
             rows = read_buckets(plan, folder, number, file, window)
         if len(rows):
             tables.append(_decoded(file, rows, full))
         check_size(plan, sum(len(table.points) for table in tables))
     if not tables:
-        file = _opened(*(plan.sources[0][key] for key in ("path", "size", "mtime_ns")))
+        file = file_of(plan.sources[0])
         return _decoded(file, np.empty(0, file.layout.dtype()), 65535)
     return _joined(tables)
 
@@ -195,10 +203,7 @@ def _rows_of_copc(copc: CopcFile, firsts: NDArray[np.int64], window: Window, pla
 def _decoded(file: LasFile, rows: Any, full: int) -> PointTable:
     columns = file.decode(rows)
     if "colors" in columns:
-        if columns["colors"].max(initial=0) > full:
-            reason = "colours look like 8 bits in its coarsest level and like 16 elsewhere"
-            raise FileError(file.path, reason, remedy="Write it as .las first, which is read whole once")
-        columns["colors"] /= np.float32(full)
+        scale_by(full, columns["colors"], file.path, "Write it as .las first, which is read whole once")
     return table_of(file, columns)
 
 

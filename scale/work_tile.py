@@ -8,7 +8,6 @@ tile.
 
 from __future__ import annotations
 
-import dataclasses
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -17,8 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..core.errors import FileError
-from ..files.points.las import open_las
-from ..files.points.las_writer import write_las
+from ..files.points.las_writer import with_scan_angle, write_las
 from ..files.points.point_cloud import cloud_of, table_of
 from ..files.table import PointTable
 from ..kernels.memory import download
@@ -28,12 +26,11 @@ from ..kernels.segmentation.neighbor_counts import mask_crowded
 from ..pcd.search import NearestNeighborSearch
 from .exact_sums import ExactSums
 from .plan import Plan
-from .sources import read_window
+from .sources import file_of, read_window
 from .steps import Part, Step
 
 FOLDER = "tiles"
 MOST_DOUBLINGS = 40
-_ANGLE_STEP = 0.006  # degrees, of LAS 1.4's scan angle
 _REACH_SLACK = 1 + 1e-5  # of a distance in float32
 _MOST_STEPS = 2**31 - 2
 
@@ -201,9 +198,9 @@ def write_tile(plan: Plan, folder: Path, tile: int, part: Part) -> None:
     told = table_of(part.cloud)
     if part.exact is not None:
         told.points = part.exact
-    told = with_new_format(told)
+    told = with_scan_angle(told)
     told.unit = None if plan.sources[0]["unit"] is None else told.unit
-    header = open_las(plan.sources[0]["path"]).header
+    header = file_of(plan.sources[0]).header
     write_las(tile_path(plan, folder, tile), told, scale=header.scales, offset=offset_of(plan), like=header)
 
 
@@ -221,12 +218,3 @@ def offset_of(plan: Plan) -> list[float]:
     if (np.maximum(high - offsets, offsets - low) / scales < _MOST_STEPS).all():
         return first["offsets"]
     return np.round((low + high) / 2).tolist()
-
-
-def with_new_format(table: PointTable) -> PointTable:
-    """A table that goes to the point formats of LAS 1.4 whatever its values are, so that all tiles have one."""
-    if "scan_angle_rank" not in table.attributes or "scan_angle" in table.attributes:
-        return table
-    attributes = dict(table.attributes)
-    attributes["scan_angle"] = np.rint(attributes.pop("scan_angle_rank") / _ANGLE_STEP).astype(np.int16)
-    return dataclasses.replace(table, attributes=attributes)

@@ -9,10 +9,10 @@ Source: Hobu Inc. 2021, "COPC: Cloud Optimized Point Cloud specification 1.0".
 
 from __future__ import annotations
 
-import dataclasses
 import os
 import struct
 from dataclasses import dataclass
+from functools import cached_property
 from pathlib import Path
 from typing import Any
 
@@ -23,7 +23,7 @@ from ...core.errors import FileError
 from ..foreign import foreign_errors, import_for
 from ..source import Source
 from ..table import PointTable
-from .las import COLORS, LasFile, open_las, table_of
+from .las import COLORS, LasFile, open_las, scale_by, table_of
 from .laszip import RECORD as LASZIP
 from .laszip import chunks_at
 
@@ -46,7 +46,6 @@ class CopcFile:
         spacing: Of points of the coarsest level; each finer level halves it.
         times: Lowest and highest GPS time, as the file says.
         nodes: The nodes that hold points, coarse before fine, with the fields of ENTRY.
-        full: The value of a full colour: 255 where none of the coarsest level exceeds that, else 65535.
     """
 
     file: LasFile
@@ -55,12 +54,22 @@ class CopcFile:
     spacing: float
     times: tuple[float, float]
     nodes: NDArray[Any]
-    full: int = 65535
 
     @property
     def path(self) -> Path:
         """The file."""
         return self.file.path
+
+    @cached_property
+    def full(self) -> int:
+        """The value of a full colour: 255 where none of the coarsest level exceeds that, else 65535."""
+        row = self.file.layout.dtype()
+        if COLORS[0] not in row.names:
+            return 65535
+        coarsest = np.flatnonzero(self.nodes["level"] == self.nodes["level"][:1])
+        rows: Any = np.frombuffer(self.unpack(coarsest), row)
+        brightest = max(int(rows[name].max(initial=0)) for name in COLORS)
+        return 255 if 0 < brightest <= 255 else 65535
 
     def nodes_within(self, low: Any = None, high: Any = None, spacing: float = 0.0) -> NDArray[np.int64]:
         """Which nodes may hold points of a box, down to the first level that is as fine as a spacing.
@@ -99,10 +108,7 @@ class CopcFile:
         if not keep.all():
             columns = {name: values[keep] for name, values in columns.items()}
         if "colors" in columns:
-            if columns["colors"].max(initial=0) > self.full:
-                reason = "colours look like 8 bits in its coarsest level and like 16 elsewhere"
-                raise FileError(self.path, reason, remedy="Read it whole")
-            columns["colors"] /= np.float32(self.full)
+            scale_by(self.full, columns["colors"], self.path, "Read it whole")
         return table_of(file, columns)
 
     def unpack(self, which: NDArray[np.int64]) -> bytes:
@@ -127,12 +133,16 @@ def is_copc(file: LasFile) -> bool:
 
 
 def open_copc(path: str | os.PathLike[str]) -> CopcFile:
-    """Open a file and hold its octree against its chunks; no point is unpacked but for the coarsest level's colours.
+    """Open a file and hold its octree against its chunks; no point is unpacked.
 
     Raises:
         FileError: It cannot be read, is no COPC file, or does not go with its header; or laspy is missing.
     """
-    file = open_las(path)
+    return octree_of(open_las(path))
+
+
+def octree_of(file: LasFile) -> CopcFile:
+    """The octree of an opened file, as of `open_copc`."""
     if not is_copc(file):
         raise FileError(file.path, "is no COPC file: it has no record that tells an octree", remedy="Read it whole")
     header, source = file.header, file.source
@@ -150,18 +160,7 @@ def open_copc(path: str | os.PathLike[str]) -> CopcFile:
         raise FileError(file.path, reason, remedy="Write it anew from its points")
     nodes = _read_pages(file.path, source, values[5], values[6])
     _check_nodes(file, nodes)
-    copc = CopcFile(file, middle - half, 2 * half, spacing, (values[7], values[8]), nodes)
-    return dataclasses.replace(copc, full=_full_color(copc))
-
-
-def _full_color(copc: CopcFile) -> int:
-    names = copc.file.layout.dtype().names
-    if COLORS[0] not in names:
-        return 65535
-    coarsest = np.flatnonzero(copc.nodes["level"] == copc.nodes["level"][:1])
-    rows: Any = np.frombuffer(copc.unpack(coarsest), copc.file.layout.dtype())
-    brightest = max(int(rows[name].max(initial=0)) for name in COLORS)
-    return 255 if 0 < brightest <= 255 else 65535
+    return CopcFile(file, middle - half, 2 * half, spacing, (values[7], values[8]), nodes)
 
 
 def _read_pages(path: Path, source: Source, begin: int, size: int) -> NDArray[Any]:

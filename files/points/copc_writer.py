@@ -14,7 +14,6 @@ Source: Hobu Inc. 2021, "COPC: Cloud Optimized Point Cloud specification 1.0".
 
 from __future__ import annotations
 
-import dataclasses
 import math
 import os
 from collections.abc import Iterator
@@ -34,11 +33,10 @@ from ..foreign import foreign_errors, import_for
 from ..table import PointTable
 from .copc import ENTRY, HIERARCHY, IN_PAGE, INFO, INFO_FIELDS
 from .las_header import LasHeader
-from .las_writer import LasLayout, lay_out
+from .las_writer import LasLayout, lay_out, with_scan_angle
 from .laszip import RECORD as LASZIP
 from .laszip import chunks_at
 
-_ANGLE_STEP = 0.006  # degrees
 # Deeper points that join the node above: smaller nodes compress worse, larger ones are read for few points.
 _LEAST = 8192
 _BATCH = 1 << 20  # points compressed at a time, a node a core
@@ -73,7 +71,7 @@ def write_copc(
         Memory: 100 B a point beside the table, while the octree is made.
     """
     path, where = check_writable(path, overwrite=overwrite), resolve_device(device)
-    layout = lay_out(path, _with_steps_of_angle(table), scale, offset, like)
+    layout = lay_out(path, with_scan_angle(table), scale, offset, like)
     corner, side, nodes = _octree(layout, where)
     with atomic_write(path, overwrite=overwrite) as file, foreign_errors(path, "cannot be written"), quiet():
         writer = CopcWriter(path, file, layout, corner, side)
@@ -205,12 +203,3 @@ def _pages(entries: NDArray[Any], begin: int) -> tuple[bytes, int]:
 def _ancestors(level: int, x: int, y: int, z: int) -> Iterator[tuple[int, int, int, int]]:
     for up in range(1, level + 1):
         yield level - up, x >> up, y >> up, z >> up
-
-
-def _with_steps_of_angle(table: PointTable) -> PointTable:
-    """A table whose scan angle, if any, is that of the new point formats."""
-    if "scan_angle_rank" not in table.attributes or "scan_angle" in table.attributes:
-        return table
-    attributes = dict(table.attributes)
-    attributes["scan_angle"] = np.rint(attributes.pop("scan_angle_rank") / _ANGLE_STEP).astype(np.int16)
-    return dataclasses.replace(table, attributes=attributes)

@@ -64,17 +64,22 @@ class LasFile:
     header: LasHeader
     layout: Any
 
-    def blocks(self, size: int) -> Iterator[dict[str, NDArray[Any]]]:
-        """The points as columns, at most `size` of them at a time; first a block of none, which tells the types."""
+    def rows(self, size: int) -> Iterator[NDArray[Any]]:
+        """The points as they lie in an uncompressed file, at most `size` of them at a time."""
         row = self.layout.dtype()
-        yield self.decode(np.empty(0, row))
         if self.header.is_compressed:
             for block in unpack_blocks(self.path, self.header, size):
-                yield self.decode(np.frombuffer(block, row))
+                yield np.frombuffer(block, row)
             return
         rows = np.frombuffer(self.source, row, self.header.point_count, self.header.begin)
         for begin in range(0, len(rows), size):
-            yield self.decode(rows[begin : begin + size])
+            yield rows[begin : begin + size]
+
+    def blocks(self, size: int) -> Iterator[dict[str, NDArray[Any]]]:
+        """The points as columns, at most `size` of them at a time; first a block of none, which tells the types."""
+        yield self.decode(np.empty(0, self.layout.dtype()))
+        for rows in self.rows(size):
+            yield self.decode(rows)
 
     def sample(self, count: int) -> PointTable:
         """At most so many points, evenly over the file, or of a compressed one the first of each chunk.
@@ -186,6 +191,18 @@ def attribute_types(file: LasFile) -> dict[str, str]:
     named = {"normals": table.normals, "colors": table.colors, **table.attributes}
     present = {name: values for name, values in named.items() if values is not None}
     return {name: f"{v.dtype}" + (f" x {v.shape[1]}" if v.ndim == 2 else "") for name, v in present.items()}
+
+
+def scale_by(full: int, colors: NDArray[np.float32], path: Path, remedy: str) -> None:
+    """Bring colours of some points to 0..1, in place, by the value of a full one that others have told.
+
+    Raises:
+        FileError: They exceed it.
+    """
+    if colors.max(initial=0) > full:
+        reason = "colours look like 8 bits in its coarsest level and like 16 elsewhere"
+        raise FileError(path, reason, remedy=remedy)
+    colors /= np.float32(full)
 
 
 def table_of(file: LasFile, arrays: dict[str, NDArray[Any]]) -> PointTable:

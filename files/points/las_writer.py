@@ -14,7 +14,7 @@ from __future__ import annotations
 
 import math
 import os
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -40,6 +40,7 @@ _STEPS_ACROSS = 1.0e6
 _SAMPLE = 1 << 16  # points whose extent counts, without the hundredth at either end: strays do not coarsen the rest
 
 _BLOCK = 1 << 18  # points packed at a time
+_ANGLE_STEP = 0.006  # degrees, of LAS 1.4's scan angle
 _MAX_STEPS = 2**31 - 1
 _MAX_NAME_BYTES = 32
 _MAX_RECORD_BYTES = 0xFFFF
@@ -323,3 +324,12 @@ def _fitting_scales(points: NDArray[Any], reach: NDArray[np.float64]) -> list[fl
             step = max(step, math.floor(math.log10(extent / _STEPS_ACROSS)))
         scales.append(min(_COARSEST_SCALE, float(f"1e{step}")))
     return scales
+
+
+def with_scan_angle(table: PointTable) -> PointTable:
+    """A table that goes to the point formats of LAS 1.4 whatever its values: whole degrees of angle as its steps."""
+    if "scan_angle_rank" not in table.attributes or "scan_angle" in table.attributes:
+        return table
+    attributes = dict(table.attributes)
+    attributes["scan_angle"] = np.rint(attributes.pop("scan_angle_rank") / _ANGLE_STEP).astype(np.int16)
+    return replace(table, attributes=attributes)

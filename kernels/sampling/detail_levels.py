@@ -245,14 +245,10 @@ def find_levels_kernel(order: array(dtype=int32), keys: array(dtype=int64), mini
 
 def sort_by_cell(points: Points | Positions, cube: Cube) -> tuple[LongIntegers, Integers]:
     """(keys, order) of points in Morton order, int64 and int32 [n] on their device; equal keys by index."""
-    count, device = points.size, points.device
-    if points.dtype is vec3d:
+    count, device, is_world = points.size, points.device, points.dtype is vec3d
+    if device.is_cuda or count == 0 or is_world:
         keys = SortKeys(count, device)
-        launch(encode_world_points_kernel, count, [points, cube, keys])
-        return keys.sort()
-    if device.is_cuda or count == 0:
-        keys = SortKeys(count, device)
-        launch(encode_points_kernel, count, [points, cube, keys])
+        launch(encode_world_points_kernel if is_world else encode_points_kernel, count, [points, cube, keys])
         return keys.sort()
     shift = max(1, (count - 1).bit_length())
     words, highs = empty(count, int64, device), empty(count, int32, device)
