@@ -63,27 +63,6 @@ def bin_listed(
     return counts
 
 
-@bin_listed.on_cuda
-def bin_listed_in_turn(
-    rank: int, neighborhood: Neighborhood, normals: array(dtype=vec3), scratch: GroupScratch, base: int, held: int
-) -> histogram:
-    """The same, a pair after another: what eight hold at once would be spilled, and all eight are written out."""
-    p = neighborhood.tree.points[rank]
-    limit = neighborhood.limits[rank]
-    n = normals[rank]
-    counts = histogram(0)
-    for j in range(held):
-        key = held_key(scratch, base, j)
-        if key <= limit:
-            q = neighborhood.tree.points[key_index(key)]
-            m = normals[key_index(key)]
-            bins = settled_bins(quick_bins(q - p, n, m), p, n, q, m)
-            counts[bins & BIN_MASK] += 1
-            counts[BINS + ((bins >> BIN_BITS) & BIN_MASK)] += 1
-            counts[2 * BINS + (bins >> (2 * BIN_BITS))] += 1
-    return counts
-
-
 @func
 def bin_walked(rank: int, neighborhood: Neighborhood, normals: array(dtype=vec3)) -> histogram:
     """The bins of the pairs with a point's neighbours, the point itself among them, by a walk through the tree."""
