@@ -104,12 +104,12 @@ def fold_box_kernel(extremes: array(dtype=int32), box: array(dtype=float32)):
     for row in range(extremes.shape[0] // WIDTH):
         most = max(most, extremes[row * WIDTH + i])
         count = max(count, extremes[row * WIDTH + 6])
-    end = 0.0
-    if count > NOTHING:
-        end = bits_float(most ^ ((most >> 31) & MAGNITUDE)) + 0.0
-    box[i] = end
+    end = bits_float(most ^ ((most >> 31) & MAGNITUDE))
     if i < 3:
-        box[i] = 0.0 - end
+        end = -end
+    if count == NOTHING or end == 0.0:  # of zero and minus zero the atomics keep either; `+ 0` is folded away
+        end = 0.0
+    box[i] = end
 
 
 def find_extremes(points: Points) -> Integers:
