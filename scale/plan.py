@@ -19,7 +19,8 @@ from .buckets import Window
 from .manifest import NAME, Manifest, canonical, hash_of, write_manifest
 from .sources import check_alike, check_same, describe, list_files
 from .status import TileStatus, status_of
-from .steps import Step, parse_steps
+from .steps.parse import parse_steps
+from .steps.step import Step
 
 MOST_TILES = 1 << 22
 POINTS = 2_000_000  # a tile, where nothing is said

@@ -27,7 +27,7 @@ from ..pcd.search import NearestNeighborSearch
 from .exact_sums import ExactSums
 from .plan import Plan
 from .sources import file_of, read_window
-from .steps import Part, Step
+from .steps.step import Part, Step
 
 FOLDER = "tiles"
 MOST_DOUBLINGS = 40

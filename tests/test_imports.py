@@ -51,6 +51,7 @@ ROOMS = {
     "drawing": ["render", "page", "recording", "viewer"],
     "photos": ["sfm", "mvs", "depth", "video"],
     "data": ["scenes", "made", "public"],
+    "scale": ["steps"],
     "app": ["jobs", "demos", "shell"],
     "bridge": ["utility", "camera", "geometry", "pipelines", "io", "visualization"],
 }

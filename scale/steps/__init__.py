@@ -1,0 +1,1 @@
+"""The steps of a job of tiles, a file a kind."""

@@ -1,0 +1,72 @@
+"""The steps that there are by name, and those of a list or a TOML file."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+from ...core.checks import shown
+from ...core.errors import FileError
+from ...core.known_names import nearest_name
+from .crop import Crop
+from .function import Function
+from .normals import EstimateNormals
+from .outliers import RadiusOutlier, StatisticalOutlier
+from .smoothing import SmoothMls
+from .step import Step
+from .voxels import VoxelDownSample
+
+WHOLE = {
+    "cluster_dbscan": "clusters reach across any number of tiles",
+    "segment_plane": "a plane is found among all points",
+    "detect_planar_patches": "patches reach across any number of tiles",
+    "farthest_point_down_sample": "each choice depends on all before it",
+    "orient_normals_consistent_tangent_plane": "signs spread over the whole cloud",
+    "random_down_sample": "the choice depends on the number of all points",
+    "uniform_down_sample": "the choice depends on the rows of all points",
+    "classify_ground": "its grid and its windows start at the cloud's own corner",
+}
+
+KNOWN: dict[str, type[Step]] = {
+    kind.name: kind
+    for kind in (VoxelDownSample, RadiusOutlier, EstimateNormals, StatisticalOutlier, Crop, SmoothMls, Function)
+}
+
+
+def parse_steps(steps: Any) -> list[Step]:
+    """The steps of a list of dictionaries, or of a TOML file of [[step]] tables; "step" names each.
+
+    Raises:
+        FileError: The file cannot be read.
+        ValueError: No such step, one that needs the whole cloud, or a parameter that it does not have or take.
+    """
+    if isinstance(steps, str | Path):
+        steps = _read_toml(Path(steps))
+    if isinstance(steps, dict) or not hasattr(steps, "__iter__"):
+        raise TypeError(f"steps: expected a list of dictionaries or a .toml file, got {shown(steps)}")
+    parsed = []
+    for given in steps:
+        if not isinstance(given, dict) or not isinstance(given.get("step"), str):
+            raise ValueError(f"steps: expected a dictionary with the name of a 'step', got {shown(given)}")
+        params = {name: value for name, value in given.items() if name != "step"}
+        name = given["step"]
+        if name in WHOLE:
+            raise ValueError(f"steps: {name} needs the whole cloud at once: {WHOLE[name]}")
+        if name not in KNOWN:
+            raise ValueError(f"steps: there is no step {name!r}{nearest_name(name, KNOWN)}; {', '.join(KNOWN)}")
+        parsed.append(KNOWN[name](params))
+    return parsed
+
+
+def _read_toml(path: Path) -> list[Any]:
+    import tomllib
+
+    try:
+        content = tomllib.loads(path.read_text())
+    except OSError as error:
+        raise FileError(path, f"cannot be read: {error.strerror or error}") from error
+    except (ValueError, RecursionError) as error:
+        raise FileError(path, f"not TOML: {error}") from error
+    if set(content) != {"step"} or not isinstance(content["step"], list):
+        raise FileError(path, "expected [[step]] tables and nothing else")
+    return [dict(table, step=table.pop("name", table.get("step"))) for table in content["step"]]

@@ -1,0 +1,98 @@
+"""The steps of a job: what each does to a part of a cloud, and how far around a tile it must see to do that rightly.
+
+A step is of one of three classes. One of finite reach needs what lies within its reach. One of the k nearest is run
+with a guess and certified: each point whose result is used must have k points nearer than what is missing. One with
+numbers of the whole first measures all tiles, and is then done with exact sums over them. What needs the whole at once
+is refused.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+from dataclasses import dataclass
+from typing import Any, ClassVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...core.known_names import nearest_name
+from ...pcd.cloud import PointCloud
+from ..exact_sums import ExactSums
+
+
+@dataclass(frozen=True, eq=False)
+class Part:
+    """What a tile and its halo hold between two steps.
+
+    Attributes:
+        cloud: The points about the plan's origin.
+        exact: Their positions as the files have them, float64 [n, 3]; None once a step has moved them.
+        homes: Where each point counts as lying, x and y, float64 [n, 2]: its position in the file, or its voxel's
+            middle. Each home is in one tile, whatever the tiles' size.
+        spread: How far a point may lie from its home along x or y.
+    """
+
+    cloud: PointCloud
+    exact: NDArray[np.float64] | None
+    homes: NDArray[np.float64]
+    spread: float = 0.0
+
+    def select(self, keep: NDArray[np.bool_]) -> Part:
+        """The points of a mask."""
+        if keep.all():
+            return self
+        return self.take(np.flatnonzero(keep), self.cloud.select_by_mask(keep))
+
+    def take(self, rows: NDArray[Any], cloud: PointCloud) -> Part:
+        """Some rows, whose cloud is there already."""
+        exact = None if self.exact is None else self.exact[rows]
+        return dataclasses.replace(self, cloud=cloud, exact=exact, homes=self.homes[rows])
+
+
+class Step:
+    """One step, its parameters checked.
+
+    Attributes:
+        name: As users write it.
+        params: In JSON's types, defaults filled in.
+        reach: How far a result depends on other points; of the k nearest the guess, which the plan makes.
+        neighbors: k, of a step of the k nearest.
+        needs_numbers: Whether it needs numbers of the whole.
+    """
+
+    name = ""
+    defaults: ClassVar[dict[str, Any]] = {}
+    required: tuple[str, ...] = ()
+    reach = 0.0
+    neighbors: int | None = None
+    needs_numbers = False
+
+    def __init__(self, params: dict[str, Any]):
+        known = {*self.defaults, *self.required}
+        for name in params:
+            if name not in known:
+                raise ValueError(f"steps: {self.name} has no parameter {name!r}{nearest_name(name, known)}")
+        for name in self.required:
+            if name not in params:
+                raise ValueError(f"steps: {self.name} needs {name!r}")
+        self.params = self.defaults | params
+        self.check()
+
+    def check(self) -> None:
+        """Check the parameters and set what follows from them."""
+
+    def spread_after(self, spread: float) -> float:
+        """How far points may lie from their homes after the step."""
+        return spread
+
+    def halo_before(self, after: float, spread: float, reach: float) -> float:
+        """The halo that it must be given so that all is right in a halo `after` it."""
+        return after + reach + 2 * spread
+
+    def run(self, part: Part, plan: Any, numbers: ExactSums | None) -> Part:
+        """The step on a part."""
+        raise NotImplementedError
+
+    def measure(self, part: Part) -> NDArray[np.float64]:
+        """The values whose sums over the whole are needed."""
+        raise NotImplementedError
