@@ -55,14 +55,14 @@ class LazChunks:
         told = list(zip(self.counts[which].tolist(), self._sizes[which].tolist(), strict=True))
         with foreign_errors(self.path, "the compressed points cannot be read"):
             with self.path.open("rb") as stream:
-                packed = b"".join(_bytes_at(stream, self._begins[k], self._sizes[k]) for k in which.tolist())
+                packed = b"".join(_bytes_at(stream, int(self._begins[k]), int(self._sizes[k])) for k in which.tolist())
             lazrs.decompress_points_with_chunk_table(packed, self._record, out.view(np.uint8), told)
         return out
 
 
 def _bytes_at(stream: Any, begin: int, size: int) -> bytes:
-    stream.seek(int(begin))
-    return stream.read(int(size))
+    stream.seek(begin)
+    return stream.read(size)
 
 
 def is_alike(header: LasHeader, other: LasHeader) -> bool:
