@@ -7,6 +7,7 @@ that claims one task after the other: files to be laid by tile, then tiles, pass
 from __future__ import annotations
 
 import os
+import re
 import subprocess
 import sys
 import time
@@ -32,7 +33,12 @@ _WORKER = "from pointloom.scale.runners import main; main()"
 
 
 def run_tiles(
-    folder: FilePath, *, workers: int = 0, part: tuple[int, int] | None = None, progress: ReportProgress = say_nothing
+    folder: FilePath,
+    *,
+    workers: int = 0,
+    part: tuple[int, int] | None = None,
+    tile: str | None = None,
+    progress: ReportProgress = say_nothing,
 ) -> TileStatus:
     """Work the tiles of a folder off; what earlier runs have done stays.
 
@@ -45,6 +51,7 @@ def run_tiles(
         workers: Processes; 0 works in this one.
         part: (17, 400): only the 17th of 400 shares of the tiles, for array jobs of a cluster whose machines share the
             folder. Where a step needs numbers of the whole, a share ends where it needs the others': run it again.
+        tile: "3_4": only this one, which is done again if it failed or was set aside.
         progress: Called with "files" or "tiles", how many are done, and how many there are.
 
     Returns:
@@ -53,19 +60,30 @@ def run_tiles(
     Raises:
         FileError: There is no plan, it is of other files or of another version, a file cannot be laid by tile, or
             workers die before they do anything.
+        ValueError: There is no such tile, or a part is given too.
+
+    Notes:
+        Where the call is interrupted, the tiles that were worked on wait again; that is not held against them.
     """
     count, report = check_count("workers", workers, minimum=0), check_progress(progress)
+    if tile is not None and part is not None:
+        raise ValueError("tile, part: expected one of them, got both")
     share = _check_part(part)
     manifest, plan = open_plan(folder)
     with manifest:
+        share = share if tile is None else _share_of(manifest, plan, tile)
         for name in (TILES, BUCKETS):
             (manifest.folder / name).mkdir(exist_ok=True)
         manifest.give_back()
         if count:
             _oversee(manifest, count, share, report)
         else:
-            with a_worker(manifest.folder) as owner:
-                _work(manifest, plan, owner, share, report)
+            try:
+                with a_worker(manifest.folder) as owner:
+                    _work(manifest, plan, owner, share, report)
+            except BaseException:
+                manifest.give_back(is_death=False)
+                raise
         bad = manifest.rows("SELECT id, error FROM sources WHERE state IN ('failed', 'aside') ORDER BY id")
         if bad:
             path = plan.sources[bad[0]["id"]]["path"]
@@ -92,6 +110,19 @@ def _check_part(part: Any) -> tuple[int, int]:
         raise ValueError(f"part: expected (which, of how many), such as (17, 400), got {part!r}")
     of = check_count("part", part[1])
     return check_count("part", part[0], maximum=of, because="there are no more parts"), of
+
+
+def _share_of(manifest: Manifest, plan: Plan, tile: Any) -> tuple[int, int]:
+    """The part of an array job that one tile is, which waits again if it failed."""
+    found = re.fullmatch(r"(\d{1,9})_(\d{1,9})", tile) if isinstance(tile, str) else None
+    rows = manifest.rows("SELECT id FROM tiles WHERE ix = ? AND iy = ?", *map(int, found.groups())) if found else []
+    if not rows:
+        nx, ny = plan.shape
+        raise ValueError(f"tile: expected one of the plan's, 0_0 to {nx - 1}_{ny - 1}, got {tile!r}")
+    told = "state = 'waiting', attempts = 0, error = NULL"
+    with manifest.change() as base:
+        base.execute(f"UPDATE tiles SET {told} WHERE id = ? AND state IN ('failed', 'aside')", (rows[0]["id"],))
+    return rows[0]["id"] + 1, plan.shape[0] * plan.shape[1]
 
 
 def _work(
@@ -222,7 +253,7 @@ def _oversee(manifest: Manifest, count: int, part: tuple[int, int], report: Repo
             worker.terminate()
         for worker in crew:
             worker.wait()
-        manifest.give_back()
+        manifest.give_back(is_death=False)
 
 
 def _progress_of(manifest: Manifest) -> list[Any]:
@@ -240,7 +271,8 @@ def _start(folder: Path, part: tuple[int, int], count: int) -> subprocess.Popen[
     paths = os.pathsep.join(path or os.getcwd() for path in sys.path)  # noqa: PTH109
     environment = os.environ | {"PYTHONPATH": paths, "POINTLOOM_CPU_THREADS": threads}
     command = [sys.executable, "-c", _WORKER, str(folder.absolute()), *map(str, part), str(os.getpid())]
-    return subprocess.Popen(command, env=environment, stdin=subprocess.DEVNULL)
+    # In a group of its own: Ctrl-C in a terminal is for the process that oversees the workers, which ends them.
+    return subprocess.Popen(command, env=environment, stdin=subprocess.DEVNULL, process_group=0)
 
 
 def main() -> None:
