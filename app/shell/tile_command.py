@@ -76,6 +76,7 @@ def tile() -> None:
     Every command takes --json. docs/tiles.md says which steps there are, and what is promised of them.
 
     \b
+    pointloom tile plan survey/ --steps steps.toml -o job --estimate --workers 8   what it would take
     pointloom tile plan survey/ --steps steps.toml -o job
     pointloom tile run job --workers 8
     pointloom tile status job
@@ -96,34 +97,50 @@ def tile() -> None:
     """
 
 
-@tile.command("plan", short_help="Write down what is to be done.")
+@tile.command("plan", short_help="Write down what is to be done, or estimate it.")
 @click.argument("sources", nargs=-1, required=True, type=FILE, metavar="SOURCES...")
 @click.option("--steps", type=FILE, required=True, metavar="TOML", help="What to do: a [[step]] table for each step.")
-@click.option(
-    "-o",
-    "--folder",
-    "folder",
-    type=FILE,
-    required=True,
-    metavar="DIR",
-    help="Folder of the job; made where it is missing.",
-)
+@click.option("-o", "--folder", "folder", type=FILE, metavar="DIR", help="Folder of the job; made where it is missing.")
 @click.option("--size", type=LENGTH, metavar="M", help="Edge of a tile [m].")
 @click.option("--points", type=COUNT, metavar="N", help="Points a tile, about; 2 million if neither is given.")
 @click.option("--only", type=Area(), metavar="X0,Y0,X1,Y1", help="Only the tiles that this area touches.")
 @click.option(
     "--output", type=click.Choice(OUTPUTS), default=OUTPUTS[0], show_default=True, help="What `tile finish` makes."
 )
+@click.option("--estimate", "estimates", is_flag=True, help="Plan nothing; say what it would take, from a sample.")
+@click.option("--workers", type=COUNT, metavar="N", help="With --estimate: for so many processes; 1 if not given.")
 @json_option()
-def plan(sources: tuple[Path, ...], folder: Path, as_json: bool, steps: Path, **options: Any) -> int:
+def plan(
+    sources: tuple[Path, ...],
+    folder: Path | None,
+    estimates: bool,
+    workers: int | None,
+    as_json: bool,
+    steps: Path,
+    **options: Any,
+) -> int:
     """Plan the tiles of SOURCES, .las and .laz files and folders of them, in the folder DIR; only headers are read.
+
+    With --estimate nothing is planned: some tiles are worked off in a temporary folder, and what all of them would
+    take in time, memory, disk and output is said, each with a range. DIR is not needed then.
 
     \b
     pointloom tile plan survey/ --steps steps.toml -o job
     pointloom tile plan a.laz b.laz --steps steps.toml -o job --size 250 --output copc
+    pointloom tile plan survey/ --steps steps.toml --estimate --workers 16
     """
     if options["size"] is not None and options["points"] is not None:
         refuse("--size and --points both choose the tiles; give one")
+    if workers is not None and not estimates:
+        refuse("--workers goes with --estimate here; `pointloom tile run DIR --workers N` works the tiles off")
+    if estimates:
+        from ...scale.estimate import estimate_tiles
+
+        with Progress() as progress:
+            report = estimate_tiles(sources, steps, workers=workers or 1, progress=progress, **options)
+        return answer_with(report, "estimate", as_json)
+    if folder is None:
+        refuse("missing option '-o'; give the folder of the job")
     from ...scale.plan import plan_tiles
     from ..jobs.tiles import report_of
 

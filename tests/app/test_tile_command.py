@@ -78,6 +78,18 @@ def test_planning_takes_an_area_points_and_copc(job):
     assert answer("tile", "finish", "b", "--force")["is_finished"]
 
 
+@pytest.mark.slow
+def test_an_estimate_plans_nothing(job):
+    words = ["tile", "plan", "survey", "--steps", "steps.toml", "--size", "20", "--estimate"]
+    report = answer(*words, "--workers", "2")
+    assert (report["points"], report["tiles"], report["workers"]) == (2050, 9, 2)
+    assert 0 < report["seconds"]["low"] <= report["seconds"]["value"] <= report["seconds"]["high"]
+    assert names_in(job) == ["own_steps.py", "steps.toml", "survey"]
+    shown = run(*words).stdout
+    for label in ("time", "CPU time", "memory", "temporary", "output", "measured"):
+        assert f"\n  {label} " in shown
+
+
 def test_parts_of_an_array_share_the_tiles(job):
     answer("tile", "plan", "survey", "--steps", "steps.toml", "-o", "job", "--size", "20")
     first = run("tile", "run", "job", "--part", "1/2")
@@ -129,6 +141,7 @@ def test_a_folder_without_a_plan_is_told(job, command):
         ("plan survey --steps steps.toml -o job --only 3,2,1,4", "expected X0,Y0,X1,Y1"),
         ("plan survey --steps steps.toml -o job --only 1,2,3,nan", "expected X0,Y0,X1,Y1"),
         ("plan survey --steps steps.toml -o job --output ply", "'laz', 'copc'"),
+        ("plan survey --steps steps.toml -o job --workers 2", "--workers goes with --estimate"),
         ("run job --serial --workers 2", "give one"),
         ("run job --part 1/2 --tile 0_0", "give one"),
         ("run job --part 0/2", "such as 17/400"),
