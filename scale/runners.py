@@ -52,7 +52,7 @@ def run_tiles(
         part: (17, 400): only the 17th of 400 shares of the tiles, for array jobs of a cluster whose machines share the
             folder. Where a step needs numbers of the whole, a share ends where it needs the others': run it again.
         tile: "3_4": only this one, which is done again if it failed or was set aside.
-        progress: Called with "files" or "tiles", how many are done, and how many there are.
+        progress: Called with "files", "tiles" or "pass 1 of 2", how many are done, and how many there are.
 
     Returns:
         A TileStatus; look at `failed` and `aside`.
@@ -75,8 +75,9 @@ def run_tiles(
         for name in (TILES, BUCKETS):
             (manifest.folder / name).mkdir(exist_ok=True)
         manifest.give_back()
+        _tell(manifest, plan, report)
         if count:
-            _oversee(manifest, count, share, report)
+            _oversee(manifest, plan, count, share, report)
         else:
             try:
                 with a_worker(manifest.folder) as owner:
@@ -135,7 +136,7 @@ def _work(
         row = manifest.claim("sources", owner)
         if row is not None:
             _do_source(manifest, plan, owner, row["id"])
-            _tell(manifest, "sources", report)
+            _tell(manifest, plan, report)
             continue
         files = manifest.counts("sources")
         if files["failed"] + files["aside"]:
@@ -150,7 +151,7 @@ def _work(
                 if step is not None and step not in numbers:
                     numbers[step] = sums_of(manifest, earlier)
             _do_tile(manifest, plan, owner, row, numbers)
-            _tell(manifest, "tiles", report)
+            _tell(manifest, plan, report)
             continue
         left = manifest.counts("tiles", *share)
         if number is None or not (left["waiting"] or left["running"]):
@@ -217,13 +218,29 @@ def _said(error: BaseException) -> str:
     return f"{type(error).__name__}: {error}"[:2000]
 
 
-def _tell(manifest: Manifest, table: str, report: ReportProgress) -> None:
-    if report is not say_nothing:
-        counts = manifest.counts(table)
-        report("files" if table == "sources" else "tiles", sum(counts[state] for state in OVER), sum(counts.values()))
+def _tell(manifest: Manifest, plan: Plan, report: ReportProgress) -> None:
+    """Tell how many files are laid by tile, then how many tiles are over, or through the pass that is done now."""
+    if report is say_nothing:
+        return
+    if any(source["kind"] != "copc" for source in plan.sources):
+        files = manifest.counts("sources")
+        report("files", sum(files[state] for state in OVER), sum(files.values()))
+        if files["waiting"] + files["running"]:
+            return
+    counts, passes = manifest.counts(), len(plan.passes)
+    total, over = sum(counts.values()), sum(counts[state] for state in OVER)
+    if passes == 1:
+        report("tiles", over, total)
+        return
+    number = _next_pass(manifest)
+    number = passes - 1 if number is None else number
+    for earlier in range(number):
+        report(f"pass {earlier + 1} of {passes}", total, total)
+    (row,) = manifest.rows(f"SELECT count(*) AS n FROM tiles WHERE pass > ? OR state IN {OVER}", number)
+    report(f"pass {number + 1} of {passes}", row["n"], total)
 
 
-def _oversee(manifest: Manifest, count: int, part: tuple[int, int], report: ReportProgress) -> None:
+def _oversee(manifest: Manifest, plan: Plan, count: int, part: tuple[int, int], report: ReportProgress) -> None:
     """Keep so many workers at it; one that dies is replaced."""
     crew: list[subprocess.Popen[bytes]] = []
     vain = 0
@@ -235,7 +252,7 @@ def _oversee(manifest: Manifest, count: int, part: tuple[int, int], report: Repo
             now = _progress_of(manifest)
             if now != before:
                 before, vain = now, 0
-                _tell(manifest, "sources" if manifest.counts("sources")["running"] else "tiles", report)
+                _tell(manifest, plan, report)
             ended = [worker for worker in crew if worker.poll() is not None]
             crew = [worker for worker in crew if worker.poll() is None]
             if any(worker.returncode for worker in ended):

@@ -158,7 +158,7 @@ def test_costs_follow_the_points_of_tiles():
 @pytest.mark.slow
 def test_what_fails_in_a_calibration_is_told(tmp_path):
     steps = [{"step": "function", "call": "math:sqrt", "reach": 1.0}]
-    with pytest.raises(ValueError, match=r"the calibration failed at \d+: .*TypeError"):
+    with pytest.raises(ValueError, match=r"the calibration failed at tile \d+: .*TypeError"):
         loom.scale.estimate_tiles(survey(tmp_path, count=500), steps)
     with pytest.raises(FileError, match="missing"):
         loom.scale.estimate_tiles(tmp_path / "missing.laz", THIN)

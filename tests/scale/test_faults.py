@@ -290,3 +290,19 @@ def test_a_runner_that_is_killed_takes_its_workers_along_and_is_gone_on_with(fil
     assert status.is_finished and status.points_in == status.points
     np.testing.assert_array_equal(rows_of(finished(job)), expected)
     assert not [*(job / "locks").iterdir()]
+
+
+@pytest.mark.parametrize("workers", [0, 1])
+def test_progress_is_told_of_files_and_of_every_pass_over_the_tiles(files, tmp_path, workers):
+    steps = [{"step": "remove_statistical_outlier", "nb_neighbors": 4, "std_ratio": 3.0}]
+    loom.scale.plan_tiles(files, steps, tmp_path / "job", size=20.0)
+    told = []
+    loom.scale.run_tiles(tmp_path / "job", workers=workers, progress=lambda *words: told.append(words))
+    assert list(dict.fromkeys(stage for stage, _, _ in told)) == ["files", "pass 1 of 2", "pass 2 of 2"]
+    assert told[0] == ("files", 0, 2) and told[-1] == ("pass 2 of 2", 9, 9)
+    for stage, total in (("files", 2), ("pass 1 of 2", 9), ("pass 2 of 2", 9)):
+        done = [count for name, count, of in told if name == stage and of == total]
+        assert done == sorted(done) and done[-1] == total
+    told.clear()
+    loom.scale.run_tiles(tmp_path / "job", workers=workers, progress=lambda *words: told.append(words))
+    assert told[-1] == ("pass 2 of 2", 9, 9)
