@@ -71,7 +71,7 @@ class TileReport(Report):
         ]
         points = f"{told.points:,} in the files"
         fields.append(
-            ("points", f"{points}, {told.points_in:,} done, {told.points_out:,} out" if told.points_in else points)
+            ("points", f"{points}, {told.points_in:,} done, {told.points_out:,} out" if told.done + told.empty else points)
         )
         if told.bucket_bytes and (Path(told.folder) / BUCKETS).is_dir():  # which `finish` removes
             fields.append(("temporary", f"{told.bucket_bytes / 1e6:,.1f} MB on disk"))
