@@ -260,7 +260,9 @@ def _buckets(plan: Plan, laid: Measured | None) -> Estimate:
 def _said(measured: list[Measured], laid: Measured | None, threads: int, share: float, is_sample: bool) -> str:
     """What the calibration was made on."""
     points = ", ".join(f"{one.points:,}" for one in measured)
-    told = [f"{len(measured)} tiles of {points} points, by {threads} thread{'s' * (threads > 1)}"]
+    told = [
+        f"{len(measured)} tile{'s' * (len(measured) > 1)} of {points} points, by {threads} thread{'s' * (threads > 1)}"
+    ]
     if laid is not None:
         told.append(f"{laid.points:,} rows laid by tile")
     if share < 1:

@@ -215,7 +215,7 @@ def sums_of(manifest: Manifest, number: int) -> ExactSums:
 
 
 def _said(error: BaseException) -> str:
-    return f"{type(error).__name__}: {error}"[:2000]
+    return " ".join(f"{type(error).__name__}: {error}".split())[:2000]
 
 
 def _tell(manifest: Manifest, plan: Plan, report: ReportProgress) -> None:
