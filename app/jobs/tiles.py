@@ -70,9 +70,9 @@ class TileReport(Report):
             if count
         ]
         points = f"{told.points:,} in the files"
-        fields.append(
-            ("points", f"{points}, {told.points_in:,} done, {told.points_out:,} out" if told.done + told.empty else points)
-        )
+        if told.done + told.empty:
+            points += f", {told.points_in:,} done, {told.points_out:,} out"
+        fields.append(("points", points))
         if told.bucket_bytes and (Path(told.folder) / BUCKETS).is_dir():  # which `finish` removes
             fields.append(("temporary", f"{told.bucket_bytes / 1e6:,.1f} MB on disk"))
         fields += [(name, " ".join(error.split())) for name, error in told.troubles.items()]
