@@ -47,12 +47,20 @@ def finish_tiles(folder: FilePath, path: FilePath | None = None, *, overwrite: b
         parts = [(tile_path(plan, manifest.folder, row["id"]), row["points_out"]) for row in rows]
         if not parts:
             raise FileError(path, "there is nothing to write: the steps left no point")
+        path = check_writable(path, overwrite=overwrite)
         merged = path.with_name(f".{path.name}.merged.laz") if is_copc else path
-        _merge(merged, parts, overwrite)
+        _merge(merged, parts, overwrite or is_copc)
         if is_copc:
             try:
                 header = open_las(merged).header
-                write_copc(path, read_las(merged), scale=header.scales, offset=offset_of(plan), like=header)
+                write_copc(
+                    path,
+                    read_las(merged),
+                    scale=header.scales,
+                    offset=offset_of(plan),
+                    like=header,
+                    overwrite=overwrite,
+                )
             finally:
                 merged.unlink(missing_ok=True)
         shutil.rmtree(manifest.folder / BUCKETS, ignore_errors=True)

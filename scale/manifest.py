@@ -136,8 +136,12 @@ class Manifest:
         query = f"UPDATE {table} SET {told}, owner = NULL WHERE id = ? AND owner = ? AND state = 'running'"
         return base.execute(query, (*values.values(), row, owner)).rowcount == 1
 
-    def give_back(self) -> int:
-        """Let others have what dead workers had claimed; how many rows. After some deaths a task is set aside."""
+    def give_back(self, *, is_death: bool = True) -> int:
+        """Let others have what dead workers had claimed; how many rows.
+
+        After some deaths a task is set aside; that a worker was told to end is none.
+        """
+        counted = int(is_death)
         given = 0
         for owner in self.owners():
             if not is_dead(self.folder, owner):
@@ -146,9 +150,9 @@ class Manifest:
             with self.change() as base:
                 for table in ("sources", "tiles"):
                     query = (
-                        f"UPDATE {table} SET attempts = attempts + 1, owner = NULL,"
-                        " error = CASE WHEN attempts + 1 >= ? THEN ? ELSE error END,"
-                        " state = CASE WHEN attempts + 1 >= ? THEN 'aside' ELSE 'waiting' END"
+                        f"UPDATE {table} SET attempts = attempts + {counted}, owner = NULL,"
+                        f" error = CASE WHEN attempts + {counted} >= ? THEN ? ELSE error END,"
+                        f" state = CASE WHEN attempts + {counted} >= ? THEN 'aside' ELSE 'waiting' END"
                         " WHERE owner = ? AND state = 'running'"
                     )
                     given += base.execute(query, (MOST_ATTEMPTS, reason, MOST_ATTEMPTS, owner)).rowcount

@@ -7,6 +7,7 @@ that claims one task after the other: files to be laid by tile, then tiles, pass
 from __future__ import annotations
 
 import os
+import re
 import subprocess
 import sys
 import time
@@ -32,7 +33,12 @@ _WORKER = "from pointloom.scale.runners import main; main()"
 
 
 def run_tiles(
-    folder: FilePath, *, workers: int = 0, part: tuple[int, int] | None = None, progress: ReportProgress = say_nothing
+    folder: FilePath,
+    *,
+    workers: int = 0,
+    part: tuple[int, int] | None = None,
+    tile: str | None = None,
+    progress: ReportProgress = say_nothing,
 ) -> TileStatus:
     """Work the tiles of a folder off; what earlier runs have done stays.
 
@@ -45,7 +51,8 @@ def run_tiles(
         workers: Processes; 0 works in this one.
         part: (17, 400): only the 17th of 400 shares of the tiles, for array jobs of a cluster whose machines share the
             folder. Where a step needs numbers of the whole, a share ends where it needs the others': run it again.
-        progress: Called with "files" or "tiles", how many are done, and how many there are.
+        tile: "3_4": only this one, which is done again if it failed or was set aside.
+        progress: Called with "files", "tiles" or "pass 1 of 2", how many are done, and how many there are.
 
     Returns:
         A TileStatus; look at `failed` and `aside`.
@@ -53,19 +60,31 @@ def run_tiles(
     Raises:
         FileError: There is no plan, it is of other files or of another version, a file cannot be laid by tile, or
             workers die before they do anything.
+        ValueError: There is no such tile, or a part is given too.
+
+    Notes:
+        Where the call is interrupted, the tiles that were worked on wait again; that is not held against them.
     """
     count, report = check_count("workers", workers, minimum=0), check_progress(progress)
+    if tile is not None and part is not None:
+        raise ValueError("tile, part: expected one of them, got both")
     share = _check_part(part)
     manifest, plan = open_plan(folder)
     with manifest:
+        share = share if tile is None else _share_of(manifest, plan, tile)
         for name in (TILES, BUCKETS):
             (manifest.folder / name).mkdir(exist_ok=True)
         manifest.give_back()
+        _tell(manifest, plan, report)
         if count:
-            _oversee(manifest, count, share, report)
+            _oversee(manifest, plan, count, share, report)
         else:
-            with a_worker(manifest.folder) as owner:
-                _work(manifest, plan, owner, share, report)
+            try:
+                with a_worker(manifest.folder) as owner:
+                    _work(manifest, plan, owner, share, report)
+            except BaseException:
+                manifest.give_back(is_death=False)
+                raise
         bad = manifest.rows("SELECT id, error FROM sources WHERE state IN ('failed', 'aside') ORDER BY id")
         if bad:
             path = plan.sources[bad[0]["id"]]["path"]
@@ -94,6 +113,19 @@ def _check_part(part: Any) -> tuple[int, int]:
     return check_count("part", part[0], maximum=of, because="there are no more parts"), of
 
 
+def _share_of(manifest: Manifest, plan: Plan, tile: Any) -> tuple[int, int]:
+    """The part of an array job that one tile is, which waits again if it failed."""
+    found = re.fullmatch(r"(\d{1,9})_(\d{1,9})", tile) if isinstance(tile, str) else None
+    rows = manifest.rows("SELECT id FROM tiles WHERE ix = ? AND iy = ?", *map(int, found.groups())) if found else []
+    if not rows:
+        nx, ny = plan.shape
+        raise ValueError(f"tile: expected one of the plan's, 0_0 to {nx - 1}_{ny - 1}, got {tile!r}")
+    told = "state = 'waiting', attempts = 0, error = NULL"
+    with manifest.change() as base:
+        base.execute(f"UPDATE tiles SET {told} WHERE id = ? AND state IN ('failed', 'aside')", (rows[0]["id"],))
+    return rows[0]["id"] + 1, plan.shape[0] * plan.shape[1]
+
+
 def _work(
     manifest: Manifest, plan: Plan, owner: str, part: tuple[int, int], report: ReportProgress, parent: int = 0
 ) -> None:
@@ -104,7 +136,7 @@ def _work(
         row = manifest.claim("sources", owner)
         if row is not None:
             _do_source(manifest, plan, owner, row["id"])
-            _tell(manifest, "sources", report)
+            _tell(manifest, plan, report)
             continue
         files = manifest.counts("sources")
         if files["failed"] + files["aside"]:
@@ -119,7 +151,7 @@ def _work(
                 if step is not None and step not in numbers:
                     numbers[step] = sums_of(manifest, earlier)
             _do_tile(manifest, plan, owner, row, numbers)
-            _tell(manifest, "tiles", report)
+            _tell(manifest, plan, report)
             continue
         left = manifest.counts("tiles", *share)
         if number is None or not (left["waiting"] or left["running"]):
@@ -183,16 +215,32 @@ def sums_of(manifest: Manifest, number: int) -> ExactSums:
 
 
 def _said(error: BaseException) -> str:
-    return f"{type(error).__name__}: {error}"[:2000]
+    return " ".join(f"{type(error).__name__}: {error}".split())[:2000]
 
 
-def _tell(manifest: Manifest, table: str, report: ReportProgress) -> None:
-    if report is not say_nothing:
-        counts = manifest.counts(table)
-        report("files" if table == "sources" else "tiles", sum(counts[state] for state in OVER), sum(counts.values()))
+def _tell(manifest: Manifest, plan: Plan, report: ReportProgress) -> None:
+    """Tell how many files are laid by tile, then how many tiles are over, or through the pass that is done now."""
+    if report is say_nothing:
+        return
+    if any(source["kind"] != "copc" for source in plan.sources):
+        files = manifest.counts("sources")
+        report("files", sum(files[state] for state in OVER), sum(files.values()))
+        if files["waiting"] + files["running"]:
+            return
+    counts, passes = manifest.counts(), len(plan.passes)
+    total, over = sum(counts.values()), sum(counts[state] for state in OVER)
+    if passes == 1:
+        report("tiles", over, total)
+        return
+    number = _next_pass(manifest)
+    number = passes - 1 if number is None else number
+    for earlier in range(number):
+        report(f"pass {earlier + 1} of {passes}", total, total)
+    (row,) = manifest.rows(f"SELECT count(*) AS n FROM tiles WHERE pass > ? OR state IN {OVER}", number)
+    report(f"pass {number + 1} of {passes}", row["n"], total)
 
 
-def _oversee(manifest: Manifest, count: int, part: tuple[int, int], report: ReportProgress) -> None:
+def _oversee(manifest: Manifest, plan: Plan, count: int, part: tuple[int, int], report: ReportProgress) -> None:
     """Keep so many workers at it; one that dies is replaced."""
     crew: list[subprocess.Popen[bytes]] = []
     vain = 0
@@ -204,7 +252,7 @@ def _oversee(manifest: Manifest, count: int, part: tuple[int, int], report: Repo
             now = _progress_of(manifest)
             if now != before:
                 before, vain = now, 0
-                _tell(manifest, "sources" if manifest.counts("sources")["running"] else "tiles", report)
+                _tell(manifest, plan, report)
             ended = [worker for worker in crew if worker.poll() is not None]
             crew = [worker for worker in crew if worker.poll() is None]
             if any(worker.returncode for worker in ended):
@@ -222,7 +270,7 @@ def _oversee(manifest: Manifest, count: int, part: tuple[int, int], report: Repo
             worker.terminate()
         for worker in crew:
             worker.wait()
-        manifest.give_back()
+        manifest.give_back(is_death=False)
 
 
 def _progress_of(manifest: Manifest) -> list[Any]:
@@ -240,7 +288,8 @@ def _start(folder: Path, part: tuple[int, int], count: int) -> subprocess.Popen[
     paths = os.pathsep.join(path or os.getcwd() for path in sys.path)  # noqa: PTH109
     environment = os.environ | {"PYTHONPATH": paths, "POINTLOOM_CPU_THREADS": threads}
     command = [sys.executable, "-c", _WORKER, str(folder.absolute()), *map(str, part), str(os.getpid())]
-    return subprocess.Popen(command, env=environment, stdin=subprocess.DEVNULL)
+    # In a group of its own: Ctrl-C in a terminal is for the process that oversees the workers, which ends them.
+    return subprocess.Popen(command, env=environment, stdin=subprocess.DEVNULL, process_group=0)
 
 
 def main() -> None:
