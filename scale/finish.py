@@ -14,6 +14,7 @@ from ..files.points.las import open_las, read_las
 from .buckets import FOLDER as BUCKETS
 from .manifest import Manifest
 from .plan import Plan, open_plan
+from .rasters import write_mosaics
 from .status import status_of
 from .work_tile import FOLDER as TILES
 from .work_tile import offset_of, tile_path
@@ -63,6 +64,7 @@ def finish_tiles(folder: FilePath, path: FilePath | None = None, *, overwrite: b
                 )
             finally:
                 merged.unlink(missing_ok=True)
+        write_mosaics(manifest, plan, path)
         shutil.rmtree(manifest.folder / BUCKETS, ignore_errors=True)
         for left in (manifest.folder / TILES).glob(".*.part"):  # of workers that were killed
             left.unlink(missing_ok=True)

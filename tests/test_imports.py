@@ -41,6 +41,7 @@ MAY_IMPORT = {
 ROOMS = {
     "kernels": [
         *("language", "algebra", "arrays", "search", "extent", "surface", "features", "sampling", "segmentation"),
+        "terrain",
         *("poses", "icp", "volumes", "odometry", "meshes", "remeshing", "rays", "reconstruction", "images", "stereo"),
         *("drawing", "rgbd", "textures", "scenes"),
     ],
