@@ -4,8 +4,8 @@
     python benchmarks/made_survey.py FOLDER --points 1e9 --workers 2
 
 Hills, streets of houses and rows of trees, scanned line by line at 10 points a square metre: format 6 in steps of 1 mm,
-with intensity, GPS time, returns and the source's number; some 6 B a point. What is made by formula is ground (class 2),
-house (6) or tree (5); the class stands in `user_data`, and `classification` is 0 as of a raw survey.
+with intensity, GPS time, returns and the source's number; some 5 B a point. The class, ground (2), house (6) or tree
+(5), stands in `user_data`; `classification` is 0 as of a raw survey.
 """
 
 from __future__ import annotations
