@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..core.checks import check_count, check_progress
+from ..core.dropped_results import returns_new
 from ..core.progress import ReportProgress, say_nothing
 from ..core.reports import Fields, Report
 from .buckets import MOST_ROWS
@@ -38,10 +39,12 @@ class Estimate:
         """A figure without a range."""
         return cls(value, value, value)
 
+    @returns_new
     def times(self, factor: float) -> Estimate:
         """The figure so many times."""
         return Estimate(self.value * factor, self.low * factor, self.high * factor)
 
+    @returns_new
     def spread(self, factor: float) -> Estimate:
         """The figure with a range that is wider by a factor on both sides."""
         return Estimate(self.value, self.low / factor, self.high * factor)
