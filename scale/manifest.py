@@ -180,6 +180,20 @@ def connect(path: Path) -> sqlite3.Connection:
         return base
 
 
+def read_plan(folder: Path) -> dict[str, Any]:
+    """The plan alone, which does not change once it is written: without a lock, and beside whoever writes the rest."""
+    path = folder / NAME
+    with told_as_file_errors(path):
+        if not path.is_file():
+            raise FileError(path, "does not exist", remedy="Have all workers see the folder under the same path")
+        base = sqlite3.connect(f"{path.absolute().as_uri()}?immutable=1", uri=True)
+        try:
+            (plan,) = base.execute("SELECT value FROM meta WHERE key = 'plan'").fetchone()
+        finally:
+            base.close()
+    return json.loads(plan)
+
+
 def write_manifest(folder: Path, plan: dict[str, Any], version: str, tiles: list[tuple[Any, ...]]) -> None:
     """Write a new manifest, whole or not at all; tiles are (id, ix, iy, x0, y0, x1, y1)."""
     path, part = folder / NAME, folder / f"{NAME}.{uuid.uuid4().hex}.part"

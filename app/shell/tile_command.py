@@ -151,11 +151,20 @@ def plan(
 @FOLDER
 @click.option("--serial", is_flag=True, help="In this process; the default.")
 @click.option("--workers", type=COUNT, metavar="N", help="By N processes; one that dies is replaced.")
+@click.option("--dask", type=COUNT, metavar="N", help="By N processes of a dask cluster of this machine.")
+@click.option("--scheduler", metavar="ADDRESS", help="By the workers of a dask scheduler, as tcp://host:8786.")
 @click.option("--part", type=Part(), metavar="K/N", help="Only the K-th of N shares of the tiles, for array jobs.")
 @click.option("--tile", "name", type=TileName(), metavar="X_Y", help="Only this tile, again if it failed.")
 @json_option()
 def run(
-    folder: Path, serial: bool, workers: int | None, part: tuple[int, int] | None, name: str | None, as_json: bool
+    folder: Path,
+    serial: bool,
+    workers: int | None,
+    dask: int | None,
+    scheduler: str | None,
+    part: tuple[int, int] | None,
+    name: str | None,
+    as_json: bool,
 ) -> int:
     """Work the tiles of DIR off; what is done stays, so that the same command goes on after an end of any kind.
 
@@ -165,18 +174,20 @@ def run(
     \b
     pointloom tile run job
     pointloom tile run job --workers 8
+    pointloom tile run /shared/job --scheduler tcp://head:8786
     pointloom tile run /shared/job --part $SLURM_ARRAY_TASK_ID/400
     pointloom tile run job --tile 3_4
     """
-    if serial and workers:
-        refuse("--serial and --workers exclude each other; give one")
+    if serial + bool(workers) + bool(dask) + bool(scheduler) > 1:
+        refuse("--serial, --workers, --dask and --scheduler exclude each other; give one")
     if part and name:
         refuse("--part and --tile both choose tiles; give one")
     from ...scale.runners import run_tiles
     from ..jobs.tiles import report_of
 
     with Progress() as progress:
-        told = run_tiles(folder, workers=workers or 0, part=part, tile=name, progress=progress)
+        runner = {"workers": workers or 0, "dask": dask or 0, "scheduler": scheduler}
+        told = run_tiles(folder, part=part, tile=name, progress=progress, **runner)
     return answer_with(report_of("run", told, is_part=bool(part or name)), str(folder), as_json)
 
 
