@@ -95,13 +95,16 @@ def _settle(distributed: Any, book: Taskbook, task: Task, future: Any) -> None:
 
 @contextlib.contextmanager
 def _client(distributed: Any, folder: Path, count: int, scheduler: str | None) -> Iterator[Any]:
-    import dask
-
     if scheduler is None:
         threads = os.environ.get("POINTLOOM_CPU_THREADS") or str(max(1, (os.cpu_count() or 1) // count))
-        told = {"env": {"POINTLOOM_CPU_THREADS": threads}, "memory_limit": 0, "dashboard_address": "127.0.0.1:0"}
+        config = import_for(folder / NAME, "dask.config", "scale")
+        told: dict[str, Any] = {
+            "env": {"POINTLOOM_CPU_THREADS": threads},
+            "memory_limit": 0,
+            "dashboard_address": "127.0.0.1:0",
+        }
         with (
-            dask.config.set({"distributed.scheduler.allowed-failures": 2}),
+            config.set({"distributed.scheduler.allowed-failures": 2}),
             distributed.LocalCluster(count, threads_per_worker=1, host="127.0.0.1", **told) as cluster,
             distributed.Client(cluster) as client,
         ):

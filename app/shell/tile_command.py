@@ -236,7 +236,9 @@ def finish(folder: Path, output: Path | None, as_json: bool, force: bool) -> int
     """
     from ..jobs.tiles import finish_job
 
-    return answer_with(finish_job(folder, output, overwrite=force), str(folder), as_json)
+    with Progress() as progress:
+        told = finish_job(folder, output, overwrite=force, progress=progress)
+    return answer_with(told, str(folder), as_json)
 
 
 COMMANDS = (tile,)
