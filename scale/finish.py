@@ -67,7 +67,7 @@ def finish_tiles(
         if not parts:
             raise FileError(path, "there is nothing to write: the steps left no point")
         if is_copc:
-            _write_copc(path, TileTree(*map(list, zip(*parts, strict=True)), report), overwrite)
+            _write_copc(path, TileTree([part for part, _ in parts], [count for _, count in parts], report), overwrite)
         else:
             _merge(path, parts, overwrite)
         write_mosaics(manifest, plan, path)

@@ -63,7 +63,7 @@ def test_a_step_that_fails_on_a_cluster_is_named_by_tile(files, scheduler, tmp_p
 def test_a_scheduler_that_is_not_there_is_named_and_nothing_is_lost(files, tmp_path, monkeypatch):
     monkeypatch.setattr(cluster, "PATIENCE", 0.2)
     loom.scale.plan_tiles(files, STEPS, tmp_path / "job", size=20.0)
-    with pytest.raises(loom.FileError, match="no scheduler at tcp://127.0.0.1:9"):
+    with pytest.raises(loom.FileError, match=r"no scheduler at tcp://127\.0\.0\.1:9"):
         loom.scale.run_tiles(tmp_path / "job", scheduler="tcp://127.0.0.1:9")
     assert loom.scale.tile_status(tmp_path / "job").waiting == 9
 

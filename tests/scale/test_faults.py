@@ -334,7 +334,7 @@ def test_an_interrupted_run_holds_nothing_against_its_tile(files, tmp_path, monk
         raise KeyboardInterrupt
 
     with monkeypatch.context() as patch:
-        patch.setattr(runners, "work_tile", interrupted)
+        patch.setattr(runners, "do_task", interrupted)
         for _ in range(4):
             with pytest.raises(KeyboardInterrupt):
                 loom.scale.run_tiles(folder)
