@@ -2,15 +2,21 @@
 
 from __future__ import annotations
 
-import numpy as np
-from numpy.typing import NDArray
+import math
+from typing import Any
 
-from ..core.checks import check_positive
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ..core.checks import check_finite, check_positive, check_shape
 from ..core.units import METRE, is_same, warn_of_units
+from ..kernels.array_types import Points
 from ..kernels.arrays.bounds import bound_points
 from ..kernels.lang import uint8
 from ..kernels.memory import zeros
 from ..kernels.segmentation.ground import HeightGrid
+from ..kernels.terrain.cells import FixedCells, check_cell_numbers
+from ..kernels.terrain.ground_in_reach import NearGround, window_over
 from .cloud import PointCloud
 from .point_arrays import check_cloud
 
@@ -28,6 +34,8 @@ def classify_ground(
     max_window: float = WINDOW,
     elevation_threshold: float = THRESHOLD,
     scaling: float = SCALING,
+    *,
+    corner: ArrayLike | None = None,
 ) -> NDArray[np.bool_]:
     """Tell the ground from what stands on it, in a scan whose z axis points up.
 
@@ -42,6 +50,9 @@ def classify_ground(
         max_window: Radius [m] of the largest window, more than half the width of the largest building; up to 512 cells.
         elevation_threshold: Distance [m] from the bare earth that is still ground.
         scaling: Further distance [m] a unit of slope there.
+        corner: A corner of the grid's cells, x and y, fixed in space. A point's answer then depends on nothing beyond
+            `ground_reach` of it, whatever else the cloud holds: parts of a survey, each with as much around it, give
+            the answer of the whole. None starts at the cloud's own corner.
 
     Returns:
         Booleans of shape [n], for `select_by_mask`; False for points that are not finite.
@@ -55,7 +66,9 @@ def classify_ground(
 
     Notes:
         Pingel, Clarke and McBride, ISPRS Journal 77, 2013 (SMRF), with octagons for disks. 28 B of memory a cell; the
-        same bits from run to run. There are `max_window / cell_size` windows.
+        same bits from run to run. There are `max_window / cell_size` windows. With a `corner` gaps and what was cut
+        away are filled from nearby: where no ground is for some two windows, nothing is ground; windows pass over cells
+        without a height, and the ground goes on beyond the outermost points. docs/terrain.md has what that changes.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -73,28 +86,56 @@ def classify_ground(
     window = check_positive("max_window", max_window)
     threshold = check_positive("elevation_threshold", elevation_threshold, allow_zero=True)
     share = check_positive("scaling", scaling, allow_zero=True)
+    fixed = None if corner is None else check_finite("corner", check_shape("corner", corner, (2,)))
     _warn_of_defaults(cloud, cell == CELL or window == WINDOW or threshold == THRESHOLD or share == SCALING)
     points = cloud.device_array("points")
     low, high, finite = bound_points(points)
     if not finite:
         return cloud.handed_out(zeros(len(cloud), uint8, cloud.device), dtype=bool)
-    corner = low.astype(np.float64)
+    if fixed is not None:
+        near = _near_ground(points, (low, high), fixed - cloud.origin[:2], cell, window)
+        return cloud.handed_out(near.mask(steepest, threshold, share), dtype=bool)
+    lowest = low.astype(np.float64)
     with np.errstate(over="ignore"):  # more cells than float64 holds are too many, too
-        counts = np.floor((high.astype(np.float64) - corner) / cell)[:2] + 1
-    if counts.prod() > MOST_CELLS:
+        counts = np.floor((high.astype(np.float64) - lowest) / cell)[:2] + 1
+    _check_cells(cell, counts)
+    window = min(window, cell * float(counts.max()))
+    check_window(window, cell)
+    grid = HeightGrid(points, lowest, cell, int(counts[0]), int(counts[1]))
+    grid.uncover(steepest, window)
+    return cloud.handed_out(grid.near(threshold, share), dtype=bool)
+
+
+def _near_ground(points: Points, box: tuple[Any, Any], corner: Any, cell: float, window: float) -> NearGround:
+    check_window(window, cell)
+    radius = math.ceil(window / cell)
+    with np.errstate(over="ignore"):
+        low, high = (np.floor((end.astype(np.float64)[:2] - corner) / cell) for end in box)
+        first, shape = window_over(low, high, radius)
+    _check_cells(cell, shape)
+    check_cell_numbers(first, shape)
+    return NearGround(points, FixedCells(corner, cell, first, shape), radius)
+
+
+def _check_cells(cell: float, counts: NDArray[np.float64]) -> None:
+    if not counts.prod() <= MOST_CELLS:
         raise ValueError(
             f"cell_size: {cell} m makes a grid of {counts[0]:,.0f} x {counts[1]:,.0f} cells, more than 2^28; "
             "take larger cells, or crop stray points away"
         )
-    window = min(window, cell * float(counts.max()))
+
+
+def check_window(window: float, cell: float) -> None:
+    """Refuse a window of too many cells.
+
+    Raises:
+        ValueError: More than 512.
+    """
     if window > MOST_RADIUS * cell:
         raise ValueError(
             f"max_window: {window:g} m are more than {MOST_RADIUS} cells of {cell} m; take larger cells or a smaller "
             "window"
         )
-    grid = HeightGrid(points, corner, cell, int(counts[0]), int(counts[1]))
-    grid.uncover(steepest, window)
-    return cloud.handed_out(grid.near(threshold, share), dtype=bool)
 
 
 def _warn_of_defaults(cloud: PointCloud, has_default: bool) -> None:

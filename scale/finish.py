@@ -16,6 +16,7 @@ from ..files.points.las import open_las
 from .buckets import FOLDER as BUCKETS
 from .manifest import Manifest
 from .plan import Plan, open_plan
+from .rasters import write_mosaics
 from .status import status_of
 from .tree_outputs import FOLDERS, tree_of, write_folder, write_tree
 from .work_tile import FOLDER as TILES
@@ -81,6 +82,7 @@ def finish_tiles(
             write_tree(path, tree_of(parts, report), overwrite)
         else:
             _merge(path, parts, overwrite)
+        write_mosaics(manifest, plan, path)
         shutil.rmtree(manifest.folder / BUCKETS, ignore_errors=True)
         for left in (manifest.folder / TILES).glob(".*.part"):  # of workers that were killed
             left.unlink(missing_ok=True)

@@ -16,7 +16,7 @@ from ..core.errors import FileError, FilePath
 from ..core.paths import path_of
 from ..kernels.search.hilbert_order import levels_for
 from .buckets import Window
-from .manifest import NAME, Manifest, canonical, hash_of, write_manifest
+from .manifest import NAME, Manifest, canonical, hash_of, read_plan, write_manifest
 from .sources import check_alike, check_same, describe, list_files
 from .status import TileStatus, status_of
 from .steps.parse import parse_steps
@@ -107,7 +107,7 @@ def plan_tiles(
             pass lays the points on disk by tile.
         steps: Dictionaries such as `{"step": "voxel_down_sample", "voxel_size": 0.5}`, or a TOML file of [[step]]
             tables. Steps: voxel_down_sample, remove_radius_outlier, remove_statistical_outlier, estimate_normals,
-            smooth_mls, crop, function.
+            smooth_mls, crop, function, classify_ground, height_above_ground, rasterize.
         folder: Of the job; made where it is missing.
         size: Edge of a tile [unit of the files].
         points: Points a tile, about; 2 million where no size is given either.
@@ -181,6 +181,15 @@ def open_plan(folder: FilePath) -> tuple[Manifest, Plan]:
     except BaseException:
         manifest.base.close()
         raise
+
+
+def plan_alone(folder: Path) -> Plan:
+    """The plan of a folder for a worker elsewhere: without the manifest's locks, which need one machine.
+
+    Raises:
+        FileError: There is none.
+    """
+    return Plan(read_plan(folder))
 
 
 def check_same_plan(manifest: Manifest, told: dict[str, Any]) -> None:

@@ -57,7 +57,7 @@ class Leaf(NamedTuple):
 
     depth: int
     code: int
-    size: int
+    points: int
 
 
 @dataclass
@@ -186,7 +186,7 @@ class TileTree:
                     if len(chosen):
                         pending.setdefault(level, []).append((rows[chosen], numbers[chosen]))
             yield from _nodes_of(table, rows)
-            done += leaf.size
+            done += leaf.points
             self._report("points", self.count + done, 2 * self.count)
             following = self.leaves[k + 1] if k + 1 < len(self.leaves) else None
             shared = -1 if following is None else _shared_depth(leaf, following)
@@ -196,7 +196,7 @@ class TileTree:
     def _levels_of(self, leaf: Leaf, rows: NDArray[Any], numbers: NDArray[np.int64]) -> Any:
         points = upload(self.positions(rows), vec3d, "cpu")
         keys, order, levels = find_levels(points, self.corner, self.side, numbers)
-        if len(rows) != leaf.size or ((keys >> 3 * (DEPTH - leaf.depth)) != leaf.code).any():
+        if len(rows) != leaf.points or ((keys >> 3 * (DEPTH - leaf.depth)) != leaf.code).any():
             raise FileError(self.files[0].path.parent, "the tiles have changed while they were read")
         return keys, order, levels
 

@@ -26,7 +26,9 @@ from ..kernels.segmentation.neighbor_counts import mask_crowded
 from ..pcd.search import NearestNeighborSearch
 from .exact_sums import ExactSums
 from .plan import Plan
+from .rasters import write_raster
 from .sources import file_of, read_window
+from .steps.raster import Rasterize
 from .steps.step import Part, Step
 
 FOLDER = "tiles"
@@ -92,9 +94,9 @@ def work_tile(
         part = _first_part(plan, table)
         own = int((plan.tile_of(part.homes) == tile).sum())
         try:
-            if not own and _keeps_homes(steps):
+            if not own and _keeps_homes(steps) and not any(step.writes for step in steps):
                 return Outcome(0, 0, len(table.points), halos[0], ExactSums())
-            part, sums = _run(plan, (ix, iy), part, steps, (reaches, halos), numbers, target)
+            part, sums = _run(plan, folder, (ix, iy), part, steps, (reaches, halos), numbers, target)
         except HaloError as found:
             reaches[found.step] *= 2
             continue
@@ -131,6 +133,7 @@ def _first_part(plan: Plan, table: PointTable) -> Part:
 
 def _run(
     plan: Plan,
+    folder: Path,
     place: tuple[int, int],
     part: Part,
     steps: list[Step],
@@ -142,7 +145,7 @@ def _run(
     for k, step in enumerate(steps):
         if not len(part.cloud):
             return part, ExactSums()
-        if step.reach > 0 or step.neighbors is not None:
+        if step.searches and (step.reach > 0 or step.neighbors is not None):
             _adopt_tree(plan, part)
         after = plan.window(*place, halos[k + 1])
         wanted = _at_home(plan, part.homes, after, place)
@@ -150,6 +153,8 @@ def _run(
             _certify(plan, k, part, wanted, step.neighbors, reaches[k], plan.window(*place, halos[k]))
         if k == target:
             return part, ExactSums.of(step.measure(part)[wanted])
+        if isinstance(step, Rasterize) and target is None:
+            write_raster(step, part.cloud, plan, folder, place)
         part = step.run(part, plan, numbers.get(k))
         part = part.select(_at_home(plan, part.homes, plan.window(*place, halos[k + 1]), place))
     return part, None

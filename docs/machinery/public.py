@@ -32,6 +32,7 @@ GROUPS = {
     "rgbd": "Frames of depth cameras",
     "registration": "Registration",
     "photos": "Photographs",
+    "pcd.terrain": "Terrain",
     "scale": "Clouds larger than memory",
     "drawing": "Pictures, recordings, the viewer",
     "core": "Settings, errors, warnings",

@@ -10,8 +10,10 @@ from ...core.errors import FileError
 from ...core.known_names import nearest_name
 from .crop import Crop
 from .function import Function
+from .ground import ClassifyGround, HeightAboveGround
 from .normals import EstimateNormals
 from .outliers import RadiusOutlier, StatisticalOutlier
+from .raster import Rasterize
 from .smoothing import SmoothMls
 from .step import Step
 from .voxels import VoxelDownSample
@@ -24,13 +26,13 @@ WHOLE = {
     "orient_normals_consistent_tangent_plane": "signs spread over the whole cloud",
     "random_down_sample": "the choice depends on the number of all points",
     "uniform_down_sample": "the choice depends on the rows of all points",
-    "classify_ground": "its grid and its windows start at the cloud's own corner",
 }
 
 KNOWN: dict[str, type[Step]] = {
     kind.name: kind
     for kind in (VoxelDownSample, RadiusOutlier, EstimateNormals, StatisticalOutlier, Crop, SmoothMls, Function)
 }
+KNOWN |= {kind.name: kind for kind in (ClassifyGround, HeightAboveGround, Rasterize)}
 
 
 def parse_steps(steps: Any) -> list[Step]:
@@ -55,6 +57,9 @@ def parse_steps(steps: Any) -> list[Step]:
         if name not in KNOWN:
             raise ValueError(f"steps: there is no step {name!r}{nearest_name(name, KNOWN)}; {', '.join(KNOWN)}")
         parsed.append(KNOWN[name](params))
+    names = [step.raster for step in parsed if isinstance(step, Rasterize)]
+    if len({*names}) < len(names):
+        raise ValueError(f"steps: rasters of one name: {', '.join(names)}; give each a 'name' of its own")
     return parsed
 
 

@@ -58,6 +58,8 @@ class Step:
         reach: How far a result depends on other points; of the k nearest the guess, which the plan makes.
         neighbors: k, of a step of the k nearest.
         needs_numbers: Whether it needs numbers of the whole.
+        searches: Whether it searches for neighbours, in the cloud's tree.
+        writes: Whether it writes something beside the tile, of tiles without points too.
     """
 
     name = ""
@@ -66,6 +68,8 @@ class Step:
     reach = 0.0
     neighbors: int | None = None
     needs_numbers = False
+    searches = True
+    writes = False
 
     def __init__(self, params: dict[str, Any]):
         known = {*self.defaults, *self.required}

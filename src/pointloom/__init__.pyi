@@ -9,6 +9,7 @@ from . import scale as scale
 from .photos import sfm as sfm
 from .photos import video as video
 from .rgbd import slam as slam
+from .pcd import terrain as terrain
 from .photos.depth.estimation import DepthEstimate as DepthEstimate
 from .photos.depth.estimation import estimate_depth as estimate_depth
 from .photos.depth.evaluation import evaluate_depth as evaluate_depth
@@ -85,6 +86,7 @@ from .pcd.features import estimate_curvature as estimate_curvature
 from .pcd.geographic import project_to_utm as project_to_utm
 from .pcd.geographic import utm_epsg as utm_epsg
 from .pcd.ground import classify_ground as classify_ground
+from .pcd.terrain import height_above_ground as height_above_ground
 from .pcd.hulls import VisibleSurface as VisibleSurface
 from .cameras.images import RGBDImage as RGBDImage
 from .files.frames.azure_kinect import AzureKinectCamera as AzureKinectCamera

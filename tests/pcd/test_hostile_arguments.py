@@ -214,7 +214,8 @@ scene.compute_occupancy(query_points=points, nthreads=0, nsamples=1)
 mesh.compute_metrics(mesh2=shell, fscore_radius=[0.1], n_sampled_points=50, seed=1)
 mesh.compute_error_map(mesh2=shell, max_distance=0.5)
 mesh.is_intersecting(other=shell)
-loom.classify_ground(cloud=cloud, cell_size=0.2, slope=0.15, max_window=1.0, elevation_threshold=0.5, scaling=1.25)
+loom.classify_ground(cloud=cloud, cell_size=0.2, slope=0.15, max_window=1.0, elevation_threshold=0.5, scaling=1.25, corner=[0.1, 0.2])
+loom.height_above_ground(cloud=classed, reach=2.0, neighbors=4, cell=0.2, corner=[0.1, 0.2], classes=[1, 2])
 loom.compute_eigen_features(cloud=cloud, radius=0.5, max_nn=10)
 loom.compute_fpfh_feature(cloud=cloud, radius=0.5, max_nn=10, indices=[0, 1])
 loom.compute_iss_keypoints(cloud=cloud, salient_radius=0.3, non_max_radius=0.3, gamma_21=0.975, gamma_32=0.975, min_neighbors=3)
@@ -275,6 +276,7 @@ def things() -> dict[str, Any]:
     points, row = rng.random((60, 3)), np.arange(60)
     colors, depth = rng.random((60, 3)), 1 + rng.random((12, 16))
     cloud = loom.PointCloud(points, colors=colors, label=row.astype(np.int32), unit="metre").estimate_normals(max_nn=10)
+    classed = loom.PointCloud(points, classification=1 + row % 2)
     camera = loom.PinholeCameraIntrinsic(16, 12, 10.0, 10.0, 8.0, 6.0)
     color = rng.integers(0, 255, (12, 16, 3)).astype(np.uint8)
     triangles = np.array([[0, 1, 2], [2, 3, 4]])
@@ -304,6 +306,7 @@ def things() -> dict[str, Any]:
         recorder=lambda: loom.FrameRecorder(tempfile.mkdtemp(), camera),
         scene=scene, rays=rng.random((5, 6)),
         loom=loom, points=points, points32=points.astype(np.float32), row=row, colors=colors, depth=depth, cloud=cloud,
+        classed=classed,
         normals=cloud.normals, other=loom.PointCloud(points + 0.1), camera=camera, color=color,
         whole_depth=(1000 * depth).astype(np.uint16), three=np.array([0.5, 0.5, 0.5]), pose=np.eye(4), turn=np.eye(3),
         mask=row < 20, box=loom.AxisAlignedBoundingBox([0.1] * 3, [0.9] * 3),

@@ -1,0 +1,159 @@
+"""Grids of square cells that are counted from a corner fixed in space, and the points of each cell.
+
+Cell (x, y) of a window of the grid is number x * rows + y. A cell is found by one division in float64 whatever the
+window, so that two windows agree about every point. The points of a cell keep their own order. 28 B of memory a point
+and 4 B a cell.
+"""
+
+import numpy as np
+
+from ..array_types import Doubles, Points
+from ..arrays.key_starts import find_key_starts
+from ..arrays.sort import SortKeys, put_key
+from ..lang import NAN, array, float32, float64, floor, func, int32, int64, isfinite, kernel, launch, struct, tid, vec3
+from ..memory import empty
+
+MOST_NUMBER = 2.0**48  # of a cell: a cell's side is then still 32 steps of float64
+HIGHEST, LOWEST, COUNT, MEAN = 0, 1, 2, 3
+
+
+@struct
+class FixedCells:
+    """A window of a grid.
+
+    Attributes:
+        x0, y0: The corner that cells are counted from, about the points' origin.
+        cell: The side of a cell.
+        column0, row0: The window's lowest cell; whole numbers.
+        columns, rows: Cells of the window along x and y.
+    """
+
+    x0: float64
+    y0: float64
+    cell: float64
+    column0: float64
+    row0: float64
+    columns: int
+    rows: int
+
+    def __init__(self, corner: np.ndarray, cell: float, first: np.ndarray, shape: np.ndarray) -> None:
+        self.x0, self.y0, self.cell = float(corner[0]), float(corner[1]), float(cell)
+        self.column0, self.row0 = float(first[0]), float(first[1])
+        self.columns, self.rows = int(shape[0]), int(shape[1])
+
+    @property
+    def size(self) -> int:
+        """How many cells."""
+        return self.columns * self.rows
+
+
+def check_cell_numbers(first: np.ndarray, shape: np.ndarray) -> None:
+    """Refuse a corner so far away that cells cannot be counted from it.
+
+    Raises:
+        ValueError: More than 2^48 cells lie between.
+    """
+    if not (np.abs(np.concatenate([first, first + shape])) < MOST_NUMBER).all():
+        raise ValueError("corner: is more than 2^48 cells away from the points; take one that is nearer")
+
+
+@func
+def column_of(x: float32, cells: FixedCells) -> int:
+    """The column of a place in the window."""
+    return int(floor((float64(x) - cells.x0) / cells.cell) - cells.column0)
+
+
+@func
+def row_of_cell(y: float32, cells: FixedCells) -> int:
+    """The row of a place in the window."""
+    return int(floor((float64(y) - cells.y0) / cells.cell) - cells.row0)
+
+
+@kernel
+def encode_cells_kernel(points: array(dtype=vec3), cells: FixedCells, skipped: int64, keys: SortKeys):
+    """The number of each point's cell; points that are not finite, or outside the window, take the key `skipped`."""
+    i = tid()
+    p = points[i]
+    key = skipped
+    if isfinite(p):
+        x = floor((float64(p[0]) - cells.x0) / cells.cell) - cells.column0
+        y = floor((float64(p[1]) - cells.y0) / cells.cell) - cells.row0
+        if x >= 0.0 and y >= 0.0 and x < float64(cells.columns) and y < float64(cells.rows):
+            key = int64(x) * int64(cells.rows) + int64(y)
+    put_key(i, key, keys)
+
+
+@struct
+class CellGroups:
+    """The points of each cell of a window.
+
+    Attributes:
+        cells: The FixedCells.
+        points: float32 vec3 [n].
+        order: int32 [n], points by cell; within a cell in their own order.
+        starts: int32 [cells + 1], where each cell's points begin in `order`.
+    """
+
+    points: array(dtype=vec3)
+    order: array(dtype=int32)
+    starts: array(dtype=int32)
+
+    def __init__(self, points: Points, cells: FixedCells) -> None:
+        self.points, self.cells = points, cells
+        keys = SortKeys(points.size, points.device)
+        launch(encode_cells_kernel, points.size, [points, cells, cells.size, keys])
+        sorted_keys, self.order = keys.sort(cells.size.bit_length())
+        self.starts = empty(cells.size + 1, int32, points.device)
+        find_key_starts(sorted_keys, self.starts)
+
+    def measure(self, values: Doubles, kind: int) -> Doubles:
+        """One number a cell, float64 device array; NaN of a cell without points, whose count is 0.
+
+        Args:
+            values: A number a point.
+            kind: HIGHEST or LOWEST value, COUNT of points, or MEAN value, summed in the points' order.
+        """
+        out = empty(self.cells.size, float64, self.points.device)
+        launch(measure_cells_kernel, self.cells.size, [self, values, kind, out])
+        return out
+
+
+@kernel
+def measure_cells_kernel(groups: CellGroups, values: array(dtype=float64), kind: int, out: array(dtype=float64)):
+    """The highest, the lowest, the number or the mean of the values of a cell's points."""
+    i = tid()
+    first = groups.starts[i]
+    end = groups.starts[i + 1]
+    total = float64(0.0)
+    if kind == COUNT:
+        total = float64(end - first)
+    elif first == end:
+        total = float64(NAN)
+    else:
+        if kind != MEAN:
+            total = values[groups.order[first]]
+        for at in range(first, end):
+            value = values[groups.order[at]]
+            if kind == HIGHEST:
+                total = max(total, value)
+            elif kind == LOWEST:
+                total = min(total, value)
+            else:
+                total += value
+        if kind == MEAN:
+            total = total / float64(end - first)
+    out[i] = total
+
+
+@kernel
+def take_heights_kernel(points: array(dtype=vec3), heights: array(dtype=float64)):
+    """z of each point."""
+    i = tid()
+    heights[i] = float64(points[i][2])
+
+
+def heights_of(points: Points) -> Doubles:
+    """The heights of points about their origin, float64 device array [n]."""
+    heights = empty(points.size, float64, points.device)
+    launch(take_heights_kernel, points.size, [points, heights])
+    return heights

@@ -1,0 +1,301 @@
+"""Bare earth under a scan, where what a point is depends on nothing but the points within a finite reach.
+
+The filter of `segmentation/ground.py` (SMRF) on cells that are counted from a fixed corner, changed where that one sees
+the whole cloud:
+
+- Gaps are filled from coarse cells of up to 2^levels cells, each with few springs, so a wider gap stays unknown.
+- Before the openings only small gaps are filled; what is unknown then is passed over: neither lowest nor highest.
+- Each window opens the surface itself, not what the window before left. Of windows that are sums of each other that is
+  the same; of octagons of whole cells it is, but for some cells at corners.
+- Beyond the outermost points the surface goes on as at a gap.
+
+With the filling's levels and springs, `fill_reach` cells is what a filled cell depends on, and `reach_of` the whole.
+"""
+
+import math
+from itertools import pairwise
+
+import numpy as np
+
+from ..array_types import Bytes, Mask, Points, Scalars
+from ..lang import (
+    INFINITY,
+    array,
+    atomic_min,
+    float32,
+    float64,
+    floor,
+    func,
+    isfinite,
+    kernel,
+    launch,
+    sqrt,
+    tid,
+    uint8,
+    vec3,
+)
+from ..memory import empty, full, zeros
+from ..segmentation.ground import (
+    DIAGONAL,
+    DILATION,
+    EROSION,
+    LOW_RADIUS,
+    LOW_SLOPE,
+    average_cells_kernel,
+    clear_cells_kernel,
+    flag_steps_kernel,
+    reach_along_kernel,
+    reaches,
+)
+from .cells import FixedCells, column_of, row_of_cell
+
+SMALL_SPRINGS = (2, 2)  # passes at each level, from the finest, before the openings
+SPRINGS = (2, 2, 2)  # of the bare earth; coarser levels have none
+
+
+@kernel
+def keep_lowest_kernel(points: array(dtype=vec3), cells: FixedCells, heights: array(dtype=float32)):
+    """The lowest point of each cell; the minimum is the same in any order."""
+    i = tid()
+    p = points[i]
+    if isfinite(p):
+        atomic_min(heights, column_of(p[0], cells) * cells.rows + row_of_cell(p[1], cells), p[2])
+
+
+@kernel
+def spread_cells_kernel(
+    known: array(dtype=float32), coarse: array(dtype=float32), columns: int, rows: int, heights: array(dtype=float32)
+):
+    """The known heights, and where there is none the bilinear mean of those of the coarse cells that are known."""
+    i = tid()
+    height = known[i]
+    if not isfinite(height):
+        x = i // rows
+        y = i % rows
+        coarse_rows = rows // 2
+        total = 0.0
+        weights = 0.0
+        for a in range(2):
+            u = x // 2 + a * (2 * (x % 2) - 1)  # the coarse cell above, then the one that is next
+            for b in range(2):
+                v = y // 2 + b * (2 * (y % 2) - 1)
+                if u >= 0 and v >= 0 and u < columns // 2 and v < coarse_rows:
+                    other = coarse[u * coarse_rows + v]
+                    if isfinite(other):
+                        weight = (0.75 - 0.5 * float(a)) * (0.75 - 0.5 * float(b))
+                        total += weight * other
+                        weights += weight
+        height = total / weights  # NaN of 0 / 0
+    heights[i] = height
+
+
+@kernel
+def relax_cells_kernel(
+    known: array(dtype=float32), heights: array(dtype=float32), columns: int, rows: int, out: array(dtype=float32)
+):
+    """Give filled cells the mean of those of their neighbours that have a height."""
+    i = tid()
+    height = known[i]
+    if not isfinite(height):
+        height = heights[i]
+        if isfinite(height):
+            total = 0.0
+            count = 0.0
+            for side in range(4):
+                x = i // rows + (side // 2) * (2 * (side % 2) - 1)
+                y = i % rows + (1 - side // 2) * (2 * (side % 2) - 1)
+                if x >= 0 and y >= 0 and x < columns and y < rows:
+                    other = heights[x * rows + y]
+                    if isfinite(other):
+                        total += other
+                        count += 1.0
+            if count > 0.0:
+                height = total / count
+    out[i] = height
+
+
+@kernel
+def pass_over_kernel(heights: array(dtype=float32), value: float, out: array(dtype=float32)):
+    """The heights, and where there is none a value that no extreme takes."""
+    i = tid()
+    height = heights[i]
+    if not isfinite(height):
+        height = value
+    out[i] = height
+
+
+@kernel
+def grade_cells_kernel(
+    heights: array(dtype=float32), columns: int, rows: int, cell: float, slopes: array(dtype=float32)
+):
+    """The slope at each cell, by differences over the neighbours that have a height; 0 where there are none."""
+    i = tid()
+    slopes[i] = sqrt(
+        squared_grade(heights, i, rows, i // rows, columns, cell) + squared_grade(heights, i, 1, i % rows, rows, cell)
+    )
+
+
+@func
+def squared_grade(heights: array(dtype=float32), i: int, step: int, place: int, size: int, cell: float) -> float:
+    """The square of the rise over run along one axis."""
+    below = i
+    above = i
+    if place > 0:
+        if isfinite(heights[i - step]):
+            below = i - step
+    if place < size - 1:
+        if isfinite(heights[i + step]):
+            above = i + step
+    grade = 0.0
+    if above > below:
+        grade = (heights[above] - heights[below]) / (cell * float((above - below) // step))
+    if not isfinite(grade):
+        grade = 0.0
+    return grade * grade
+
+
+@func
+def height_at(heights: array(dtype=float32), a: int, b: int, s: float, t: float, columns: int, rows: int) -> float:
+    """The bilinear mean of those of four cells that are known; s and t from the centre of cell (a, b)."""
+    total = 0.0
+    weights = 0.0
+    for k in range(4):
+        x = a + k // 2
+        y = b + k % 2
+        if x >= 0 and y >= 0 and x < columns and y < rows:
+            height = heights[x * rows + y]
+            if isfinite(height):
+                weight = abs(1.0 - float(k // 2) - s) * abs(1.0 - float(k % 2) - t)
+                total += weight * height
+                weights += weight
+    return total / weights
+
+
+@kernel
+def mask_near_kernel(
+    points: array(dtype=vec3),
+    cells: FixedCells,
+    heights: array(dtype=float32),
+    slopes: array(dtype=float32),
+    threshold: float,
+    scaling: float,
+    mask: array(dtype=uint8),
+):
+    """1 where a point lies close to the bare earth; how close depends on the slope there."""
+    i = tid()
+    p = points[i]
+    ground = 0
+    if isfinite(p):
+        x = (float64(p[0]) - cells.x0) / cells.cell - 0.5  # from the grid's corner, so that all windows agree
+        y = (float64(p[1]) - cells.y0) / cells.cell - 0.5
+        s = float(x - floor(x))
+        t = float(y - floor(y))
+        a = int(floor(x) - cells.column0)
+        b = int(floor(y) - cells.row0)
+        height = height_at(heights, a, b, s, t, cells.columns, cells.rows)
+        if isfinite(height):
+            slope = height_at(slopes, a, b, s, t, cells.columns, cells.rows)
+            if abs(p[2] - height) <= threshold + scaling * slope:
+                ground = 1
+    mask[i] = uint8(ground)
+
+
+def levels_of(radius: int) -> int:
+    """Levels of coarse cells that fill what a window of this radius [cells] may remove."""
+    return max(len(SPRINGS), math.ceil(math.log2(1.5 * radius)))
+
+
+def fill_reach(levels: int, springs: tuple[int, ...]) -> int:
+    """Cells that a filled cell depends on to each side.
+
+    At level k it depends on coarse cells that reach 2 * 2^k beyond it, and each pass of springs on one of 2^k more.
+    """
+    return 2 * (2**levels - 1) + sum(count << level for level, count in enumerate(springs))
+
+
+def reach_in_cells(radius: int) -> int:
+    """Cells beyond a point's own that say whether it is ground, to each side.
+
+    Two small fillings, the closing of low outliers, the largest window's erosion and dilation, the filling of the bare
+    earth, its slope, and what is interpolated between.
+    """
+    small = fill_reach(len(SMALL_SPRINGS), SMALL_SPRINGS)
+    return 2 * small + 2 * LOW_RADIUS + 2 * radius + fill_reach(levels_of(radius), SPRINGS) + 2
+
+
+def window_over(low: np.ndarray, high: np.ndarray, radius: int) -> tuple[np.ndarray, np.ndarray]:
+    """First cell and shape of a window around cells from `low` to `high`, beyond which nothing changes a result."""
+    small, levels = fill_reach(len(SMALL_SPRINGS), SMALL_SPRINGS), levels_of(radius)
+    rim = max(fill_reach(levels, SPRINGS) + 2, 2 * radius + 2 * small + 2 * LOW_RADIUS + 2)
+    first = np.floor((low - rim) / 2**levels) * 2**levels
+    return first, (np.floor((high + rim) / 2**levels) + 1) * 2**levels - first
+
+
+class NearGround:
+    """The bare earth on a window of a grid."""
+
+    def __init__(self, points: Points, cells: FixedCells, radius: int) -> None:
+        """The lowest of the finite points of each cell; the window is one of `window_over`."""
+        self.points, self.cells, self.radius, self.device = points, cells, radius, points.device
+        self.lowest = full(cells.size, INFINITY, float32, self.device)
+        launch(keep_lowest_kernel, points.size, [points, cells, self.lowest])
+
+    def mask(self, slope: float, threshold: float, scaling: float) -> Mask:
+        """uint8 device array [n]: 1 where a point is ground; as `classify_ground` has the parameters."""
+        cells, unwanted = self.cells, zeros(self.cells.size, uint8, self.device)
+        surface = self._filled(unwanted, len(SMALL_SPRINGS), SMALL_SPRINGS)
+        closed = self._opened(surface, LOW_RADIUS, DILATION)
+        self._flag(surface, closed, LOW_SLOPE * cells.cell, DILATION, unwanted)
+        surface = self._filled(unwanted, len(SMALL_SPRINGS), SMALL_SPRINGS)
+        before = surface
+        for radius in range(1, self.radius + 1):
+            opened = self._opened(surface, radius, EROSION)
+            self._flag(before, opened, slope * radius * cells.cell, EROSION, unwanted)
+            before = opened
+        heights = self._filled(unwanted, levels_of(self.radius), SPRINGS)
+        slopes = empty(cells.size, float32, self.device)
+        launch(grade_cells_kernel, cells.size, [heights, cells.columns, cells.rows, cells.cell, slopes])
+        mask = empty(self.points.size, uint8, self.device)
+        launch(mask_near_kernel, self.points.size, [self.points, cells, heights, slopes, threshold, scaling, mask])
+        return mask
+
+    def _filled(self, unwanted: Bytes, levels: int, springs: tuple[int, ...]) -> Scalars:
+        """The lowest heights where they are wanted, and around them what coarse cells and springs make of them."""
+        columns, rows = self.cells.columns, self.cells.rows
+        known = [(empty(self.cells.size, float32, self.device), columns, rows)]
+        launch(clear_cells_kernel, self.cells.size, [unwanted, self.lowest, known[0][0]])
+        for level in range(1, levels + 1):
+            shape = (columns >> level, rows >> level)
+            known.append((empty(shape[0] * shape[1], float32, self.device), *shape))
+        for (fine, wide, high), (coarse, _, _) in pairwise(known):
+            launch(average_cells_kernel, coarse.size, [fine, wide, high, coarse])
+        filled = known[-1][0]
+        for level in range(levels - 1, -1, -1):
+            own, wide, high = known[level]
+            heights = empty(own.size, float32, self.device)
+            launch(spread_cells_kernel, own.size, [own, filled, wide, high, heights])
+            for _ in range(springs[level] if level < len(springs) else 0):
+                pulled = empty(own.size, float32, self.device)
+                launch(relax_cells_kernel, own.size, [own, heights, wide, high, pulled])
+                heights = pulled
+            filled = heights
+        return filled
+
+    def _opened(self, heights: Scalars, radius: int, first: float) -> Scalars:
+        """The heights opened (EROSION first) or closed (DILATION first) by octagons that pass unknown cells over."""
+        diagonal = int(DIAGONAL * radius + 0.5)
+        segments = [(1, 0, radius - 2 * diagonal), (0, 1, radius - 2 * diagonal), (1, 1, diagonal), (1, -1, diagonal)]
+        for side in (first, -first):
+            known = empty(self.cells.size, float32, self.device)
+            launch(pass_over_kernel, self.cells.size, [heights, side * INFINITY, known])
+            heights = known
+            for dx, dy, half in segments:
+                for reach in reaches(half):
+                    out = empty(self.cells.size, float32, self.device)
+                    arguments = [heights, self.cells.columns, self.cells.rows, dx, dy, reach, side, out]
+                    launch(reach_along_kernel, self.cells.size, arguments)
+                    heights = out
+        return heights
+
+    def _flag(self, heights: Scalars, opened: Scalars, limit: float, side: float, flags: Mask) -> None:
+        launch(flag_steps_kernel, self.cells.size, [heights, opened, limit, side, flags])

@@ -1,0 +1,131 @@
+"""Heights between points by inverse distance: sum(z / d^2) / sum(1 / d^2) over points near a place in plan.
+
+Of the points within a reach, those count that lie in the smallest square of cells around the place's own cell which
+holds a number of them. So it depends on no tie and on no order of a search: which points count is decided by whole
+squares, and they are added square by square, cell by cell, in their own order. Shepard, "A two-dimensional
+interpolation function for irregularly-spaced data", ACM 1968.
+
+One thread a place; it reads 8 B a cell and 16 B a point of the squares, and divides once a point.
+"""
+
+from ..array_types import Doubles, Points
+from ..lang import NAN, array, float64, floor, func, isfinite, kernel, launch, tid, vec3
+from ..memory import empty
+from .cells import CellGroups, FixedCells
+
+
+@func
+def height_near(
+    x: float64,
+    y: float64,
+    column: int,
+    row: int,
+    least: int,
+    most: int,
+    neighbors: int,
+    sqreach: float64,
+    window: FixedCells,
+    groups: CellGroups,
+) -> float64:
+    """The height at a place in a cell of the window; NaN where no point is within reach."""
+    total = float64(0.0)
+    weights = float64(0.0)
+    here = float64(0.0)  # of points at the place itself
+    there = float64(0.0)
+    count = int(0)
+    for m in range(most + 1):
+        if m <= least or count < neighbors:
+            for a in range(2 * m + 1):
+                u = column + a - m
+                steps = 2  # a side square's inner columns have a cell at either end
+                stride = 2 * m
+                if a == 0 or a == 2 * m:
+                    steps = 2 * m + 1
+                    stride = 1
+                if u >= 0 and u < window.columns:
+                    for b in range(steps):
+                        v = row - m + b * stride
+                        if v >= 0 and v < window.rows:
+                            k = u * window.rows + v
+                            for at in range(groups.starts[k], groups.starts[k + 1]):
+                                p = groups.points[groups.order[at]]
+                                dx = float64(p[0]) - x
+                                dy = float64(p[1]) - y
+                                sqdist = dx * dx + dy * dy
+                                if sqdist <= sqreach:
+                                    count += 1
+                                    if sqdist == 0.0:
+                                        here += float64(p[2])
+                                        there += 1.0
+                                    else:
+                                        weight = 1.0 / sqdist
+                                        total += weight * float64(p[2])
+                                        weights += weight
+    height = float64(NAN)
+    if there > 0.0:
+        height = here / there
+    elif weights > 0.0:
+        height = total / weights
+    return height
+
+
+@kernel
+def interpolate_centres_kernel(
+    cells: FixedCells,
+    most: int,
+    neighbors: int,
+    sqreach: float64,
+    window: FixedCells,
+    groups: CellGroups,
+    heights: array(dtype=float64),
+):
+    """The height at the centre of each cell."""
+    i = tid()
+    column = i // cells.rows
+    row = i % cells.rows
+    x = cells.x0 + (cells.column0 + float64(column) + 0.5) * cells.cell
+    y = cells.y0 + (cells.row0 + float64(row) + 0.5) * cells.cell
+    u = int(cells.column0 - window.column0) + column
+    v = int(cells.row0 - window.row0) + row
+    heights[i] = height_near(x, y, u, v, 0, most, neighbors, sqreach, window, groups)
+
+
+@kernel
+def interpolate_places_kernel(
+    points: array(dtype=vec3),
+    most: int,
+    neighbors: int,
+    sqreach: float64,
+    window: FixedCells,
+    groups: CellGroups,
+    heights: array(dtype=float64),
+):
+    """How far each point lies above the height in plan under it; NaN where one of them is not known."""
+    i = tid()
+    p = points[i]
+    height = float64(NAN)
+    if isfinite(p):
+        x = float64(p[0])
+        y = float64(p[1])
+        u = floor((x - window.x0) / window.cell) - window.column0
+        v = floor((y - window.y0) / window.cell) - window.row0
+        rim = float64(most)
+        if u >= -rim and v >= -rim and u < float64(window.columns) + rim and v < float64(window.rows) + rim:
+            height = float64(p[2]) - height_near(x, y, int(u), int(v), 1, most, neighbors, sqreach, window, groups)
+    heights[i] = height
+
+
+def interpolate_centres(groups: CellGroups, cells: FixedCells, neighbors: int, reach: float, rings: int) -> Doubles:
+    """Heights at the centres of cells, float64 device array; `cells` are of the grid that the groups are of."""
+    heights = empty(cells.size, float64, groups.points.device)
+    arguments = [cells, rings, neighbors, reach * reach, groups.cells, groups, heights]
+    launch(interpolate_centres_kernel, cells.size, arguments)
+    return heights
+
+
+def heights_above(points: Points, groups: CellGroups, neighbors: int, reach: float, rings: int) -> Doubles:
+    """How far points lie above the heights of the groups' points, float64 device array [n]."""
+    heights = empty(points.size, float64, points.device)
+    arguments = [points, rings, neighbors, reach * reach, groups.cells, groups, heights]
+    launch(interpolate_places_kernel, points.size, arguments)
+    return heights

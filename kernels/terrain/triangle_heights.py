@@ -1,0 +1,109 @@
+"""Heights on triangles at the centres of cells.
+
+One thread a triangle goes over the cells of its box and claims those whose centre it holds, its edges included; the
+lowest number has a cell that several hold, which is the same in any order. Then one thread a cell weighs the corners.
+Which side of an edge a centre lies on is computed from the edge's lower vertex whichever triangle asks, so no centre
+falls between two.
+"""
+
+from ..array_types import Doubles, Indices, Points, Triangles
+from ..lang import NAN, array, atomic_min, float64, floor, func, int32, kernel, launch, tid, vec3, vec3i
+from ..memory import empty, full
+from .cells import FixedCells
+
+NOBODY = 2**31 - 1
+
+
+@func
+def side_of(points: array(dtype=vec3), a: int, b: int, x: float64, y: float64) -> float64:
+    """Twice the area of the triangle of two vertices and a place; positive where it turns to the left."""
+    low = min(a, b)
+    high = max(a, b)
+    p = points[low]
+    q = points[high]
+    ux = float64(q[0]) - float64(p[0])
+    uy = float64(q[1]) - float64(p[1])
+    side = ux * (y - float64(p[1])) - uy * (x - float64(p[0]))
+    if low != a:
+        side = -side
+    return side
+
+
+@kernel
+def claim_cells_kernel(
+    points: array(dtype=vec3),
+    triangles: array(dtype=vec3i),
+    longest: float64,
+    cells: FixedCells,
+    owners: array(dtype=int32),
+):
+    """The lowest number of a triangle that holds each cell's centre; the minimum is the same in any order."""
+    i = tid()
+    t = triangles[i]
+    p = points[t[0]]
+    q = points[t[1]]
+    r = points[t[2]]
+    edge = float64(0.0)
+    for k in range(3):
+        here = points[t[k]]
+        there = points[t[(k + 1) % 3]]
+        dx = float64(there[0]) - float64(here[0])
+        dy = float64(there[1]) - float64(here[1])
+        edge = max(edge, dx * dx + dy * dy)
+    if edge <= longest * longest:
+        x0 = floor((float64(min(min(p[0], q[0]), r[0])) - cells.x0) / cells.cell) - cells.column0
+        x1 = floor((float64(max(max(p[0], q[0]), r[0])) - cells.x0) / cells.cell) - cells.column0
+        y0 = floor((float64(min(min(p[1], q[1]), r[1])) - cells.y0) / cells.cell) - cells.row0
+        y1 = floor((float64(max(max(p[1], q[1]), r[1])) - cells.y0) / cells.cell) - cells.row0
+        first = int(min(max(x0, 0.0), float64(cells.columns)))
+        end = int(min(max(x1 + 1.0, 0.0), float64(cells.columns)))
+        low = int(min(max(y0, 0.0), float64(cells.rows)))
+        high = int(min(max(y1 + 1.0, 0.0), float64(cells.rows)))
+        for u in range(first, end):
+            x = cells.x0 + (cells.column0 + float64(u) + 0.5) * cells.cell
+            for v in range(low, high):
+                y = cells.y0 + (cells.row0 + float64(v) + 0.5) * cells.cell
+                a = side_of(points, t[0], t[1], x, y)
+                b = side_of(points, t[1], t[2], x, y)
+                c = side_of(points, t[2], t[0], x, y)
+                if (a >= 0.0 and b >= 0.0 and c >= 0.0) or (a <= 0.0 and b <= 0.0 and c <= 0.0):
+                    atomic_min(owners, u * cells.rows + v, i)
+
+
+@kernel
+def weigh_corners_kernel(
+    points: array(dtype=vec3),
+    triangles: array(dtype=vec3i),
+    cells: FixedCells,
+    owners: array(dtype=int32),
+    heights: array(dtype=float64),
+):
+    """The height of each cell's triangle at the cell's centre; NaN where no triangle holds it."""
+    i = tid()
+    height = float64(NAN)
+    if owners[i] != NOBODY:
+        t = triangles[owners[i]]
+        x = cells.x0 + (cells.column0 + float64(i // cells.rows) + 0.5) * cells.cell
+        y = cells.y0 + (cells.row0 + float64(i % cells.rows) + 0.5) * cells.cell
+        a = side_of(points, t[1], t[2], x, y)
+        b = side_of(points, t[2], t[0], x, y)
+        c = side_of(points, t[0], t[1], x, y)
+        total = a * float64(points[t[0]][2]) + b * float64(points[t[1]][2]) + c * float64(points[t[2]][2])
+        height = total / (a + b + c)
+    heights[i] = height
+
+
+def triangle_heights(points: Points, triangles: Triangles, cells: FixedCells, longest: float) -> Doubles:
+    """The heights of triangles at the centres of cells, float64 device array; NaN where none is.
+
+    Args:
+        points: Their vertices, about the cells' origin.
+        triangles: Rows of three; those without an area hold nothing that matters.
+        cells: The window.
+        longest: Triangles with a longer edge in plan are left out.
+    """
+    owners: Indices = full(cells.size, NOBODY, int32, points.device)
+    launch(claim_cells_kernel, triangles.size, [points, triangles, longest, cells, owners])
+    heights = empty(cells.size, float64, points.device)
+    launch(weigh_corners_kernel, cells.size, [points, triangles, cells, owners, heights])
+    return heights

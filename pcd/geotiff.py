@@ -1,0 +1,73 @@
+"""GeoTIFF files that appear whole or not at all."""
+
+from __future__ import annotations
+
+import importlib
+import os
+import uuid
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+from ..core.atomic import check_writable
+from ..core.errors import FileError, FilePath
+
+BLOCK = 256  # cells along a side of a block
+
+
+@contextmanager
+def geotiff(
+    path: FilePath, shape: tuple[int, int], corner: tuple[float, float], cell: float, told: Any, *, overwrite: bool
+) -> Iterator[Any]:
+    """A GeoTIFF of two bands to write blocks to, which takes its name when all is written.
+
+    Args:
+        path: The file.
+        shape: Rows and columns.
+        corner: The low x and y.
+        cell: The side of a cell.
+        told: What has the `kind`, the `crs` and the `nodata`.
+        overwrite: Whether an existing file may be replaced.
+
+    Raises:
+        FileError: As `Raster.write`.
+    """
+    path = check_writable(path, overwrite=overwrite)
+    if path.suffix.lower() not in (".tif", ".tiff"):
+        raise FileError(path, "is no name of a GeoTIFF", remedy="End it in .tif")
+    rasterio = _rasterio(path)
+    part = path.with_name(f".{path.name}.{uuid.uuid4().hex}.part")
+    profile = {
+        "driver": "GTiff", "dtype": "float32", "count": 2, "height": shape[0], "width": shape[1], "crs": told.crs,
+        "transform": rasterio.Affine(cell, 0.0, corner[0], 0.0, -cell, corner[1] + shape[0] * cell),
+        "nodata": told.nodata, "tiled": True, "blockxsize": BLOCK, "blockysize": BLOCK, "compress": "deflate",
+        "predictor": 3, "BIGTIFF": "IF_SAFER", "interleave": "band",
+    }  # fmt: skip
+    try:
+        with rasterio.open(part, "w", **profile) as file:
+            file.set_band_description(1, told.kind)
+            file.set_band_description(2, "filled")
+            yield file
+        if overwrite:
+            part.replace(path)
+        else:
+            os.link(part, path)  # fails where another process made the file meanwhile
+    except FileExistsError as error:
+        raise FileError(path, "exists already", remedy="Give another name, or overwrite=True") from error
+    except rasterio.errors.CRSError as error:
+        raise FileError(path, f"crs: {str(told.crs)[:80]!r} is not known: {error}") from error
+    except (rasterio.errors.RasterioError, OSError) as error:
+        reason = getattr(error, "strerror", None) or error.__cause__ or error
+        raise FileError(path, f"cannot be written: {reason}") from error
+    finally:
+        part.unlink(missing_ok=True)
+
+
+def _rasterio(path: Path) -> Any:
+    try:
+        importlib.import_module("rasterio.errors")
+        return importlib.import_module("rasterio")
+    except ImportError as error:
+        remedy = 'pip install "pointloom[geo]"'
+        raise FileError(path, "GeoTIFF needs the package rasterio", remedy=remedy) from error

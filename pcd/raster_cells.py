@@ -1,0 +1,222 @@
+"""The cells of rasters, the points that count in them, and the ground between points."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..core.checks import check_finite, check_numeric, check_shape, shown
+from ..core.units import DEGREE, is_same
+from ..kernels.array_types import Doubles, Points
+from ..kernels.arrays.bounds import bound_points
+from ..kernels.arrays.select import gather_rows, positions_of
+from ..kernels.lang import NAN, float64, int32, uint8, vec3i
+from ..kernels.memory import cast, download, free_bytes, full, upload
+from ..kernels.terrain.cells import COUNT, HIGHEST, LOWEST, MEAN, CellGroups, FixedCells, check_cell_numbers
+from ..kernels.terrain.cells import heights_of as heights_of_points
+from ..kernels.terrain.inverse_distance import heights_above, interpolate_centres
+from ..kernels.terrain.listed_values import VALUES, keep_listed
+from ..kernels.terrain.triangle_heights import triangle_heights
+from .cloud import PointCloud
+
+GROUND, NOISE = (2,), (7, 18)  # classes of LAS
+REACH = 20  # cells, where no reach is given
+MOST_CELLS = 2**28
+BYTES = 32  # of memory a cell
+
+
+def check_classes(classes: Any) -> tuple[int, ...] | None:
+    """Classes of LAS as numbers; None stays.
+
+    Raises:
+        ValueError: No numbers of 0 to 255, or none at all.
+    """
+    if classes is None:
+        return None
+    given = np.atleast_1d(check_numeric("classes", classes))
+    if given.ndim != 1 or not given.size or given.dtype.kind not in "iu" or given.min() < 0 or given.max() >= VALUES:
+        raise ValueError(f"classes: expected classes of LAS, 0 to 255, such as (2, 8), got {shown(classes)}")
+    return tuple(sorted({int(value) for value in given}))
+
+
+def check_box(bounds: Any) -> NDArray[np.float64]:
+    """A box in plan.
+
+    Raises:
+        ValueError: No four finite numbers, or no area.
+    """
+    box = check_finite("bounds", check_shape("bounds", bounds, (4,)))
+    if not (box[0] < box[2] and box[1] < box[3]):
+        raise ValueError(f"bounds: expected (x0, y0, x1, y1) with x0 < x1 and y0 < y1, got {shown(bounds)}")
+    return box
+
+
+def check_lengths(cloud: PointCloud) -> None:
+    """Refuse degrees.
+
+    Raises:
+        ValueError: The cloud's unit is degrees.
+    """
+    if cloud.unit is not None and is_same(cloud.unit, DEGREE):
+        raise ValueError("cloud: is in degrees, which are no lengths; project_to_utm(cloud) makes metres of them")
+
+
+def window_of(points: Points, corner: Any, side: float, box: Any, origin: Any) -> FixedCells:
+    """The cells that a raster has."""
+    if box is None:
+        low, high, finite = bound_points(points)
+        if not finite:
+            raise ValueError("cloud: has no finite points; give the bounds of a raster without any")
+        first, shape = _cells_over(low, high, corner, side)
+    else:
+        ends = (box.reshape(2, 2) - origin[:2] - corner) / side
+        first = np.floor(ends[0] + 1e-9)  # a bound that was meant as a cell's is one
+        shape = np.maximum(np.ceil(ends[1] - 1e-9) - first, 1.0)
+    _check_room(side, shape, points.device)
+    check_cell_numbers(first, shape)
+    return FixedCells(corner, side, first, shape)
+
+
+def _cells_over(low: Any, high: Any, corner: Any, side: float) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    with np.errstate(over="ignore", invalid="ignore"):  # more cells than float64 holds are too many, too
+        first, last = (np.floor((end.astype(np.float64)[:2] - corner) / side) for end in (low, high))
+        return first, last - first + 1
+
+
+def _check_room(side: float, shape: NDArray[np.float64], device: Any) -> None:
+    with np.errstate(over="ignore"):
+        cells = float(shape.prod())
+    told = f"cell: {side:g} makes {shape[0]:,.0f} x {shape[1]:,.0f} cells"
+    if not cells <= MOST_CELLS:
+        raise ValueError(f"{told}, {cells * BYTES / 1e9:,.0f} GB, and 2^28 is the most; take larger cells, or tiles")
+    free = free_bytes(device)
+    if free is not None and cells * BYTES > free:
+        told += f", which take {cells * BYTES / 1e9:.2f} GB, and {device} has {free / 1e9:.2f} GB free"
+        raise MemoryError(f"{told}; take larger cells, or tiles")
+
+
+def _rings(reach: float, side: float, held: Any, asked: Any) -> int:
+    """The squares around a cell that may hold points within reach, of cells (first, shape) that are asked and held."""
+    span = np.maximum(held[0] + held[1], asked[0] + asked[1]) - np.minimum(held[0], asked[0])
+    return int(min(math.ceil(min(reach / side, 2.0**30)), span.max()))
+
+
+def chosen_points(cloud: PointCloud, classes: tuple[int, ...] | None, *, is_ground: bool = False) -> Points:
+    """The points of some classes, all but noise for None; of returns the first ones, where it is not the ground."""
+    rows = _rows(cloud, classes, is_first=not is_ground, is_needed=is_ground or classes is not None)
+    points = cloud.device_array("points")
+    if rows is None:
+        return points
+    if is_ground and not rows.size:
+        raise NoGroundError(
+            f"cloud: has no points of class {' or '.join(map(str, classes or GROUND))}; "
+            'classify_ground(cloud) tells the ground, for cloud["classification"]'
+        )
+    return gather_rows(points, rows)
+
+
+class NoGroundError(ValueError):
+    """There are no ground points to make a height of."""
+
+
+def _rows(cloud: PointCloud, classes: tuple[int, ...] | None, *, is_first: bool, is_needed: bool) -> Any:
+    has_classes = "classification" in cloud
+    if is_needed and not has_classes:
+        raise ValueError(
+            'cloud: has no classification; set cloud["classification"] to 2 where classify_ground(cloud) is true'
+        )
+    table = np.zeros(VALUES, np.uint8)
+    table[list(range(VALUES) if classes is None else classes)] = 1
+    if classes is None:
+        table[list(NOISE)] = 0
+    returns = np.zeros(VALUES, np.uint8)
+    returns[:2] = 1  # some files number none of them
+    tables = [("classification", table)] if has_classes else []
+    tables += [("return_number", returns)] if is_first and "return_number" in cloud else []
+    if not tables:
+        return None
+    mask = full(len(cloud), 1, uint8, cloud.device)
+    for name, listed in tables:
+        keep_listed(cast(cloud.device_array(name), int32), listed, mask)
+    return positions_of(mask)
+
+
+def ground_heights(ground: Points, window: FixedCells, method: str, reach: float | None, count: int) -> Doubles:
+    """The ground's height at the centre of each cell, about the points' origin."""
+    if method == "tin":
+        return triangle_heights(ground, _triangles(ground), window, math.inf if reach is None else reach)
+    far = REACH * window.cell if reach is None else reach
+    low, high, finite = bound_points(ground)
+    nothing = full(window.size, NAN, float64, ground.device)
+    if not finite:
+        return nothing
+    first, shape = _cells_over(low, high, np.array([window.x0, window.y0]), window.cell)
+    rim = math.ceil(min(far / window.cell, 2.0**30))
+    own, size = np.array([window.column0, window.row0]), np.array([window.columns, window.rows])
+    rings = _rings(far, window.cell, (first, shape), (own, size))
+    begin = np.maximum(first, own - rim)
+    shape = np.minimum(first + shape, own + size + rim) - begin
+    if (shape <= 0).any():
+        return nothing
+    _check_room(window.cell, shape, ground.device)
+    held = FixedCells(np.array([window.x0, window.y0]), window.cell, begin, shape)
+    return interpolate_centres(CellGroups(ground, held), window, count, far, rings)
+
+
+def _triangles(ground: Points) -> Any:
+    from scipy.spatial import Delaunay, QhullError  # loads for longer than a first raster needs
+
+    places = download(ground).reshape(-1, 3)[:, :2].astype(np.float64)
+    if not np.isfinite(places).all():
+        raise ValueError("cloud: has ground points that are not finite; take them out, or method='idw'")
+    try:
+        found = Delaunay(places).simplices
+    except (QhullError, ValueError) as error:
+        reason = f"the {len(places):,} ground points span no triangle: fewer than 3, or all on one line"
+        raise ValueError(f"cloud: {reason}; take method='idw'") from error
+    return upload(found.astype(np.int32), vec3i, ground.device)
+
+
+def measured_cells(cloud: PointCloud, window: FixedCells, kind: str, classes: tuple[int, ...] | None) -> Doubles:
+    """What is measured of the points in each cell."""
+    is_first = kind in ("dsm", "chm")
+    rows = _rows(cloud, classes, is_first=is_first, is_needed=classes is not None)
+    points = cloud.device_array("points")
+    chosen = points if rows is None else gather_rows(points, rows)
+    groups = CellGroups(chosen, window)
+    if kind == "intensity":
+        column = cloud.required_array("intensity", "a raster of it needs it")
+        if column.ndim != 1:
+            raise ValueError("intensity: expected one number a point")
+        values = cast(column if rows is None else gather_rows(column, rows), float64)
+        return groups.measure(values, MEAN)
+    measure = {"density": COUNT, "lowest": LOWEST}.get(kind, HIGHEST)
+    return groups.measure(heights_of_points(chosen), measure)
+
+
+def combined(kind: str, surface: Any, ground: Any, side: float, base: float) -> NDArray[np.float64]:
+    """What files hold, of numbers about the origin."""
+    if kind == "chm":
+        return download(surface) - download(ground)
+    if kind == "density":
+        return download(surface) / (side * side)
+    if kind == "intensity":
+        return np.asarray(download(surface))
+    return download(ground if kind == "dtm" else surface) + base
+
+
+def heights_above_ground(points: Points, ground: Points, corner: Any, side: float, reach: float, count: int) -> Doubles:
+    """How far points lie above the ground points, whose grid has a corner about their origin; NaN far from them."""
+    low, high, finite = bound_points(ground)
+    if not finite:
+        return full(points.size, NAN, float64, points.device)
+    first, shape = _cells_over(low, high, corner, side)
+    _check_room(side, shape, points.device)
+    check_cell_numbers(first, shape)
+    groups = CellGroups(ground, FixedCells(corner, side, first, shape))
+    low, high, _ = bound_points(points)
+    own, size = _cells_over(low, high, corner, side)
+    return heights_above(points, groups, count, reach, _rings(reach, side, (first, shape), (own, size)))

@@ -1,0 +1,199 @@
+"""Rasters of tiles, and the mosaics of them.
+
+All tiles share one grid. A cell is of the tile that its centre is in, and what it is depends on points within a reach
+that the tile's halo covers, so a mosaic takes each cell from one tile and is the raster of the whole.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+from collections import OrderedDict
+from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..core.errors import FileError
+from ..files.foreign import foreign_errors, import_for
+from ..files.points.las_crs import find_keys, find_text
+from ..pcd.cloud import PointCloud
+from ..pcd.geotiff import geotiff
+from ..pcd.raster_cells import NoGroundError
+from ..pcd.terrain import NODATA, Raster, rasterize
+from .manifest import Manifest
+from .plan import Plan
+from .sources import file_of
+from .steps.raster import Rasterize
+
+FOLDER = "rasters"
+STRIP = 1024  # cells along a side of the windows that a mosaic is written by: 12 MB
+MOST_OPEN = 64  # rasters of tiles at a time
+_PROJECTED, _USER_DEFINED = 3072, 32767  # GeoTIFF's key of the system's number
+
+
+def write_raster(step: Rasterize, cloud: PointCloud, plan: Plan, folder: Path, place: tuple[int, int]) -> None:
+    """Write the raster of a tile, of a cloud that holds all within the step's reach of it; none where it has no cell.
+
+    Args:
+        step: The step.
+        cloud: The points about the plan's origin.
+        plan: The Plan.
+        folder: Of the job.
+        place: Of the tile, ix and iy.
+    """
+    cells = tile_cells(step, plan, place)
+    if cells is None:
+        return
+    raster = _raster_of(step, cloud, plan, cells)
+    path = raster_path(folder, step.raster, place)
+    path.parent.mkdir(parents=True, exist_ok=True)
+    raster.write(path)
+
+
+def _raster_of(step: Rasterize, cloud: PointCloud, plan: Plan, cells: NDArray[np.int64]) -> Raster:
+    """The raster of the cells (x0, y0, x1, y1), the last ones not among them."""
+    params, corner = step.params, np.array(step.params["corner"])
+    rim = 0 if step.fill is None else math.ceil(step.fill / step.cell)
+    told = {name: params[name] for name in ("kind", "reach", "neighbors", "classes", "corner")}
+    wide = cells + np.array([-rim, -rim, rim, rim])
+    every = np.array(grid_cells(step, plan))
+    wide[:2], wide[2:] = np.maximum(wide[:2], every[:2]), np.minimum(wide[2:], every[2:])
+    bounds: NDArray[np.float64] = (np.tile(corner, 2) + wide * step.cell).astype(np.float64)
+    crs = params["crs"] or crs_of(plan)
+    try:
+        raster = rasterize(cloud, step.cell, bounds=bounds, crs=crs, **told)
+    except NoGroundError:
+        empty = np.full(((wide[3] - wide[1]), (wide[2] - wide[0])), np.nan, np.float32)
+        raster = Raster(empty, bounds[:2], step.cell, np.zeros(empty.shape, bool), step.kind, crs)
+    if step.fill is not None:
+        raster = raster.fill_gaps(step.fill)
+    rows = slice(wide[3] - cells[3], wide[3] - cells[1])
+    columns = slice(cells[0] - wide[0], cells[2] - wide[0])
+    low = corner + cells[:2] * step.cell
+    values, filled = raster.values[rows, columns], raster.filled[rows, columns]
+    return dataclasses.replace(raster, values=values, filled=filled, corner=low)
+
+
+def grid_cells(step: Rasterize, plan: Plan) -> list[int]:
+    """The cells that a raster of all files has: (x0, y0, x1, y1), the last ones not among them."""
+    corner = np.array(step.params["corner"])
+    low, high = (np.floor((np.array(plan.told[end])[:2] - corner) / step.cell) for end in ("low", "high"))
+    return [*low.astype(np.int64).tolist(), *(high + 1).astype(np.int64).tolist()]
+
+
+def tile_cells(step: Rasterize, plan: Plan, place: tuple[int, int]) -> NDArray[np.int64] | None:
+    """The cells whose centres are in a tile: (x0, y0, x1, y1), the last ones not among them; None where none is."""
+    every, found = grid_cells(step, plan), np.empty(4, np.int64)
+    for axis in range(2):
+        corner, begin = step.params["corner"][axis], plan.corner[axis] + place[axis] * plan.size
+        first = max(every[axis], math.floor((begin - corner) / step.cell) - 2)
+        last = min(every[axis + 2], math.ceil((begin + plan.size - corner) / step.cell) + 2)
+        numbers = np.arange(first, last)
+        centres = corner + (numbers + 0.5) * step.cell
+        owners = np.floor((centres - plan.corner[axis]) / plan.size)
+        numbers = numbers[np.clip(owners, 0, plan.shape[axis] - 1) == place[axis]]
+        if not len(numbers):
+            return None
+        found[axis], found[axis + 2] = numbers[0], numbers[-1] + 1
+    return found
+
+
+def raster_path(folder: Path, name: str, place: tuple[int, int]) -> Path:
+    """The raster of a tile."""
+    return folder / FOLDER / name / f"{place[0]}_{place[1]}.tif"
+
+
+def crs_of(plan: Plan) -> str | None:
+    """The coordinate system of the files, for rasterio; None where none is told by text or number."""
+    header = file_of(plan.sources[0]).header
+    text = find_text(header)
+    if text:
+        return text
+    place, _, code = find_keys(header).get(_PROJECTED, (0, 0, 0))
+    return f"EPSG:{code}" if place == 0 and 0 < code < _USER_DEFINED else None
+
+
+def write_mosaics(manifest: Manifest, plan: Plan, path: Path) -> list[Path]:
+    """Make one GeoTIFF of each raster of all tiles, window by window, beside the result.
+
+    Args:
+        manifest: The job's.
+        plan: The Plan.
+        path: Of the result; a raster's name follows its own: `result.dtm.tif`.
+
+    Raises:
+        FileError: A raster of a tile is missing or of another size, or the mosaic cannot be written.
+    """
+    stem = path.name.removesuffix(path.suffix).removesuffix(".copc")
+    written = []
+    for step in plan.steps:
+        if isinstance(step, Rasterize):
+            written.append(path.with_name(f"{stem}.{step.raster}.tif"))
+            _write_mosaic(manifest, plan, step, written[-1])
+    return written
+
+
+def _write_mosaic(manifest: Manifest, plan: Plan, step: Rasterize, path: Path) -> None:
+    tiles = manifest.rows("SELECT id, ix, iy FROM tiles ORDER BY id")
+    held = {(row["ix"], row["iy"]): cells for row in tiles
+            if (cells := tile_cells(step, plan, (row["ix"], row["iy"]))) is not None}  # fmt: skip
+    if not held:
+        raise FileError(path, f"no cell of {step.cell:g} has its centre in a tile", remedy="Take smaller cells")
+    boxes = np.array([*held.values()])
+    x0, y0, x1, y1 = [*boxes[:, :2].min(axis=0), *boxes[:, 2:].max(axis=0)]
+    shape, low = (int(y1 - y0), int(x1 - x0)), np.array(step.params["corner"]) + np.array([x0, y0]) * step.cell
+    told = SimpleNamespace(kind=step.kind, crs=step.params["crs"] or crs_of(plan), nodata=NODATA)
+    windows: Any = import_for(path, "rasterio.windows", "geo")
+    places = [*held]
+    with (
+        _Tiles(manifest.folder, step, held) as opened,
+        geotiff(path, shape, (low[0], low[1]), step.cell, told, overwrite=True) as file,
+    ):
+        for top in range(0, shape[0], STRIP):
+            for left in range(0, shape[1], STRIP):
+                rows, columns = min(STRIP, shape[0] - top), min(STRIP, shape[1] - left)
+                box = (x0 + left, y1 - top - rows, x0 + left + columns, y1 - top)
+                out = np.zeros((2, rows, columns), np.float32)
+                out[0] = 0.0 if step.kind == "density" else NODATA
+                meet = (boxes[:, 0] < box[2]) & (boxes[:, 2] > box[0]) & (boxes[:, 1] < box[3]) & (boxes[:, 3] > box[1])
+                for number in np.flatnonzero(meet):
+                    opened.lay(places[number], boxes[number], box, out)
+                file.write(out, window=windows.Window(left, top, columns, rows))
+
+
+class _Tiles:
+    """The rasters of tiles, a few open at a time."""
+
+    def __init__(self, folder: Path, step: Rasterize, held: dict[Any, Any]):
+        self.folder, self.step, self.held = folder, step, held
+        self.files: OrderedDict[Any, Any] = OrderedDict()
+
+    def __enter__(self) -> _Tiles:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        for file in self.files.values():
+            file.close()
+
+    def lay(self, place: tuple[int, int], own: Any, box: Any, out: NDArray[np.float32]) -> None:
+        """Lay what a tile has in a box of cells; a tile without points near it has no file, and no values."""
+        path = raster_path(self.folder, self.step.raster, place)
+        if place not in self.files and not path.exists():
+            return
+        low, high = np.maximum(own[:2], box[:2]), np.minimum(own[2:], box[2:])
+        rasterio: Any = import_for(path, "rasterio", "geo")
+        with foreign_errors(path, "cannot be read"):
+            file = self.files.pop(place, None) or rasterio.open(path)
+            self.files[place] = file
+            if (file.width, file.height) != (own[2] - own[0], own[3] - own[1]):
+                raise FileError(path, "is not the raster that was written", remedy="Plan the job anew")
+            rows = (int(own[3] - high[1]), int(own[3] - low[1]))
+            columns = (int(low[0] - own[0]), int(high[0] - own[0]))
+            out[:, box[3] - high[1] : box[3] - low[1], low[0] - box[0] : high[0] - box[0]] = file.read(
+                window=(rows, columns)
+            )
+        if len(self.files) > MOST_OPEN:
+            self.files.popitem(last=False)[1].close()

@@ -1,0 +1,292 @@
+"""Rasters and heights above ground are those of float64 sums, of SciPy's triangles, and of cells fixed in space."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+import pointloom as loom
+from pointloom.kernels.lang import cpu_compiler
+from pointloom.pcd.raster_cells import NoGroundError
+
+ORIGIN = np.array([500_000.0, 4_000_000.0, 250.0])
+
+
+def survey(rng, device="cpu", count=3000, side=(40.0, 25.0)):
+    """A slope with trees, half of it ground, some points noise and some not finite, far from zero."""
+    points = np.column_stack([rng.random((count, 2)) * side, rng.random(count)])
+    points[:, 2] += 0.2 * points[:, 0]
+    points[::200, 2] = np.nan
+    classes = rng.choice([1, 2, 2, 5, 7], count).astype(np.uint8)
+    points[classes == 7, 2] += 100
+    return loom.PointCloud(
+        points + ORIGIN, device=device, origin=ORIGIN, classification=classes,
+        return_number=rng.integers(1, 4, count).astype(np.uint8),
+        intensity=rng.integers(0, 65536, count).astype(np.uint16),
+    )  # fmt: skip
+
+
+def centres(raster):
+    """x and y of the cells' centres about the origin, as the raster's rows and columns."""
+    (rows, columns), (x, y) = raster.values.shape, raster.corner - ORIGIN[:2]
+    return np.meshgrid(x + (np.arange(columns) + 0.5) * raster.cell, y + (np.arange(rows)[::-1] + 0.5) * raster.cell)
+
+
+def weighed(places, x, y, *, cell, corner, reach, neighbors, least=0):
+    """Inverse distance by its definition: squares of cells grow until they hold enough points that are within reach."""
+    own, held = np.floor((np.array([x, y]) - corner) / cell), np.floor((places[:, :2] - corner) / cell)
+    rings = np.abs(held - own).max(axis=1)
+    sqdists = ((places[:, :2] - [x, y]) ** 2).sum(axis=1)
+    near = sqdists <= reach**2
+    m = next((m for m in range(least, 200) if (near & (rings <= m)).sum() >= neighbors), 200)
+    near &= rings <= m
+    if not near.any():
+        return np.nan
+    if (sqdists[near] == 0).any():
+        return places[near & (sqdists == 0), 2].mean()
+    weights = 1 / sqdists[near]
+    return (weights * places[near, 2]).sum() / weights.sum()
+
+
+def local(cloud, mask):
+    points = (cloud.points - cloud.origin)[mask & np.isfinite(cloud.points).all(axis=1)]
+    return points.astype(np.float32).astype(np.float64)
+
+
+@pytest.mark.parametrize(("cell", "reach"), [(1.0, 3.0), (0.7, 1.1), (6.5, 30.0)])
+def test_bare_earth_is_the_inverse_distance_of_its_definition(device, rng, cell, reach):
+    cloud = survey(rng, device, 600)
+    raster = loom.terrain.rasterize(cloud, cell, "dtm", reach=reach, neighbors=5, corner=ORIGIN[:2] + 0.3)
+    ground = local(cloud, np.asarray(cloud["classification"]) == 2)
+    told = {"cell": cell, "corner": 0.3, "reach": reach, "neighbors": 5}
+    expected = [weighed(ground, x, y, **told) for x, y in zip(*map(np.ravel, centres(raster)), strict=True)]
+    assert np.isfinite(expected).any()
+    expected = (np.reshape(expected, raster.values.shape) + ORIGIN[2]).astype(np.float32)
+    np.testing.assert_allclose(raster.values, expected, rtol=2e-7)
+
+
+def test_bare_earth_on_triangles_is_scipys(device, rng):
+    interpolate = pytest.importorskip("scipy.interpolate")
+    cloud = survey(rng, device)
+    cloud = cloud.select_by_mask(np.isfinite(cloud.points).all(axis=1))
+    raster = loom.terrain.rasterize(cloud, 0.5, method="tin")
+    ground = local(cloud, np.asarray(cloud["classification"]) == 2)
+    expected = interpolate.LinearNDInterpolator(ground[:, :2], ground[:, 2])(*centres(raster)) + ORIGIN[2]
+    np.testing.assert_array_equal(np.isnan(raster.values), np.isnan(expected))
+    np.testing.assert_allclose(raster.values, expected, rtol=2e-7)
+    short = loom.terrain.rasterize(cloud, 0.5, method="tin", reach=1.0)
+    assert 0 < np.isfinite(short.values).sum() < np.isfinite(raster.values).sum()
+
+
+def test_centres_on_the_edges_of_triangles_belong_to_one(device):
+    x, y = np.mgrid[0:9, 0:9].reshape(2, -1) + 0.5
+    cloud = loom.PointCloud(
+        np.column_stack([x, y, 3 * x - 2 * y]), classification=np.full(81, 2, np.uint8), device=device
+    )
+    raster = loom.terrain.rasterize(cloud, 0.5, method="tin", bounds=(0.25, 0.25, 8.75, 8.75), corner=(0.25, 0.25))
+    assert raster.values.shape == (17, 17)
+    u, v = np.meshgrid(np.arange(0.5, 9, 0.5), np.arange(0.5, 9, 0.5)[::-1])
+    np.testing.assert_allclose(raster.values, 3 * u - 2 * v, atol=1e-6)
+
+
+@pytest.mark.parametrize("kind", ["dsm", "lowest", "density", "intensity"])
+def test_what_lies_in_a_cell_is_counted_once(device, rng, kind):
+    cloud = survey(rng, device)
+    raster = loom.terrain.rasterize(cloud, 1.5, kind)
+    chosen = np.isfinite(cloud.points).all(axis=1) & (np.asarray(cloud["classification"]) != 7)
+    if kind == "dsm":
+        chosen &= np.asarray(cloud["return_number"]) == 1
+    places, column = (cloud.points)[chosen], np.floor((cloud.points[chosen][:, 0] - raster.corner[0]) / 1.5).astype(int)
+    row = raster.values.shape[0] - 1 - np.floor((places[:, 1] - raster.corner[1]) / 1.5).astype(int)
+    expected = np.full(raster.values.shape, {"dsm": -np.inf, "lowest": np.inf}.get(kind, 0.0))
+    counts = np.zeros(raster.values.shape)
+    np.add.at(counts, (row, column), 1)
+    if kind == "density":
+        np.testing.assert_array_equal(raster.values, (counts / 2.25).astype(np.float32))
+        return
+    if kind == "intensity":
+        np.add.at(expected, (row, column), np.asarray(cloud["intensity"], np.float64)[chosen])
+        expected = expected / np.where(counts, counts, np.nan)
+    else:
+        (np.maximum if kind == "dsm" else np.minimum).at(expected, (row, column), places[:, 2])
+    expected[counts == 0] = np.nan
+    np.testing.assert_array_equal(raster.values, expected.astype(np.float32))
+
+
+def test_canopy_is_the_surface_less_the_ground(device, rng):
+    cloud = survey(rng, device)
+    canopy, surface, ground = (loom.terrain.rasterize(cloud, 2.0, kind, reach=5) for kind in ("chm", "dsm", "dtm"))
+    np.testing.assert_allclose(canopy.values, surface.values - ground.values, atol=1e-4)
+
+
+def test_heights_above_ground_are_those_of_the_definition(device, rng):
+    cloud = survey(rng, device, 400)
+    heights = loom.height_above_ground(cloud, reach=2.5, neighbors=4, cell=1.0, corner=ORIGIN[:2])
+    ground = local(cloud, np.asarray(cloud["classification"]) == 2)
+    places = np.asarray(cloud.points - cloud.origin).astype(np.float32).astype(np.float64)
+    told = {"cell": 1.0, "corner": 0.0, "reach": 2.5, "neighbors": 4, "least": 1}
+    expected = [z - weighed(ground, x, y, **told) if np.isfinite(z) else np.nan for x, y, z in places]
+    np.testing.assert_allclose(heights, expected, atol=2e-6)
+    assert np.asarray(heights).dtype == np.float32
+
+
+def test_a_point_far_from_the_ground_has_no_height_and_one_at_the_edge_of_the_reach_has(device):
+    points = [[0, 0, 1], [10, 0, 5], [10.5, 0, 5], [-10, 0, 6], [0, 0, 3], [1e6, 0, 0]]
+    cloud = loom.PointCloud(points, classification=[2, 1, 1, 1, 2, 1], device=device, origin=(0, 0, 0))
+    heights = loom.height_above_ground(cloud, reach=10.0, cell=0.25)
+    np.testing.assert_array_equal(heights, [-1, 3, np.nan, 4, 1, np.nan])  # the mean of two at one place
+
+
+def test_ground_depends_on_nothing_beyond_its_reach(device, rng):
+    reach = loom.terrain.ground_reach(1.0, 2.0)
+    x, y = rng.random((2, 9000)) * [[150], [60]]
+    points = np.column_stack([x, y, np.sin(x / 9) + 2 * ((x % 20 < 4) & (y % 20 < 4)) + 0.05 * rng.normal(size=9000)])
+    far = rng.random((4000, 3)) * [300, 60, 40] + [150 + reach, 0, -20]
+    told = {"cell_size": 1.0, "max_window": 2.0, "corner": (0.3, -0.2)}
+    alone = loom.classify_ground(loom.PointCloud(points, device=device, origin=(0, 0, 0)), **told)
+    mixed = loom.classify_ground(loom.PointCloud(np.vstack([points, far]), device=device, origin=(0, 0, 0)), **told)
+    assert 0.3 < np.mean(alone) < 0.99
+    np.testing.assert_array_equal(np.asarray(mixed)[:9000], alone)
+    near = np.vstack([points, far - [reach + 8, 0, 0]])
+    other = loom.classify_ground(loom.PointCloud(near, device=device, origin=(0, 0, 0)), **told)
+    assert not np.array_equal(np.asarray(other)[:9000], alone)
+
+
+@settings(max_examples=10)
+@given(shift=st.tuples(st.integers(-3000, 3000), st.integers(-3000, 3000)))
+def test_ground_and_rasters_move_with_whole_cells(shift):
+    points = np.random.default_rng(0).random((500, 3)) * (16, 8, 0.5)
+    points = np.round(points * 64) / 64  # exact about either origin
+    moved = points + np.array([*shift, 0])
+    clouds = [loom.PointCloud(places, origin=(0, 0, 0)) for places in (points, moved)]
+    masks = [loom.classify_ground(cloud, max_window=2.0, corner=(0, 0)) for cloud in clouds]
+    np.testing.assert_array_equal(*masks)
+    for cloud, mask in zip(clouds, masks, strict=True):
+        cloud["classification"] = np.where(mask, 2, 1)
+    rasters = [loom.terrain.rasterize(cloud, 1.0, reach=4) for cloud in clouds]
+    np.testing.assert_array_equal(rasters[0].values, rasters[1].values)
+    np.testing.assert_array_equal(rasters[1].corner - rasters[0].corner, shift)
+
+
+def test_houses_of_a_village_are_no_ground_within_a_finite_reach(device, rng):
+    x, y = rng.random((2, 20_000)) * [[100], [80]]
+    house = (abs(x - 30) < 8) & (abs(y - 40) < 10) | (abs(x - 70) < 6) & (abs(y - 25) < 6)
+    cloud = loom.PointCloud(np.column_stack([x, y, 0.1 * x + np.where(house, 6.0, 0.0)]), device=device)
+    ground = np.asarray(loom.classify_ground(cloud, corner=(0, 0)))
+    assert (ground == ~house).mean() > 0.999
+
+
+def test_filled_cells_are_marked_and_the_rest_stays(rng):
+    cloud = survey(rng)
+    raster = loom.terrain.rasterize(cloud, 0.5, "lowest")
+    filled = raster.fill_gaps(1.0)
+    known = np.isfinite(raster.values)
+    np.testing.assert_array_equal(filled.values[known], raster.values[known])
+    np.testing.assert_array_equal(filled.filled, ~known & np.isfinite(filled.values))
+    row, column = np.argwhere(filled.filled)[0]
+    y, x = np.argwhere(known).T
+    places = np.column_stack([x + 0.5, known.shape[0] - y - 0.5, raster.values[known]])
+    place = (column + 0.5, known.shape[0] - row - 0.5)
+    expected = weighed(places, *place, cell=1.0, corner=0.0, reach=2.0, neighbors=8)
+    assert filled.values[row, column] == pytest.approx(expected, rel=1e-6)
+
+
+def test_a_geotiff_holds_values_place_and_marks(tmp_path, rng):
+    rasterio = pytest.importorskip("rasterio")
+    raster = loom.terrain.rasterize(survey(rng), 0.5, "dsm", crs="EPSG:32633").fill_gaps(0.6)
+    with rasterio.open(raster.write(tmp_path / "dsm.tif")) as file:
+        assert file.crs.to_epsg() == 32633 and file.nodata == raster.nodata and file.compression.name == "deflate"
+        assert file.bounds == pytest.approx(raster.bounds)
+        values = file.read(1, masked=True)
+        np.testing.assert_array_equal(values.filled(np.nan), raster.values)
+        np.testing.assert_array_equal(file.read(2) == 1, raster.filled)
+        x, y = file.xy(0, 0)
+    assert (x, y) == pytest.approx((raster.bounds[0] + 0.25, raster.bounds[3] - 0.25))
+
+
+def test_a_geotiff_that_cannot_be_written_leaves_nothing(tmp_path, rng):
+    pytest.importorskip("rasterio")
+    raster = loom.terrain.rasterize(survey(rng), 2.0, "dsm", crs="no system")
+    with pytest.raises(loom.FileError, match="crs: 'no system' is not known"):
+        raster.write(tmp_path / "a.tif")
+    good = loom.terrain.rasterize(survey(rng), 2.0, "dsm")
+    (tmp_path / "b.tif").write_text("old")
+    with pytest.raises(loom.FileError, match="exists already"):
+        good.write(tmp_path / "b.tif", overwrite=False)
+    with pytest.raises(loom.FileError, match=r"End it in \.tif"):
+        good.write(tmp_path / "c.png")
+    assert [path.name for path in tmp_path.iterdir()] == ["b.tif"]
+
+
+GROUND = {"classification": np.full(5, 2, np.uint8)}
+
+
+@pytest.mark.parametrize("kind", ["dtm", "dsm", "chm", "density", "lowest"])
+def test_one_point_is_one_cell(device, kind):
+    cloud = loom.PointCloud([[3.5, 2.5, 7.0]], classification=np.array([2], np.uint8), device=device)
+    raster = loom.terrain.rasterize(cloud, 1000.0, kind)
+    assert raster.values.tolist() == [[{"chm": 0.0, "density": np.float32(1e-6)}.get(kind, 7.0)]]
+
+
+def test_all_points_on_a_line_have_heights_but_no_triangles(device):
+    line = np.column_stack([np.arange(5) + 0.5, np.arange(5) + 0.5, np.arange(5)])
+    cloud = loom.PointCloud(line, **GROUND, device=device)
+    np.testing.assert_allclose(np.diag(loom.terrain.rasterize(cloud, 1.0).values[::-1]), np.arange(5), atol=1e-6)
+    with pytest.raises(ValueError, match="span no triangle: fewer than 3, or all on one line; take method='idw'"):
+        loom.terrain.rasterize(cloud, 1.0, method="tin")
+
+
+def test_what_no_raster_can_be_made_of_is_said_by_name(rng):
+    points = rng.random((5, 3)) * (100, 100, 1)
+    cloud = loom.PointCloud(points, **GROUND)
+    rasterize = loom.terrain.rasterize
+    with pytest.raises(ValueError, match="has no classification; set"):
+        rasterize(loom.PointCloud(points), 1.0)
+    bare = loom.PointCloud(points, classification=np.ones(5, np.uint8))
+    with pytest.raises(NoGroundError, match=r"has no points of class 2; classify_ground\(cloud\)"):
+        rasterize(bare, 1.0)
+    with pytest.raises(NoGroundError, match="has no points of class 2 or 8"):
+        loom.height_above_ground(bare, classes=(2, 8))
+    with pytest.raises(ValueError, match=r"makes [\d,]+ x [\d,]+ cells, [\d,]+ GB, and 2\^28 is the most"):
+        rasterize(cloud, 1e-4)
+    with pytest.raises(ValueError, match="is in degrees"):
+        rasterize(loom.PointCloud(points, **GROUND, unit="degree"), 1.0)
+    with pytest.raises(ValueError, match="no finite points"):
+        rasterize(loom.PointCloud(np.full((5, 3), np.nan), **GROUND), 1.0)
+    with pytest.raises(ValueError, match=r"bounds: expected \(x0, y0, x1, y1\)"):
+        rasterize(cloud, 1.0, bounds=(0, 0, 0, 1))
+    with pytest.raises(ValueError, match="kind: expected 'dtm' or"):
+        rasterize(cloud, 1.0, "dem")
+    with pytest.raises(ValueError, match="the cloud has no intensity"):
+        rasterize(cloud, 1.0, "intensity")
+    with pytest.raises(ValueError, match="classes: expected classes of LAS"):
+        rasterize(cloud, 1.0, classes=(2, 256))
+    with pytest.raises(ValueError, match=r"corner: is more than 2\^48 cells away"):
+        rasterize(cloud, 1.0, corner=(1e90, 0))
+
+
+def test_a_raster_that_exceeds_the_memory_is_refused_with_numbers(monkeypatch, rng):
+    monkeypatch.setattr("pointloom.pcd.raster_cells.free_bytes", lambda _: 1000)
+    with pytest.raises(
+        MemoryError, match=r"cell: 1 makes [\d,]+ x [\d,]+ cells, which take 0\.\d+ GB, and cpu has 0\.00"
+    ):
+        loom.terrain.rasterize(loom.PointCloud(rng.random((5, 3)) * 50, **GROUND), 1.0)
+
+
+@pytest.mark.both_compilers
+@pytest.mark.taichi
+def test_both_compilers_give_the_same_bits(rng):
+    cloud = survey(rng, count=800)
+    cloud = cloud.select_by_mask(np.isfinite(cloud.points).all(axis=1))
+
+    def products():
+        found = [loom.terrain.rasterize(cloud, 1.0, kind, reach=3).values for kind in ("dtm", "dsm", "intensity")]
+        found += [loom.terrain.rasterize(cloud, 1.0, method="tin").values, loom.height_above_ground(cloud, reach=3)]
+        return [*found, loom.classify_ground(cloud, max_window=3.0, corner=(0, 0))]
+
+    warp = products()
+    with cpu_compiler("taichi"):
+        for mine, theirs in zip(warp, products(), strict=True):
+            np.testing.assert_array_equal(np.asarray(mine), np.asarray(theirs))

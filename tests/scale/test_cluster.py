@@ -1,0 +1,110 @@
+"""Tiles that a cluster of dask.distributed works off."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import pointloom as loom
+from pointloom.scale import cluster
+
+from .scenes import finished, rows_of, survey
+
+distributed = pytest.importorskip("distributed")
+
+STEPS = [
+    {"step": "remove_statistical_outlier", "nb_neighbors": 8, "std_ratio": 2.0},
+    {"step": "voxel_down_sample", "voxel_size": 0.5},
+]
+
+
+@pytest.fixture(scope="module")
+def files(tmp_path_factory):
+    return survey(tmp_path_factory.mktemp("survey"), count=2000)
+
+
+@pytest.fixture(scope="module")
+def expected(files, tmp_path_factory):
+    job = tmp_path_factory.mktemp("alone")
+    loom.scale.plan_tiles(files, STEPS, job, size=20.0)
+    assert loom.scale.run_tiles(job).is_finished
+    return rows_of(finished(job))
+
+
+@pytest.fixture(scope="module")
+def scheduler():
+    """Address of a scheduler with one worker, both threads of this process."""
+    with distributed.LocalCluster(
+        1, processes=False, threads_per_worker=1, host="127.0.0.1", protocol="tcp", dashboard_address="127.0.0.1:0"
+    ) as found:
+        yield found.scheduler_address
+
+
+def test_a_cluster_gives_the_rows_of_one_process(files, expected, scheduler, tmp_path):
+    loom.scale.plan_tiles(files, STEPS, tmp_path / "job", size=20.0)
+    told = []
+    status = loom.scale.run_tiles(tmp_path / "job", scheduler=scheduler, progress=lambda *words: told.append(words))
+    assert status.is_finished and told[-1] == ("pass 2 of 2", 9, 9)
+    np.testing.assert_array_equal(rows_of(finished(tmp_path / "job")), expected)
+
+
+def failing(cloud):
+    raise ValueError("this step always fails")
+
+
+def test_a_step_that_fails_on_a_cluster_is_named_by_tile(files, scheduler, tmp_path):
+    steps = [{"step": "function", "call": failing, "reach": 0}]
+    loom.scale.plan_tiles(files, steps, tmp_path / "job", size=20.0)
+    status = loom.scale.run_tiles(tmp_path / "job", scheduler=scheduler)
+    assert status.failed == 9 and not status.waiting
+    assert all("this step always fails" in text for text in status.troubles.values())
+
+
+def test_a_scheduler_that_is_not_there_is_named_and_nothing_is_lost(files, tmp_path, monkeypatch):
+    monkeypatch.setattr(cluster, "PATIENCE", 0.2)
+    loom.scale.plan_tiles(files, STEPS, tmp_path / "job", size=20.0)
+    with pytest.raises(loom.FileError, match=r"no scheduler at tcp://127\.0\.0\.1:9"):
+        loom.scale.run_tiles(tmp_path / "job", scheduler="tcp://127.0.0.1:9")
+    assert loom.scale.tile_status(tmp_path / "job").waiting == 9
+
+
+def test_a_worker_of_another_version_is_refused(files, scheduler, tmp_path, monkeypatch):
+    loom.scale.plan_tiles(files, STEPS, tmp_path / "job", size=20.0)
+    monkeypatch.setattr(cluster, "_version", _another_version)
+    with pytest.raises(loom.FileError, match=r"has pointloom 0\.0\.1, this is"):
+        loom.scale.run_tiles(tmp_path / "job", scheduler=scheduler)
+    assert loom.scale.tile_status(tmp_path / "job").waiting == 9
+
+
+def _another_version():
+    return "0.0.1"
+
+
+def test_two_runners_are_refused(files, tmp_path):
+    loom.scale.plan_tiles(files, STEPS, tmp_path / "job", size=20.0)
+    with pytest.raises(ValueError, match="expected one of them, got several"):
+        loom.scale.run_tiles(tmp_path / "job", workers=2, dask=2)
+
+
+@pytest.mark.slow
+def test_a_worker_that_is_killed_is_replaced_and_its_tile_done_again(files, expected, tmp_path):
+    """Processes of a cluster of this machine; one kills itself at the first tile that it is given."""
+    once = tmp_path / "once"
+    steps = [{"step": "function", "call": dies_once, "reach": 0, "arguments": {"mark": str(once)}}, *STEPS]
+    loom.scale.plan_tiles(files, steps, tmp_path / "job", size=20.0)
+    status = loom.scale.run_tiles(tmp_path / "job", dask=2)
+    assert once.exists() and status.is_finished
+    np.testing.assert_array_equal(rows_of(finished(tmp_path / "job")), expected)
+
+
+def dies_once(cloud, mark):
+    import os
+    import signal
+    from pathlib import Path
+
+    try:
+        Path(mark).touch(exist_ok=False)
+    except FileExistsError:
+        return cloud
+    os.kill(os.getpid(), signal.SIGKILL)
+    return cloud
