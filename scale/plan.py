@@ -45,7 +45,10 @@ class Plan:
         shape: Tiles along x and y.
         slack: What coordinates are rounded by, and more.
         most: Points that a tile and its halo may have.
+        device: On which this process works; no part of what is planned.
     """
+
+    device = "cpu"
 
     def __init__(self, told: dict[str, Any]):
         self.told, self.sources = told, told["sources"]

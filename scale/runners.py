@@ -12,6 +12,7 @@ import subprocess
 import sys
 import time
 from collections.abc import Callable
+from contextlib import ExitStack
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -22,6 +23,7 @@ from ..core.paths import path_of
 from ..core.progress import ReportProgress, say_nothing
 from .buckets import FOLDER as BUCKETS
 from .cluster import run_on_cluster
+from .gpus import Gpu, environment_of, held_gpus
 from .manifest import OVER, Manifest, a_worker
 from .plan import Plan, open_plan
 from .status import TileStatus, status_of
@@ -30,6 +32,7 @@ from .work_tile import FOLDER as TILES
 
 LOOK = 0.2  # [s] between looks at what other workers do
 MOST_VAIN = 3  # workers that die in a row without one task done
+StartWorker = Callable[[int], "subprocess.Popen[bytes]"]  # given its place among the workers
 _WORKER = "from pointloom.scale.runners import main; main()"
 
 
@@ -41,6 +44,8 @@ def run_tiles(
     tile: str | None = None,
     dask: int = 0,
     scheduler: str | None = None,
+    security: Any = None,
+    device: str = "cpu",
     progress: ReportProgress = say_nothing,
 ) -> TileStatus:
     """Work the tiles of a folder off; what earlier runs have done stays.
@@ -58,8 +63,12 @@ def run_tiles(
         dask: By so many processes of a dask.distributed cluster of this machine, on loopback. Needs
             `pip install "pointloom[scale]"`.
         scheduler: "tcp://host:8786": by the workers of that dask scheduler, which see the folder and the files under
-            the same paths and have the same version; TLS as dask's own configuration says. Give workers no memory
-            limit (`--memory-limit 0`): they do not see what kernels use.
+            the same paths and have the same version. Give workers no memory limit (`--memory-limit 0`): they do not
+            see what kernels use.
+        security: A `distributed.Security` with the certificates for a "tls://" scheduler; None takes those of dask's
+            own configuration.
+        device: "cpu", or "cuda": each worker has a GPU to itself, which no other run of this machine takes meanwhile;
+            "cuda:1" is that one. The result is the same, see the notes.
         progress: Called with "files", "tiles" or "pass 1 of 2", how many are done, and how many there are.
 
     Returns:
@@ -69,6 +78,7 @@ def run_tiles(
         FileError: There is no plan, it is of other files or of another version, a file cannot be laid by tile, or
             workers die before they do anything.
         ValueError: There is no such tile, or a part is given too; two runners.
+        DeviceError: There is no such device, or fewer GPUs are free than workers want.
 
     Notes:
         Where the call is interrupted, the tiles that were worked on wait again; that is not held against them.
@@ -82,21 +92,25 @@ def run_tiles(
     if scheduler is not None and not isinstance(scheduler, str):
         raise TypeError(f"scheduler: expected an address such as 'tcp://host:8786', got {shown(scheduler)}")
     manifest, plan = open_plan(folder)
-    with manifest:
+    with manifest, ExitStack() as held:
         share = share if tile is None else _share_of(manifest, plan, tile)
         for name in (TILES, BUCKETS):
             (manifest.folder / name).mkdir(exist_ok=True)
+        gpus = [] if scheduler is not None else held.enter_context(held_gpus(device, count or dask or 1))
         manifest.give_back()
-        _tell(manifest, plan, report)
+        tell = partial(_tell, manifest, plan, report)
+        tell()
         if count:
-            _oversee(manifest, plan, count, share, report)
+            _oversee(manifest, partial(_start, manifest.folder, share, count, gpus), count, tell)
         else:
             try:
                 with a_worker(manifest.folder) as owner:
-                    book, tell = Taskbook(manifest, plan, owner, share), partial(_tell, manifest, plan, report)
+                    book = Taskbook(manifest, plan, owner, share)
                     if dask or scheduler is not None:
-                        run_on_cluster(manifest.folder, book, tell, dask, scheduler)
+                        told: dict[str, Any] = {"device": "cuda:0" if gpus else device, "gpus": gpus}
+                        run_on_cluster(manifest.folder, book, tell, scheduler or dask, security=security, **told)
                     else:
+                        plan.device = gpus[0].alias if gpus else device
                         _work(book, plan, manifest, tell)
             except BaseException:
                 manifest.give_back(is_death=False)
@@ -183,35 +197,36 @@ def _tell(manifest: Manifest, plan: Plan, report: ReportProgress) -> None:
     report(f"pass {number + 1} of {passes}", row["n"], total)
 
 
-def _oversee(manifest: Manifest, plan: Plan, count: int, part: tuple[int, int], report: ReportProgress) -> None:
+def _oversee(manifest: Manifest, start: StartWorker, count: int, tell: Callable[[], None]) -> None:
     """Keep so many workers at it; one that dies is replaced."""
-    crew: list[subprocess.Popen[bytes]] = []
+    crew: dict[int, subprocess.Popen[bytes]] = {}
     vain = 0
     before = _progress_of(manifest)
     try:
-        crew = [_start(manifest.folder, part, count) for _ in range(count)]
+        for place in range(count):
+            crew[place] = start(place)
         while crew:
             time.sleep(LOOK)
             now = _progress_of(manifest)
             if now != before:
                 before, vain = now, 0
-                _tell(manifest, plan, report)
-            ended = [worker for worker in crew if worker.poll() is not None]
-            crew = [worker for worker in crew if worker.poll() is None]
-            if any(worker.returncode for worker in ended):
+                tell()
+            ended = {place: worker for place, worker in crew.items() if worker.poll() is not None}
+            if any(worker.returncode for worker in ended.values()):
                 manifest.give_back()
-            for worker in ended:
+            for place, worker in ended.items():
+                del crew[place]
                 if not worker.returncode:
                     continue
                 vain += 1
                 if vain > MOST_VAIN * count:
                     reason = f"{vain} workers died without doing anything, the last with code {worker.returncode}"
                     raise FileError(manifest.folder, reason, remedy="Run it with workers=0 to see why")
-                crew.append(_start(manifest.folder, part, count))
+                crew[place] = start(place)
     finally:
-        for worker in crew:
+        for worker in crew.values():
             worker.terminate()
-        for worker in crew:
+        for worker in crew.values():
             worker.wait()
         manifest.give_back(is_death=False)
 
@@ -225,20 +240,26 @@ def _progress_of(manifest: Manifest) -> list[Any]:
     return [*row]
 
 
-def _start(folder: Path, part: tuple[int, int], count: int) -> subprocess.Popen[bytes]:
-    """A worker, which finds the modules that this process finds and takes its share of the cores."""
-    threads = os.environ.get("POINTLOOM_CPU_THREADS") or str(max(1, (os.cpu_count() or 1) // count))
-    paths = os.pathsep.join(path or os.getcwd() for path in sys.path)  # noqa: PTH109
-    environment = os.environ | {"PYTHONPATH": paths, "POINTLOOM_CPU_THREADS": threads}
-    command = [sys.executable, "-c", _WORKER, str(folder.absolute()), *map(str, part), str(os.getpid())]
+def _start(folder: Path, part: tuple[int, int], count: int, gpus: list[Gpu], place: int) -> subprocess.Popen[bytes]:
+    """A worker, which finds the modules that this process finds and takes its share of the cores, and its GPU."""
+    gpu = gpus[place : place + 1]
+    device = "cuda:0" if gpu else "cpu"
+    command = [sys.executable, "-c", _WORKER, str(folder.absolute()), *map(str, part), str(os.getpid()), device]
     # In a group of its own: Ctrl-C in a terminal is for the process that oversees the workers, which ends them.
-    return subprocess.Popen(command, env=environment, stdin=subprocess.DEVNULL, process_group=0)
+    return subprocess.Popen(
+        command,
+        env=environment_of(count, gpu),
+        stdin=subprocess.DEVNULL,
+        process_group=0,
+        pass_fds=[one.lock for one in gpu],
+    )
 
 
 def main() -> None:
-    """A worker process: `main FOLDER WHICH OF PARENT`; it ends when nothing is left for it."""
-    folder, which, of, parent = sys.argv[1:]
+    """A worker process: `main FOLDER WHICH OF PARENT DEVICE`; it ends when nothing is left for it."""
+    folder, which, of, parent, device = sys.argv[1:]
     manifest, plan = open_plan(folder)
+    plan.device = device
     with manifest, a_worker(manifest.folder) as owner:
         book = Taskbook(manifest, plan, owner, (int(which), int(of)))
         _work(book, plan, manifest, _say_nothing, int(parent))

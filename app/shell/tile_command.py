@@ -12,7 +12,7 @@ import click
 from .answer import answer_with
 from .console import Progress
 from .group import Commands
-from .options import FILE, LENGTH, force_option, json_option, refuse
+from .options import FILE, LENGTH, DeviceName, force_option, json_option, refuse
 
 # The names of scale/plan.py, which would load NumPy; a test holds the two together.
 OUTPUTS = ("laz", "copc")
@@ -155,6 +155,9 @@ def plan(
 @click.option("--scheduler", metavar="ADDRESS", help="By the workers of a dask scheduler, as tcp://host:8786.")
 @click.option("--part", type=Part(), metavar="K/N", help="Only the K-th of N shares of the tiles, for array jobs.")
 @click.option("--tile", "name", type=TileName(), metavar="X_Y", help="Only this tile, again if it failed.")
+@click.option(
+    "--device", type=DeviceName(), default="cpu", show_default=True, metavar="cpu|cuda|cuda:N", help="A GPU a worker."
+)
 @json_option()
 def run(
     folder: Path,
@@ -164,6 +167,7 @@ def run(
     scheduler: str | None,
     part: tuple[int, int] | None,
     name: str | None,
+    device: str,
     as_json: bool,
 ) -> int:
     """Work the tiles of DIR off; what is done stays, so that the same command goes on after an end of any kind.
@@ -186,7 +190,7 @@ def run(
     from ..jobs.tiles import report_of
 
     with Progress() as progress:
-        runner = {"workers": workers or 0, "dask": dask or 0, "scheduler": scheduler}
+        runner = {"workers": workers or 0, "dask": dask or 0, "scheduler": scheduler, "device": device}
         told = run_tiles(folder, part=part, tile=name, progress=progress, **runner)
     return answer_with(report_of("run", told, is_part=bool(part or name)), str(folder), as_json)
 

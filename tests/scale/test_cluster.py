@@ -2,15 +2,23 @@
 
 from __future__ import annotations
 
+import os
+import subprocess
+import sys
+import threading
+import time
+
 import numpy as np
 import pytest
 
 import pointloom as loom
 from pointloom.scale import cluster
+from pointloom.scale.manifest import Manifest
 
 from .scenes import finished, rows_of, survey
 
 distributed = pytest.importorskip("distributed")
+psutil = pytest.importorskip("psutil")  # which distributed needs
 
 STEPS = [
     {"step": "remove_statistical_outlier", "nb_neighbors": 8, "std_ratio": 2.0},
@@ -108,3 +116,50 @@ def dies_once(cloud, mark):
         return cloud
     os.kill(os.getpid(), signal.SIGKILL)
     return cloud
+
+
+@pytest.mark.slow
+def test_a_script_without_a_guard_may_start_a_cluster_whose_processes_end_with_it(files, tmp_path):
+    """What distributed starts workers by would load the script once more in each of them."""
+    loom.scale.plan_tiles(files, STEPS, tmp_path / "job", size=20.0)
+    script = tmp_path / "script.py"
+    script.write_text("import sys, pointloom as loom\nprint(loom.scale.run_tiles(sys.argv[1], dask=2))\n")
+    environment = os.environ | {"PYTHONPATH": os.pathsep.join(sys.path), "POINTLOOM_CPU_THREADS": "1"}
+    command = [sys.executable, str(script), str(tmp_path / "job")]
+    ended = subprocess.run(command, env=environment, capture_output=True, text=True, check=True)
+    assert ended.stdout.startswith("9 of 9 tiles done") and not ended.stderr
+
+
+@pytest.mark.slow
+def test_workers_of_a_runner_that_is_killed_end_and_the_job_goes_on(files, expected, tmp_path):
+    loom.scale.plan_tiles(files, STEPS, tmp_path / "job", size=4.0)
+    program = "import sys, pointloom as loom; loom.scale.run_tiles(sys.argv[1], dask=2)"
+    environment = os.environ | {"PYTHONPATH": os.pathsep.join(sys.path), "POINTLOOM_CPU_THREADS": "1"}
+    runner = subprocess.Popen([sys.executable, "-c", program, str(tmp_path / "job")], env=environment)
+    with Manifest(tmp_path / "job") as manifest:
+        while not manifest.counts("tiles", "pass > 0")["waiting"]:
+            time.sleep(0.05)
+            assert runner.poll() is None
+    workers = psutil.Process(runner.pid).children(recursive=True)
+    runner.kill()
+    runner.wait()
+    gone, alive = psutil.wait_procs(workers, timeout=30)
+    assert gone and not alive
+    assert loom.scale.run_tiles(tmp_path / "job").is_finished
+    np.testing.assert_array_equal(rows_of(finished(tmp_path / "job")), expected)
+
+
+def test_a_cluster_that_lacks_workers_or_goes_away_is_an_error_by_name(files, tmp_path, monkeypatch):
+    monkeypatch.setattr(cluster, "MOST_LONELY", 0.3)
+    loom.scale.plan_tiles(files, STEPS, tmp_path / "job", size=20.0)
+    alone = {"host": "127.0.0.1", "protocol": "tcp", "dashboard_address": "127.0.0.1:0"}
+    with distributed.LocalCluster(n_workers=0, processes=False, **alone) as empty:
+        with pytest.raises(loom.FileError, match="there was no worker at"):
+            loom.scale.run_tiles(tmp_path / "job", scheduler=empty.scheduler_address)
+        monkeypatch.setattr(cluster, "MOST_LONELY", 60)
+        closing = threading.Timer(1.0, empty.close)
+        closing.start()
+        with pytest.raises(loom.FileError, match="has gone"):
+            loom.scale.run_tiles(tmp_path / "job", scheduler=empty.scheduler_address)
+        closing.join()
+    assert loom.scale.tile_status(tmp_path / "job").waiting == 9
