@@ -36,7 +36,7 @@ class NodeTable:
         cells: int64 [k, 3], that cell along each axis.
         names: int64 [k], the cell of the level that a node belongs to, as a one above the three bits of each halving:
             that of the cell around it is `name >> 3`.
-        order: int32 [n], points by node.
+        order: int32 [n], points by node; all of them, unless the nodes are those below a cell alone.
     """
 
     levels: NDArray[np.uint8]
@@ -79,7 +79,13 @@ class _Node:
 
 
 def make_nodes(
-    keys: NDArray[np.int64], order: NDArray[np.int32], levels: NDArray[np.uint8], *, most: int, least: int = LEAST
+    keys: NDArray[np.int64],
+    order: NDArray[np.int32],
+    levels: NDArray[np.uint8],
+    *,
+    most: int,
+    least: int = LEAST,
+    depth: int = 0,
 ) -> NodeTable:
     """The nodes of points in Morton order.
 
@@ -89,14 +95,16 @@ def make_nodes(
         levels: Its level, [n].
         most: Points of a node above which it is cut.
         least: Deeper points that join the node above, if not more.
+        depth: Halvings to the cell that holds all of them; points of coarser levels are in none of the nodes.
 
     Notes:
         Memory: 8 B a point beside the arguments, of which 4 B are the result's.
     """
     rows = _Rows(levels)
     nodes: list[_Node] = []
-    codes, begins, ends = np.zeros(1, np.int64), np.zeros(1, np.int64), np.full(1, len(keys), np.int64)
-    for level in range(LEVELS if len(keys) else 0):
+    codes = keys[:1] >> (_KEY_BITS - 3 * depth)
+    begins, ends = np.zeros(1, np.int64), np.full(1, len(keys), np.int64)
+    for level in range(depth, LEVELS if len(keys) else 0):
         bounds = [(rows.count_before(j, begins), rows.count_before(j, ends)) for j in range(LEVELS)]
         counts = np.stack([last - first for first, last in bounds])
         own, deeper = counts[level], counts[level + 1 :].sum(axis=0)
@@ -141,7 +149,7 @@ def _parts(node: _Node, keys: NDArray[np.int64], rows: _Rows, most: int) -> list
 def _table(nodes: list[_Node], order: NDArray[np.int32], rows: _Rows) -> NodeTable:
     counts = np.array([node.count for node in nodes], np.int64)
     firsts = np.cumsum(counts) - counts
-    by_node = np.empty(len(order), np.int32)
+    by_node = np.empty(int(counts.sum()), np.int32)
     at = 0
     for node in nodes:
         for begin, end in node.runs:
@@ -151,8 +159,12 @@ def _table(nodes: list[_Node], order: NDArray[np.int32], rows: _Rows) -> NodeTab
     levels, depths = (np.array([getattr(node, name) for node in nodes], np.uint8) for name in ("level", "depth"))
     ones = np.int64(1) << (3 * levels.astype(np.int64))
     names = ones | (codes >> (3 * (depths - levels).astype(np.int64)))
-    cells = np.stack([_gather_bits(codes >> axis) for axis in (2, 1, 0)], axis=-1).reshape(-1, 3)
-    return NodeTable(levels, firsts, counts, depths, cells, names, by_node)
+    return NodeTable(levels, firsts, counts, depths, cells_of(codes), names, by_node)
+
+
+def cells_of(codes: NDArray[np.int64]) -> NDArray[np.int64]:
+    """The cell along each axis of Morton codes, [k, 3]."""
+    return np.stack([_gather_bits(codes >> axis) for axis in (2, 1, 0)], axis=-1).reshape(-1, 3)
 
 
 def _gather_bits(codes: NDArray[np.int64]) -> NDArray[np.int64]:

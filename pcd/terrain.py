@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..core.checks import check_count, check_finite, check_positive, check_shape, shown
 from ..core.devices import resolve_device
+from ..core.dropped_results import returns_new
 from ..core.errors import FilePath
 from ..kernels.lang import float32, vec3
 from ..kernels.memory import cast, download, upload
@@ -77,6 +78,7 @@ class Raster:
         made = f", {int(self.filled.sum()):,} of them filled" if self.filled.any() else ""
         return f"Raster({self.kind or 'values'}, {columns} x {rows} cells of {self.cell:g}, {known:,} known{made})"
 
+    @returns_new
     def fill_gaps(self, max_distance: float, *, neighbors: int = NEIGHBORS, device: Any = None) -> Raster:
         """Fill cells without a value by inverse distance from those that have one, and mark them.
 

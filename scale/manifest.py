@@ -136,8 +136,12 @@ class Manifest:
         query = f"UPDATE {table} SET {told}, owner = NULL WHERE id = ? AND owner = ? AND state = 'running'"
         return base.execute(query, (*values.values(), row, owner)).rowcount == 1
 
-    def give_back(self) -> int:
-        """Let others have what dead workers had claimed; how many rows. After some deaths a task is set aside."""
+    def give_back(self, *, is_death: bool = True) -> int:
+        """Let others have what dead workers had claimed; how many rows.
+
+        After some deaths a task is set aside; that a worker was told to end is none.
+        """
+        counted = int(is_death)
         given = 0
         for owner in self.owners():
             if not is_dead(self.folder, owner):
@@ -146,9 +150,9 @@ class Manifest:
             with self.change() as base:
                 for table in ("sources", "tiles"):
                     query = (
-                        f"UPDATE {table} SET attempts = attempts + 1, owner = NULL,"
-                        " error = CASE WHEN attempts + 1 >= ? THEN ? ELSE error END,"
-                        " state = CASE WHEN attempts + 1 >= ? THEN 'aside' ELSE 'waiting' END"
+                        f"UPDATE {table} SET attempts = attempts + {counted}, owner = NULL,"
+                        f" error = CASE WHEN attempts + {counted} >= ? THEN ? ELSE error END,"
+                        f" state = CASE WHEN attempts + {counted} >= ? THEN 'aside' ELSE 'waiting' END"
                         " WHERE owner = ? AND state = 'running'"
                     )
                     given += base.execute(query, (MOST_ATTEMPTS, reason, MOST_ATTEMPTS, owner)).rowcount
@@ -174,6 +178,20 @@ def connect(path: Path) -> sqlite3.Connection:
         base = sqlite3.connect(path, timeout=PATIENCE, isolation_level=None)
         base.row_factory = sqlite3.Row
         return base
+
+
+def read_plan(folder: Path) -> dict[str, Any]:
+    """The plan alone, which does not change once it is written: without a lock, and beside whoever writes the rest."""
+    path = folder / NAME
+    with told_as_file_errors(path):
+        if not path.is_file():
+            raise FileError(path, "does not exist", remedy="Have all workers see the folder under the same path")
+        base = sqlite3.connect(f"{path.absolute().as_uri()}?immutable=1", uri=True)
+        try:
+            (plan,) = base.execute("SELECT value FROM meta WHERE key = 'plan'").fetchone()
+        finally:
+            base.close()
+    return json.loads(plan)
 
 
 def write_manifest(folder: Path, plan: dict[str, Any], version: str, tiles: list[tuple[Any, ...]]) -> None:

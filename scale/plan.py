@@ -16,7 +16,7 @@ from ..core.errors import FileError, FilePath
 from ..core.paths import path_of
 from ..kernels.search.hilbert_order import levels_for
 from .buckets import Window
-from .manifest import NAME, Manifest, canonical, hash_of, write_manifest
+from .manifest import NAME, Manifest, canonical, hash_of, read_plan, write_manifest
 from .sources import check_alike, check_same, describe, list_files
 from .status import TileStatus, status_of
 from .steps.parse import parse_steps
@@ -45,7 +45,10 @@ class Plan:
         shape: Tiles along x and y.
         slack: What coordinates are rounded by, and more.
         most: Points that a tile and its halo may have.
+        device: On which this process works; no part of what is planned.
     """
+
+    device = "cpu"
 
     def __init__(self, told: dict[str, Any]):
         self.told, self.sources = told, told["sources"]
@@ -181,6 +184,15 @@ def open_plan(folder: FilePath) -> tuple[Manifest, Plan]:
     except BaseException:
         manifest.base.close()
         raise
+
+
+def plan_alone(folder: Path) -> Plan:
+    """The plan of a folder for a worker elsewhere: without the manifest's locks, which need one machine.
+
+    Raises:
+        FileError: There is none.
+    """
+    return Plan(read_plan(folder))
 
 
 def check_same_plan(manifest: Manifest, told: dict[str, Any]) -> None:

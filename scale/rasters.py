@@ -61,7 +61,7 @@ def _raster_of(step: Rasterize, cloud: PointCloud, plan: Plan, cells: NDArray[np
     wide = cells + np.array([-rim, -rim, rim, rim])
     every = np.array(grid_cells(step, plan))
     wide[:2], wide[2:] = np.maximum(wide[:2], every[:2]), np.minimum(wide[2:], every[2:])
-    bounds = (np.tile(corner, 2) + wide * step.cell).astype(np.float64)
+    bounds: NDArray[np.float64] = (np.tile(corner, 2) + wide * step.cell).astype(np.float64)
     crs = params["crs"] or crs_of(plan)
     try:
         raster = rasterize(cloud, step.cell, bounds=bounds, crs=crs, **told)

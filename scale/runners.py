@@ -1,4 +1,4 @@
-"""Runners of a job of tiles: in this process, by several of this machine, or by one part of an array job.
+"""Runners of a job of tiles: in this process, by several of this machine, by one part of an array job, or by a cluster.
 
 All of them work one loop over the manifest, so any number of runs on one folder share its tiles. A worker is a process
 that claims one task after the other: files to be laid by tile, then tiles, pass after pass.
@@ -7,32 +7,46 @@ that claims one task after the other: files to be laid by tile, then tiles, pass
 from __future__ import annotations
 
 import os
+import re
 import subprocess
 import sys
 import time
+from collections.abc import Callable
+from contextlib import ExitStack
+from functools import partial
 from pathlib import Path
 from typing import Any
 
-from ..core.checks import check_count, check_progress
+from ..core.checks import check_count, check_progress, shown
 from ..core.errors import FileError, FilePath
 from ..core.paths import path_of
 from ..core.progress import ReportProgress, say_nothing
 from .buckets import FOLDER as BUCKETS
-from .buckets import fill_buckets
-from .exact_sums import ExactSums
+from .cluster import run_on_cluster
+from .gpus import Gpu, environment_of, held_gpus
 from .manifest import OVER, Manifest, a_worker
 from .plan import Plan, open_plan
 from .status import TileStatus, status_of
+from .tasks import Taskbook, do_task, next_pass
 from .work_tile import FOLDER as TILES
-from .work_tile import work_tile
 
 LOOK = 0.2  # [s] between looks at what other workers do
 MOST_VAIN = 3  # workers that die in a row without one task done
+StartWorker = Callable[[int], "subprocess.Popen[bytes]"]  # given its place among the workers
 _WORKER = "from pointloom.scale.runners import main; main()"
 
 
 def run_tiles(
-    folder: FilePath, *, workers: int = 0, part: tuple[int, int] | None = None, progress: ReportProgress = say_nothing
+    folder: FilePath,
+    *,
+    workers: int = 0,
+    part: tuple[int, int] | None = None,
+    tile: str | None = None,
+    dask: int = 0,
+    scheduler: str | None = None,
+    security: Any = None,
+    device: str = "cpu",
+    progress: ReportProgress = say_nothing,
 ) -> TileStatus:
     """Work the tiles of a folder off; what earlier runs have done stays.
 
@@ -45,7 +59,17 @@ def run_tiles(
         workers: Processes; 0 works in this one.
         part: (17, 400): only the 17th of 400 shares of the tiles, for array jobs of a cluster whose machines share the
             folder. Where a step needs numbers of the whole, a share ends where it needs the others': run it again.
-        progress: Called with "files" or "tiles", how many are done, and how many there are.
+        tile: "3_4": only this one, which is done again if it failed or was set aside.
+        dask: By so many processes of a dask.distributed cluster of this machine, on loopback. Needs
+            `pip install "pointloom[scale]"`.
+        scheduler: "tcp://host:8786": by the workers of that dask scheduler, which see the folder and the files under
+            the same paths and have the same version. Give workers no memory limit (`--memory-limit 0`): they do not
+            see what kernels use.
+        security: A `distributed.Security` with the certificates for a "tls://" scheduler; None takes those of dask's
+            own configuration.
+        device: "cpu", or "cuda": each worker has a GPU to itself, which no other run of this machine takes meanwhile;
+            "cuda:1" is that one. The result is the same, see the notes.
+        progress: Called with "files", "tiles" or "pass 1 of 2", how many are done, and how many there are.
 
     Returns:
         A TileStatus; look at `failed` and `aside`.
@@ -53,19 +77,44 @@ def run_tiles(
     Raises:
         FileError: There is no plan, it is of other files or of another version, a file cannot be laid by tile, or
             workers die before they do anything.
+        ValueError: There is no such tile, or a part is given too; two runners.
+        DeviceError: There is no such device, or fewer GPUs are free than workers want.
+
+    Notes:
+        Where the call is interrupted, the tiles that were worked on wait again; that is not held against them.
     """
     count, report = check_count("workers", workers, minimum=0), check_progress(progress)
-    share = _check_part(part)
+    if tile is not None and part is not None:
+        raise ValueError("tile, part: expected one of them, got both")
+    share, dask = _check_part(part), check_count("dask", dask, minimum=0)
+    if bool(count) + bool(dask) + (scheduler is not None) > 1:
+        raise ValueError("workers, dask, scheduler: expected one of them, got several")
+    if scheduler is not None and not isinstance(scheduler, str):
+        raise TypeError(f"scheduler: expected an address such as 'tcp://host:8786', got {shown(scheduler)}")
     manifest, plan = open_plan(folder)
-    with manifest:
+    with manifest, ExitStack() as held:
+        share = share if tile is None else _share_of(manifest, plan, tile)
         for name in (TILES, BUCKETS):
             (manifest.folder / name).mkdir(exist_ok=True)
+        gpus = [] if scheduler is not None else held.enter_context(held_gpus(device, count or dask or 1))
         manifest.give_back()
+        tell = partial(_tell, manifest, plan, report)
+        tell()
         if count:
-            _oversee(manifest, count, share, report)
+            _oversee(manifest, partial(_start, manifest.folder, share, count, gpus), count, tell)
         else:
-            with a_worker(manifest.folder) as owner:
-                _work(manifest, plan, owner, share, report)
+            try:
+                with a_worker(manifest.folder) as owner:
+                    book = Taskbook(manifest, plan, owner, share)
+                    if dask or scheduler is not None:
+                        told: dict[str, Any] = {"device": "cuda:0" if gpus else device, "gpus": gpus}
+                        run_on_cluster(manifest.folder, book, tell, scheduler or dask, security=security, **told)
+                    else:
+                        plan.device = gpus[0].alias if gpus else device
+                        _work(book, plan, manifest, tell)
+            except BaseException:
+                manifest.give_back(is_death=False)
+                raise
         bad = manifest.rows("SELECT id, error FROM sources WHERE state IN ('failed', 'aside') ORDER BY id")
         if bad:
             path = plan.sources[bad[0]["id"]]["path"]
@@ -94,135 +143,92 @@ def _check_part(part: Any) -> tuple[int, int]:
     return check_count("part", part[0], maximum=of, because="there are no more parts"), of
 
 
-def _work(
-    manifest: Manifest, plan: Plan, owner: str, part: tuple[int, int], report: ReportProgress, parent: int = 0
-) -> None:
-    """Claim and do tasks until none is left for this worker, or its parent is gone."""
-    share = ("id % ? = ?", part[1], part[0] - 1)
-    numbers: dict[int, ExactSums] = {}  # of passes that are over, by the step that needs them
-    while not parent or os.getppid() == parent:
-        row = manifest.claim("sources", owner)
-        if row is not None:
-            _do_source(manifest, plan, owner, row["id"])
-            _tell(manifest, "sources", report)
-            continue
-        files = manifest.counts("sources")
-        if files["failed"] + files["aside"]:
-            return
-        if files["running"]:
-            _wait(manifest)
-            continue
-        number = _next_pass(manifest)
-        row = None if number is None else manifest.claim("tiles", owner, f"pass = ? AND {share[0]}", number, *share[1:])
-        if row is not None:
-            for earlier, step in enumerate(plan.passes[: row["pass"]]):
-                if step is not None and step not in numbers:
-                    numbers[step] = sums_of(manifest, earlier)
-            _do_tile(manifest, plan, owner, row, numbers)
-            _tell(manifest, "tiles", report)
-            continue
-        left = manifest.counts("tiles", *share)
-        if number is None or not (left["waiting"] or left["running"]):
-            return
-        others = manifest.counts("tiles", "pass = ?", number)
-        if not others["running"]:
-            if manifest.counts("tiles", f"pass = ? AND {share[0]}", number, *share[1:])["waiting"]:
-                continue
-            return  # other shares have tiles of this pass to do
-        _wait(manifest)
-
-
-def _wait(manifest: Manifest) -> None:
-    if not manifest.give_back():
-        time.sleep(LOOK)
-
-
-def _next_pass(manifest: Manifest) -> int | None:
-    """The pass that tiles are to be done in now: one begins where all are through the one before."""
-    (row,) = manifest.rows("SELECT min(pass) AS n FROM tiles WHERE state NOT IN ('done', 'empty')")
-    return row["n"]
-
-
-def _do_source(manifest: Manifest, plan: Plan, owner: str, number: int) -> None:
-    try:
-        filled = fill_buckets(plan, manifest.folder, number, owner)
-    except (FileError, ValueError, OSError, MemoryError) as error:
-        manifest.settle("sources", number, owner, state="failed", error=_said(error))
-        return
-    told = {"points": filled.points, "full": filled.full, "bytes": filled.size}
-    manifest.settle("sources", number, owner, state="done", error=None, **told)
-
-
-def _do_tile(manifest: Manifest, plan: Plan, owner: str, row: Any, numbers: dict[int, ExactSums]) -> None:
-    begin = time.monotonic()
-    fulls = {found["id"]: found["full"] for found in manifest.rows("SELECT id, full FROM sources")}
-    try:
-        found = work_tile(plan, manifest.folder, row["id"], row["pass"], numbers, fulls)
-    except (Exception, MemoryError) as error:  # of steps, which may be a user's
-        manifest.settle("tiles", row["id"], owner, state="failed", error=_said(error))
-        return
-    is_last = row["pass"] == len(plan.passes) - 1
-    told: dict[str, Any] = {"points_in": found.points_in, "halo": found.halo, "error": None}
-    told |= {"points_read": row["points_read"] + found.points_read, "points_out": found.points_out}
-    told["seconds"] = row["seconds"] + time.monotonic() - begin
-    told |= {"state": ("done" if found.points_out else "empty") if is_last else "waiting"}
-    told["pass"] = row["pass"] if is_last else row["pass"] + 1
+def _share_of(manifest: Manifest, plan: Plan, tile: Any) -> tuple[int, int]:
+    """The part of an array job that one tile is, which waits again if it failed."""
+    found = re.fullmatch(r"(\d{1,9})_(\d{1,9})", tile) if isinstance(tile, str) else None
+    rows = manifest.rows("SELECT id FROM tiles WHERE ix = ? AND iy = ?", *map(int, found.groups())) if found else []
+    if not rows:
+        nx, ny = plan.shape
+        raise ValueError(f"tile: expected one of the plan's, 0_0 to {nx - 1}_{ny - 1}, got {tile!r}")
+    told = "state = 'waiting', attempts = 0, error = NULL"
     with manifest.change() as base:
-        if manifest.settle_in(base, "tiles", row["id"], owner, **told) and not is_last:
-            sums = found.sums or ExactSums()
-            values = (row["pass"], row["id"], sums.count, hex(sums.total), hex(sums.squares))
-            base.execute("INSERT OR REPLACE INTO numbers VALUES (?, ?, ?, ?, ?)", values)
+        base.execute(f"UPDATE tiles SET {told} WHERE id = ? AND state IN ('failed', 'aside')", (rows[0]["id"],))
+    return rows[0]["id"] + 1, plan.shape[0] * plan.shape[1]
 
 
-def sums_of(manifest: Manifest, number: int) -> ExactSums:
-    """The sums of a pass over all tiles."""
-    total = ExactSums()
-    for row in manifest.rows("SELECT * FROM numbers WHERE pass = ?", number):
-        total += ExactSums(row["count"], int(row["total"], 16), int(row["squares"], 16))
-    return total
+def _work(book: Taskbook, plan: Plan, manifest: Manifest, tell: Callable[[], None], parent: int = 0) -> None:
+    """Claim and do tasks until none is left for this worker, or its parent is gone."""
+    while not parent or os.getppid() == parent:
+        task = book.take()
+        if task is False:
+            return
+        if task is True:
+            if not manifest.give_back():
+                time.sleep(LOOK)
+            continue
+        try:
+            found, seconds = do_task(plan, manifest.folder, task, book.owner)
+        except (Exception, MemoryError) as error:  # of steps, which may be a user's
+            book.fail(task, error)
+        else:
+            book.settle(task, found, seconds)
+        tell()
 
 
-def _said(error: BaseException) -> str:
-    return f"{type(error).__name__}: {error}"[:2000]
+def _tell(manifest: Manifest, plan: Plan, report: ReportProgress) -> None:
+    """Tell how many files are laid by tile, then how many tiles are over, or through the pass that is done now."""
+    if report is say_nothing:
+        return
+    if any(source["kind"] != "copc" for source in plan.sources):
+        files = manifest.counts("sources")
+        report("files", sum(files[state] for state in OVER), sum(files.values()))
+        if files["waiting"] + files["running"]:
+            return
+    counts, passes = manifest.counts(), len(plan.passes)
+    total, over = sum(counts.values()), sum(counts[state] for state in OVER)
+    if passes == 1:
+        report("tiles", over, total)
+        return
+    number = next_pass(manifest)
+    number = passes - 1 if number is None else number
+    for earlier in range(number):
+        report(f"pass {earlier + 1} of {passes}", total, total)
+    (row,) = manifest.rows(f"SELECT count(*) AS n FROM tiles WHERE pass > ? OR state IN {OVER}", number)
+    report(f"pass {number + 1} of {passes}", row["n"], total)
 
 
-def _tell(manifest: Manifest, table: str, report: ReportProgress) -> None:
-    if report is not say_nothing:
-        counts = manifest.counts(table)
-        report("files" if table == "sources" else "tiles", sum(counts[state] for state in OVER), sum(counts.values()))
-
-
-def _oversee(manifest: Manifest, count: int, part: tuple[int, int], report: ReportProgress) -> None:
+def _oversee(manifest: Manifest, start: StartWorker, count: int, tell: Callable[[], None]) -> None:
     """Keep so many workers at it; one that dies is replaced."""
-    crew: list[subprocess.Popen[bytes]] = []
+    crew: dict[int, subprocess.Popen[bytes]] = {}
     vain = 0
     before = _progress_of(manifest)
     try:
-        crew = [_start(manifest.folder, part, count) for _ in range(count)]
+        for place in range(count):
+            crew[place] = start(place)
         while crew:
             time.sleep(LOOK)
             now = _progress_of(manifest)
             if now != before:
                 before, vain = now, 0
-                _tell(manifest, "sources" if manifest.counts("sources")["running"] else "tiles", report)
-            ended = [worker for worker in crew if worker.poll() is not None]
-            crew = [worker for worker in crew if worker.poll() is None]
-            if any(worker.returncode for worker in ended):
+                tell()
+            ended = {place: worker for place, worker in crew.items() if worker.poll() is not None}
+            if any(worker.returncode for worker in ended.values()):
                 manifest.give_back()
-            for worker in ended:
+            for place, worker in ended.items():
+                del crew[place]
                 if not worker.returncode:
                     continue
                 vain += 1
                 if vain > MOST_VAIN * count:
                     reason = f"{vain} workers died without doing anything, the last with code {worker.returncode}"
                     raise FileError(manifest.folder, reason, remedy="Run it with workers=0 to see why")
-                crew.append(_start(manifest.folder, part, count))
+                crew[place] = start(place)
     finally:
-        for worker in crew:
+        for worker in crew.values():
             worker.terminate()
-        for worker in crew:
+        for worker in crew.values():
             worker.wait()
-        manifest.give_back()
+        manifest.give_back(is_death=False)
 
 
 def _progress_of(manifest: Manifest) -> list[Any]:
@@ -234,18 +240,30 @@ def _progress_of(manifest: Manifest) -> list[Any]:
     return [*row]
 
 
-def _start(folder: Path, part: tuple[int, int], count: int) -> subprocess.Popen[bytes]:
-    """A worker, which finds the modules that this process finds and takes its share of the cores."""
-    threads = os.environ.get("POINTLOOM_CPU_THREADS") or str(max(1, (os.cpu_count() or 1) // count))
-    paths = os.pathsep.join(path or os.getcwd() for path in sys.path)  # noqa: PTH109
-    environment = os.environ | {"PYTHONPATH": paths, "POINTLOOM_CPU_THREADS": threads}
-    command = [sys.executable, "-c", _WORKER, str(folder.absolute()), *map(str, part), str(os.getpid())]
-    return subprocess.Popen(command, env=environment, stdin=subprocess.DEVNULL)
+def _start(folder: Path, part: tuple[int, int], count: int, gpus: list[Gpu], place: int) -> subprocess.Popen[bytes]:
+    """A worker, which finds the modules that this process finds and takes its share of the cores, and its GPU."""
+    gpu = gpus[place : place + 1]
+    device = "cuda:0" if gpu else "cpu"
+    command = [sys.executable, "-c", _WORKER, str(folder.absolute()), *map(str, part), str(os.getpid()), device]
+    # In a group of its own: Ctrl-C in a terminal is for the process that oversees the workers, which ends them.
+    return subprocess.Popen(
+        command,
+        env=environment_of(count, gpu),
+        stdin=subprocess.DEVNULL,
+        process_group=0,
+        pass_fds=[one.lock for one in gpu],
+    )
 
 
 def main() -> None:
-    """A worker process: `main FOLDER WHICH OF PARENT`; it ends when nothing is left for it."""
-    folder, which, of, parent = sys.argv[1:]
+    """A worker process: `main FOLDER WHICH OF PARENT DEVICE`; it ends when nothing is left for it."""
+    folder, which, of, parent, device = sys.argv[1:]
     manifest, plan = open_plan(folder)
+    plan.device = device
     with manifest, a_worker(manifest.folder) as owner:
-        _work(manifest, plan, owner, (int(which), int(of)), say_nothing, int(parent))
+        book = Taskbook(manifest, plan, owner, (int(which), int(of)))
+        _work(book, plan, manifest, _say_nothing, int(parent))
+
+
+def _say_nothing() -> None:
+    pass

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shlex
 from dataclasses import asdict, dataclass
 from typing import Any
 
@@ -25,7 +26,8 @@ class TileStatus:
         points_out: What the steps left of them.
         points_read: With halos, over all passes.
         bucket_bytes: On disk meanwhile.
-        troubles: The tile and the error, of tiles that failed or were set aside.
+        troubles: The tile, and the error with the command that repeats it alone, of tiles that failed or were set
+            aside; files that cannot be laid by tile, and why.
     """
 
     folder: str
@@ -81,7 +83,11 @@ def status_of(manifest: Manifest) -> TileStatus:
     (sums,) = manifest.rows(query)
     (disk,) = manifest.rows("SELECT sum(bytes) AS n FROM sources")
     bad = manifest.rows("SELECT ix, iy, error FROM tiles WHERE state IN ('failed', 'aside') ORDER BY id")
-    troubles = {f"{row['ix']}_{row['iy']}": row["error"] or "" for row in bad}
+    again = f"repeated alone by `pointloom tile run {shlex.quote(str(manifest.folder))} --tile"
+    troubles = {
+        (name := f"{row['ix']}_{row['iy']}"): f"{' '.join((row['error'] or '').split())}; {again} {name}`"
+        for row in bad
+    }
     files = manifest.rows("SELECT id, error FROM sources WHERE state IN ('failed', 'aside') ORDER BY id")
     troubles |= {manifest.plan["sources"][row["id"]]["path"]: row["error"] or "" for row in files}
     return TileStatus(

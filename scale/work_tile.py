@@ -128,7 +128,7 @@ def _keeps_homes(steps: list[Step]) -> bool:
 def _first_part(plan: Plan, table: PointTable) -> Part:
     path = plan.sources[0]["path"]
     exact = np.asarray(table.points, np.float64)
-    return Part(cloud_of(table, path, device="cpu", origin=plan.origin), exact, exact[:, :2])
+    return Part(cloud_of(table, path, device=plan.device, origin=plan.origin), exact, exact[:, :2])
 
 
 def _run(

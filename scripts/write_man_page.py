@@ -46,11 +46,15 @@ def of_options(command: click.Command, context: click.Context) -> list[str]:
 
 
 def of_command(name: str, command: click.Command, parent: click.Context) -> list[str]:
-    """A section of one command."""
+    """A section of one command, and of each command that it has."""
     with click.Context(command, info_name=name, parent=parent) as context:
         usage = " ".join(command.collect_usage_pieces(context))
         head = [f'.SS "{escaped(name)}"', f".B pointloom {escaped(name)}", escaped(usage)]
-        return [*head, *paragraphs(command.help or ""), *of_options(command, context)]
+        parts = [*head, *paragraphs(command.help or ""), *of_options(command, context)]
+        if isinstance(command, click.Group):
+            for own in command.list_commands(context):
+                parts += of_command(f"{name} {own}", command.commands[own], parent)
+        return parts
 
 
 def man_page() -> str:

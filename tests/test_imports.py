@@ -58,7 +58,10 @@ ROOMS = {
 }
 
 # lang.py and memory.py hand on what rooms below all others hold; check_cuda.py and cuda_cache.py look at every room.
-TOPS_THAT_KNOW_ROOMS = {"kernels": {"lang", "launches", "memory", "check_cuda", "cuda_cache"}}
+TOPS_THAT_KNOW_ROOMS = {
+    "kernels": {"lang", "launches", "memory", "check_cuda", "cuda_cache"},
+    "scale": {"plan", "rasters", "work_tile"},
+}
 
 TAICHI_FILES = {"kernels/language/taichi_compiler.py"}
 TAICHI_NAMES = {"taichi", "quadrants"}  # quadrants is Taichi's successor under another name

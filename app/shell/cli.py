@@ -22,6 +22,7 @@ from . import (
     mesh_toolbox,
     registration_commands,
     texture_command,
+    tile_command,
     toolbox,
     video_command,
     view,
@@ -74,6 +75,7 @@ def cli() -> None:
     pointloom multiway SCANS -o poses.log                  all clouds of a folder
     pointloom odometry SCANS -o poses.txt                  the path of a LiDAR
     pointloom evaluate poses.txt truth.txt                 its errors
+    pointloom tile plan SURVEY --steps steps.toml -o job   files larger than the memory, tile by tile
 
     Clouds are read and written as .ply .pcd .npz .xyz .xyzn .xyzrgb .pts .las .laz .e57, with all their attributes;
     .csv, .txt and KITTI's .bin are read. Meshes are .ply .obj .stl .off .glb .gltf. A - stands for standard input or
@@ -94,6 +96,7 @@ for command in (
     *depth_command.COMMANDS,
     *registration_commands.COMMANDS,
     *view.COMMANDS,
+    *tile_command.COMMANDS,
     *help_commands.COMMANDS,
 ):
     cli.add_command(command)

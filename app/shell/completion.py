@@ -28,6 +28,7 @@ EXTENSIONS = {
     "IN": CLOUDS + MESHES, "OUT": CLOUDS + MESHES, "A": CLOUDS + MESHES, "B": CLOUDS + MESHES, "MESH": MESHES,
     "POSES": POSES, "TRUTH": POSES, "JSON": (".json",), "PNG": (".png",), "HTML": (".html",), "ONNX": (".onnx",),
     "NPY": (".npy",), "TXT": (".txt",), "PICTURE": (".png", ".jpg", ".jpeg"), "DIR": (), "FOLDER": (), "FRAMES": (),
+    "SOURCES...": (".las", ".laz"), "TOML": (".toml",),
 }  # fmt: skip
 
 

@@ -37,6 +37,7 @@ class Progress:
         self._bar: Any = None
         self._tasks: dict[str, Any] = {}
         self._last_line = time.monotonic()
+        self._last_told: dict[str, int] = {}  # steps done, by stage
 
     def __enter__(self) -> Progress:
         if sys.stderr.isatty():
@@ -68,8 +69,8 @@ class Progress:
 
     def _tell(self, stage: str, done: int, total: int) -> None:
         now = time.monotonic()
-        if now - self._last_line >= LINE_INTERVAL:
-            self._last_line = now
+        if now - self._last_line >= LINE_INTERVAL and self._last_told.get(stage) != done:
+            self._last_line, self._last_told[stage] = now, done
             text = f"{stage}: {done} of {total}" if total else stage
             click.echo(f"{text} {self._rate(stage, done)}".rstrip(), err=True)
 

@@ -25,6 +25,10 @@ _OPTIONS = {
     "layout=,": "--layout,",
     "intrinsic=": "--intrinsic",
     "depth_scale=": "--depth-scale",
+    "Call plan_tiles(sources, steps, folder) first": "Run pointloom tile plan first",
+    "call retry_tiles(folder)": "run pointloom tile retry",
+    "Call run_tiles, or retry_tiles before": "Call pointloom tile run, or tile retry before",
+    "with workers=0": "with --serial",
 }
 
 TRACEBACK = "POINTLOOM_TRACEBACK"
@@ -32,7 +36,24 @@ TRACEBACK = "POINTLOOM_TRACEBACK"
 _NoCommand: Any = getattr(click.exceptions, "NoArgsIsHelpError", ())  # click 8.1 prints the help and exits by itself
 
 
-class CommandLine(click.Group):
+class Commands(click.Group):
+    """A click group that names the nearest command where there is none of a name."""
+
+    def resolve_command(
+        self, ctx: click.Context, args: list[str]
+    ) -> tuple[str | None, click.Command | None, list[str]]:
+        """Find the command, or name the nearest one."""
+        names = self.list_commands(ctx)
+        if args[0] in names or args[0].startswith("-"):
+            return super().resolve_command(ctx, args)
+        from difflib import get_close_matches
+
+        near = get_close_matches(args[0].lower(), names, n=1, cutoff=0.5)
+        hint = f"did you mean {near[0]}?" if near else f"the commands are {', '.join(names)}"
+        raise click.UsageError(f"no command {args[0]!r}; {hint}", ctx)
+
+
+class CommandLine(Commands):
     """A click group that turns what its commands raise into one line on stderr and an exit code."""
 
     def main(
@@ -60,19 +81,6 @@ class CommandLine(click.Group):
                 with contextlib.suppress(OutputLostError):
                     print_json({"error": message, "exit_code": code})
         sys.exit(_flushed(code or 0))
-
-    def resolve_command(
-        self, ctx: click.Context, args: list[str]
-    ) -> tuple[str | None, click.Command | None, list[str]]:
-        """Find the command, or name the nearest one."""
-        names = self.list_commands(ctx)
-        if args[0] in names or args[0].startswith("-"):
-            return super().resolve_command(ctx, args)
-        from difflib import get_close_matches
-
-        near = get_close_matches(args[0].lower(), names, n=1, cutoff=0.5)
-        hint = f"did you mean {near[0]}?" if near else f"the commands are {', '.join(names)}"
-        raise click.UsageError(f"no command {args[0]!r}; {hint}", ctx)
 
 
 def poor_result(reason: str | None) -> int:

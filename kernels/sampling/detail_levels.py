@@ -20,7 +20,7 @@ import numpy as np
 from ..array_types import Indices, Integers, LongIntegers, Points, Positions
 from ..arrays.sort import SortKeys, put_key
 from ..lang import array, float64, floor, func, int32, int64, isfinite, kernel, launch, struct, tid, uint8, vec3, vec3d
-from ..memory import download, empty, host_view
+from ..memory import download, empty, host_view, upload
 from ..search.hilbert_order import spread_bits
 
 DEPTH = 21  # halvings: three times as many bits fill a key
@@ -264,7 +264,7 @@ def sort_by_cell(points: Points | Positions, cube: Cube) -> tuple[LongIntegers, 
 
 
 def find_levels(
-    points: Points | Positions, corner: np.ndarray, side: float
+    points: Points | Positions, corner: np.ndarray, side: float, numbers: np.ndarray | None = None
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """The level of each finite point within a cube.
 
@@ -272,6 +272,9 @@ def find_levels(
         points: Device array of vec3, or of vec3d where float32 would move points across cells.
         corner: The low corner [m] of a cube that holds the finite ones.
         side: Its side [m], above 0.
+        numbers: Of points that are a part of a larger cloud, int64 [n]: their indices in it, whose lower 32 bits say
+            their priorities. All points of a cell no smaller than a voxel of the first level then get the levels that
+            they have in the whole.
 
     Returns:
         (keys, order, levels) on the host, in Morton order, of the finite points alone: int64, int32 and uint8 [m].
@@ -283,5 +286,6 @@ def find_levels(
         return np.empty(0, np.int64), np.empty(0, np.int32), np.empty(0, np.uint8)
     keys, order = keys[:count], order[:count]
     levels = empty(count, uint8, points.device)
-    launch(find_levels_kernel, count, [order, keys, Minima(order), levels])
+    ranked = order if numbers is None else upload(numbers[download(order)].astype(np.int32), int32, points.device)
+    launch(find_levels_kernel, count, [ranked, keys, Minima(ranked), levels])
     return sorted_keys[:count], download(order), download(levels)

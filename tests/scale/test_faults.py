@@ -290,3 +290,55 @@ def test_a_runner_that_is_killed_takes_its_workers_along_and_is_gone_on_with(fil
     assert status.is_finished and status.points_in == status.points
     np.testing.assert_array_equal(rows_of(finished(job)), expected)
     assert not [*(job / "locks").iterdir()]
+
+
+@pytest.mark.parametrize("workers", [0, 1])
+def test_progress_is_told_of_files_and_of_every_pass_over_the_tiles(files, tmp_path, workers):
+    steps = [{"step": "remove_statistical_outlier", "nb_neighbors": 4, "std_ratio": 3.0}]
+    loom.scale.plan_tiles(files, steps, tmp_path / "job", size=20.0)
+    told = []
+    loom.scale.run_tiles(tmp_path / "job", workers=workers, progress=lambda *words: told.append(words))
+    assert list(dict.fromkeys(stage for stage, _, _ in told)) == ["files", "pass 1 of 2", "pass 2 of 2"]
+    assert told[0] == ("files", 0, 2) and told[-1] == ("pass 2 of 2", 9, 9)
+    for stage, total in (("files", 2), ("pass 1 of 2", 9), ("pass 2 of 2", 9)):
+        done = [count for name, count, of in told if name == stage and of == total]
+        assert done == sorted(done) and done[-1] == total
+    told.clear()
+    loom.scale.run_tiles(tmp_path / "job", workers=workers, progress=lambda *words: told.append(words))
+    assert told[-1] == ("pass 2 of 2", 9, 9)
+
+
+def test_one_tile_is_done_alone_and_again_if_it_failed(files, tmp_path):
+    folder = tmp_path / "job"
+    loom.scale.plan_tiles(files, RADIUS, folder, size=20.0)
+    for wrong in ("3_0", "0", "-1_0", "1_1 ", 4, ("1_1",)):
+        with pytest.raises(ValueError, match="tile: expected one of the plan's, 0_0 to 2_2, got"):
+            loom.scale.run_tiles(folder, tile=wrong)
+    with pytest.raises(ValueError, match="expected one of them, got both"):
+        loom.scale.run_tiles(folder, tile="1_1", part=(1, 2))
+    with Manifest(folder) as manifest, manifest.change() as base:
+        base.execute("UPDATE tiles SET state = 'aside', attempts = 3, error = 'a\nb' WHERE ix = 1 AND iy = 1")
+    (said,) = loom.scale.tile_status(folder).troubles.values()
+    assert said == f"a b; repeated alone by `pointloom tile run {folder} --tile 1_1`"
+    for _ in range(2):
+        status = loom.scale.run_tiles(folder, tile="1_1")
+        assert (status.done, status.waiting, status.aside) == (1, 8, 0)
+    assert [path.name for path in (folder / "tiles").iterdir()] == ["1_1.laz"]
+
+
+def test_an_interrupted_run_holds_nothing_against_its_tile(files, tmp_path, monkeypatch):
+    folder = tmp_path / "job"
+    loom.scale.plan_tiles(files, RADIUS, folder, size=20.0)
+
+    def interrupted(*_):
+        raise KeyboardInterrupt
+
+    with monkeypatch.context() as patch:
+        patch.setattr(runners, "do_task", interrupted)
+        for _ in range(4):
+            with pytest.raises(KeyboardInterrupt):
+                loom.scale.run_tiles(folder)
+    with Manifest(folder) as manifest:
+        (row,) = manifest.rows("SELECT sum(attempts) AS deaths, sum(state = 'waiting') AS waiting FROM tiles")
+    assert (row["deaths"], row["waiting"]) == (0, 9)
+    assert loom.scale.run_tiles(folder).is_finished

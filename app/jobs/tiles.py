@@ -1,0 +1,106 @@
+"""What the commands `tile ...` say of a job of tiles."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import asdict, dataclass
+from pathlib import Path
+from typing import Any
+
+from ...core.progress import ReportProgress
+from ...core.reports import Fields, Report
+from ...core.wording import plain
+from ...scale.buckets import FOLDER as BUCKETS
+from ...scale.finish import finish_tiles
+from ...scale.status import TileStatus, tile_status
+
+MOST_NAMED = 20  # tiles in a line; JSON has all
+
+
+@dataclass(frozen=True)
+class TileReport(Report):
+    """How far a job of tiles is, as a command tells it.
+
+    Attributes:
+        command: Its name.
+        status: How far the job is.
+        is_part: Whether only some tiles were to be done.
+        files: What was written.
+    """
+
+    command: str
+    status: TileStatus
+    is_part: bool = False
+    files: tuple[str, ...] = ()
+
+    @property
+    def poor(self) -> str | None:
+        """Which tiles failed or were set aside, or None."""
+        told = self.status
+        if not told.troubles:
+            return None
+        counts = [f"{count} {name}" for count, name in ((told.failed, "failed"), (told.aside, "set aside")) if count]
+        what = f"{', '.join(counts)} of {_all(told)} tiles" if counts else "files cannot be laid by tile"
+        return f"{what}: {_named(told.troubles)}"
+
+    @property
+    def note(self) -> str | None:
+        """What is still to be done, after a run."""
+        told = self.status
+        if self.command != "run" or not told.waiting + told.running:
+            return None
+        if self.is_part:
+            return f"{told.waiting + told.running} tiles wait or are worked on; run it again where a step needs them"
+        return f"{told.waiting + told.running} tiles wait or are worked on by others"
+
+    def fields(self) -> Fields:
+        """What has been done, and what went wrong, a line each."""
+        told = self.status
+        fields = [
+            ("tiles", f"{told.done + told.empty} of {_all(told)} done" + (f", {told.empty} empty" * bool(told.empty)))
+        ]
+        fields += [
+            (label, f"{count:,}")
+            for label, count in (
+                ("waiting", told.waiting),
+                ("running", told.running),
+                ("failed", told.failed),
+                ("set aside", told.aside),
+                ("files to lay", told.sources_waiting),
+            )
+            if count
+        ]
+        points = f"{told.points:,} in the files"
+        if told.done + told.empty:
+            points += f", {told.points_in:,} done, {told.points_out:,} out"
+        fields.append(("points", points))
+        if told.bucket_bytes and (Path(told.folder) / BUCKETS).is_dir():  # which `finish` removes
+            fields.append(("temporary", f"{told.bucket_bytes / 1e6:,.1f} MB on disk"))
+        fields += [(name, " ".join(error.split())) for name, error in told.troubles.items()]
+        return [*fields, ("files", ", ".join(self.files))] if self.files else fields
+
+    def to_json(self) -> dict[str, Any]:
+        """All of it in JSON's types, on one level."""
+        finished = {"is_finished": self.status.is_finished, "files": self.files, "poor": self.poor}
+        return plain({"command": f"tile {self.command}"} | asdict(self.status) | finished)
+
+
+def report_of(command: str, status: TileStatus, *, is_part: bool = False) -> TileReport:
+    """What a command says of a job."""
+    return TileReport(command, status, is_part)
+
+
+def finish_job(folder: Path, output: Path | None, *, overwrite: bool, progress: ReportProgress) -> TileReport:
+    """Make one file of all tiles; what is said of it."""
+    path = finish_tiles(folder, output, overwrite=overwrite, progress=progress)
+    return TileReport("finish", tile_status(folder), files=(str(path),))
+
+
+def _all(told: TileStatus) -> int:
+    return told.waiting + told.running + told.done + told.empty + told.failed + told.aside
+
+
+def _named(names: Iterable[str]) -> str:
+    known = list(names)
+    more = f" and {len(known) - MOST_NAMED} more" if len(known) > MOST_NAMED else ""
+    return ", ".join(known[:MOST_NAMED]) + more

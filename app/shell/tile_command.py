@@ -1,0 +1,248 @@
+"""The commands `tile`: surveys larger than the memory. As in cli.py nothing heavy is imported here."""
+
+from __future__ import annotations
+
+import math
+import re
+from pathlib import Path
+from typing import Any
+
+import click
+
+from .answer import answer_with
+from .console import Progress
+from .group import Commands
+from .options import FILE, LENGTH, DeviceName, force_option, json_option, refuse
+
+# The names of scale/plan.py, which would load NumPy; a test holds the two together.
+OUTPUTS = ("laz", "copc")
+_EPILOG = """\b
+What earlier runs have done stays: the same plan and run again go on where they ended, after Ctrl-C too. Another plan,
+files that have changed and another version are refused, and what differs is said.
+"""
+
+
+class Area(click.ParamType):
+    """X0,Y0,X1,Y1, in the coordinates of the files."""
+
+    name = "area"
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
+        """The four numbers, or a usage error."""
+        try:
+            numbers = tuple(float(part) for part in value.split(","))
+        except ValueError:
+            numbers = ()
+        ordered = len(numbers) == 4 and numbers[0] <= numbers[2] and numbers[1] <= numbers[3]
+        if not ordered or not all(map(math.isfinite, numbers)):
+            self.fail(f"expected X0,Y0,X1,Y1 with the low corner first, got {value!r}", param, ctx)
+        return numbers
+
+
+class Part(click.ParamType):
+    """17/400: which of how many."""
+
+    name = "part"
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> tuple[int, int]:
+        """The two numbers, or a usage error."""
+        found = re.fullmatch(r"(\d{1,9})/(\d{1,9})", value)
+        which, of = map(int, found.groups()) if found else (0, 0)
+        if not 1 <= which <= of:
+            self.fail(f"expected WHICH/OF from 1/OF to OF/OF, such as 17/400, got {value!r}", param, ctx)
+        return which, of
+
+
+class TileName(click.ParamType):
+    """3_4: the column and the row of a tile."""
+
+    name = "tile"
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> str:
+        """The name, or a usage error; whether there is such a tile is looked up later."""
+        if not re.fullmatch(r"\d{1,9}_\d{1,9}", value):
+            self.fail(f"expected COLUMN_ROW such as 3_4, got {value!r}", param, ctx)
+        return value
+
+
+FOLDER = click.argument("folder", type=FILE, metavar="DIR")
+COUNT = click.IntRange(min=1)
+
+
+@click.group("tile", cls=Commands, short_help="Surveys larger than the memory, tile by tile.", epilog=_EPILOG)
+def tile() -> None:
+    """Work LAS, LAZ and COPC files off tile by tile, with the answer of one machine that holds them all.
+
+    Every command takes --json. docs/tiles.md says which steps there are, and what is promised of them.
+
+    \b
+    pointloom tile plan survey/ --steps steps.toml -o job --estimate --workers 8   what it would take
+    pointloom tile plan survey/ --steps steps.toml -o job
+    pointloom tile run job --workers 8
+    pointloom tile status job
+    pointloom tile finish job -o thinned.laz
+
+    steps.toml has a table for each step, in their order:
+
+    \b
+    [[step]]
+    step = "remove_statistical_outlier"
+    nb_neighbors = 20
+    std_ratio = 3.0
+
+    \b
+    [[step]]
+    step = "voxel_down_sample"
+    voxel_size = 0.5
+    """
+
+
+@tile.command("plan", short_help="Write down what is to be done, or estimate it.")
+@click.argument("sources", nargs=-1, required=True, type=FILE, metavar="SOURCES...")
+@click.option("--steps", type=FILE, required=True, metavar="TOML", help="What to do: a [[step]] table for each step.")
+@click.option("-o", "--folder", "folder", type=FILE, metavar="DIR", help="Folder of the job; made where it is missing.")
+@click.option("--size", type=LENGTH, metavar="M", help="Edge of a tile [m].")
+@click.option("--points", type=COUNT, metavar="N", help="Points a tile, about; 2 million if neither is given.")
+@click.option("--only", type=Area(), metavar="X0,Y0,X1,Y1", help="Only the tiles that this area touches.")
+@click.option(
+    "--output", type=click.Choice(OUTPUTS), default=OUTPUTS[0], show_default=True, help="What `tile finish` makes."
+)
+@click.option("--estimate", "estimates", is_flag=True, help="Plan nothing; say what it would take, from a sample.")
+@click.option("--workers", type=COUNT, metavar="N", help="With --estimate: for so many processes; 1 if not given.")
+@json_option()
+def plan(
+    sources: tuple[Path, ...],
+    folder: Path | None,
+    estimates: bool,
+    workers: int | None,
+    as_json: bool,
+    steps: Path,
+    **options: Any,
+) -> int:
+    """Plan the tiles of SOURCES, .las and .laz files and folders of them, in the folder DIR; only headers are read.
+
+    With --estimate nothing is planned: some tiles are worked off in a temporary folder, and what all of them would
+    take in time, memory, disk and output is said, each with a range. DIR is not needed then.
+
+    \b
+    pointloom tile plan survey/ --steps steps.toml -o job
+    pointloom tile plan a.laz b.laz --steps steps.toml -o job --size 250 --output copc
+    pointloom tile plan survey/ --steps steps.toml --estimate --workers 16
+    """
+    if options["size"] is not None and options["points"] is not None:
+        refuse("--size and --points both choose the tiles; give one")
+    if workers is not None and not estimates:
+        refuse("--workers goes with --estimate here; `pointloom tile run DIR --workers N` works the tiles off")
+    if estimates:
+        from ...scale.estimate import estimate_tiles
+
+        with Progress() as progress:
+            report = estimate_tiles(sources, steps, workers=workers or 1, progress=progress, **options)
+        return answer_with(report, "estimate", as_json)
+    if folder is None:
+        refuse("missing option '-o'; give the folder of the job")
+    from ...scale.plan import plan_tiles
+    from ..jobs.tiles import report_of
+
+    return answer_with(report_of("plan", plan_tiles(sources, steps, folder, **options)), str(folder), as_json)
+
+
+@tile.command("run", short_help="Work the tiles off.")
+@FOLDER
+@click.option("--serial", is_flag=True, help="In this process; the default.")
+@click.option("--workers", type=COUNT, metavar="N", help="By N processes; one that dies is replaced.")
+@click.option("--dask", type=COUNT, metavar="N", help="By N processes of a dask cluster of this machine.")
+@click.option("--scheduler", metavar="ADDRESS", help="By the workers of a dask scheduler, as tcp://host:8786.")
+@click.option("--part", type=Part(), metavar="K/N", help="Only the K-th of N shares of the tiles, for array jobs.")
+@click.option("--tile", "name", type=TileName(), metavar="X_Y", help="Only this tile, again if it failed.")
+@click.option(
+    "--device", type=DeviceName(), default="cpu", show_default=True, metavar="cpu|cuda|cuda:N", help="A GPU a worker."
+)
+@json_option()
+def run(
+    folder: Path,
+    serial: bool,
+    workers: int | None,
+    dask: int | None,
+    scheduler: str | None,
+    part: tuple[int, int] | None,
+    name: str | None,
+    device: str,
+    as_json: bool,
+) -> int:
+    """Work the tiles of DIR off; what is done stays, so that the same command goes on after an end of any kind.
+
+    Any number of runs may work on one DIR at once. Exit code 3 where tiles failed or were set aside, with their names;
+    each has the command that repeats it alone.
+
+    \b
+    pointloom tile run job
+    pointloom tile run job --workers 8
+    pointloom tile run /shared/job --scheduler tcp://head:8786
+    pointloom tile run /shared/job --part $SLURM_ARRAY_TASK_ID/400
+    pointloom tile run job --tile 3_4
+    """
+    if serial + bool(workers) + bool(dask) + bool(scheduler) > 1:
+        refuse("--serial, --workers, --dask and --scheduler exclude each other; give one")
+    if part and name:
+        refuse("--part and --tile both choose tiles; give one")
+    from ...scale.runners import run_tiles
+    from ..jobs.tiles import report_of
+
+    with Progress() as progress:
+        runner = {"workers": workers or 0, "dask": dask or 0, "scheduler": scheduler, "device": device}
+        told = run_tiles(folder, part=part, tile=name, progress=progress, **runner)
+    return answer_with(report_of("run", told, is_part=bool(part or name)), str(folder), as_json)
+
+
+@tile.command("status", short_help="Say how far the tiles are.")
+@FOLDER
+@json_option()
+def status(folder: Path, as_json: bool) -> int:
+    """Say how many tiles of DIR wait, are done, failed or were set aside; also while others work on it.
+
+    Exit code 3 where tiles failed or were set aside.
+
+    \b
+    pointloom tile status job --json
+    """
+    from ...scale.status import tile_status
+    from ..jobs.tiles import report_of
+
+    return answer_with(report_of("status", tile_status(folder)), str(folder), as_json)
+
+
+@tile.command("retry", short_help="Have tiles that failed wait again.")
+@FOLDER
+@json_option()
+def retry(folder: Path, as_json: bool) -> int:
+    """Have the tiles of DIR that failed or were set aside, and such files, wait again; `tile run` then does them.
+
+    \b
+    pointloom tile retry job
+    """
+    from ...scale.runners import retry_tiles
+    from ..jobs.tiles import report_of
+
+    return answer_with(report_of("retry", retry_tiles(folder)), str(folder), as_json)
+
+
+@tile.command("finish", short_help="Make one file of all tiles.")
+@FOLDER
+@click.option("-o", "--output", type=FILE, metavar="OUT", help="The file; result.laz or .copc.laz in DIR if not given.")
+@json_option()
+@force_option()
+def finish(folder: Path, output: Path | None, as_json: bool, force: bool) -> int:
+    """Make one file of all tiles of DIR, once all are done, and remove what lay there beside them.
+
+    \b
+    pointloom tile finish job -o thinned.laz
+    """
+    from ..jobs.tiles import finish_job
+
+    with Progress() as progress:
+        told = finish_job(folder, output, overwrite=force, progress=progress)
+    return answer_with(told, str(folder), as_json)
+
+
+COMMANDS = (tile,)

@@ -1,0 +1,246 @@
+"""Runs of tiles whose processes are killed at random moments: is the result that of a run that nothing disturbed?
+
+    python benchmarks/tile_faults.py --seed 0 --kills 100
+
+Jobs over a made survey are worked off by processes of this machine (`--workers`), by a dask cluster of it (`--dask`)
+and by a dask scheduler with workers of its own (`--scheduler`), in turn. A worker, the runner, the scheduler or the
+process that makes the file of all tiles gets SIGKILL; what ended is started again, until the job is finished. The rows
+of each finished file, sorted, are held against those of a run in one process, byte for byte.
+"""
+
+from __future__ import annotations
+
+import argparse
+import contextlib
+import json
+import os
+import random
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+from collections import Counter
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import laspy
+import numpy as np
+import psutil
+
+import pointloom as loom
+
+STEPS = [
+    {"step": "remove_statistical_outlier", "nb_neighbors": 8, "std_ratio": 2.0},
+    {"step": "voxel_down_sample", "voxel_size": 0.5},
+    {"step": "estimate_normals", "max_nn": 10},
+]
+RUNNERS = ("workers", "dask", "scheduler")
+COMMAND = [sys.executable, "-m", "pointloom", "tile"]
+MOST_RUNS = 60  # of one job
+LONGEST = 300.0  # [s] of one run
+
+
+def made_survey(folder: Path, points: int, seed: int) -> list[Path]:
+    """Three LAZ files of a hilly square at 4 points a square metre, in steps of 1 mm, some points in two of them."""
+    rng = np.random.default_rng(seed)
+    side = (points / 4) ** 0.5
+    places = rng.random((points, 2)) * side
+    height = 10 * np.sin(places[:, 0] / 30) * np.cos(places[:, 1] / 40) + rng.normal(0, 0.03, points)
+    height[::500] += rng.random(len(height[::500])) * 30
+    cloud = np.column_stack([places, height]) + np.array([500_000, 4_000_000, 100])
+    paths = []
+    for number, rows in enumerate(np.array_split(rng.permutation(points), 3)):
+        shared = rows if number else np.concatenate([rows, [0, 1, 2]])
+        times = rng.random(len(shared))
+        paths.append(folder / f"part{number}.laz")
+        loom.write_point_cloud(paths[-1], loom.PointCloud(cloud[shared], gps_time=times), scale=0.001)
+    return paths
+
+
+def sorted_rows(path: Path) -> bytes:
+    """The rows of a file as the bytes that they have there, sorted."""
+    with laspy.open(path) as reader:
+        rows = reader.read().points.array
+    return np.sort(rows.view(np.dtype((np.void, rows.dtype.itemsize))).ravel()).tobytes()
+
+
+class Attack:
+    """One job, killed at until it is finished.
+
+    Attributes:
+        kills: How often each kind of process was killed.
+        counts: Of runs, and of what was found.
+    """
+
+    def __init__(self, job: Path, chance: random.Random, kills: Counter[str], counts: Counter[str], most: int):
+        self.job, self.chance, self.kills, self.counts, self.most = job, chance, kills, counts, most
+
+    def work(self, runner: str) -> None:
+        """Run until all tiles are done, killing meanwhile."""
+        for _ in range(MOST_RUNS):
+            with _cluster(runner) as (options, others):
+                self.counts["runs"] += 1
+                process = _begin("run", str(self.job), *options)
+                self._harass(process, others)
+                _end(process)
+            status = loom.scale.tile_status(self.job)
+            if status.aside + status.failed:
+                self.counts["tiles set aside"] += status.aside
+                self.counts["tiles failed"] += status.failed
+                if status.failed:
+                    print(status, file=sys.stderr)
+                loom.scale.retry_tiles(self.job)
+            elif any(name.endswith(".laz") for name in status.troubles):
+                print(status, file=sys.stderr)
+                self.counts["files failed"] += 1
+                loom.scale.retry_tiles(self.job)
+            elif status.is_finished:
+                return
+        raise SystemExit(f"{self.job}: not finished after {MOST_RUNS} runs")
+
+    def _harass(self, process: subprocess.Popen[bytes], others: dict[str, list[subprocess.Popen[bytes]]]) -> None:
+        end = time.monotonic() + LONGEST
+        while process.poll() is None:
+            wait = time.monotonic() + self.chance.expovariate(1 / 1.5)
+            while time.monotonic() < min(wait, end) and process.poll() is None:
+                time.sleep(0.02)
+            if time.monotonic() > end:
+                self.counts["runs that hung"] += 1
+                _end(process)
+                return
+            if process.poll() is None and self.kills.total() < self.most:
+                self._kill(process, others)
+
+    def _kill(self, process: subprocess.Popen[bytes], others: dict[str, list[subprocess.Popen[bytes]]]) -> None:
+        """One process of the run; the runner more seldom than its workers."""
+        workers = _workers_of(process) + others.get("worker", [])
+        kind = self.chance.choice(["worker"] * 3 + ["runner"] + ["scheduler"] * ("scheduler" in others))
+        victims = {"worker": workers, "runner": [process]}.get(kind, others.get(kind, []))
+        with contextlib.suppress(psutil.NoSuchProcess):
+            if victims:
+                victim = self.chance.choice(victims)
+                victim.kill()
+                victim.wait()
+                self.kills[kind] += 1
+                if kind == "worker" and victim in others.get("worker", []):
+                    others["worker"].remove(victim)
+                    others["worker"].append(_dask("worker", others["address"], *_WORKER))  # as a cluster's manager does
+
+    def finish(self, expected: bytes) -> None:
+        """Make the file of all tiles, killing meanwhile, and hold it against what is expected."""
+        path = self.job / "result.laz"
+        while True:
+            process = _begin("finish", str(self.job))
+            if self.chance.random() < 0.7 and self.kills.total() < self.most:
+                time.sleep(self.chance.uniform(0.5, 2.5))
+                if process.poll() is None:
+                    process.kill()
+                    self.kills["finish"] += 1
+            code = process.wait()
+            if path.exists():
+                self.counts["files"] += 1
+                self.counts["files that differ"] += sorted_rows(path) != expected
+            if code == 0:
+                return
+            if code > 0:
+                self.counts["finish failed"] += 1
+                loom.scale.run_tiles(self.job)
+
+
+_WORKER = ("--nthreads", "1", "--no-nanny", "--no-dashboard", "--memory-limit", "0", "--death-timeout", "20")
+
+
+def _dask(what: str, address: str, *options: str) -> subprocess.Popen[bytes]:
+    command = [sys.executable, "-m", f"distributed.cli.dask_{what}", address, "--host", "127.0.0.1", *options]
+    return subprocess.Popen(command if address else [*command[:3], *command[4:]], stderr=subprocess.DEVNULL)
+
+
+@contextlib.contextmanager
+def _cluster(runner: str) -> Iterator[tuple[list[str], dict[str, Any]]]:
+    """The options of a runner, and the processes beside it."""
+    if runner != "scheduler":
+        yield [f"--{runner}", "2"], {}
+        return
+    told = Path(tempfile.mkdtemp()) / "scheduler.json"
+    options = ("--port", "0", "--no-dashboard", "--scheduler-file", str(told))
+    others: dict[str, Any] = {"scheduler": [_dask("scheduler", "", *options)], "worker": []}
+    while not told.exists() or not told.read_text().endswith("}"):
+        time.sleep(0.05)
+    others["address"] = json.loads(told.read_text())["address"]
+    others["worker"] = [_dask("worker", others["address"], *_WORKER) for _ in range(2)]
+    try:
+        yield ["--scheduler", others["address"]], others
+    finally:
+        for process in others["worker"] + others["scheduler"]:
+            process.kill()
+            process.wait()
+        shutil.rmtree(told.parent)
+
+
+def _begin(what: str, *options: str) -> subprocess.Popen[bytes]:
+    return subprocess.Popen([*COMMAND, what, *options], stdout=subprocess.DEVNULL, stderr=_log, start_new_session=True)
+
+
+def _end(process: subprocess.Popen[bytes]) -> None:
+    process.kill()
+    process.wait()
+
+
+def _workers_of(process: subprocess.Popen[bytes]) -> list[psutil.Process]:
+    """The worker processes that a runner has started."""
+    found = []
+    with contextlib.suppress(psutil.NoSuchProcess):
+        for child in psutil.Process(process.pid).children(recursive=True):
+            with contextlib.suppress(psutil.NoSuchProcess):
+                words = " ".join(child.cmdline())
+                if "resource_tracker" not in words and words:
+                    found.append(child)
+    return found
+
+
+_log: Any = subprocess.DEVNULL
+
+
+def main() -> None:
+    """Parse, attack, tell."""
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--seed", type=int, default=0)
+    parser.add_argument("--kills", type=int, default=100)
+    parser.add_argument("--points", type=int, default=300_000)
+    parser.add_argument("--runners", default=",".join(RUNNERS))
+    parser.add_argument("--log", help="a file for what the killed commands say")
+    told = parser.parse_args()
+    global _log
+    _log = Path(told.log).open("wb") if told.log else subprocess.DEVNULL  # noqa: SIM115
+    os.environ.setdefault("POINTLOOM_CPU_THREADS", "1")
+    chance, kills, counts = random.Random(told.seed), Counter[str](), Counter[str]()
+    begin = time.monotonic()
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+        files = made_survey(folder, told.points, told.seed)
+        side = (told.points / 4) ** 0.5
+        loom.scale.plan_tiles(files, STEPS, folder / "alone", size=side / 2.5)
+        loom.scale.run_tiles(folder / "alone")
+        expected = sorted_rows(loom.scale.finish_tiles(folder / "alone"))
+        size = len(expected)
+        print(f"{told.points:,} points in {len(files)} files; {size:,} bytes of rows expected", flush=True)
+        while kills.total() < told.kills:
+            runner = told.runners.split(",")[counts["jobs"] % len(told.runners.split(","))]
+            job = folder / f"job{counts['jobs']}"
+            loom.scale.plan_tiles(files, STEPS, job, size=side / 7)
+            attack = Attack(job, chance, kills, counts, told.kills)
+            attack.work(runner)
+            attack.finish(expected)
+            counts["jobs"] += 1
+            counts["files left over"] += sum(1 for _ in job.rglob("*.part")) + len([*(job / "locks").iterdir()])
+            shutil.rmtree(job)
+            seconds = time.monotonic() - begin
+            print(f"{seconds:5.0f} s  {runner:9}  kills {dict(kills)}  {dict(counts)}", flush=True)
+    if counts["files that differ"] or counts["tiles failed"] or counts["files failed"] or counts["runs that hung"]:
+        raise SystemExit(1)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,71 @@
+"""The points of a LAZ file chunk by chunk, as they lie in an uncompressed file; it is open only while it is read."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...core.errors import FileError
+from ..foreign import foreign_errors, import_for
+from .las import open_las
+from .las_header import LasHeader
+from .laszip import RECORD as LASZIP
+from .laszip import chunks_at
+
+
+class LazChunks:
+    """A file whose table of chunks is known to go with it.
+
+    Attributes:
+        path: The file.
+        header: What its header says.
+        row: The type of a point's row.
+        counts: Points of each chunk, int64 [m].
+    """
+
+    def __init__(self, path: Path):
+        """Open a file; no point is read.
+
+        Raises:
+            FileError: As `open_las`, or it is not compressed.
+        """
+        file = open_las(path)
+        if not file.header.is_compressed or not file.header.point_count:
+            raise FileError(path, "is no LAZ file with points")
+        self.path, self.header = path, file.header
+        self.row: np.dtype[Any] = file.layout.dtype()
+        self._record = file.header.find(*LASZIP) or b""
+        with path.open("rb") as stream:
+            chunks = chunks_at(path, stream, file.header.begin, self._record)
+        self._begins, self._sizes = chunks[:, 0], chunks[:, 2]
+        ends = np.minimum(np.cumsum(chunks[:, 1]), file.header.point_count)  # the last may be told as a full one
+        self.counts = np.diff(ends, prepend=0)
+
+    def rows(self, which: NDArray[np.int64]) -> NDArray[Any]:
+        """The points of some chunks, one after the other.
+
+        Raises:
+            FileError: The file is gone, or the compressed bytes are damaged.
+        """
+        lazrs = import_for(self.path, "lazrs", "las")
+        out = np.empty(int(self.counts[which].sum()), self.row)
+        told = list(zip(self.counts[which].tolist(), self._sizes[which].tolist(), strict=True))
+        with foreign_errors(self.path, "the compressed points cannot be read"):
+            with self.path.open("rb") as stream:
+                packed = b"".join(_bytes_at(stream, int(self._begins[k]), int(self._sizes[k])) for k in which.tolist())
+            lazrs.decompress_points_with_chunk_table(packed, self._record, out.view(np.uint8), told)
+        return out
+
+
+def _bytes_at(stream: Any, begin: int, size: int) -> bytes:
+    stream.seek(begin)
+    return stream.read(size)
+
+
+def is_alike(header: LasHeader, other: LasHeader) -> bool:
+    """Whether rows of two files mean the same: format, length, scales and offsets."""
+    names = ("point_format", "record_length", "scales", "offsets")
+    return all(getattr(header, name) == getattr(other, name) for name in names)

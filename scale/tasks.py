@@ -1,0 +1,133 @@
+"""The tasks of a job of tiles: files to be laid by tile, then tiles, pass after pass.
+
+A task is claimed in the manifest, done by a function of the files alone, which may run anywhere, and settled.
+"""
+
+from __future__ import annotations
+
+import time
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from .buckets import Filled, fill_buckets
+from .exact_sums import ExactSums
+from .manifest import Manifest
+from .plan import Plan
+from .work_tile import Outcome, work_tile
+
+
+@dataclass(frozen=True)
+class Task:
+    """A file to be laid by tile, or one pass over a tile.
+
+    Attributes:
+        table: "sources" or "tiles".
+        number: Of the file or the tile.
+        which_pass: Over the tile.
+        before: What the manifest says of its earlier passes: points_read and seconds.
+        numbers: What those measured over all tiles, by the step that needs it.
+        fulls: The value of a full colour of each file with buckets.
+    """
+
+    table: str
+    number: int
+    which_pass: int = 0
+    before: dict[str, Any] = field(default_factory=dict)
+    numbers: dict[int, ExactSums] = field(default_factory=dict)
+    fulls: dict[int, int] = field(default_factory=dict)
+
+
+def do_task(plan: Plan, folder: Path, task: Task, owner: str) -> tuple[Filled | Outcome, float]:
+    """Do a task; what came out, and the seconds it took."""
+    begin = time.monotonic()
+    if task.table == "sources":
+        return fill_buckets(plan, folder, task.number, owner), time.monotonic() - begin
+    found = work_tile(plan, folder, task.number, task.which_pass, task.numbers, task.fulls)
+    return found, time.monotonic() - begin
+
+
+class Taskbook:
+    """What one worker claims and settles in a manifest.
+
+    Args:
+        manifest: Of the job.
+        plan: Its plan.
+        owner: The worker's name.
+        part: (which, of how many): its share of the tiles.
+    """
+
+    def __init__(self, manifest: Manifest, plan: Plan, owner: str, part: tuple[int, int] = (1, 1)):
+        self._manifest, self._plan, self.owner = manifest, plan, owner
+        self._share: tuple[str, int, int] = ("id % ? = ?", part[1], part[0] - 1)
+        self._numbers: dict[int, ExactSums] = {}
+
+    def take(self) -> Task | bool:
+        """Claim the next task; True where one may come once others are done, False where none is left."""
+        manifest = self._manifest
+        row = manifest.claim("sources", self.owner)
+        if row is not None:
+            return Task("sources", row["id"])
+        files = manifest.counts("sources")
+        if files["failed"] + files["aside"]:
+            return False
+        if files["running"]:
+            return True
+        number = next_pass(manifest)
+        if number is None:
+            return False
+        here = (f"pass = ? AND {self._share[0]}", number, *self._share[1:])
+        row = manifest.claim("tiles", self.owner, *here)
+        if row is not None:
+            return self._tile_task(row)
+        left = manifest.counts("tiles", *self._share)
+        if not (left["waiting"] or left["running"]):
+            return False
+        if manifest.counts("tiles", "pass = ?", number)["running"]:
+            return True
+        return bool(manifest.counts("tiles", *here)["waiting"])  # else other shares have tiles of this pass to do
+
+    def _tile_task(self, row: Any) -> Task:
+        for earlier, step in enumerate(self._plan.passes[: row["pass"]]):
+            if step is not None and step not in self._numbers:
+                self._numbers[step] = sums_of(self._manifest, earlier)
+        fulls = {found["id"]: found["full"] for found in self._manifest.rows("SELECT id, full FROM sources")}
+        before = {name: row[name] for name in ("points_read", "seconds")}
+        return Task("tiles", row["id"], row["pass"], before, dict(self._numbers), fulls)
+
+    def settle(self, task: Task, found: Filled | Outcome, seconds: float) -> None:
+        """Write down what came of a task."""
+        if isinstance(found, Filled):
+            told: dict[str, Any] = {"points": found.points, "full": found.full, "bytes": found.size}
+            self._manifest.settle("sources", task.number, self.owner, state="done", error=None, **told)
+            return
+        is_last = task.which_pass == len(self._plan.passes) - 1
+        told = {"points_in": found.points_in, "halo": found.halo, "error": None}
+        told |= {"points_read": task.before["points_read"] + found.points_read, "points_out": found.points_out}
+        told["seconds"] = task.before["seconds"] + seconds
+        told |= {"state": ("done" if found.points_out else "empty") if is_last else "waiting"}
+        told["pass"] = task.which_pass if is_last else task.which_pass + 1
+        with self._manifest.change() as base:
+            if self._manifest.settle_in(base, "tiles", task.number, self.owner, **told) and not is_last:
+                sums = found.sums or ExactSums()
+                values = (task.which_pass, task.number, sums.count, hex(sums.total), hex(sums.squares))
+                base.execute("INSERT OR REPLACE INTO numbers VALUES (?, ?, ?, ?, ?)", values)
+
+    def fail(self, task: Task, error: BaseException, state: str = "failed") -> None:
+        """Write down that a task ended in an error, which would come again."""
+        said = " ".join(f"{type(error).__name__}: {error}".split())[:2000]
+        self._manifest.settle(task.table, task.number, self.owner, state=state, error=said)
+
+
+def next_pass(manifest: Manifest) -> int | None:
+    """The pass that tiles are to be done in now: one begins where all are through the one before."""
+    (row,) = manifest.rows("SELECT min(pass) AS n FROM tiles WHERE state NOT IN ('done', 'empty')")
+    return row["n"]
+
+
+def sums_of(manifest: Manifest, number: int) -> ExactSums:
+    """The sums of a pass over all tiles."""
+    total = ExactSums()
+    for row in manifest.rows("SELECT * FROM numbers WHERE pass = ?", number):
+        total += ExactSums(row["count"], int(row["total"], 16), int(row["squares"], 16))
+    return total

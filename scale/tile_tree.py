@@ -1,0 +1,335 @@
+"""One octree over the points of many LAZ files, made from the disk in bounded memory; the formats that hold such trees
+are written from its nodes (files/points/copc_writer.py and others).
+
+The tree is the one of `write_copc` over all points in the order of the files: the same cube, the same level of each
+point, the same nodes. A point's level depends on the points of its voxel at the coarsest level alone, 1/128 of the
+cube. So the cube is halved until each cell has few enough points to be held, and the levels of a cell are found by
+themselves. Points of levels above a cell wait for the cells beside it; of each level one node is open at a time, as the
+cells follow the Morton curve. Cells that are smaller than such a voxel lack one thing: how far the point that stands
+for the whole cell reaches beyond it. There all cells are asked for that point first.
+
+Cost: two passes over the files. The first counts points by cell and takes the box of each chunk; the second reads for
+each cell the chunks that reach into it, of which the last ones are kept.
+
+Memory: 150 B a point of a cell, 256 MiB of chunks, one open node a level.
+"""
+
+from __future__ import annotations
+
+from collections import OrderedDict
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..core.errors import FileError
+from ..core.progress import ReportProgress
+from ..files.points.laz_chunks import LazChunks, is_alike
+from ..kernels.lang import vec3d
+from ..kernels.memory import download, upload
+from ..kernels.sampling.detail_levels import DEPTH, LAST_CELL, LEVELS, NODE_BITS, Cube, find_levels, sort_by_cell
+from ..pcd.detail_nodes import NodeTable, cells_of, make_nodes
+
+# Points of a cell. Of a cell with more, its own level takes 128^3 voxels at most, so that what is deeper is more than
+# what may join the node above (pcd/detail_nodes.py): no node ends above the cells.
+MOST = 2_800_000
+GRID_DEPTH = 14  # halvings to the cells that are counted, fewer where so many cells have points
+MOST_CELLS = 1 << 20
+LEAST = 8192  # deeper points that join the node above, as in write_copc
+_BATCH = 1 << 20  # points read at a time
+_KEPT_BYTES = 1 << 28
+_AXES = ("X", "Y", "Z")
+
+
+class Node(NamedTuple):
+    """A cell of the octree with points: its level, the cell along each axis, its rows in the order of the files."""
+
+    level: int
+    cell: tuple[int, int, int]
+    rows: NDArray[Any]
+
+
+class Leaf(NamedTuple):
+    """A cell that is worked at once: halvings of the cube, its Morton code, its points."""
+
+    depth: int
+    code: int
+    points: int
+
+
+@dataclass
+class _Chunks:
+    """All chunks of all files: the file, the chunk in it, the number of its first point, its box in finest cells."""
+
+    files: NDArray[np.int64]
+    chunks: NDArray[np.int64]
+    firsts: NDArray[np.int64]
+    lows: NDArray[np.int64]
+    highs: NDArray[np.int64]
+
+
+class TileTree:
+    """An octree over files of points.
+
+    Args:
+        paths: LAZ files in one format, scale and offset, each with points.
+        counts: The points that each must have.
+        report: Called with "points" and how many of twice the points are read.
+
+    Attributes:
+        files: The files.
+        corner: Low corner of the cube, float64 [3].
+        side: Of the cube.
+        low, high: Lowest and highest coordinates, float64 [3].
+        count: Points of all files.
+        leaves: The cells, along the Morton curve.
+
+    Raises:
+        FileError: A file is missing, damaged, or not the one that was counted; too many points lie in one place.
+    """
+
+    def __init__(self, paths: list[Path], counts: list[int], report: ReportProgress):
+        self._report, self.files = report, [LazChunks(path) for path in paths]
+        first = self.files[0].header
+        for file, count in zip(self.files, counts, strict=True):
+            if file.header.point_count != count or not is_alike(file.header, first):
+                reason = f"is not the tile that was written: {file.header.point_count} points, not {count}"
+                raise FileError(file.path, reason, remedy="Call retry_tiles, or plan it anew")
+        self.scales, self.offsets = np.array(first.scales), np.array(first.offsets)
+        self.low = np.min([file.header.bounds[0] for file in self.files], axis=0)
+        self.high = np.max([file.header.bounds[1] for file in self.files], axis=0)
+        self.corner = self.low
+        self.side = max(float((self.high - self.corner).max()), float(self.scales.max()))
+        self.count = sum(counts)
+        self._cube = Cube(self.corner, self.side)
+        self._kept: OrderedDict[int, NDArray[Any]] = OrderedDict()
+        depth, cells, held = self._survey()
+        self.leaves = self._split(depth, cells, held)
+
+    def positions(self, rows: NDArray[Any]) -> NDArray[np.float64]:
+        """Coordinates of rows, float64 [n, 3]."""
+        return np.column_stack([rows[name] * self.scales[k] + self.offsets[k] for k, name in enumerate(_AXES)])
+
+    def _survey(self) -> tuple[int, NDArray[np.int64], NDArray[np.int64]]:
+        """(halvings, codes, counts) of cells with points; the box of each chunk is kept."""
+        grid, at = _Grid(), 0
+        boxes: list[list[NDArray[Any]]] = []
+        for number, file in enumerate(self.files):
+            firsts = np.cumsum(file.counts) - file.counts
+            for which in _runs(file.counts, _BATCH):
+                rows, starts = file.rows(which), firsts[which] - firsts[which[0]]
+                lows, highs = (
+                    np.column_stack([extreme.reduceat(rows[name], starts) for name in _AXES])
+                    for extreme in (np.minimum, np.maximum)
+                )
+                boxes.append([np.full(len(which), number), which, at + firsts[which], lows, highs])
+                points = upload(self.positions(rows), vec3d, "cpu")
+                grid.add(download(sort_by_cell(points, self._cube)[0]))
+                self._report("points", at + int(firsts[which[-1]] + file.counts[which[-1]]), 2 * self.count)
+            at += int(file.counts.sum())
+        numbers, chunks, starts, least, most = (np.concatenate(column) for column in zip(*boxes, strict=True))
+        lows, highs = self._cells_of(least), self._cells_of(most)
+        outside = np.flatnonzero((lows < 0).any(axis=1) | (highs > LAST_CELL + 2).any(axis=1))
+        if len(outside):
+            path = self.files[int(numbers[outside[0]])].path
+            raise FileError(path, "has points outside the bounds that its header tells", remedy="Write it anew")
+        lows, highs = np.minimum(lows, LAST_CELL), np.minimum(highs, LAST_CELL)
+        self._chunks = _Chunks(numbers, chunks, starts, lows, highs)
+        return grid.finish()
+
+    def _cells_of(self, steps: NDArray[Any]) -> NDArray[np.int64]:
+        """The finest cells of coordinates in steps of the files, [n, 3]."""
+        places = steps * self.scales + self.offsets
+        return np.floor((places - self.corner) * self._cube.scale).astype(np.int64)
+
+    def _split(self, depth: int, codes: NDArray[np.int64], counts: NDArray[np.int64]) -> list[Leaf]:
+        ends = np.concatenate([[0], np.cumsum(counts)])
+        leaves, stack = [], [(0, 0)]
+        while stack:
+            at, code = stack.pop()
+            shift = 3 * (depth - at)
+            low, high = np.searchsorted(codes, [code << shift, (code + 1) << shift]).tolist()
+            held = int(ends[high] - ends[low])
+            if not held:
+                continue
+            if held <= MOST:
+                leaves.append(Leaf(at, code, held))
+                continue
+            if at == min(depth, LEVELS - 1):
+                place = self.corner + cells_of(np.array([code]))[0] * (self.side / 2**at)
+                reason = f"{held:,} points lie within {self.side / 2**at:g} of {place.tolist()}, at most {MOST:,} may"
+                raise FileError(self.files[0].path.parent, reason, remedy="Add a step voxel_down_sample")
+            stack += [(at + 1, code * 8 + octant) for octant in range(7, -1, -1)]
+        return leaves
+
+    def nodes(self) -> Iterator[Node]:
+        """The nodes that have points, those of a cell before those around it; each once.
+
+        Raises:
+            FileError: A file is gone or damaged, or has changed meanwhile.
+        """
+        champions = self._champions()
+        pending: dict[int, list[tuple[NDArray[Any], NDArray[np.int64]]]] = {}
+        done = 0
+        for k, leaf in enumerate(self.leaves):
+            rows, numbers = self._gather(leaf)
+            keys, order, levels = self._levels_of(leaf, rows, numbers)
+            if leaf in champions:
+                levels[levels < leaf.depth - NODE_BITS + 1] = champions[leaf]
+            table = make_nodes(keys, order, levels, most=self.count, least=LEAST, depth=leaf.depth)
+            if leaf.depth:
+                for level in range(leaf.depth):
+                    chosen = np.sort(order[levels == level])
+                    if len(chosen):
+                        pending.setdefault(level, []).append((rows[chosen], numbers[chosen]))
+            yield from _nodes_of(table, rows)
+            done += leaf.points
+            self._report("points", self.count + done, 2 * self.count)
+            following = self.leaves[k + 1] if k + 1 < len(self.leaves) else None
+            shared = -1 if following is None else _shared_depth(leaf, following)
+            for level in sorted((level for level in pending if level > shared), reverse=True):
+                yield _joined(level, leaf.code >> 3 * (leaf.depth - level), pending.pop(level))
+
+    def _levels_of(self, leaf: Leaf, rows: NDArray[Any], numbers: NDArray[np.int64]) -> Any:
+        points = upload(self.positions(rows), vec3d, "cpu")
+        keys, order, levels = find_levels(points, self.corner, self.side, numbers)
+        if len(rows) != leaf.points or ((keys >> 3 * (DEPTH - leaf.depth)) != leaf.code).any():
+            raise FileError(self.files[0].path.parent, "the tiles have changed while they were read")
+        return keys, order, levels
+
+    def _champions(self) -> dict[Leaf, int]:
+        """The level of the point that stands for a whole cell, of cells smaller than a voxel of the coarsest level."""
+        found = []
+        for leaf in self.leaves:
+            if leaf.depth <= NODE_BITS:
+                continue
+            rows, numbers = self._gather(leaf)
+            _, order, levels = self._levels_of(leaf, rows, numbers)
+            (best,) = order[levels == 0].tolist()
+            found.append((priority_of(int(numbers[best])), leaf))
+        told: dict[Leaf, int] = {}
+        for rank, leaf in found:
+            depths = [_shared_depth(leaf, other) for other_rank, other in found if other_rank < rank]
+            told[leaf] = max([NODE_BITS - 1, *depths]) - (NODE_BITS - 1)
+        return told
+
+    def _gather(self, leaf: Leaf) -> tuple[NDArray[Any], NDArray[np.int64]]:
+        """The rows in a cell and their numbers, both ascending."""
+        shift = DEPTH - leaf.depth
+        low = cells_of(np.array([leaf.code]))[0] << shift
+        high = low + (1 << shift) - 1
+        least, most = self._steps_from(low), self._steps_from(high + 1) - 1
+        most[high >= LAST_CELL] = np.iinfo(np.int32).max
+        chunks = self._chunks
+        meets = (chunks.lows <= high).all(axis=1) & (chunks.highs >= low).all(axis=1)
+        rows: list[NDArray[Any]] = [np.empty(0, self.files[0].row)]
+        numbers: list[NDArray[np.int64]] = [np.empty(0, np.int64)]
+        for k in np.flatnonzero(meets).tolist():
+            read = self._chunk(k)
+            keep = np.ones(len(read), bool)
+            for axis, name in enumerate(_AXES):
+                if chunks.lows[k, axis] < low[axis] or chunks.highs[k, axis] > high[axis]:
+                    keep &= (read[name] >= least[axis]) & (read[name] <= most[axis])
+            chosen = np.flatnonzero(keep)
+            rows.append(read[chosen])
+            numbers.append(chosen + chunks.firsts[k])
+        return np.concatenate(rows), np.concatenate(numbers)
+
+    def _steps_from(self, cells: NDArray[np.int64]) -> NDArray[np.int64]:
+        """The first whole step of the coordinates along each axis that lies in a finest cell or behind it."""
+        low, high = np.full(3, -(1 << 31)), np.full(3, (1 << 31) - 1)
+        for _ in range(33):
+            middle = (low + high) // 2
+            is_in = self._cells_of(middle) >= cells
+            low, high = np.where(is_in, low, np.minimum(middle + 1, high)), np.where(is_in, middle, high)
+        return high
+
+    def _chunk(self, k: int) -> NDArray[Any]:
+        if k in self._kept:
+            self._kept.move_to_end(k)
+            return self._kept[k]
+        chunks = self._chunks
+        rows = self.files[int(chunks.files[k])].rows(chunks.chunks[k : k + 1])
+        self._kept[k] = rows
+        while len(self._kept) > 1 and sum(kept.nbytes for kept in self._kept.values()) > _KEPT_BYTES:
+            self._kept.popitem(last=False)
+        return rows
+
+
+class _Grid:
+    """Points by cell, of cells so fine that not too many have points."""
+
+    def __init__(self) -> None:
+        self.depth, self._parts = GRID_DEPTH, [(np.empty(0, np.int64), np.empty(0, np.int64))]
+
+    def add(self, keys: NDArray[np.int64]) -> None:
+        """Count points by their keys, which ascend."""
+        self._parts.append(_counted(keys >> 3 * (DEPTH - self.depth), None))
+        if sum(len(codes) for codes, _ in self._parts[1:]) > MOST_CELLS:
+            self._join()
+
+    def _join(self) -> None:
+        codes, counts = (np.concatenate(column) for column in zip(*self._parts, strict=True))
+        order = np.argsort(codes, kind="stable")
+        joined = _counted(codes[order], counts[order])
+        while len(joined[0]) > MOST_CELLS:
+            self.depth -= 1
+            joined = _counted(joined[0] >> 3, joined[1])
+        self._parts = [joined]
+
+    def finish(self) -> tuple[int, NDArray[np.int64], NDArray[np.int64]]:
+        """(halvings, codes, counts)."""
+        self._join()
+        codes, counts = self._parts[0]
+        return self.depth, codes, counts
+
+
+def _counted(codes: NDArray[np.int64], counts: NDArray[np.int64] | None) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+    """Ascending codes, each once, and how many points each has."""
+    starts = np.flatnonzero(np.diff(codes, prepend=-1))
+    if counts is None:
+        return codes[starts], np.diff(np.append(starts, len(codes)))
+    return codes[starts], np.add.reduceat(counts, starts) if len(starts) else counts
+
+
+def _runs(counts: NDArray[np.int64], most: int) -> Iterator[NDArray[np.int64]]:
+    """Numbers of chunks side by side, with no more points than so many where a chunk has fewer."""
+    ends, begin = np.cumsum(counts), 0
+    while begin < len(counts):
+        before = int(ends[begin - 1]) if begin else 0
+        end = max(int(np.searchsorted(ends, before + most, side="right")), begin + 1)
+        yield np.arange(begin, end)
+        begin = end
+
+
+def _nodes_of(table: NodeTable, rows: NDArray[Any]) -> Iterator[Node]:
+    for first, count, level, cell in zip(
+        table.firsts.tolist(), table.counts.tolist(), table.depths.tolist(), table.cells.tolist(), strict=True
+    ):
+        yield Node(level, tuple(cell), rows[np.sort(table.order[first : first + count])])
+
+
+def _joined(level: int, code: int, parts: list[tuple[NDArray[Any], NDArray[np.int64]]]) -> Node:
+    rows, numbers = (np.concatenate(column) for column in zip(*parts, strict=True))
+    return Node(level, tuple(cells_of(np.array([code]))[0].tolist()), rows[np.argsort(numbers)])
+
+
+def _shared_depth(leaf: Leaf, other: Leaf) -> int:
+    """Halvings to the smallest cell around two others."""
+    depth = min(leaf.depth, other.depth)
+    differing = (leaf.code >> 3 * (leaf.depth - depth)) ^ (other.code >> 3 * (other.depth - depth))
+    return depth - -(-differing.bit_length() // 3)
+
+
+def priority_of(number: int) -> int:
+    """As `kernels.sampling.detail_levels.priority`, of a number's lower 32 bits."""
+    x = number & 0xFFFFFFFF
+    x ^= x >> 16
+    x = x * 0x7FEB352D & 0xFFFFFFFF
+    x ^= (x >> 15) & 0x1FFFF
+    x = x * -0x7B935975 & 0xFFFFFFFF
+    x ^= (x >> 16) & 0xFFFF
+    return x - (1 << 32) if x >> 31 else x

@@ -1,0 +1,108 @@
+"""Tiles on a device give what they give on the CPU, and no two processes work on one GPU."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+import pointloom as loom
+from pointloom.scale import gpus, runners
+
+from .scenes import STEP, finished, in_memory, plan_of, rows_of, survey, whole_cloud
+from .test_same_answer import CHAINS
+
+SAME = ["normals in a radius", "normals of both", "a box", "a chain"]  # of each class of steps
+MOST_MOVED = 2e-6  # [m] by which smoothed points of CPU and GPU differ, whose products and sums are fused on the GPU
+
+
+def on_device(files, folder, steps, device):
+    loom.scale.plan_tiles(files, steps, folder, size=20.0)
+    status = loom.scale.run_tiles(folder, device=device)
+    assert status.is_finished, status
+    return finished(folder)
+
+
+@pytest.fixture(scope="module")
+def files(tmp_path_factory):
+    return survey(tmp_path_factory.mktemp("survey"), count=2500)
+
+
+@pytest.mark.parametrize("chain", SAME)
+def test_tiles_of_a_device_have_the_bits_of_the_operations_on_the_cpu(device, files, tmp_path, chain):
+    found = on_device(files, tmp_path / "job", CHAINS[chain], device)
+    plan = plan_of(tmp_path / "job")
+    expected = in_memory(whole_cloud(files, np.array(plan["origin"])), CHAINS[chain], plan["voxel_corner"])
+    np.testing.assert_array_equal(rows_of(found), rows_of(expected))
+
+
+@pytest.mark.parametrize("chain", ["smoothing", "smoothing of the nearest"])
+def test_smoothed_tiles_of_a_device_are_those_of_the_cpu_within_two_micrometres(device, files, tmp_path, chain):
+    found = rows_of(on_device(files, tmp_path / "job", CHAINS[chain], device))
+    plan = plan_of(tmp_path / "job")
+    cloud = whole_cloud(files, np.array(plan["origin"]))
+    expected = rows_of(in_memory(cloud, CHAINS[chain], plan["voxel_corner"]))
+    by_time = [rows[np.lexsort(rows[:, 3:].T)] for rows in (found, expected)]
+    np.testing.assert_array_equal(by_time[0][:, 3:], by_time[1][:, 3:])
+    assert np.abs(by_time[0] - by_time[1])[:, :3].max() * STEP <= MOST_MOVED
+
+
+def test_a_device_that_is_not_there_is_named(files, tmp_path):
+    loom.scale.plan_tiles(files, CHAINS["voxels"], tmp_path / "job", size=20.0)
+    with pytest.raises(loom.DeviceError, match="cuda:7"):
+        loom.scale.run_tiles(tmp_path / "job", device="cuda:7")
+
+
+@pytest.fixture
+def three_gpus(monkeypatch, tmp_path):
+    """A machine of three GPUs, whose locks lie in a folder of the test."""
+    made = [SimpleNamespace(is_cuda=True, alias=f"cuda:{k}", uuid=f"GPU-{k}", ordinal=k) for k in range(3)]
+    monkeypatch.delenv("CUDA_VISIBLE_DEVICES", raising=False)
+    monkeypatch.setattr(gpus.tempfile, "gettempdir", lambda: str(tmp_path))
+    monkeypatch.setattr("warp.get_cuda_devices", lambda: made)
+    monkeypatch.setattr(gpus, "resolve_device", lambda name: made[int(name[5:] or 0)])
+
+
+@pytest.mark.usefixtures("three_gpus")
+def test_two_runs_of_a_machine_take_other_gpus():
+    with gpus.held_gpus("cuda", 2) as first, gpus.held_gpus("cuda", 1) as second:
+        assert [gpu.name for gpu in first + second] == ["GPU-0", "GPU-1", "GPU-2"]
+        with pytest.raises(loom.DeviceError, match="0 of 3 GPUs are free"), gpus.held_gpus("cuda", 1):
+            pass
+        with pytest.raises(loom.DeviceError, match="0 of 1 GPUs are free"), gpus.held_gpus("cuda:1", 1):
+            pass
+    with gpus.held_gpus("cuda:1", 1) as third:
+        assert third[0].alias == "cuda:1"
+
+
+@pytest.mark.usefixtures("three_gpus")
+def test_a_gpu_is_its_workers_when_the_runner_is_gone():
+    with gpus.held_gpus("cuda:2", 1) as (gpu,):
+        worker = subprocess.Popen([sys.executable, "-c", "input()"], stdin=subprocess.PIPE, pass_fds=[gpu.lock])
+    with pytest.raises(loom.DeviceError, match="are free"), gpus.held_gpus("cuda:2", 1):
+        pass
+    worker.communicate(b"\n")
+    with gpus.held_gpus("cuda:2", 1) as held:
+        assert len(held) == 1
+
+
+@pytest.mark.usefixtures("three_gpus")
+def test_each_worker_sees_its_own_gpu_alone(monkeypatch, tmp_path):
+    started = []
+    monkeypatch.setattr(runners.subprocess, "Popen", lambda command, **how: started.append((command, how)))
+    monkeypatch.setenv("CUDA_VISIBLE_DEVICES", "5,GPU-x,7")
+    with gpus.held_gpus("cuda", 2) as held:
+        for place in range(2):
+            runners._start(tmp_path, (1, 1), 2, held, place)
+        assert [how["env"]["CUDA_VISIBLE_DEVICES"] for _, how in started] == ["5", "GPU-x"]
+        assert [how["pass_fds"] for _, how in started] == [[gpu.lock] for gpu in held]
+        assert all(command[-1] == "cuda:0" for command, _ in started)
+    runners._start(tmp_path, (1, 1), 2, [], 0)
+    assert (
+        started[-1][0][-1] == "cpu"
+        and started[-1][1]["env"]["CUDA_VISIBLE_DEVICES"] == os.environ["CUDA_VISIBLE_DEVICES"]
+    )
