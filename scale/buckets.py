@@ -67,7 +67,12 @@ def fill_buckets(plan: Any, folder: Path, number: int, owner: str) -> Filled:
         filled = _fill(plan, file, part)
         told = filled._asdict() | {"tiles": {str(tile): rows for tile, rows in sorted(filled.tiles.items())}}
         (part / INDEX).write_text(json.dumps(told))
-        part.rename(done)
+        try:
+            part.rename(done)
+        except OSError:
+            if not (done / INDEX).is_file():
+                raise
+            shutil.rmtree(part, ignore_errors=True)  # a worker that was taken for dead has laid the same rows meanwhile
     except OSError as error:
         shutil.rmtree(part, ignore_errors=True)
         if isinstance(error, FileError):

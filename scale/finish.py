@@ -19,13 +19,14 @@ from ..files.points.copc_writer import CopcWriter
 from ..files.points.las import open_las, table_of
 from ..files.points.las_writer import lay_out
 from .buckets import FOLDER as BUCKETS
-from .manifest import Manifest
+from .buckets import folder_of
+from .manifest import CHECKSUMS, Manifest, clear_locks
 from .plan import Plan, open_plan
 from .rasters import write_mosaics
 from .status import status_of
 from .tile_tree import Node, TileTree
 from .work_tile import FOLDER as TILES
-from .work_tile import tile_path
+from .work_tile import checksum_of, tile_path
 
 BLOCK = 1 << 18
 AT_ONCE = 1 << 19  # points of nodes that are compressed together
@@ -64,6 +65,7 @@ def finish_tiles(
         is_copc = path.name.lower().endswith(".copc.laz")
         rows = manifest.rows("SELECT id, points_out FROM tiles WHERE state = 'done' ORDER BY id")
         parts = [(tile_path(plan, manifest.folder, row["id"]), row["points_out"]) for row in rows]
+        _check_tiles(manifest, plan)
         if not parts:
             raise FileError(path, "there is nothing to write: the steps left no point")
         if is_copc:
@@ -74,6 +76,7 @@ def finish_tiles(
         shutil.rmtree(manifest.folder / BUCKETS, ignore_errors=True)
         for left in (manifest.folder / TILES).glob(".*.part"):  # of workers that were killed
             left.unlink(missing_ok=True)
+        clear_locks(manifest.folder)
         return path
 
 
@@ -84,6 +87,30 @@ def _check_finished(manifest: Manifest, plan: Plan) -> None:
     if plan.told["only"] is None and told.points_in != told.points:
         reason = f"the files hold {told.points:,} points, the tiles {told.points_in:,}: an octree or a header lies"
         raise FileError(manifest.folder, reason)
+
+
+def _check_tiles(manifest: Manifest, plan: Plan) -> None:
+    """Hold that the files of tiles are those that were written; others wait to be made again."""
+    with manifest.change() as base:
+        base.execute(CHECKSUMS)
+    query = "SELECT id, crc FROM tiles JOIN checksums ON tile = id WHERE state = 'done' ORDER BY id"
+    bad = []
+    for row in manifest.rows(query):
+        path = tile_path(plan, manifest.folder, row["id"])
+        if not path.is_file():
+            bad.append((row["id"], path, "is gone"))
+        elif checksum_of(path) != row["crc"]:
+            bad.append((row["id"], path, "is damaged: it is not the file that was written"))
+    if not bad:
+        return
+    with manifest.change() as base:
+        base.executemany("UPDATE tiles SET state = 'waiting' WHERE id = ?", [(tile,) for tile, _, _ in bad])
+        for number, source in enumerate(plan.sources):
+            if source["kind"] != "copc" and not folder_of(manifest.folder, number).is_dir():
+                base.execute("UPDATE sources SET state = 'waiting' WHERE id = ?", (number,))
+    _, path, reason = bad[0]
+    others = f"It and {len(bad) - 1} others wait" if len(bad) > 1 else "It waits"
+    raise FileError(path, reason, remedy=f"{others} to be made again: call run_tiles, then this")
 
 
 def _write_copc(path: Path, tree: TileTree, overwrite: bool) -> None:

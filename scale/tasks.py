@@ -12,8 +12,9 @@ from typing import Any
 
 from .buckets import Filled, fill_buckets
 from .exact_sums import ExactSums
-from .manifest import Manifest
+from .manifest import CHECKSUMS, Manifest
 from .plan import Plan
+from .sources import check_same
 from .work_tile import Outcome, work_tile
 
 
@@ -42,7 +43,10 @@ def do_task(plan: Plan, folder: Path, task: Task, owner: str) -> tuple[Filled | 
     """Do a task; what came out, and the seconds it took."""
     begin = time.monotonic()
     if task.table == "sources":
-        return fill_buckets(plan, folder, task.number, owner), time.monotonic() - begin
+        check_same(plan.sources[task.number])
+        filled = fill_buckets(plan, folder, task.number, owner)
+        check_same(plan.sources[task.number])  # a file that is written to meanwhile is half of each
+        return filled, time.monotonic() - begin
     found = work_tile(plan, folder, task.number, task.which_pass, task.numbers, task.fulls)
     return found, time.monotonic() - begin
 
@@ -108,7 +112,12 @@ class Taskbook:
         told |= {"state": ("done" if found.points_out else "empty") if is_last else "waiting"}
         told["pass"] = task.which_pass if is_last else task.which_pass + 1
         with self._manifest.change() as base:
-            if self._manifest.settle_in(base, "tiles", task.number, self.owner, **told) and not is_last:
+            if not self._manifest.settle_in(base, "tiles", task.number, self.owner, **told):
+                return
+            if found.checksum is not None:
+                base.execute(CHECKSUMS)
+                base.execute("INSERT OR REPLACE INTO checksums VALUES (?, ?)", (task.number, found.checksum))
+            if not is_last:
                 sums = found.sums or ExactSums()
                 values = (task.which_pass, task.number, sums.count, hex(sums.total), hex(sums.squares))
                 base.execute("INSERT OR REPLACE INTO numbers VALUES (?, ?, ?, ?, ?)", values)
