@@ -5,6 +5,7 @@ from __future__ import annotations
 import contextlib
 import io
 import os
+import shutil
 import tempfile
 from collections.abc import Iterator
 from pathlib import Path
@@ -75,6 +76,56 @@ class _Written(io.BufferedWriter):
         except OSError as error:
             self.failed = error
             raise
+
+
+def check_folder(path: str | os.PathLike[str], marker: str, *, overwrite: bool = True) -> Path:
+    """The path, once it is sure that a folder can be made there in place of nothing, or of one with a marker.
+
+    Raises:
+        FileError: The folder around it is missing or read-only, it is a file, it may not be replaced, or it holds
+            something without the marker.
+    """
+    path = path_of(path)
+    if path.exists() and not path.is_dir():
+        raise FileError(path, "is not a folder", remedy="Give the name of a folder")
+    parent = path.absolute().parent
+    if not parent.is_dir():
+        raise FileError(path, f"the folder {parent} does not exist", remedy="Make the folder first")
+    if path.is_dir() and any(path.iterdir()):
+        if not (path / marker).is_file():
+            raise FileError(path, f"holds other files: there is no {marker}", remedy="Give another folder")
+        if not overwrite:
+            raise FileError(path, "exists already", remedy=_REPLACE)
+    if not os.access(parent, os.W_OK | os.X_OK):
+        raise FileError(path, f"the folder {parent} is not writable", remedy="Choose another folder")
+    return path
+
+
+@contextlib.contextmanager
+def atomic_folder(path: str | os.PathLike[str], marker: str, *, overwrite: bool = True) -> Iterator[Path]:
+    """A folder that takes its name when the block ends without an error, and is removed otherwise.
+
+    Raises:
+        FileError: As `check_folder`; or a file cannot be written.
+    """
+    path = check_folder(path, marker, overwrite=overwrite)
+    part = Path(tempfile.mkdtemp(prefix=f".{path.name}.", suffix=".part", dir=path.absolute().parent))
+    try:
+        yield part
+        part.chmod(0o777 & ~_umask())
+        check_folder(path, marker, overwrite=overwrite)
+        if path.exists():
+            old = part.with_suffix(".old")
+            path.rename(old)
+            part.rename(path)
+            shutil.rmtree(old)
+        else:
+            part.rename(path)
+    except BaseException as error:
+        shutil.rmtree(part, ignore_errors=True)
+        if isinstance(error, OSError) and error.strerror:
+            raise FileError(path, f"cannot be written: {error.strerror}") from error
+        raise
 
 
 def _umask() -> int:

@@ -58,7 +58,8 @@ def geotiff(
     except rasterio.errors.CRSError as error:
         raise FileError(path, f"crs: {str(told.crs)[:80]!r} is not known: {error}") from error
     except (rasterio.errors.RasterioError, OSError) as error:
-        raise FileError(path, f"cannot be written: {getattr(error, 'strerror', None) or error}") from error
+        reason = getattr(error, "strerror", None) or error.__cause__ or error
+        raise FileError(path, f"cannot be written: {reason}") from error
     finally:
         part.unlink(missing_ok=True)
 

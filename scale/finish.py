@@ -3,51 +3,57 @@
 from __future__ import annotations
 
 import shutil
-from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-import numpy as np
-
 from ..core.atomic import atomic_write, check_writable
-from ..core.checks import check_progress
-from ..core.coordinates import quiet
+from ..core.checks import check_positive, check_progress, shown
 from ..core.errors import FileError, FilePath
+from ..core.paths import path_of
 from ..core.progress import ReportProgress, say_nothing
 from ..files.foreign import foreign_errors, import_for
-from ..files.points.copc_writer import CopcWriter
-from ..files.points.las import open_las, table_of
-from ..files.points.las_writer import lay_out
+from ..files.points.las import open_las
 from .buckets import FOLDER as BUCKETS
 from .buckets import folder_of
 from .manifest import CHECKSUMS, Manifest, clear_locks
 from .plan import Plan, open_plan
 from .rasters import write_mosaics
 from .status import status_of
-from .tile_tree import Node, TileTree
+from .tree_outputs import FOLDERS, tree_of, write_folder, write_tree
 from .work_tile import FOLDER as TILES
 from .work_tile import checksum_of, tile_path
 
 BLOCK = 1 << 18
-AT_ONCE = 1 << 19  # points of nodes that are compressed together
 
 
 def finish_tiles(
-    folder: FilePath, path: FilePath | None = None, *, overwrite: bool = True, progress: ReportProgress = say_nothing
+    folder: FilePath,
+    path: FilePath | None = None,
+    *,
+    output: str | None = None,
+    overview: float | None = None,
+    overwrite: bool = True,
+    progress: ReportProgress = say_nothing,
 ) -> Path:
-    """Make one file of all tiles, in their order, and remove what the job held beside its tiles.
+    """Make one file, or one folder, of all tiles, and remove what the job held beside its tiles.
 
     Args:
         folder: Of `plan_tiles`, all tiles done.
         path: The file, an octree where it ends in .copc.laz; None takes `result.laz`, or `result.copc.laz` where the
             plan says "copc", in the folder.
-        overwrite: Whether an existing file may be replaced.
+        output: What to make of a folder. "tiles" are COPC files with an index `index.vpc`, which QGIS and PDAL open as
+            one cloud, and a coarse version of all of them, `overview.copc.laz`. "3dtiles" are 3D Tiles 1.1
+            (`tileset.json`), on the globe where the coordinate system is known; "potree" is Potree 2.0
+            (`metadata.json`). None makes one file.
+        overview: Spacing of the overview's points; None takes the level of which a square of points has a million.
+        overwrite: Whether an existing file may be replaced, or a folder of the same kind.
         progress: Called with "points", how many are read, and how many there are to read, twice for an octree.
 
     Returns:
-        The file.
+        The file or folder.
 
     Raises:
+        ValueError: An output that there is not.
         FileError: Tiles wait, failed or were set aside; points are missing; a tile is gone or damaged; for an octree,
             millions of points lie in one place; the file cannot be written.
 
@@ -56,20 +62,26 @@ def finish_tiles(
         points, in their order; it is made from the tiles on disk, which are read twice. Memory: 1 GB whatever their
         number; no disk but for the file.
     """
-    report = check_progress(progress)
+    report, spacing = check_progress(progress), None if overview is None else check_positive("overview", overview)
+    if output is not None and output not in FOLDERS:
+        raise ValueError(f"output: expected None or one of {', '.join(map(repr, FOLDERS))}, got {shown(output)}")
+    if output is not None and path is None:
+        raise ValueError("path: give the folder that is to be made")
     manifest, plan = open_plan(folder)
     with manifest:
         _check_finished(manifest, plan)
         wanted = "result.copc.laz" if plan.told["output"] == "copc" else "result.laz"
-        path = check_writable(path if path else manifest.folder / wanted, overwrite=overwrite)
-        is_copc = path.name.lower().endswith(".copc.laz")
+        path = path_of(path if path else manifest.folder / wanted)
         rows = manifest.rows("SELECT id, points_out FROM tiles WHERE state = 'done' ORDER BY id")
         parts = [(tile_path(plan, manifest.folder, row["id"]), row["points_out"]) for row in rows]
         _check_tiles(manifest, plan)
         if not parts:
             raise FileError(path, "there is nothing to write: the steps left no point")
-        if is_copc:
-            _write_copc(path, TileTree([part for part, _ in parts], [count for _, count in parts], report), overwrite)
+        if output is not None:
+            write_folder(path, parts, output, spacing, overwrite, report)
+        elif path.name.lower().endswith(".copc.laz"):
+            check_writable(path, overwrite=overwrite)
+            write_tree(path, tree_of(parts, report), overwrite)
         else:
             _merge(path, parts, overwrite)
         write_mosaics(manifest, plan, path)
@@ -111,33 +123,6 @@ def _check_tiles(manifest: Manifest, plan: Plan) -> None:
     _, path, reason = bad[0]
     others = f"It and {len(bad) - 1} others wait" if len(bad) > 1 else "It waits"
     raise FileError(path, reason, remedy=f"{others} to be made again: call run_tiles, then this")
-
-
-def _write_copc(path: Path, tree: TileTree, overwrite: bool) -> None:
-    first = open_las(tree.files[0].path)
-    table = table_of(first, first.decode(np.zeros(1, first.layout.dtype())))
-    layout = lay_out(path, table, tree.scales, tree.offsets, first.header)
-    layout_row = layout.header.point_format.dtype()
-    if layout_row != tree.files[0].row:
-        raise FileError(first.path, "is not a tile of this version", remedy="Plan it anew in another folder")
-    with atomic_write(path, overwrite=overwrite) as file, foreign_errors(path, "cannot be written"), quiet():
-        writer = CopcWriter(path, file, layout, tree.corner, tree.side)
-        for nodes in _batches(tree.nodes()):
-            rows = [layout.laspy.PackedPointRecord(node.rows, layout.header.point_format) for node in nodes]
-            writer.add([node.level for node in nodes], [node.cell for node in nodes], rows)
-        writer.finish(layout.extended)
-
-
-def _batches(nodes: Iterator[Node]) -> Iterator[list[Node]]:
-    """Nodes that are compressed at a time."""
-    batch: list[Node] = []
-    for node in nodes:
-        batch.append(node)
-        if sum(len(held.rows) for held in batch) >= AT_ONCE:
-            yield batch
-            batch = []
-    if batch:
-        yield batch
 
 
 def _merge(path: Path, parts: list[tuple[Path, int]], overwrite: bool) -> None:

@@ -115,7 +115,8 @@ class TileTree:
 
     def _survey(self) -> tuple[int, NDArray[np.int64], NDArray[np.int64]]:
         """(halvings, codes, counts) of cells with points; the box of each chunk is kept."""
-        grid, boxes, at = _Grid(), [], 0
+        grid, at = _Grid(), 0
+        boxes: list[list[NDArray[Any]]] = []
         for number, file in enumerate(self.files):
             firsts = np.cumsum(file.counts) - file.counts
             for which in _runs(file.counts, _BATCH):
@@ -124,19 +125,19 @@ class TileTree:
                     np.column_stack([extreme.reduceat(rows[name], starts) for name in _AXES])
                     for extreme in (np.minimum, np.maximum)
                 )
-                boxes.append((np.full(len(which), number), which, at + firsts[which], lows, highs))
+                boxes.append([np.full(len(which), number), which, at + firsts[which], lows, highs])
                 points = upload(self.positions(rows), vec3d, "cpu")
                 grid.add(download(sort_by_cell(points, self._cube)[0]))
                 self._report("points", at + int(firsts[which[-1]] + file.counts[which[-1]]), 2 * self.count)
             at += int(file.counts.sum())
-        columns = [np.concatenate(column) for column in zip(*boxes, strict=True)]
-        lows, highs = (self._cells_of(column) for column in columns[3:])
+        numbers, chunks, starts, least, most = (np.concatenate(column) for column in zip(*boxes, strict=True))
+        lows, highs = self._cells_of(least), self._cells_of(most)
         outside = np.flatnonzero((lows < 0).any(axis=1) | (highs > LAST_CELL + 2).any(axis=1))
         if len(outside):
-            path = self.files[int(columns[0][outside[0]])].path
+            path = self.files[int(numbers[outside[0]])].path
             raise FileError(path, "has points outside the bounds that its header tells", remedy="Write it anew")
         lows, highs = np.minimum(lows, LAST_CELL), np.minimum(highs, LAST_CELL)
-        self._chunks = _Chunks(columns[0], columns[1], columns[2], lows, highs)
+        self._chunks = _Chunks(numbers, chunks, starts, lows, highs)
         return grid.finish()
 
     def _cells_of(self, steps: NDArray[Any]) -> NDArray[np.int64]:

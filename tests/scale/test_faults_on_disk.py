@@ -114,7 +114,7 @@ def test_a_disk_that_is_full_at_the_end_keeps_what_was_there_and_the_tiles(job, 
             return write(*given)
 
     with monkeypatch.context() as patch:
-        for writer in ("_merge", "_write_copc"):
+        for writer in ("_merge", "write_tree"):
             patch.setattr(finish, writer, partial(full, getattr(finish, writer)))
         with pytest.raises(FileError, match=r"cannot be written.*File too large"):
             loom.scale.finish_tiles(job, job / name)

@@ -169,3 +169,33 @@ def test_two_rasters_of_one_name_are_refused(files, tmp_path):
     steps = [{"step": "rasterize", "cell": 1.0}, {"step": "rasterize", "cell": 2.0}]
     with pytest.raises(ValueError, match="give each a 'name' of its own"):
         loom.scale.plan_tiles(files, steps, tmp_path / "job")
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("size", [70.0, 95.3, 1000.0])
+@pytest.mark.parametrize("name", ["lidar-pcl-terrain/samp11-utm.pcd", "lidar-pdal/laz/autzen_trim.laz"])
+def test_real_surveys_are_the_same_by_tiles(data, tmp_path, name, size):
+    rasterio = pytest.importorskip("rasterio")
+    path, scale = data / name, 3.28 if "pdal" in name else 1.0  # feet
+    if path.suffix == ".pcd":
+        cloud = loom.read_point_cloud(path)
+        path = tmp_path / "survey.laz"
+        write_las(
+            path, PointTable(cloud.points, attributes={"classification": np.zeros(len(cloud), np.uint8)}), scale=1e-3
+        )
+    told = {"cell_size": scale, "max_window": 6 * scale, "elevation_threshold": 0.5 * scale, "scaling": 1.25 * scale}
+    steps = [{"step": "classify_ground"} | told, {"step": "height_above_ground", "reach": 9 * scale, "cell": scale}]
+    kinds = {"dtm": 2.0 * scale, "chm": 3.0 * scale, "density": 5.0}
+    steps += [{"step": "rasterize", "cell": cell, "kind": kind, "reach": 9 * scale} for kind, cell in kinds.items()]
+    result, plan = run([path], steps, tmp_path / "job", size=size * scale)
+    cloud = whole([path], plan)
+    ground = loom.classify_ground(cloud, **told, corner=(0, 0))
+    cloud["classification"] = np.where(ground, 2, 1).astype(np.uint8)
+    cloud["height_above_ground"] = loom.height_above_ground(cloud, reach=9 * scale, cell=scale)
+    names = ("classification", "height_above_ground")
+    np.testing.assert_array_equal(rows_of(loom.read_point_cloud(result), *names), rows_of(cloud, *names))
+    for kind, cell in kinds.items():
+        raster = loom.terrain.rasterize(cloud, cell, kind, reach=9 * scale)
+        with rasterio.open(tmp_path / "job" / f"result.{kind}.tif") as file:
+            assert file.bounds == pytest.approx(raster.bounds, abs=1e-6)
+            np.testing.assert_array_equal(file.read(1, masked=True).filled(np.nan), raster.values)

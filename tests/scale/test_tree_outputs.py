@@ -1,0 +1,263 @@
+"""Folders made of one octree: COPC tiles with an index, 3D Tiles, Potree; each read back by its own rules."""
+
+from __future__ import annotations
+
+import json
+import struct
+
+import laspy
+import numpy as np
+import pyproj
+import pytest
+from scipy.spatial import cKDTree
+
+import pointloom as loom
+from pointloom.core.errors import FileError
+from pointloom.files.points import three_d_tiles_writer
+from pointloom.files.points.copc import open_copc
+from pointloom.files.points.las import read_las
+from pointloom.scale import tile_tree
+
+UTM = 32632
+AT = np.array([691_000.0, 5_336_000.0, 520.0])
+
+
+def a_survey(path, *, has_crs=True, count=20_000):
+    rng = np.random.default_rng(3)
+    xy = rng.random((count, 2)) ** 2 * (60, 40)
+    header = laspy.LasHeader(point_format=7, version="1.4")
+    header.scales, header.offsets = np.full(3, 0.001), AT
+    header.add_extra_dim(laspy.ExtraBytesParams("height", np.float32))
+    if has_crs:
+        header.add_crs(pyproj.CRS.from_epsg(UTM))
+    las = laspy.LasData(header)
+    las.x, las.y, las.z = (np.column_stack([xy, np.sin(xy[:, 0])]) + AT).T
+    las.intensity, las.classification = rng.integers(0, 60_000, count), rng.integers(0, 20, count)
+    las.return_number, las.number_of_returns = rng.integers(1, 4, count), np.full(count, 3)
+    las.gps_time, las.height = np.sort(rng.random(count)), rng.random(count)
+    las.red, las.green, las.blue = rng.integers(0, 65536, (3, count))
+    las.write(path)
+
+
+@pytest.fixture(scope="module", params=[True, False], ids=["utm", "nowhere"])
+def has_crs(request):
+    return request.param
+
+
+@pytest.fixture(scope="module")
+def job(tmp_path_factory, has_crs):
+    folder = tmp_path_factory.mktemp("survey")
+    a_survey(folder / "a.laz", has_crs=has_crs)
+    keep = {"step": "crop", "min_bound": (AT - 100).tolist(), "max_bound": (AT + 100).tolist()}
+    loom.scale.plan_tiles(folder / "a.laz", [keep], folder / "job", size=25.0)
+    assert loom.scale.run_tiles(folder / "job").is_finished
+    return folder / "job"
+
+
+@pytest.fixture(autouse=True)
+def small_nodes(monkeypatch):
+    monkeypatch.setattr(tile_tree, "MOST", 4000)
+    monkeypatch.setattr(tile_tree, "LEAST", 100)
+
+
+def in_order(points):
+    points = np.asarray(points)
+    return points[np.lexsort(points.T)]
+
+
+@pytest.fixture(scope="module")
+def merged(job, tmp_path_factory):
+    return read_las(loom.scale.finish_tiles(job, tmp_path_factory.mktemp("merged") / "all.laz"))
+
+
+def potree_nodes(folder):
+    """All nodes of a Potree folder as its viewer walks them: name, entry; by parts of the hierarchy."""
+    told = json.loads((folder / "metadata.json").read_text())
+    raw = (folder / "hierarchy.bin").read_bytes()
+    found, parts, proxies = {}, [("r", 0, told["hierarchy"]["firstChunkSize"])], 0
+    while parts:
+        root, begin, size = parts.pop()
+        names, at = [root], begin
+        while names:
+            name = names.pop(0)
+            kind, mask, count, first, length = struct.unpack_from("<BBIQQ", raw, at)
+            at += 22
+            if kind == 2:
+                parts.append((name, first, length))
+                proxies += 1
+                continue
+            assert (kind == 1) == (mask == 0)
+            assert name not in found
+            found[name] = (count, first, length)
+            names += [f"{name}{octant}" for octant in range(8) if mask >> octant & 1]
+        assert at == begin + size
+    return told, found, proxies
+
+
+def test_potree_holds_the_points_in_the_cubes_of_its_nodes(job, merged, tmp_path):
+    folder = loom.scale.finish_tiles(job, tmp_path / "potree", output="potree")
+    told, nodes, proxies = potree_nodes(folder)
+    sizes = {"int": "i", "uint": "u", "float": "f", "double": "f"}
+    row = np.dtype([
+        (a["name"], f"<{sizes[a['type'].rstrip('0123456789')]}{a['elementSize']}", (a["numElements"],))
+        for a in told["attributes"]
+    ])  # fmt: skip
+    assert told["points"] == sum(count for count, *_ in nodes.values()) == len(merged.points)
+    assert (folder / "octree.bin").stat().st_size == len(merged.points) * row.itemsize and proxies > 0
+    corner = np.array(told["boundingBox"]["min"])
+    side = told["boundingBox"]["max"][0] - corner[0]
+    every = []
+    for name, (count, first, length) in nodes.items():
+        rows = np.fromfile(folder / "octree.bin", row, count, offset=first)
+        assert rows.nbytes == length
+        low, width = corner.copy(), side
+        for octant in name[1:]:
+            width /= 2
+            low += width * np.array([int(octant) >> 2 & 1, int(octant) >> 1 & 1, int(octant) & 1])
+        points = rows["position"] * told["scale"] + told["offset"]
+        assert (points >= low - 1e-6).all() and (points <= low + width + 1e-6).all()
+        every.append((points, rows))
+    points = np.concatenate([points for points, _ in every])
+    rows = np.concatenate([rows for _, rows in every])
+    columns = [
+        points,
+        rows["intensity"],
+        rows["classification"],
+        rows["return number"],
+        rows["height"],
+        rows["gps-time"],
+    ]
+    names = ("intensity", "classification", "return_number", "height", "gps_time")
+    wanted = [merged.points, *(merged.attributes[name][:, None] for name in names)]
+    np.testing.assert_array_equal(in_order(np.hstack(columns)), in_order(np.hstack(wanted)))
+    ours = np.column_stack([points, rows["rgb"] / 65535])
+    np.testing.assert_allclose(in_order(ours), in_order(np.hstack([merged.points, merged.colors])), atol=1e-6)
+    (intensity,) = (a for a in told["attributes"] if a["name"] == "intensity")
+    assert intensity["min"] == [rows["intensity"].min()] and intensity["max"] == [rows["intensity"].max()]
+
+
+def glb_points(path):
+    """Positions of a GLB as a viewer of 3D Tiles places them (z up), and its other attributes."""
+    raw = path.read_bytes()
+    assert raw[:4] == b"glTF" and struct.unpack_from("<I", raw, 8) == (len(raw),)
+    (size,) = struct.unpack_from("<I", raw, 12)
+    told, data = json.loads(raw[20 : 20 + size]), raw[28 + size :]
+    types = {5126: np.float32, 5121: np.uint8}
+    found = {}
+    for name, number in told["meshes"][0]["primitives"][0]["attributes"].items():
+        accessor = told["accessors"][number]
+        view = told["bufferViews"][accessor["bufferView"]]
+        begin, kind = view["byteOffset"], types[accessor["componentType"]]
+        values = np.frombuffer(data[begin : begin + view["byteLength"]], kind)
+        found[name] = values.reshape(accessor["count"], -1)
+    x, y, z = (found.pop("POSITION").astype(np.float64) + told["nodes"][0]["translation"]).T
+    return np.column_stack([x, -z, y]), found
+
+
+def walk_tiles(folder, tile, above=None):
+    half = np.array(tile["boundingVolume"]["box"]).reshape(4, 3)
+    low, high = half[0] - half[1:].sum(axis=0), half[0] + half[1:].sum(axis=0)
+    if above is not None:
+        assert (low >= above[0] - 1e-6).all() and (high <= above[1] + 1e-6).all()
+        assert tile["geometricError"] <= above[2]
+    uri = tile.get("content", {}).get("uri", "")
+    if uri.endswith(".json"):
+        outer = json.loads((folder / uri).read_text())
+        yield from walk_tiles(folder, outer["root"], (low, high, tile["geometricError"]))
+        return
+    if uri:
+        points, columns = glb_points(folder / uri)
+        assert (points >= low - 1e-6).all() and (points <= high + 1e-6).all()
+        yield points, columns
+    for child in tile.get("children", ()):
+        yield from walk_tiles(folder, child, (low, high, tile["geometricError"]))
+
+
+@pytest.mark.parametrize("most", [4096, 3])
+def test_three_d_tiles_hold_the_points_on_the_globe(job, merged, has_crs, tmp_path, monkeypatch, most):
+    monkeypatch.setattr(three_d_tiles_writer, "_MOST", most)
+    monkeypatch.setattr(three_d_tiles_writer, "_STEP", 2)
+    folder = loom.scale.finish_tiles(job, tmp_path / "tiles", output="3dtiles")
+    told = json.loads((folder / "tileset.json").read_text())
+    assert told["asset"]["version"] == "1.1" and told["root"]["refine"] == "ADD"
+    assert len([*folder.glob("*.json")]) == 1 if most > 3 else len([*folder.glob("*.json")]) > 1
+    parts = [*walk_tiles(folder, told["root"])]
+    points = np.concatenate([points for points, _ in parts])
+    wanted = merged.points
+    if has_crs:
+        way = pyproj.Transformer.from_crs(UTM, 4326, always_xy=True)
+        lon, lat = way.transform(*wanted.T[:2])
+        a, e2 = 6_378_137.0, 6.69437999014e-3
+        lon, lat = np.radians(lon), np.radians(lat)
+        n = a / np.sqrt(1 - e2 * np.sin(lat) ** 2)
+        reach = (n + wanted[:, 2]) * np.cos(lat)
+        wanted = np.column_stack(
+            [reach * np.cos(lon), reach * np.sin(lon), (n * (1 - e2) + wanted[:, 2]) * np.sin(lat)]
+        )
+    intensity = np.concatenate([columns["_INTENSITY"] for _, columns in parts])[:, 0]
+    distances, nearest = cKDTree(points).query(wanted)
+    assert len({*nearest.tolist()}) == len(wanted) == len(points) and distances.max() < 1e-4
+    np.testing.assert_array_equal(intensity[nearest], merged.attributes["intensity"])
+    colors = np.concatenate([columns["COLOR_0"] for _, columns in parts])[nearest, :3]
+    np.testing.assert_array_equal(colors, np.rint(merged.colors * 65535).astype(int) >> 8)
+
+
+def test_tiles_have_an_index_and_an_overview(job, merged, has_crs, tmp_path):
+    folder = loom.scale.finish_tiles(job, tmp_path / "tiles", output="tiles", overview=0.2)
+    index = json.loads((folder / "index.vpc").read_text())
+    assert index["type"] == "FeatureCollection" and len(index["features"]) == len([*folder.glob("*_*.copc.laz")])
+    found = []
+    for item in index["features"]:
+        points = read_las(folder / item["assets"]["data"]["href"]).points
+        told = item["properties"]
+        assert item["stac_version"] == "1.0.0" and told["pc:count"] == len(points) and told["pc:type"] == "lidar"
+        np.testing.assert_allclose(told["proj:bbox"], [*points.min(axis=0), *points.max(axis=0)])
+        statistics = {one["name"]: one for one in told["pc:statistics"]}
+        np.testing.assert_allclose(statistics["Z"]["stddev"], points[:, 2].std(ddof=1))
+        assert {"Intensity", "Classification", "ReturnNumber", "GpsTime", "Red", "height"} <= set(statistics)
+        assert [*statistics] == [one["name"] for one in told["pc:schemas"]]
+        if has_crs:
+            way = pyproj.Transformer.from_crs(UTM, 4326, always_xy=True)
+            np.testing.assert_allclose(item["bbox"][:2], way.transform(*points.min(axis=0)[:2]), atol=1e-5)
+            assert pyproj.CRS.from_wkt(told["proj:wkt2"]).to_epsg() == told["proj:epsg"] == UTM
+        else:
+            assert "proj:wkt2" not in told
+        found.append(points)
+    np.testing.assert_array_equal(in_order(np.concatenate(found)), in_order(merged.points))
+    coarse = open_copc(folder / "overview.copc.laz")
+    finest = coarse.spacing / 2.0 ** coarse.nodes["level"].max()
+    assert 0 < len(coarse.read().points) < len(merged.points) and finest <= 0.2 < 2 * finest
+
+
+@pytest.mark.parametrize("output", ["tiles", "3dtiles", "potree"])
+def test_a_folder_appears_whole_or_not_at_all(job, tmp_path, output, monkeypatch):
+    (tmp_path / "mine").mkdir()
+    (tmp_path / "mine" / "letter.txt").write_text("dear")
+    with pytest.raises(FileError, match="holds other files"):
+        loom.scale.finish_tiles(job, tmp_path / "mine", output=output)
+    first = loom.scale.finish_tiles(job, tmp_path / "new", output=output)
+    held = {path.name: path.read_bytes() for path in first.iterdir()}
+    with pytest.raises(FileError, match="exists already"):
+        loom.scale.finish_tiles(job, tmp_path / "new", output=output, overwrite=False)
+    with monkeypatch.context() as patch:
+        patch.setattr("pathlib.Path.write_text", _full)
+        with pytest.raises(FileError, match="No space left"):
+            loom.scale.finish_tiles(job, tmp_path / "new", output=output)
+    again = {path.name: path.read_bytes() for path in first.iterdir()}
+    assert again == held
+    loom.scale.finish_tiles(job, tmp_path / "new", output=output)
+    assert {path.name: path.read_bytes() for path in first.iterdir()} == held
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["mine", "new"]
+
+
+def _full(*_, **__):
+    raise OSError(28, "No space left on device")
+
+
+def test_outputs_that_there_are_not_are_refused(job, tmp_path):
+    with pytest.raises(ValueError, match="'potree', got 'ept'"):
+        loom.scale.finish_tiles(job, tmp_path / "x", output="ept")
+    with pytest.raises(ValueError, match="path"):
+        loom.scale.finish_tiles(job, output="potree")
+    with pytest.raises(ValueError, match="overview"):
+        loom.scale.finish_tiles(job, tmp_path / "x", output="tiles", overview=0)
