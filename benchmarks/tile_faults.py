@@ -39,6 +39,7 @@ STEPS = [
 RUNNERS = ("workers", "dask", "scheduler")
 COMMAND = [sys.executable, "-m", "pointloom", "tile"]
 MOST_RUNS = 60  # of one job
+MOST_KILLS = 10  # while the tiles of one job are worked off, that there are several jobs of each runner
 LONGEST = 300.0  # [s] of one run
 
 
@@ -76,6 +77,7 @@ class Attack:
 
     def __init__(self, job: Path, chance: random.Random, kills: Counter[str], counts: Counter[str], most: int):
         self.job, self.chance, self.kills, self.counts, self.most = job, chance, kills, counts, most
+        self._here = min(most, kills.total() + MOST_KILLS)
 
     def work(self, runner: str) -> None:
         """Run until all tiles are done, killing meanwhile."""
@@ -110,7 +112,7 @@ class Attack:
                 self.counts["runs that hung"] += 1
                 _end(process)
                 return
-            if process.poll() is None and self.kills.total() < self.most:
+            if process.poll() is None and self.kills.total() < self._here:
                 self._kill(process, others)
 
     def _kill(self, process: subprocess.Popen[bytes], others: dict[str, list[subprocess.Popen[bytes]]]) -> None:
@@ -134,7 +136,7 @@ class Attack:
         while True:
             process = _begin("finish", str(self.job))
             if self.chance.random() < 0.7 and self.kills.total() < self.most:
-                time.sleep(self.chance.uniform(0.5, 2.5))
+                time.sleep(self.chance.uniform(0.5, 1.6))
                 if process.poll() is None:
                     process.kill()
                     self.kills["finish"] += 1

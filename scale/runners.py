@@ -258,11 +258,14 @@ def _start(folder: Path, part: tuple[int, int], count: int, gpus: list[Gpu], pla
 def main() -> None:
     """A worker process: `main FOLDER WHICH OF PARENT DEVICE`; it ends when nothing is left for it."""
     folder, which, of, parent, device = sys.argv[1:]
-    manifest, plan = open_plan(folder)
-    plan.device = device
-    with manifest, a_worker(manifest.folder) as owner:
-        book = Taskbook(manifest, plan, owner, (int(which), int(of)))
-        _work(book, plan, manifest, _say_nothing, int(parent))
+    try:
+        manifest, plan = open_plan(folder)
+        plan.device = device
+        with manifest, a_worker(manifest.folder) as owner:
+            book = Taskbook(manifest, plan, owner, (int(which), int(of)))
+            _work(book, plan, manifest, _say_nothing, int(parent))
+    except FileError as error:  # of the manifest, since those of tasks are in it
+        sys.exit(str(error))
 
 
 def _say_nothing() -> None:
