@@ -14,11 +14,11 @@ from ..core.progress import ReportProgress, say_nothing
 from ..files.foreign import foreign_errors, import_for
 from ..files.points.las import open_las
 from .buckets import FOLDER as BUCKETS
-from .buckets import folder_of
-from .manifest import CHECKSUMS, Manifest, clear_locks
+from .manifest import CHECKSUMS, Manifest, clear_locks, only_one
 from .plan import Plan, open_plan
 from .rasters import write_mosaics
 from .status import status_of
+from .tasks import lay_again
 from .tree_outputs import FOLDERS, tree_of, write_folder, write_tree
 from .work_tile import FOLDER as TILES
 from .work_tile import checksum_of, tile_path
@@ -68,7 +68,7 @@ def finish_tiles(
     if output is not None and path is None:
         raise ValueError("path: give the folder that is to be made")
     manifest, plan = open_plan(folder)
-    with manifest:
+    with manifest, only_one(manifest.folder, "finish"):
         _check_finished(manifest, plan)
         wanted = "result.copc.laz" if plan.told["output"] == "copc" else "result.laz"
         path = path_of(path if path else manifest.folder / wanted)
@@ -77,6 +77,7 @@ def finish_tiles(
         _check_tiles(manifest, plan)
         if not parts:
             raise FileError(path, "there is nothing to write: the steps left no point")
+        _clear_parts(path)
         if output is not None:
             write_folder(path, parts, output, spacing, overwrite, report)
         elif path.name.lower().endswith(".copc.laz"):
@@ -90,6 +91,15 @@ def finish_tiles(
             left.unlink(missing_ok=True)
         clear_locks(manifest.folder)
         return path
+
+
+def _clear_parts(path: Path) -> None:
+    """Remove what killed processes left of a file or folder that they made."""
+    for part in path.parent.glob(f".{path.name}.*.part"):
+        if part.is_dir():
+            shutil.rmtree(part, ignore_errors=True)
+        else:
+            part.unlink(missing_ok=True)
 
 
 def _check_finished(manifest: Manifest, plan: Plan) -> None:
@@ -117,9 +127,7 @@ def _check_tiles(manifest: Manifest, plan: Plan) -> None:
         return
     with manifest.change() as base:
         base.executemany("UPDATE tiles SET state = 'waiting' WHERE id = ?", [(tile,) for tile, _, _ in bad])
-        for number, source in enumerate(plan.sources):
-            if source["kind"] != "copc" and not folder_of(manifest.folder, number).is_dir():
-                base.execute("UPDATE sources SET state = 'waiting' WHERE id = ?", (number,))
+    lay_again(manifest)
     _, path, reason = bad[0]
     others = f"It and {len(bad) - 1} others wait" if len(bad) > 1 else "It waits"
     raise FileError(path, reason, remedy=f"{others} to be made again: call run_tiles, then this")

@@ -264,6 +264,29 @@ def a_worker(folder: Path) -> Iterator[str]:
         os.close(descriptor)
 
 
+@contextlib.contextmanager
+def only_one(folder: Path, name: str) -> Iterator[None]:
+    """Hold that one process alone is in a block of this name.
+
+    Raises:
+        FileError: Another is.
+    """
+    path = folder / LOCKS / name
+    with told_as_file_errors(path):
+        path.parent.mkdir(exist_ok=True)
+        descriptor = os.open(path, os.O_RDWR | os.O_CREAT, 0o666)
+    try:
+        if fcntl is not None:
+            try:
+                fcntl.flock(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
+            except OSError as error:
+                raise FileError(folder, f"another process is at `{name}` of this job") from error
+        yield
+        path.unlink(missing_ok=True)
+    finally:
+        os.close(descriptor)
+
+
 def clear_locks(folder: Path) -> None:
     """Remove what dead workers have locked, once no task is left: a worker that begins now is taken for none."""
     for path in (folder / LOCKS).glob("*"):

@@ -27,7 +27,7 @@ from .gpus import Gpu, environment_of, held_gpus
 from .manifest import OVER, Manifest, a_worker
 from .plan import Plan, open_plan
 from .status import TileStatus, status_of
-from .tasks import Taskbook, do_task, next_pass
+from .tasks import Taskbook, do_task, lay_again, next_pass
 from .work_tile import FOLDER as TILES
 
 LOOK = 0.2  # [s] between looks at what other workers do
@@ -131,6 +131,7 @@ def retry_tiles(folder: FilePath) -> TileStatus:
             for table in ("sources", "tiles"):
                 told = "state = 'waiting', attempts = 0, error = NULL"
                 base.execute(f"UPDATE {table} SET {told} WHERE state IN ('failed', 'aside')")
+        lay_again(manifest)
         return status_of(manifest)
 
 

@@ -15,7 +15,7 @@ import pytest
 import pointloom as loom
 from pointloom.core.errors import FileError
 from pointloom.scale import buckets, finish, runners, sources
-from pointloom.scale.manifest import NAME, Manifest
+from pointloom.scale.manifest import NAME, Manifest, only_one
 
 from .scenes import finished, rows_of, survey, tiled
 
@@ -182,6 +182,47 @@ def test_a_bucket_that_is_cut_off_fails_its_tile_by_name(job):
     assert status.failed == 1 and "0.blocks" in status.troubles["0_0"] and "damaged" in status.troubles["0_0"]
 
 
+def test_rows_that_are_laid_already_are_not_laid_again_under_those_who_read_them(job):
+    """A worker of a cluster may outlive its runner, and begin a file that another run has laid meanwhile."""
+    loom.scale.run_tiles(job)
+    manifest, plan = runners.open_plan(job)
+    with manifest, runners.a_worker(job) as alive:
+        before = (job / "buckets" / "000000" / "index.json").stat()
+        (row,) = manifest.rows("SELECT points, full, bytes FROM sources WHERE id = 0")
+        found = buckets.fill_buckets(plan, job, 0, "late")
+        assert (found.points, found.full, found.size) == tuple(row) and sum(found.tiles.values()) == found.points
+        assert (job / "buckets" / "000000" / "index.json").stat() == before
+        shutil.rmtree(job / "buckets" / "000000")
+        for owner in (alive, "remote-1", "dead"):
+            (job / "buckets" / f"000000.{owner}.part").mkdir()
+        assert buckets.fill_buckets(plan, job, 0, "again") == found
+        left = sorted(path.name for path in (job / "buckets").glob("*.part"))
+        assert left == sorted([f"000000.{alive}.part", "000000.remote-1.part"])
+
+
+def test_rows_by_tile_that_were_removed_are_laid_again_by_retry(job, expected):
+    with Manifest(job) as manifest:
+        manifest.claim("tiles", "dead")
+    loom.scale.run_tiles(job)
+    shutil.rmtree(job / "buckets" / "000001")
+    with Manifest(job) as manifest, manifest.change() as base:
+        base.execute("UPDATE tiles SET state = 'waiting' WHERE id < 3")
+    status = loom.scale.run_tiles(job)
+    assert status.failed == 3 and "call retry_tiles(folder)" in status.troubles["0_0"]
+    assert loom.scale.retry_tiles(job).sources_waiting == 1
+    assert loom.scale.run_tiles(job).is_finished
+    np.testing.assert_array_equal(rows_of(finished(job)), expected)
+
+
+def test_what_a_killed_finish_left_is_removed_and_two_at_once_are_refused(job, expected):
+    loom.scale.run_tiles(job)
+    (job / ".result.laz.killed.part").write_bytes(b"half")
+    with only_one(job, "finish"), pytest.raises(FileError, match="another process is at `finish`"):
+        loom.scale.finish_tiles(job)
+    np.testing.assert_array_equal(rows_of(finished(job)), expected)
+    assert not [*job.rglob("*.part")] and not [*(job / "locks").iterdir()]
+
+
 def test_a_file_that_is_written_to_while_its_rows_are_laid_is_refused(job, files, monkeypatch):
     fill = buckets._fill
 
@@ -193,7 +234,7 @@ def test_a_file_that_is_written_to_while_its_rows_are_laid_is_refused(job, files
     monkeypatch.setattr(buckets, "_fill", touched)
     with pytest.raises(FileError, match=r"part0\.laz: .*has changed since the tiles were planned"):
         loom.scale.run_tiles(job)
-    assert loom.scale.tile_status(job).done == 0
+    assert loom.scale.tile_status(job).done == 0 and not (job / "buckets" / "000000").exists()
 
 
 def test_an_octree_that_is_written_to_while_it_is_read_fails_the_tile(files, tmp_path, monkeypatch):
