@@ -52,6 +52,13 @@ def from_poses(p: Place) -> list[Any]:
     return reg().registration_icp_batch(p.source, p.facing, p.reach, np.array(starts), plane)
 
 
+def halved(p: Place) -> Any:
+    """The cloud with every second point called ground."""
+    cloud = p.cloud.copy()
+    cloud["classification"] = np.arange(len(cloud)) % 2 + 1
+    return cloud
+
+
 def depth_lens(p: Place) -> Any:
     return loom().PinholeCameraIntrinsic(WIDTH, HEIGHT, 150, 150, WIDTH / 2, HEIGHT / 2)
 
@@ -171,6 +178,12 @@ ON_CLOUDS: dict[str, Callable[[Place], Any]] = {
     "smooth_taubin": lambda p: p.cloud.smooth_taubin(2),
     "smooth_taubin, fixed": lambda p: p.cloud.smooth_taubin(3, knn=12, use_fixed_neighborhoods=True),
     "classify_ground": lambda p: loom().classify_ground(p.cloud, 4 * p.spacing, 0.05, 30 * p.spacing, p.spacing),
+    "classify_ground, corner": lambda p: loom().classify_ground(
+        p.cloud, 4 * p.spacing, 0.05, 30 * p.spacing, p.spacing, corner=(0, 0)
+    ),
+    "height_above_ground": lambda p: loom().height_above_ground(halved(p), reach=20 * p.spacing, cell=2 * p.spacing),
+    "rasterize": lambda p: loom().terrain.rasterize(halved(p), 3 * p.spacing, "chm").values,
+    "rasterize, triangles": lambda p: loom().terrain.rasterize(halved(p), 3 * p.spacing, "dtm", method="tin").values,
     "project_to_depth_image": lambda p: p.cloud.project_to_depth_image(
         *SIZE, depth_lens(p), p.camera, depth_max=2 * p.size
     ),

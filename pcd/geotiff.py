@@ -49,6 +49,7 @@ def geotiff(
             file.set_band_description(1, told.kind)
             file.set_band_description(2, "filled")
             yield file
+        _check_blocks(rasterio, part)
         if overwrite:
             part.replace(path)
         else:
@@ -62,6 +63,18 @@ def geotiff(
         raise FileError(path, f"cannot be written: {reason}") from error
     finally:
         part.unlink(missing_ok=True)
+
+
+def _check_blocks(rasterio: Any, part: Path) -> None:
+    """Read every block back: where a disk is full when a file is closed, GDAL tells nobody.
+
+    Raises:
+        RasterioError: A block, or the list of them, is not whole; the checksum of each says so.
+    """
+    with rasterio.open(part) as file:
+        for band in file.indexes:
+            for _, window in file.block_windows(band):
+                file.read(band, window=window)
 
 
 def _rasterio(path: Path) -> Any:

@@ -169,13 +169,12 @@ def ground_heights(ground: Points, window: FixedCells, method: str, reach: float
 def _triangles(ground: Points) -> Any:
     from scipy.spatial import Delaunay, QhullError  # loads for longer than a first raster needs
 
-    places = download(ground).reshape(-1, 3)[:, :2].astype(np.float64)
-    if not np.isfinite(places).all():
-        raise ValueError("cloud: has ground points that are not finite; take them out, or method='idw'")
+    places = download(ground).reshape(-1, 3).astype(np.float64)
+    rows = np.flatnonzero(np.isfinite(places).all(axis=1))  # heights too
     try:
-        found = Delaunay(places).simplices
+        found = rows[Delaunay(places[rows, :2]).simplices]
     except (QhullError, ValueError) as error:
-        reason = f"the {len(places):,} ground points span no triangle: fewer than 3, or all on one line"
+        reason = f"the {len(rows):,} finite ground points span no triangle: fewer than 3, or all on one line"
         raise ValueError(f"cloud: {reason}; take method='idw'") from error
     return upload(found.astype(np.int32), vec3i, ground.device)
 

@@ -185,7 +185,7 @@ def rasterize(
     Raises:
         TypeError: No PointCloud.
         ValueError: An argument out of range; coordinates in degrees; no points that count; no classes, where they are
-            needed; ground points on one line, of which there are no triangles; more than 2^28 cells.
+            needed; ground points of which there is no triangle; more than 2^28 cells.
         MemoryError: The raster does not fit into memory.
 
     Notes:

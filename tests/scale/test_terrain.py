@@ -132,6 +132,19 @@ def test_the_mosaic_of_tiles_is_the_raster_of_one_machine(files, tmp_path, size)
             assert file.profile["tiled"] and file.nodata == -9999
 
 
+def test_an_area_has_the_cells_of_its_tiles(files, tmp_path):
+    rasterio = pytest.importorskip("rasterio")
+    steps = [{"step": "rasterize", "cell": 1.5, "kind": "lowest"}]
+    low = CORNER[:2] + 70
+    _, plan = run(files, steps, tmp_path / "job", size=30.0, only=[*low, *(low + 40)])
+    raster = loom.terrain.rasterize(whole(files, plan), 1.5, "lowest")
+    with rasterio.open(tmp_path / "job" / "result.lowest.tif") as file:
+        found, bounds = file.read(1, masked=True).filled(np.nan), file.bounds
+    assert found.shape == (40, 40)
+    row, column = round((raster.bounds[3] - bounds.top) / 1.5), round((bounds.left - raster.bounds[0]) / 1.5)
+    np.testing.assert_array_equal(found, raster.values[row : row + 40, column : column + 40])
+
+
 def test_a_tile_without_points_has_the_ground_that_is_near(tmp_path):
     rasterio = pytest.importorskip("rasterio")
     places = np.random.default_rng(0).random((4000, 2)) * [90, 30]
