@@ -39,7 +39,10 @@ STEPS = [
 RUNNERS = ("workers", "dask", "scheduler")
 COMMAND = [sys.executable, "-m", "pointloom", "tile"]
 MOST_RUNS = 60  # of one job
+MOST_KILLS = 10  # while the tiles of one job are worked off, that there are several jobs of each runner
 LONGEST = 300.0  # [s] of one run
+LINGER = 60.0  # [s] that workers may look for a scheduler that has gone
+MARK = "POINTLOOM_FAULT_RUN"  # in the environment of all processes of a run
 
 
 def made_survey(folder: Path, points: int, seed: int) -> list[Path]:
@@ -76,6 +79,7 @@ class Attack:
 
     def __init__(self, job: Path, chance: random.Random, kills: Counter[str], counts: Counter[str], most: int):
         self.job, self.chance, self.kills, self.counts, self.most = job, chance, kills, counts, most
+        self._here = min(most, kills.total() + MOST_KILLS)
 
     def work(self, runner: str) -> None:
         """Run until all tiles are done, killing meanwhile."""
@@ -90,10 +94,10 @@ class Attack:
                 self.counts["tiles set aside"] += status.aside
                 self.counts["tiles failed"] += status.failed
                 if status.failed:
-                    print(status, file=sys.stderr)
+                    print(str(status)[:600], file=sys.stderr)
                 loom.scale.retry_tiles(self.job)
             elif any(name.endswith(".laz") for name in status.troubles):
-                print(status, file=sys.stderr)
+                print(str(status)[:600], file=sys.stderr)
                 self.counts["files failed"] += 1
                 loom.scale.retry_tiles(self.job)
             elif status.is_finished:
@@ -110,7 +114,7 @@ class Attack:
                 self.counts["runs that hung"] += 1
                 _end(process)
                 return
-            if process.poll() is None and self.kills.total() < self.most:
+            if process.poll() is None and self.kills.total() < self._here:
                 self._kill(process, others)
 
     def _kill(self, process: subprocess.Popen[bytes], others: dict[str, list[subprocess.Popen[bytes]]]) -> None:
@@ -132,9 +136,9 @@ class Attack:
         """Make the file of all tiles, killing meanwhile, and hold it against what is expected."""
         path = self.job / "result.laz"
         while True:
-            process = _begin("finish", str(self.job))
+            process = _begin("finish", str(self.job), "--force")
             if self.chance.random() < 0.7 and self.kills.total() < self.most:
-                time.sleep(self.chance.uniform(0.5, 2.5))
+                time.sleep(self.chance.uniform(0.5, 1.6))
                 if process.poll() is None:
                     process.kill()
                     self.kills["finish"] += 1
@@ -200,6 +204,24 @@ def _workers_of(process: subprocess.Popen[bytes]) -> list[psutil.Process]:
     return found
 
 
+def left_over(mark: str) -> int:
+    """How many processes of the runs are still there after a while; they are ended."""
+    end = time.monotonic() + LINGER
+    while True:
+        left = []
+        for process in psutil.process_iter():
+            with contextlib.suppress(psutil.Error):
+                if process.environ().get(MARK) == mark and process.pid != os.getpid():
+                    left.append(process)
+        if not left or time.monotonic() > end:
+            break
+        time.sleep(1)
+    for process in left:
+        with contextlib.suppress(psutil.Error):
+            process.kill()
+    return len(left)
+
+
 _log: Any = subprocess.DEVNULL
 
 
@@ -215,6 +237,7 @@ def main() -> None:
     global _log
     _log = Path(told.log).open("wb") if told.log else subprocess.DEVNULL  # noqa: SIM115
     os.environ.setdefault("POINTLOOM_CPU_THREADS", "1")
+    mark = os.environ[MARK] = f"{os.getpid()}-{time.time()}"
     chance, kills, counts = random.Random(told.seed), Counter[str](), Counter[str]()
     begin = time.monotonic()
     with tempfile.TemporaryDirectory() as name:
@@ -238,7 +261,15 @@ def main() -> None:
             shutil.rmtree(job)
             seconds = time.monotonic() - begin
             print(f"{seconds:5.0f} s  {runner:9}  kills {dict(kills)}  {dict(counts)}", flush=True)
-    if counts["files that differ"] or counts["tiles failed"] or counts["files failed"] or counts["runs that hung"]:
+    counts["processes left over"] = left_over(mark)
+    print(f"kills {dict(kills)}  {dict(counts)}")
+    if (
+        counts["processes left over"]
+        or counts["files that differ"]
+        or counts["tiles failed"]
+        or counts["files failed"]
+        or counts["runs that hung"]
+    ):
         raise SystemExit(1)
 
 

@@ -23,7 +23,7 @@ from typing import Any
 from .. import __version__  # pyright: ignore[reportMissingImports]
 from ..core.errors import FileError
 from ..files.foreign import import_for
-from .buckets import Filled
+from .buckets import REMOTE, Filled
 from .gpus import Gpu, environment_of, held_gpus
 from .manifest import NAME
 from .plan import Plan, plan_alone
@@ -35,7 +35,11 @@ AHEAD = 2  # tasks a worker that are on their way
 PATIENCE = 10.0  # [s] for a scheduler
 MOST_LONELY = 60.0  # [s] without any worker
 MOST_VAIN = 3  # deaths a process, in a row without one task done
-_OPTIONS = ("--host", "127.0.0.1", "--nthreads", "1", "--no-nanny", "--no-dashboard", "--memory-limit", "0")
+# A worker whose runner was killed ends: at once where it had found the scheduler, else after half a minute.
+_OPTIONS = (
+    *("--host", "127.0.0.1", "--nthreads", "1", "--no-nanny", "--no-dashboard"),
+    *("--memory-limit", "0", "--death-timeout", "30"),
+)
 
 
 def run_on_cluster(
@@ -248,7 +252,7 @@ def _do(folder: str, task: Task, device: str) -> tuple[Filled | Outcome, float]:
             _devices[device] = gpus[0].alias if gpus else device
         plan = _plan(folder, (Path(folder) / NAME).stat().st_ino)
         plan.device = _devices[device]
-        return do_task(plan, Path(folder), task, uuid.uuid4().hex)
+        return do_task(plan, Path(folder), task, REMOTE + uuid.uuid4().hex)
 
 
 @lru_cache(maxsize=4)

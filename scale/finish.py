@@ -14,13 +14,14 @@ from ..core.progress import ReportProgress, say_nothing
 from ..files.foreign import foreign_errors, import_for
 from ..files.points.las import open_las
 from .buckets import FOLDER as BUCKETS
-from .manifest import Manifest
+from .manifest import CHECKSUMS, Manifest, clear_locks, only_one
 from .plan import Plan, open_plan
 from .rasters import write_mosaics
 from .status import status_of
+from .tasks import lay_again
 from .tree_outputs import FOLDERS, tree_of, write_folder, write_tree
 from .work_tile import FOLDER as TILES
-from .work_tile import tile_path
+from .work_tile import checksum_of, tile_path
 
 BLOCK = 1 << 18
 
@@ -67,14 +68,16 @@ def finish_tiles(
     if output is not None and path is None:
         raise ValueError("path: give the folder that is to be made")
     manifest, plan = open_plan(folder)
-    with manifest:
+    with manifest, only_one(manifest.folder, "finish"):
         _check_finished(manifest, plan)
         wanted = "result.copc.laz" if plan.told["output"] == "copc" else "result.laz"
         path = path_of(path if path else manifest.folder / wanted)
         rows = manifest.rows("SELECT id, points_out FROM tiles WHERE state = 'done' ORDER BY id")
         parts = [(tile_path(plan, manifest.folder, row["id"]), row["points_out"]) for row in rows]
+        _check_tiles(manifest, plan)
         if not parts:
             raise FileError(path, "there is nothing to write: the steps left no point")
+        _clear_parts(path)
         if output is not None:
             write_folder(path, parts, output, spacing, overwrite, report)
         elif path.name.lower().endswith(".copc.laz"):
@@ -86,7 +89,17 @@ def finish_tiles(
         shutil.rmtree(manifest.folder / BUCKETS, ignore_errors=True)
         for left in (manifest.folder / TILES).glob(".*.part"):  # of workers that were killed
             left.unlink(missing_ok=True)
+        clear_locks(manifest.folder)
         return path
+
+
+def _clear_parts(path: Path) -> None:
+    """Remove what killed processes left of a file or folder that they made."""
+    for part in path.parent.glob(f".{path.name}.*.part"):
+        if part.is_dir():
+            shutil.rmtree(part, ignore_errors=True)
+        else:
+            part.unlink(missing_ok=True)
 
 
 def _check_finished(manifest: Manifest, plan: Plan) -> None:
@@ -96,6 +109,28 @@ def _check_finished(manifest: Manifest, plan: Plan) -> None:
     if plan.told["only"] is None and told.points_in != told.points:
         reason = f"the files hold {told.points:,} points, the tiles {told.points_in:,}: an octree or a header lies"
         raise FileError(manifest.folder, reason)
+
+
+def _check_tiles(manifest: Manifest, plan: Plan) -> None:
+    """Hold that the files of tiles are those that were written; others wait to be made again."""
+    with manifest.change() as base:
+        base.execute(CHECKSUMS)
+    query = "SELECT id, crc FROM tiles JOIN checksums ON tile = id WHERE state = 'done' ORDER BY id"
+    bad = []
+    for row in manifest.rows(query):
+        path = tile_path(plan, manifest.folder, row["id"])
+        if not path.is_file():
+            bad.append((row["id"], path, "is gone"))
+        elif checksum_of(path) != row["crc"]:
+            bad.append((row["id"], path, "is damaged: it is not the file that was written"))
+    if not bad:
+        return
+    with manifest.change() as base:
+        base.executemany("UPDATE tiles SET state = 'waiting' WHERE id = ?", [(tile,) for tile, _, _ in bad])
+    lay_again(manifest)
+    _, path, reason = bad[0]
+    others = f"It and {len(bad) - 1} others wait" if len(bad) > 1 else "It waits"
+    raise FileError(path, reason, remedy=f"{others} to be made again: call run_tiles, then this")
 
 
 def _merge(path: Path, parts: list[tuple[Path, int]], overwrite: bool) -> None:

@@ -46,6 +46,8 @@ CREATE TABLE numbers (
     pass INTEGER, tile INTEGER, count INTEGER NOT NULL, total TEXT NOT NULL, squares TEXT NOT NULL,
     PRIMARY KEY (pass, tile));
 """
+# Of the files of tiles, by tile. In a table of its own, which runs that began without it are given.
+CHECKSUMS = "CREATE TABLE IF NOT EXISTS checksums (tile INTEGER PRIMARY KEY, crc INTEGER NOT NULL)"
 
 
 def canonical(plan: Any) -> str:
@@ -74,7 +76,11 @@ class Manifest:
             FileError: There is none, or one that this version does not read.
         """
         self.folder, path = folder, folder / NAME
-        if not path.is_file():
+        try:
+            is_there = path.is_file()
+        except OSError as error:
+            raise FileError(path, f"cannot be read: {error.strerror or error}") from error
+        if not is_there:
             raise FileError(path, "does not exist", remedy="Call plan_tiles(sources, steps, folder) first")
         self.base = connect(path)
         try:
@@ -90,6 +96,9 @@ class Manifest:
             self.base.close()
             if isinstance(error, FileError):
                 raise
+            code = getattr(error, "sqlite_errorcode", sqlite3.SQLITE_ERROR)
+            if isinstance(error, sqlite3.OperationalError) and code != sqlite3.SQLITE_ERROR:  # a full disk, no rights
+                raise FileError(path, f"the manifest cannot be used: {error}") from error
             raise FileError(path, f"is no manifest of tiles: {error}", remedy="Plan it anew") from error
 
     def __enter__(self) -> Manifest:
@@ -105,10 +114,11 @@ class Manifest:
             self.base.execute("BEGIN IMMEDIATE")
             try:
                 yield self.base
+                self.base.execute("COMMIT")
             except BaseException:
-                self.base.execute("ROLLBACK")
+                if self.base.in_transaction:  # which a full disk has ended already
+                    self.base.execute("ROLLBACK")
                 raise
-            self.base.execute("COMMIT")
 
     def rows(self, query: str, *values: Any) -> list[sqlite3.Row]:
         """What a query gives."""
@@ -184,7 +194,11 @@ def read_plan(folder: Path) -> dict[str, Any]:
     """The plan alone, which does not change once it is written: without a lock, and beside whoever writes the rest."""
     path = folder / NAME
     with told_as_file_errors(path):
-        if not path.is_file():
+        try:
+            is_there = path.is_file()
+        except OSError as error:
+            raise FileError(path, f"cannot be read: {error.strerror or error}") from error
+        if not is_there:
             raise FileError(path, "does not exist", remedy="Have all workers see the folder under the same path")
         base = sqlite3.connect(f"{path.absolute().as_uri()}?immutable=1", uri=True)
         try:
@@ -200,7 +214,7 @@ def write_manifest(folder: Path, plan: dict[str, Any], version: str, tiles: list
     base = connect(part)
     with told_as_file_errors(path):
         try:
-            base.executescript(_TABLES)
+            base.executescript(_TABLES + CHECKSUMS)
             base.execute("BEGIN")
             told = {"schema": str(SCHEMA), "version": version, "plan": canonical(plan), "hash": hash_of(plan)}
             base.executemany("INSERT INTO meta VALUES (?, ?)", told.items())
@@ -248,6 +262,36 @@ def a_worker(folder: Path) -> Iterator[str]:
     finally:
         path.unlink(missing_ok=True)
         os.close(descriptor)
+
+
+@contextlib.contextmanager
+def only_one(folder: Path, name: str) -> Iterator[None]:
+    """Hold that one process alone is in a block of this name.
+
+    Raises:
+        FileError: Another is.
+    """
+    path = folder / LOCKS / name
+    with told_as_file_errors(path):
+        path.parent.mkdir(exist_ok=True)
+        descriptor = os.open(path, os.O_RDWR | os.O_CREAT, 0o666)
+    try:
+        if fcntl is not None:
+            try:
+                fcntl.flock(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
+            except OSError as error:
+                raise FileError(folder, f"another process is at `{name}` of this job") from error
+        yield
+        path.unlink(missing_ok=True)
+    finally:
+        os.close(descriptor)
+
+
+def clear_locks(folder: Path) -> None:
+    """Remove what dead workers have locked, once no task is left: a worker that begins now is taken for none."""
+    for path in (folder / LOCKS).glob("*"):
+        if is_dead(folder, path.name):
+            path.unlink(missing_ok=True)
 
 
 def is_dead(folder: Path, owner: str) -> bool:

@@ -27,7 +27,7 @@ from .gpus import Gpu, environment_of, held_gpus
 from .manifest import OVER, Manifest, a_worker
 from .plan import Plan, open_plan
 from .status import TileStatus, status_of
-from .tasks import Taskbook, do_task, next_pass
+from .tasks import Taskbook, do_task, lay_again, next_pass
 from .work_tile import FOLDER as TILES
 
 LOOK = 0.2  # [s] between looks at what other workers do
@@ -131,6 +131,7 @@ def retry_tiles(folder: FilePath) -> TileStatus:
             for table in ("sources", "tiles"):
                 told = "state = 'waiting', attempts = 0, error = NULL"
                 base.execute(f"UPDATE {table} SET {told} WHERE state IN ('failed', 'aside')")
+        lay_again(manifest)
         return status_of(manifest)
 
 
@@ -258,11 +259,14 @@ def _start(folder: Path, part: tuple[int, int], count: int, gpus: list[Gpu], pla
 def main() -> None:
     """A worker process: `main FOLDER WHICH OF PARENT DEVICE`; it ends when nothing is left for it."""
     folder, which, of, parent, device = sys.argv[1:]
-    manifest, plan = open_plan(folder)
-    plan.device = device
-    with manifest, a_worker(manifest.folder) as owner:
-        book = Taskbook(manifest, plan, owner, (int(which), int(of)))
-        _work(book, plan, manifest, _say_nothing, int(parent))
+    try:
+        manifest, plan = open_plan(folder)
+        plan.device = device
+        with manifest, a_worker(manifest.folder) as owner:
+            book = Taskbook(manifest, plan, owner, (int(which), int(of)))
+            _work(book, plan, manifest, _say_nothing, int(parent))
+    except FileError as error:  # of the manifest, since those of tasks are in it
+        sys.exit(str(error))
 
 
 def _say_nothing() -> None:

@@ -179,6 +179,7 @@ def read_window(plan: Any, folder: Path, fulls: dict[int, int], window: Window) 
             rows = read_buckets(plan, folder, number, file, window)
         if len(rows):
             tables.append(_decoded(file, rows, full))
+        check_same(source)  # not written to while it was read
         check_size(plan, sum(len(table.points) for table in tables))
     if not tables:
         file = file_of(plan.sources[0])
@@ -197,7 +198,24 @@ def _rows_of_copc(copc: CopcFile, firsts: NDArray[np.int64], window: Window, pla
     check_size(plan, int(copc.nodes["count"][which].sum()) // 4)  # of which many may lie outside
     which = which[np.argsort(copc.nodes["begin"][which], kind="stable")]
     rows = np.frombuffer(copc.unpack(which), copc.file.layout.dtype())
+    _check_nodes(copc, which, rows, plan)
     return rows[inside(positions_of(copc.file, rows), window)]
+
+
+def _check_nodes(copc: CopcFile, which: NDArray[np.int64], rows: NDArray[Any], plan: Any) -> None:
+    """Hold that points lie in the cubes of their nodes: elsewhere a window would miss them."""
+    nodes = copc.nodes[which]
+    widths = copc.side / 2.0 ** nodes["level"]
+    lows = copc.corner + nodes["cell"] * widths[:, None]
+    slack = plan.slack + np.array(copc.file.header.scales)
+    owners = np.repeat(np.arange(len(nodes)), nodes["count"])
+    places = positions_of(copc.file, rows, "XYZ")
+    beyond = ((places < (lows - slack)[owners]) | (places > (lows + widths[:, None] + slack)[owners])).any(axis=1)
+    if beyond.any():
+        row = int(np.flatnonzero(beyond)[0])
+        where = f"the chunk at byte {int(nodes['begin'][owners[row]])}"
+        reason = f"is damaged: the point at {places[row].tolist()} is outside the cube of its node"
+        raise FileError(copc.path, reason, where=where)
 
 
 def _decoded(file: LasFile, rows: Any, full: int) -> PointTable:

@@ -5,15 +5,18 @@ A task is claimed in the manifest, done by a function of the files alone, which 
 
 from __future__ import annotations
 
+import shutil
 import time
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from .buckets import Filled, fill_buckets
+from ..core.errors import FileError
+from .buckets import Filled, fill_buckets, folder_of
 from .exact_sums import ExactSums
-from .manifest import Manifest
+from .manifest import CHECKSUMS, Manifest
 from .plan import Plan
+from .sources import check_same
 from .work_tile import Outcome, work_tile
 
 
@@ -42,7 +45,14 @@ def do_task(plan: Plan, folder: Path, task: Task, owner: str) -> tuple[Filled | 
     """Do a task; what came out, and the seconds it took."""
     begin = time.monotonic()
     if task.table == "sources":
-        return fill_buckets(plan, folder, task.number, owner), time.monotonic() - begin
+        check_same(plan.sources[task.number])
+        filled = fill_buckets(plan, folder, task.number, owner)
+        try:
+            check_same(plan.sources[task.number])
+        except FileError:  # it was written to meanwhile: the rows are half of each
+            shutil.rmtree(folder_of(folder, task.number), ignore_errors=True)
+            raise
+        return filled, time.monotonic() - begin
     found = work_tile(plan, folder, task.number, task.which_pass, task.numbers, task.fulls)
     return found, time.monotonic() - begin
 
@@ -108,7 +118,12 @@ class Taskbook:
         told |= {"state": ("done" if found.points_out else "empty") if is_last else "waiting"}
         told["pass"] = task.which_pass if is_last else task.which_pass + 1
         with self._manifest.change() as base:
-            if self._manifest.settle_in(base, "tiles", task.number, self.owner, **told) and not is_last:
+            if not self._manifest.settle_in(base, "tiles", task.number, self.owner, **told):
+                return
+            if found.checksum is not None:
+                base.execute(CHECKSUMS)
+                base.execute("INSERT OR REPLACE INTO checksums VALUES (?, ?)", (task.number, found.checksum))
+            if not is_last:
                 sums = found.sums or ExactSums()
                 values = (task.which_pass, task.number, sums.count, hex(sums.total), hex(sums.squares))
                 base.execute("INSERT OR REPLACE INTO numbers VALUES (?, ?, ?, ?, ?)", values)
@@ -117,6 +132,17 @@ class Taskbook:
         """Write down that a task ended in an error, which would come again."""
         said = " ".join(f"{type(error).__name__}: {error}".split())[:2000]
         self._manifest.settle(task.table, task.number, self.owner, state=state, error=said)
+
+
+def lay_again(manifest: Manifest) -> None:
+    """Have files wait whose rows by tile are gone, where tiles need them."""
+    counts = manifest.counts()
+    if not counts["waiting"]:
+        return
+    with manifest.change() as base:
+        for number, source in enumerate(manifest.plan["sources"]):
+            if source["kind"] != "copc" and not folder_of(manifest.folder, number).is_dir():
+                base.execute("UPDATE sources SET state = 'waiting' WHERE id = ? AND state = 'done'", (number,))
 
 
 def next_pass(manifest: Manifest) -> int | None:

@@ -8,6 +8,7 @@ tile.
 
 from __future__ import annotations
 
+import zlib
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -47,6 +48,7 @@ class Outcome:
         points_read: With the halo.
         halo: That was read in the end.
         sums: Of the values that the pass measures.
+        checksum: CRC-32 of the tile's file; None where there is none.
     """
 
     points_in: int
@@ -54,6 +56,7 @@ class Outcome:
     points_read: int
     halo: float
     sums: ExactSums | None
+    checksum: int | None = None
 
 
 class HaloError(Exception):
@@ -102,9 +105,9 @@ def work_tile(
             continue
         if target is None:
             part = part.select(plan.tile_of(part.homes) == tile)
-            if len(part.cloud):
-                write_tile(plan, folder, tile, part)
-        return Outcome(own, len(part.cloud) if target is None else 0, len(table.points), halos[0], sums)
+        out = len(part.cloud) if target is None else 0
+        checksum = write_tile(plan, folder, tile, part) if out else None
+        return Outcome(own, out, len(table.points), halos[0], sums, checksum)
     raise FileError(folder, f"tile {ix}_{iy}: the halo doubled {MOST_DOUBLINGS} times and was still too small")
 
 
@@ -198,15 +201,30 @@ def _certify(plan: Plan, number: int, part: Part, wanted: Any, k: int, reach: fl
         raise HaloError(number)
 
 
-def write_tile(plan: Plan, folder: Path, tile: int, part: Part) -> None:
-    """Write a tile's points: positions as in the files where no step has moved them, in the steps of the files."""
+def write_tile(plan: Plan, folder: Path, tile: int, part: Part) -> int:
+    """Write a tile's points: positions as in the files where no step has moved them, in the steps of the files.
+
+    Returns:
+        The file's CRC-32.
+    """
     told = table_of(part.cloud)
     if part.exact is not None:
         told.points = part.exact
     told = with_scan_angle(told)
     told.unit = None if plan.sources[0]["unit"] is None else told.unit
     header = file_of(plan.sources[0]).header
-    write_las(tile_path(plan, folder, tile), told, scale=header.scales, offset=offset_of(plan), like=header)
+    path = tile_path(plan, folder, tile)
+    write_las(path, told, scale=header.scales, offset=offset_of(plan), like=header)
+    return checksum_of(path)
+
+
+def checksum_of(path: Path) -> int:
+    """CRC-32 of a file."""
+    checksum = 0
+    with path.open("rb") as stream:
+        while block := stream.read(1 << 20):
+            checksum = zlib.crc32(block, checksum)
+    return checksum
 
 
 def tile_path(plan: Plan, folder: Path, tile: int) -> Path:
