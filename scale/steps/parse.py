@@ -9,6 +9,7 @@ from ...core.checks import shown
 from ...core.errors import FileError
 from ...core.known_names import nearest_name
 from .crop import Crop
+from .features import Features
 from .function import Function
 from .ground import ClassifyGround, HeightAboveGround
 from .normals import EstimateNormals
@@ -16,6 +17,7 @@ from .outliers import RadiusOutlier, StatisticalOutlier
 from .raster import Rasterize
 from .smoothing import SmoothMls
 from .step import Step
+from .thinning import Thin
 from .voxels import VoxelDownSample
 
 WHOLE = {
@@ -33,6 +35,7 @@ KNOWN: dict[str, type[Step]] = {
     for kind in (VoxelDownSample, RadiusOutlier, EstimateNormals, StatisticalOutlier, Crop, SmoothMls, Function)
 }
 KNOWN |= {kind.name: kind for kind in (ClassifyGround, HeightAboveGround, Rasterize)}
+KNOWN |= {kind.name: kind for kind in (Features, Thin)}
 
 
 def parse_steps(steps: Any) -> list[Step]:
