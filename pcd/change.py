@@ -126,7 +126,7 @@ def m3c2(
     radius, reach = check_positive("cylinder_radius", cylinder_radius), check_positive("max_distance", max_distance)
     error = check_positive("registration_error", registration_error, allow_zero=True)
     upwards = check_direction("orientation", orientation)
-    radii = _check_radii(normal_radii, directions)
+    radii = check_radii(normal_radii, directions)
     places, tree = cores.points_about(first.origin), first.search_tree()
     if directions is not None:
         given, which = upload(_check_directions(directions, len(cores)), vec3, first.device), None
@@ -155,7 +155,12 @@ def _tree_about(cloud: PointCloud, other: PointCloud) -> Any:
     return PointCloud(cloud.points, origin=other.origin, device=cloud.device).search_tree()
 
 
-def _check_radii(radii: Any, directions: Any) -> NDArray[np.float64]:
+def check_radii(radii: Any, directions: Any) -> NDArray[np.float64]:
+    """Radii of normals, ascending; none where directions are given.
+
+    Raises:
+        ValueError: Neither is, or a radius is no length above 0.
+    """
     if directions is not None:
         return np.empty(0)
     if radii is None:

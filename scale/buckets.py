@@ -57,7 +57,7 @@ def fill_buckets(plan: Any, folder: Path, number: int, owner: str) -> Filled:
     Raises:
         FileError: The file is damaged, or has points outside the bounds that its header tells; the disk is full.
     """
-    source, done = plan.sources[number], folder_of(folder, number)
+    source, done = plan.files[number], folder_of(folder, number)
     file = open_las(source["path"])
     part = done.with_name(f"{done.name}.{owner}.part")
     for old in (done, *done.parent.glob(f"{done.name}.*.part")):

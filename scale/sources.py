@@ -154,7 +154,7 @@ def _opened_copc(path: str, size: int, mtime_ns: int) -> tuple[CopcFile, NDArray
     return copc, firsts
 
 
-def read_window(plan: Any, folder: Path, fulls: dict[int, int], window: Window) -> PointTable:
+def read_window(plan: Any, folder: Path, fulls: dict[int, int], window: Window, epoch: int | None = None) -> PointTable:
     """The points of all files in a window, in canonical order.
 
     Args:
@@ -162,12 +162,13 @@ def read_window(plan: Any, folder: Path, fulls: dict[int, int], window: Window) 
         folder: Where the buckets are.
         fulls: The value of a full colour of each file with buckets.
         window: Which points.
+        epoch: Of which other epoch; None for the survey itself.
 
     Raises:
         FileError: A file or a bucket is damaged, or a file has changed.
     """
-    tables = []
-    for number, source in enumerate(plan.sources):
+    tables, listed = [], plan.numbered(epoch)
+    for number, source in listed:
         if not _meets(source, window, plan.slack):
             continue
         check_same(source)
@@ -181,7 +182,7 @@ def read_window(plan: Any, folder: Path, fulls: dict[int, int], window: Window) 
             tables.append(_decoded(file, rows, full))
         check_size(plan, sum(len(table.points) for table in tables))
     if not tables:
-        file = file_of(plan.sources[0])
+        file = file_of(listed[0][1])
         return _decoded(file, np.empty(0, file.layout.dtype()), 65535)
     return _joined(tables)
 

@@ -8,6 +8,7 @@ from typing import Any
 from ...core.checks import shown
 from ...core.errors import FileError
 from ...core.known_names import nearest_name
+from .comparison import Change, Distance
 from .crop import Crop
 from .features import Features
 from .function import Function
@@ -35,7 +36,7 @@ KNOWN: dict[str, type[Step]] = {
     for kind in (VoxelDownSample, RadiusOutlier, EstimateNormals, StatisticalOutlier, Crop, SmoothMls, Function)
 }
 KNOWN |= {kind.name: kind for kind in (ClassifyGround, HeightAboveGround, Rasterize)}
-KNOWN |= {kind.name: kind for kind in (Features, Thin)}
+KNOWN |= {kind.name: kind for kind in (Features, Thin, Distance, Change)}
 
 
 def parse_steps(steps: Any) -> list[Step]:
