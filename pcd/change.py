@@ -20,7 +20,7 @@ from ..kernels.surface.cylinder_change import Changes, Cylinder, find_flattest, 
 from .cloud import PointCloud
 from .point_arrays import check_cloud
 
-_LEAST_POINTS = 4  # in either cylinder: a spread of fewer tells little
+LEAST_POINTS = 4  # in either cylinder: a spread of fewer tells little
 
 
 @dataclass(frozen=True, eq=False)
@@ -50,7 +50,7 @@ class M3C2Result:
     def is_significant(self) -> NDArray[np.bool_]:
         """Where the distance exceeds the level of detection and at least 4 points of each epoch say so, bool [n]."""
         with np.errstate(invalid="ignore"):
-            return (np.abs(self.distances) > self.level_of_detection) & (self.counts.min(axis=1) >= _LEAST_POINTS)
+            return (np.abs(self.distances) > self.level_of_detection) & (self.counts.min(axis=1) >= LEAST_POINTS)
 
     def __repr__(self) -> str:
         """Its size, and how much has changed."""

@@ -49,7 +49,7 @@ ROOMS = {
     "registration": ["icp", "globally", "lidar", "pose_graphs", "deformable", "trajectories"],
     "meshing": ["mesh", "scene", "volume", "color_map"],
     "rgbd": ["odometry", "slam", "fusion", "reconstruction"],
-    "drawing": ["render", "page", "recording", "viewer"],
+    "drawing": ["render", "change", "page", "recording", "viewer"],
     "photos": ["sfm", "mvs", "depth", "video"],
     "data": ["scenes", "made", "public"],
     "scale": ["steps"],
