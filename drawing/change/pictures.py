@@ -23,6 +23,7 @@ from ..render.picture_files import save_picture
 from ..render.render import render
 
 COLORMAP = "coolwarm"  # blue below, red above, neutral between
+LARGEST = 1e100  # of what colours tell apart
 SHOWN = 0.98  # of what has changed lies within the colours: a few far ones leave colours to the rest
 ABOVE = {"front": [0.0, 0.0, 1.0], "up": [0.0, 1.0, 0.0], "zoom": 0.58, "field_of_view": 20.0}  # as on a map, y up
 UNCHANGED, UNKNOWN = "not significant", "no distance"
@@ -116,7 +117,7 @@ def _painted(cloud: Any, change: Any, limit: Any) -> tuple[PointCloud, Coloring,
         raise ValueError(f"change: expected {len(cloud)} distances, one a point, got {list(distances.shape)}")
     known = np.isfinite(distances)
     shown = np.where(changed & known, distances, np.nan)
-    most = _limit_of(shown) if limit is None else check_positive("limit", limit)
+    most = _limit_of(shown) if limit is None else check_positive("limit", limit, maximum=LARGEST)
     coloring = color_cloud(cloud, shown, colormap=COLORMAP, limits=(-most, most))
     grey = [UNCHANGED] * bool((known & ~changed).any()) + [UNKNOWN] * (not known.all())
     painted = cloud.with_arrays(cloud.device_arrays | {"colors": coloring.colors}, grid=cloud.grid)

@@ -45,6 +45,7 @@ MIN_NEIGHBORS = 3  # fewer points span no plane
 SLACK = 1.0e-5  # of a cylinder's radius: distances of boxes are float32
 OUTWARDS = 2.0e-7  # of a coordinate: what rounding it to float32 takes, and more
 WHOLE = 68719476736.0  # 2^36: steps of a length along the axis, so that 2^26 points fit
+MOST_HALVINGS = 900  # of a length: what is shorter is no length of clouds
 HALF_BITS = 18
 HALF = 262143  # the lower 18 of 36 bits
 TWO_SIDED = 1.96  # standard deviations that hold 95 of 100
@@ -266,7 +267,7 @@ def compare_sums_kernel(
 
 def scale_of(length: float) -> float:
     """The power of two that makes a length one or less."""
-    return 2.0 ** -math.ceil(math.log2(length))
+    return 2.0 ** min(-math.ceil(math.log2(length)), MOST_HALVINGS)
 
 
 def find_flattest(

@@ -121,6 +121,6 @@ def cloud_to_mesh(
     means, deviations, counts = (
         download(values) for values in (spreads.means, spreads.deviations, spreads.counts)
     )  # sync
-    with np.errstate(invalid="ignore"):
+    with np.errstate(invalid="ignore", over="ignore"):
         limits = TWO_SIDED * (deviations / np.sqrt(np.maximum(counts, 1)) + error)
     return CloudToMeshResult(means, limits, deviations, counts, is_beside)
