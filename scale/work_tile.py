@@ -8,7 +8,6 @@ tile.
 
 from __future__ import annotations
 
-import dataclasses
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -161,8 +160,8 @@ def _run(
         if step.epoch:
             halo = halos[k + 1] + step.reach * _REACH_SLACK + part.spread + 4 * plan.slack
             around = plan.window(*place, halo, ends=True)
-            part = dataclasses.replace(part, other=read_epoch(plan, folder, fulls, step, around))
-        part = dataclasses.replace(step.run(part, plan, numbers.get(k)), other=None)
+            part = part.beside(read_epoch(plan, folder, fulls, step, around))
+        part = step.run(part, plan, numbers.get(k)).beside(None)
         part = part.select(_at_home(plan, part.homes, plan.window(*place, halos[k + 1]), place))
     return part, None
 

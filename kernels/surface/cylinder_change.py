@@ -3,10 +3,9 @@
 Lague, Brodu and Leroux, "Accurate 3D comparison of complex topography with terrestrial laser scanner", ISPRS Journal
 82, 2013, section 3: at a core point, the normal of the scale at which the points are flattest, then a cylinder along
 it, and of each cloud the mean and the spread of the points in it. Planarity is (l2 - l1) / l3 of ascending eigenvalues,
-as in py4dgeo. A cylinder is searched around the boxes of pieces of its axis, one where it stands along x, y or z, and
-more the more it leans; a point counts in the piece that its place on the axis is in, so that none counts twice. All
-sums are of whole numbers, hence the same bits in whatever order points are met: a part of a cloud that holds a
-neighbourhood gives those of the whole. 12 B read a point found.
+as in py4dgeo. One walk finds the leaves near a cylinder, whatever way it leans. All sums are of whole numbers, hence the
+same bits in whatever order points are met: a part of a cloud that holds a neighbourhood gives those of the whole. 12 B
+read a point found.
 """
 
 import math
@@ -22,13 +21,14 @@ from ..lang import (
     dot,
     float32,
     float64,
-    floor,
     func,
     int32,
     int64,
     isfinite,
     kernel,
     launch,
+    loop,
+    partial,
     sqrt,
     struct,
     tid,
@@ -37,13 +37,13 @@ from ..lang import (
     vector,
 )  # fmt: skip
 from ..memory import empty, upload
-from ..search.bucket_walk import leaves_in_reach, points_in_reach
-from ..search.point_tree import LEAF, PointTree
+from ..search.bucket_walk import next_step, points_in_reach, start_walk
+from ..search.point_tree import BUCKET, FAN, LEAF, SIDES, PointTree
 from ..search.tree_search import find_bucket, order_along_curve, reach_of
 
 MIN_NEIGHBORS = 3  # fewer points span no plane
-SLACK = 1.0e-5  # of a cylinder's radius: distances of boxes are float32
-OUTWARDS = 2.0e-7  # of a coordinate: what rounding it to float32 takes, and more
+SLACK = 1.0e-5  # of a cylinder: distances of boxes are float32
+OUTWARDS = 1.0e-6  # of coordinates: what rounding to float32 takes, and more
 WHOLE = 68719476736.0  # 2^36: steps of a length along the axis, so that 2^26 points fit
 MOST_HALVINGS = 900  # of a length: what is shorter is no length of clouds
 HALF_BITS = 18
@@ -63,17 +63,14 @@ class Cylinder:
         radius: Its radius [m], the boundary included.
         length: How far it reaches to either side of the core point [m].
         scale: Steps a metre along the axis, a power of two.
-        reach: The square of the distance from the axis that is searched [m^2].
     """
 
     radius: float64
     length: float64
     scale: float64
-    reach: float32
 
     def __init__(self, radius: float, length: float) -> None:
         self.radius, self.length, self.scale = radius, length, WHOLE * scale_of(length)
-        self.reach = reach_of(radius * (1 + SLACK))
 
 
 @struct
@@ -143,30 +140,68 @@ def find_flattest_kernel(
 
 
 @func
-def pieces_of(along: vec3d, cylinder: Cylinder) -> int:
-    """How many pieces of a cylinder are searched one by one: the box of each is no wider than the cylinder."""
-    upright = max(max(abs(along[0]), abs(along[1])), abs(along[2]))
-    width = cylinder.length * sqrt(max(1.0 - upright * upright, 0.0))
-    return max(int(min(width / cylinder.radius + 0.99, 1000.0)), 1)
+def children_near_axis(
+    boxes: array(dtype=float32), node: int, p: vec3, axis: vec3, radius: float, length: float
+) -> int:
+    """A byte: bit j is set where the box of child j may reach into a cylinder about a point, along a unit axis.
+
+    The cylinder is given somewhat larger than it is, for rounding to float32; of the box its ball is looked at.
+    """
+    first = node * SIDES
+    found = 0
+    for j in range(FAN):
+        hx = (boxes[first + j + 3 * FAN] - boxes[first + j]) * 0.5
+        hy = (boxes[first + j + 4 * FAN] - boxes[first + j + FAN]) * 0.5
+        hz = (boxes[first + j + 5 * FAN] - boxes[first + j + 2 * FAN]) * 0.5
+        x = boxes[first + j] + hx - p[0]
+        y = boxes[first + j + FAN] + hy - p[1]
+        z = boxes[first + j + 2 * FAN] + hz - p[2]
+        place = x * axis[0] + y * axis[1] + z * axis[2]
+        dx = x - place * axis[0]
+        dy = y - place * axis[1]
+        dz = z - place * axis[2]
+        along = hx * abs(axis[0]) + hy * abs(axis[1]) + hz * abs(axis[2])
+        wide = radius + sqrt(hx * hx + hy * hy + hz * hz)
+        if abs(place) <= length + along and dx * dx + dy * dy + dz * dz <= wide * wide:  # false of empty boxes, by NaN
+            found = found | (1 << j)
+    return found
 
 
 @func
-def piece_of(place: float64, pieces: int, cylinder: Cylinder) -> int:
-    """Which piece of the cylinder a place on its axis [m] is in; -1 beyond its ends."""
-    piece = -1
-    if abs(place) <= cylinder.length:
-        share = (place + cylinder.length) / (cylinder.length * 2.0)
-        piece = min(int(floor(share * float64(pieces))), pieces - 1)
-    return piece
+def nodes_near_axis(
+    levels: array(dtype=int32),
+    boxes: array(dtype=float32),
+    p: vec3,
+    axis: vec3,
+    radius: float,
+    length: float,
+    level: int,
+    node: int,
+) -> int:
+    """`children_near_axis` for a node given by its level."""
+    return children_near_axis(boxes, levels[level] + node, p, axis, radius, length)
 
 
 @func
-def outside_of(at: vec3d, side: float64) -> vec3:
-    """A corner as float32, rounded away from the box on that side."""
-    x = at[0] + side * abs(at[0]) * float64(OUTWARDS)
-    y = at[1] + side * abs(at[1]) * float64(OUTWARDS)
-    z = at[2] + side * abs(at[2]) * float64(OUTWARDS)
-    return vec3(float(x), float(y), float(z))
+def widened(size: float64, p: vec3) -> float:
+    """A length with room for rounding to float32 about a point."""
+    return float(size * (1.0 + float64(SLACK))) + (abs(p[0]) + abs(p[1]) + abs(p[2])) * OUTWARDS
+
+
+@loop
+def leaves_near_axis(start: int, p: vec3, axis: vec3, radius: float, length: float, tree: PointTree) -> int:
+    """The first places of the leaves that may reach into a cylinder about a point, from a bucket on."""
+    step = start_walk(start)
+    while int(step[0]) <= tree.root:
+        bucket = int(step[2])
+        leaves = children_near_axis(tree.boxes, bucket, p, axis, radius, length)
+        for leaf in range(FAN):
+            if (leaves >> leaf) & 1 == 1:
+                first = bucket * BUCKET + leaf * LEAF
+                yield first
+        step = next_step(
+            step, tree.root, partial(nodes_near_axis, tree.levels, tree.boxes, p, axis, radius, length)
+        )  # fmt: skip
 
 
 @func
@@ -197,22 +232,17 @@ def sum_cylinders_kernel(
         middle = vec3d(float64(p[0]), float64(p[1]), float64(p[2]))
         along = vec3d(float64(axis[0]), float64(axis[1]), float64(axis[2]))
         along = along / sqrt(dot(along, along))
-        pieces = pieces_of(along, cylinder)
-        half = cylinder.length / float64(pieces)
-        wide = vec3d(abs(along[0]), abs(along[1]), abs(along[2])) * half
-        for piece in range(pieces):
-            at = middle + along * (half * float64(2 * piece + 1 - pieces))
-            a = outside_of(at - wide, -1.0)
-            b = outside_of(at + wide, 1.0)
-            start = find_bucket(vec3(float(at[0]), float(at[1]), float(at[2])), tree)
-            for first in leaves_in_reach(start, a, b, cylinder.reach, tree):
-                for j in range(first, min(first + LEAF, tree.count)):
-                    q = tree.points[j]
-                    to = vec3d(float64(q[0]), float64(q[1]), float64(q[2])) - middle
-                    place = dot(to, along)
-                    beside = dot(to, to) - place * place
-                    if beside <= cylinder.radius * cylinder.radius and piece_of(place, pieces, cylinder) == piece:
-                        total = add_place(total, place, cylinder.scale)
+        widest = cylinder.radius * cylinder.radius
+        wide = widened(cylinder.radius, p)
+        long = widened(cylinder.length, p)
+        for first in leaves_near_axis(find_bucket(p, tree), p, axis, wide, long, tree):
+            for j in range(first, min(first + LEAF, tree.count)):
+                q = tree.points[j]
+                to = vec3d(float64(q[0]), float64(q[1]), float64(q[2])) - middle
+                place = dot(to, along)
+                beside = dot(to, to) - place * place
+                if beside <= widest and abs(place) <= cylinder.length:
+                    total = add_place(total, place, cylinder.scale)
     sums[i] = total
 
 

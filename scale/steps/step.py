@@ -45,6 +45,10 @@ class Part:
             return self
         return self.take(np.flatnonzero(keep), self.cloud.select_by_mask(keep))
 
+    def beside(self, other: PointCloud | None) -> Part:
+        """The same with another epoch at hand, or without."""
+        return dataclasses.replace(self, other=other)
+
     def take(self, rows: NDArray[Any], cloud: PointCloud) -> Part:
         """Some rows, whose cloud is there already."""
         exact = None if self.exact is None else self.exact[rows]
