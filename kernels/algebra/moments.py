@@ -1,10 +1,9 @@
 """Moments of points about a point: their count, sums and products, and the covariance that they give."""
 
-from ..lang import float64, func, int64, mat33d, vec3, vector
+from ..lang import float64, func, mat33d, vec3, vector
 
-WHOLE = 1099511627776.0  # 2^40: steps of a unit in whole moments, so that 2^22 neighbours fit
+ROUNDER = 786432.0  # 1.5 * 2^19: what is added to it loses all bits below 2^-33
 moments = vector(10, float64)  # count; x, y, z; xx, xy, xz, yy, yz, zz
-whole_moments = vector(10, int64)  # the same in steps, and of products in steps of the unit's square
 
 
 @func
@@ -39,32 +38,6 @@ def add_difference(total: moments, p: vec3, q: vec3) -> moments:
 
 
 @func
-def whole_steps(x: float64) -> int64:
-    """A number in whole steps, cut towards zero."""
-    return int64(x * float64(WHOLE))
-
-
-@func
-def add_whole_difference(total: whole_moments, p: vec3, q: vec3, scale: float64) -> whole_moments:
-    """Add the count, the components and the products of q - p, which is no longer than one by a scale, a power of two.
-
-    Sums of whole numbers are the same in any order: neighbours that are met in another order give the same bits.
-    """
-    x = (float64(q[0]) - float64(p[0])) * scale
-    y = (float64(q[1]) - float64(p[1])) * scale
-    z = (float64(q[2]) - float64(p[2])) * scale
-    sums = whole_moments(
-        1, whole_steps(x), whole_steps(y), whole_steps(z), whole_steps(x * x), whole_steps(x * y), whole_steps(x * z),
-        whole_steps(y * y), whole_steps(y * z), whole_steps(z * z),
-    )  # fmt: skip
-    return total + sums
-
-
-@func
-def moments_in_units(total: whole_moments) -> moments:
-    """Whole moments as moments of lengths in units."""
-    sums = moments(0.0)
-    for k in range(10):
-        sums[k] = float64(total[k]) / float64(WHOLE)
-    sums[0] = float64(total[0])
-    return sums
+def in_steps(x: float64) -> float64:
+    """A number up to one, rounded to a step: sums of up to 2^20 such numbers are exact, hence the same in any order."""
+    return (x + float64(ROUNDER)) - float64(ROUNDER)

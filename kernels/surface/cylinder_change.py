@@ -3,9 +3,9 @@
 Lague, Brodu and Leroux, "Accurate 3D comparison of complex topography with terrestrial laser scanner", ISPRS Journal
 82, 2013, section 3: at a core point, the normal of the scale at which the points are flattest, then a cylinder along
 it, and of each cloud the mean and the spread of the points in it. Planarity is (l2 - l1) / l3 of ascending eigenvalues,
-as in py4dgeo. One walk finds the leaves near a cylinder, whatever way it leans. All sums are of whole numbers, hence the
-same bits in whatever order points are met: a part of a cloud that holds a neighbourhood gives those of the whole. 12 B
-read a point found.
+as in py4dgeo. One walk finds the leaves near a cylinder, whatever way it leans. All sums are exact, of whole steps: the
+same bits in whatever order points are met, so that a part of a cloud that holds a neighbourhood gives those of the
+whole, if that has up to a million points. 12 B read a point found.
 """
 
 import math
@@ -13,7 +13,7 @@ import math
 import numpy as np
 
 from ..algebra.eigen import eigenvalues, smallest_eigenvector
-from ..algebra.moments import add_whole_difference, covariance_of, moments_in_units, whole_moments
+from ..algebra.moments import covariance_of, in_steps, moments
 from ..array_types import AnyArray, Doubles, Indices, Integers, Points, Scalars, Vectors
 from ..lang import (
     NAN,
@@ -41,7 +41,7 @@ from ..search.bucket_walk import next_step, points_in_reach, start_walk
 from ..search.point_tree import BUCKET, FAN, LEAF, SIDES, PointTree
 from ..search.tree_search import find_bucket, order_along_curve, reach_of
 
-MIN_NEIGHBORS = 3  # fewer points span no plane
+MIN_NEIGHBORS = 3.0  # fewer points span no plane
 SLACK = 1.0e-5  # of a cylinder: distances of boxes are float32
 OUTWARDS = 1.0e-6  # of coordinates: what rounding to float32 takes, and more
 WHOLE = 68719476736.0  # 2^36: steps of a length along the axis, so that 2^26 points fit
@@ -98,6 +98,22 @@ class Changes:
         self.second_counts = empty(cores.size, int32, cores.device)
 
 
+@func
+def moments_within(start: int, p: vec3, reach: float, scale: float64, tree: PointTree) -> moments:
+    """The moments of the points within a squared distance, of differences by a scale that makes them one or less."""
+    total = moments(0.0)
+    for j, sqdist in points_in_reach(start, p, reach, tree):
+        q = tree.points[j]
+        x = (float64(q[0]) - float64(p[0])) * scale
+        y = (float64(q[1]) - float64(p[1])) * scale
+        z = (float64(q[2]) - float64(p[2])) * scale
+        total = total + moments(
+            1.0, in_steps(x), in_steps(y), in_steps(z), in_steps(x * x), in_steps(x * y), in_steps(x * z),
+            in_steps(y * y), in_steps(y * z), in_steps(z * z),
+        )  # fmt: skip
+    return total
+
+
 @kernel
 def find_flattest_kernel(
     cores: array(dtype=vec3),
@@ -120,13 +136,11 @@ def find_flattest_kernel(
     if tree.count > 0 and isfinite(p):
         start = find_bucket(p, tree)
         for s in range(reaches.shape[0]):
-            total = whole_moments(0)
-            for j, sqdist in points_in_reach(start, p, reaches[s], tree):
-                total = add_whole_difference(total, p, tree.points[j], factors[s])
-            covariance = covariance_of(moments_in_units(total))
+            total = moments_within(start, p, reaches[s], factors[s], tree)
+            covariance = covariance_of(total)
             values = eigenvalues(covariance)
             planarity = float64(0.0)
-            if total[0] >= MIN_NEIGHBORS and values[2] > 0.0:
+            if total[0] >= float64(MIN_NEIGHBORS) and values[2] > 0.0:
                 planarity = (values[1] - values[0]) / values[2]
             if planarity > best:
                 best = planarity
@@ -233,9 +247,10 @@ def sum_cylinders_kernel(
         along = vec3d(float64(axis[0]), float64(axis[1]), float64(axis[2]))
         along = along / sqrt(dot(along, along))
         widest = cylinder.radius * cylinder.radius
-        wide = widened(cylinder.radius, p)
+        unit = vec3(float(along[0]), float(along[1]), float(along[2]))
+        wide = widened(cylinder.radius, p) + float(cylinder.length) * OUTWARDS
         long = widened(cylinder.length, p)
-        for first in leaves_near_axis(find_bucket(p, tree), p, axis, wide, long, tree):
+        for first in leaves_near_axis(find_bucket(p, tree), p, unit, wide, long, tree):
             for j in range(first, min(first + LEAF, tree.count)):
                 q = tree.points[j]
                 to = vec3d(float64(q[0]), float64(q[1]), float64(q[2])) - middle
