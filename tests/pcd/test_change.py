@@ -82,7 +82,7 @@ def test_the_order_in_which_points_are_met_changes_no_bit(device):
     """Points far away give the trees another curve and other buckets; on a lattice normals hang on the last bits."""
     first = np.indices((18, 18, 18)).reshape(3, -1).T * 0.3 - 2.55
     first += np.random.default_rng(2).normal(size=first.shape) * 1e-7
-    second = first + [0.05, 0.02, 0.11]
+    second = first + np.array([0.05, 0.02, 0.11])
     far = np.random.default_rng(3).random((777, 3)) * 20 + [1000, 300, 50]
     cores = loom.PointCloud(first[::7], device=device)
     options = {"core_points": cores, "normal_radii": [0.91, 1.31], "cylinder_radius": 0.7, "max_distance": 2.0}
