@@ -67,6 +67,7 @@ SIZE = (WIDTH, HEIGHT)
 ON_CLOUDS: dict[str, Callable[[Place], Any]] = {
     "voxel_down_sample": lambda p: p.facing.voxel_down_sample(4 * p.spacing),
     "voxel_down_sample, nearest": lambda p: p.cloud.voxel_down_sample(4 * p.spacing, reduction="nearest"),
+    "thin": lambda p: p.cloud.thin(4 * p.spacing),
     "voxel_down_sample_and_trace": lambda p: p.cloud.voxel_down_sample_and_trace(4 * p.spacing),
     "voxel_down_sample_and_trace, box": lambda p: p.cloud.voxel_down_sample_and_trace(
         4 * p.spacing, p.middle - p.size, p.middle + p.size, approximate_class=True

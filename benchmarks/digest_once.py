@@ -304,6 +304,8 @@ def scene_distances(d: Scenes) -> list[Any]:
     one.add_triangles(d.ball)
     open_one.add_triangles(some_triangles(d))
     signed = [one.compute_signed_distance(queries), open_one.compute_signed_distance(queries)]
+    cloud, open_mesh = loom().PointCloud(queries, device=d.device), some_triangles(d)
+    signed += [loom().change.cloud_to_mesh(cloud, open_mesh, radius=radius) for radius in (None, 0.5)]
     return [one.compute_closest_points(queries), *signed, one.compute_occupancy(queries)]
 
 

@@ -62,7 +62,7 @@ def fill_buckets(plan: Any, folder: Path, number: int, owner: str) -> Filled:
     Raises:
         FileError: The file is damaged, or has points outside the bounds that its header tells; the disk is full.
     """
-    source, done = plan.sources[number], folder_of(folder, number)
+    source, done = plan.files[number], folder_of(folder, number)
     if (done / INDEX).is_file():
         return _filled(done)
     file = open_las(source["path"])

@@ -29,7 +29,7 @@ from ..files.points.laszip import unpack_beginnings
 from .buckets import FOLDER as BUCKETS
 from .buckets import Window, fill_buckets, inside, positions_of
 from .exact_sums import ExactSums
-from .manifest import write_manifest
+from .manifest import files_of, write_manifest
 from .plan import Plan, open_plan
 from .sources import describe
 from .work_tile import FOLDER as TILES
@@ -150,7 +150,7 @@ def calibrate(
     write_manifest(folder, told, __version__, [])
     report("calibration", 0, len(tiles) + 1)
     laid = None
-    if any(source["kind"] != "copc" for source in told["sources"]):
+    if any(source["kind"] != "copc" for source in files_of(told)):
         laid = _measured(folder, FILES, threads)
     report("calibration", 1, len(tiles) + 1)
     found = []
@@ -165,21 +165,34 @@ def _sampled(plan: Plan, tiles: list[int], folder: Path) -> tuple[dict[str, Any]
     halo = halos_of(plan.steps, [step.reach for step in plan.steps], plan.slack)[0]
     nx = plan.shape[0]
     windows = [plan.window(tile % nx, tile // nx, 2.5 * halo) for tile in tiles]
-    chosen = [source for source in plan.sources if source["points"] and _meets_any(source, windows)]
+    sources, least = _sample_of(plan.sources, windows, folder)
+    if not sources:
+        raise FileError(plan.sources[0]["path"], "no points were found in the tiles that were chosen for a calibration")
+    epochs = []
+    for number, epoch in enumerate(plan.epochs):
+        there, share = _sample_of(epoch["sources"], windows, folder, f"{number}-")
+        epochs.append(epoch | {"sources": there or epoch["sources"][:1]})
+        least = min(least, share)
+    return plan.told | {"sources": sources, "epochs": epochs}, least
+
+
+def _sample_of(
+    listed: list[dict[str, Any]], windows: list[Window], folder: Path, mark: str = ""
+) -> tuple[list[dict[str, Any]], float]:
+    """Files beside a folder with the rows of some windows, those that know windows themselves, and the share read."""
+    chosen = [source for source in listed if source["points"] and _meets_any(source, windows)]
     rows = sum(source["points"] for source in chosen if source["kind"] != "copc")
     least, sources = 1.0, []
     for number, source in enumerate(chosen):
         if source["kind"] == "copc":
             sources.append(source)
             continue
-        path = folder.with_name(f"{number:06d}{Path(source['path']).suffix}")
+        path = folder.with_name(f"{mark}{number:06d}{Path(source['path']).suffix}")
         most = source["points"] if rows <= MOST_READ else max(1, MOST_READ * source["points"] // rows)
         least = min(least, most / source["points"])
         if _write_rows(Path(source["path"]), path, windows, most):
             sources.append(describe(path))
-    if not sources:
-        raise FileError(plan.sources[0]["path"], "no points were found in the tiles that were chosen for a calibration")
-    return plan.told | {"sources": sources}, least
+    return sources, least
 
 
 def _meets_any(source: dict[str, Any], windows: list[Window]) -> bool:
@@ -250,7 +263,7 @@ def main() -> None:
 
 def _lay(plan: Plan, folder: Path) -> dict[str, Any]:
     filled, begin, cpu = [], time.monotonic(), time.process_time()
-    for number, source in enumerate(plan.sources):
+    for number, source in enumerate(plan.files):
         if source["kind"] != "copc":
             filled.append(fill_buckets(plan, folder, number, "calibration"))
     took = {"cpu": [time.process_time() - cpu], "wall": [time.monotonic() - begin], "start": 0.0}
@@ -260,7 +273,7 @@ def _lay(plan: Plan, folder: Path) -> dict[str, Any]:
 
 def _work(plan: Plan, folder: Path, tile: int, begin: float) -> dict[str, Any]:
     fulls = {}
-    for number in range(len(plan.sources)):
+    for number in range(len(plan.files)):
         index = folder / BUCKETS / f"{number:06d}" / "index.json"
         fulls[number] = json.loads(index.read_text())["full"] if index.exists() else 65535
     before = time.monotonic() - begin

@@ -232,7 +232,7 @@ def _times(
         cpu += _over(read, at, busy, intercept=_CLAIM)
         seconds += _over(read, at, took, intercept=_CLAIM, among=workers)
     if laid is not None:
-        rows = [source["points"] for source in plan.sources if source["kind"] != "copc"]
+        rows = [source["points"] for source in plan.files if source["kind"] != "copc"]
         rate = laid.cpu[0] / max(1, laid.points)
         cpu += Estimate.of(rate * sum(rows))
         seconds += Estimate.of(rate * max(sum(rows) / workers, max(rows)))
@@ -248,7 +248,7 @@ def _memory(plan: Plan, measured: list[Measured], laid: Measured | None, densest
     most = max(measured, key=lambda one: max(one.read))
     value = base + (most.peak - base) * max(1.0, densest / max(1, *most.read))
     if laid is not None:
-        rows = max(min(source["points"], MOST_ROWS) for source in plan.sources if source["kind"] != "copc")
+        rows = max(min(source["points"], MOST_ROWS) for source in plan.files if source["kind"] != "copc")
         value = max(value, base + (laid.peak - laid.base) * max(1.0, rows / max(1, min(laid.points, MOST_ROWS))))
     return Estimate(value, min(value, *peaks), value)
 
@@ -256,7 +256,7 @@ def _memory(plan: Plan, measured: list[Measured], laid: Measured | None, densest
 def _buckets(plan: Plan, laid: Measured | None) -> Estimate:
     if laid is None:
         return Estimate()
-    rows = sum(source["points"] for source in plan.sources if source["kind"] != "copc")
+    rows = sum(source["points"] for source in plan.files if source["kind"] != "copc")
     return Estimate.of(laid.size / max(1, laid.points) * rows).spread(1.2)
 
 

@@ -55,6 +55,11 @@ def canonical(plan: Any) -> str:
     return json.dumps(plan, sort_keys=True, separators=(",", ":"), allow_nan=False)
 
 
+def files_of(plan: dict[str, Any]) -> list[dict[str, Any]]:
+    """What a plan says of all its files, by number: the survey's, then those of the epochs that it is compared with."""
+    return [*plan["sources"], *(source for epoch in plan["epochs"] for source in epoch["sources"])]
+
+
 def hash_of(plan: dict[str, Any]) -> str:
     """SHA-256 of a plan's text."""
     return hashlib.sha256(canonical(plan).encode()).hexdigest()
@@ -218,7 +223,7 @@ def write_manifest(folder: Path, plan: dict[str, Any], version: str, tiles: list
             base.execute("BEGIN")
             told = {"schema": str(SCHEMA), "version": version, "plan": canonical(plan), "hash": hash_of(plan)}
             base.executemany("INSERT INTO meta VALUES (?, ?)", told.items())
-            has_windows = [source["kind"] == "copc" for source in plan["sources"]]
+            has_windows = [source["kind"] == "copc" for source in files_of(plan)]
             rows = [(k, "done" if windows else "waiting") for k, windows in enumerate(has_windows)]
             base.executemany("INSERT INTO sources (id, state) VALUES (?, ?)", rows)
             base.executemany("INSERT INTO tiles (id, ix, iy, x0, y0, x1, y1) VALUES (?, ?, ?, ?, ?, ?, ?)", tiles)

@@ -117,7 +117,7 @@ def run_tiles(
                 raise
         bad = manifest.rows("SELECT id, error FROM sources WHERE state IN ('failed', 'aside') ORDER BY id")
         if bad:
-            path = plan.sources[bad[0]["id"]]["path"]
+            path = plan.files[bad[0]["id"]]["path"]
             remedy = "Mend it and call retry_tiles(folder)"
             raise FileError(path, f"its points cannot be laid by tile: {bad[0]['error']}", remedy=remedy)
         return status_of(manifest)
@@ -180,7 +180,7 @@ def _tell(manifest: Manifest, plan: Plan, report: ReportProgress) -> None:
     """Tell how many files are laid by tile, then how many tiles are over, or through the pass that is done now."""
     if report is say_nothing:
         return
-    if any(source["kind"] != "copc" for source in plan.sources):
+    if any(source["kind"] != "copc" for source in plan.files):
         files = manifest.counts("sources")
         report("files", sum(files[state] for state in OVER), sum(files.values()))
         if files["waiting"] + files["running"]:

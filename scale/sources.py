@@ -37,11 +37,11 @@ def list_files(sources: Any) -> list[Path]:
     given: Iterable[Any] = [sources] if isinstance(sources, str | os.PathLike) else sources
     found: dict[Path, None] = {}
     for path in map(path_of, given):
-        if path.is_dir():
-            try:
-                names = sorted(child for child in path.iterdir() if child.suffix.lower() in SUFFIXES)
-            except OSError as error:
-                raise FileError(path, f"cannot be read: {error.strerror or error}") from error
+        try:
+            names = sorted(c for c in path.iterdir() if c.suffix.lower() in SUFFIXES) if path.is_dir() else None
+        except OSError as error:
+            raise FileError(path, f"cannot be read: {error.strerror or error}") from error
+        if names is not None:
             if not names:
                 raise FileError(path, "the folder holds no .las or .laz file")
             found |= dict.fromkeys(child.resolve() for child in names)
@@ -154,7 +154,7 @@ def _opened_copc(path: str, size: int, mtime_ns: int) -> tuple[CopcFile, NDArray
     return copc, firsts
 
 
-def read_window(plan: Any, folder: Path, fulls: dict[int, int], window: Window) -> PointTable:
+def read_window(plan: Any, folder: Path, fulls: dict[int, int], window: Window, epoch: int | None = None) -> PointTable:
     """The points of all files in a window, in canonical order.
 
     Args:
@@ -162,12 +162,13 @@ def read_window(plan: Any, folder: Path, fulls: dict[int, int], window: Window) 
         folder: Where the buckets are.
         fulls: The value of a full colour of each file with buckets.
         window: Which points.
+        epoch: Of which other epoch; None for the survey itself.
 
     Raises:
         FileError: A file or a bucket is damaged, or a file has changed.
     """
-    tables = []
-    for number, source in enumerate(plan.sources):
+    tables, listed = [], plan.numbered(epoch)
+    for number, source in listed:
         if not _meets(source, window, plan.slack):
             continue
         check_same(source)
@@ -182,7 +183,7 @@ def read_window(plan: Any, folder: Path, fulls: dict[int, int], window: Window) 
         check_same(source)  # not written to while it was read
         check_size(plan, sum(len(table.points) for table in tables))
     if not tables:
-        file = file_of(plan.sources[0])
+        file = file_of(listed[0][1])
         return _decoded(file, np.empty(0, file.layout.dtype()), 65535)
     return _joined(tables)
 

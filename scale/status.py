@@ -9,7 +9,7 @@ from typing import Any
 from ..core.errors import FilePath
 from ..core.paths import path_of
 from ..core.wording import to_json
-from .manifest import Manifest
+from .manifest import Manifest, files_of
 
 
 @dataclass(frozen=True)
@@ -89,7 +89,7 @@ def status_of(manifest: Manifest) -> TileStatus:
         for row in bad
     }
     files = manifest.rows("SELECT id, error FROM sources WHERE state IN ('failed', 'aside') ORDER BY id")
-    troubles |= {manifest.plan["sources"][row["id"]]["path"]: row["error"] or "" for row in files}
+    troubles |= {files_of(manifest.plan)[row["id"]]["path"]: row["error"] or "" for row in files}
     return TileStatus(
         folder=str(manifest.folder),
         **counts,

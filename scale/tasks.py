@@ -14,7 +14,7 @@ from typing import Any
 from ..core.errors import FileError
 from .buckets import Filled, fill_buckets, folder_of
 from .exact_sums import ExactSums
-from .manifest import CHECKSUMS, Manifest
+from .manifest import CHECKSUMS, Manifest, files_of
 from .plan import Plan
 from .sources import check_same
 from .work_tile import Outcome, work_tile
@@ -45,10 +45,10 @@ def do_task(plan: Plan, folder: Path, task: Task, owner: str) -> tuple[Filled | 
     """Do a task; what came out, and the seconds it took."""
     begin = time.monotonic()
     if task.table == "sources":
-        check_same(plan.sources[task.number])
+        check_same(plan.files[task.number])
         filled = fill_buckets(plan, folder, task.number, owner)
         try:
-            check_same(plan.sources[task.number])
+            check_same(plan.files[task.number])
         except FileError:  # it was written to meanwhile: the rows are half of each
             shutil.rmtree(folder_of(folder, task.number), ignore_errors=True)
             raise
@@ -140,7 +140,7 @@ def lay_again(manifest: Manifest) -> None:
     if not counts["waiting"]:
         return
     with manifest.change() as base:
-        for number, source in enumerate(manifest.plan["sources"]):
+        for number, source in enumerate(files_of(manifest.plan)):
             if source["kind"] != "copc" and not folder_of(manifest.folder, number).is_dir():
                 base.execute("UPDATE sources SET state = 'waiting' WHERE id = ? AND state = 'done'", (number,))
 

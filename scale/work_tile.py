@@ -25,6 +25,7 @@ from ..kernels.search.hilbert_order import HilbertCurve, levels_for
 from ..kernels.search.point_tree import PointTree
 from ..kernels.segmentation.neighbor_counts import mask_crowded
 from ..pcd.search import NearestNeighborSearch
+from .epochs import read_epoch
 from .exact_sums import ExactSums
 from .plan import Plan
 from .rasters import write_raster
@@ -99,7 +100,7 @@ def work_tile(
         try:
             if not own and _keeps_homes(steps) and not any(step.writes for step in steps):
                 return Outcome(0, 0, len(table.points), halos[0], ExactSums())
-            part, sums = _run(plan, folder, (ix, iy), part, steps, (reaches, halos), numbers, target)
+            part, sums = _run(plan, folder, (ix, iy), part, steps, (reaches, halos), numbers, fulls, target)
         except HaloError as found:
             reaches[found.step] *= 2
             continue
@@ -142,6 +143,7 @@ def _run(
     steps: list[Step],
     reach: tuple[list[float], list[float]],
     numbers: dict[int, ExactSums],
+    fulls: dict[int, int],
     target: int | None,
 ) -> tuple[Part, ExactSums | None]:
     reaches, halos = reach
@@ -158,7 +160,11 @@ def _run(
             return part, ExactSums.of(step.measure(part)[wanted])
         if isinstance(step, Rasterize) and target is None:
             write_raster(step, part.cloud, plan, folder, place)
-        part = step.run(part, plan, numbers.get(k))
+        if step.epoch:
+            halo = halos[k + 1] + step.reach * _REACH_SLACK + part.spread + 4 * plan.slack
+            around = plan.window(*place, halo, ends=True)
+            part = part.beside(read_epoch(plan, folder, fulls, step, around))
+        part = step.run(part, plan, numbers.get(k)).beside(None)
         part = part.select(_at_home(plan, part.homes, plan.window(*place, halos[k + 1]), place))
     return part, None
 

@@ -2,6 +2,7 @@
 
 from ..lang import float64, func, mat33d, vec3, vector
 
+ROUNDER = 786432.0  # 1.5 * 2^19: what is added to it loses all bits below 2^-33
 moments = vector(10, float64)  # count; x, y, z; xx, xy, xz, yy, yz, zz
 
 
@@ -34,3 +35,9 @@ def add_difference(total: moments, p: vec3, q: vec3) -> moments:
     y = float64(q[1]) - float64(p[1])
     z = float64(q[2]) - float64(p[2])
     return total + moments(1.0, x, y, z, x * x, x * y, x * z, y * y, y * z, z * z)
+
+
+@func
+def in_steps(x: float64) -> float64:
+    """A number up to one, rounded to a step: sums of up to 2^20 such numbers are exact, hence the same in any order."""
+    return (x + float64(ROUNDER)) - float64(ROUNDER)

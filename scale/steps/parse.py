@@ -8,7 +8,9 @@ from typing import Any
 from ...core.checks import shown
 from ...core.errors import FileError
 from ...core.known_names import nearest_name
+from .comparison import Change, Distance
 from .crop import Crop
+from .features import Features
 from .function import Function
 from .ground import ClassifyGround, HeightAboveGround
 from .normals import EstimateNormals
@@ -16,6 +18,7 @@ from .outliers import RadiusOutlier, StatisticalOutlier
 from .raster import Rasterize
 from .smoothing import SmoothMls
 from .step import Step
+from .thinning import Thin
 from .voxels import VoxelDownSample
 
 WHOLE = {
@@ -33,6 +36,7 @@ KNOWN: dict[str, type[Step]] = {
     for kind in (VoxelDownSample, RadiusOutlier, EstimateNormals, StatisticalOutlier, Crop, SmoothMls, Function)
 }
 KNOWN |= {kind.name: kind for kind in (ClassifyGround, HeightAboveGround, Rasterize)}
+KNOWN |= {kind.name: kind for kind in (Features, Thin, Distance, Change)}
 
 
 def parse_steps(steps: Any) -> list[Step]:

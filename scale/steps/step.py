@@ -30,18 +30,24 @@ class Part:
         homes: Where each point counts as lying, x and y, float64 [n, 2]: its position in the file, or its voxel's
             middle. Each home is in one tile, whatever the tiles' size.
         spread: How far a point may lie from its home along x or y.
+        other: The other epoch, for a step that compares.
     """
 
     cloud: PointCloud
     exact: NDArray[np.float64] | None
     homes: NDArray[np.float64]
     spread: float = 0.0
+    other: PointCloud | None = None
 
     def select(self, keep: NDArray[np.bool_]) -> Part:
         """The points of a mask."""
         if keep.all():
             return self
         return self.take(np.flatnonzero(keep), self.cloud.select_by_mask(keep))
+
+    def beside(self, other: PointCloud | None) -> Part:
+        """The same with another epoch at hand, or without."""
+        return dataclasses.replace(self, other=other)
 
     def take(self, rows: NDArray[Any], cloud: PointCloud) -> Part:
         """Some rows, whose cloud is there already."""
@@ -60,6 +66,7 @@ class Step:
         needs_numbers: Whether it needs numbers of the whole.
         searches: Whether it searches for neighbours, in the cloud's tree.
         writes: Whether it writes something beside the tile, of tiles without points too.
+        epoch: Paths of the files of another epoch that it compares with; empty where it does not.
     """
 
     name = ""
@@ -70,6 +77,7 @@ class Step:
     needs_numbers = False
     searches = True
     writes = False
+    epoch: list[str] | tuple[()] = ()
 
     def __init__(self, params: dict[str, Any]):
         known = {*self.defaults, *self.required}

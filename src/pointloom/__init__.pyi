@@ -1,7 +1,7 @@
 """The public names of pointloom: the one list of them, for type checkers and for `public_names`."""
 
 from . import data as data
-from .pcd import change as change
+from .drawing import change as change
 from . import registration as registration
 from .photos import mvs as mvs
 from .rgbd import reconstruction as reconstruction
