@@ -18,6 +18,7 @@ from pathlib import Path
 from typing import Any
 
 from ..core.errors import FileError
+from .file_systems import is_shared
 
 try:
     import fcntl
@@ -42,6 +43,7 @@ CREATE TABLE tiles (
     attempts INTEGER NOT NULL DEFAULT 0, points_in INTEGER NOT NULL DEFAULT 0, points_out INTEGER NOT NULL DEFAULT 0,
     points_read INTEGER NOT NULL DEFAULT 0, halo REAL NOT NULL DEFAULT 0, seconds REAL NOT NULL DEFAULT 0, error TEXT);
 CREATE INDEX tiles_by_state ON tiles (state, pass, id);
+CREATE INDEX sources_by_state ON sources (state);
 CREATE TABLE numbers (
     pass INTEGER, tile INTEGER, count INTEGER NOT NULL, total TEXT NOT NULL, squares TEXT NOT NULL,
     PRIMARY KEY (pass, tile));
@@ -181,6 +183,11 @@ class Manifest:
         )
         return [row["owner"] for row in self.rows(query)]
 
+    def has(self, table: str, *states: str) -> bool:
+        """Whether rows are in one of these states, at the price of a look into the index."""
+        query = f"SELECT 1 FROM {table} WHERE state IN ({', '.join('?' * len(states))}) LIMIT 1"
+        return bool(self.rows(query, *states))
+
     def counts(self, table: str = "tiles", where: str = "1", *values: Any) -> dict[str, int]:
         """How many rows are in each state."""
         found = self.rows(f"SELECT state, count(*) AS n FROM {table} WHERE {where} GROUP BY state", *values)
@@ -192,7 +199,23 @@ def connect(path: Path) -> sqlite3.Connection:
     with told_as_file_errors(path):
         base = sqlite3.connect(path, timeout=PATIENCE, isolation_level=None)
         base.row_factory = sqlite3.Row
+        if is_shared(path.parent):
+            _leave_log(base, path)
+        else:  # what is lost where power fails is done again; a process that is killed loses nothing
+            base.execute("PRAGMA synchronous = NORMAL")
         return base
+
+
+def _leave_log(base: sqlite3.Connection, path: Path) -> None:
+    """Have transactions locked by file alone: SQLite's log is for the processes of one machine."""
+    try:
+        base.execute("PRAGMA journal_mode = DELETE")
+    except sqlite3.OperationalError as error:
+        base.close()
+        reason = f"the manifest is open on the machine whose disk it is on, as one machine's alone: {error}"
+        raise FileError(
+            path, reason, remedy="End the runs there, or begin all of them where the folder is mounted"
+        ) from error
 
 
 def read_plan(folder: Path) -> dict[str, Any]:
@@ -228,7 +251,8 @@ def write_manifest(folder: Path, plan: dict[str, Any], version: str, tiles: list
             base.executemany("INSERT INTO sources (id, state) VALUES (?, ?)", rows)
             base.executemany("INSERT INTO tiles (id, ix, iy, x0, y0, x1, y1) VALUES (?, ?, ?, ?, ?, ?, ?)", tiles)
             base.execute("COMMIT")
-            base.execute("PRAGMA journal_mode = WAL")
+            if not is_shared(folder):
+                base.execute("PRAGMA journal_mode = WAL")
             base.close()
             os.link(part, path)  # fails where another process made it meanwhile
         except FileExistsError as error:

@@ -206,9 +206,12 @@ def _oversee(manifest: Manifest, start: StartWorker, count: int, tell: Callable[
     try:
         for place in range(count):
             crew[place] = start(place)
+        took = 0.0
         while crew:
-            time.sleep(LOOK)
+            time.sleep(max(LOOK, 20 * took))  # a look at very many tiles is not free, for workers neither
+            begin = time.monotonic()
             now = _progress_of(manifest)
+            took = time.monotonic() - begin
             if now != before:
                 before, vain = now, 0
                 tell()

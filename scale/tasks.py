@@ -14,7 +14,7 @@ from typing import Any
 from ..core.errors import FileError
 from .buckets import Filled, fill_buckets, folder_of
 from .exact_sums import ExactSums
-from .manifest import CHECKSUMS, Manifest, files_of
+from .manifest import CHECKSUMS, STATES, Manifest, files_of
 from .plan import Plan
 from .sources import check_same
 from .work_tile import Outcome, work_tile
@@ -71,17 +71,19 @@ class Taskbook:
         self._manifest, self._plan, self.owner = manifest, plan, owner
         self._share: tuple[str, int, int] = ("id % ? = ?", part[1], part[0] - 1)
         self._numbers: dict[int, ExactSums] = {}
+        self._fulls: dict[int, int] | None = None
 
     def take(self) -> Task | bool:
         """Claim the next task; True where one may come once others are done, False where none is left."""
         manifest = self._manifest
         row = manifest.claim("sources", self.owner)
         if row is not None:
+            self._fulls = None
             return Task("sources", row["id"])
-        files = manifest.counts("sources")
-        if files["failed"] + files["aside"]:
+        if manifest.has("sources", "failed", "aside"):
             return False
-        if files["running"]:
+        if manifest.has("sources", "running"):
+            self._fulls = None
             return True
         number = next_pass(manifest)
         if number is None:
@@ -101,9 +103,10 @@ class Taskbook:
         for earlier, step in enumerate(self._plan.passes[: row["pass"]]):
             if step is not None and step not in self._numbers:
                 self._numbers[step] = sums_of(self._manifest, earlier)
-        fulls = {found["id"]: found["full"] for found in self._manifest.rows("SELECT id, full FROM sources")}
+        if self._fulls is None:  # all files are laid, so they stay
+            self._fulls = {found["id"]: found["full"] for found in self._manifest.rows("SELECT id, full FROM sources")}
         before = {name: row[name] for name in ("points_read", "seconds")}
-        return Task("tiles", row["id"], row["pass"], before, dict(self._numbers), fulls)
+        return Task("tiles", row["id"], row["pass"], before, dict(self._numbers), self._fulls)
 
     def settle(self, task: Task, found: Filled | Outcome, seconds: float) -> None:
         """Write down what came of a task."""
@@ -147,8 +150,9 @@ def lay_again(manifest: Manifest) -> None:
 
 def next_pass(manifest: Manifest) -> int | None:
     """The pass that tiles are to be done in now: one begins where all are through the one before."""
-    (row,) = manifest.rows("SELECT min(pass) AS n FROM tiles WHERE state NOT IN ('done', 'empty')")
-    return row["n"]
+    query = "SELECT pass FROM tiles WHERE state = ? ORDER BY pass LIMIT 1"
+    found = [row["pass"] for state in STATES if state not in ("done", "empty") for row in manifest.rows(query, state)]
+    return min(found, default=None)
 
 
 def sums_of(manifest: Manifest, number: int) -> ExactSums:
