@@ -29,11 +29,12 @@ from ..files.points.laszip import unpack_beginnings
 from .buckets import FOLDER as BUCKETS
 from .buckets import Window, fill_buckets, inside, positions_of
 from .exact_sums import ExactSums
+from .halos import halos_of
 from .manifest import files_of, write_manifest
 from .plan import Plan, open_plan
 from .sources import describe
 from .work_tile import FOLDER as TILES
-from .work_tile import halos_of, tile_path, work_tile
+from .work_tile import tile_path, work_tile
 
 WHOLE = 8_000_000  # rows up to which all of a survey's are counted, and more are a sample
 SAMPLE = 400_000

@@ -17,8 +17,8 @@ from ..core.progress import ReportProgress, say_nothing
 from ..core.reports import Fields, Report
 from .buckets import MOST_ROWS
 from .calibration import Counts, Measured, calibrate
-from .plan import Plan, open_plan, plan_tiles
-from .work_tile import halos_of
+from .halos import far_files, halos_of
+from .plan import Plan, open_plan, plan_tiles, tiles_of
 
 _CLAIM = 0.01  # [s] of a tile beside its points: the manifest's transactions
 _NOISE = 1.25  # that the same tile may take longer or shorter another time
@@ -256,7 +256,8 @@ def _memory(plan: Plan, measured: list[Measured], laid: Measured | None, densest
 def _buckets(plan: Plan, laid: Measured | None) -> Estimate:
     if laid is None:
         return Estimate()
-    rows = sum(source["points"] for source in plan.files if source["kind"] != "copc")
+    far = far_files(plan, tiles_of(plan))
+    rows = sum(f["points"] for number, f in enumerate(plan.files) if f["kind"] != "copc" and number not in far)
     return Estimate.of(laid.size / max(1, laid.points) * rows).spread(1.2)
 
 

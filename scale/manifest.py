@@ -13,7 +13,7 @@ import json
 import os
 import sqlite3
 import uuid
-from collections.abc import Iterator
+from collections.abc import Container, Iterator
 from pathlib import Path
 from typing import Any
 
@@ -30,6 +30,7 @@ SCHEMA = 1
 MOST_ATTEMPTS = 3  # deaths of workers at one task
 PATIENCE = 60.0  # [s] for another's transaction
 STATES = ("waiting", "running", "done", "empty", "failed", "aside")
+NOT_LAID = -1  # in place of a full colour: a file that is far from all tiles
 OVER = ("done", "empty", "failed", "aside")  # states that a tile leaves by `retry` alone
 
 _TABLES = """
@@ -236,8 +237,13 @@ def read_plan(folder: Path) -> dict[str, Any]:
     return json.loads(plan)
 
 
-def write_manifest(folder: Path, plan: dict[str, Any], version: str, tiles: list[tuple[Any, ...]]) -> None:
-    """Write a new manifest, whole or not at all; tiles are (id, ix, iy, x0, y0, x1, y1)."""
+def write_manifest(
+    folder: Path, plan: dict[str, Any], version: str, tiles: list[tuple[Any, ...]], far: Container[int] = ()
+) -> None:
+    """Write a new manifest, whole or not at all.
+
+    Tiles are (id, ix, iy, x0, y0, x1, y1); `far` has the numbers of files that none of them needs.
+    """
     path, part = folder / NAME, folder / f"{NAME}.{uuid.uuid4().hex}.part"
     base = connect(part)
     with told_as_file_errors(path):
@@ -247,8 +253,11 @@ def write_manifest(folder: Path, plan: dict[str, Any], version: str, tiles: list
             told = {"schema": str(SCHEMA), "version": version, "plan": canonical(plan), "hash": hash_of(plan)}
             base.executemany("INSERT INTO meta VALUES (?, ?)", told.items())
             has_windows = [source["kind"] == "copc" for source in files_of(plan)]
-            rows = [(k, "done" if windows else "waiting") for k, windows in enumerate(has_windows)]
-            base.executemany("INSERT INTO sources (id, state) VALUES (?, ?)", rows)
+            rows = [
+                (k, "done" if windows or k in far else "waiting", NOT_LAID if k in far else 0)
+                for k, windows in enumerate(has_windows)
+            ]
+            base.executemany("INSERT INTO sources (id, state, full) VALUES (?, ?, ?)", rows)
             base.executemany("INSERT INTO tiles (id, ix, iy, x0, y0, x1, y1) VALUES (?, ?, ?, ?, ?, ?, ?)", tiles)
             base.execute("COMMIT")
             if not is_shared(folder):

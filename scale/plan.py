@@ -17,6 +17,7 @@ from ..core.paths import path_of
 from ..kernels.search.hilbert_order import levels_for
 from .buckets import Window
 from .epochs import describe_epochs
+from .halos import far_files
 from .manifest import NAME, Manifest, canonical, files_of, hash_of, read_plan, write_manifest
 from .sources import check_alike, check_same, describe, list_files
 from .status import TileStatus, status_of
@@ -174,7 +175,9 @@ def plan_tiles(
             check_same_plan(manifest, told)
             return status_of(manifest)
     _make_folder(folder)
-    write_manifest(folder, told, __version__, _tiles(Plan(told)))
+    plan = Plan(told)
+    tiles = tiles_of(plan)
+    write_manifest(folder, told, __version__, tiles, far_files(plan, tiles))
     with Manifest(folder) as manifest:
         return status_of(manifest)
 
@@ -284,7 +287,7 @@ def _make(sources: Any, steps: list[Step], size: Any, points: Any, only: Any, ou
     }
 
 
-def _tiles(plan: Plan) -> list[tuple[Any, ...]]:
+def tiles_of(plan: Plan) -> list[tuple[Any, ...]]:
     """All tiles row by row; those outside `only` are not in the manifest, their numbers are left out."""
     (nx, ny), (x, y), size = plan.shape, plan.corner.tolist(), plan.size
     tiles = []

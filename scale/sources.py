@@ -24,6 +24,7 @@ from ..files.points.las_crs import crs_name, is_geographic
 from ..files.points.las_units import units_of
 from ..files.table import PointTable
 from .buckets import Window, check_size, inside, positions_of, read_buckets
+from .manifest import NOT_LAID
 
 SUFFIXES = (".las", ".laz")
 
@@ -154,6 +155,10 @@ def _opened_copc(path: str, size: int, mtime_ns: int) -> tuple[CopcFile, NDArray
     return copc, firsts
 
 
+class NotLaidError(Exception):
+    """A tile needs a file that was far from all tiles when they were planned; its number is the argument."""
+
+
 def read_window(plan: Any, folder: Path, fulls: dict[int, int], window: Window, epoch: int | None = None) -> PointTable:
     """The points of all files in a window, in canonical order.
 
@@ -166,6 +171,7 @@ def read_window(plan: Any, folder: Path, fulls: dict[int, int], window: Window, 
 
     Raises:
         FileError: A file or a bucket is damaged, or a file has changed.
+        NotLaidError: A file's rows were not laid by tile.
     """
     tables, listed = [], plan.numbered(epoch)
     for number, source in listed:
@@ -177,6 +183,8 @@ def read_window(plan: Any, folder: Path, fulls: dict[int, int], window: Window, 
             file, full, rows = copc.file, copc.full, _rows_of_copc(copc, firsts, window, plan)
         else:
             file, full = file_of(source), fulls[number]
+            if full == NOT_LAID:
+                raise NotLaidError(number)
             rows = read_buckets(plan, folder, number, file, window)
         if len(rows):
             tables.append(_decoded(file, rows, full))

@@ -14,9 +14,9 @@ from typing import Any
 from ..core.errors import FileError
 from .buckets import Filled, fill_buckets, folder_of
 from .exact_sums import ExactSums
-from .manifest import CHECKSUMS, STATES, Manifest, files_of
+from .manifest import CHECKSUMS, NOT_LAID, STATES, Manifest, files_of
 from .plan import Plan
-from .sources import check_same
+from .sources import NotLaidError, check_same
 from .work_tile import Outcome, work_tile
 
 
@@ -132,7 +132,17 @@ class Taskbook:
                 base.execute("INSERT OR REPLACE INTO numbers VALUES (?, ?, ?, ?, ?)", values)
 
     def fail(self, task: Task, error: BaseException, state: str = "failed") -> None:
-        """Write down that a task ended in an error, which would come again."""
+        """Write down that a task ended in an error, which would come again.
+
+        A tile that needs a file which is not laid waits for that.
+        """
+        if isinstance(error, NotLaidError):
+            self._fulls = None
+            with self._manifest.change() as base:
+                told = "UPDATE sources SET state = 'waiting' WHERE id = ? AND state = 'done' AND full = ?"
+                base.execute(told, (error.args[0], NOT_LAID))
+                self._manifest.settle_in(base, task.table, task.number, self.owner, state="waiting")
+            return
         said = " ".join(f"{type(error).__name__}: {error}".split())[:2000]
         self._manifest.settle(task.table, task.number, self.owner, state=state, error=said)
 
@@ -145,7 +155,8 @@ def lay_again(manifest: Manifest) -> None:
     with manifest.change() as base:
         for number, source in enumerate(files_of(manifest.plan)):
             if source["kind"] != "copc" and not folder_of(manifest.folder, number).is_dir():
-                base.execute("UPDATE sources SET state = 'waiting' WHERE id = ? AND state = 'done'", (number,))
+                told = "UPDATE sources SET state = 'waiting' WHERE id = ? AND state = 'done' AND full != ?"
+                base.execute(told, (number, NOT_LAID))
 
 
 def next_pass(manifest: Manifest) -> int | None:

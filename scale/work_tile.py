@@ -27,6 +27,7 @@ from ..kernels.segmentation.neighbor_counts import mask_crowded
 from ..pcd.search import NearestNeighborSearch
 from .epochs import read_epoch
 from .exact_sums import ExactSums
+from .halos import REACH_SLACK, halos_of
 from .plan import Plan
 from .rasters import write_raster
 from .sources import file_of, read_window
@@ -35,7 +36,6 @@ from .steps.step import Part, Step
 
 FOLDER = "tiles"
 MOST_DOUBLINGS = 40
-_REACH_SLACK = 1 + 1e-5  # of a distance in float32
 _MOST_STEPS = 2**31 - 2
 
 
@@ -112,19 +112,6 @@ def work_tile(
     raise FileError(folder, f"tile {ix}_{iy}: the halo doubled {MOST_DOUBLINGS} times and was still too small")
 
 
-def halos_of(steps: list[Step], reaches: list[float], slack: float) -> list[float]:
-    """The halo that each step must be given, and at the end 0, behind the last."""
-    spreads = [0.0]
-    for step in steps:
-        spreads.append(step.spread_after(spreads[-1]))
-    halos = [0.0]
-    for step, reach, spread in zip(reversed(steps), reversed(reaches), reversed(spreads[:-1]), strict=True):
-        wanted = step.halo_before(halos[0], spread, reach * _REACH_SLACK)
-        is_local = step.reach == 0 and step.neighbors is None
-        halos.insert(0, halos[0] if is_local else wanted + 4 * slack)
-    return halos
-
-
 def _keeps_homes(steps: list[Step]) -> bool:
     return all(step.spread_after(0.0) == 0.0 for step in steps)
 
@@ -161,7 +148,7 @@ def _run(
         if isinstance(step, Rasterize) and target is None:
             write_raster(step, part.cloud, plan, folder, place)
         if step.epoch:
-            halo = halos[k + 1] + step.reach * _REACH_SLACK + part.spread + 4 * plan.slack
+            halo = halos[k + 1] + step.reach * REACH_SLACK + part.spread + 4 * plan.slack
             around = plan.window(*place, halo, ends=True)
             part = part.beside(read_epoch(plan, folder, fulls, step, around))
         part = step.run(part, plan, numbers.get(k)).beside(None)
@@ -202,7 +189,7 @@ def _certify(plan: Plan, number: int, part: Part, wanted: Any, k: int, reach: fl
     if k > len(part.cloud):
         raise HaloError(number)
     found = NearestNeighborSearch(part.cloud).knn_search(places, k)
-    farthest = np.sqrt(np.asarray(found.sqdists, np.float64)[:, -1]) * _REACH_SLACK
+    farthest = np.sqrt(np.asarray(found.sqdists, np.float64)[:, -1]) * REACH_SLACK
     if not (farthest < free).all():
         raise HaloError(number)
 

@@ -5,8 +5,9 @@ import pytest
 
 import pointloom as loom
 from pointloom.scale import work_tile
+from pointloom.scale.manifest import NOT_LAID, Manifest
 
-from .scenes import CORNER, SIDE, finished, in_memory, plan_of, rows_of, survey, tiled, whole_cloud
+from .scenes import CORNER, SIDE, STEP, finished, in_memory, plan_of, rows_of, survey, tiled, whole_cloud
 
 MIDDLE = (CORNER + np.array([SIDE / 2, SIDE / 2, 0])).tolist()
 CHAINS = {
@@ -125,3 +126,48 @@ def test_an_area_is_done_alone(files, tmp_path):
     x, y = (expected.points - CORNER)[:, :2].T
     mask = (x > 9.999) & (x < 19.999) & (y > 9.999) & (y < 19.999)
     np.testing.assert_array_equal(rows_of(found), rows_of(expected.select_by_mask(mask)))
+
+
+def strips(folder):
+    """The survey as four files side by side, and the buckets that a job of one tile lays."""
+    cloud = whole_cloud(survey(folder), CORNER)
+    paths = []
+    for number, low in enumerate(np.arange(4) * SIDE / 4):
+        x = cloud.points[:, 0] - CORNER[0]
+        last = number == 3
+        part = cloud.select_by_mask((x >= low) & ((x < low + SIDE / 4) | last))
+        paths.append(folder / f"strip{number}.laz")
+        loom.write_point_cloud(paths[-1], part, scale=STEP)
+    return paths
+
+
+def laid(job):
+    with Manifest(job) as manifest:
+        return [row["id"] for row in manifest.rows("SELECT id FROM sources WHERE full != ?", NOT_LAID)]
+
+
+def test_files_that_are_far_from_the_area_are_not_laid(tmp_path):
+    files = strips(tmp_path)
+    low = CORNER[:2] + 2
+    steps = CHAINS["radius outliers"]
+    found, plan = tiled(files, steps, tmp_path / "job", size=10.0, only=[*low, *(low + 4)])
+    assert laid(tmp_path / "job") == [0, 1]
+    expected = in_memory(whole_cloud(files, np.array(plan["origin"])), steps, None)
+    mask = ((expected.points - CORNER)[:, :2] < 9.999).all(axis=1)
+    np.testing.assert_array_equal(rows_of(found), rows_of(expected.select_by_mask(mask)))
+
+
+@pytest.mark.parametrize("how", [{}, {"workers": 2}])
+def test_a_file_that_turns_out_to_be_needed_is_laid_then(tmp_path, monkeypatch, how):
+    files = strips(tmp_path)
+    steps = [{"step": "estimate_normals", "max_nn": 12}]
+    low = CORNER[:2] + 2
+    with monkeypatch.context() as patch:
+        patch.setattr("pointloom.scale.plan.far_files", lambda *_: {1, 2, 3})
+        loom.scale.plan_tiles(files, steps, tmp_path / "job", size=10.0, only=[*low, *(low + 4)])
+    assert laid(tmp_path / "job") == [0]
+    assert loom.scale.run_tiles(tmp_path / "job", **how).is_finished
+    assert laid(tmp_path / "job") == [0, 1]
+    expected = in_memory(whole_cloud(files, np.array(plan_of(tmp_path / "job")["origin"])), steps, None)
+    mask = ((expected.points - CORNER)[:, :2] < 9.999).all(axis=1)
+    np.testing.assert_array_equal(rows_of(finished(tmp_path / "job")), rows_of(expected.select_by_mask(mask)))
