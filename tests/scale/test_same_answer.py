@@ -4,6 +4,8 @@ import numpy as np
 import pytest
 
 import pointloom as loom
+from pointloom.files.points.las_writer import write_las
+from pointloom.files.table import PointTable
 from pointloom.scale import work_tile
 from pointloom.scale.manifest import NOT_LAID, Manifest
 
@@ -104,6 +106,20 @@ def test_the_result_may_be_a_copc_file(files, tmp_path):
     np.testing.assert_array_equal(rows_of(found), rows_of(expected))
     part = loom.read_copc(tmp_path / "job" / "result.copc.laz", within=loom.AxisAlignedBoundingBox(CORNER, MIDDLE))
     assert 0 < len(part) < len(found)
+
+
+@pytest.mark.parametrize("size", [134.48, 41.3, 9.7])
+def test_steps_without_reach_lose_no_point_on_borders_that_are_rounded(tmp_path, size):
+    corner, cells = np.array([636_001.76, 848_935.2]), 14
+    places = np.random.default_rng(0).integers(0, cells + 1, (3000, 2)) * size
+    points = np.column_stack([corner + places, np.arange(3000) * 0.01])
+    points[0, :2] = corner
+    path = tmp_path / "grid.laz"
+    write_las(path, PointTable(points, attributes={"gps_time": np.arange(3000.0)}), scale=1e-5, offset=points[0])
+    steps = [{"step": "crop", "min_bound": [0, 0, -1], "max_bound": [1e7, 1e7, 1e4]}]
+    found, plan = tiled([path], steps, tmp_path / "job", size=size)
+    assert np.prod(plan["shape"]) >= cells**2
+    np.testing.assert_array_equal(np.sort(found["gps_time"]), np.arange(3000.0))
 
 
 def brighter(cloud, by):
