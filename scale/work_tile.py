@@ -91,9 +91,8 @@ def work_tile(
     reaches = [step.reach for step in steps]
     for _ in range(MOST_DOUBLINGS):
         halos = halos_of(steps, reaches, plan.slack)
-        window = plan.window(
-            ix, iy, max(halos[0], 4 * plan.slack)
-        )  # borders are rounded: its number tells a tile's own
+        # Borders are rounded: somewhat more is read, and its number tells a tile's own.
+        window = plan.window(ix, iy, max(halos[0], 4 * plan.slack))
         table = read_window(plan, folder, fulls, window)
         if not len(table.points):
             return Outcome(0, 0, 0, halos[0], ExactSums())
