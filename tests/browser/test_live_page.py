@@ -174,7 +174,9 @@ def test_the_palette_finds_each_command_once_with_all_its_keys(program, visit):
     page.keyboard.press("Control+k")
     offered = page.locator("#palette li .label")
     for label in ("Larger points", "Measure", "Keys and commands"):
-        expect(offered.get_by_text(label, exact=True)).to_have_count(1)  # what comes while it is open is offered as well
+        expect(offered.get_by_text(label, exact=True)).to_have_count(
+            1
+        )  # what comes while it is open is offered as well
     labels = offered.all_inner_texts()
     assert len({label.lower() for label in labels}) == len(labels)
     row = page.locator("#palette li", has_text="Larger points")
