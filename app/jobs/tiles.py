@@ -7,7 +7,6 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
 
-from ...core.progress import ReportProgress
 from ...core.reports import Fields, Report
 from ...core.wording import plain
 from ...scale.buckets import FOLDER as BUCKETS
@@ -90,10 +89,10 @@ def report_of(command: str, status: TileStatus, *, is_part: bool = False) -> Til
     return TileReport(command, status, is_part)
 
 
-def finish_job(folder: Path, output: Path | None, *, overwrite: bool, progress: ReportProgress) -> TileReport:
-    """Make one file of all tiles; what is said of it."""
-    path = finish_tiles(folder, output, overwrite=overwrite, progress=progress)
-    return TileReport("finish", tile_status(folder), files=(str(path),))
+def finish_job(folder: Path, path: Path | None, **options: Any) -> TileReport:
+    """Make one file, or one folder, of all tiles, with the options of `finish_tiles`; what is said of it."""
+    made = finish_tiles(folder, path, **options)
+    return TileReport("finish", tile_status(folder), files=(str(made),))
 
 
 def _all(told: TileStatus) -> int:
