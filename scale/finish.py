@@ -16,7 +16,7 @@ from ..files.points.las import open_las
 from .buckets import FOLDER as BUCKETS
 from .manifest import CHECKSUMS, Manifest, clear_locks, only_one
 from .plan import Plan, open_plan
-from .rasters import write_mosaics
+from .rasters import mosaics_of, write_mosaics
 from .status import status_of
 from .tasks import lay_again
 from .tree_outputs import FOLDERS, tree_of, write_folder, write_tree
@@ -53,7 +53,7 @@ def finish_tiles(
         progress: Called with "points", how many are read, and how many there are to read, twice for an octree.
 
     Returns:
-        The file or folder.
+        The file or folder; the first raster where the steps left no point but `rasterize` is among them.
 
     Raises:
         ValueError: An output that there is not, a folder without a path, or an overview of no tiles.
@@ -74,17 +74,23 @@ def finish_tiles(
         rows = manifest.rows("SELECT id, points_out FROM tiles WHERE state = 'done' ORDER BY id")
         parts = [(tile_path(plan, manifest.folder, row["id"]), row["points_out"]) for row in rows]
         _check_tiles(manifest, plan)
-        if not parts:
+        mosaics = mosaics_of(plan, path)
+        for mosaic in mosaics:
+            check_writable(mosaic, overwrite=overwrite)
+            _clear_parts(mosaic)
+        if not parts and not mosaics:
             raise FileError(path, "there is nothing to write: the steps left no point")
         _clear_parts(path)
-        if output in FOLDERS:
+        if not parts:
+            path = mosaics[0]
+        elif output in FOLDERS:
             write_folder(path, parts, output, spacing, overwrite, report)
         elif path.name.lower().endswith(".copc.laz"):
             check_writable(path, overwrite=overwrite)
             write_tree(path, tree_of(parts, report), overwrite)
         else:
             _merge(path, parts, overwrite, report)
-        write_mosaics(manifest, plan, path)
+        write_mosaics(manifest, plan, mosaics, overwrite)
         shutil.rmtree(manifest.folder / BUCKETS, ignore_errors=True)
         for left in (manifest.folder / TILES).glob(".*.part"):  # of workers that were killed
             left.unlink(missing_ok=True)

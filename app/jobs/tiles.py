@@ -44,8 +44,10 @@ class TileReport(Report):
 
     @property
     def note(self) -> str | None:
-        """What is still to be done, after a run."""
+        """What is still to be done, after a run; that there are no points to write."""
         told = self.status
+        if self.command == "finish" and not told.points_out:
+            return "the steps left no point: there are rasters alone"
         if self.command != "run" or not told.waiting + told.running:
             return None
         if self.is_part:
