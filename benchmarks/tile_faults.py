@@ -30,6 +30,7 @@ import numpy as np
 import psutil
 
 import pointloom as loom
+from pointloom.scale.manifest import Manifest
 
 STEPS = [
     {"step": "remove_statistical_outlier", "nb_neighbors": 8, "std_ratio": 2.0},
@@ -96,9 +97,10 @@ class Attack:
                 if status.failed:
                     print(str(status)[:600], file=sys.stderr)
                 loom.scale.retry_tiles(self.job)
-            elif any(name.endswith(".laz") for name in status.troubles):
+            elif states := _bad_files(self.job):
                 print(str(status)[:600], file=sys.stderr)
-                self.counts["files failed"] += 1
+                self.counts["files set aside"] += states.count("aside")  # three workers were killed at it
+                self.counts["files failed"] += states.count("failed")
                 loom.scale.retry_tiles(self.job)
             elif status.is_finished:
                 return
@@ -151,6 +153,12 @@ class Attack:
             if code > 0:
                 self.counts["finish failed"] += 1
                 loom.scale.run_tiles(self.job)
+
+
+def _bad_files(job: Path) -> list[str]:
+    """The states of files that could not be laid by tile."""
+    with Manifest(job) as manifest:
+        return [row["state"] for row in manifest.rows("SELECT state FROM sources WHERE state IN ('failed', 'aside')")]
 
 
 _WORKER = ("--nthreads", "1", "--no-nanny", "--no-dashboard", "--memory-limit", "0", "--death-timeout", "20")
@@ -233,6 +241,7 @@ def main() -> None:
     parser.add_argument("--points", type=int, default=300_000)
     parser.add_argument("--runners", default=",".join(RUNNERS))
     parser.add_argument("--log", help="a file for what the killed commands say")
+    parser.add_argument("--json", type=Path, help="a file for the counts")
     told = parser.parse_args()
     global _log
     _log = Path(told.log).open("wb") if told.log else subprocess.DEVNULL  # noqa: SIM115
@@ -263,6 +272,10 @@ def main() -> None:
             print(f"{seconds:5.0f} s  {runner:9}  kills {dict(kills)}  {dict(counts)}", flush=True)
     counts["processes left over"] = left_over(mark)
     print(f"kills {dict(kills)}  {dict(counts)}")
+    if told.json:
+        options = {name: getattr(told, name) for name in ("seed", "points", "runners")}
+        row = options | {"seconds": round(time.monotonic() - begin), "kills": kills, "counts": counts}
+        told.json.write_text(json.dumps(row, indent=1) + "\n")
     if (
         counts["processes left over"]
         or counts["files that differ"]

@@ -19,6 +19,7 @@ from ..kernels.terrain.cells import COUNT, HIGHEST, LOWEST, MEAN, CellGroups, Fi
 from ..kernels.terrain.cells import heights_of as heights_of_points
 from ..kernels.terrain.inverse_distance import heights_above, interpolate_centres
 from ..kernels.terrain.listed_values import VALUES, keep_listed
+from ..kernels.terrain.raster_rows import lay_rows
 from ..kernels.terrain.triangle_heights import triangle_heights
 from .cloud import PointCloud
 
@@ -196,15 +197,17 @@ def measured_cells(cloud: PointCloud, window: FixedCells, kind: str, classes: tu
     return groups.measure(heights_of_points(chosen), measure)
 
 
-def combined(kind: str, surface: Any, ground: Any, side: float, base: float) -> NDArray[np.float64]:
-    """What files hold, of numbers about the origin."""
+def raster_values(kind: str, surface: Any, ground: Any, window: FixedCells, base: float) -> NDArray[np.float32]:
+    """The rows of a raster, the northernmost first, of numbers about the origin, whose height is the base."""
     if kind == "chm":
-        return download(surface) - download(ground)
-    if kind == "density":
-        return download(surface) / (side * side)
-    if kind == "intensity":
-        return np.asarray(download(surface))
-    return download(ground if kind == "dtm" else surface) + base
+        laid = lay_rows(surface, window, below=ground)
+    elif kind == "density":
+        laid = lay_rows(surface, window, divisor=window.cell * window.cell)
+    elif kind == "intensity":
+        laid = lay_rows(surface, window)
+    else:
+        laid = lay_rows(ground if kind == "dtm" else surface, window, base=base)
+    return np.asarray(download(laid)).reshape(window.rows, window.columns)
 
 
 def heights_above_ground(points: Points, ground: Points, corner: Any, side: float, reach: float, count: int) -> Doubles:

@@ -1,4 +1,4 @@
-"""The tiles of a finished job as one file."""
+"""The tiles of a finished job as one file or one folder."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from ..files.points.las import open_las
 from .buckets import FOLDER as BUCKETS
 from .manifest import CHECKSUMS, Manifest, clear_locks, only_one
 from .plan import Plan, open_plan
-from .rasters import write_mosaics
+from .rasters import mosaics_of, write_mosaics
 from .status import status_of
 from .tasks import lay_again
 from .tree_outputs import FOLDERS, tree_of, write_folder, write_tree
@@ -24,6 +24,7 @@ from .work_tile import FOLDER as TILES
 from .work_tile import checksum_of, tile_path
 
 BLOCK = 1 << 18
+FILES = {"laz": ".laz", "las": ".las", "copc": ".copc.laz"}  # how the name of each kind of file ends
 
 
 def finish_tiles(
@@ -41,21 +42,23 @@ def finish_tiles(
         folder: Of `plan_tiles`, all tiles done.
         path: The file, an octree where it ends in .copc.laz; None takes `result.laz`, or `result.copc.laz` where the
             plan says "copc", in the folder.
-        output: What to make of a folder. "tiles" are COPC files with an index `index.vpc`, which QGIS and PDAL open as
-            one cloud, and a coarse version of all of them, `overview.copc.laz`. "3dtiles" are 3D Tiles 1.1
+        output: What to make. "laz", "las" and "copc" are one file; None takes the one that the name says, or else the
+            plan. The others are folders: "tiles" are COPC files with an index `index.vpc`, which QGIS and PDAL open
+            as one cloud, and a coarse version of all of them, `overview.copc.laz`. "3dtiles" are 3D Tiles 1.1
             (`tileset.json`), on the globe where the coordinate system is known; "potree" is Potree 2.0
-            (`metadata.json`). None makes one file.
-        overview: Spacing of the overview's points; None takes the level of which a square of points has a million.
+            (`metadata.json`).
+        overview: Spacing of the points of the overview beside "tiles"; None takes the level of which a square of
+            points has a million.
         overwrite: Whether an existing file may be replaced, or a folder of the same kind.
         progress: Called with "points", how many are read, and how many there are to read, twice for an octree.
 
     Returns:
-        The file or folder.
+        The file or folder; the first raster where the steps left no point but `rasterize` is among them.
 
     Raises:
-        ValueError: An output that there is not.
+        ValueError: An output that there is not, a folder without a path, or an overview of no tiles.
         FileError: Tiles wait, failed or were set aside; points are missing; a tile is gone or damaged; for an octree,
-            millions of points lie in one place; the file cannot be written.
+            millions of points lie in one place; the name is not that of such a file; the file cannot be written.
 
     Notes:
         A LAZ file is written tile by tile. The octree of a COPC file is that of `write_point_cloud` of all tiles'
@@ -63,34 +66,59 @@ def finish_tiles(
         number; no disk but for the file.
     """
     report, spacing = check_progress(progress), None if overview is None else check_positive("overview", overview)
-    if output is not None and output not in FOLDERS:
-        raise ValueError(f"output: expected None or one of {', '.join(map(repr, FOLDERS))}, got {shown(output)}")
-    if output is not None and path is None:
-        raise ValueError("path: give the folder that is to be made")
+    _check_output(path, output, spacing)
     manifest, plan = open_plan(folder)
     with manifest, only_one(manifest.folder, "finish"):
         _check_finished(manifest, plan)
-        wanted = "result.copc.laz" if plan.told["output"] == "copc" else "result.laz"
-        path = path_of(path if path else manifest.folder / wanted)
+        path = path_of(path if path else manifest.folder / f"result{FILES[output or plan.told['output']]}")
         rows = manifest.rows("SELECT id, points_out FROM tiles WHERE state = 'done' ORDER BY id")
         parts = [(tile_path(plan, manifest.folder, row["id"]), row["points_out"]) for row in rows]
         _check_tiles(manifest, plan)
-        if not parts:
+        mosaics = mosaics_of(plan, path)
+        for mosaic in mosaics:
+            check_writable(mosaic, overwrite=overwrite)
+            _clear_parts(mosaic)
+        if not parts and not mosaics:
             raise FileError(path, "there is nothing to write: the steps left no point")
         _clear_parts(path)
-        if output is not None:
+        if not parts:
+            path = mosaics[0]
+        elif output in FOLDERS:
             write_folder(path, parts, output, spacing, overwrite, report)
         elif path.name.lower().endswith(".copc.laz"):
             check_writable(path, overwrite=overwrite)
             write_tree(path, tree_of(parts, report), overwrite)
         else:
-            _merge(path, parts, overwrite)
-        write_mosaics(manifest, plan, path)
+            _merge(path, parts, overwrite, report)
+        write_mosaics(manifest, plan, mosaics, overwrite)
         shutil.rmtree(manifest.folder / BUCKETS, ignore_errors=True)
         for left in (manifest.folder / TILES).glob(".*.part"):  # of workers that were killed
             left.unlink(missing_ok=True)
         clear_locks(manifest.folder)
         return path
+
+
+def _check_output(path: FilePath | None, output: Any, overview: float | None) -> None:
+    """Refuse what cannot be made, and a name that says something else."""
+    known = [*FILES, *FOLDERS]
+    if output is not None and output not in known:
+        raise ValueError(f"output: expected None or one of {', '.join(map(repr, known))}, got {shown(output)}")
+    if overview is not None and output != "tiles":
+        raise ValueError(f"overview: goes with output='tiles', not with {shown(output)}")
+    if output in FOLDERS:
+        if path is None:
+            raise ValueError(f"path: {shown(output)} is a folder of files; give the folder that is to be made")
+        return
+    if path is None:
+        return
+    name = path_of(path).name.lower()
+    said = (
+        "copc" if name.endswith(FILES["copc"]) else next((kind for kind in FILES if name.endswith(FILES[kind])), None)
+    )
+    if not said or output not in (None, said):
+        wanted = " or ".join(FILES.values()) if output is None else FILES[output]
+        told = "of a LAS or LAZ file" if output is None else f"of {output!r}"
+        raise FileError(path_of(path), f"is no name {told}", remedy=f"End it in {wanted}")
 
 
 def _clear_parts(path: Path) -> None:
@@ -133,12 +161,12 @@ def _check_tiles(manifest: Manifest, plan: Plan) -> None:
     raise FileError(path, reason, remedy=f"{others} to be made again: call run_tiles, then this")
 
 
-def _merge(path: Path, parts: list[tuple[Path, int]], overwrite: bool) -> None:
+def _merge(path: Path, parts: list[tuple[Path, int]], overwrite: bool, report: ReportProgress) -> None:
     path = check_writable(path, overwrite=overwrite)
     laspy: Any = import_for(path, "laspy", "las")
     with laspy.open(parts[0][0]) as first:
         header = first.header
-    compress = path.suffix.lower() == ".laz"
+    compress, done, total = path.suffix.lower() == ".laz", 0, sum(count for _, count in parts)
     with (
         atomic_write(path, overwrite=overwrite) as file,
         foreign_errors(path, "cannot be written"),
@@ -153,5 +181,7 @@ def _merge(path: Path, parts: list[tuple[Path, int]], overwrite: bool) -> None:
             with laspy.open(part) as reader:
                 for points in reader.chunk_iterator(BLOCK):
                     writer.write_points(points)
+                    done += len(points)
+                    report("points", done, total)
         if header.evlrs:
             writer.write_evlrs(header.evlrs)
