@@ -107,6 +107,15 @@ def test_what_is_not_free_stays_as_init_has_it(device, full_pair, kind, shift, f
         np.testing.assert_allclose(level[:3, :3][held], init[:3, :3][held], atol=1e-15)
 
 
+def test_a_rail_along_any_axis_keeps_the_rotation_of_init_bit_for_bit(device, pair):
+    source, target = on(device, *pair)
+    init = as_pose([0.02, -0.01, 0.01])
+    still = reg.ICPConvergenceCriteria(max_iteration=0)
+    start = reg.registration_icp(source, target, 0.3, init, PLANE, still).transformation
+    rail = reg.registration_icp(source, target, 0.3, init, PLANE, LONG, free=("x",), frame=FRAME).transformation
+    assert (rail[:3, :3] == start[:3, :3]).all() and (rail[:3, 3] != start[:3, 3]).all()
+
+
 def test_turns_about_two_axes_stay_so_from_scale_to_scale(device, rng):
     """Roll and pitch after roll and pitch are not roll and pitch: all scales count from the first pose."""
     T = as_pose(Rotation.from_euler("ZYX", [0, 0.3, 0.25]).as_rotvec())
@@ -178,7 +187,7 @@ def test_empty_clouds_and_single_points_move_as_they_may(device):
 
 def test_a_rail_tells_that_it_is_not_held(device, rng):
     """A flat floor, and a cloud that may slide along it alone: the only freedom is degenerate."""
-    floor = np.column_stack([rng.uniform(-2, 2, (2000, 2)), np.zeros(2000)])
+    floor = np.column_stack([rng.uniform(-2, 2, (2000, 2)), rng.normal(0, 1e-3, 2000)])  # noise holds it by a little
     target = loom.PointCloud(floor, device=device).estimate_normals(max_nn=10)
     source = loom.PointCloud(floor + np.array([0.05, 0, 0.02]), device=device)
     result = reg.registration_icp(source, target, 0.3, None, PLANE, free=("x",))
@@ -186,7 +195,7 @@ def test_a_rail_tells_that_it_is_not_held(device, rng):
     assert (result.transformation == np.eye(4)).all()
     both = reg.registration_icp(source, target, 0.3, None, PLANE, free=("x", "z"))
     assert len(both.degenerate_directions) == 1 and len(both.prior_directions) == 0
-    np.testing.assert_allclose(both.transformation[:3, 3], [0, 0, -0.02], atol=1e-6)
+    np.testing.assert_allclose(both.transformation[:3, 3], [0, 0, -0.02], atol=1e-3)
 
 
 @pytest.mark.parametrize(
