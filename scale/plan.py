@@ -88,7 +88,12 @@ class Plan:
     @property
     def passes(self) -> list[int | None]:
         """The step that each pass over the tiles measures for, None of the last one, which does all of them."""
-        return [*(k for k, step in enumerate(self.steps) if step.needs_numbers), None]
+        return [*(k for k, step in enumerate(self.steps) if step.needs_numbers or step.joins), None]
+
+    @property
+    def joined_passes(self) -> list[int]:
+        """The passes that leave something, which is joined before the next begins."""
+        return [number for number, k in enumerate(self.passes) if k is not None and self.steps[k].joins]
 
 
 def plan_tiles(
@@ -161,8 +166,12 @@ def plan_tiles(
         with Manifest(folder) as manifest:
             check_same_plan(manifest, told)
             return status_of(manifest)
+    joined = [step.name for step in parsed if step.joins]
+    if only is not None and joined:
+        raise ValueError(f"only: {joined[0]} needs all tiles; put a crop step before it instead")
     _make_folder(folder)
-    write_manifest(folder, told, __version__, _tiles(Plan(told)))
+    plan = Plan(told)
+    write_manifest(folder, told, __version__, _tiles(plan), plan.joined_passes)
     with Manifest(folder) as manifest:
         return status_of(manifest)
 
