@@ -132,6 +132,14 @@ def steps_of(s: float, other: Path, box: NDArray[Any]) -> dict[str, tuple[Steps,
             [{"step": "features", "radius": 4 * s, "max_nn": None, "names": ["linearity", "verticality", "density"]}],
             lambda c, o, v: with_features(c, s),
         ),
+        "cluster_dbscan": (
+            [{"step": "cluster_dbscan", "eps": 1.5 * s, "min_points": 6}],
+            lambda c, o, v: changed(c, cluster=c.cluster_dbscan(1.5 * s, 6)),
+        ),
+        "cluster_euclidean": (
+            [{"step": "cluster_euclidean", "tolerance": s, "min_cluster_size": 3}],
+            lambda c, o, v: changed(c, cluster=c.cluster_euclidean(s, 3)),
+        ),
         "thin": ([{"step": "thin", "spacing": 3 * s}], lambda c, o, v: c.thin(3 * s)),
         "distance": (
             [{"step": "distance", "other": str(other), "max_distance": 3 * s}],

@@ -220,8 +220,10 @@ def _packed(file: LasFile, rows: Any, numbers: NDArray[np.uint64], places: NDArr
     return head + body + told
 
 
-def read_buckets(plan: Any, folder: Path, number: int, file: LasFile, window: Any) -> NDArray[Any]:
-    """The rows of a file in a window, in the order of the file.
+def read_buckets(
+    plan: Any, folder: Path, number: int, file: LasFile, window: Any
+) -> tuple[NDArray[Any], NDArray[np.int64]]:
+    """The rows of a file in a window, in the order of the file, and their numbers in it.
 
     Raises:
         FileError: A bucket is missing or damaged.
@@ -241,9 +243,10 @@ def read_buckets(plan: Any, folder: Path, number: int, file: LasFile, window: An
             numbers.append(which)
         check_size(plan, sum(map(len, rows)))
     if not rows:
-        return np.empty(0, file.layout.dtype())
-    joined = np.concatenate(rows)
-    return joined[np.argsort(np.concatenate(numbers), kind="stable")]
+        return np.empty(0, file.layout.dtype()), np.empty(0, np.int64)
+    joined, told = np.concatenate(rows), np.concatenate(numbers).astype(np.int64)
+    order = np.argsort(told, kind="stable")
+    return joined[order], told[order]
 
 
 def _time_of(place: Path) -> int:

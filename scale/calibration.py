@@ -26,6 +26,7 @@ from ..files.foreign import foreign_errors, import_for
 from ..files.points.copc import octree_of
 from ..files.points.las import LasFile, open_las
 from ..files.points.laszip import unpack_beginnings
+from .borders import Leavings, join_step
 from .buckets import FOLDER as BUCKETS
 from .buckets import Window, fill_buckets, inside, positions_of
 from .exact_sums import ExactSums
@@ -290,7 +291,10 @@ def _work(plan: Plan, folder: Path, tile: int, begin: float) -> dict[str, Any]:
             took["halos"].append(found.halo)
             took["cpu"].append(time.process_time() - cpu)
             took["wall"].append(time.monotonic() - at)
-            if step is not None:
+            if step is not None and plan.steps[step].joins:
+                counts = {tile: found.sums.count} if found.sums and found.sums.count else {}
+                join_step(folder, step, plan.steps[step], Leavings(folder, step, counts, is_whole=False), "calibration")
+            elif step is not None:
                 numbers[step] = found.sums or ExactSums()
         rounds.append(took)
         if sum(took["wall"]) > MOST_REPEATED:

@@ -23,11 +23,12 @@ from typing import Any
 from .. import __version__  # pyright: ignore[reportMissingImports]
 from ..core.errors import FileError
 from ..files.foreign import import_for
+from .borders import Joined
 from .buckets import REMOTE, Filled
 from .gpus import Gpu, environment_of, held_gpus
 from .manifest import NAME
 from .plan import Plan, plan_alone
-from .tasks import Task, Taskbook, do_task
+from .tasks import Found, Task, Taskbook, do_task
 from .work_tile import Outcome
 
 LOOK = 0.5  # [s]
@@ -116,8 +117,8 @@ def _settle(distributed: Any, folder: Path, book: Taskbook, task: Task, future: 
         book.fail(task, error)
     else:
         # as its class is here
-        kind = Filled if task.table == "sources" else Outcome
-        assert isinstance(found, kind)
+        kinds = {"sources": Filled, "tiles": Outcome, "joins": Joined}
+        assert isinstance(found, kinds[task.table])
         book.settle(task, found, seconds)
 
 
@@ -244,7 +245,7 @@ _held = contextlib.ExitStack()
 _devices: dict[str, str] = {}  # those that this process holds, by what was asked for
 
 
-def _do(folder: str, task: Task, device: str) -> tuple[Filled | Outcome, float]:
+def _do(folder: str, task: Task, device: str) -> tuple[Found, float]:
     """A task on a worker of the cluster."""
     with _ONE:
         if device not in _devices:

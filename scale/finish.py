@@ -13,6 +13,7 @@ from ..core.paths import path_of
 from ..core.progress import ReportProgress, say_nothing
 from ..files.foreign import foreign_errors, import_for
 from ..files.points.las import open_las
+from .borders import JOINED, LEFT
 from .buckets import FOLDER as BUCKETS
 from .manifest import CHECKSUMS, Manifest, clear_locks, only_one
 from .plan import Plan, open_plan
@@ -91,7 +92,8 @@ def finish_tiles(
         else:
             _merge(path, parts, overwrite, report)
         write_mosaics(manifest, plan, mosaics, overwrite)
-        shutil.rmtree(manifest.folder / BUCKETS, ignore_errors=True)
+        for name in (BUCKETS, LEFT, JOINED):
+            shutil.rmtree(manifest.folder / name, ignore_errors=True)
         for left in (manifest.folder / TILES).glob(".*.part"):  # of workers that were killed
             left.unlink(missing_ok=True)
         clear_locks(manifest.folder)

@@ -21,7 +21,7 @@ def halos_of(steps: list[Step], reaches: list[float], slack: float) -> list[floa
     for step, reach, spread in zip(reversed(steps), reversed(reaches), reversed(spreads[:-1]), strict=True):
         wanted = step.halo_before(halos[0], spread, reach * REACH_SLACK)
         is_local = step.reach == 0 and step.neighbors is None
-        halos.insert(0, halos[0] if is_local else wanted + 4 * slack)
+        halos.insert(0, halos[0] if is_local else wanted + 4 * step.hops * slack)
     return halos
 
 

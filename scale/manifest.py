@@ -13,7 +13,7 @@ import json
 import os
 import sqlite3
 import uuid
-from collections.abc import Container, Iterator
+from collections.abc import Container, Iterable, Iterator
 from pathlib import Path
 from typing import Any
 
@@ -26,7 +26,8 @@ except ImportError:  # Windows
     fcntl = None
 
 NAME, LOCKS = "plan.sqlite", "locks"
-SCHEMA = 1
+SCHEMA = 2
+TABLES = ("sources", "tiles", "joins")  # of tasks
 MOST_ATTEMPTS = 3  # deaths of workers at one task
 PATIENCE = 60.0  # [s] for another's transaction
 STATES = ("waiting", "running", "done", "empty", "failed", "aside")
@@ -43,6 +44,9 @@ CREATE TABLE tiles (
     state TEXT NOT NULL DEFAULT 'waiting', pass INTEGER NOT NULL DEFAULT 0, owner TEXT,
     attempts INTEGER NOT NULL DEFAULT 0, points_in INTEGER NOT NULL DEFAULT 0, points_out INTEGER NOT NULL DEFAULT 0,
     points_read INTEGER NOT NULL DEFAULT 0, halo REAL NOT NULL DEFAULT 0, seconds REAL NOT NULL DEFAULT 0, error TEXT);
+CREATE TABLE joins (
+    id INTEGER PRIMARY KEY, state TEXT NOT NULL DEFAULT 'waiting', owner TEXT, attempts INTEGER NOT NULL DEFAULT 0,
+    error TEXT);
 CREATE INDEX tiles_by_state ON tiles (state, pass, id);
 CREATE INDEX sources_by_state ON sources (state);
 CREATE TABLE numbers (
@@ -134,7 +138,7 @@ class Manifest:
             return self.base.execute(query, values).fetchall()
 
     def claim(self, table: str, owner: str, where: str = "1", *values: Any) -> sqlite3.Row | None:
-        """Take the first waiting row of `sources` or `tiles` for a worker; None where none waits."""
+        """Take the first waiting row of a table of tasks for a worker; None where none waits."""
         with self.change() as base:
             query = f"SELECT * FROM {table} WHERE state = 'waiting' AND {where} ORDER BY id LIMIT 1"
             row = base.execute(query, values).fetchone()
@@ -166,7 +170,7 @@ class Manifest:
                 continue
             reason = f"the worker died {MOST_ATTEMPTS} times at it, of memory or a fault of a step"
             with self.change() as base:
-                for table in ("sources", "tiles"):
+                for table in TABLES:
                     query = (
                         f"UPDATE {table} SET attempts = attempts + {counted}, owner = NULL,"
                         f" error = CASE WHEN attempts + {counted} >= ? THEN ? ELSE error END,"
@@ -179,9 +183,7 @@ class Manifest:
 
     def owners(self) -> list[str]:
         """Who has claimed something."""
-        query = (
-            "SELECT owner FROM tiles WHERE state = 'running' UNION SELECT owner FROM sources WHERE state = 'running'"
-        )
+        query = " UNION ".join(f"SELECT owner FROM {table} WHERE state = 'running'" for table in TABLES)
         return [row["owner"] for row in self.rows(query)]
 
     def has(self, table: str, *states: str) -> bool:
@@ -238,11 +240,17 @@ def read_plan(folder: Path) -> dict[str, Any]:
 
 
 def write_manifest(
-    folder: Path, plan: dict[str, Any], version: str, tiles: list[tuple[Any, ...]], far: Container[int] = ()
+    folder: Path,
+    plan: dict[str, Any],
+    version: str,
+    tiles: list[tuple[Any, ...]],
+    far: Container[int] = (),
+    joins: Iterable[int] = (),
 ) -> None:
     """Write a new manifest, whole or not at all.
 
-    Tiles are (id, ix, iy, x0, y0, x1, y1); `far` has the numbers of files that none of them needs.
+    Tiles are (id, ix, iy, x0, y0, x1, y1); `far` has the numbers of files that none of them needs, `joins` those of the
+    passes that are followed by one.
     """
     path, part = folder / NAME, folder / f"{NAME}.{uuid.uuid4().hex}.part"
     base = connect(part)
@@ -259,6 +267,7 @@ def write_manifest(
             ]
             base.executemany("INSERT INTO sources (id, state, full) VALUES (?, ?, ?)", rows)
             base.executemany("INSERT INTO tiles (id, ix, iy, x0, y0, x1, y1) VALUES (?, ?, ?, ?, ?, ?, ?)", tiles)
+            base.executemany("INSERT INTO joins (id) VALUES (?)", [(number,) for number in joins])
             base.execute("COMMIT")
             if not is_shared(folder):
                 base.execute("PRAGMA journal_mode = WAL")

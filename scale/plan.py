@@ -99,7 +99,12 @@ class Plan:
     @property
     def passes(self) -> list[int | None]:
         """The step that each pass over the tiles measures for, None of the last one, which does all of them."""
-        return [*(k for k, step in enumerate(self.steps) if step.needs_numbers), None]
+        return [*(k for k, step in enumerate(self.steps) if step.needs_numbers or step.joins), None]
+
+    @property
+    def joined_passes(self) -> list[int]:
+        """The passes that leave something, which is joined before the next begins."""
+        return [number for number, k in enumerate(self.passes) if k is not None and self.steps[k].joins]
 
 
 def plan_tiles(
@@ -122,7 +127,7 @@ def plan_tiles(
         steps: Dictionaries such as `{"step": "voxel_down_sample", "voxel_size": 0.5}`, or a TOML file of [[step]]
             tables. Steps: voxel_down_sample, remove_radius_outlier, remove_statistical_outlier, estimate_normals,
             smooth_mls, crop, function, classify_ground, height_above_ground, rasterize, features, thin, distance,
-            m3c2.
+            m3c2, cluster_dbscan, cluster_euclidean.
         folder: Of the job; made where it is missing.
         size: Edge of a tile [unit of the files].
         points: Points a tile, about; 2 million where no size is given either.
@@ -174,10 +179,13 @@ def plan_tiles(
         with Manifest(folder) as manifest:
             check_same_plan(manifest, told)
             return status_of(manifest)
+    joined = [step.name for step in parsed if step.joins]
+    if only is not None and joined:
+        raise ValueError(f"only: {joined[0]} needs all tiles; put a crop step before it instead")
     _make_folder(folder)
     plan = Plan(told)
     tiles = tiles_of(plan)
-    write_manifest(folder, told, __version__, tiles, far_files(plan, tiles))
+    write_manifest(folder, told, __version__, tiles, far_files(plan, tiles), plan.joined_passes)
     with Manifest(folder) as manifest:
         return status_of(manifest)
 

@@ -24,7 +24,7 @@ from ..core.progress import ReportProgress, say_nothing
 from .buckets import FOLDER as BUCKETS
 from .cluster import run_on_cluster
 from .gpus import Gpu, environment_of, held_gpus
-from .manifest import OVER, Manifest, a_worker
+from .manifest import OVER, TABLES, Manifest, a_worker
 from .plan import Plan, open_plan
 from .status import TileStatus, status_of
 from .tasks import Taskbook, do_task, lay_again, next_pass
@@ -115,12 +115,21 @@ def run_tiles(
             except BaseException:
                 manifest.give_back(is_death=False)
                 raise
-        bad = manifest.rows("SELECT id, error FROM sources WHERE state IN ('failed', 'aside') ORDER BY id")
-        if bad:
-            path = plan.files[bad[0]["id"]]["path"]
-            remedy = "Mend it and call retry_tiles(folder)"
-            raise FileError(path, f"its points cannot be laid by tile: {bad[0]['error']}", remedy=remedy)
+        _check_goes_on(manifest, plan)
         return status_of(manifest)
+
+
+def _check_goes_on(manifest: Manifest, plan: Plan) -> None:
+    """Hold that nothing failed that all tiles wait for."""
+    remedy = "Mend it and call retry_tiles(folder)"
+    bad = manifest.rows("SELECT id, error FROM sources WHERE state IN ('failed', 'aside') ORDER BY id")
+    if bad:
+        path = plan.files[bad[0]["id"]]["path"]
+        raise FileError(path, f"its points cannot be laid by tile: {bad[0]['error']}", remedy=remedy)
+    bad = manifest.rows("SELECT id, error FROM joins WHERE state IN ('failed', 'aside') ORDER BY id")
+    if bad:
+        reason = f"what tiles left in pass {bad[0]['id'] + 1} cannot be joined: {bad[0]['error']}"
+        raise FileError(manifest.folder, reason, remedy=remedy)
 
 
 def retry_tiles(folder: FilePath) -> TileStatus:
@@ -128,7 +137,7 @@ def retry_tiles(folder: FilePath) -> TileStatus:
     with Manifest(path_of(folder)) as manifest:
         manifest.give_back()
         with manifest.change() as base:
-            for table in ("sources", "tiles"):
+            for table in TABLES:
                 told = "state = 'waiting', attempts = 0, error = NULL"
                 base.execute(f"UPDATE {table} SET {told} WHERE state IN ('failed', 'aside')")
         lay_again(manifest)
@@ -239,6 +248,7 @@ def _progress_of(manifest: Manifest) -> list[Any]:
     (row,) = manifest.rows(
         "SELECT (SELECT count(*) FROM sources WHERE state != 'waiting' AND state != 'running') AS files,"
         " (SELECT sum(pass) + sum(state NOT IN ('waiting', 'running')) FROM tiles) AS tiles,"
+        " (SELECT count(*) FROM joins WHERE state = 'done') AS joins,"
         " (SELECT sum(attempts) FROM tiles) AS deaths"
     )
     return [*row]

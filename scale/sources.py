@@ -27,6 +27,7 @@ from .buckets import Window, check_size, inside, positions_of, read_buckets
 from .manifest import NOT_LAID
 
 SUFFIXES = (".las", ".laz")
+ROW_BITS = 40  # of a point's key, for its row in the file; what is above is the file's number
 
 
 def list_files(sources: Any) -> list[Path]:
@@ -160,7 +161,16 @@ class NotLaidError(Exception):
 
 
 def read_window(plan: Any, folder: Path, fulls: dict[int, int], window: Window, epoch: int | None = None) -> PointTable:
-    """The points of all files in a window, in canonical order.
+    """The points of all files in a window, in canonical order, as `read_rows`."""
+    return read_rows(plan, folder, fulls, window, epoch)[0]
+
+
+def read_rows(
+    plan: Any, folder: Path, fulls: dict[int, int], window: Window, epoch: int | None = None
+) -> tuple[PointTable, NDArray[np.int64]]:
+    """The points of all files in a window, in canonical order, and a key of each, which is ascending.
+
+    A key is the number of the file and that of the row in it.
 
     Args:
         plan: The Plan.
@@ -173,27 +183,29 @@ def read_window(plan: Any, folder: Path, fulls: dict[int, int], window: Window, 
         FileError: A file or a bucket is damaged, or a file has changed.
         NotLaidError: A file's rows were not laid by tile.
     """
-    tables, listed = [], plan.numbered(epoch)
+    tables, keys, listed = [], [], plan.numbered(epoch)
     for number, source in listed:
         if not _meets(source, window, plan.slack):
             continue
         check_same(source)
         if source["kind"] == "copc":
             copc, firsts = _opened_copc(*_state_of(source))
-            file, full, rows = copc.file, copc.full, _rows_of_copc(copc, firsts, window, plan)
+            rows, numbers = _rows_of_copc(copc, firsts, window, plan)
+            file, full = copc.file, copc.full
         else:
             file, full = file_of(source), fulls[number]
             if full == NOT_LAID:
                 raise NotLaidError(number)
-            rows = read_buckets(plan, folder, number, file, window)
+            rows, numbers = read_buckets(plan, folder, number, file, window)
         if len(rows):
             tables.append(_decoded(file, rows, full))
+            keys.append(numbers + (np.int64(number) << ROW_BITS))
         check_same(source)  # not written to while it was read
         check_size(plan, sum(len(table.points) for table in tables))
     if not tables:
         file = file_of(listed[0][1])
-        return _decoded(file, np.empty(0, file.layout.dtype()), 65535)
-    return _joined(tables)
+        return _decoded(file, np.empty(0, file.layout.dtype()), 65535), np.empty(0, np.int64)
+    return _joined(tables), np.concatenate(keys)
 
 
 def _meets(source: dict[str, Any], window: Window, slack: float) -> bool:
@@ -201,14 +213,19 @@ def _meets(source: dict[str, Any], window: Window, slack: float) -> bool:
     return all(high[k] + slack >= window[k] and low[k] - slack <= window[k + 2] for k in range(2))
 
 
-def _rows_of_copc(copc: CopcFile, firsts: NDArray[np.int64], window: Window, plan: Any) -> NDArray[Any]:
+def _rows_of_copc(
+    copc: CopcFile, firsts: NDArray[np.int64], window: Window, plan: Any
+) -> tuple[NDArray[Any], NDArray[np.int64]]:
     low, high = np.array([*window[:2], -np.inf]), np.array([*window[2:], np.inf])
     which = copc.nodes_within(low, high)
     check_size(plan, int(copc.nodes["count"][which].sum()) // 4)  # of which many may lie outside
     which = which[np.argsort(copc.nodes["begin"][which], kind="stable")]
     rows = np.frombuffer(copc.unpack(which), copc.file.layout.dtype())
     _check_nodes(copc, which, rows, plan)
-    return rows[inside(positions_of(copc.file, rows), window)]
+    counts = copc.nodes["count"][which].astype(np.int64)
+    begins = np.repeat(firsts[which] - (np.cumsum(counts) - counts), counts)
+    keep = inside(positions_of(copc.file, rows), window)
+    return rows[keep], (begins + np.arange(len(rows)))[keep]
 
 
 def _check_nodes(copc: CopcFile, which: NDArray[np.int64], rows: NDArray[Any], plan: Any) -> None:

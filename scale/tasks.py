@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Any
 
 from ..core.errors import FileError
+from .borders import Joined, Leavings, join_step
 from .buckets import Filled, fill_buckets, folder_of
 from .exact_sums import ExactSums
 from .manifest import CHECKSUMS, NOT_LAID, STATES, Manifest, files_of
@@ -19,18 +20,21 @@ from .plan import Plan
 from .sources import NotLaidError, check_same
 from .work_tile import Outcome, work_tile
 
+Found = Filled | Outcome | Joined
+
 
 @dataclass(frozen=True)
 class Task:
-    """A file to be laid by tile, or one pass over a tile.
+    """A file to be laid by tile, one pass over a tile, or the join of what all tiles left in a pass.
 
     Attributes:
-        table: "sources" or "tiles".
-        number: Of the file or the tile.
+        table: "sources", "tiles" or "joins".
+        number: Of the file, the tile or the pass.
         which_pass: Over the tile.
         before: What the manifest says of its earlier passes: points_read and seconds.
         numbers: What those measured over all tiles, by the step that needs it.
         fulls: The value of a full colour of each file with buckets.
+        left: How many things each tile left for the join, of those that left any.
     """
 
     table: str
@@ -39,9 +43,10 @@ class Task:
     before: dict[str, Any] = field(default_factory=dict)
     numbers: dict[int, ExactSums] = field(default_factory=dict)
     fulls: dict[int, int] = field(default_factory=dict)
+    left: dict[int, int] = field(default_factory=dict)
 
 
-def do_task(plan: Plan, folder: Path, task: Task, owner: str) -> tuple[Filled | Outcome, float]:
+def do_task(plan: Plan, folder: Path, task: Task, owner: str) -> tuple[Found, float]:
     """Do a task; what came out, and the seconds it took."""
     begin = time.monotonic()
     if task.table == "sources":
@@ -53,6 +58,11 @@ def do_task(plan: Plan, folder: Path, task: Task, owner: str) -> tuple[Filled | 
             shutil.rmtree(folder_of(folder, task.number), ignore_errors=True)
             raise
         return filled, time.monotonic() - begin
+    if task.table == "joins":
+        step = plan.passes[task.number]
+        assert step is not None
+        left = Leavings(folder, step, task.left)
+        return join_step(folder, step, plan.steps[step], left, owner), time.monotonic() - begin
     found = work_tile(plan, folder, task.number, task.which_pass, task.numbers, task.fulls)
     return found, time.monotonic() - begin
 
@@ -88,6 +98,8 @@ class Taskbook:
         number = next_pass(manifest)
         if number is None:
             return False
+        if number - 1 in self._plan.joined_passes and (task := self._join_task(number - 1)) is not None:
+            return task
         here = (f"pass = ? AND {self._share[0]}", number, *self._share[1:])
         row = manifest.claim("tiles", self.owner, *here)
         if row is not None:
@@ -99,20 +111,31 @@ class Taskbook:
             return True
         return bool(manifest.counts("tiles", *here)["waiting"])  # else other shares have tiles of this pass to do
 
+    def _join_task(self, number: int) -> Task | bool | None:
+        """The join that a pass is followed by; as `take`, or None where it is done."""
+        if self._manifest.claim("joins", self.owner, "id = ?", number) is not None:
+            rows = self._manifest.rows("SELECT tile, count FROM numbers WHERE pass = ? AND count > 0", number)
+            return Task("joins", number, left={row["tile"]: row["count"] for row in rows})
+        counts = self._manifest.counts("joins", "id = ?", number)
+        return None if counts["done"] else bool(counts["running"])
+
     def _tile_task(self, row: Any) -> Task:
         for earlier, step in enumerate(self._plan.passes[: row["pass"]]):
-            if step is not None and step not in self._numbers:
+            if step is not None and not self._plan.steps[step].joins and step not in self._numbers:
                 self._numbers[step] = sums_of(self._manifest, earlier)
         if self._fulls is None:  # all files are laid, so they stay
             self._fulls = {found["id"]: found["full"] for found in self._manifest.rows("SELECT id, full FROM sources")}
         before = {name: row[name] for name in ("points_read", "seconds")}
         return Task("tiles", row["id"], row["pass"], before, dict(self._numbers), self._fulls)
 
-    def settle(self, task: Task, found: Filled | Outcome, seconds: float) -> None:
+    def settle(self, task: Task, found: Found, seconds: float) -> None:
         """Write down what came of a task."""
         if isinstance(found, Filled):
             told: dict[str, Any] = {"points": found.points, "full": found.full, "bytes": found.size}
             self._manifest.settle("sources", task.number, self.owner, state="done", error=None, **told)
+            return
+        if isinstance(found, Joined):
+            self._manifest.settle("joins", task.number, self.owner, state="done", error=None)
             return
         is_last = task.which_pass == len(self._plan.passes) - 1
         told = {"points_in": found.points_in, "halo": found.halo, "error": None}

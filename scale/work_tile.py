@@ -25,14 +25,16 @@ from ..kernels.search.hilbert_order import HilbertCurve, levels_for
 from ..kernels.search.point_tree import PointTree
 from ..kernels.segmentation.neighbor_counts import mask_crowded
 from ..pcd.search import NearestNeighborSearch
+from .borders import read_joined, write_left
+from .buckets import inside
 from .epochs import read_epoch
 from .exact_sums import ExactSums
 from .halos import REACH_SLACK, halos_of
 from .plan import Plan
 from .rasters import write_raster
-from .sources import file_of, read_window
+from .sources import file_of, read_rows
 from .steps.raster import Rasterize
-from .steps.step import Part, Step
+from .steps.step import Part, Sight, Step
 
 FOLDER = "tiles"
 MOST_DOUBLINGS = 40
@@ -48,7 +50,7 @@ class Outcome:
         points_out: What the steps left, in the last pass.
         points_read: With the halo.
         halo: That was read in the end.
-        sums: Of the values that the pass measures.
+        sums: Of the values that the pass measures; of what it leaves for a join the count alone.
         checksum: CRC-32 of the tile's file; None where there is none.
     """
 
@@ -88,18 +90,19 @@ def work_tile(
     iy, ix = divmod(tile, plan.shape[0])
     target = plan.passes[number]
     steps = plan.steps if target is None else plan.steps[: target + 1]
-    reaches = [step.reach for step in steps]
+    chain = plan.steps if any(step.joins for step in steps) else steps  # whose halos each pass must have alike
+    reaches = [step.reach for step in chain]
     for _ in range(MOST_DOUBLINGS):
-        halos = halos_of(steps, reaches, plan.slack)
+        halos = halos_of(chain, reaches, plan.slack)
         # Borders are rounded: somewhat more is read, and its number tells a tile's own.
         window = plan.window(ix, iy, max(halos[0], 4 * plan.slack))
-        table = read_window(plan, folder, fulls, window)
+        table, keys = read_rows(plan, folder, fulls, window)
         if not len(table.points):
             return Outcome(0, 0, 0, halos[0], ExactSums())
-        part = _first_part(plan, table)
+        part = _first_part(plan, table, keys)
         own = int((plan.tile_of(part.homes) == tile).sum())
         try:
-            if not own and _keeps_homes(steps) and not any(step.writes for step in steps):
+            if not own and _keeps_homes(chain) and not any(step.writes for step in chain):
                 return Outcome(0, 0, len(table.points), halos[0], ExactSums())
             part, sums = _run(plan, folder, (ix, iy), part, steps, (reaches, halos), numbers, fulls, target)
         except HaloError as found:
@@ -117,10 +120,11 @@ def _keeps_homes(steps: list[Step]) -> bool:
     return all(step.spread_after(0.0) == 0.0 for step in steps)
 
 
-def _first_part(plan: Plan, table: PointTable) -> Part:
+def _first_part(plan: Plan, table: PointTable, keys: NDArray[np.int64]) -> Part:
     path = plan.sources[0]["path"]
     exact = np.asarray(table.points, np.float64)
-    return Part(cloud_of(table, path, device=plan.device, origin=plan.origin), exact, exact[:, :2])
+    cloud = cloud_of(table, path, device=plan.device, origin=plan.origin)
+    return Part(cloud, exact, exact[:, :2], keys=keys)
 
 
 def _run(
@@ -144,6 +148,12 @@ def _run(
         wanted = _at_home(plan, part.homes, after, place)
         if step.neighbors is not None:
             _certify(plan, k, part, wanted, step.neighbors, reaches[k], plan.window(*place, halos[k]))
+        if k == target and step.joins:
+            left = step.gather(part, _sight_of(plan, place, part, (halos[k] + halos[k + 1]) / 2))
+            count = int(left["count"][0])
+            if count:
+                write_left(folder, k, place[1] * plan.shape[0] + place[0], left)
+            return part, ExactSums(count)
         if k == target:
             return part, ExactSums.of(step.measure(part)[wanted])
         if isinstance(step, Rasterize) and target is None:
@@ -152,7 +162,8 @@ def _run(
             halo = halos[k + 1] + step.reach * REACH_SLACK + part.spread + 4 * plan.slack
             around = plan.window(*place, halo, ends=True)
             part = part.beside(read_epoch(plan, folder, fulls, step, around))
-        part = step.run(part, plan, numbers.get(k)).beside(None)
+        told = read_joined(folder, k, place[1] * plan.shape[0] + place[0]) if step.joins else numbers.get(k)
+        part = step.run(part, plan, told).beside(None)
         part = part.select(_at_home(plan, part.homes, plan.window(*place, halos[k + 1]), place))
     return part, None
 
@@ -163,6 +174,14 @@ def _at_home(plan: Plan, homes: NDArray[np.float64], window: Any, place: tuple[i
         return plan.tile_of(homes) == place[1] * plan.shape[0] + place[0]
     x, y = homes[:, 0], homes[:, 1]
     return (x >= window[0]) & (y >= window[1]) & (x < window[2]) & (y < window[3])
+
+
+def _sight_of(plan: Plan, place: tuple[int, int], part: Part, halo: float) -> Sight:
+    """What a tile may rely on within a halo; others see what lies within theirs, which is as wide."""
+    owners = plan.tile_of(part.homes)
+    own = owners == place[1] * plan.shape[0] + place[0]
+    unseen = inside(part.homes, plan.window(*place, -halo - plan.slack))
+    return Sight(owners, own, own & ~unseen, _at_home(plan, part.homes, plan.window(*place, halo), place))
 
 
 def _adopt_tree(plan: Plan, part: Part) -> None:

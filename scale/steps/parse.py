@@ -8,6 +8,7 @@ from typing import Any
 from ...core.checks import shown
 from ...core.errors import FileError
 from ...core.known_names import nearest_name
+from .clusters import ClusterDbscan, ClusterEuclidean
 from .comparison import Change, Distance
 from .crop import Crop
 from .features import Features
@@ -22,7 +23,6 @@ from .thinning import Thin
 from .voxels import VoxelDownSample
 
 WHOLE = {
-    "cluster_dbscan": "clusters reach across any number of tiles",
     "segment_plane": "a plane is found among all points",
     "detect_planar_patches": "patches reach across any number of tiles",
     "farthest_point_down_sample": "each choice depends on all before it",
@@ -35,6 +35,7 @@ KNOWN: dict[str, type[Step]] = {
     kind.name: kind
     for kind in (VoxelDownSample, RadiusOutlier, EstimateNormals, StatisticalOutlier, Crop, SmoothMls, Function)
 }
+KNOWN |= {kind.name: kind for kind in (ClusterDbscan, ClusterEuclidean)}
 KNOWN |= {kind.name: kind for kind in (ClassifyGround, HeightAboveGround, Rasterize)}
 KNOWN |= {kind.name: kind for kind in (Features, Thin, Distance, Change)}
 
@@ -64,7 +65,18 @@ def parse_steps(steps: Any) -> list[Step]:
     names = [step.raster for step in parsed if isinstance(step, Rasterize)]
     if len({*names}) < len(names):
         raise ValueError(f"steps: rasters of one name: {', '.join(names)}; give each a 'name' of its own")
+    _check_order(parsed)
     return parsed
+
+
+def _check_order(steps: list[Step]) -> None:
+    """Hold that no step whose halo may grow stands behind one that was joined with the halo that was planned."""
+    joined = ""
+    for step in steps:
+        if joined and step.neighbors is not None:
+            reason = f"the halo that {step.name} of the nearest wants is known too late for {joined}"
+            raise ValueError(f"steps: {reason}; put {joined} behind it, or give a radius")
+        joined = step.name if step.joins else joined
 
 
 def _read_toml(path: Path) -> list[Any]:
