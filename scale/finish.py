@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from ..core.atomic import atomic_write, check_writable
-from ..core.checks import check_positive, check_progress, shown
+from ..core.checks import check_count, check_positive, check_progress, shown
 from ..core.errors import FileError, FilePath
 from ..core.paths import path_of
 from ..core.progress import ReportProgress, say_nothing
@@ -15,6 +15,7 @@ from ..files.foreign import foreign_errors, import_for
 from ..files.points.las import open_las
 from .borders import JOINED, LEFT
 from .buckets import FOLDER as BUCKETS
+from .crew import Crew
 from .manifest import CHECKSUMS, Manifest, clear_locks, only_one
 from .plan import Plan, open_plan
 from .rasters import mosaics_of, write_mosaics
@@ -34,6 +35,7 @@ def finish_tiles(
     *,
     output: str | None = None,
     overview: float | None = None,
+    workers: int = 0,
     overwrite: bool = True,
     progress: ReportProgress = say_nothing,
 ) -> Path:
@@ -50,6 +52,8 @@ def finish_tiles(
             (`metadata.json`).
         overview: Spacing of the points of the overview beside "tiles"; None takes the level of which a square of
             points has a million.
+        workers: Processes that make an octree, 1 GB of memory each; 0 makes it in this one. The result has the same
+            bits. A LAZ file is packed by threads of this process, whatever the workers.
         overwrite: Whether an existing file may be replaced, or a folder of the same kind.
         progress: Called with "points", how many are read, and how many there are to read, twice for an octree.
 
@@ -68,6 +72,7 @@ def finish_tiles(
     """
     report, spacing = check_progress(progress), None if overview is None else check_positive("overview", overview)
     _check_output(path, output, spacing)
+    count = check_count("workers", workers, minimum=0)
     manifest, plan = open_plan(folder)
     with manifest, only_one(manifest.folder, "finish"):
         _check_finished(manifest, plan)
@@ -85,10 +90,12 @@ def finish_tiles(
         if not parts:
             path = mosaics[0]
         elif output in FOLDERS:
-            write_folder(path, parts, output, spacing, overwrite, report)
+            with Crew(count, path) as crew:
+                write_folder(path, parts, output, spacing, overwrite, report, crew)
         elif path.name.lower().endswith(".copc.laz"):
             check_writable(path, overwrite=overwrite)
-            write_tree(path, tree_of(parts, report), overwrite)
+            with Crew(count, path) as crew:
+                write_tree(path, tree_of(parts, report, crew), overwrite)
         else:
             _merge(path, parts, overwrite, report)
         write_mosaics(manifest, plan, mosaics, overwrite)

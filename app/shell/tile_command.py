@@ -235,10 +235,17 @@ def retry(folder: Path, as_json: bool) -> int:
     "--output", type=click.Choice(FILES + FOLDERS), help="What to make; else what OUT's name says, or the plan."
 )
 @click.option("--overview", type=LENGTH, metavar="M", help="With tiles: distance of the overview's points [m].")
+@click.option("--workers", type=COUNT, metavar="N", help="Processes that make copc, tiles, 3dtiles, potree; 1 GB each.")
 @json_option()
 @force_option()
 def finish(
-    folder: Path, path: Path | None, output: str | None, overview: float | None, as_json: bool, force: bool
+    folder: Path,
+    path: Path | None,
+    output: str | None,
+    overview: float | None,
+    workers: int | None,
+    as_json: bool,
+    force: bool,
 ) -> int:
     """Make one file of all tiles of DIR, once all are done, and remove what lay there beside them.
 
@@ -257,8 +264,9 @@ def finish(
         refuse("--overview goes with --output tiles")
     from ..jobs.tiles import finish_job
 
+    options: dict[str, Any] = {"output": output, "overview": overview, "workers": workers or 0}
     with Progress() as progress:
-        told = finish_job(folder, path, output=output, overview=overview, overwrite=force, progress=progress)
+        told = finish_job(folder, path, overwrite=force, progress=progress, **options)
     return answer_with(told, str(folder), as_json)
 
 
