@@ -11,6 +11,7 @@ from .viewer_scenes import RED
 
 UTM = np.array([448_500.0, 5_412_200.0, 300.0])
 COUNT, BUDGET = 300_000, 70_000
+AT = UTM + np.array([190.0, 190.0, 0.0])
 
 
 def density(image: np.ndarray, session: object) -> float:
@@ -27,7 +28,7 @@ def test_coarse_points_come_first_and_more_in_the_middle_after_zooming(open_page
     path = tmp_path / "city.copc.laz"
     loom.write_point_cloud(path, loom.PointCloud(points, colors=colors))
     with loom.Viewer(port=0, max_points=BUDGET, point_size=1.0) as viewer:
-        viewer.set_view(front=(0, 0, 1), up=(0, 1, 0), lookat=UTM + (190, 190, 0), zoom=0.7)
+        viewer.set_view(front=(0, 0, 1), up=(0, 1, 0), lookat=AT, zoom=0.7)
         viewer.add_copc("city", path)
         tree = viewer.shown["city"].tree
         coarse = tree.nodes.nodes_read
@@ -40,7 +41,7 @@ def test_coarse_points_come_first_and_more_in_the_middle_after_zooming(open_page
         assert 0 < stream.drawn <= BUDGET < COUNT and first > 0
         assert coarse <= tree.nodes.nodes_read < len(tree) / 2
         read = tree.nodes.nodes_read
-        viewer.set_view(front=(0, 0, 1), up=(0, 1, 0), lookat=UTM + (190, 190, 0), zoom=0.08)
+        viewer.set_view(front=(0, 0, 1), up=(0, 1, 0), lookat=AT, zoom=0.08)
         wait_until(page, lambda: tree.nodes.nodes_read > read, lambda: f"{tree.nodes.nodes_read} nodes were read")
         wait_until(
             page,
