@@ -149,7 +149,7 @@ def make_constraint(free: Any, frame: Any, pivot: Any, prior: Any, noise: Any, c
     Raises:
         TypeError, ValueError: An argument makes no sense, or has none without another.
     """
-    names = MOTIONS if free is None else _check_free(free)
+    names = MOTIONS if free is None else check_free(free)
     priors = _check_priors(prior, count)
     if not priors and noise is not None:
         raise ValueError("noise: it weighs the pairs against a prior, and there is none; give prior=, or leave it out")
@@ -164,7 +164,12 @@ def make_constraint(free: Any, frame: Any, pivot: Any, prior: Any, noise: Any, c
     return Constraint(names, axes, pivots, priors, level) if bound else None
 
 
-def _check_free(free: Any) -> tuple[str, ...]:
+def check_free(free: Any) -> tuple[str, ...]:
+    """Names of motions, in the order of MOTIONS.
+
+    Raises:
+        TypeError, ValueError: None, unknown ones, or one twice.
+    """
     names = check_list("free", free, f"motions among {', '.join(MOTIONS)}")
     if not names:
         raise ValueError(
