@@ -198,7 +198,7 @@ def _check_frame(frame: Any) -> Matrix:
 
 def _check_pivots(pivot: Any, count: int) -> Matrix:
     values = check_finite("pivot", check_numeric("pivot", pivot).astype(np.float64))
-    if values.shape != (3,) and (count == 1 or values.shape != (count, 3)):
+    if values.shape not in ((3,), (count, 3)):
         other = "" if count == 1 else f" or [{count}, 3]"
         raise ValueError(f"pivot: expected shape [3]{other}, got {list(values.shape)}")
     return values.reshape(-1, 3)
@@ -207,7 +207,7 @@ def _check_pivots(pivot: Any, count: int) -> Matrix:
 def _check_priors(prior: Any, count: int) -> tuple[Prior, ...]:
     if prior is None:
         return ()
-    priors = [prior] if isinstance(prior, Prior) or count == 1 else check_list("prior", prior, "priors, one a job")
+    priors = [prior] if isinstance(prior, Prior) else check_list("prior", prior, "Prior, one a job")
     for one in priors:
         if not isinstance(one, Prior):
             raise TypeError(f"prior: expected Prior(transformation, sigma_translation=...), got {shown(one)}")
