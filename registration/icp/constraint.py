@@ -149,7 +149,7 @@ def make_constraint(free: Any, frame: Any, pivot: Any, prior: Any, noise: Any, c
     Raises:
         TypeError, ValueError: An argument makes no sense, or has none without another.
     """
-    names = MOTIONS if free is None else _check_free(free)
+    names = MOTIONS if free is None else check_free(free)
     priors = _check_priors(prior, count)
     if not priors and noise is not None:
         raise ValueError("noise: it weighs the pairs against a prior, and there is none; give prior=, or leave it out")
@@ -164,7 +164,12 @@ def make_constraint(free: Any, frame: Any, pivot: Any, prior: Any, noise: Any, c
     return Constraint(names, axes, pivots, priors, level) if bound else None
 
 
-def _check_free(free: Any) -> tuple[str, ...]:
+def check_free(free: Any) -> tuple[str, ...]:
+    """Names of motions, in the order of MOTIONS.
+
+    Raises:
+        TypeError, ValueError: None, unknown ones, or one twice.
+    """
     names = check_list("free", free, f"motions among {', '.join(MOTIONS)}")
     if not names:
         raise ValueError(
@@ -193,7 +198,7 @@ def _check_frame(frame: Any) -> Matrix:
 
 def _check_pivots(pivot: Any, count: int) -> Matrix:
     values = check_finite("pivot", check_numeric("pivot", pivot).astype(np.float64))
-    if values.shape != (3,) and (count == 1 or values.shape != (count, 3)):
+    if values.shape not in ((3,), (count, 3)):
         other = "" if count == 1 else f" or [{count}, 3]"
         raise ValueError(f"pivot: expected shape [3]{other}, got {list(values.shape)}")
     return values.reshape(-1, 3)
@@ -202,7 +207,7 @@ def _check_pivots(pivot: Any, count: int) -> Matrix:
 def _check_priors(prior: Any, count: int) -> tuple[Prior, ...]:
     if prior is None:
         return ()
-    priors = [prior] if isinstance(prior, Prior) or count == 1 else check_list("prior", prior, "priors, one a job")
+    priors = [prior] if isinstance(prior, Prior) else check_list("prior", prior, "Prior, one a job")
     for one in priors:
         if not isinstance(one, Prior):
             raise TypeError(f"prior: expected Prior(transformation, sigma_translation=...), got {shown(one)}")

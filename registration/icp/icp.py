@@ -278,6 +278,19 @@ def check_rules(method: Any, criteria: Any) -> tuple[TransformationEstimation, I
     return method, criteria
 
 
+def check_held(method: TransformationEstimation, constraint: Constraint | None) -> None:
+    """Refuse a constraint of an estimator that moves in all ways.
+
+    Raises:
+        ValueError: The message says what to take.
+    """
+    if constraint is not None and not method.constrainable:
+        raise ValueError(
+            f"free, prior: {type(method).__name__} moves in all ways; "
+            "such as TransformationEstimationPointToPlane() can be held"
+        )
+
+
 def _report(problem: IterativeRegistration, callback: Watcher | None, source: PointCloud, target: PointCloud) -> bool:
     """Tell those who watch of the pose that a turn judged, and a callback too, once a step has led to it.
 
@@ -315,11 +328,7 @@ def _make_problem(
             raise ValueError("max_normal_angle: the voxels of a voxelised target have no normals; leave it out")
     if degeneracy >= 1:
         raise ValueError(f"degeneracy: expected a share from 0 to below 1, got {degeneracy!r}")
-    if constraint is not None and not method.constrainable:
-        raise ValueError(
-            f"free, prior: {type(method).__name__} moves in all ways; "
-            "such as TransformationEstimationPointToPlane() can be held"
-        )
+    check_held(method, constraint)
     options: dict[str, Any] = {"overlap": overlap, "max_normal_angle": max_normal_angle, "degeneracy": degeneracy}
     return IterativeRegistration(
         sources, targets, poses, distance, method, constraint=constraint, weights=weights, **options
