@@ -1,4 +1,4 @@
-"""The manifest of a job of tiles: one SQLite file that says what is to be done, what is done, and who does what.
+"""The manifest of a job, of tiles or of other tasks: one SQLite file that says what is to be done and who does what.
 
 All changes are transactions, so that any number of processes of one machine, or of machines that share the folder by a
 file system with locks, may work on one folder. Who works is told by a locked file, which the system lets go of however
@@ -28,6 +28,10 @@ NAME, LOCKS = "plan.sqlite", "locks"
 SCHEMA = 1
 MOST_ATTEMPTS = 3  # deaths of workers at one task
 PATIENCE = 60.0  # [s] for another's transaction
+_REMEDIES = {  # of a manifest that is not there, or is of something else; by whether other tasks than tiles are meant
+    False: "Call plan_tiles(sources, steps, folder) first; it goes with run_tiles",
+    True: "Call plan_fusion, plan_sequences or plan_registration first; they go with run_job",
+}
 STATES = ("waiting", "running", "done", "empty", "failed", "aside")
 OVER = ("done", "empty", "failed", "aside")  # states that a tile leaves by `retry` alone
 
@@ -67,15 +71,15 @@ class Manifest:
         version: The version of pointloom that planned it.
     """
 
-    def __init__(self, folder: Path):
-        """Open the manifest of a folder.
+    def __init__(self, folder: Path, *, is_job: bool = False):
+        """Open the manifest of a folder: of tiles, or of tasks of another job (jobs/job.py).
 
         Raises:
-            FileError: There is none, or one that this version does not read.
+            FileError: There is none, one that this version does not read, or one of the other kind.
         """
         self.folder, path = folder, folder / NAME
         if not path.is_file():
-            raise FileError(path, "does not exist", remedy="Call plan_tiles(sources, steps, folder) first")
+            raise FileError(path, "does not exist", remedy=_REMEDIES[is_job])
         self.base = connect(path)
         try:
             told = dict(self.base.execute("SELECT key, value FROM meta").fetchall())
@@ -86,11 +90,14 @@ class Manifest:
             self.version = told["version"]
             if hash_of(self.plan) != told["hash"]:
                 raise FileError(path, "its plan does not go with its hash", remedy="Plan it anew in another folder")
+            if ("job" in self.plan) != is_job:
+                raise FileError(path, f"is of {self.plan.get('job', 'tiles')}", remedy=_REMEDIES[not is_job])
         except (sqlite3.DatabaseError, KeyError, ValueError) as error:
             self.base.close()
             if isinstance(error, FileError):
                 raise
-            raise FileError(path, f"is no manifest of tiles: {error}", remedy="Plan it anew") from error
+            raise FileError(path, f"is no manifest: {error}", remedy="Plan it anew") from error
+        self.tables = ("tasks",) if is_job else ("sources", "tiles")
 
     def __enter__(self) -> Manifest:
         return self
@@ -116,7 +123,7 @@ class Manifest:
             return self.base.execute(query, values).fetchall()
 
     def claim(self, table: str, owner: str, where: str = "1", *values: Any) -> sqlite3.Row | None:
-        """Take the first waiting row of `sources` or `tiles` for a worker; None where none waits."""
+        """Take the first waiting row of one of the tables for a worker; None where none waits."""
         with self.change() as base:
             query = f"SELECT * FROM {table} WHERE state = 'waiting' AND {where} ORDER BY id LIMIT 1"
             row = base.execute(query, values).fetchone()
@@ -148,7 +155,7 @@ class Manifest:
                 continue
             reason = f"the worker died {MOST_ATTEMPTS} times at it, of memory or a fault of a step"
             with self.change() as base:
-                for table in ("sources", "tiles"):
+                for table in self.tables:
                     query = (
                         f"UPDATE {table} SET attempts = attempts + {counted}, owner = NULL,"
                         f" error = CASE WHEN attempts + {counted} >= ? THEN ? ELSE error END,"
@@ -161,10 +168,8 @@ class Manifest:
 
     def owners(self) -> list[str]:
         """Who has claimed something."""
-        query = (
-            "SELECT owner FROM tiles WHERE state = 'running' UNION SELECT owner FROM sources WHERE state = 'running'"
-        )
-        return [row["owner"] for row in self.rows(query)]
+        queries = [f"SELECT owner FROM {table} WHERE state = 'running'" for table in self.tables]
+        return [row["owner"] for row in self.rows(" UNION ".join(queries))]
 
     def counts(self, table: str = "tiles", where: str = "1", *values: Any) -> dict[str, int]:
         """How many rows are in each state."""
@@ -195,19 +200,26 @@ def read_plan(folder: Path) -> dict[str, Any]:
 
 
 def write_manifest(folder: Path, plan: dict[str, Any], version: str, tiles: list[tuple[Any, ...]]) -> None:
-    """Write a new manifest, whole or not at all; tiles are (id, ix, iy, x0, y0, x1, y1)."""
+    """Write a new manifest of tiles, whole or not at all; tiles are (id, ix, iy, x0, y0, x1, y1)."""
+    with a_new_manifest(folder, plan, version, _TABLES) as base:
+        has_windows = [source["kind"] == "copc" for source in plan["sources"]]
+        rows = [(k, "done" if windows else "waiting") for k, windows in enumerate(has_windows)]
+        base.executemany("INSERT INTO sources (id, state) VALUES (?, ?)", rows)
+        base.executemany("INSERT INTO tiles (id, ix, iy, x0, y0, x1, y1) VALUES (?, ?, ?, ?, ?, ?, ?)", tiles)
+
+
+@contextlib.contextmanager
+def a_new_manifest(folder: Path, plan: dict[str, Any], version: str, tables: str) -> Iterator[sqlite3.Connection]:
+    """A manifest with a plan and empty tables, which takes its name when the block has filled these."""
     path, part = folder / NAME, folder / f"{NAME}.{uuid.uuid4().hex}.part"
     base = connect(part)
     with told_as_file_errors(path):
         try:
-            base.executescript(_TABLES)
+            base.executescript(tables)
             base.execute("BEGIN")
             told = {"schema": str(SCHEMA), "version": version, "plan": canonical(plan), "hash": hash_of(plan)}
             base.executemany("INSERT INTO meta VALUES (?, ?)", told.items())
-            has_windows = [source["kind"] == "copc" for source in plan["sources"]]
-            rows = [(k, "done" if windows else "waiting") for k, windows in enumerate(has_windows)]
-            base.executemany("INSERT INTO sources (id, state) VALUES (?, ?)", rows)
-            base.executemany("INSERT INTO tiles (id, ix, iy, x0, y0, x1, y1) VALUES (?, ?, ?, ?, ?, ?, ?)", tiles)
+            yield base
             base.execute("COMMIT")
             base.execute("PRAGMA journal_mode = WAL")
             base.close()

@@ -161,7 +161,7 @@ def plan_tiles(
         with Manifest(folder) as manifest:
             check_same_plan(manifest, told)
             return status_of(manifest)
-    _make_folder(folder)
+    make_folder(folder)
     write_manifest(folder, told, __version__, _tiles(Plan(told)))
     with Manifest(folder) as manifest:
         return status_of(manifest)
@@ -217,7 +217,8 @@ def check_same_plan(manifest: Manifest, told: dict[str, Any]) -> None:
             else:
                 changed.append(f"{key} {canonical(now)}, was {canonical(before)}")
     if changed:
-        reason = f"holds the tiles of another plan: {'; '.join(changed)}"
+        what = "a job" if "job" in told else "the tiles"
+        reason = f"holds {what} of another plan: {'; '.join(changed)}"
         raise FileError(manifest.folder, reason, remedy="Give another folder")
 
 
@@ -281,7 +282,12 @@ def _tiles(plan: Plan) -> list[tuple[Any, ...]]:
     return tiles
 
 
-def _make_folder(folder: Path) -> None:
+def make_folder(folder: Path) -> None:
+    """Make the folder of a run, which may be there and empty.
+
+    Raises:
+        FileError: It holds something, or cannot be made.
+    """
     if folder.exists() and not folder.is_dir():
         raise FileError(folder, "is not a folder", remedy="Give the name of a folder")
     try:
