@@ -10,6 +10,7 @@ from .jobs.job import JobStatus as JobStatus
 from .jobs.run_jobs import job_status as job_status
 from .jobs.run_jobs import retry_job as retry_job
 from .jobs.run_jobs import run_job as run_job
+from .jobs.sequences import plan_sequences as plan_sequences
 from .plan import plan_tiles as plan_tiles
 from .runners import retry_tiles as retry_tiles
 from .runners import run_tiles as run_tiles

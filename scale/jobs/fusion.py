@@ -30,7 +30,7 @@ from ...kernels.volumes.tsdf_blocks import SIDE, block_box
 from ...meshing.volume.surface_weights import least_weight
 from ...meshing.volume.volume_part import BlockFinder, PartSurface, VolumePart
 from ..manifest import hash_of
-from .job import Done, Job, JobStatus, Task, make_job
+from .job import Done, Job, JobStatus, Task, make_job, stamp_of
 
 VOXEL_SIZE = 0.02  # [m] as of `fuse`
 BLOCKS = 32  # along a cube where no size is given: 256 voxels; were all of its blocks there, 400 MB with colour
@@ -57,11 +57,23 @@ class FusionJob(Job):
         """Of the volume [m]."""
         return np.array(self.plan["origin"])
 
-    def check(self) -> None:
-        """As Job has it: names, sizes and times of files, poses, the camera."""
+    def check(self, done: Callable[[int], Iterator[Done]]) -> None:
+        """As Job has it: names, poses and camera, and the sizes and times of files that were read."""
+        reason, remedy = "have changed since the job was planned", "Plan it anew in another folder"
         if _digest(self.frames) != self.plan["digest"]:
-            reason = "its frames, their poses or their camera have changed since the job was planned"
-            raise FileError(self.plan["frames"], reason, remedy="Plan it anew in another folder")
+            raise FileError(self.plan["frames"], f"its frames, their poses or their camera {reason}", remedy=remedy)
+        for task in done(0):
+            if self._stamp(task.told) != task.found["stamp"]:
+                raise FileError(self.plan["frames"], f"{task.name} {reason}", remedy=remedy)
+
+    def _stamp(self, told: dict[str, Any]) -> str:
+        """Of the files of some frames: their sizes and times."""
+        return stamp_of(
+            path
+            for files in self.frames.frames[told["first"] : told["first"] + told["count"]]
+            for path in (files.depth, files.color)
+            if path is not None
+        )
 
     def do(self, stage: int, name: str, told: dict[str, Any]) -> dict[str, Any]:
         """As Job has it."""
@@ -85,6 +97,7 @@ class FusionJob(Job):
     def _look(self, told: dict[str, Any]) -> dict[str, Any]:
         """Which cubes some frames touch, and in which of these blocks lie that are not only of the layer."""
         finder, n = BlockFinder(origin=self.origin, device=self.device, **self._sizes), self.plan["blocks"]
+        stamp = self._stamp(told)
         meeting, filled, left_out = defaultdict[str, list[int]](list), set[str](), []
         for number, frame in self._read(range(told["first"], told["first"] + told["count"])):
             if isinstance(frame, FileError):
@@ -101,7 +114,8 @@ class FusionJob(Job):
             beside = [cubes[(lowest | (aside == 0)).all(axis=1)] - aside for aside in _ASIDE]
             for cube in np.unique(np.concatenate(beside), axis=0).tolist():
                 meeting[_name(cube)].append(number)
-        return {"meeting": dict(meeting), "filled": sorted(filled), "left_out": left_out}
+        found = {"meeting": dict(meeting), "filled": sorted(filled), "left_out": left_out}
+        return found | {"stamp": stamp}
 
     def _fuse(self, told: dict[str, Any]) -> dict[str, Any]:
         """Integrate a cube and write its surface."""
@@ -242,14 +256,11 @@ def _open(plan: dict[str, Any]) -> RGBDDataset:
 
 
 def _digest(frames: RGBDDataset) -> str:
-    """Of all that the frames are, but the pixels: names, sizes and times of files, poses, the camera."""
-    poses = hashlib.sha256(np.array([files.T_world_camera for files in frames.frames]).tobytes())
+    """Of names, poses and the camera."""
+    told = hashlib.sha256(np.array([files.T_world_camera for files in frames.frames]).tobytes())
     for files in frames.frames:
-        for path in (files.depth, files.color):
-            if path is not None:
-                told = Path(path).stat()
-                poses.update(f"{path}\0{told.st_size}\0{told.st_mtime_ns}\0".encode())
-    return hash_of({"camera": asdict(frames.intrinsic), "scale": frames.depth_scale, "frames": poses.hexdigest()})
+        told.update(f"{files.depth}\0{files.color}\0".encode())
+    return hash_of({"camera": asdict(frames.intrinsic), "scale": frames.depth_scale, "frames": told.hexdigest()})
 
 
 def _name(cube: Sequence[int]) -> str:

@@ -6,10 +6,11 @@ of files, so it may be done anywhere and again. The tasks of a stage are made wh
 
 from __future__ import annotations
 
+import hashlib
 import json
 import sqlite3
 from abc import ABC, abstractmethod
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any, ClassVar, NamedTuple
@@ -67,8 +68,8 @@ class Job(ABC):
         self.plan, self.folder, self.device = plan, folder, "cpu"
 
     @abstractmethod
-    def check(self) -> None:
-        """Hold that the files are those it was planned with.
+    def check(self, done: Callable[[int], Iterator[Done]]) -> None:
+        """Hold that the files are those it was planned with, and those that tasks that are done have read.
 
         Raises:
             FileError: Which is not.
@@ -142,6 +143,22 @@ def make_job(kind: type[Job], folder: FilePath, plan: dict[str, Any], tasks: Seq
     with Manifest(folder, is_job=True) as manifest:
         check_same_plan(manifest, plan)
         return status_of(manifest, kind(plan, folder))
+
+
+def stamp_of(paths: Iterable[Path]) -> str:
+    """What tells some files from others of the same names: their sizes and times.
+
+    Raises:
+        FileError: One is gone.
+    """
+    told = hashlib.sha256()
+    for path in paths:
+        try:
+            found = path.stat()
+        except OSError as error:
+            raise FileError(path, f"cannot be read: {error.strerror or error}") from error
+        told.update(f"{path}\0{found.st_size}\0{found.st_mtime_ns}\0".encode())
+    return told.hexdigest()
 
 
 def open_manifest(folder: FilePath) -> Manifest:

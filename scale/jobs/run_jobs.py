@@ -19,9 +19,10 @@ from ..gpus import held_gpus
 from ..manifest import Manifest, a_worker
 from ..runners import LOOK, check_part, oversee, start_worker
 from .fusion import FusionJob
-from .job import Job, JobStatus, advance, open_manifest, progress_of, stage_of, status_of
+from .job import Job, JobStatus, advance, done_in, open_manifest, progress_of, stage_of, status_of
+from .sequences import SequencesJob
 
-KINDS: dict[str, type[Job]] = {kind.KIND: kind for kind in (FusionJob,)}
+KINDS: dict[str, type[Job]] = {kind.KIND: kind for kind in (FusionJob, SequencesJob)}
 _WORKER = "from pointloom.scale.jobs.run_jobs import main; main()"
 
 
@@ -62,7 +63,7 @@ def run_job(
     report = check_progress(progress)
     manifest, job = open_job(folder)
     with manifest, ExitStack() as held:
-        job.check()
+        job.check(partial(done_in, manifest))
         gpus = held.enter_context(held_gpus(device, count or 1))
         manifest.give_back()
         tell = partial(_tell, manifest, job, report)
