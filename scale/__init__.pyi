@@ -4,6 +4,13 @@ from .estimate import Estimate as Estimate
 from .estimate import TileEstimate as TileEstimate
 from .estimate import estimate_tiles as estimate_tiles
 from .finish import finish_tiles as finish_tiles
+from .jobs.fused_mesh import finish_fusion as finish_fusion
+from .jobs.fusion import plan_fusion as plan_fusion
+from .jobs.job import JobStatus as JobStatus
+from .jobs.run_jobs import job_status as job_status
+from .jobs.run_jobs import retry_job as retry_job
+from .jobs.run_jobs import run_job as run_job
+from .jobs.sequences import plan_sequences as plan_sequences
 from .plan import plan_tiles as plan_tiles
 from .runners import retry_tiles as retry_tiles
 from .runners import run_tiles as run_tiles

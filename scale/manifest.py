@@ -1,4 +1,4 @@
-"""The manifest of a job of tiles: one SQLite file that says what is to be done, what is done, and who does what.
+"""The manifest of a job, of tiles or of other tasks: one SQLite file that says what is to be done and who does what.
 
 All changes are transactions, so that any number of processes of one machine, or of machines that share the folder by a
 file system with locks, may work on one folder. Who works is told by a locked file, which the system lets go of however
@@ -30,6 +30,10 @@ SCHEMA = 2
 TABLES = ("sources", "tiles", "joins")  # of tasks
 MOST_ATTEMPTS = 3  # deaths of workers at one task
 PATIENCE = 60.0  # [s] for another's transaction
+_REMEDIES = {  # of a manifest that is not there, or is of something else; by whether other tasks than tiles are meant
+    False: "Call plan_tiles(sources, steps, folder) first; it goes with run_tiles",
+    True: "Call plan_fusion, plan_sequences or plan_registration first; they go with run_job",
+}
 STATES = ("waiting", "running", "done", "empty", "failed", "aside")
 NOT_LAID = -1  # in place of a full colour: a file that is far from all tiles
 OVER = ("done", "empty", "failed", "aside")  # states that a tile leaves by `retry` alone
@@ -81,11 +85,11 @@ class Manifest:
         version: The version of pointloom that planned it.
     """
 
-    def __init__(self, folder: Path):
-        """Open the manifest of a folder.
+    def __init__(self, folder: Path, *, is_job: bool = False):
+        """Open the manifest of a folder: of tiles, or of tasks of another job (jobs/job.py).
 
         Raises:
-            FileError: There is none, or one that this version does not read.
+            FileError: There is none, one that this version does not read, or one of the other kind.
         """
         self.folder, path = folder, folder / NAME
         try:
@@ -93,7 +97,7 @@ class Manifest:
         except OSError as error:
             raise FileError(path, f"cannot be read: {error.strerror or error}") from error
         if not is_there:
-            raise FileError(path, "does not exist", remedy="Call plan_tiles(sources, steps, folder) first")
+            raise FileError(path, "does not exist", remedy=_REMEDIES[is_job])
         self.base = connect(path)
         try:
             told = dict(self.base.execute("SELECT key, value FROM meta").fetchall())
@@ -104,6 +108,8 @@ class Manifest:
             self.version = told["version"]
             if hash_of(self.plan) != told["hash"]:
                 raise FileError(path, "its plan does not go with its hash", remedy="Plan it anew in another folder")
+            if ("job" in self.plan) != is_job:
+                raise FileError(path, f"is of {self.plan.get('job', 'tiles')}", remedy=_REMEDIES[not is_job])
         except (sqlite3.DatabaseError, KeyError, ValueError) as error:
             self.base.close()
             if isinstance(error, FileError):
@@ -111,7 +117,8 @@ class Manifest:
             code = getattr(error, "sqlite_errorcode", sqlite3.SQLITE_ERROR)
             if isinstance(error, sqlite3.OperationalError) and code != sqlite3.SQLITE_ERROR:  # a full disk, no rights
                 raise FileError(path, f"the manifest cannot be used: {error}") from error
-            raise FileError(path, f"is no manifest of tiles: {error}", remedy="Plan it anew") from error
+            raise FileError(path, f"is no manifest: {error}", remedy="Plan it anew") from error
+        self.tables = ("tasks",) if is_job else TABLES
 
     def __enter__(self) -> Manifest:
         return self
@@ -170,7 +177,7 @@ class Manifest:
                 continue
             reason = f"the worker died {MOST_ATTEMPTS} times at it, of memory or a fault of a step"
             with self.change() as base:
-                for table in TABLES:
+                for table in self.tables:
                     query = (
                         f"UPDATE {table} SET attempts = attempts + {counted}, owner = NULL,"
                         f" error = CASE WHEN attempts + {counted} >= ? THEN ? ELSE error END,"
@@ -183,8 +190,8 @@ class Manifest:
 
     def owners(self) -> list[str]:
         """Who has claimed something."""
-        query = " UNION ".join(f"SELECT owner FROM {table} WHERE state = 'running'" for table in TABLES)
-        return [row["owner"] for row in self.rows(query)]
+        queries = [f"SELECT owner FROM {table} WHERE state = 'running'" for table in self.tables]
+        return [row["owner"] for row in self.rows(" UNION ".join(queries))]
 
     def has(self, table: str, *states: str) -> bool:
         """Whether rows are in one of these states, at the price of a look into the index."""
@@ -247,27 +254,34 @@ def write_manifest(
     far: Container[int] = (),
     joins: Iterable[int] = (),
 ) -> None:
-    """Write a new manifest, whole or not at all.
+    """Write a new manifest of tiles, whole or not at all.
 
     Tiles are (id, ix, iy, x0, y0, x1, y1); `far` has the numbers of files that none of them needs, `joins` those of the
     passes that are followed by one.
     """
+    with a_new_manifest(folder, plan, version, _TABLES + CHECKSUMS) as base:
+        has_windows = [source["kind"] == "copc" for source in files_of(plan)]
+        rows = [
+            (k, "done" if windows or k in far else "waiting", NOT_LAID if k in far else 0)
+            for k, windows in enumerate(has_windows)
+        ]
+        base.executemany("INSERT INTO sources (id, state, full) VALUES (?, ?, ?)", rows)
+        base.executemany("INSERT INTO tiles (id, ix, iy, x0, y0, x1, y1) VALUES (?, ?, ?, ?, ?, ?, ?)", tiles)
+        base.executemany("INSERT INTO joins (id) VALUES (?)", [(number,) for number in joins])
+
+
+@contextlib.contextmanager
+def a_new_manifest(folder: Path, plan: dict[str, Any], version: str, tables: str) -> Iterator[sqlite3.Connection]:
+    """A manifest with a plan and empty tables, which takes its name when the block has filled these."""
     path, part = folder / NAME, folder / f"{NAME}.{uuid.uuid4().hex}.part"
     base = connect(part)
     with told_as_file_errors(path):
         try:
-            base.executescript(_TABLES + CHECKSUMS)
+            base.executescript(tables)
             base.execute("BEGIN")
             told = {"schema": str(SCHEMA), "version": version, "plan": canonical(plan), "hash": hash_of(plan)}
             base.executemany("INSERT INTO meta VALUES (?, ?)", told.items())
-            has_windows = [source["kind"] == "copc" for source in files_of(plan)]
-            rows = [
-                (k, "done" if windows or k in far else "waiting", NOT_LAID if k in far else 0)
-                for k, windows in enumerate(has_windows)
-            ]
-            base.executemany("INSERT INTO sources (id, state, full) VALUES (?, ?, ?)", rows)
-            base.executemany("INSERT INTO tiles (id, ix, iy, x0, y0, x1, y1) VALUES (?, ?, ?, ?, ?, ?, ?)", tiles)
-            base.executemany("INSERT INTO joins (id) VALUES (?)", [(number,) for number in joins])
+            yield base
             base.execute("COMMIT")
             if not is_shared(folder):
                 base.execute("PRAGMA journal_mode = WAL")

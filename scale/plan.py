@@ -182,7 +182,7 @@ def plan_tiles(
     joined = [step.name for step in parsed if step.joins]
     if only is not None and joined:
         raise ValueError(f"only: {joined[0]} needs all tiles; put a crop step before it instead")
-    _make_folder(folder)
+    make_folder(folder)
     plan = Plan(told)
     tiles = tiles_of(plan)
     write_manifest(folder, told, __version__, tiles, far_files(plan, tiles), plan.joined_passes)
@@ -240,7 +240,8 @@ def check_same_plan(manifest: Manifest, told: dict[str, Any]) -> None:
             else:
                 changed.append(f"{key} {canonical(now)}, was {canonical(before)}")
     if changed:
-        reason = f"holds the tiles of another plan: {'; '.join(changed)}"
+        what = "a job" if "job" in told else "the tiles"
+        reason = f"holds {what} of another plan: {'; '.join(changed)}"
         raise FileError(manifest.folder, reason, remedy="Give another folder")
 
 
@@ -310,7 +311,12 @@ def tiles_of(plan: Plan) -> list[tuple[Any, ...]]:
     return tiles
 
 
-def _make_folder(folder: Path) -> None:
+def make_folder(folder: Path) -> None:
+    """Make the folder of a run, which may be there and empty.
+
+    Raises:
+        FileError: It holds something, or cannot be made.
+    """
     if folder.exists() and not folder.is_dir():
         raise FileError(folder, "is not a folder", remedy="Give the name of a folder")
     try:

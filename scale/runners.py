@@ -86,7 +86,7 @@ def run_tiles(
     count, report = check_count("workers", workers, minimum=0), check_progress(progress)
     if tile is not None and part is not None:
         raise ValueError("tile, part: expected one of them, got both")
-    share, dask = _check_part(part), check_count("dask", dask, minimum=0)
+    share, dask = check_part(part), check_count("dask", dask, minimum=0)
     if bool(count) + bool(dask) + (scheduler is not None) > 1:
         raise ValueError("workers, dask, scheduler: expected one of them, got several")
     if scheduler is not None and not isinstance(scheduler, str):
@@ -101,7 +101,7 @@ def run_tiles(
         tell = partial(_tell, manifest, plan, report)
         tell()
         if count:
-            _oversee(manifest, partial(_start, manifest.folder, share, count, gpus), count, tell)
+            oversee(manifest, partial(_start, manifest.folder, share, count, gpus), count, tell)
         else:
             try:
                 with a_worker(manifest.folder) as owner:
@@ -144,7 +144,8 @@ def retry_tiles(folder: FilePath) -> TileStatus:
         return status_of(manifest)
 
 
-def _check_part(part: Any) -> tuple[int, int]:
+def check_part(part: Any) -> tuple[int, int]:
+    """(which, of how many) of a `part`; all of one where there is none."""
     if part is None:
         return 1, 1
     if not isinstance(part, tuple | list) or len(part) != 2:
@@ -207,11 +208,17 @@ def _tell(manifest: Manifest, plan: Plan, report: ReportProgress) -> None:
     report(f"pass {number + 1} of {passes}", row["n"], total)
 
 
-def _oversee(manifest: Manifest, start: StartWorker, count: int, tell: Callable[[], None]) -> None:
-    """Keep so many workers at it; one that dies is replaced."""
+def oversee(
+    manifest: Manifest,
+    start: StartWorker,
+    count: int,
+    tell: Callable[[], None],
+    progress_of: Callable[[Manifest], Any] | None = None,
+) -> None:
+    """Keep so many workers at it; one that dies is replaced. `progress_of` tells how far they are; None: with tiles."""
     crew: dict[int, subprocess.Popen[bytes]] = {}
-    vain = 0
-    before = _progress_of(manifest)
+    vain, progress_of = 0, progress_of or _progress_of
+    before = progress_of(manifest)
     try:
         for place in range(count):
             crew[place] = start(place)
@@ -219,7 +226,7 @@ def _oversee(manifest: Manifest, start: StartWorker, count: int, tell: Callable[
         while crew:
             time.sleep(max(LOOK, 20 * took))  # a look at very many tiles is not free, for workers neither
             begin = time.monotonic()
-            now = _progress_of(manifest)
+            now = progress_of(manifest)
             took = time.monotonic() - begin
             if now != before:
                 before, vain = now, 0
@@ -256,9 +263,13 @@ def _progress_of(manifest: Manifest) -> list[Any]:
 
 def _start(folder: Path, part: tuple[int, int], count: int, gpus: list[Gpu], place: int) -> subprocess.Popen[bytes]:
     """A worker, which finds the modules that this process finds and takes its share of the cores, and its GPU."""
+    return start_worker(_WORKER, [str(folder.absolute()), *map(str, part)], count, gpus, place)
+
+
+def start_worker(code: str, arguments: list[str], count: int, gpus: list[Gpu], place: int) -> subprocess.Popen[bytes]:
+    """A process of Python code, which gets the arguments, this process's number and its device."""
     gpu = gpus[place : place + 1]
-    device = "cuda:0" if gpu else "cpu"
-    command = [sys.executable, "-c", _WORKER, str(folder.absolute()), *map(str, part), str(os.getpid()), device]
+    command = [sys.executable, "-c", code, *arguments, str(os.getpid()), "cuda:0" if gpu else "cpu"]
     # In a group of its own: Ctrl-C in a terminal is for the process that oversees the workers, which ends them.
     return subprocess.Popen(
         command,

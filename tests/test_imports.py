@@ -52,7 +52,7 @@ ROOMS = {
     "drawing": ["render", "change", "page", "recording", "viewer"],
     "photos": ["sfm", "mvs", "depth", "video"],
     "data": ["scenes", "made", "public"],
-    "scale": ["steps"],
+    "scale": ["steps", "jobs"],
     "app": ["jobs", "demos", "shell"],
     "bridge": ["utility", "camera", "geometry", "pipelines", "io", "visualization"],
 }

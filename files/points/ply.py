@@ -18,7 +18,7 @@ Source: Greg Turk, "The PLY Polygon File Format" (1994).
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import IO, Any
 
@@ -238,6 +238,42 @@ def write_ply_mesh(
         _write_columns(file, list(columns.values()), ascii=ascii)
         corner_counts = np.broadcast_to(np.uint8(3), len(mesh.triangles))
         _write_columns(file, [corner_counts, *mesh.triangles.T, *values, *more_values], ascii=ascii)
+
+
+def write_ply_mesh_parts(
+    path: str | os.PathLike[str],
+    parts: Callable[[], Iterable[MeshTable]],
+    counts: tuple[int, int],
+    *,
+    overwrite: bool = True,
+) -> None:
+    """Write a triangle mesh that comes in parts as one PLY, little-endian binary, a part in memory at a time.
+
+    Args:
+        path: The file; it appears whole or not at all.
+        parts: Gives the parts anew each time it is called, twice: vertices with the same columns in each, colours
+            perhaps, and triangles that count vertices from the first of the first part.
+        counts: Vertices and triangles of all parts.
+        overwrite: Whether an existing file may be replaced.
+
+    Raises:
+        FileError: The place cannot be written, or there are more vertices than PLY's indices reach.
+    """
+    path, (vertices, triangles) = check_writable(path, overwrite=overwrite), counts
+    if vertices > np.iinfo(np.int32).max:
+        reason = f"PLY's 32-bit indices cannot reach {vertices:,} vertices"
+        raise FileError(path, reason, remedy="Write the parts as files of a folder")
+    with atomic_write(path, overwrite=overwrite) as file:
+        for number, part in enumerate(parts()):
+            columns = _vertex_columns(path, part.vertices, None, part.vertex_colors, {})
+            if not number:
+                head = _header(columns, vertices, ascii=False)
+                head += [f"element face {triangles}", "property list uchar int vertex_indices"]
+                file.write("\n".join([*head, "end_header", ""]).encode("ascii"))
+            _write_columns(file, list(columns.values()), ascii=False)
+        for part in parts():
+            corners = np.broadcast_to(np.uint8(3), len(part.triangles))
+            _write_columns(file, [corners, *part.triangles.astype(np.int32).T], ascii=False)
 
 
 def _is_vertex_scalar(element: Element, prop: Property) -> bool:

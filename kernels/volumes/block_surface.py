@@ -6,16 +6,19 @@ known from prefix sums. Nothing is hashed or merged afterwards, and the order is
 Scratch 32 B a row. Lorensen and Cline, SIGGRAPH 1987; cases from cube_table.py.
 """
 
-from ..array_types import Points, Triangles, Vectors
+from collections.abc import Iterable
+
+from ..array_types import Integers, LongIntegers, Points, Triangles, Vectors
 from ..arrays.block_keys import key_block
 from ..arrays.prefix_sum import scan_two
-from ..lang import array, bit_count, func, int32, kernel, launch, sqrt, struct, tid, vec3, vec3i
+from ..lang import array, bit_count, func, int32, int64, kernel, launch, sqrt, struct, tid, vec3, vec3i
 from ..memory import empty
 from .block_rows import EIGHT, NINE, VALID, SeenBlocks, pack_rows, row_near, voxel_near, word_near
 from .cube_table import CubeTables, device_tables
 from .tsdf_blocks import ROWS, SIDE
 from .voxel_blocks import COLOR_SCALE, VoxelBlocks, voxel_color
 
+EDGES = 3 * SIDE * ROWS  # of the grid that belong to a block
 MAX_EDGES = 15  # entries of a case in the table of triangles
 
 
@@ -51,14 +54,22 @@ class BlockSurface:
     offsets: array(dtype=int32)
     tables: CubeTables
 
-    def __init__(self, seen: SeenBlocks, need_cells: bool) -> None:
-        """Find them; with `need_cells` only edges of cells with triangles make vertices."""
+    def __init__(
+        self, seen: SeenBlocks, need_cells: bool, within: tuple[Iterable[int], Iterable[int]] | None = None
+    ) -> None:
+        """Find them; with `need_cells` only edges of cells with triangles make vertices.
+
+        `within` are a low block and the one beyond the highest: only cells of blocks from one to the other make any.
+        """
         rows, device = seen.row_count, seen.neighbors.device
         self.rows = rows
         self.seen, self.device, self.tables, self.words = seen, device, device_tables(device), pack_rows(seen)
         self.cells, self.edges = (empty(rows, int32, device) for _ in range(2))
         counts = empty(2 * rows, int32, device)
         launch(find_cells_kernel, rows, [self, counts])
+        if within is not None:
+            low, high = (vec3i(*(int(c) for c in corner)) for corner in within)
+            launch(drop_cells_kernel, rows, [self, low, high, counts])
         launch(find_edges_kernel, rows, [self, int(need_cells), counts])
         self.offsets, self.vertex_count, total = scan_two(counts)
         self.triangle_count = total - self.vertex_count
@@ -71,6 +82,13 @@ class BlockSurface:
         outputs = [int(has_color), int(has_normals), vertices, colors, normals]
         launch(emit_vertices_kernel, self.edges.size, [self, *outputs])
         return vertices, colors if has_color else None, normals if has_normals else None
+
+    def vertex_edges(self) -> tuple[LongIntegers, Integers]:
+        """What tells vertices of one volume apart, whichever part of it they are taken from: the block that holds the
+        lower voxel of a vertex' edge, as an int64 key, and the edge within it, below EDGES, int32."""
+        blocks, places = empty(self.vertex_count, int64, self.device), empty(self.vertex_count, int32, self.device)
+        launch(emit_edges_kernel, self.edges.size, [self, blocks, places])
+        return blocks, places
 
     def triangles(self) -> Triangles:
         """The triangles, vec3i [t]."""
@@ -106,6 +124,17 @@ def find_cells_kernel(surface: BlockSurface, counts: array(dtype=int32)):
                     triangles += surface.tables.triangle_count[case_of(w00, w10, w01, w11, z)]
     surface.cells[i] = cut
     counts[surface.rows + i] = triangles
+
+
+@kernel
+def drop_cells_kernel(surface: BlockSurface, low: vec3i, high: vec3i, counts: array(dtype=int32)):
+    """Leave the cells out whose blocks are not from `low` to below `high`."""
+    i = tid()
+    block = key_block(surface.seen.blocks.keys[i // ROWS])
+    inside = block[0] >= low[0] and block[1] >= low[1] and block[2] >= low[2]
+    if not (inside and block[0] < high[0] and block[1] < high[1] and block[2] < high[2]):
+        surface.cells[i] = 0
+        counts[surface.rows + i] = 0
 
 
 @func
@@ -236,6 +265,19 @@ def emit_vertices_kernel(
                 if size > 0.0:
                     n = n / size
                 normals[at] = n
+            at += 1
+
+
+@kernel
+def emit_edges_kernel(surface: BlockSurface, blocks: array(dtype=int64), places: array(dtype=int32)):
+    """The edge of each vertex: its block's key, and its place among the edges of the block."""
+    i = tid()
+    marks = surface.edges[i]
+    at = surface.offsets[i]
+    for e in range(3 * SIDE):
+        if ((marks >> e) & 1) == 1:
+            blocks[at] = surface.seen.blocks.keys[i // ROWS]
+            places[at] = i % ROWS * (3 * SIDE) + e
             at += 1
 
 

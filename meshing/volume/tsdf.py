@@ -240,9 +240,15 @@ class TSDFVolume(ToldNames):
         frame = Frame(metric, depth_images.largest_depth(largest), camera, pixels)
         if not frame.farthest > 0:
             return 0
-        keys: Any = touched_blocks(metric, frame.farthest, camera, T, self.truncation, self.voxel_size)
+        keys: Any = self._kept(touched_blocks(metric, frame.farthest, camera, T, self.truncation, self.voxel_size))
+        if not keys.size:
+            return 0
         integrate_depth(keys, frame, np.linalg.inv(T), self._blocks)
         return keys.size
+
+    def _kept(self, keys: Any) -> Any:
+        """Those of the blocks that a frame touches, int64 keys, that are the volume's: all of them."""
+        return keys
 
     def extract_triangle_mesh(self, weight_threshold: float = 3.0) -> TriangleMesh:
         """The surface as a mesh, by marching cubes, with vertices shared between cells and blocks.

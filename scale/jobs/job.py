@@ -1,0 +1,228 @@
+"""A job of tasks in stages over the manifest: what a kind of job is made of, its table, and how far it is.
+
+A task is a row: its stage, its name, what it is told and what it found, both in JSON. It is a function of the plan and
+of files, so it may be done anywhere and again. The tasks of a stage are made when all of the stage before are done.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import sqlite3
+from abc import ABC, abstractmethod
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import asdict, dataclass
+from pathlib import Path
+from typing import Any, ClassVar, NamedTuple
+
+from ... import __version__  # pyright: ignore[reportMissingImports]
+from ...core.errors import FileError, FilePath
+from ...core.paths import path_of
+from ...core.wording import to_json
+from ..manifest import NAME, OVER, Manifest, a_new_manifest
+from ..plan import check_same_plan, make_folder
+
+_TABLES = """
+CREATE TABLE meta (key TEXT PRIMARY KEY, value TEXT NOT NULL);
+CREATE TABLE tasks (
+    id INTEGER PRIMARY KEY, stage INTEGER NOT NULL, name TEXT NOT NULL, told TEXT NOT NULL, found TEXT,
+    state TEXT NOT NULL DEFAULT 'waiting', owner TEXT, attempts INTEGER NOT NULL DEFAULT 0,
+    seconds REAL NOT NULL DEFAULT 0, error TEXT);
+CREATE INDEX tasks_by_state ON tasks (stage, state, id);
+"""
+_STAGE = "stage"  # of meta: the one whose tasks are done now
+
+
+class Task(NamedTuple):
+    """What a task is told: its name, by which it is known to people, and values in JSON's types."""
+
+    name: str
+    told: dict[str, Any]
+
+
+class Done(NamedTuple):
+    """A task that is done: its name, what it was told, and what it found."""
+
+    name: str
+    told: dict[str, Any]
+    found: dict[str, Any]
+
+
+class Job(ABC):
+    """A kind of job, opened for one process.
+
+    Args:
+        plan: What it is made of, in JSON's types; nothing else decides the result.
+        folder: Of the job.
+
+    Attributes:
+        KIND: Its name in plans.
+        STAGES: What progress calls the tasks of each.
+        device: Where to compute.
+    """
+
+    KIND: ClassVar[str]
+    STAGES: ClassVar[tuple[str, ...]]
+
+    def __init__(self, plan: dict[str, Any], folder: Path):
+        self.plan, self.folder, self.device = plan, folder, "cpu"
+
+    @abstractmethod
+    def check(self, done: Callable[[int], Iterator[Done]]) -> None:
+        """Hold that the files are those it was planned with, and those that tasks that are done have read.
+
+        Raises:
+            FileError: Which is not.
+        """
+
+    @abstractmethod
+    def do(self, stage: int, name: str, told: dict[str, Any]) -> dict[str, Any]:
+        """Do a task; what it found, in JSON's types. What it writes appears whole, and is the same when done again."""
+
+    def follow(self, stage: int, done: Callable[[int], Iterator[Done]]) -> Sequence[Task]:
+        """The tasks of the stage after one that is done; `done(stage)` gives the tasks of any before."""
+        raise NotImplementedError
+
+    def remarks(self, done: Callable[[int], Iterator[Done]]) -> list[str]:
+        """What is to be told of the tasks that are done, beside how many there are."""
+        return []
+
+
+@dataclass(frozen=True)
+class JobStatus:
+    """How far a job is.
+
+    Attributes:
+        folder: The job's.
+        job: What it does: "fusion", "sequences" or "registration".
+        stage: What the tasks that are worked on now are called.
+        waiting, running, done, failed, aside: Tasks in each state, of the stages so far. Failed ones ended in an error
+            that would come again; at those set aside workers died.
+        is_finished: Whether all stages are done.
+        troubles: The task and the error, of those that failed or were set aside.
+        remarks: What was left out, and why.
+    """
+
+    folder: str
+    job: str
+    stage: str
+    waiting: int
+    running: int
+    done: int
+    failed: int
+    aside: int
+    is_finished: bool
+    troubles: dict[str, str]
+    remarks: tuple[str, ...]
+
+    def to_json(self) -> str:
+        """All of it as JSON."""
+        return to_json(asdict(self))
+
+    def __str__(self) -> str:
+        total = self.waiting + self.running + self.done + self.failed + self.aside
+        told = [f"{self.job}: {self.done} of {total} tasks done" + ("" if self.is_finished else f", at {self.stage}")]
+        names = ("waiting", "running", "failed", "aside")
+        told += [f"{count} {name}" for name in names if (count := getattr(self, name))]
+        lines = [f"\n  {name}: {error}" for name, error in self.troubles.items()]
+        return "; ".join(told) + "".join([*lines, *(f"\n  {remark}" for remark in self.remarks)])
+
+
+def make_job(kind: type[Job], folder: FilePath, plan: dict[str, Any], tasks: Sequence[Task]) -> JobStatus:
+    """Write a new job with the tasks of its first stage; a folder that holds the same keeps what was done.
+
+    Raises:
+        FileError: The folder holds something else, and what of a plan differs.
+    """
+    folder, plan = path_of(folder), {"job": kind.KIND} | plan
+    if not (folder / NAME).exists():
+        make_folder(folder)
+        with a_new_manifest(folder, plan, __version__, _TABLES) as base:
+            base.execute("INSERT INTO meta VALUES (?, '0')", (_STAGE,))
+            _insert(base, 0, tasks)
+    with Manifest(folder, is_job=True) as manifest:
+        check_same_plan(manifest, plan)
+        return status_of(manifest, kind(plan, folder))
+
+
+def stamp_of(paths: Iterable[Path]) -> str:
+    """What tells some files from others of the same names: their sizes and times.
+
+    Raises:
+        FileError: One is gone.
+    """
+    told = hashlib.sha256()
+    for path in paths:
+        try:
+            found = path.stat()
+        except OSError as error:
+            raise FileError(path, f"cannot be read: {error.strerror or error}") from error
+        told.update(f"{path}\0{found.st_size}\0{found.st_mtime_ns}\0".encode())
+    return told.hexdigest()
+
+
+def open_manifest(folder: FilePath) -> Manifest:
+    """The manifest of a job, once it is sure that it is of this version."""
+    manifest = Manifest(path_of(folder), is_job=True)
+    if manifest.version != __version__:
+        manifest.base.close()
+        reason = f"was planned by pointloom {manifest.version}, this is {__version__}"
+        raise FileError(manifest.folder / NAME, reason, remedy="Plan it anew in another folder")
+    return manifest
+
+
+def stage_of(manifest: Manifest) -> int:
+    """The stage whose tasks are done now."""
+    (row,) = manifest.rows("SELECT value FROM meta WHERE key = ?", _STAGE)
+    return int(row["value"])
+
+
+def done_in(manifest: Manifest, stage: int) -> Iterator[Done]:
+    """The tasks of a stage that are done, in their order; a thousand at a time."""
+    last = -1
+    while True:
+        query = "SELECT * FROM tasks WHERE stage = ? AND state = 'done' AND id > ? ORDER BY id LIMIT 1000"
+        rows = manifest.rows(query, stage, last)
+        if not rows:
+            return
+        for row in rows:
+            yield Done(row["name"], json.loads(row["told"]), json.loads(row["found"]))
+        last = rows[-1]["id"]
+
+
+def advance(manifest: Manifest, job: Job, stage: int) -> None:
+    """Begin the stage after one that is done, unless another process has."""
+    tasks = job.follow(stage, lambda earlier: done_in(manifest, earlier))
+    with manifest.change() as base:
+        query = "UPDATE meta SET value = ? WHERE key = ? AND value = ?"
+        if base.execute(query, (str(stage + 1), _STAGE, str(stage))).rowcount:
+            _insert(base, stage + 1, tasks)
+
+
+def _insert(base: sqlite3.Connection, stage: int, tasks: Sequence[Task]) -> None:
+    rows = [(stage, task.name, json.dumps(task.told, allow_nan=False)) for task in tasks]
+    base.executemany("INSERT INTO tasks (stage, name, told) VALUES (?, ?, ?)", rows)
+
+
+def status_of(manifest: Manifest, job: Job) -> JobStatus:
+    """How far the job of an open manifest is."""
+    counts, stage = manifest.counts("tasks"), stage_of(manifest)
+    left = sum(counts[state] for state in counts if state not in ("done", "empty"))
+    bad = manifest.rows("SELECT name, error FROM tasks WHERE state IN ('failed', 'aside') ORDER BY id")
+    return JobStatus(
+        folder=str(manifest.folder),
+        job=job.KIND,
+        stage=job.STAGES[stage],
+        **{state: counts[state] for state in ("waiting", "running", "done", "failed", "aside")},
+        is_finished=not left and stage == len(job.STAGES) - 1,
+        troubles={row["name"]: row["error"] or "" for row in bad},
+        remarks=tuple(job.remarks(lambda earlier: done_in(manifest, earlier))),
+    )
+
+
+def progress_of(manifest: Manifest) -> tuple[int, int, int]:
+    """(stage, tasks of it that are over, deaths): what grows while anything is done."""
+    stage = stage_of(manifest)
+    over = f"(SELECT count(*) FROM tasks WHERE stage = ? AND state IN {OVER})"
+    (row,) = manifest.rows(f"SELECT {over} AS over, (SELECT sum(attempts) FROM tasks) AS deaths", stage)
+    return stage, row["over"], row["deaths"] or 0

@@ -1,0 +1,363 @@
+"""A volume by cubes gives the mesh of one volume, whatever the cubes' size; what goes wrong is named and mended."""
+
+import errno
+import json
+import os
+import random
+import shutil
+import subprocess
+import sys
+import threading
+import time
+from collections import Counter
+from pathlib import Path
+from tempfile import TemporaryDirectory
+
+import numpy as np
+import pytest
+
+import pointloom as loom
+from pointloom.core.errors import FileError
+from pointloom.data.scenes.room import write_room_sequence
+from pointloom.files.pictures.image_files import write_png
+from pointloom.files.points.ply import read_ply_mesh
+from pointloom.meshing.volume.volume_part import VolumePart
+from pointloom.scale import runners
+from pointloom.scale.jobs import fusion
+from pointloom.scale.manifest import Manifest, a_worker
+
+SOURCES = str(Path(__file__).parents[2] / "src")
+VOXEL = 0.08
+SIZES = [1.3, 2.0, 20.0]  # two blocks, three, and all of the room in eight cubes about its corner
+
+
+@pytest.fixture(scope="module")
+def walk(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("walk") / "room"
+    write_room_sequence(folder, frame_count=14, width=80, height=60)
+    return folder
+
+
+@pytest.fixture
+def own_walk(walk, tmp_path):
+    return Path(shutil.copytree(walk, tmp_path / "own"))
+
+
+@pytest.fixture(scope="module")
+def whole(walk):
+    return triangles_of(fused(walk))
+
+
+def fused(walk, **how):
+    """The mesh of one volume as it stands in a file."""
+    intrinsic = how.pop("intrinsic", None)
+    mesh = loom.fuse(loom.open_frames(walk, intrinsic=intrinsic), **{"voxel_size": VOXEL} | how).mesh
+    with TemporaryDirectory() as folder:
+        loom.write_triangle_mesh(Path(folder) / "mesh.ply", mesh)
+        return read_ply_mesh(Path(folder) / "mesh.ply")
+
+
+def triangles_of(mesh, *, sort=True):
+    """Each triangle as the bits of its corners' positions and colours, in a fixed order."""
+    values = np.asarray(mesh.vertices, np.float64).view(np.int64)
+    if mesh.vertex_colors is not None:
+        colors = np.rint(np.asarray(mesh.vertex_colors, np.float64) * 255).astype(np.int64)
+        values = np.concatenate([values, colors], axis=1)
+    rows = values[np.asarray(mesh.triangles)].reshape(len(mesh.triangles), -1)
+    return rows[np.lexsort(rows.T)] if sort else rows
+
+
+def by_cubes(walk, job, *, device="cpu", workers=0, **how):
+    loom.scale.plan_fusion(walk, job, **{"voxel_size": VOXEL} | how)
+    status = loom.scale.run_job(job, device=device, workers=workers)
+    assert status.is_finished, status
+    return read_ply_mesh(loom.scale.finish_fusion(job))
+
+
+def moved(walk, shift):
+    """The frames of a folder, taken elsewhere."""
+    for path in walk.glob("*.pose.txt"):
+        pose = np.loadtxt(path)
+        pose[:3, 3] += shift
+        np.savetxt(path, pose, fmt="%.17g")
+    return walk
+
+
+@pytest.mark.parametrize("size", SIZES)
+def test_cubes_of_any_size_have_the_triangles_of_one_volume(device, walk, whole, tmp_path, size):
+    found = by_cubes(walk, tmp_path / "job", device=device, size=size)
+    np.testing.assert_array_equal(triangles_of(found), whole)
+
+
+def test_the_joined_mesh_has_as_many_vertices_and_borders_as_that_of_one_volume(walk, tmp_path):
+    one = fused(walk)
+    found = by_cubes(walk, tmp_path / "job", size=2.0)
+    assert loom.scale.job_status(tmp_path / "job").done > 20
+    assert len(found.vertices) == len(one.vertices)
+    uses = []
+    for mesh in (one, found):
+        edges = np.sort(np.asarray(mesh.triangles)[:, [[0, 1], [1, 2], [2, 0]]].reshape(-1, 2), axis=1)
+        uses.append(np.sort(np.unique(edges, axis=0, return_counts=True)[1]))
+    np.testing.assert_array_equal(*uses)
+    assert uses[0].max() == 2
+
+
+@pytest.mark.parametrize("shift", [(20_000.0, -3_000.0, 100.0), (-2.56, 0.0, 0.0)])
+def test_scenes_far_away_and_on_borders_are_those_of_one_volume(own_walk, tmp_path, shift):
+    moved(own_walk, shift)
+    one = fused(own_walk, weight_threshold=0)
+    found = by_cubes(own_walk, tmp_path / "job", size=2.0, weight_threshold=0)
+    np.testing.assert_array_equal(triangles_of(found), triangles_of(one))
+    assert len(found.vertices) == len(one.vertices)
+
+
+def test_a_wall_exactly_on_the_sides_of_cubes_is_neither_lost_nor_doubled(tmp_path):
+    """Vertices lie on corners of the grid then, several of them at one place."""
+    folder, camera = tmp_path / "wall", loom.PinholeCameraIntrinsic(64, 48, 50.0, 50.0, 31.5, 23.5)
+    folder.mkdir()
+    for number in range(2):
+        write_png(folder / f"frame-{number:06d}.depth.png", np.full((48, 64), 1280, np.uint16))
+        np.savetxt(folder / f"frame-{number:06d}.pose.txt", np.eye(4))
+    how = {"voxel_size": 0.08, "truncation": 0.32, "weight_threshold": 0}
+    one = fused(folder, intrinsic=camera, **how)
+    found = by_cubes(folder, tmp_path / "job", size=0.64, intrinsic=camera, **how)
+    assert found.vertex_colors is None
+    assert (np.asarray(one.vertices)[:, 2] == np.float32(1.28)).all()
+    np.testing.assert_array_equal(triangles_of(found), triangles_of(one))
+    assert len(found.vertices) == len(one.vertices)
+
+
+def test_parts_fit_each_other_to_the_bit(walk, whole, tmp_path):
+    job = tmp_path / "job"
+    by_cubes(walk, job, size=2.0)
+    folder = loom.scale.finish_fusion(job, tmp_path / "parts")
+    files = sorted(folder.glob("*.ply"))
+    listed = [part["file"] for part in json.loads((folder / "parts.json").read_text())["parts"]]
+    assert sorted(listed) == [path.name for path in files]
+    parts = [read_ply_mesh(path) for path in files]
+    rows = np.concatenate([triangles_of(part, sort=False) for part in parts])
+    np.testing.assert_array_equal(rows[np.lexsort(rows.T)], whole)
+    assert loom.scale.finish_fusion(job, folder) == folder
+    with pytest.raises(FileError, match="exists already"):
+        loom.scale.finish_fusion(job, folder, overwrite=False)
+    with pytest.raises(FileError, match=r"written as \.ply, or as a folder"):
+        loom.scale.finish_fusion(job, tmp_path / "mesh.obj")
+    with pytest.raises(FileError, match=r"holds other files"):
+        loom.scale.finish_fusion(job, walk)
+
+
+def test_a_cube_holds_its_own_blocks_and_one_layer(walk, tmp_path, monkeypatch):
+    """What is in memory is a cube's, and each frame is read for the cubes that it touches alone."""
+    held, read = [], Counter()
+    extract = VolumePart.extract_part
+    monkeypatch.setattr(
+        VolumePart, "extract_part", lambda self, least: held.append(self.block_count) or extract(self, least)
+    )
+    integrate = fusion.FusionJob._integrate
+    monkeypatch.setattr(
+        fusion.FusionJob,
+        "_integrate",
+        lambda self, volume, frame: read.update([type(volume).__name__]) or integrate(self, volume, frame),
+    )
+    by_cubes(walk, tmp_path / "job", size=3 * 8 * VOXEL)
+    cubes = loom.scale.job_status(tmp_path / "job").done - 1
+    assert max(held) <= 4**3 and len(held) == cubes
+    assert read["BlockFinder"] == 14
+    assert 14 <= read["VolumePart"] < 14 * cubes / 3
+
+
+def test_a_frame_that_is_broken_in_the_middle_is_named_and_mended(own_walk, whole, tmp_path):
+    job, path = tmp_path / "job", own_walk / "frame-000007.depth.png"
+    content = path.read_bytes()
+    path.write_bytes(content[:-200] + bytes(200))
+    loom.scale.plan_fusion(own_walk, job, voxel_size=VOXEL, size=2.0)
+    status = loom.scale.run_job(job)
+    assert (status.failed, status.stage, status.is_finished) == (1, "frames", False)
+    assert "frame-000007.depth.png" in str(status) and "frames 0 to 13" in status.troubles
+    with pytest.raises(FileError, match=r"(?s)is not finished: .*frame-000007"):
+        loom.scale.finish_fusion(job)
+    path.write_bytes(content)
+    assert loom.scale.retry_job(job).waiting == 1
+    assert loom.scale.run_job(job).is_finished
+    np.testing.assert_array_equal(triangles_of(read_ply_mesh(loom.scale.finish_fusion(job))), whole)
+
+
+def test_frames_without_a_pose_are_named_or_left_out(own_walk, tmp_path):
+    (own_walk / "frame-000003.pose.txt").unlink()
+    (own_walk / "frame-000005.color.png").unlink()
+    path = own_walk / "frame-000009.depth.png"
+    path.write_bytes(path.read_bytes()[:-200] + bytes(200))
+    with pytest.raises(FileError, match=r"frame-000005"):
+        loom.scale.plan_fusion(own_walk, tmp_path / "job", voxel_size=VOXEL)
+    assert not (tmp_path / "job").exists()
+    found = by_cubes(own_walk, tmp_path / "job", size=2.0, leave_out=True)
+    said = str(loom.scale.job_status(tmp_path / "job"))
+    assert all(f"frame-00000{number}" in said for number in (3, 5, 9))
+    for number in (3, 5, 9):
+        for kept in own_walk.glob(f"frame-00000{number}.*"):
+            kept.unlink()
+    threshold = 1  # of 12 frames that could be planned with, and of the 11 that can be read
+    one = fused(own_walk, weight_threshold=threshold)
+    np.testing.assert_array_equal(triangles_of(found), triangles_of(one))
+
+
+def test_a_missing_pose_alone_is_told_with_the_remedy(own_walk, tmp_path):
+    (own_walk / "frame-000003.pose.txt").unlink()
+    with pytest.raises(FileError, match=r"1 of 14 frames have no pose, the first frame-000003.*leave_out=True"):
+        loom.scale.plan_fusion(own_walk, tmp_path / "job", voxel_size=VOXEL)
+
+
+@pytest.mark.parametrize(
+    ("how", "message"),
+    [
+        ({"size": 0.6}, r"size: 0\.6 m is smaller than a block of 8 voxels, 0\.64 m"),
+        ({"size": -1}, "size: expected"),
+        ({"truncation": 0.01}, "truncation: 0.01 m is below one voxel"),
+        ({"weight_threshold": -1}, "weight_threshold"),
+        ({"every": 0}, "every"),
+        ({"depth_max": float("nan")}, "depth_max"),
+    ],
+)
+def test_bad_arguments_are_told_before_anything_is_made(walk, tmp_path, how, message):
+    with pytest.raises(ValueError, match=message):
+        loom.scale.plan_fusion(walk, tmp_path / "job", **{"voxel_size": VOXEL} | how)
+    assert not (tmp_path / "job").exists()
+
+
+def test_a_cube_of_one_block_may_be_given_as_its_size(walk, tmp_path):
+    loom.scale.plan_fusion(walk, tmp_path / "job", voxel_size=VOXEL, size=8 * VOXEL)
+    with Manifest(tmp_path / "job", is_job=True) as manifest:
+        assert manifest.plan["blocks"] == 1
+
+
+def test_another_plan_other_frames_and_another_kind_of_job_are_refused(own_walk, tmp_path):
+    job = tmp_path / "job"
+    first = loom.scale.plan_fusion(own_walk, job, voxel_size=VOXEL, size=2.0)
+    assert loom.scale.plan_fusion(own_walk, job, voxel_size=VOXEL, size=2.0) == first
+    with pytest.raises(FileError, match=r"blocks 6, was 3"):
+        loom.scale.plan_fusion(own_walk, job, voxel_size=VOXEL, size=4.0)
+    with pytest.raises(FileError, match=r"is of fusion\. Call plan_fusion.* run_job"):
+        loom.scale.run_tiles(job)
+    loom.scale.run_job(job)
+    path = own_walk / "frame-000007.depth.png"
+    told = path.stat()
+    os.utime(path, ns=(0, 0))
+    with pytest.raises(FileError, match=r"frames 0 to 13 have changed since the job was planned"):
+        loom.scale.run_job(job)
+    os.utime(path, ns=(told.st_atime_ns, told.st_mtime_ns))
+    moved(own_walk, (0.1, 0, 0))
+    with pytest.raises(FileError, match=r"have changed since the job was planned"):
+        loom.scale.run_job(job)
+    with pytest.raises(FileError, match="plan_fusion"):
+        loom.scale.run_job(tmp_path)
+
+
+def test_a_full_disk_fails_the_cube_and_leaves_nothing_half(walk, whole, tmp_path, monkeypatch):
+    job = tmp_path / "job"
+    loom.scale.plan_fusion(walk, job, voxel_size=VOXEL, size=2.0)
+    write = np.savez
+
+    def full(file, **arrays):
+        write(file, **{name: values[:1] for name, values in arrays.items()})
+        raise OSError(errno.ENOSPC, "No space left on device")
+
+    monkeypatch.setattr(np, "savez", full)
+    status = loom.scale.run_job(job)
+    assert status.failed and status.done == 1 and "No space left" in str(status)
+    assert not [*(job / "cubes").iterdir()]
+    monkeypatch.setattr(np, "savez", write)
+    loom.scale.retry_job(job)
+    assert loom.scale.run_job(job).is_finished
+    np.testing.assert_array_equal(triangles_of(read_ply_mesh(loom.scale.finish_fusion(job))), whole)
+
+
+def test_a_damaged_surface_is_named(walk, tmp_path):
+    job = tmp_path / "job"
+    by_cubes(walk, job, size=2.0)
+    path = max((job / "cubes").iterdir(), key=lambda path: path.stat().st_size)
+    path.write_bytes(path.read_bytes()[:1000])
+    with pytest.raises(FileError, match=rf"{path.name}: a cube's surface cannot be read"):
+        loom.scale.finish_fusion(job)
+
+
+def test_what_a_dead_worker_claimed_is_done_again_and_three_deaths_set_it_aside(walk, whole, tmp_path):
+    job = tmp_path / "job"
+    loom.scale.plan_fusion(walk, job, voxel_size=VOXEL, size=20.0)
+    with Manifest(job, is_job=True) as manifest:
+        for death in range(3):
+            assert manifest.claim("tasks", f"dead {death}")["name"] == "frames 0 to 13"
+            manifest.give_back()
+    assert loom.scale.run_job(job).aside == 1
+    loom.scale.retry_job(job)
+    with Manifest(job, is_job=True) as manifest, a_worker(job) as alive:
+        manifest.claim("tasks", alive)
+        manifest.give_back()
+        assert loom.scale.job_status(job).running == 1
+    assert loom.scale.run_job(job).is_finished
+    np.testing.assert_array_equal(triangles_of(read_ply_mesh(loom.scale.finish_fusion(job))), whole)
+
+
+def test_shares_and_two_runs_at_once_do_every_task_once(walk, whole, tmp_path, monkeypatch):
+    job, done = tmp_path / "job", Counter()
+    do = fusion.FusionJob.do
+    monkeypatch.setattr(
+        fusion.FusionJob, "do", lambda self, stage, name, told: done.update([name]) or do(self, stage, name, told)
+    )
+    loom.scale.plan_fusion(walk, job, voxel_size=VOXEL, size=2.0)
+    assert loom.scale.run_job(job, part=(1, 3)).done == 0
+    assert not loom.scale.run_job(job, part=(2, 3)).is_finished
+    runs = [threading.Thread(target=loom.scale.run_job, args=(job,)) for _ in range(2)]
+    for run in runs:
+        run.start()
+    for run in runs:
+        run.join()
+    assert loom.scale.job_status(job).is_finished and set(done.values()) == {1}
+    np.testing.assert_array_equal(triangles_of(read_ply_mesh(loom.scale.finish_fusion(job))), whole)
+
+
+def test_progress_is_told_of_frames_and_of_cubes(walk, tmp_path, monkeypatch):
+    monkeypatch.setattr(fusion, "CHUNK", 4)
+    told = []
+    loom.scale.plan_fusion(walk, tmp_path / "job", voxel_size=VOXEL, size=20.0)
+    loom.scale.run_job(tmp_path / "job", progress=lambda *words: told.append(words))
+    assert list(dict.fromkeys(stage for stage, _, _ in told)) == ["frames", "cubes"]
+    assert told[0] == ("frames", 0, 4) and ("frames", 4, 4) in told
+    assert told[-1][1] == told[-1][2] > 0
+
+
+@pytest.mark.slow
+def test_workers_that_are_killed_at_random_lose_and_double_nothing(walk, whole, tmp_path, monkeypatch):
+    job, started, start = tmp_path / "job", [], runners.start_worker
+    monkeypatch.setattr(
+        "pointloom.scale.jobs.run_jobs.start_worker", lambda *args: started.append(start(*args)) or started[-1]
+    )
+    loom.scale.plan_fusion(walk, job, voxel_size=VOXEL, size=0.65)
+    chance, results, kills = random.Random(5), [], 0
+    run = threading.Thread(target=lambda: results.append(loom.scale.run_job(job, workers=2)))
+    run.start()
+    while run.is_alive() and kills < 5:
+        time.sleep(0.5 + chance.random())
+        alive = [worker for worker in started if worker.poll() is None]
+        if alive:
+            chance.choice(alive).kill()
+            kills += 1
+    run.join()
+    assert kills and results[0].is_finished, results
+    np.testing.assert_array_equal(triangles_of(read_ply_mesh(loom.scale.finish_fusion(job))), whole)
+
+
+@pytest.mark.slow
+def test_a_runner_that_is_killed_is_gone_on_with(walk, whole, tmp_path):
+    job = tmp_path / "job"
+    loom.scale.plan_fusion(walk, job, voxel_size=VOXEL, size=0.65)
+    program = "import sys, pointloom as loom; loom.scale.run_job(sys.argv[1], workers=2)"
+    runner = subprocess.Popen([sys.executable, "-c", program, str(job)], env=os.environ | {"PYTHONPATH": SOURCES})
+    while loom.scale.job_status(job).done < 5:
+        time.sleep(0.05)
+        assert runner.poll() is None
+    runner.kill()
+    runner.wait()
+    before = loom.scale.job_status(job)
+    assert before.done and not before.is_finished
+    assert loom.scale.run_job(job).is_finished
+    np.testing.assert_array_equal(triangles_of(read_ply_mesh(loom.scale.finish_fusion(job))), whole)

@@ -1,0 +1,102 @@
+"""A queue of sequences makes of each what the system makes of it alone; those that fail are named."""
+
+import shutil
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import pointloom as loom
+from pointloom.core.errors import FileError
+from pointloom.data.scenes.room import write_room_sequence
+from pointloom.scale.jobs import sequences
+
+SIZES = {"n_frames_per_fragment": 4, "tsdf_voxel_size": 0.04, "depth_max": 4.0}
+CONFIG = loom.reconstruction.ReconstructionConfig(**SIZES)
+
+
+@pytest.fixture(scope="module")
+def walks(tmp_path_factory):
+    """Folders of two walks, the second of which cannot be read."""
+    folder = tmp_path_factory.mktemp("walks")
+    write_room_sequence(folder / "kitchen", frame_count=8, width=80, height=60)
+    (folder / "upstairs").mkdir()
+    write_room_sequence(folder / "upstairs" / "kitchen", frame_count=6, width=80, height=60, seed=3)
+    return [folder / "kitchen", folder / "upstairs" / "kitchen"]
+
+
+@pytest.fixture
+def broken(walks, tmp_path):
+    copies = [Path(shutil.copytree(walk, tmp_path / name)) for walk, name in zip(walks, ("a", "b"), strict=True)]
+    (copies[1] / "camera-intrinsics.json").write_text("{")
+    return copies
+
+
+def test_each_sequence_is_what_the_system_makes_of_it_alone(walks, tmp_path):
+    assert loom.scale.plan_sequences(walks, tmp_path / "job", config=CONFIG).waiting == 2
+    status = loom.scale.run_job(tmp_path / "job")
+    assert status.is_finished, status
+    for name, walk in zip(("kitchen", "kitchen_2"), walks, strict=True):
+        alone = loom.reconstruction.run_system(loom.open_frames(walk), CONFIG, tmp_path / name)
+        for path in alone.files:
+            made = tmp_path / "job" / "sequences" / name / Path(path).relative_to(tmp_path / name)
+            assert made.read_bytes() == Path(path).read_bytes()
+        assert alone.files
+
+
+def test_one_that_cannot_be_read_fails_alone_and_is_mended(broken, tmp_path, monkeypatch):
+    job, started = tmp_path / "job", []
+    run_system = sequences.run_system
+    monkeypatch.setattr(
+        sequences, "run_system", lambda *args, **how: started.append(args[2].name) or run_system(*args, **how)
+    )
+    loom.scale.plan_sequences(broken, job, config=CONFIG)
+    status = loom.scale.run_job(job)
+    assert (status.done, status.failed, started) == (1, 1, ["a"])
+    assert "camera-intrinsics.json" in status.troubles["b"]
+    shutil.copy(broken[0] / "camera-intrinsics.json", broken[1] / "camera-intrinsics.json")
+    loom.scale.retry_job(job)
+    assert loom.scale.run_job(job).is_finished
+    assert started == ["a", "b"]
+    path = next(broken[0].glob("*.depth.png"))
+    path.write_bytes(path.read_bytes()[:-10])
+    with pytest.raises(FileError, match="a: has changed since it was reconstructed"):
+        loom.scale.run_job(job)
+
+
+def test_an_interrupted_sequence_goes_on_where_it_was(walks, tmp_path, monkeypatch):
+    job = tmp_path / "job"
+    loom.scale.plan_sequences(walks[:1], job, config=CONFIG)
+
+    def stop(stage, done, total):
+        if stage == "integrate":
+            raise KeyboardInterrupt
+
+    run_system = sequences.run_system
+    monkeypatch.setattr(sequences, "run_system", lambda *args, **how: run_system(*args, **how, progress=stop))
+    made = job / "sequences" / "kitchen"
+    with pytest.raises(KeyboardInterrupt):
+        loom.scale.run_job(job)
+    assert loom.scale.job_status(job).waiting == 1
+    before = {path: path.stat().st_mtime_ns for path in made.rglob("*.ply")}
+    assert before
+    monkeypatch.setattr(sequences, "run_system", run_system)
+    assert loom.scale.run_job(job).is_finished
+    assert all(path.stat().st_mtime_ns == time for path, time in before.items())
+
+
+def test_what_is_no_queue_is_refused(walks, tmp_path):
+    with pytest.raises(ValueError, match="at least one folder"):
+        loom.scale.plan_sequences([], tmp_path / "job")
+    with pytest.raises(ValueError, match="kitchen is there twice"):
+        loom.scale.plan_sequences([walks[0], walks[0]], tmp_path / "job")
+    with pytest.raises(FileError, match=r"nowhere: does not exist"):
+        loom.scale.plan_sequences([walks[0], tmp_path / "nowhere"], tmp_path / "job")
+    assert not (tmp_path / "job").exists()
+
+
+@pytest.mark.slow
+def test_workers_share_the_queue(walks, tmp_path):
+    loom.scale.plan_sequences(walks, tmp_path / "job", config=CONFIG)
+    assert loom.scale.run_job(tmp_path / "job", workers=2).is_finished
+    assert np.all([(tmp_path / "job" / "sequences" / name).is_dir() for name in ("kitchen", "kitchen_2")])
