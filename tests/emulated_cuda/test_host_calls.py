@@ -28,7 +28,14 @@ MORE = {
         *("correspondences_from_features", "ransac, ", "fast global", "robust registration", "register_"),
     ),
     "states of jobs, 3,840 bytes for each of several calls or steps": (
-        *("icp, callback", "icp, criteria", "icp, degeneracy", "icp, point to plane, robust", "multi_scale_icp"),
+        *(
+            "icp, callback",
+            "icp, criteria",
+            "icp, degeneracy",
+            "icp, held",
+            "icp, point to plane, robust",
+            "multi_scale_icp",
+        ),
         "registration_icp_batch",
     ),
     "orders of the legs of a scan, 11,440 bytes a scan": ("odometry", "iterate_odometry"),
