@@ -53,6 +53,10 @@ cloud.rotate(R=turn, center=three)
 cloud.scale(scale=2.0, center=three)
 cloud.segment_plane(distance_threshold=0.01, ransac_n=3, num_iterations=10, probability=0.99, seed=0)
 cloud.segment_planes(distance_threshold=0.01, ransac_n=3, num_iterations=10, probability=0.99, min_points=10, max_planes=2, seed=0)
+cloud.segment_cone(distance_threshold=0.05, normal_threshold_deg=30.0, num_iterations=10, probability=0.99, seed=0)
+cloud.segment_cylinder(distance_threshold=0.05, normal_threshold_deg=30.0, num_iterations=10, probability=0.99, min_radius=0.0, max_radius=2.0, seed=0)
+cloud.segment_sphere(distance_threshold=0.05, normal_threshold_deg=30.0, num_iterations=10, probability=0.99, min_radius=0.0, max_radius=2.0, seed=0)
+cloud.segment_torus(distance_threshold=0.2, normal_threshold_deg=80.0, num_iterations=2000, probability=0.99, min_radius=0.0, max_radius=2.0, seed=0)
 cloud.select_by_index(indices=[0, 1])
 cloud.select_by_mask(mask=mask)
 cloud.smooth_bilateral(radius=0.5, max_nn=10, sigma_s=0.05, sigma_r=0.05)
@@ -353,6 +357,7 @@ LEFT_OUT |= {  # other names of what the table has
     for name in dir(kind)
     if name.startswith("create_from_") and hasattr(kind, name.removeprefix("create_"))
 }
+LEFT_OUT |= {"Shape", "ShapeSurface"}  # results
 LEFT_OUT |= {"record"}  # tests/drawing/recording has it
 # tests/drawing/render has them
 LEFT_OUT |= {"render", "save_picture", "View", "fit_view", "read_view", "write_view", "CameraFrustum"}
