@@ -140,6 +140,8 @@ ON_CLOUDS: dict[str, Callable[[Place], Any]] = {
     "segment_plane": lambda p: p.cloud.segment_plane(p.spacing, 3, 200),
     "segment_plane, 6 points": lambda p: p.cloud.segment_plane(p.spacing, 6, 100, probability=0.999, seed=5),
     "segment_planes": lambda p: p.cloud.segment_planes(p.spacing, max_planes=3),
+    "region_growing": lambda p: p.facing.region_growing(12.0, 0.02, 10, max_nn=15),
+    "detect_shapes": lambda p: loom().detect_shapes(p.facing, p.spacing, 30, min_support=60, num_iterations=5000),
     "segment_sphere": lambda p: p.facing.segment_sphere(p.spacing, 30, 2000, seed=3),
     "segment_cylinder": lambda p: p.facing.segment_cylinder(p.spacing, 30, 2000, seed=3),
     "segment_cone": lambda p: p.facing.segment_cone(p.spacing, 30, 2000, seed=3),

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..kernels.segmentation.plane_fit import PlaneSearch
+from ..kernels.segmentation.shape_fit import ShapeFit
 from ..kernels.segmentation.shape_models import CONE, CYLINDER, PLANE, SPHERE, TORUS
 from ..kernels.segmentation.shape_search import Found, ShapeLimits, ShapeSearch
 from .shape import KINDS, Shape
@@ -62,16 +63,13 @@ def _reasons(search: ShapeSearch, found: Found, limits: ShapeLimits, shape: Shap
     said, kind, fit, sigma = [], found.kind, found.fit, shape.sigma
     if fit.reason:
         return [f"{fit.reason}: the {shape.kind} is one of many that fit"]
-    if kind != PLANE:
-        flat = plane_rms(search, found)
-        if flat <= AS_FLAT * fit.rms + ROUNDING * search.size:
-            said.append(f"flat: a plane fits the points as well (rms {flat:.3g} m)")
+    if kind != PLANE and is_flat(search, found, plane := plane_of(search, found)):
+        said.append(f"flat: a plane fits the points as well (rms {plane.rms:.3g} m)")
     for name in ("radius", "minor_radius"):
         if name in sigma and sigma[name] > UNKNOWN * getattr(shape, name):
             part = f"points cover {100 * shape.coverage:.0f} % of it"
             said.append(f"{name} open: {getattr(shape, name):.4g} ± {sigma[name]:.2g} m, as the {part}")
-    taper = np.tan(shape.half_angle) * (shape.extent[1, 2] - shape.extent[0, 2]) if kind == CONE else 0.0
-    if kind == CONE and (sigma["half_angle"] * CERTAIN > shape.half_angle or taper < fit.rms):
+    if kind == CONE and is_open(found, shape.extent[1, 2] - shape.extent[0, 2]):
         said.append(f"half_angle open: {shape.half_angle:.3g} ± {sigma['half_angle']:.2g} rad; a cylinder fits as well")
     near, far = (
         search.score(fit.shape[None], np.array([kind]), ShapeLimits(reach * limits.distance, 0.0, 0.0, np.inf))[0]
@@ -82,9 +80,20 @@ def _reasons(search: ShapeSearch, found: Found, limits: ShapeLimits, shape: Shap
     return said
 
 
-def plane_rms(search: ShapeSearch, found: Found) -> float:
-    """The rms [m] of the plane of least squares through the points of a shape."""
+def is_flat(search: ShapeSearch, found: Found, plane: ShapeFit) -> bool:
+    """Whether a plane fits the points of a shape as well."""
+    return plane.rms <= AS_FLAT * found.fit.rms + ROUNDING * search.size
+
+
+def is_open(found: Found, length: float) -> bool:
+    """Whether a cone may as well be a cylinder: by its half angle's error, or as it tapers by less than the noise."""
+    angle = float(np.arctan2(found.fit.shape[7], found.fit.shape[6]))
+    return bool(CERTAIN * np.sqrt(found.fit.covariance[-1, -1]) > angle or np.tan(angle) * length < found.fit.rms)
+
+
+def plane_of(search: ShapeSearch, found: Found) -> ShapeFit:
+    """The plane of least squares through the points of a shape."""
     planes = PlaneSearch(search.points, found.rows)
     start = planes.refit(np.array([0.0, 0.0, 1.0, 0.0]), found.rows)
     place = planes.center - search.center - start[3] * start[:3]
-    return search.fitter.fit(PLANE, np.concatenate([place, start[:3], [1.0, 1.0]]), found.rows).rms
+    return search.fitter.fit(PLANE, np.concatenate([place, start[:3], [1.0, 1.0]]), found.rows)

@@ -70,7 +70,7 @@ class Shapes(Planes):
             >>> round(shape.radius, 3), shape.is_sure
             (0.5, True)
         """
-        limits = self._limits(distance_threshold, normal_threshold_deg, min_radius, max_radius)
+        limits = limits_of(distance_threshold, normal_threshold_deg, min_radius, max_radius)
         return self._segment_shape(SPHERE, limits, num_iterations, probability, seed)
 
     @told_arguments
@@ -98,7 +98,7 @@ class Shapes(Planes):
             >>> round(shape.radius, 3), round(float(shape.axis[2]), 3)
             (0.2, 1.0)
         """
-        limits = self._limits(distance_threshold, normal_threshold_deg, min_radius, max_radius)
+        limits = limits_of(distance_threshold, normal_threshold_deg, min_radius, max_radius)
         return self._segment_shape(CYLINDER, limits, num_iterations, probability, seed)
 
     @told_arguments
@@ -124,7 +124,7 @@ class Shapes(Planes):
             >>> round(float(np.tan(shape.half_angle)), 3)
             0.5
         """
-        limits = self._limits(distance_threshold, normal_threshold_deg, 0.0, None)
+        limits = limits_of(distance_threshold, normal_threshold_deg, 0.0, None)
         return self._segment_shape(CONE, limits, num_iterations, probability, seed)
 
     @told_arguments
@@ -153,43 +153,23 @@ class Shapes(Planes):
             >>> round(shape.radius, 2), round(shape.minor_radius, 2)
             (0.5, 0.15)
         """
-        limits = self._limits(distance_threshold, normal_threshold_deg, min_radius, max_radius)
+        limits = limits_of(distance_threshold, normal_threshold_deg, min_radius, max_radius)
         return self._segment_shape(TORUS, limits, num_iterations, probability, seed)
 
     # ------------------------------------------------------------------------------------------ internals
-
-    def _limits(self, distance: Any, degrees: Any, smallest: Any, largest: Any) -> ShapeLimits:
-        """What makes a point one of a shape, checked; a largest radius of zero stands for none."""
-        reach = check_positive("distance_threshold", distance)
-        angle = check_positive("normal_threshold_deg", degrees)
-        if angle > 90:
-            raise ValueError(f"normal_threshold_deg: expected degrees in 0..90, 0 excluded, got {shown(degrees)}")
-        least = check_positive("min_radius", smallest, allow_zero=True)
-        most = 0.0 if largest is None else check_positive("max_radius", largest)
-        if largest is not None and most < least:
-            raise ValueError(f"max_radius: expected at least min_radius = {least:g} m, got {shown(largest)}")
-        return ShapeLimits(reach, max(0.0, math.cos(math.radians(angle))), least, most)
-
-    def _shape_search(self, limits: ShapeLimits, fewest: int, what: str) -> tuple[ShapeSearch, ShapeLimits]:
-        """The search among the points that are finite and have normals; the limits with a largest radius."""
-        points, normals = self._arrays["points"], self.required_array("normals", NORMALS)
-        rows = usable_in_order(self.search_tree(), points, normals)
-        if rows.size < fewest:
-            raise ValueError(
-                f"{what} has {fewest - 1} unknowns, but the cloud has {rows.size} finite points with normals"
-            )
-        search = ShapeSearch(points, normals, rows)
-        if search.size <= 0.0:
-            raise ValueError(f"points: all {rows.size:,} are equal, which is no {what}")
-        largest = limits.largest or 2 * math.sqrt(3) * search.size
-        return search, ShapeLimits(limits.distance, limits.cosine, limits.smallest, largest)
 
     def _segment_shape(
         self, kind: int, limits: ShapeLimits, num_iterations: Any, probability: Any, seed: Any
     ) -> tuple[Shape, NDArray[np.int32]]:
         most, chance, start = check_samples(num_iterations, probability, seed)
         name = KINDS[kind]
-        search, limits = self._shape_search(limits, len(UNKNOWNS[name]) + 1, f"a {name}")
+        search, limits = search_of(self, limits)
+        unknowns, rows = len(UNKNOWNS[name]), search.rows
+        if rows.size <= unknowns:
+            have = f"the cloud has {rows.size} finite points with normals"
+            raise ValueError(f"a {name} has {unknowns} unknowns, but {have}")
+        if search.size <= 0.0:
+            raise ValueError(f"points: all {rows.size:,} are equal, which is no {name}")
         found = search.find(kind, limits, most, chance, start)
         if found is None or not found.rows.size:
             raise ValueError(
@@ -198,6 +178,27 @@ class Shapes(Planes):
             )
         shape = shape_of(search, found, limits, self._origin)
         return shape, self.handed_out(ascending(found.rows, len(self)))
+
+
+def limits_of(distance: Any, degrees: Any, smallest: Any, largest: Any) -> ShapeLimits:
+    """What makes a point one of a shape, checked; a largest radius of zero stands for none."""
+    reach = check_positive("distance_threshold", distance)
+    angle = check_positive("normal_threshold_deg", degrees)
+    if angle > 90:
+        raise ValueError(f"normal_threshold_deg: expected degrees in 0..90, 0 excluded, got {shown(degrees)}")
+    least = check_positive("min_radius", smallest, allow_zero=True)
+    most = 0.0 if largest is None else check_positive("max_radius", largest)
+    if largest is not None and most < least:
+        raise ValueError(f"max_radius: expected at least min_radius = {least:g} m, got {shown(largest)}")
+    return ShapeLimits(reach, max(0.0, math.cos(math.radians(angle))), least, most)
+
+
+def search_of(cloud: Shapes, limits: ShapeLimits) -> tuple[ShapeSearch, ShapeLimits]:
+    """The search among the points that are finite and have normals; the limits with a largest radius."""
+    points, normals = cloud.device_array("points"), cloud.required_array("normals", NORMALS)
+    search = ShapeSearch(points, normals, usable_in_order(cloud.search_tree(), points, normals))
+    largest = limits.largest or 2 * math.sqrt(3) * search.size
+    return search, ShapeLimits(limits.distance, limits.cosine, limits.smallest, largest)
 
 
 def check_samples(num_iterations: Any, probability: Any, seed: Any) -> tuple[int, float, int]:

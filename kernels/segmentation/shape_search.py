@@ -223,14 +223,15 @@ class ShapeSearch:
     ) -> None:
         """Prepare a search among `points[rows]`, all finite and in the tree's order; one sync without a middle."""
         self.points, self.normals, self.rows, self.device = points, normals, rows, points.device
-        low, high = (bound.astype(np.float64) for bound in bound_points(gather_rows(points, rows))[:2])  # sync
+        low, high = bound_points(gather_rows(points, rows))[:2] if rows.size else (np.zeros(3), np.zeros(3))  # sync
+        low, high = low.astype(np.float64), high.astype(np.float64)
         middle = (0.5 * (low + high)).astype(np.float32) if center is None else center.astype(np.float32)
         self.center = middle.astype(np.float64)
         self.size = float(max((high - self.center).max(), (self.center - low).max()))
         step = max(1, rows.size // PART)
         self.share = step
         self.cloud = self._split(vec3(*middle), 1, 0, rows.size)
-        self.part = self._split(vec3(*middle), step, step // 2, max(1, rows.size // step))
+        self.part = self._split(vec3(*middle), step, step // 2, min(rows.size, max(1, rows.size // step)))
         self.levels = max(1, int(math.log2(max(1, rows.size / LEAST_WINDOW))))
         self.fitter = ShapeFitter(points, self.center, max(self.size, 1e-30))
 

@@ -31,3 +31,37 @@ def made_shape(kind, count, rng, noise=0.0, sizes=None, arc=1.0, motion=True):
     if not motion:
         R, t = np.eye(3), np.zeros(3)
     return points @ R.T + t, t, R[:, 2]
+
+
+def factory(rng, noise=0.0, clutter=0.25):
+    """(points, labels, parts): a hall of some 2 m with pipes, tanks, a funnel and a ring; -1 for clutter.
+
+    Each part is (kind, sizes). Outliers are `clutter` of the points.
+    """
+    parts = [
+        ("plane", (), 5000, [0, 0, 0], None, 2.0),
+        ("plane", (), 3000, [0, 0, 0], "wall", 2.0),
+        ("cylinder", (0.1,), 2000, [0.5, 0.6, 0.25], None, 1.0),
+        ("cylinder", (0.06,), 1500, [1.4, 0.4, 1.5], "lying", 1.0),
+        ("sphere", (0.25,), 2000, [1.4, 0.6, 0.5], None, 1.0),
+        ("cone", (0.35,), 1500, [1.0, 1.3, 0.3], None, 0.8),
+        ("torus", (0.3, 0.08), 2000, [1.5, 1.5, 0.6], "tilted", 1.0),
+    ]
+    points, labels = [], []
+    for number, (kind, sizes, count, place, pose, size) in enumerate(parts):
+        made = made_shape(kind, count, rng, 0.0, sizes, motion=False)[0] * size
+        if pose == "wall":
+            made = made[:, [2, 0, 1]]
+        if pose == "lying":
+            made = made[:, [2, 1, 0]] * [-1, 1, 1]
+        if pose == "tilted":
+            made = made @ np.array([[1, 0, 0], [0, 0.8, -0.6], [0, 0.6, 0.8]])
+        points.append(made + place)
+        labels.append(np.full(count, number))
+    points, labels = np.vstack(points), np.concatenate(labels)
+    points += noise * rng.normal(size=points.shape)
+    outliers = int(len(points) * clutter / (1 - clutter))
+    wild = rng.random((outliers, 3)) * [2.2, 2.2, 2.0] + [-0.1, -0.1, 0]
+    order = rng.permutation(len(points) + outliers)
+    every = np.concatenate([labels, np.full(outliers, -1)])
+    return np.vstack([points, wild])[order], every[order], [part[:2] for part in parts]
