@@ -253,6 +253,8 @@ class _Rounds:
         if rows.size < self._fewest:
             return None
         fit = self.search.fitter.fit(kind, self.search.centred(kind, shape, rows), rows)
+        if not self.limits.allow(kind, fit.shape):
+            return None
         part = largest_part(self.search.points, self.search.on(kind, fit.shape, self.limits), self._reach)
         return Found(kind, fit, part) if part.size >= self._fewest and not fit.reason else None
 

@@ -11,7 +11,8 @@ from numpy.typing import NDArray
 from ..core.checks import check_count, check_positive, check_seed, check_share, shown
 from ..core.told_arguments import told_arguments
 from ..kernels.segmentation.shape_models import CONE, CYLINDER, SPHERE, TORUS
-from ..kernels.segmentation.shape_search import ShapeLimits, ShapeSearch, ascending, usable_in_order
+from ..kernels.segmentation.shape_rows import ascending, usable_in_order
+from ..kernels.segmentation.shape_search import ShapeLimits, ShapeSearch
 from .planes import MOST_SAMPLES, Planes
 from .shape import KINDS, UNKNOWNS, Shape
 from .shape_verdicts import shape_of

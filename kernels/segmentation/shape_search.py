@@ -15,27 +15,12 @@ from numpy.typing import NDArray
 from ..array_types import Indices, Mask, Points, Vectors
 from ..arrays.bounds import bound_points
 from ..arrays.select import gather_rows, positions_of
-from ..lang import (
-    array,
-    atomic_max,
-    dot,
-    float32,
-    float64,
-    int32,
-    isfinite,
-    kernel,
-    launch,
-    sqrt,
-    tid,
-    uint8,
-    vec3,
-    vec3d,
-)
+from ..lang import array, atomic_max, dot, float32, float64, int32, kernel, launch, sqrt, tid, uint8, vec3, vec3d
 from ..memory import download, empty, upload, zeros
-from ..search.point_tree import PointTree
 from .plane_samples import sampled_point
 from .shape_fit import ShapeFit, ShapeFitter, frame_of
 from .shape_models import CONE, CYLINDER, NUMBERS, PLANE, SPHERE, TORUS, ShapePoints, measure, split_points_kernel
+from .shape_rows import every_of
 from .shape_samples import LEAST_WINDOW, draw_shapes_kernel
 from .shape_scores import score_shapes
 
@@ -44,6 +29,7 @@ PART = 2048  # points that all samples are scored on
 FIRST_BATCH, BATCH_GROWTH, MOST_BATCH = 256, 2, 8192
 PROMISING = 16  # samples of a batch that are scored on all points
 REFINED = 6  # samples that are fitted to their points
+FITTED_PART = 4096  # points that the best few samples are fitted to first, where there are twice as many
 MOST_FITS = 6  # of one sample, each to the points of the one before
 SECTORS, BANDS = 36, 18  # cells around a shape, along it: what share of them has points is its coverage
 STREAM = 7919  # kinds draw from seeds that lie so far apart
@@ -64,6 +50,12 @@ class ShapeLimits:
     smallest: float
     largest: float
 
+    def allow(self, kind: int, shape: NDArray[np.float64]) -> bool:
+        """Whether a shape has such a size."""
+        if kind in (PLANE, CONE):
+            return True
+        return bool(shape[7 if kind == TORUS else 6] >= self.smallest and shape[6] <= self.largest)
+
 
 @dataclass(frozen=True)
 class Found:
@@ -78,41 +70,6 @@ class Found:
     kind: int
     fit: ShapeFit
     rows: Indices
-
-
-@kernel
-def mask_ordered_kernel(
-    points: array(dtype=vec3), normals: array(dtype=vec3), order: array(dtype=int32), mask: array(dtype=uint8)
-):
-    """1 where the point at a place of an order, and its normal, are finite."""
-    i = tid()
-    p = points[order[i]]
-    n = normals[order[i]]
-    usable = 0
-    if isfinite(p) and isfinite(n):
-        usable = 1
-    mask[i] = uint8(usable)
-
-
-@kernel
-def mark_rows_kernel(rows: array(dtype=int32), mask: array(dtype=uint8)):
-    """1 at some rows."""
-    i = tid()
-    mask[rows[i]] = uint8(1)
-
-
-def usable_in_order(tree: PointTree, points: Points, normals: Vectors) -> Indices:
-    """The rows of points that are finite and have a finite normal, in the order of their tree; one sync."""
-    mask = zeros(tree.order.size, uint8, points.device)
-    launch(mask_ordered_kernel, tree.count, [points, normals, tree.order, mask])
-    return gather_rows(tree.order, positions_of(mask))
-
-
-def ascending(rows: Indices, count: int) -> Indices:
-    """Rows of a cloud of so many points, each once, in the order of the cloud."""
-    mask = zeros(count, uint8, rows.device)
-    launch(mark_rows_kernel, rows.size, [rows, mask])
-    return positions_of(mask, rows.size)
 
 
 @kernel
@@ -139,22 +96,6 @@ def mask_on_shape_kernel(
     if abs(m[0]) < threshold and facing >= least_cosine * size:
         inside = 1
     mask[i] = uint8(inside)
-
-
-@kernel
-def measure_distances_kernel(
-    points: array(dtype=vec3),
-    center: vec3d,
-    kind: int,
-    p: vec3d,
-    a: vec3d,
-    sizes: vec3d,
-    distances: array(dtype=float64),
-):
-    """The signed distance of each point from a shape."""
-    i = tid()
-    x = vec3d(float64(points[i][0]), float64(points[i][1]), float64(points[i][2])) - center
-    distances[i] = measure(kind, p, a, sizes[0], sizes[1], x)[0]
 
 
 @kernel
@@ -280,9 +221,22 @@ class ShapeSearch:
             share = counts[0] / self.rows.size if len(counts) else 0.0
             needed = samples_needed(share, kind, self.levels, probability, most)
             batch = min(BATCH_GROWTH * batch, MOST_BATCH)
+        part = self._part_search()
+        if part is not None and len(pool):
+            refined = [part.refine(kind, shape, limits) for shape in pool]
+            pool = np.concatenate([pool, *(one.fit.shape[None] for one in refined if one is not None)])
+            counts = self.score(pool, np.full(len(pool), kind), limits)
+            pool = pool[np.argsort(-counts, kind="stable")[:1]]
         found = [self.refine(kind, shape, limits) for shape in pool]
         found = [one for one in found if one is not None]
         return max(found, key=lambda one: (one.rows.size, -one.fit.rms), default=None)
+
+    def _part_search(self) -> "ShapeSearch | None":
+        """The search among every n-th of the points; None where there are few."""
+        step = self.rows.size // FITTED_PART
+        if step < 2:
+            return None
+        return ShapeSearch(self.points, self.normals, every_of(self.rows, step), self.center)
 
     def refine(self, kind: int, shape: NDArray[np.float64], limits: ShapeLimits) -> Found | None:
         """A shape fitted to its points while they grow in number; None where it has none."""
@@ -292,6 +246,8 @@ class ShapeSearch:
                 break
             fit = self.fitter.fit(kind, self.centred(kind, shape, rows), rows)
             shape = fit.shape
+            if not limits.allow(kind, shape):
+                break
             grown = self.on(kind, shape, limits)
             if best is not None and grown.size <= best.rows.size:
                 break
@@ -358,15 +314,6 @@ class ShapeSearch:
 
 def _taken_apart(shape: NDArray[np.float64]) -> list:
     return [vec3d(*shape[:3]), vec3d(*shape[3:6]), vec3d(shape[6], shape[7], 0.0)]
-
-
-def distances_from(
-    points: Points, center: NDArray[np.float64], kind: int, shape: NDArray[np.float64]
-) -> NDArray[np.float64]:
-    """The signed distance of each point from a shape relative to a place; one sync."""
-    out = empty(points.size, float64, points.device)
-    launch(measure_distances_kernel, points.size, [points, vec3d(*center), kind, *_taken_apart(shape), out])
-    return download(out)
 
 
 def chance_of(share: float, kind: int, levels: int) -> float:

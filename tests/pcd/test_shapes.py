@@ -123,6 +123,17 @@ def test_the_same_seed_gives_the_same_bits_and_inliers_are_those_of_the_shape(de
     np.testing.assert_allclose(np.abs(with_any[0].compute_distances(cloud.points[with_any[1]])).max(), 0.02, atol=1e-3)
 
 
+def test_a_fit_keeps_to_the_radii_that_were_asked_for(device, rng):
+    points, _, _ = made_shape("plane", 2000, rng, 0.003)
+    cloud = loom.PointCloud(points, device=device).estimate_normals(max_nn=15)
+    try:
+        shape, _ = cloud.segment_cylinder(0.01, 30, 3000, max_radius=0.8)
+    except ValueError as error:
+        assert "no cylinder found" in str(error)
+    else:
+        assert shape.radius <= 0.8
+
+
 # ------------------------------------------------------------------------------------------------ doubts
 
 
