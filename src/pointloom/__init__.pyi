@@ -88,6 +88,10 @@ from .pcd.geographic import utm_epsg as utm_epsg
 from .pcd.ground import classify_ground as classify_ground
 from .pcd.terrain import height_above_ground as height_above_ground
 from .pcd.hulls import VisibleSurface as VisibleSurface
+from .pcd.shape import Shape as Shape
+from .pcd.shape_detection import DetectedShapes as DetectedShapes
+from .pcd.shape_detection import detect_shapes as detect_shapes
+from .pcd.shape import ShapeSurface as ShapeSurface
 from .cameras.images import RGBDImage as RGBDImage
 from .files.frames.azure_kinect import AzureKinectCamera as AzureKinectCamera
 from .files.models.colmap import read_colmap_model as read_colmap_model

@@ -47,12 +47,17 @@ cloud.paint_uniform_color(color=three)
 cloud.project_to_depth_image(width=16, height=12, intrinsic=camera, extrinsic=pose, depth_scale=1000.0, depth_max=5.0)
 cloud.project_to_rgbd_image(width=16, height=12, intrinsic=camera, extrinsic=pose, depth_max=5.0)
 cloud.random_down_sample(sampling_ratio=0.5, seed=1)
+cloud.region_growing(smoothness_threshold_deg=3.0, curvature_threshold=0.05, min_cluster_size=5, max_cluster_size=50, max_nn=10)
 cloud.remove_radius_outlier(nb_points=3, radius=0.3)
 cloud.remove_statistical_outlier(nb_neighbors=5, std_ratio=1.0)
 cloud.rotate(R=turn, center=three)
 cloud.scale(scale=2.0, center=three)
 cloud.segment_plane(distance_threshold=0.01, ransac_n=3, num_iterations=10, probability=0.99, seed=0)
 cloud.segment_planes(distance_threshold=0.01, ransac_n=3, num_iterations=10, probability=0.99, min_points=10, max_planes=2, seed=0)
+cloud.segment_cone(distance_threshold=0.05, normal_threshold_deg=30.0, num_iterations=10, probability=0.99, seed=0)
+cloud.segment_cylinder(distance_threshold=0.05, normal_threshold_deg=30.0, num_iterations=10, probability=0.99, min_radius=0.0, max_radius=2.0, seed=0)
+cloud.segment_sphere(distance_threshold=0.05, normal_threshold_deg=30.0, num_iterations=10, probability=0.99, min_radius=0.0, max_radius=2.0, seed=0)
+cloud.segment_torus(distance_threshold=0.2, normal_threshold_deg=80.0, num_iterations=2000, probability=0.99, min_radius=0.0, max_radius=2.0, seed=0)
 cloud.select_by_index(indices=[0, 1])
 cloud.select_by_mask(mask=mask)
 cloud.smooth_bilateral(radius=0.5, max_nn=10, sigma_s=0.05, sigma_r=0.05)
@@ -71,6 +76,7 @@ loom.NearestNeighborSearch(cloud=cloud, device="cpu")
 search.knn_search(queries=points, k=3)
 search.hybrid_search(queries=points, radius=0.3, max_nn=3)
 search.radius_search(queries=points, radius=0.3)
+loom.detect_shapes(cloud=cloud, distance_threshold=0.05, normal_threshold_deg=30.0, kinds=("plane", "sphere"), min_support=10, cluster_epsilon=0.3, num_iterations=10, probability=0.9, min_radius=0.0, max_radius=2.0, max_shapes=2, seed=0, progress=None)
 loom.free_memory(device="cpu")
 loom.LengthUnit(name="ell", symbol="ell", metres=1.143)
 loom.AxisAlignedBoundingBox(min_bound=three, max_bound=three)
@@ -353,6 +359,7 @@ LEFT_OUT |= {  # other names of what the table has
     for name in dir(kind)
     if name.startswith("create_from_") and hasattr(kind, name.removeprefix("create_"))
 }
+LEFT_OUT |= {"Shape", "ShapeSurface", "DetectedShapes"}  # results
 LEFT_OUT |= {"record"}  # tests/drawing/recording has it
 # tests/drawing/render has them
 LEFT_OUT |= {"render", "save_picture", "View", "fit_view", "read_view", "write_view", "CameraFrustum"}
