@@ -117,36 +117,41 @@ class _State:
 
     def __init__(self, costs: Costs, place: Place, chance: random.Random):
         self.costs, self.place, self.chance = costs, place, chance
-        self.ready = [costs.start] * place.workers
         self.end = costs.start
         self.manifest = self.storage = 0.0
         self.cpu, self.stored, self.told, self.deaths = costs.start * place.workers, 0.0, 0.0, 0
 
     def work(self, tasks: list[tuple[float, float]]) -> None:
         """Work tasks of (CPU seconds, bytes) off; all begin when those before are over."""
-        self.ready = [max(self.ready[0], self.end)] * self.place.workers if self.cpu else self.ready
-        heap = [(time, number) for number, time in enumerate(self.ready)]
-        heapq.heapify(heap)
+        costs, place = self.costs, self.place
         waiting = [*reversed(tasks)]
-        while waiting:
-            begin, worker = heapq.heappop(heap)
-            cpu, size = waiting.pop()
-            time = self._transact(begin)
-            self.storage = max(self.storage, time) + size / self.place.storage
-            self.stored += size / self.place.storage
-            time = max(time + cpu, self.storage)  # read and written while it computes
-            death = (
-                begin + self.chance.expovariate(1 / self.place.lifetime) if self.place.lifetime < math.inf else math.inf
-            )
-            self.cpu += min(cpu, death - begin)
-            if death < time:
-                self.deaths += 1
-                waiting.append((cpu, size))
-                time = death + self.costs.start
-            else:
+        # (time, worker, the task that it has done, or None where it looks for one): served in the order of time
+        begin = max(self.end, costs.start)
+        events: list[tuple[float, int, tuple[float, float] | None]] = [(begin, k, None) for k in range(place.workers)]
+        heapq.heapify(events)
+        while events:
+            time, worker, done = heapq.heappop(events)
+            if done is not None:
                 time = self._transact(time)
                 self.end = max(self.end, time)
-            heapq.heappush(heap, (time, worker))
+                heapq.heappush(events, (time, worker, None))
+                continue
+            if not waiting:
+                continue
+            cpu, size = waiting.pop()
+            time = self._transact(time)
+            self.storage = max(self.storage, time) + size / place.storage
+            self.stored += size / place.storage
+            over = max(time + cpu, self.storage)  # read and written while it computes
+            death = time + self.chance.expovariate(1 / place.lifetime) if place.lifetime < math.inf else math.inf
+            if death < over:
+                self.deaths += 1
+                self.cpu += min(cpu, death - time)
+                waiting.append((cpu, size))
+                heapq.heappush(events, (death + costs.start, worker, None))
+            else:
+                self.cpu += cpu
+                heapq.heappush(events, (over, worker, (cpu, size)))
 
     def _transact(self, time: float) -> float:
         self.manifest = max(self.manifest, time) + self.costs.transaction
