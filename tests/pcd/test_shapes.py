@@ -123,6 +123,15 @@ def test_the_same_seed_gives_the_same_bits_and_inliers_are_those_of_the_shape(de
     np.testing.assert_allclose(np.abs(with_any[0].compute_distances(cloud.points[with_any[1]])).max(), 0.02, atol=1e-3)
 
 
+@pytest.mark.parametrize("kind", ROUND)
+def test_of_many_points_a_part_is_fitted_first_and_all_of_them_last(device, rng, kind):
+    points, _, _ = scene(kind, rng, 6400, 2600, 0.003)
+    cloud = loom.PointCloud(points, device=device).estimate_normals(max_nn=30)
+    shape, inliers = segment(cloud, kind, 0.01, 25)
+    assert ((inliers < 6400).sum() > 0.97 * 6400) and shape.is_sure and shape.support > 6200
+    assert (np.abs(sizes_of(shape) - SIZES[kind]) < 4 * sigma_of(shape) + 2e-4).all()
+
+
 def test_a_fit_keeps_to_the_radii_that_were_asked_for(device, rng):
     points, _, _ = made_shape("plane", 2000, rng, 0.003)
     cloud = loom.PointCloud(points, device=device).estimate_normals(max_nn=15)
