@@ -45,7 +45,7 @@ ROOMS = {
         *("poses", "icp", "volumes", "odometry", "meshes", "remeshing", "rays", "reconstruction", "images", "stereo"),
         *("drawing", "rgbd", "textures", "scenes"),
     ],
-    "files": ["pictures", "points", "meshes", "frames", "models"],
+    "files": ["pictures", "points", "meshes", "frames", "models", "bags"],
     "registration": ["icp", "globally", "lidar", "pose_graphs", "deformable", "trajectories"],
     "meshing": ["mesh", "scene", "volume", "color_map"],
     "rgbd": ["odometry", "slam", "fusion", "reconstruction"],

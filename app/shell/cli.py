@@ -121,6 +121,7 @@ def info(files: tuple[Path, ...], read_as: str | None, as_json: bool) -> int:
     pictures      .png .jpg, depth maps as 16-bit .png or .npy
     data sets     folders of RGB-D frames
     folders       of clouds and meshes, one line each
+    recordings    .bag of ROS 1, .db3 and .mcap of ROS 2, and folders of those: their topics
 
     The origin is the point that positions are counted from in float32 (other than zero beyond 10 km).
 

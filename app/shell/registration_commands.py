@@ -178,6 +178,7 @@ def multiway(folder: Path, output: Path, as_json: bool, force: bool, **options: 
     "--min-range", type=RANGE, default=5.0, show_default=True, metavar="M", help="Nearer points do not count [m]."
 )
 @click.option("--truth", type=FILE, metavar="FILE", help="The scanner's true poses: print the errors.")
+@click.option("--topic", metavar="NAME", help="Of a recording: which clouds; the only ones if not given.")
 @record_option("scan after scan with the map and the path")
 @device_option()
 @json_option()
@@ -190,7 +191,10 @@ def odometry(folder: Path, output: Path, as_json: bool, force: bool, **options: 
     did not overlap those before it (its pose is then that of constant velocity), where one lies beside the map of those
     before it, or where many did not come to rest: the path is then likely lost, and the summary names the scans.
 
+    DIR may be a recording too: a .bag of ROS 1, a .db3 or .mcap file, or a folder of those, with pointloom[ros].
+
     \b
+    pointloom odometry run.mcap --topic /points -o poses.tum
     pointloom odometry velodyne -o poses.txt
     pointloom odometry velodyne -o poses.kitti --truth truth.txt
     pointloom odometry velodyne -o 00.txt --format kitti

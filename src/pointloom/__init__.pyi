@@ -111,6 +111,10 @@ from .files.points.point_cloud import read_las_chunks as read_las_chunks
 from .files.points.point_cloud import read_point_cloud as read_point_cloud
 from .files.points.point_cloud import write_point_cloud as write_point_cloud
 from .files.frames.realsense import RealSenseCamera as RealSenseCamera
+from .files.bags.recording import RecordedMessage as RecordedMessage
+from .files.bags.recording import Recording as Recording
+from .files.bags.recording import RecordingWarning as RecordingWarning
+from .files.bags.recording import open_recording as open_recording
 from .files.frames.recordings import FrameRecorder as FrameRecorder
 from .files.frames.recordings import record_frames as record_frames
 from .files.frames.rgbd_sources import RGBDSource as RGBDSource
