@@ -230,7 +230,7 @@ def main() -> None:
     if told.check:
         print(*checks(runs), sep="\n")
         return
-    costs = costs_of(max(runs, key=lambda run: run["points"]))
+    costs = costs_of(min(runs, key=lambda run: run["points"]))
     if told.transaction is not None:
         costs = replace(costs, transaction=told.transaction)
     place = Place(told.workers, told.storage * 1e9, told.lifetime * HOUR)

@@ -44,6 +44,14 @@ class DetectedShapes:
         labels: int32 [n], the number of each point's shape, -1 of none.
         shapes: In the order in which they were taken, the most points first but for chance.
         distances: float32 [n], the signed distance [m] of each point from its shape, NaN of none.
+
+    Example:
+        >>> import numpy as np, pointloom as loom
+        >>> points = np.random.default_rng(0).normal(size=(2000, 3))
+        >>> ball = loom.PointCloud(points / np.linalg.norm(points, axis=1)[:, None]).estimate_normals()
+        >>> found = loom.detect_shapes(ball, 0.02, min_support=500)
+        >>> [shape.kind for shape in found.shapes], found.labels.shape
+        (['sphere'], (2000,))
     """
 
     labels: NDArray[np.int32]

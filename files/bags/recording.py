@@ -53,7 +53,13 @@ class Topic:
 
 @dataclass(frozen=True, eq=False)
 class RecordedMessage:
-    """A message as it was recorded: its topic, its time [s], and what it holds as an object of `rosbags`."""
+    """A message as it was recorded: its topic, its time [s], and what it holds as an object of `rosbags`.
+
+    Example:
+        >>> import pointloom as loom
+        >>> loom.RecordedMessage("/points", 12.5, None).time
+        12.5
+    """
 
     topic: str
     time: float
