@@ -162,7 +162,7 @@ def _run(
             halo = halos[k + 1] + step.reach * REACH_SLACK + part.spread + 4 * plan.slack
             around = plan.window(*place, halo, ends=True)
             part = part.beside(read_epoch(plan, folder, fulls, step, around))
-        told = read_joined(folder, k, place[1] * plan.shape[0] + place[0]) if step.joins else numbers.get(k)
+        told: Any = read_joined(folder, k, place[1] * plan.shape[0] + place[0]) if step.joins else numbers.get(k)
         part = step.run(part, plan, told).beside(None)
         part = part.select(_at_home(plan, part.homes, plan.window(*place, halos[k + 1]), place))
     return part, None

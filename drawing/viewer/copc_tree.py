@@ -106,7 +106,7 @@ class CopcTree(NodesInView):
         self.levels, self.counts = levels, entries["count"].astype(np.int64)
         self.halves, self.middles = widths / 2, octree.corner + (cells + 0.5) * widths[:, None]
         self._level_halves, self._level_middles = self.halves, self.middles
-        self.spacings = octree.spacing / 2.0**levels
+        self.spacings = np.asarray(octree.spacing / 2.0**levels, np.float64)
         self._names = _names(levels, cells)
         self._firsts = np.cumsum(self.counts) - self.counts
         self.count = int(self.counts.sum())
@@ -116,7 +116,7 @@ class CopcTree(NodesInView):
     @property
     def has_colors(self) -> bool:
         """Whether points have colours."""
-        return self.head.has_colors
+        return bool(self.head.has_colors)
 
     def points_of(self, i: int) -> NDArray[np.float64]:
         """World coordinates of a node's points [m], float64 [k, 3]; none of a damaged one."""

@@ -54,7 +54,8 @@ def seconds_since_first(times: NDArray[Any]) -> NDArray[np.float64]:
     if not finite.size:
         return times.astype(np.float64)
     first = np.float64(finite.min())
-    return (times.astype(np.float64) - first) * (1e-9 if abs(first) >= _NANOSECONDS_FROM else 1.0)
+    seconds = (times.astype(np.float64) - first) * (1e-9 if abs(first) >= _NANOSECONDS_FROM else 1.0)
+    return np.asarray(seconds, np.float64)
 
 
 def _columns(path: Path, message: Any) -> dict[str, NDArray[Any]]:

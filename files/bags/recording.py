@@ -72,6 +72,11 @@ class Recording:
     Attributes:
         path: The file or folder.
         damage: What is missing of it, in a sentence, or None.
+
+    Example:
+        >>> import pointloom as loom
+        >>> def spans(recording: loom.Recording) -> dict[str, float]:
+        ...     return {topic.name: topic.last - topic.first for topic in recording.topics if topic.count}
     """
 
     def __init__(self, path: Path, parts: list[Contents]):
