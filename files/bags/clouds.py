@@ -49,7 +49,8 @@ def table_of_message(path: Path, message: Any) -> PointTable:
 def seconds_since_first(times: NDArray[Any]) -> NDArray[np.float64]:
     """Times of points [s]: whole numbers are nanoseconds, and floats beyond all seconds too."""
     if times.dtype.kind in "iu":
-        return (times.astype(np.int64) - int(times.min(initial=np.iinfo(times.dtype).max))) * 1e-9
+        whole = times.astype(np.int64) - int(times.min(initial=np.iinfo(times.dtype).max))
+        return np.asarray(whole * 1e-9, np.float64)
     finite = times[np.isfinite(times)]
     if not finite.size:
         return times.astype(np.float64)
