@@ -13,10 +13,16 @@ COARSER = 2.0**-8  # steps for which they hold those of 2^33
 
 
 @func
-def steps_for(sqdist: float) -> float:
-    """Steps a metre for differences of up to the root of a square: 2^23 in the power of two above it."""
+def steps_for(sqdist: float, count: int) -> float:
+    """Steps a metre for differences of up to the root of a square: 2^23 in the power of two above it.
+
+    They are coarser where so many points are counted that 64 bits would not hold their moments.
+    """
     power = ((float_bits(sqdist) >> 23) - 125) >> 1  # sqdist < 4^power
-    return bits_float((150 - power) << 23)
+    steps = bits_float((150 - power) << 23)
+    if count > MOST_WHOLE:
+        steps = steps * COARSER
+    return steps
 
 
 @func

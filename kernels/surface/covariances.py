@@ -1,28 +1,18 @@
 """Covariances of the neighbours of each point, about their mean.
 
 Moments are sums of differences to the point in whole steps, so coordinates of any size do no harm, and neither does the
-order in which neighbours are met. With a
-count the neighbours are listed a part at a time (4 B each, a part of 64 MB); without one the moments are summed as the
-points are found. 36 B written a point.
+order in which neighbours are met. With a count the neighbours are listed a part at a time (4 B each, a part of 64 MB);
+without one the moments are summed as the points are found. 36 B written a point.
 """
 
-from ..algebra.moments import (
-    COARSER,
-    MOST_WHOLE,
-    add_whole,
-    covariance_of,
-    in_metres,
-    moments,
-    steps_for,
-    whole_moments,
-)
+from ..algebra.moments import add_whole, covariance_of, in_metres, moments, steps_for, whole_moments
 from ..array_types import Array2, Points
-from ..lang import NAN, array, float32, float64, func, int32, int64, isfinite, kernel, launch, tid, vec3
+from ..lang import NAN, array, float32, float64, func, int32, isfinite, kernel, launch, tid, vec3
 from ..memory import empty
-from ..search.bucket_walk import points_in_reach
 from ..search.neighbor_lists import list_neighbors
-from ..search.point_tree import BUCKET, PointTree, square_distance, widest_square
+from ..search.point_tree import PointTree, square_distance, widest_square
 from ..search.tree_search import reach_of
+from .neighbor_moments import moments_within
 from .normals import MIN_NEIGHBORS
 
 LIST_ENTRIES = 2**24  # of the lists held at a time
@@ -54,9 +44,7 @@ def fit_covariances_nearest_kernel(
     for j in range(i * k, (i + 1) * k):
         if lists[j] >= 0:
             farthest = max(farthest, square_distance(p, tree.points[lists[j]]))
-    steps = steps_for(farthest)
-    if k > MOST_WHOLE:
-        steps = steps * COARSER
+    steps = steps_for(farthest, k)
     total = whole_moments(0)
     for j in range(i * k, (i + 1) * k):
         if lists[j] >= 0:
@@ -70,17 +58,7 @@ def fit_covariances_within_kernel(
 ):
     """Covariances of all points within reach."""
     i = tid()
-    p = tree.points[i]
-    steps = steps_for(widest)
-    total = whole_moments(0)
-    for j, sqdist in points_in_reach(i // BUCKET, p, reach, tree):
-        total = add_whole(total, p, tree.points[j], steps)
-    if total[0] > int64(MOST_WHOLE):  # too many for such steps
-        steps = steps * COARSER
-        total = whole_moments(0)
-        for j, sqdist in points_in_reach(i // BUCKET, p, reach, tree):
-            total = add_whole(total, p, tree.points[j], steps)
-    write_covariance(in_metres(total, steps), tree.order[i], covariances)
+    write_covariance(moments_within(i, reach, widest, tree), tree.order[i], covariances)
 
 
 @kernel

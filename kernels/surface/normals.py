@@ -11,25 +11,16 @@ from collections.abc import Sequence
 import numpy as np
 
 from ..algebra.eigen import smallest_eigenvector
-from ..algebra.moments import (
-    COARSER,
-    MOST_WHOLE,
-    add_whole,
-    covariance_of,
-    in_metres,
-    moments,
-    steps_for,
-    whole_moments,
-)
+from ..algebra.moments import add_whole, covariance_of, in_metres, moments, steps_for, whole_moments
 from ..array_types import Points, Vectors
-from ..arrays.packed_keys import key_index, key_number
-from ..lang import NAN, array, dot, float64, func, int32, int64, isfinite, kernel, launch, sqrt, tid, vec3
+from ..arrays.packed_keys import key_index
+from ..lang import NAN, array, dot, float64, func, int32, isfinite, kernel, launch, sqrt, tid, vec3
 from ..memory import empty
-from ..search.bucket_walk import points_in_reach
 from ..search.group_scratch import GroupScratch, LaunchPart, held_key
-from ..search.group_search import launch_over_leaves, nearest_of_leaves
-from ..search.point_tree import BUCKET, PointTree, widest_square
+from ..search.group_search import farthest_key, launch_over_leaves, nearest_of_leaves
+from ..search.point_tree import PointTree, widest_square
 from ..search.tree_search import reach_of
+from .neighbor_moments import moments_within
 
 MIN_NEIGHBORS = 3.0  # fewer points span no plane
 
@@ -57,12 +48,7 @@ def fit_normals_nearest_kernel(
     i = tid()
     for rank, base, size in nearest_of_leaves(i, part, tree, places, scratch, reach, 0):
         p = tree.points[rank]
-        farthest = float(0.0)
-        for j in range(size):
-            farthest = max(farthest, key_number(held_key(scratch, base, j)))
-        steps = steps_for(farthest)
-        if size > MOST_WHOLE:
-            steps = steps * COARSER
+        steps = steps_for(farthest_key(scratch, base, size), size)
         total = whole_moments(0)
         for j in range(size):
             total = add_whole(total, p, tree.points[key_index(held_key(scratch, base, j))], steps)
@@ -73,17 +59,7 @@ def fit_normals_nearest_kernel(
 def fit_normals_within_kernel(tree: PointTree, reach: float, widest: float, normals: array(dtype=vec3)):
     """Normals from all points within reach, whose moments are summed as they are found."""
     i = tid()
-    p = tree.points[i]
-    steps = steps_for(widest)
-    total = whole_moments(0)
-    for j, sqdist in points_in_reach(i // BUCKET, p, reach, tree):
-        total = add_whole(total, p, tree.points[j], steps)
-    if total[0] > int64(MOST_WHOLE):  # too many for such steps
-        steps = steps * COARSER
-        total = whole_moments(0)
-        for j, sqdist in points_in_reach(i // BUCKET, p, reach, tree):
-            total = add_whole(total, p, tree.points[j], steps)
-    normals[tree.order[i]] = normal_of(in_metres(total, steps))
+    normals[tree.order[i]] = normal_of(moments_within(i, reach, widest, tree))
 
 
 @kernel
