@@ -9,8 +9,9 @@ some 15,000 operations, 50,000 where motions are not determined. Only jobs with 
 
 from ..algebra.matrices import multiply33
 from ..algebra.rigid_solve import UNKNOWNS, diagonalize, rotation_about, square, vec6d
-from ..lang import array, atomic_add, cross, dot, float64, func, int32, kernel, mat44d, sqrt, tid, vec3d, vector
-from .determined_steps import about, trace_of_inverse
+from ..lang import array, cross, dot, float64, func, int32, kernel, mat44d, sqrt, tid, vec3d, vector
+from .centered_systems import about, vector_about
+from .determined_steps import trace_of_inverse
 from .freedom import (
     SCALE_AT,
     SHIFT_AT,
@@ -31,14 +32,12 @@ from .reduced_systems import (
     free_basis,
     pair_system,
     parameters_of,
-    row_system,
     solve_scaled,
     times,
     variance_of,
-    vector_about,
 )
-from .rows import mean_source, row_sums
-from .step import LOOK_AHEAD, PAIRS, WIDEST_LOOK, Progress, StepRules, judge_job, length_of
+from .rows import mean_source, row_sums, row_system
+from .step import PAIRS, Progress, StepRules, end_job, judge_job, length_of, note_step
 
 HELD = 1.0e-12  # of the trace of the prior's information: what is less holds nothing
 SMALLEST_FACTOR = 0.5  # of the scale in one step
@@ -335,11 +334,7 @@ def move_constrained(i: int, x: scale_row, matches: Matches, progress: Progress,
     if length - length == 0.0:
         freedom.states[i] = state
         matches.poses[i] = pose
-        progress.iterations[i] = progress.iterations[i] + 1
-        look = float64(0.0)
-        if length * float64(LOOK_AHEAD) < float64(WIDEST_LOOK) * progress.rmse[i]:
-            look = length * float64(LOOK_AHEAD)
-        matches.margins[i] = float(look)
+        note_step(i, length, matches, progress)
     else:
         outcome = NOT_FINITE
     return outcome
@@ -356,6 +351,4 @@ def step_constrained_kernel(rules: StepRules, matches: Matches, progress: Progre
             x = solve_constrained(i, rules, progress, freedom)
             outcome = move_constrained(i, x, matches, progress, freedom)
         if outcome != RUNNING:
-            progress.outcomes[i] = outcome
-            matches.live[i] = 0
-            atomic_add(progress.running, 0, -1)  # a count: the order does not matter
+            end_job(i, outcome, matches, progress)

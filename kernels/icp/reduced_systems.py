@@ -134,13 +134,6 @@ def solve_scaled(matrix: square, b: vec6d) -> vec6d:
 
 
 @func
-def vector_about(g: vec6d, center: vec3d, size: float64) -> vec6d:
-    """The right side of a system about a place, as `about` has its matrix."""
-    w = cross(vec3d(g[3], g[4], g[5]), center)
-    return vec6d((g[0] + w[0]) / size, (g[1] + w[1]) / size, (g[2] + w[2]) / size, g[3], g[4], g[5])
-
-
-@func
 def pair_system(sums: row_sums) -> tuple[triangle, vec6d]:
     """The Gauss-Newton system of pairs of points, J^T J and J^T r of r = a - b, J = (-[a]x, I), from their sums."""
     h = triangle(0.0)
@@ -167,15 +160,6 @@ def pair_system(sums: row_sums) -> tuple[triangle, vec6d]:
         sums[1] - sums[4], sums[2] - sums[5], sums[3] - sums[6],
     )  # fmt: skip
     return h, g
-
-
-@func
-def row_system(sums: row_sums) -> tuple[triangle, vec6d]:
-    """The system that rows were summed into."""
-    h = triangle(0.0)
-    for j in range(21):
-        h[j] = sums[j]
-    return h, vec6d(sums[21], sums[22], sums[23], sums[24], sums[25], sums[26])
 
 
 @func

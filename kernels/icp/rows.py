@@ -14,7 +14,7 @@ is a pair; sums in float64 leave through the reduction: 21 of J^T J, 6 of J^T r,
 
 import numpy as np
 
-from ..algebra.rigid_solve import sums_of_pair, turn, vec6d
+from ..algebra.rigid_solve import sums_of_pair, triangle, turn, vec6d
 from ..algebra.transform import widen
 from ..lang import array, cross, dot, float64, func, int32, mat33d, segment_reduction, sqrt, struct, tid, vec3d, vector
 from ..search.point_tree import LEAF
@@ -48,6 +48,15 @@ def sum_row(u: vec3d, v: vec3d, r: float64, w: float64) -> row_sums:
         a[0] * r, a[1] * r, a[2] * r, b[0] * r, b[1] * r, b[2] * r,
         w * r * r, z, z, z, z, z, z, z, z,
     )  # fmt: skip
+
+
+@func
+def row_system(sums: row_sums) -> tuple[triangle, vec6d]:
+    """The system that rows were summed into."""
+    h = triangle(0.0)
+    for j in range(21):
+        h[j] = sums[j]
+    return h, vec6d(sums[21], sums[22], sums[23], sums[24], sums[25], sums[26])
 
 
 @func
