@@ -23,7 +23,7 @@ from ...files.points.las_crs import crs_name
 from ...files.points.point_cloud import cloud_of, table_of
 from ...files.table import MeshTable
 from ...meshing.mesh.mesh import TriangleMesh
-from ...meshing.mesh.mesh_files import read_triangle_mesh
+from ...meshing.mesh.mesh_files import mesh_of
 from ...meshing.scene.cloud_change import cloud_to_mesh
 from ...pcd.change import m3c2
 from ...pcd.cloud import PointCloud
@@ -167,7 +167,7 @@ def _read(job: Job, earlier: FilePath, later: FilePath) -> tuple[PointCloud | Tr
         raise FileError(later, "is a mesh", remedy="Give the mesh first: a cloud is held against it")
     after = _filled(cloud_of(second, later, device=job.device), later)
     if isinstance(first, MeshTable):
-        return read_triangle_mesh(earlier, device=job.device), after
+        return mesh_of(first, earlier, device=job.device), after
     return _filled(cloud_of(first, earlier, device=job.device), earlier), after
 
 

@@ -8,6 +8,7 @@ import warnings
 from collections import OrderedDict
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import cached_property
 from pathlib import Path
 from typing import Any
 
@@ -100,7 +101,7 @@ class Recording:
     def __repr__(self) -> str:
         return f"Recording({self.path.name}, {len(self.topics)} topics, {len(self)} messages)"
 
-    @property
+    @cached_property
     def topics(self) -> list[Topic]:
         """All topics, by name."""
         kinds = {channel.topic: channel.type for part in self._parts for channel in part.channels.values()}
