@@ -12,6 +12,11 @@ import pytest
 import pointloom as loom
 from pointloom.files.points.las_writer import write_las
 from pointloom.files.table import PointTable
+from pointloom.kernels.lang import int32, vec3
+from pointloom.kernels.memory import download, full, upload
+from pointloom.kernels.search.point_tree import PointTree
+from pointloom.kernels.segmentation.cluster_labels import NOISE, label_borders, rename_cores
+from pointloom.kernels.segmentation.dbscan import cluster_cores
 from pointloom.scale import label_join, tasks
 from pointloom.scale.steps import clusters
 
@@ -263,3 +268,33 @@ def test_runs_that_are_killed_between_passes_go_on(files, tmp_path, module, name
     assert not [*(job / "joined").glob("*.part")]
     cloud = labels_in_memory(whole_cloud(files, np.array(plan_of(job)["origin"])), DBSCAN)
     np.testing.assert_array_equal(labelled(finished(job)), labelled(cloud))
+
+
+@pytest.mark.parametrize("step", [DBSCAN, EUCLIDEAN | {"max_cluster_size": 40}], ids=lambda step: step["step"])
+def test_labels_of_tiles_of_a_device_are_those_of_the_cpu(device, files, tmp_path, step):
+    job = tmp_path / "job"
+    loom.scale.plan_tiles(files, [step], job, size=21.0)
+    assert loom.scale.run_tiles(job, device=device).is_finished
+    cloud = labels_in_memory(whole_cloud(files, np.array(plan_of(job)["origin"])), step)
+    np.testing.assert_array_equal(labelled(finished(job)), labelled(cloud))
+
+
+@pytest.mark.parametrize(
+    ("names", "expected"),
+    [((5, 3), (5, 3, 3)), ((2, 7), (2, 2, 7)), ((-1, 4), (-1, 4, 4)), ((4, -1), (4, 4, -1)), ((-1, -1), (-1, -1, -1))],
+)
+def test_cores_get_other_names_by_which_borders_choose(device, names, expected):
+    """The point between two clusters takes the lower name; those of a cluster without one are no cores to it."""
+    along = np.array([0.0, 0.1, 0.2, 0.3, 1.2, 2.1, 2.2, 2.3, 2.4])
+    order = np.random.default_rng(2).permutation(9)
+    order = order[np.argsort(along[order] > 1, kind="stable")]  # the left cluster's rows come first
+    points = np.zeros((9, 3), np.float32)
+    points[:, 0] = along[order]
+    tree = PointTree(upload(points, vec3, device))
+    labels = full(9, NOISE, int32, tree.device)
+    cores, count = cluster_cores(tree, 0.95, 4, labels)
+    assert count == 2
+    rename_cores(cores, upload(np.array(names, np.int32), int32, tree.device), labels)
+    label_borders(cores, labels)
+    sides = np.repeat(np.array(expected), (4, 1, 4))
+    assert download(labels).tolist() == sides[order].tolist()
