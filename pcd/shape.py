@@ -27,6 +27,12 @@ class ShapeSurface(NamedTuple):
     Attributes:
         vertices: World coordinates [m], float64 [m, 3].
         triangles: int32 [t, 3], counter-clockwise seen from outside; a plane's from where its axis points.
+
+    Example:
+        >>> import pointloom as loom
+        >>> surface = loom.ShapeSurface([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]])
+        >>> loom.TriangleMesh(*surface).triangles.shape
+        (1, 3)
     """
 
     vertices: NDArray[np.float64]

@@ -29,7 +29,13 @@ _KEPT = 4  # unpacked chunks: those of a recording overlap little in time
 
 
 class RecordingWarning(UserWarning):
-    """A recording that is cut off or damaged, and read up to there."""
+    """A recording that is cut off or damaged, and read up to there.
+
+    Example:
+        >>> import warnings, pointloom as loom
+        >>> with warnings.catch_warnings():
+        ...     warnings.simplefilter("error", loom.RecordingWarning)  # make it an error
+    """
 
 
 @dataclass(frozen=True)

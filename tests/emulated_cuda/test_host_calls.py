@@ -21,7 +21,7 @@ MORE = {
     "Qhull's convex hull": ("get_oriented_bounding_box", "get_minimal_oriented_bounding_box"),
     "the line of the digests reads points, vertices or triangles as NumPy": (
         *("knn_search, array", "points picked", "mesh, cluster", "mesh, deform", "mesh, metrics", "mesh, remove_"),
-        *("mesh, sample_points_uniformly", "mesh, topology", "mesh, triangles that meet", "mesh, trim", "scene, "),
+        *("mesh, sample_points_uniformly", "mesh, topology", "mesh, triangles that meet", "mesh, trim"),
         *("demo, video", "run_system", "slam, DenseSLAM"),
     ),
     "samples of features, rows of matches and of what agrees, up to a number": (
