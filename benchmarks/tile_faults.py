@@ -37,6 +37,8 @@ STEPS = [
     {"step": "voxel_down_sample", "voxel_size": 0.5},
     {"step": "estimate_normals", "max_nn": 10},
 ]
+CLUSTERS = [{"step": "voxel_down_sample", "voxel_size": 0.5}, {"step": "cluster_dbscan", "eps": 0.8, "min_points": 4}]
+CHAINS = {"filters": STEPS, "clusters": CLUSTERS}
 RUNNERS = ("workers", "dask", "scheduler")
 COMMAND = [sys.executable, "-m", "pointloom", "tile"]
 MOST_RUNS = 60  # of one job
@@ -240,6 +242,7 @@ def main() -> None:
     parser.add_argument("--kills", type=int, default=100)
     parser.add_argument("--points", type=int, default=300_000)
     parser.add_argument("--runners", default=",".join(RUNNERS))
+    parser.add_argument("--chain", choices=CHAINS, default="filters")
     parser.add_argument("--log", help="a file for what the killed commands say")
     parser.add_argument("--json", type=Path, help="a file for the counts")
     told = parser.parse_args()
@@ -247,13 +250,14 @@ def main() -> None:
     _log = Path(told.log).open("wb") if told.log else subprocess.DEVNULL  # noqa: SIM115
     os.environ.setdefault("POINTLOOM_CPU_THREADS", "1")
     mark = os.environ[MARK] = f"{os.getpid()}-{time.time()}"
+    steps = CHAINS[told.chain]
     chance, kills, counts = random.Random(told.seed), Counter[str](), Counter[str]()
     begin = time.monotonic()
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         files = made_survey(folder, told.points, told.seed)
         side = (told.points / 4) ** 0.5
-        loom.scale.plan_tiles(files, STEPS, folder / "alone", size=side / 2.5)
+        loom.scale.plan_tiles(files, steps, folder / "alone", size=side / 2.5)
         loom.scale.run_tiles(folder / "alone")
         expected = sorted_rows(loom.scale.finish_tiles(folder / "alone"))
         size = len(expected)
@@ -261,7 +265,7 @@ def main() -> None:
         while kills.total() < told.kills:
             runner = told.runners.split(",")[counts["jobs"] % len(told.runners.split(","))]
             job = folder / f"job{counts['jobs']}"
-            loom.scale.plan_tiles(files, STEPS, job, size=side / 7)
+            loom.scale.plan_tiles(files, steps, job, size=side / 7)
             attack = Attack(job, chance, kills, counts, told.kills)
             attack.work(runner)
             attack.finish(expected)
@@ -273,7 +277,7 @@ def main() -> None:
     counts["processes left over"] = left_over(mark)
     print(f"kills {dict(kills)}  {dict(counts)}")
     if told.json:
-        options = {name: getattr(told, name) for name in ("seed", "points", "runners")}
+        options = {name: getattr(told, name) for name in ("seed", "points", "runners", "chain")}
         row = options | {"seconds": round(time.monotonic() - begin), "kills": kills, "counts": counts}
         told.json.write_text(json.dumps(row, indent=1) + "\n")
     if (

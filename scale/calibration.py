@@ -26,7 +26,7 @@ from ..files.foreign import foreign_errors, import_for
 from ..files.points.copc import octree_of
 from ..files.points.las import LasFile, open_las
 from ..files.points.laszip import unpack_beginnings
-from .borders import Leavings, join_step
+from .borders import JOINED, LEFT, Leavings, join_step
 from .buckets import FOLDER as BUCKETS
 from .buckets import Window, fill_buckets, inside, positions_of
 from .exact_sums import ExactSums
@@ -59,6 +59,8 @@ class Measured:
         base, peak: Memory before and at most [bytes].
         out: Points that the steps left.
         size: Of the tile's file, or of the buckets [bytes].
+        left: Of what it leaves for joins, and of what they give it [bytes].
+        join: CPU seconds of joins.
     """
 
     points: int
@@ -71,6 +73,8 @@ class Measured:
     peak: int
     out: int
     size: int
+    left: int = 0
+    join: float = 0.0
 
 
 class Counts:
@@ -281,7 +285,7 @@ def _work(plan: Plan, folder: Path, tile: int, begin: float) -> dict[str, Any]:
     before = time.monotonic() - begin
     rounds: list[dict[str, Any]] = []
     while len(rounds) < 2:  # the first loads kernels, too
-        took: dict[str, Any] = {"read": [], "halos": [], "cpu": [], "wall": []}
+        took: dict[str, Any] = {"read": [], "halos": [], "cpu": [], "wall": [], "left": 0, "join": 0.0}
         numbers: dict[int, ExactSums] = {}
         for number, step in enumerate(plan.passes):
             at, cpu = time.monotonic(), time.process_time()
@@ -292,8 +296,8 @@ def _work(plan: Plan, folder: Path, tile: int, begin: float) -> dict[str, Any]:
             took["cpu"].append(time.process_time() - cpu)
             took["wall"].append(time.monotonic() - at)
             if step is not None and plan.steps[step].joins:
-                counts = {tile: found.sums.count} if found.sums and found.sums.count else {}
-                join_step(folder, step, plan.steps[step], Leavings(folder, step, counts, is_whole=False), "calibration")
+                size, seconds = _join(plan, folder, step, {tile: found.sums.count if found.sums else 0})
+                took |= {"left": took["left"] + size, "join": took["join"] + seconds}
             elif step is not None:
                 numbers[step] = found.sums or ExactSums()
         rounds.append(took)
@@ -302,6 +306,14 @@ def _work(plan: Plan, folder: Path, tile: int, begin: float) -> dict[str, Any]:
     start = before + max(0.0, sum(rounds[0]["wall"]) - sum(rounds[-1]["wall"]))
     path = tile_path(plan, folder, tile)
     return rounds[-1] | {"start": start, "size": path.stat().st_size if path.exists() else 0}
+
+
+def _join(plan: Plan, folder: Path, step: int, counts: dict[int, int]) -> tuple[int, float]:
+    """Join what a tile left alone; its bytes with what it gets, and CPU seconds."""
+    cpu, counts = time.process_time(), {tile: count for tile, count in counts.items() if count}
+    join_step(folder, step, plan.steps[step], Leavings(folder, step, counts, is_whole=False), "calibration")
+    paths = [folder / name / str(step) / f"{tile}.npy" for name in (LEFT, JOINED) for tile in counts]
+    return sum(path.stat().st_size for path in paths), time.process_time() - cpu
 
 
 def _peak() -> int:

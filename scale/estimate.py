@@ -161,6 +161,8 @@ def estimate_tiles(
     reads = [counts.within(_halo_of(measured, number)).ravel()[ids] for number in range(len(measured[0].read))]
     spread = _NOISE * (_THINNED if share < 1 else 1.0) * (_SAMPLED if counts.is_sample else 1.0)
     cpu, seconds = _times(plan, measured, laid, reads, workers, threads)
+    join, left = _joins(own, measured)
+    cpu, seconds = cpu + join, seconds + join
     crowded = max(1.0, workers * threads / cores)
     out = _over(own, [one.points for one in measured], [one.out for one in measured])
     file_size = sum(one.size for one in measured) / max(1, sum(one.out for one in measured))
@@ -173,7 +175,7 @@ def estimate_tiles(
         seconds=seconds.times(crowded).spread(spread),
         cpu_seconds=cpu.spread(spread),
         memory=_memory(plan, measured, laid, densest).spread(1.25),
-        temporary=_buckets(plan, laid) + (written if output == "copc" else Estimate()),
+        temporary=_buckets(plan, laid) + left + (written if output == "copc" else Estimate()),
         output=written,
         points_out=out.spread(1.1),
         calibration=_said(measured, laid, threads, share, counts.is_sample),
@@ -238,6 +240,15 @@ def _times(
         seconds += Estimate.of(rate * max(sum(rows) / workers, max(rows)))
     start = float(np.median([one.start for one in measured]))
     return cpu + Estimate.of(start * workers), seconds + Estimate.of(start)
+
+
+def _joins(own: NDArray[np.float64], measured: list[Measured]) -> tuple[Estimate, Estimate]:
+    """CPU time of joins, each by one worker while the others wait, and bytes on disk for them."""
+    if not any(one.left for one in measured):
+        return Estimate(), Estimate()
+    at = [one.points for one in measured]
+    seconds, size = _over(own, at, [one.join for one in measured]), _over(own, at, [one.left for one in measured])
+    return seconds, size.spread(1.5)
 
 
 def _memory(plan: Plan, measured: list[Measured], laid: Measured | None, densest: float) -> Estimate:

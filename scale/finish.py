@@ -13,7 +13,7 @@ from ..core.paths import path_of
 from ..core.progress import ReportProgress, say_nothing
 from ..files.foreign import foreign_errors, import_for
 from ..files.points.las import open_las
-from .borders import JOINED, LEFT
+from .borders import LEFT
 from .buckets import FOLDER as BUCKETS
 from .crew import Crew
 from .manifest import CHECKSUMS, Manifest, clear_locks, only_one
@@ -99,7 +99,7 @@ def finish_tiles(
         else:
             _merge(path, parts, overwrite, report)
         write_mosaics(manifest, plan, mosaics, overwrite)
-        for name in (BUCKETS, LEFT, JOINED):
+        for name in (BUCKETS, LEFT):  # what joins gave stays: a tile whose file is damaged is made again with it
             shutil.rmtree(manifest.folder / name, ignore_errors=True)
         for left in (manifest.folder / TILES).glob(".*.part"):  # of workers that were killed
             left.unlink(missing_ok=True)

@@ -60,7 +60,7 @@ ROOMS = {
 # lang.py and memory.py hand on what rooms below all others hold; check_cuda.py and cuda_cache.py look at every room.
 TOPS_THAT_KNOW_ROOMS = {
     "kernels": {"lang", "launches", "memory", "check_cuda", "cuda_cache"},
-    "scale": {"epochs", "halos", "plan", "rasters", "work_tile"},
+    "scale": {"epochs", "halos", "plan", "rasters", "status", "work_tile"},
 }
 
 TAICHI_FILES = {"kernels/language/taichi_compiler.py"}

@@ -60,6 +60,9 @@ class TileReport(Report):
         fields = [
             ("tiles", f"{told.done + told.empty} of {_all(told)} done" + (f", {told.empty} empty" * bool(told.empty)))
         ]
+        if told.passes > 1 and not told.is_finished:
+            through = f"{told.which_pass} of {told.passes}, {told.through} of {_all(told)} tiles through it"
+            fields.append(("pass", through))
         fields += [
             (label, f"{count:,}")
             for label, count in (

@@ -23,8 +23,8 @@ from .thinning import Thin
 from .voxels import VoxelDownSample
 
 WHOLE = {
-    "segment_plane": "a plane is found among all points",
-    "detect_planar_patches": "patches reach across any number of tiles",
+    "segment_plane": "a plane is found among all points; thin them here and find it in memory",
+    "detect_planar_patches": "patches reach across any number of tiles; thin the points here and find them in memory",
     "farthest_point_down_sample": "each choice depends on all before it",
     "orient_normals_consistent_tangent_plane": "signs spread over the whole cloud",
     "random_down_sample": "the choice depends on the number of all points",
