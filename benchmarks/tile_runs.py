@@ -92,7 +92,7 @@ def measured(survey: Path, job: Path, workers: int) -> dict[str, Any]:
         (row,) = manifest.rows(query)
     tile_bytes = size_of(job / "tiles")
     begin, cpu = time.monotonic(), time.process_time()
-    result = loom.scale.finish_tiles(job, job / "result.copc.laz", overwrite=True)
+    result = loom.scale.finish_tiles(job, job / "result.copc.laz", workers=workers, overwrite=True)
     return {
         "points": status.points,
         "files": len(list(survey.glob("*.laz"))),
