@@ -209,5 +209,6 @@ ON_CLOUDS: dict[str, Callable[[Place], Any]] = {
     "get_information_matrix_from_point_clouds": lambda p: reg().get_information_matrix_from_point_clouds(
         p.source, p.cloud, p.reach, p.pose
     ),
+    "localisability": lambda p: reg().localisability(p.source, p.cloud, p.pose, p.reach),
     "rate_registration": lambda p: reg().rate_registration(p.source, p.cloud, p.pose, p.reach),
 }

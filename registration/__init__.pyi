@@ -12,6 +12,8 @@ from .globally.fast_global import (
     registration_fgr_based_on_feature_matching as registration_fgr_based_on_feature_matching,
 )
 from .globally.global_registration import register_globally as register_globally
+from .globally.localisability import Localisability as Localisability
+from .globally.localisability import localisability as localisability
 from .globally.pair import PairRegistration as PairRegistration
 from .globally.pair import register_pair as register_pair
 from .globally.ransac import RANSACConvergenceCriteria as RANSACConvergenceCriteria

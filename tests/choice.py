@@ -22,11 +22,12 @@ COMPILERS = {"cpu-taichi": "taichi", "cpu-warp": "warp"}
 HAS_TAICHI = importlib.util.find_spec("taichi") is not None
 TESTS = Path(__file__).parent
 
-# Groups of tests that take longest, the longest first, so that the last ones to be handed out are short. By CPU seconds
-# of `make test`: only the order counts, and folders that are not named come behind these.
+# Groups of tests that take longest, the longest first, so that the last ones to be handed out are short. By the
+# seconds of `make test`: only the order counts, and folders that are not named come behind these.
 DEAREST = (
-    "registration", "pcd", "test_compilers.py", "meshing", "drawing/viewer", "app", "files", "rgbd/slam", "photos/sfm",
-    "test_doctests.py", "kernels/language", "photos/depth", "rgbd/reconstruction", "kernels", "bridge", "photos/mvs",
+    "scale", "pcd", "registration", "test_compilers.py", "meshing", "drawing/viewer", "files", "app",
+    "kernels/language", "photos/sfm", "photos/depth", "rgbd/slam", "test_doctests.py", "kernels/reconstruction",
+    "test_blocks.py", "rgbd/reconstruction", "drawing/render", "bridge", "test_imports.py", "kernels",
 )  # fmt: skip
 
 

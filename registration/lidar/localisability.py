@@ -16,20 +16,12 @@ from numpy.typing import NDArray
 
 from ...kernels.odometry.pose_probes import compare_poses
 from ...kernels.odometry.voxel_map import VoxelMap
-from ..rigid import make_pose, nearest_rotation, pose_of, rotation_vector
+from ..open_motions import JUDGING_POINTS, STEP_VOXELS, SUSPECT_SHARE, moved, rises_clearly, spanned
+from ..rigid import rotation_vector
 
 Matrix = NDArray[np.float64]
 
-# Of the squared components of the planes' normals (turns: of their levers, by the mean lever). Bare corridors and
-# tunnels have 0.0001 to 0.03 along them, the latter right after the start, where planes rest on few points; streets,
-# halls and woods 0.02 to 0.3.
-SUSPECT_SHARE = 0.03
 SEARCHED_SHARE = 0.1  # the same, below which other places are looked for after the start: planes are rough by then
-STEP_VOXELS = 0.75  # edges of a voxel that a scan is moved by, along and against a suspect; turns at the mean lever
-JUDGING_POINTS = 1024  # of a scan, about: they show a rise of 0.01 in the mean cost
-# Mean rise of the costs (0..1) a step along, and in standard deviations. Where nothing tells, -0.012 to 0.011 and 2.4
-# at most on three made corridors, a tunnel and a field; where little does (doors of 6 cm, boxes far off), 0.03 and 5.
-LEAST_RISE, LEAST_DEVIATIONS = 0.02, 3.0
 LEAST_PLANES = 0.05  # of the points, below which nothing but lines and single points holds the pose
 MOST_PLACES = 64  # along a line
 MOST_RIVALS = 4  # of them that are looked at more closely
@@ -74,17 +66,11 @@ class OpenDirections:
 
     def translations(self) -> tuple[tuple[float, float, float], ...]:
         """Unit directions along which the sensor may slide, its largest part first positive."""
-        return _directions(self.basis[3:])
+        return spanned(self.basis[3:])
 
     def turns(self) -> tuple[tuple[float, float, float], ...]:
         """Unit axes about which it may turn, likewise."""
-        return _directions(self.basis[:3])
-
-
-def moved(pose: Matrix, motion: Matrix) -> Matrix:
-    """A pose turned about the sensor's own place and then shifted: (turn [rad], translation [m]), the map's axes."""
-    turn = pose_of(np.concatenate([motion[:3], np.zeros(3)]))
-    return make_pose(nearest_rotation(turn[:3, :3] @ pose[:3, :3]), pose[:3, 3] + motion[3:])
+        return spanned(self.basis[:3])
 
 
 def open_directions(
@@ -149,18 +135,3 @@ def places_along(
     is_least = (costs <= beside[:-2]) & (costs <= beside[2:]) & np.isfinite(costs) & (np.abs(shifts) > step)
     best = [i for i in np.argsort(costs, kind="stable") if is_least[i]]
     return [poses[1 + i] for i in best[:MOST_RIVALS]], float(max(costs[np.isfinite(costs)], default=0.0))
-
-
-def rises_clearly(rises: Matrix) -> NDArray[np.bool_]:
-    """Whether a scan lies worse at other poses, [k], by what `compare_poses` gives of them."""
-    total, square, pairs, _ = rises.T
-    is_much = total >= LEAST_RISE * np.maximum(pairs, 1)
-    return is_much & (total >= LEAST_DEVIATIONS * np.sqrt(np.maximum(square, 1)))
-
-
-def _directions(rows: Matrix) -> tuple[tuple[float, float, float], ...]:
-    """The directions that the columns of a matrix [3, k] span, those of little weight left out."""
-    left, sizes, _ = np.linalg.svd(rows)
-    kept = left.T[: len(sizes)][sizes > math.sqrt(0.5)]
-    signs = [math.copysign(1.0, row[np.abs(row).argmax()]) for row in kept]
-    return tuple(tuple(float(v) for v in row * sign) for row, sign in zip(kept, signs, strict=True))  # type: ignore[misc]

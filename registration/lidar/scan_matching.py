@@ -18,17 +18,9 @@ from ...kernels.odometry.map_aligner import Leg, MapAligner, Reached
 from ...kernels.odometry.map_course import CHEAPEST, CONVERGED, LOST, OF_FIRST
 from ...kernels.odometry.pose_probes import compare_poses
 from ...kernels.odometry.voxel_map import VoxelMap
+from ..open_motions import JUDGING_POINTS, rises_clearly
 from ..rigid import make_pose, nearest_rotation, pose_of, rotation_vector
-from .localisability import (
-    JUDGING_POINTS,
-    RIVAL_RISE,
-    RIVAL_SEEN,
-    OpenDirections,
-    open_directions,
-    places_along,
-    rises_clearly,
-    weak_ways,
-)
+from .localisability import RIVAL_RISE, RIVAL_SEEN, OpenDirections, open_directions, places_along, weak_ways
 
 Matrix = NDArray[np.float64]
 

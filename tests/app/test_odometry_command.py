@@ -79,6 +79,7 @@ def test_a_scan_that_does_not_overlap_is_a_poor_result(drive, tmp_path, rng):
     assert "predicted  1: scan 2" in shown.stdout
 
 
+@pytest.mark.slow
 def test_a_path_that_was_lost_is_a_poor_result_and_names_the_scans(data, tmp_path):
     folder = tmp_path / "submaps"
     folder.mkdir()

@@ -43,6 +43,7 @@ def test_a_module_compiles_with_its_reductions(compiled):
     assert compiled.sizes[90] > 1000
 
 
+@pytest.mark.slow
 def test_what_only_the_cpu_runs_is_not_compiled_for_cuda_nor_the_other_way_round(compiled):
     assert not any(name.startswith("sum_rows_sum") for name in compiled.usage[90])
     assert not wp.get_module("compiled.cpu").kernels, "made when the CPU first runs one"

@@ -53,6 +53,7 @@ def test_a_torus_does_not_meet_itself_until_it_is_moved_into_itself(device):
 SMALL = st.integers(-2, 2)
 
 
+@pytest.mark.slow
 @settings(deadline=None, max_examples=60)
 @given(st.lists(st.tuples(SMALL, SMALL, SMALL), min_size=6, max_size=15))
 def test_touching_is_decided_exactly(points):

@@ -165,6 +165,7 @@ def test_points_that_are_not_finite_are_neither_drawn_nor_counted(device, rng):
 # ------------------------------------------------------------------------------------------------ same bits
 
 
+@pytest.mark.slow
 @pytest.mark.taichi
 def test_two_runs_and_both_compilers_give_the_same_bits(rng):
     points, _, _ = cluttered(rng, 5003, share=0.2)
@@ -298,6 +299,7 @@ def test_wrong_limits_of_several_planes_are_refused(rng):
 coordinates = st.one_of(st.integers(-3, 3).map(float), st.floats(-3, 3, width=32), st.just(np.nan))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("compiler", ["warp", pytest.param("taichi", marks=pytest.mark.slow)])
 @settings(max_examples=60, deadline=None)
 @given(rows=st.lists(st.tuples(coordinates, coordinates, coordinates), min_size=3, max_size=40), seed=st.integers(0, 9))

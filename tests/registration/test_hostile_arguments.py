@@ -69,6 +69,7 @@ reg.get_information_matrix_from_point_clouds(source=source, target=target, max_c
 reg.global_optimization(pose_graph=graph, method=levenberg, criteria=criteria, option=option)
 reg.iterate_odometry(scans=[source, source], device="cpu")
 reg.list_scans(folder="nowhere")
+reg.localisability(source=source, target=target, transformation=pose, max_correspondence_distance=0.2)
 reg.multi_scale_icp(source=source, target=target, voxel_sizes=[0.3, 0.1], criteria_list=[rules, rules], max_correspondence_distances=[0.4, 0.2], init=pose, estimation_method=to_points, callback_after_iteration=None, overlap=0.8, free=["x", "yaw"], frame=axes, pivot=three, prior=known, weights=times, noise=0.01)
 reg.rate_registration(source=source, target=target, transformation=pose, max_correspondence_distance=0.2)
 reg.read_pose_graph(path="nowhere.json")

@@ -51,6 +51,7 @@ def test_a_drive_may_begin_at_any_speed(device, street, speed):
     assert np.linalg.norm(gaps, axis=1).max() < 0.05
 
 
+@pytest.mark.slow
 def test_the_path_is_nearer_to_the_truth_than_kiss_icps(device, weaving):
     pytest.importorskip("kiss_icp", reason="KISS-ICP comes with `make bench`")
     from kiss_icp.config import KISSConfig
@@ -78,6 +79,7 @@ def test_a_drive_that_begins_fast_is_followed(device, fast_drive):
     assert odometry.summary.distance == pytest.approx(22.4, abs=0.3)
 
 
+@pytest.mark.slow
 def test_a_path_that_was_lost_says_from_where(device, fast_drive):
     """Every third scan lies 6 m from the one before; the second of them is searched for within 3 m."""
     odometry = LidarOdometry()

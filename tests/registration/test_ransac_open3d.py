@@ -65,6 +65,7 @@ def kitchen_clouds(kitchen, device):
     return [loom.PointCloud(c.points, normals=c.normals, device=device) for c in (kitchen.source, kitchen.target)]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", range(4))
 def test_kitchen_is_registered_at_least_as_well_as_by_open3d(
     device, kitchen, oracle_fitness, seed, angle_between, tolerances

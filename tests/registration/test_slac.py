@@ -35,6 +35,7 @@ def test_fragments_that_a_camera_bent_agree_once_it_is_known(aligned):
     assert solved.report.rmse[-1] < 0.35 * rigid.report.rmse[-1] < 0.35 * rigid.report.rmse[0]
 
 
+@pytest.mark.slow
 def test_the_grid_and_the_poses_that_come_back_belong_together(bent, aligned):
     _, solved, grid = aligned
     straight, still = [grid.deform(cloud) for cloud in bent.clouds], slac.SLACOptimizerParams(max_iterations=0)

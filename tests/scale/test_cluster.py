@@ -166,6 +166,7 @@ def test_a_cluster_that_lacks_workers_or_goes_away_is_an_error_by_name(files, tm
     assert loom.scale.tile_status(tmp_path / "job").waiting == 9
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(shutil.which("openssl") is None, reason="certificates are made by openssl")
 def test_a_scheduler_with_certificates_takes_those_who_have_them(files, expected, tmp_path):
     key, certificate = str(tmp_path / "key.pem"), str(tmp_path / "certificate.pem")

@@ -85,6 +85,7 @@ def test_labels_after_other_steps_are_those_of_one_machine(files, tmp_path):
     assert labels.max() > 10
 
 
+@pytest.mark.slow
 def test_a_spiral_through_all_tiles_is_one_cluster(tmp_path):
     turn = np.sqrt(np.linspace(1, 400, 3000)) * 2 * np.pi * 0.45
     points = np.column_stack([20 + 0.3 * turn * np.cos(turn), 20 + 0.3 * turn * np.sin(turn), np.zeros(len(turn))])
@@ -125,6 +126,7 @@ def test_a_border_point_between_clusters_takes_the_one_of_the_lowest_row(tmp_pat
             assert labels.tolist() == [-1, -1, 0, 0, 0, 0, 0, 1, 1, 1, 1]
 
 
+@pytest.mark.slow
 def test_reaches_larger_than_tiles_and_twins_of_other_files(tmp_path):
     rng = np.random.default_rng(5)
     points = np.round(rng.random((400, 3)) * (9, 9, 1) / 0.05) * 0.05
@@ -136,6 +138,7 @@ def test_reaches_larger_than_tiles_and_twins_of_other_files(tmp_path):
     assert (labels < 0).any()
 
 
+@pytest.mark.slow
 def test_sizes_bound_connected_parts(files, tmp_path):
     bounded = EUCLIDEAN | {"min_cluster_size": 3, "max_cluster_size": 40}
     labels = check(files, [bounded], tmp_path / "job", size=9.0)

@@ -131,6 +131,7 @@ def test_m3c2_at_thinned_core_points_behind_another_step(files, later, tmp_path,
     same(found, expected, *ATTRIBUTES)
 
 
+@pytest.mark.slow
 def test_an_epoch_read_too_narrowly_gives_another_answer(files, later, tmp_path, monkeypatch):
     steps = [{"step": "m3c2", "other": str(later), "direction": [0.7, 0, 0.7], **M3C2}]
     inner = np.array([1, 1, -1, -1])

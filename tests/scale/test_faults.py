@@ -293,6 +293,7 @@ def test_a_runner_that_is_killed_takes_its_workers_along_and_is_gone_on_with(fil
     assert not [*(job / "locks").iterdir()]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("workers", [0, 1])
 def test_progress_is_told_of_files_and_of_every_pass_over_the_tiles(files, tmp_path, workers):
     steps = [{"step": "remove_statistical_outlier", "nb_neighbors": 4, "std_ratio": 3.0}]

@@ -258,6 +258,7 @@ def test_a_copy_of_a_job_that_is_worked_on_is_a_job(files, tmp_path, expected):
         assert manifest.counts("sources")["running"] == 1
 
 
+@pytest.mark.slow
 def test_a_manifest_that_was_copied_without_its_log_or_in_part_is_gone_on_with_or_refused(files, tmp_path, expected):
     job, copy = tmp_path / "job", tmp_path / "copy"
     loom.scale.plan_tiles(files, RADIUS, job, size=10.0)

@@ -166,6 +166,7 @@ def test_a_cube_holds_its_own_blocks_and_one_layer(walk, tmp_path, monkeypatch):
     assert 14 <= read["VolumePart"] < 14 * cubes / 3
 
 
+@pytest.mark.slow
 def test_a_frame_that_is_broken_in_the_middle_is_named_and_mended(own_walk, whole, tmp_path):
     job, path = tmp_path / "job", own_walk / "frame-000007.depth.png"
     content = path.read_bytes()
@@ -182,6 +183,7 @@ def test_a_frame_that_is_broken_in_the_middle_is_named_and_mended(own_walk, whol
     np.testing.assert_array_equal(triangles_of(read_ply_mesh(loom.scale.finish_fusion(job))), whole)
 
 
+@pytest.mark.slow
 def test_frames_without_a_pose_are_named_or_left_out(own_walk, tmp_path):
     (own_walk / "frame-000003.pose.txt").unlink()
     (own_walk / "frame-000005.color.png").unlink()
@@ -252,6 +254,7 @@ def test_another_plan_other_frames_and_another_kind_of_job_are_refused(own_walk,
         loom.scale.run_job(tmp_path)
 
 
+@pytest.mark.slow
 def test_a_full_disk_fails_the_cube_and_leaves_nothing_half(walk, whole, tmp_path, monkeypatch):
     job = tmp_path / "job"
     loom.scale.plan_fusion(walk, job, voxel_size=VOXEL, size=2.0)
@@ -271,6 +274,7 @@ def test_a_full_disk_fails_the_cube_and_leaves_nothing_half(walk, whole, tmp_pat
     np.testing.assert_array_equal(triangles_of(read_ply_mesh(loom.scale.finish_fusion(job))), whole)
 
 
+@pytest.mark.slow
 def test_a_damaged_surface_is_named(walk, tmp_path):
     job = tmp_path / "job"
     by_cubes(walk, job, size=2.0)
@@ -297,6 +301,7 @@ def test_what_a_dead_worker_claimed_is_done_again_and_three_deaths_set_it_aside(
     np.testing.assert_array_equal(triangles_of(read_ply_mesh(loom.scale.finish_fusion(job))), whole)
 
 
+@pytest.mark.slow
 def test_shares_and_two_runs_at_once_do_every_task_once(walk, whole, tmp_path, monkeypatch):
     job, done = tmp_path / "job", Counter()
     do = fusion.FusionJob.do

@@ -50,6 +50,7 @@ def test_tiles_of_any_size_give_the_bits_of_one_machine(files, tmp_path, chain, 
     np.testing.assert_array_equal(rows_of(found), rows_of(expected))
 
 
+@pytest.mark.slow
 def test_points_that_are_equally_near_are_why_tiles_share_a_curve(files, tmp_path, monkeypatch):
     steps = CHAINS["normals of the nearest"]
     monkeypatch.setattr(work_tile, "_adopt_tree", lambda plan, part: None)
@@ -108,6 +109,7 @@ def test_the_result_may_be_a_copc_file(files, tmp_path):
     assert 0 < len(part) < len(found)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("size", [134.48, 41.3, 9.7])
 def test_steps_without_reach_lose_no_point_on_borders_that_are_rounded(tmp_path, size):
     corner, cells = np.array([636_001.76, 848_935.2]), 14
@@ -173,6 +175,7 @@ def test_files_that_are_far_from_the_area_are_not_laid(tmp_path):
     np.testing.assert_array_equal(rows_of(found), rows_of(expected.select_by_mask(mask)))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("how", [{}, {"workers": 2}])
 def test_a_file_that_turns_out_to_be_needed_is_laid_then(tmp_path, monkeypatch, how):
     files = strips(tmp_path)

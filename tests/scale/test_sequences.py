@@ -44,6 +44,7 @@ def test_each_sequence_is_what_the_system_makes_of_it_alone(walks, tmp_path):
         assert alone.files
 
 
+@pytest.mark.slow
 def test_one_that_cannot_be_read_fails_alone_and_is_mended(broken, tmp_path, monkeypatch):
     job, started = tmp_path / "job", []
     run_system = sequences.run_system
@@ -64,6 +65,7 @@ def test_one_that_cannot_be_read_fails_alone_and_is_mended(broken, tmp_path, mon
         loom.scale.run_job(job)
 
 
+@pytest.mark.slow
 def test_an_interrupted_sequence_goes_on_where_it_was(walks, tmp_path, monkeypatch):
     job = tmp_path / "job"
     loom.scale.plan_sequences(walks[:1], job, config=CONFIG)

@@ -97,6 +97,7 @@ def test_tiles_of_any_size_have_the_ground_and_heights_of_one_machine(files, tmp
     np.testing.assert_array_equal(rows_of(loom.read_point_cloud(result), *names), rows_of(cloud, *names))
 
 
+@pytest.mark.slow
 def test_a_halo_below_the_reach_gives_other_ground(files, tmp_path, monkeypatch):
     monkeypatch.setattr(ground_steps, "ground_reach", lambda *_: 3.0)
     result, plan = run(files, [GROUND], tmp_path / "job", size=30.0)
@@ -114,6 +115,7 @@ RASTERS = [
 ]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("size", [61.3, pytest.param(30.0, marks=pytest.mark.slow), 400.0])
 def test_the_mosaic_of_tiles_is_the_raster_of_one_machine(files, tmp_path, size):
     rasterio = pytest.importorskip("rasterio")
@@ -146,6 +148,7 @@ def test_an_area_has_the_cells_of_its_tiles(files, tmp_path):
     np.testing.assert_array_equal(found, raster.values[row : row + 40, column : column + 40])
 
 
+@pytest.mark.slow
 def test_a_job_that_leaves_no_point_has_its_rasters(files, tmp_path):
     rasterio = pytest.importorskip("rasterio")
     away = {"step": "crop", "min_bound": (CORNER - 50).tolist(), "max_bound": (CORNER - 40).tolist()}
@@ -176,6 +179,7 @@ def test_an_area_without_ground_has_empty_rasters(files, tmp_path):
             assert file.shape[0] > 20 and (file.read(1) == -9999).all()
 
 
+@pytest.mark.slow
 def test_large_mosaics_have_overviews_in_the_order_of_the_cloud(files, tmp_path):
     rasterio = pytest.importorskip("rasterio")
     step = {"step": "rasterize", "cell": 0.1, "kind": "density"}

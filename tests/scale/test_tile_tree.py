@@ -53,6 +53,7 @@ def test_what_is_held_at_once_gives_the_bytes_of_the_file_made_in_memory(job, tm
     assert found.read_bytes() == in_memory(job, tmp_path / "b.copc.laz").read_bytes()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("most", [9000, 2000])
 def test_cells_one_after_the_other_give_the_nodes_of_the_file_made_in_memory(job, tmp_path, monkeypatch, most):
     monkeypatch.setattr(tile_tree, "MOST", most)
@@ -68,6 +69,7 @@ def test_cells_one_after_the_other_give_the_nodes_of_the_file_made_in_memory(job
         assert found.unpack(np.array([k])) == wanted.unpack(np.array([k]))
 
 
+@pytest.mark.slow
 def test_cells_smaller_than_a_voxel_have_one_point_in_each_voxel_of_a_level(job, tmp_path, monkeypatch):
     monkeypatch.setattr(tile_tree, "MOST", 150)
     monkeypatch.setattr(tile_tree, "LEAST", 0)

@@ -8,6 +8,7 @@ import pytest
 PAGE = Path(__file__).parents[3] / "docs" / "pictures.md"
 
 
+@pytest.mark.slow
 def test_the_examples_of_the_page_run(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     blocks = re.findall(r"```python\n(.*?)```", PAGE.read_text(), flags=re.DOTALL)

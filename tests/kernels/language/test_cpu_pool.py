@@ -121,6 +121,7 @@ def test_atomics_are_of_all_threads(kernels, rng, threads):
     assert top.numpy().tolist() == [wholes[k::3].max() for k in range(3)]
 
 
+@pytest.mark.slow
 def test_a_worker_takes_part_from_the_first_launch_on():
     """In a process of its own, whose first launch needs two threads at once to come to an end in time."""
     program = f"""
@@ -264,6 +265,7 @@ def thin():
 """
 
 
+@pytest.mark.slow
 def test_a_fork_has_threads_of_its_own():
     done = run_program(
         THIN
@@ -281,6 +283,7 @@ assert thin() == expected
     assert (done.returncode, done.stderr) == (0, "")
 
 
+@pytest.mark.slow
 def test_a_fork_in_the_midst_of_another_thread_s_launches_works():
     done = run_program(
         THIN
@@ -305,6 +308,7 @@ worker.join()
     assert (done.returncode, done.stderr) == (0, "")
 
 
+@pytest.mark.slow
 def test_a_handler_at_exit_can_still_work():
     """Ours ends the threads, and runs before one that was registered earlier."""
     done = run_program(

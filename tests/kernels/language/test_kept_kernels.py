@@ -55,6 +55,7 @@ def test_the_second_process_reads_no_kernel_and_gives_the_same_bits(cache):
     assert int(first[0]) >= int(first[1]) > 5 and (int(second[0]), second[1:]) == (0, first[1:])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "harm",
     [
@@ -131,12 +132,14 @@ for wrong in ([points, normals, 0, up[:2], points], [points, normals, 0], [point
 """
 
 
+@pytest.mark.slow
 def test_errors_name_parameters_in_either_process(cache):
     first, second = run(cache, WRONG), run(cache, WRONG)
     assert first == second and "reference: expected shape [3], got [2]" in first and "takes 5 arguments, got 3" in first
     assert "to_point: 1099511627776 does not fit into int32" in first
 
 
+@pytest.mark.slow
 def test_bits_survive_the_folder(cache):
     """Numbers beyond float32 are Warp's to convert, which has the kernel made after all."""
     program = """

@@ -55,6 +55,7 @@ def test_the_first_launch_of_a_kernel_alone_is_announced(write_kernels, device, 
     assert named == ["double_it_kernel"]
 
 
+@pytest.mark.slow
 def test_what_an_earlier_process_left_is_not_compiled(write_kernels, monkeypatch):
     """A module is told to be compiled where Warp's cache does not have it, and only there."""
     factor = f"1.{time.time_ns()}"  # which no earlier run had

@@ -403,6 +403,7 @@ class _Cuda:
     is_cuda, ordinal = True, 0
 
 
+@pytest.mark.slow
 def test_the_same_bits_twice_and_with_any_number_of_threads(tmp_path):
     path, picture = busy(tmp_path / "m.onnx"), picture_of((200, 300))
     first = loom.DepthModel(path, threads=1)._run_placed(picture)[0]

@@ -42,6 +42,7 @@ def test_all_pictures_are_placed_where_they_were_taken(stages):
     assert model.cameras[0].params[0] == pytest.approx(FOCAL, rel=0.01)
 
 
+@pytest.mark.slow
 def test_points_lie_where_the_pictures_show_them(stages):
     model = stages.result.model
     seen = model.observations

@@ -53,6 +53,7 @@ def test_fusing_at_corrected_poses_takes_drift_out_of_the_surface(closed):
     assert after < 0.01 and after < 0.6 * before
 
 
+@pytest.mark.slow
 def test_every_loop_that_is_taken_is_right(closed):
     submaps, _, true, closure = closed
     middles = [len(s.frames) // 2 for s in submaps]

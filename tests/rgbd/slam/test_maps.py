@@ -37,6 +37,7 @@ def error(pose, index: int) -> float:
     return float(np.linalg.norm(pose[:3, 3] - frame(index).T_world_camera[:3, 3]))
 
 
+@pytest.mark.slow
 def test_a_camera_lost_for_long_begins_a_map_with_coordinates_of_its_own(device):
     slam = away(device)
     assert [result.map for result in slam.results] == [0] * 14 + [1] * 12
@@ -51,6 +52,7 @@ def test_a_camera_lost_for_long_begins_a_map_with_coordinates_of_its_own(device)
     assert slam.volume is slam.model.volume
 
 
+@pytest.mark.slow
 def test_maps_that_share_nothing_are_not_joined(device):
     slam = away(device)
     assert all(join.refused for join in slam.join_maps())
@@ -71,6 +73,7 @@ def test_a_map_is_joined_where_the_camera_comes_into_the_old_one(device):
     assert slam.model.frame_count == len(placed)
 
 
+@pytest.mark.slow
 def test_maps_are_joined_by_their_submaps_too(device):
     slam = begun(device, submap_frames=8)
     slam.run(frames(*range(0, 24, 2)))
@@ -151,6 +154,7 @@ def moved(x: float):
     return T
 
 
+@pytest.mark.slow
 def test_a_map_that_is_lost_again_at_once_is_given_up(device):
     slam = begun(device)
     slam.run(frames(*range(6), *ELSEWHERE[:6], 100))  # two frames of a new map, and then elsewhere
@@ -166,6 +170,7 @@ def test_covered_frames_begin_no_map(device):
     assert slam.map_sizes == {0: 4} and slam._maps.begun == 1
 
 
+@pytest.mark.slow
 def test_models_that_are_kept_are_few(device, monkeypatch):
     monkeypatch.setattr(maps, "MOST_MAPS", 2)
     slam = away(device)
@@ -186,6 +191,7 @@ class Away:
         return frame([*range(10), *ELSEWHERE][index])
 
 
+@pytest.mark.slow
 def test_a_path_says_what_lies_in_a_map_of_its_own():
     path = loom.track(Away(), voxel_size=0.04)
     assert path.trajectory.ids[:, 0].tolist() == list(range(14, 26))
@@ -199,6 +205,7 @@ def test_a_path_says_what_lies_in_a_map_of_its_own():
     assert "other maps" in str(path)
 
 
+@pytest.mark.slow
 def test_a_model_is_of_one_map():
     result = loom.reconstruct(Away(), voxel_size=0.04)
     assert len(result.trajectory) == 12 and "2 maps" in result.poor

@@ -52,6 +52,7 @@ def frame_number(frame) -> int:
     return int(frame.name)
 
 
+@pytest.mark.slow
 def test_a_place_that_looks_like_another_is_never_believed_wrongly(device):
     for has_texture in (False, True):
         results, _ = covered_walk(device, has_texture)

@@ -1,0 +1,125 @@
+"""How much worse points lie at other poses than at the first one, by their squared distances from planes.
+
+Only points with a plane at both poses count. The points' own spread about their planes at the first pose sets the
+scale of the costs (three rounds, each weighs by the one before), and the costs' differences are added up in the
+points' order.
+
+Source: Geman and McClure's cost.
+"""
+
+import numpy as np
+
+from ..array_types import Array2
+from ..lang import array, float32, float64, kernel, launch, tid
+from ..memory import download, empty, full
+
+CPU_RUN = 64  # points a thread
+CUDA_RUN = 4
+ROUNDS = 3
+SCALES = 9.0  # squared: costs reach a half at three spreads
+COLUMNS = 4
+
+
+@kernel
+def weigh_squares_kernel(
+    squares: array(dtype=float32, ndim=2), run: int, scales: array(dtype=float64), rows: array(dtype=float64, ndim=2)
+):
+    """The weighted squares of one run at the first pose, and their weights."""
+    i = tid()
+    count = squares.shape[1]
+    scale = scales[0]
+    total = float64(0.0)
+    weight = float64(0.0)
+    for j in range(i * run, i * run + min(run, count - i * run)):
+        square = float64(squares[0, j])
+        if square >= 0.0:
+            root = scale / (scale + square)
+            total += root * root * square
+            weight += root * root
+    rows[i, 0] = total
+    rows[i, 1] = weight
+
+
+@kernel
+def scale_costs_kernel(rows: array(dtype=float64, ndim=2), least: float64, scales: array(dtype=float64)):
+    """The next scale, from the spread that the last one found."""
+    i = tid()
+    total = float64(0.0)
+    weight = float64(0.0)
+    for j in range(rows.shape[0]):
+        total += rows[j, 0]
+        weight += rows[j, 1]
+    if weight > 0.0:
+        scales[i] = max(least, min(scales[i], float64(SCALES) * total / weight))
+
+
+@kernel
+def compare_squares_kernel(
+    squares: array(dtype=float32, ndim=2), run: int, scales: array(dtype=float64), rows: array(dtype=float64, ndim=3)
+):
+    """Of one run at one pose: the costs' differences from the first pose, their squares, pairs, and what is gained."""
+    i = tid()
+    count = squares.shape[1]
+    runs = (count + run - 1) // run
+    k = i // runs
+    r = i % runs
+    scale = scales[0]
+    total = float64(0.0)
+    square = float64(0.0)
+    pairs = float64(0.0)
+    gained = float64(0.0)
+    for j in range(r * run, r * run + min(run, count - r * run)):
+        a = float64(squares[0, j])
+        b = float64(squares[k, j])
+        if a >= 0.0 and b >= 0.0:
+            d = b / (scale + b) - a / (scale + a)
+            total += d
+            square += d * d
+            pairs += 1.0
+            gained += max(-d, 0.0)
+    rows[k, r, 0] = total
+    rows[k, r, 1] = square
+    rows[k, r, 2] = pairs
+    rows[k, r, 3] = gained
+
+
+@kernel
+def add_runs_kernel(rows: array(dtype=float64, ndim=3), sums: array(dtype=float64, ndim=2)):
+    """The sum of one column over the runs of one pose."""
+    i = tid()
+    k = i // COLUMNS
+    column = i % COLUMNS
+    total = float64(0.0)
+    for r in range(rows.shape[1]):
+        total += rows[k, r, column]
+    sums[k, column] = total
+
+
+def run_length(squares: Array2[float32]) -> int:
+    """How many points a thread goes through."""
+    return CUDA_RUN if squares.device.is_cuda else CPU_RUN
+
+
+def compare_costs(squares: Array2[float32], first_scale: float, least_scale: float) -> np.ndarray:
+    """What changes from the first pose to others.
+
+    Args:
+        squares: float32 [k, points], a row a pose: squared distances from planes [m^2], -1 without a plane.
+        first_scale: Of the costs [m^2], the largest.
+        least_scale: The smallest [m^2]: a made-up scan without noise has no spread.
+
+    Returns:
+        float64 [k, 4], a row a pose: the sum of the differences of the costs (each 0..1) from those of the first
+        pose, the sum of their squares, how many points have a plane at both, and the sum of what is cheaper there.
+        One sync.
+    """
+    device, (k, count), run = squares.device, squares.shape, run_length(squares)
+    runs = -(-count // run)
+    scales, weights = full(1, first_scale, float64, device), empty((runs, 2), float64, device)
+    for _ in range(ROUNDS):
+        launch(weigh_squares_kernel, runs, [squares, run, scales, weights])
+        launch(scale_costs_kernel, 1, [weights, least_scale, scales])
+    rows, sums = empty((k, runs, COLUMNS), float64, device), empty((k, COLUMNS), float64, device)
+    launch(compare_squares_kernel, k * runs, [squares, run, scales, rows])
+    launch(add_runs_kernel, k * COLUMNS, [rows, sums])
+    return download(sums)  # sync

@@ -1,0 +1,181 @@
+"""Which motions two clouds fix where they lie on each other, and which they leave open."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ...core.checks import check_positive, check_rigid
+from ...kernels.poses.pair_probes import compare_pair, find_hold
+from ...pcd.cloud import PointCloud
+from ..given_pairs import check_clouds
+from ..icp.constraint import Prior
+from ..open_motions import JUDGING_POINTS, STEP_VOXELS, SUSPECT_SHARE, rises_clearly, spanned
+from ..rigid import make_pose, nearest_rotation, rotation_of, symmetric_matrices, to_local
+from .rating import COSINE, ENOUGH, NEAR, VOXELS, surface_of
+
+Matrix = NDArray[np.float64]
+FINER = 0.8  # voxels of the source, in those of the target: two grids that nowhere agree for long
+REACH_VOXELS = 2.0  # within which a plane is looked for
+FIRST_SCALE, LEAST_SCALE = 0.1, 2.0e-4  # squared voxels: of the costs, as LiDAR odometry has them
+
+
+@dataclass(frozen=True, eq=False)
+class Localisability:
+    """What two clouds tell of the six motions at a pose, the motion that they tell least of first.
+
+    Attributes:
+        transformation: The pose, T_target_source.
+        middle: What turns are about [m], in the target's world: the middle of the overlap.
+        lever: The length [m] by which turns [rad] count beside translations: the spread of the overlap.
+        motions: float64 [6, 6], a row a motion: rotation times lever, then translation, along the target's axes; unit
+            vectors, square to each other.
+        shares: How firmly each is held, 0..1: the mean squared component of the normals (turns: of their levers).
+        kinds: "full" of a motion that is held, "partial" of one that little holds (its share is below 0.03), "none" of
+            one along which the clouds lie as well.
+    """
+
+    transformation: Matrix
+    middle: NDArray[np.float64]
+    lever: float
+    motions: Matrix
+    shares: NDArray[np.float64]
+    kinds: tuple[str, ...]
+
+    @property
+    def open_motions(self) -> Matrix:
+        """The motions of kind "none", [k, 6]."""
+        return self.motions[[kind == "none" for kind in self.kinds]]
+
+    @property
+    def translations(self) -> tuple[tuple[float, float, float], ...]:
+        """Unit directions along which the source may slide."""
+        return spanned(self.open_motions[:, 3:].T) if len(self.open_motions) else ()
+
+    @property
+    def turns(self) -> tuple[tuple[float, float, float], ...]:
+        """Unit axes, through the middle, about which it may turn."""
+        return spanned(self.open_motions[:, :3].T) if len(self.open_motions) else ()
+
+    @property
+    def poor(self) -> str | None:
+        """What is open, in words; None where nothing is."""
+        if not len(self.open_motions):
+            return None
+        if len(self.open_motions) == 6:
+            return "the clouds share no surface that would hold the pose"
+        ways = [f"slide along {_told(way)}" for way in self.translations]
+        ways += [f"turn about {_told(axis)}" for axis in self.turns]
+        return f"the source may {' and '.join(ways)}: the clouds lie on each other as well there"
+
+    def prior(self, transformation: ArrayLike, sigma: float) -> Prior:
+        """What holds the open motions, and these alone, at another pose: odometry's, GNSS', an earlier one's.
+
+        Args:
+            transformation: T_target_source from elsewhere, 4x4.
+            sigma: Its standard deviation along the open motions [m]; turns count by `lever`.
+
+        Returns:
+            The prior for `registration_icp(..., prior=prior, pivot=localisability.middle)`.
+
+        Raises:
+            ValueError: Nothing is open, no rigid motion, or a deviation that is not positive.
+        """
+        if not len(self.open_motions):
+            raise ValueError("prior: no motion is open; registration_icp needs none")
+        check_positive("sigma", sigma)
+        rows = self.open_motions * ([self.lever] * 3 + [1.0] * 3) / sigma
+        return Prior(transformation, information=rows.T @ rows)
+
+    def __str__(self) -> str:
+        lines = ["motion (turn by lever, translation)                   share   held"]
+        for motion, share, kind in zip(self.motions, self.shares, self.kinds, strict=True):
+            lines.append(f"{' '.join(f'{v:7.3f}' for v in motion)}  {share:8.5f}   {kind}")
+        return "\n".join(lines)
+
+
+def localisability(
+    source: PointCloud, target: PointCloud, transformation: ArrayLike, max_correspondence_distance: float
+) -> Localisability:
+    """Which motions two clouds fix at the pose where they lie on each other, and which they leave open.
+
+    In a corridor, a tunnel, on a field, about a ball or a tube ICP finds a pose, with a fitness of 1, and it is one of
+    many. Motions that the planes' normals tell little of are only suspects: the source is moved a little along and
+    against each, the pairs are found anew, and where it lies no worse the motion is open.
+
+    Args:
+        source: The cloud that was moved.
+        target: The cloud that stayed, on the same device.
+        transformation: T_target_source, 4x4, as ICP found it.
+        max_correspondence_distance: Of a match [m]: that of the registration. The clouds are compared in voxels of two
+            thirds of it, and moved by half of it.
+
+    Returns:
+        The motions and how they are held. All are "none" where next to nothing matches.
+
+    Raises:
+        ValueError: A distance that is not positive or too small for the clouds, or no rigid motion.
+        TypeError: Not a PointCloud.
+        DeviceError: Clouds on different devices.
+
+    Notes:
+        O(n) memory; the same bits from run to run. Details smaller than a voxel hold nothing here.
+        Source: Tuna et al. 2023, "X-ICP: Localizability-Aware LiDAR Registration for Robust Localization in Extreme
+        Environments", whose kinds these are; Zhang, Kaess and Singh 2016 for the eigenvectors. That the curvature of
+        the error is measured with the pairs found anew, and not derived, is ours.
+
+    Example:
+        >>> import numpy as np, pointloom as loom
+        >>> x, y, z = np.random.default_rng(0).uniform(-1, 1, (3, 30000)) * [[6], [1], [1]]
+        >>> side = np.arange(30000) % 3
+        >>> walls = np.column_stack([x, np.where(side < 2, 2.0 * side - 1, y), np.where(side < 2, z, -1)])
+        >>> scans = loom.PointCloud(walls[:15000]), loom.PointCloud(walls[15000:])
+        >>> found = loom.registration.localisability(*scans, np.eye(4), 0.3)
+        >>> found.kinds[0], found.kinds[-1]
+        ('none', 'full')
+        >>> found.poor
+        'the source may slide along x: the clouds lie on each other as well there'
+    """
+    check_clouds(source, target)
+    distance = check_positive("max_correspondence_distance", max_correspondence_distance)
+    T = np.array(check_rigid("transformation", transformation))
+    T[:3, :3] = nearest_rotation(T[:3, :3])
+    size = distance / VOXELS
+    try:
+        left, right = surface_of(source, FINER * size), surface_of(target, size)
+    except ValueError as error:
+        raise ValueError(f"max_correspondence_distance: {distance} m is too small for these clouds: {error}") from error
+    pose = to_local(T, source.origin, target.origin)
+    hold = find_hold(left, right, pose, distance, NEAR * distance, COSINE) if len(left) and len(right) else None
+    if hold is None or hold.matches < ENOUGH:
+        return Localisability(T, target.origin.copy(), distance, np.eye(6), np.zeros(6), ("none",) * 6)
+    (matrix,) = symmetric_matrices(hold.triangle[None])
+    shares, vectors = np.linalg.eigh(matrix / hold.matches)
+    scale = np.array([hold.lever] * 3 + [1.0] * 3)
+    suspects = vectors.T[shares < SUSPECT_SHARE]
+    kinds = ["full"] * 6
+    if len(suspects):
+        steps = [sign * STEP_VOXELS * size * motion / scale for motion in suspects for sign in (-1, 1)]
+        poses = np.array([pose, *(_moved_about(hold.middle, pose, step) for step in steps)])
+        scales = FIRST_SCALE * size * size, LEAST_SCALE * size * size
+        rises = compare_pair(left, right, JUDGING_POINTS, poses, REACH_VOXELS * size, COSINE, scales)
+        is_held = rises_clearly(rises[1:]).reshape(-1, 2).all(axis=1)
+        kinds[: len(suspects)] = ["partial" if held else "none" for held in is_held]
+    middle = hold.middle + target.origin
+    return Localisability(T, middle, hold.lever, vectors.T.copy(), np.maximum(shares, 0.0), tuple(kinds))
+
+
+def _moved_about(middle: NDArray[np.float64], pose: Matrix, motion: Matrix) -> Matrix:
+    """A pose turned about a place and then shifted: (turn [rad], translation [m])."""
+    R = rotation_of(motion[:3])
+    return make_pose(R @ pose[:3, :3], R @ (pose[:3, 3] - middle) + middle + motion[3:])
+
+
+def _told(direction: tuple[float, float, float]) -> str:
+    """A direction by the name of its axis where it is one within a few degrees."""
+    largest = int(np.abs(direction).argmax())
+    if abs(direction[largest]) > 0.998:
+        return "xyz"[largest]
+    return f"({', '.join(f'{v:.2f}' for v in direction)})"

@@ -1,0 +1,88 @@
+"""What two clouds tell of each motion: what is open is told, what little holds is not called open."""
+
+import numpy as np
+import pytest
+from scipy.linalg import subspace_angles
+
+import pointloom as loom
+
+from .poses import as_pose
+from .test_icp_degenerate import FREE, degenerate
+
+reg = loom.registration
+UTM = np.array([455_000.25, 5_420_000.5, 312.0])
+
+
+def scans(shape, rng, *, noise=0.0, corner=(0.0, 0.0, 0.0), device="cpu", change=None):
+    """Two samplings of a shape."""
+    clouds = []
+    for _ in range(2):
+        points = degenerate(shape, rng, 12_000)[0]
+        if change is not None:
+            points = change(points)
+        clouds.append(loom.PointCloud(points + noise * rng.normal(size=points.shape) + corner, device=device))
+    return clouds
+
+
+@pytest.mark.parametrize("shape", list(FREE))
+def test_open_motions_are_those_of_the_shape_however_noisy_it_is(device, shape, rng):
+    for noise in (0.0, 0.02):
+        found = reg.localisability(*scans(shape, rng, noise=noise, corner=UTM, device=device), np.eye(4), 0.25)
+        assert len(found.open_motions) == len(FREE[shape]), (noise, str(found))
+        assert (found.poor is None) == (not len(FREE[shape]))
+        if len(FREE[shape]):
+            assert np.degrees(subspace_angles(found.open_motions.T, FREE[shape].T)).max() < 6
+        np.testing.assert_allclose(found.motions @ found.motions.T, np.eye(6), atol=1e-9)
+        assert np.abs(found.middle - UTM).max() < 0.5
+
+
+def test_a_corridor_that_its_end_holds_is_held_in_part(rng):
+    def with_end(points):
+        points = points.copy()
+        points[::60] = np.column_stack([rng.uniform(-0.5, 0.5, 200), np.full(200, 3.0), rng.uniform(-0.5, 0.5, 200)])
+        return points
+
+    found = reg.localisability(*scans("corridor", rng, noise=0.005, change=with_end), np.eye(4), 0.25)
+    assert found.kinds == ("partial", *("full",) * 5) and found.poor is None
+    assert abs(found.motions[0, 4]) > 0.99
+
+
+def test_open_motions_alone_are_held_by_a_prior(rng):
+    """Along the corridor the source is where odometry has it, across it where the walls have it."""
+    truth = as_pose([0.0, 0.0, 0.01], [0.02, 0.15, 0.0])
+    source, target = scans("corridor", rng, noise=0.005)
+    source = source.transform(np.linalg.inv(truth)).estimate_normals(max_nn=20)
+    target = target.estimate_normals(max_nn=20)
+    first = reg.registration_icp(source, target, 0.25, None, reg.TransformationEstimationPointToPlane())
+    found = reg.localisability(source, target, first.transformation, 0.25)
+    assert found.translations == pytest.approx(np.array([[0.0, 1.0, 0.0]]), abs=0.02)
+    odometry = as_pose([0.0, 0.0, 0.03], [0.1, 0.15, 0.05])  # right along the corridor, wrong across it
+    result = reg.registration_icp(
+        source, target, 0.25, first.transformation, reg.TransformationEstimationPointToPlane(),
+        prior=found.prior(odometry, 0.01), pivot=found.middle, degeneracy=0,
+    )  # fmt: skip
+    off = np.abs(result.transformation - truth)
+    assert off[1, 3] < 0.02 and off[[0, 2], 3].max() < 0.01 and off[:3, :3].max() < 0.005
+    assert abs(first.transformation[1, 3] - 0.15) > 0.1
+    surface = reg.localisability(*scans("surface", rng), np.eye(4), 0.2)
+    with pytest.raises(ValueError, match=r"^prior: no motion is open"):
+        surface.prior(np.eye(4), 0.1)
+
+
+def test_clouds_that_do_not_meet_hold_nothing():
+    cube = loom.PointCloud(np.random.default_rng(0).uniform(size=(3000, 3)))
+    far = reg.localisability(cube, cube.translate([50, 0, 0]), np.eye(4), 0.1)
+    assert far.kinds == ("none",) * 6 and "no surface" in far.poor
+    empty = reg.localisability(loom.PointCloud(), cube, np.eye(4), 0.1)
+    assert empty.kinds == ("none",) * 6
+
+
+def test_bad_arguments_are_named():
+    cube = loom.PointCloud(np.random.default_rng(0).uniform(size=(3000, 3)))
+    for arguments, message in [
+        ((cube, cube, np.eye(4), 0), "max_correspondence_distance"),
+        ((cube, cube, 2 * np.eye(4), 0.1), "transformation"),
+        ((cube, [1], np.eye(4), 0.1), "target"),
+    ]:
+        with pytest.raises((ValueError, TypeError), match=message):
+            reg.localisability(*arguments)
