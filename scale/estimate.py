@@ -148,7 +148,7 @@ def estimate_tiles(
     threads = int(os.environ.get("POINTLOOM_CPU_THREADS") or max(1, cores // workers))
     with tempfile.TemporaryDirectory(prefix="pointloom-estimate-") as place:
         folder = Path(place)
-        plan_tiles(sources, steps, folder / "plan", size=size, points=points, only=only, output=output)
+        plan_tiles(sources, steps, folder / "plan", size=size, points=points, only=only, output=output, progress=report)
         manifest, plan = open_plan(folder / "plan")
         with manifest:
             ids = np.array([row["id"] for row in manifest.rows("SELECT id FROM tiles ORDER BY id")])

@@ -10,16 +10,18 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .. import __version__  # pyright: ignore[reportMissingImports]
-from ..core.checks import check_count, check_finite, check_positive, check_shape, shown
+from ..core.checks import check_count, check_finite, check_positive, check_progress, check_shape, shown
 from ..core.coordinates import choose_origin
 from ..core.errors import FileError, FilePath
 from ..core.paths import path_of
+from ..core.progress import ReportProgress, say_nothing
 from ..kernels.search.hilbert_order import levels_for
 from .buckets import Window
 from .epochs import describe_epochs
 from .halos import far_files
+from .loose_files import FOLDER as MADE
 from .manifest import NAME, Manifest, canonical, files_of, hash_of, read_plan, write_manifest
-from .sources import check_alike, check_same, describe, list_files
+from .sources import check_alike, check_same, describe_all, list_files
 from .status import TileStatus, status_of
 from .steps.parse import parse_steps
 from .steps.step import Step
@@ -116,14 +118,17 @@ def plan_tiles(
     points: int | None = None,
     only: Any = None,
     output: str = "laz",
+    progress: ReportProgress = say_nothing,
 ) -> TileStatus:
-    """Plan a job of tiles in a folder: which files, which steps, which tiles; nothing is read but headers.
+    """Plan a job of tiles in a folder: which files, which steps, which tiles; of LAS nothing is read but headers.
 
     A folder that holds the same plan already keeps all that was done; one that holds another is refused.
 
     Args:
-        sources: Paths of .las and .laz files, and of folders of them. COPC files are read by windows; of others one
-            pass lays the points on disk by tile.
+        sources: Paths of .las and .laz files, of folders of them, and of a .vpc that lists them. COPC files are read by
+            windows; of others one pass lays the points on disk by tile. PLY, PCD, E57 and text (.xyz, .pts, .csv, ...)
+            are written over as LAZ into the folder first, in steps of 1e-4 units, finer within 100 of them; without
+            LAS files in a folder, its others are taken.
         steps: Dictionaries such as `{"step": "voxel_down_sample", "voxel_size": 0.5}`, or a TOML file of [[step]]
             tables. Steps: voxel_down_sample, remove_radius_outlier, remove_statistical_outlier, estimate_normals,
             smooth_mls, crop, function, classify_ground, height_above_ground, rasterize, features, thin, distance,
@@ -133,6 +138,7 @@ def plan_tiles(
         points: Points a tile, about; 2 million where no size is given either.
         only: (x0, y0, x1, y1): only the tiles that this area touches; numbers of the whole are then theirs.
         output: "laz" or "copc", what `finish_tiles` makes.
+        progress: Called with what is done, how much, and of how much, while files are written over.
 
     Returns:
         A TileStatus.
@@ -170,11 +176,13 @@ def plan_tiles(
         raise ValueError(f"output: expected {' or '.join(map(repr, OUTPUTS))}, got {shown(output)}")
     if size is not None and points is not None:
         raise ValueError("size, points: expected one of them, got both")
-    described = [describe(path) for path in list_files(sources)]
+    paths, folder = list_files(sources), path_of(folder)
+    if not (folder / NAME).exists():
+        check_folder(folder)
+    described = describe_all(paths, folder, check_progress(progress))
     check_alike(described)
     told = _make(described, parsed, size, points, only, output)
     told["epochs"] = describe_epochs(parsed, described)
-    folder = path_of(folder)
     if (folder / NAME).exists():
         with Manifest(folder) as manifest:
             check_same_plan(manifest, told)
@@ -317,11 +325,24 @@ def make_folder(folder: Path) -> None:
     Raises:
         FileError: It holds something, or cannot be made.
     """
+    check_folder(folder)
+    try:
+        folder.mkdir(exist_ok=True)
+    except OSError as error:
+        raise FileError(folder, f"cannot be made: {error.strerror or error}") from error
+
+
+def check_folder(folder: Path) -> None:
+    """Hold that a folder is missing, empty, or holds what an interrupted plan left.
+
+    Raises:
+        FileError: It holds something else.
+    """
     if folder.exists() and not folder.is_dir():
         raise FileError(folder, "is not a folder", remedy="Give the name of a folder")
     try:
-        folder.mkdir(exist_ok=True)
-        other = [path for path in folder.iterdir() if path.suffix != ".part"]
+        inside = folder.iterdir() if folder.exists() else ()
+        other = [path for path in inside if path.suffix != ".part" and path.name != MADE]
     except OSError as error:
         raise FileError(folder, f"cannot be made: {error.strerror or error}") from error
     if other:

@@ -1,11 +1,13 @@
 """The files of a job: what the plan writes down of each, and the rows of a window in their canonical order.
 
 The order of points is that of the files and of the rows in them, whatever tile or window they are read for. COPC files
-are read by windows; of other LAS and LAZ files a pass over the whole has made buckets (buckets.py).
+are read by windows; of other LAS and LAZ files a pass over the whole has made buckets (buckets.py). Of yet others a LAZ
+file is made first (loose_files.py).
 """
 
 from __future__ import annotations
 
+import json
 import os
 from collections.abc import Iterable
 from functools import lru_cache
@@ -17,6 +19,7 @@ from numpy.typing import NDArray
 
 from ..core.errors import FileError
 from ..core.paths import path_of
+from ..core.progress import ReportProgress
 from ..core.units import text_of
 from ..files.points.copc import CopcFile, is_copc, octree_of
 from ..files.points.las import LasFile, attribute_types, open_las, scale_by, table_of
@@ -24,40 +27,118 @@ from ..files.points.las_crs import crs_name, is_geographic
 from ..files.points.las_units import units_of
 from ..files.table import PointTable
 from .buckets import Window, check_size, inside, positions_of, read_buckets
-from .manifest import NOT_LAID
+from .loose_files import FOLDER as MADE
+from .loose_files import SUFFIXES as LOOSE
+from .loose_files import taken_over
+from .manifest import NAME, NOT_LAID, read_plan
 
 SUFFIXES = (".las", ".laz")
+IN_FOLDERS = tuple(suffix for suffix in LOOSE if suffix not in (".csv", ".txt"))  # which are notes as often as points
+INDEX = ".vpc"
 ROW_BITS = 40  # of a point's key, for its row in the file; what is above is the file's number
 
 
 def list_files(sources: Any) -> list[Path]:
-    """The files that paths of files and folders stand for, absolute and without repeats, in their order.
+    """The files that paths of files, folders and indexes stand for, absolute and without repeats, in their order.
+
+    Of a folder these are its LAS and LAZ files; where it has none, its other files of points.
 
     Raises:
-        FileError: One is not there or cannot be read, is no LAS or LAZ file, or a folder holds none.
+        FileError: One is not there or cannot be read, is no file of points, or a folder or an index holds none.
     """
     given: Iterable[Any] = [sources] if isinstance(sources, str | os.PathLike) else sources
     found: dict[Path, None] = {}
     for path in map(path_of, given):
         try:
-            names = sorted(c for c in path.iterdir() if c.suffix.lower() in SUFFIXES) if path.is_dir() else None
+            names = sorted(path.iterdir()) if path.is_dir() else None
         except OSError as error:
             raise FileError(path, f"cannot be read: {error.strerror or error}") from error
+        suffix = path.suffix.lower()
         if names is not None:
-            if not names:
-                raise FileError(path, "the folder holds no .las or .laz file")
-            found |= dict.fromkeys(child.resolve() for child in names)
-        elif path.suffix.lower() in SUFFIXES:
+            kinds = ([name for name in names if name.suffix.lower() in kind] for kind in (SUFFIXES, IN_FOLDERS))
+            chosen = next(filter(None, kinds), None)
+            if chosen is None:
+                raise FileError(path, f"the folder holds no {', '.join(SUFFIXES)}, nor {', '.join(IN_FOLDERS)} file")
+            found |= dict.fromkeys(child.resolve() for child in chosen)
+        elif suffix == INDEX:
+            found |= dict.fromkeys(files_of_index(path))
+        elif suffix in SUFFIXES or suffix in LOOSE:
             found[path.resolve()] = None
         else:
-            raise FileError(path, "tiles are made of .las and .laz files", remedy="Write it as .laz first")
+            known = ", ".join((*SUFFIXES, INDEX, *LOOSE))
+            raise FileError(path, f"tiles are made of {known} files", remedy="Write it as .laz first")
     if not found:
         raise ValueError("sources: expected at least one file")
     return [*found]
 
 
+def describe_all(paths: list[Path], folder: Path, report: ReportProgress) -> list[dict[str, Any]]:
+    """What the plan writes down of files; of those that are no LAS it has LAZ files made in the folder of the job.
+
+    What a plan in the folder says of files that are as they were is taken from there.
+
+    Raises:
+        FileError: As of `describe` and of `taken_over`.
+    """
+    loose = [path for path in paths if path.suffix.lower() in LOOSE]
+    if not loose:
+        return [describe(path) for path in paths]
+    states = {path: _original(path) for path in loose}
+    if (folder / NAME).exists():
+        known = {source["original"]["path"]: source for source in read_plan(folder)["sources"] if "original" in source}
+        changed = [path for path in loose if known.get(str(path), {}).get("original") != states[path]]
+        if changed:
+            reason = f"holds the tiles of another plan: {changed[0]} is new or has changed"
+            raise FileError(folder, reason, remedy="Give another folder")
+        return [known[str(path)] if path in states else describe(path) for path in paths]
+    with taken_over(loose, folder, report) as made:
+        described = {path: describe(place) for path, place in made.items()}
+    for path, source in described.items():
+        source |= {"path": str((folder / MADE / Path(source["path"]).name).resolve()), "original": states[path]}
+    return [described[path] if path in states else describe(path) for path in paths]
+
+
+def _original(path: Path) -> dict[str, Any]:
+    try:
+        told = path.stat()
+    except OSError as error:
+        raise FileError(path, f"cannot be read: {error.strerror or error}") from error
+    return {"path": str(path), "size": told.st_size, "mtime_ns": told.st_mtime_ns}
+
+
+def files_of_index(path: Path) -> list[Path]:
+    """The files that a virtual point cloud (.vpc: STAC items) lists, in its order.
+
+    Raises:
+        FileError: It cannot be read, is none, or lists what is not there or no LAS file.
+    """
+    try:
+        items = json.loads(path.read_bytes())["features"]
+        hrefs = [item["assets"]["data"]["href"] for item in items]
+    except OSError as error:
+        raise FileError(path, f"cannot be read: {error.strerror or error}") from error
+    except (ValueError, KeyError, TypeError) as error:
+        reason = f"is no virtual point cloud: {type(error).__name__}: {error}"
+        raise FileError(path, reason, remedy="A .vpc has features, each with assets.data.href") from error
+    files = []
+    for number, href in enumerate(hrefs):
+        where = f"item {number}"
+        if not isinstance(href, str) or "://" in href:
+            remedy = "Download it, and make the index anew"
+            raise FileError(path, f"lists {href!r}, which is no file on this machine", where=where, remedy=remedy)
+        file = (path.parent / href).resolve()
+        if file.suffix.lower() not in SUFFIXES:
+            raise FileError(path, f"lists {href}, which is neither .las nor .laz", where=where)
+        if not file.is_file():
+            raise FileError(path, f"lists {href}, which is not there", where=where, remedy=f"It should be at {file}")
+        files.append(file)
+    if not files:
+        raise FileError(path, "lists no file")
+    return files
+
+
 def describe(path: Path) -> dict[str, Any]:
-    """What the plan writes down of a file, in JSON's types.
+    """What the plan writes down of a LAS file, in JSON's types.
 
     Raises:
         FileError: It cannot be read, does not go with its header, or holds degrees.
@@ -120,6 +201,8 @@ def check_same(source: dict[str, Any]) -> None:
     Raises:
         FileError: It is gone, or its size or time is another.
     """
+    if "original" in source:
+        check_same(source["original"])
     path = Path(source["path"])
     try:
         told = path.stat()

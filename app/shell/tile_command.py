@@ -120,7 +120,10 @@ def plan(
     steps: Path,
     **options: Any,
 ) -> int:
-    """Plan the tiles of SOURCES, .las and .laz files and folders of them, in the folder DIR; only headers are read.
+    """Plan the tiles of SOURCES in the folder DIR: .las and .laz files, folders of them, a .vpc that lists them.
+
+    Of these only headers are read. .ply, .pcd, .e57 and text (.xyz, .pts, .csv ...) are written over as LAZ into DIR
+    first.
 
     With --estimate nothing is planned: some tiles are worked off in a temporary folder, and what all of them would
     take in time, memory, disk and output is said, each with a range. DIR is not needed then.
@@ -145,7 +148,9 @@ def plan(
     from ...scale.plan import plan_tiles
     from ..jobs.tiles import report_of
 
-    return answer_with(report_of("plan", plan_tiles(sources, steps, folder, **options)), str(folder), as_json)
+    with Progress() as progress:
+        status = plan_tiles(sources, steps, folder, progress=progress, **options)
+    return answer_with(report_of("plan", status), str(folder), as_json)
 
 
 @tile.command("run", short_help="Work the tiles off.")

@@ -80,11 +80,11 @@ def read_text_table(path: str | os.PathLike[str], columns: Sequence[str] | None 
     body = bytes(open_source(path)[:]).removeprefix(b"\xef\xbb\xbf")
     if b"\r" in body:
         body = body.replace(b"\r\n", b"\n").replace(b"\r", b"\n")
-    head = _read_head(path, body)
+    head = read_head(path, body)
     rows, text = _rows_of(path, body, head)
     width = len(given) if given else head.width
-    _check_fields(path, rows, text, head, width)
-    names = given or _names_of(path, head, width)
+    check_fields(path, rows, text, head.delimiter, head.lines + 1, width)
+    names = given or names_of(path, head, width)
     values = rows.numbers().reshape(-1, width)
     return _table_of(path, dict(zip(names, values.T, strict=True)))
 
@@ -98,7 +98,7 @@ def _check_given(columns: Sequence[str]) -> list[str]:
     return names
 
 
-def _read_head(path: Path, body: bytes) -> _Head:
+def read_head(path: Path, body: bytes) -> _Head:
     """The names above the values, and what parts these."""
     comment, begin = (b"", 0), 0
     for number, begin, line in _lines(body):
@@ -158,7 +158,7 @@ def _canonical(name: str) -> str:
     return _NAMED.get(name.strip().lower(), name.strip())
 
 
-def _names_of(path: Path, head: _Head, width: int) -> list[str]:
+def names_of(path: Path, head: _Head, width: int) -> list[str]:
     """What each column is.
 
     Raises:
@@ -204,8 +204,7 @@ def _rows_of(path: Path, body: bytes, head: _Head) -> tuple[AsciiRows, bytes]:
     for _ in range(head.lines):
         begin = body.find(b"\n", begin) + 1 or len(body)
     text = body[begin:]
-    if b"#" in text:
-        text = _COMMENT.sub(b"", text)
+    text = without_comments(text)
     blank = text if head.delimiter is None else text.replace(head.delimiter, b" ")
     rows = AsciiRows(path, blank, head.lines + 1)
     if not rows.row_count:
@@ -213,20 +212,25 @@ def _rows_of(path: Path, body: bytes, head: _Head) -> tuple[AsciiRows, bytes]:
     return rows, text
 
 
-def _check_fields(path: Path, rows: AsciiRows, text: bytes, head: _Head, width: int) -> None:
-    """Hold that each row has one value for each column.
+def without_comments(text: bytes) -> bytes:
+    """A text with lines that begin with '#' left blank."""
+    return _COMMENT.sub(b"", text) if b"#" in text else text
+
+
+def check_fields(path: Path, rows: AsciiRows, text: bytes, delimiter: bytes | None, first: int, width: int) -> None:
+    """Hold that each row of a text, whose first line has a number, has one value for each column.
 
     Raises:
         FileError: The first row that has not, with its line.
     """
-    if head.delimiter is None:
+    if delimiter is None:
         rows.check_width(0, rows.row_count, width)
         return
-    marks = np.flatnonzero(np.frombuffer(text, np.uint8) == head.delimiter[0])
+    marks = np.flatnonzero(np.frombuffer(text, np.uint8) == delimiter[0])
     if rows.is_parted_by(marks, width):
         return
-    for number, line in enumerate(text.split(b"\n"), head.lines + 1):
-        fields, where = _split(line, head.delimiter), f"line {number}"
+    for number, line in enumerate(text.split(b"\n"), first):
+        fields, where = _split(line, delimiter), f"line {number}"
         if not line.strip():
             continue
         if len(fields) != width:
@@ -262,14 +266,23 @@ def _colors_of(path: Path, channels: list[NDArray[np.float64]]) -> NDArray[np.fl
         FileError: Out of both ranges, or in both.
     """
     whole = all(bool((np.floor(channel) == channel).all()) for channel in channels)
-    largest = max(float(channel.max()) for channel in channels)
-    smallest = min(float(channel.min()) for channel in channels)
-    if not whole or smallest < 0 or largest > 255:
-        if largest > 1:
-            reason = f"colours from {smallest:g} to {largest:g} are neither parts in 0..1 nor whole numbers in 0..255"
+    low, high = min(float(channel.min()) for channel in channels), max(float(channel.max()) for channel in channels)
+    kind = np.uint8 if color_range(path, low, high, whole=whole) == 255 else np.float32
+    return stack_colors(path, [channel.astype(kind) for channel in channels])
+
+
+def color_range(path: Path, low: float, high: float, *, whole: bool) -> float:
+    """What a full colour is, 1 or 255, by the least and the largest value and whether all are whole.
+
+    Raises:
+        FileError: Out of both ranges, or in both.
+    """
+    if not whole or low < 0 or high > 255:
+        if high > 1:
+            reason = f"colours from {low:g} to {high:g} are neither parts in 0..1 nor whole numbers in 0..255"
             raise FileError(path, reason, remedy="Scale them to 0..1")
-        return stack_colors(path, [channel.astype(np.float32) for channel in channels])
-    if largest == 1:
+        return 1.0
+    if high == 1:
         reason = "all colours are 0 or 1, which may be parts of 1 or of 255"
         raise FileError(path, reason, remedy="Write .xyzrgb for colours in 0..1, .pts for whole numbers in 0..255")
-    return stack_colors(path, [channel.astype(np.uint8) for channel in channels])
+    return 255.0

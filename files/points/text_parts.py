@@ -1,0 +1,137 @@
+"""Points as text read in parts, a block of lines at a time: .xyz, .xyzn, .xyzrgb, .pts, .csv and .txt.
+
+The rules are those of text.py and text_table.py. What only the whole file tells is asked for by a first pass over it:
+how many points there are, and whether colours are parts of 1 or of 255.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...core.errors import FileError
+from ..ascii_rows import AsciiRows
+from ..columns import stack_colors, stack_normals
+from ..source import Source, open_source, parse_whole
+from ..table import PointTable
+from .text_table import COLOR, NORMAL, POSITION, check_fields, color_range, names_of, read_head, without_comments
+
+BLOCK = 1 << 23  # bytes of lines at a time
+_HEAD = 1 << 16  # bytes in which the head has to end
+_FIXED = {".xyzn": (*POSITION, *NORMAL), ".xyzrgb": (*POSITION, *COLOR)}
+_PTS = {3: POSITION, 4: (*POSITION, "intensity"), 6: (*POSITION, *COLOR), 7: (*POSITION, "intensity", *COLOR)}
+
+
+class TextInParts:
+    """A file of points as text, held to its rules by one pass over it.
+
+    Args:
+        path: The file; the extension decides as in `read_text` and `read_text_table`.
+
+    Attributes:
+        count: Points.
+
+    Raises:
+        FileError: As of the readers of whole files, with the line.
+    """
+
+    def __init__(self, path: str | os.PathLike[str]):
+        self.path = Path(path)
+        self._source: Source = open_source(path)
+        self._kind = self.path.suffix.lower()
+        begin = 3 if self._source[:3] == b"\xef\xbb\xbf" else 0
+        first = bytes(self._source[begin : begin + _HEAD]).replace(b"\r\n", b"\n").replace(b"\r", b"\n")
+        self._declared, self._delimiter, self._lines = -1, None, 0
+        if self._kind == ".pts":
+            self._declared = parse_whole(
+                path, first.partition(b"\n")[0].strip().decode("ascii", "backslashreplace"), "the number of points", 1
+            )
+            self._lines, self._names = 1, None
+        elif self._kind in _FIXED:
+            self._names = _FIXED[self._kind]
+        else:
+            head = read_head(self.path, first)
+            self._delimiter, self._lines = head.delimiter, head.lines
+            self._names = tuple(names_of(self.path, head, head.width))
+        self._begin = begin
+        self._full = 1.0
+        self.count = self._look()
+
+    def _look(self) -> int:
+        """The first pass: the number of points, and what a full colour is."""
+        count, seen = 0, []
+        for names, rows in self._rows():
+            if COLOR[0] in names:
+                colors = rows[:, [names.index(name) for name in COLOR]]
+                seen.append([colors.min(), colors.max(), float((np.floor(colors) == colors).all())])
+            count += len(rows)
+        if self._declared >= 0 and count != self._declared:
+            reason = f"{count} points where its first line declares {self._declared}"
+            raise FileError(self.path, reason, remedy="It was cut off, or the number is wrong")
+        if not count and self._declared != 0:
+            raise FileError(self.path, "holds no points")
+        if seen and self._kind == ".pts":
+            self._full = 255.0
+        elif seen and self._kind != ".xyzrgb":
+            low, high, whole = np.array(seen).T
+            self._full = color_range(self.path, float(low.min()), float(high.max()), whole=bool(whole.min()))
+        return count
+
+    def parts(self, size: int) -> Iterator[PointTable]:
+        """The points, at most `size` at a time."""
+        for names, rows in self._rows():
+            for begin in range(0, len(rows), size):
+                yield self._table(names, rows[begin : begin + size])
+
+    def _table(self, names: tuple[str, ...], rows: NDArray[np.float64]) -> PointTable:
+        columns = dict(zip(names, rows.T, strict=True))
+        points = np.stack([columns.pop(name) for name in POSITION], axis=1)
+        normals = colors = None
+        if NORMAL[0] in columns:
+            normals = stack_normals(self.path, [columns.pop(name) for name in NORMAL])
+        if COLOR[0] in columns:
+            kind = np.uint8 if self._full == 255 else np.float32
+            colors = stack_colors(self.path, [columns.pop(name).astype(kind) for name in COLOR])
+        return PointTable(points, normals, colors, {name: values.copy() for name, values in columns.items()})
+
+    def _rows(self) -> Iterator[tuple[tuple[str, ...], NDArray[np.float64]]]:
+        """The names of the columns, and the rows of one block of lines after the other."""
+        line, names = 1, self._names
+        for body in _blocks(self._source, self._begin):
+            lines, skip = body.count(b"\n") + (not body.endswith(b"\n")), max(0, self._lines - (line - 1))
+            for _ in range(min(skip, lines)):
+                body = body.partition(b"\n")[2]
+            text = without_comments(body) if self._kind != ".pts" else body
+            blank = text if self._delimiter is None else text.replace(self._delimiter, b" ")
+            rows = AsciiRows(self.path, blank, line + min(skip, lines))
+            if names is None and rows.row_count:
+                width = int(rows.widths()[0])
+                if width not in _PTS:
+                    raise FileError(self.path, f"expected 3, 4, 6 or 7 values, found {width}", where=rows.where(0))
+                names = _PTS[width]
+            if rows.row_count:
+                assert names is not None
+                check_fields(self.path, rows, text, self._delimiter, line + min(skip, lines), len(names))
+                yield names, rows.numbers().reshape(-1, len(names))
+            line += lines
+
+
+def _blocks(source: Source, begin: int) -> Iterator[bytes]:
+    """The lines of a file, some at a time, each with LF at its end but perhaps the last."""
+    left = b""
+    for at in range(begin, len(source), BLOCK):
+        block = left + bytes(source[at : at + BLOCK])
+        is_last = at + BLOCK >= len(source)
+        if not is_last and block.endswith(b"\r"):  # whose LF may follow
+            block, kept = block[:-1], b"\r"
+        else:
+            kept = b""
+        block = block.replace(b"\r\n", b"\n").replace(b"\r", b"\n")
+        end = len(block) if is_last else block.rfind(b"\n") + 1
+        left = block[end:] + kept
+        if end:
+            yield block[:end]

@@ -1,0 +1,206 @@
+"""Files that know neither windows nor steps of their coordinates: PLY, PCD, text and E57, taken over as LAZ.
+
+Two passes over each, in parts: one finds the bounds and the types of all files together, one writes a LAZ file each
+into the folder of the job, about one offset and in one step. Tiles are made of these. Binary PLY and PCD and text are
+read some rows at a time, E57 scan by scan; PLY as text, rows with lists and compressed PCD are read whole.
+"""
+
+from __future__ import annotations
+
+import math
+import shutil
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..core.atomic import atomic_write
+from ..core.errors import FileError
+from ..core.progress import ReportProgress
+from ..core.units import LengthUnit
+from ..files.foreign import foreign_errors
+from ..files.points.e57 import SCAN_INDEX, describe_e57, read_e57
+from ..files.points.formats import READERS
+from ..files.points.in_parts import open_in_parts
+from ..files.points.las_writer import lay_out, unstorable_in_las, with_scan_angle
+from ..files.points.text_parts import TextInParts
+from ..files.table import PointTable
+
+SUFFIXES = (".ply", ".pcd", ".xyz", ".xyzn", ".xyzrgb", ".pts", ".csv", ".txt", ".e57")
+FOLDER, MAKING = "sources", "sources.part"
+ROWS = 1 << 18  # at a time
+COARSEST = 1e-4  # step of the coordinates [their unit]; finer where the points lie within 100 units
+_STEPS = 2.0**30  # across all points
+RENAMED = "_value"  # behind the name of a value that LAS has in another range
+
+
+@dataclass
+class Found:
+    """What the first pass finds, over all files.
+
+    Attributes:
+        low, high: Bounds, float64 [3].
+        unit: Of the coordinates; None where no file tells one.
+        normals, colors: Whether all points have them.
+        types: Of the attributes that all points have.
+        renamed: Those among them whose values a dimension of LAS with their name cannot hold.
+        counts: Points of each file.
+    """
+
+    low: NDArray[np.float64] = field(default_factory=lambda: np.full(3, np.inf))
+    high: NDArray[np.float64] = field(default_factory=lambda: np.full(3, -np.inf))
+    unit: LengthUnit | None = None
+    normals: bool = True
+    colors: bool = True
+    types: dict[str, Any] | None = None
+    renamed: set[str] = field(default_factory=set)
+    counts: list[int] = field(default_factory=list)
+
+    def add(self, path: Path, table: PointTable, *, is_first: bool) -> None:
+        """Take a part in.
+
+        Raises:
+            FileError: It holds a point that is not finite.
+        """
+        count = len(table.points)
+        if is_first:
+            if self.counts and _metres(self.unit) != _metres(table.unit):
+                reason = f"its unit is {table.unit or 'unknown'}, that of the files before it {self.unit or 'unknown'}"
+                raise FileError(path, reason, remedy="Bring the files to one first, nothing is converted here")
+            self.unit = table.unit
+            self.counts.append(0)
+        beside = ~np.isfinite(table.points).all(axis=1)
+        if beside.any():
+            row = self.counts[-1] + int(np.flatnonzero(beside)[0])
+            remedy = "Take such points away first: remove_non_finite_points()"
+            raise FileError(path, "a point is not finite, and lies in no tile", where=f"point {row}", remedy=remedy)
+        self.counts[-1] += count
+        if not count:
+            return
+        self.low = np.minimum(self.low, table.points.min(axis=0))
+        self.high = np.maximum(self.high, table.points.max(axis=0))
+        self.normals &= table.normals is not None
+        self.colors &= table.colors is not None
+        types = {name: (values.dtype, values.shape[1:]) for name, values in table.attributes.items()}
+        self.renamed |= {*unstorable_in_las(path, with_scan_angle(table))} & types.keys()
+        if self.types is None:
+            self.types = types
+        self.types = {
+            name: (np.promote_types(kept[0], types[name][0]), kept[1])
+            for name, kept in self.types.items()
+            if name in types and types[name][1] == kept[1]
+        }
+
+    def shaped(self, table: PointTable) -> PointTable:
+        """A part with what all points have, in the types that hold all values, under names that LAS can have."""
+        attributes = {
+            name + RENAMED * (name in self.renamed): table.attributes[name].astype(dtype)
+            for name, (dtype, _) in (self.types or {}).items()
+        }
+        normals, colors = (table.normals if self.normals else None), (table.colors if self.colors else None)
+        return with_scan_angle(PointTable(table.points, normals, colors, attributes, unit=self.unit))
+
+    @property
+    def scale(self) -> float:
+        """The step of the coordinates, a power of ten."""
+        extent = float((self.high - self.low).max())
+        return min(COARSEST, 10.0 ** math.ceil(math.log10(max(extent, 1e-9) / _STEPS))) if extent < 1e5 else COARSEST
+
+    @property
+    def offset(self) -> NDArray[np.float64]:
+        """What the steps count from, a multiple of a hundred of them."""
+        hundred = 100 * self.scale
+        return np.round(np.round((self.low + self.high) / 2 / hundred) * hundred, 9)
+
+
+def _metres(unit: LengthUnit | None) -> float | None:
+    return None if unit is None else unit.metres
+
+
+@contextmanager
+def taken_over(paths: list[Path], folder: Path, report: ReportProgress) -> Iterator[dict[Path, Path]]:
+    """Write files over as LAZ in a folder's part; they get their name when the block ends well, else they go.
+
+    Yields:
+        Where each of them is now.
+
+    Raises:
+        FileError: One is damaged, holds no points or one that is not finite; units differ; the disk is full.
+    """
+    making = folder / MAKING
+    for old in (making, folder / FOLDER):  # of a plan that was interrupted
+        shutil.rmtree(old, ignore_errors=True)
+    try:
+        making.mkdir(parents=True)
+        found = look_at(paths, report)
+        made = {}
+        for number, path in enumerate(paths):
+            made[path] = making / f"{number:06d}.laz"
+            _write(path, made[path], found, found.counts[number])
+            report("taking over", number + 1, len(paths))
+        yield made
+        making.rename(folder / FOLDER)
+    except BaseException:
+        shutil.rmtree(making, ignore_errors=True)
+        raise
+
+
+def look_at(paths: list[Path], report: ReportProgress) -> Found:
+    """The first pass."""
+    found = Found()
+    for number, path in enumerate(paths):
+        for k, table in enumerate(parts_of(path)):
+            found.add(path, table, is_first=not k)
+        report("counting", number + 1, len(paths))
+        if not found.counts[number]:
+            raise FileError(path, "holds no points")
+    extent = float((found.high - found.low).max())
+    if extent / COARSEST > 2**31:
+        reason = f"the points lie {extent:g} units apart, beyond 2^31 steps of {COARSEST:g}"
+        raise FileError(paths[0], reason, remedy="Take stray points away, or write .laz with a larger scale")
+    return found
+
+
+def parts_of(path: Path) -> Iterator[PointTable]:
+    """The points of a file, some at a time; at least one part, perhaps of none."""
+    suffix = path.suffix.lower()
+    if suffix == ".e57":
+        scans = describe_e57(path)
+        for number in range(len(scans)):
+            table = read_e57(path, scan=number)
+            table.attributes[SCAN_INDEX] = np.full(len(table.points), number, np.int32)
+            yield table
+        return
+    if suffix in (".ply", ".pcd"):
+        file = open_in_parts(path)
+        yield from [READERS[suffix](path)] if file is None else file.parts(ROWS)
+        return
+    text = TextInParts(path)
+    yield from text.parts(ROWS)
+    if not text.count:
+        yield PointTable(np.empty((0, 3)))
+
+
+def _write(path: Path, target: Path, found: Found, count: int) -> None:
+    """The second pass over a file."""
+    written, writer, layout = 0, None, None
+    with atomic_write(target) as stream, foreign_errors(target, "cannot be written"):
+        try:
+            for table in parts_of(path):
+                if not len(table.points):
+                    continue
+                layout = lay_out(target, found.shaped(table), found.scale, found.offset, None)
+                if writer is None:
+                    writer = layout.laspy.LasWriter(stream, layout.header, do_compress=True, closefd=False)
+                for begin in range(0, len(table.points), ROWS):
+                    writer.write_points(layout.pack(slice(begin, begin + ROWS)))
+                written += len(table.points)
+        finally:
+            if writer is not None:
+                writer.close()
+    if written != count:
+        raise FileError(path, f"held {count} points when they were counted, and {written} now")

@@ -1,0 +1,164 @@
+"""Tiles of files that are no LAS: the points of each format, held to their rules, in bounded memory."""
+
+import json
+
+import numpy as np
+import pytest
+
+import pointloom as loom
+from pointloom.files.points import text_parts
+from pointloom.files.points.formats import READERS
+from pointloom.files.points.text_parts import TextInParts
+from pointloom.scale import loose_files
+
+from .scenes import plan_of, whole_cloud
+
+STEPS = [{"step": "remove_radius_outlier", "nb_points": 2, "radius": 3.0}]
+
+
+def cloud(count=4000):
+    rng = np.random.default_rng(4)
+    points = np.round(rng.random((count, 3)) * (40, 40, 3), 3) + np.array([455_000, 5_420_000, 300])
+    points[:200, :2] = np.round(points[:200, :2] / 10) * 10  # borders and corners of tiles
+    colors = rng.integers(0, 256, (count, 3)) / 255
+    return loom.PointCloud(points, colors=colors, intensity=rng.integers(0, 60000, count).astype(np.uint16))
+
+
+def rows(cloud):
+    table = np.column_stack([np.round(cloud.points * 1e4).astype(np.int64), np.round(cloud.colors * 255).astype(int)])
+    return table[np.lexsort(table.T)]
+
+
+def write(cloud, path):
+    """As the format of the name has it."""
+    if path.suffix == ".csv":
+        table = np.column_stack([cloud.points, np.round(cloud.colors * 255), cloud["intensity"]])
+        body = "\n".join(",".join(f"{v:.3f}" if k < 3 else f"{v:.0f}" for k, v in enumerate(row)) for row in table)
+        path.write_text("# measured\nX,Y,Z,R,G,B,Intensity\n" + body)
+    elif path.suffix == ".xyzrgb":
+        loom.write_point_cloud(path, loom.PointCloud(cloud.points, colors=cloud.colors))
+    else:
+        loom.write_point_cloud(path, cloud)
+
+
+@pytest.mark.parametrize("name", ["a.ply", "a.pcd", "a.pts", "a.csv", "a.xyzrgb", "a.e57"])
+def test_points_of_every_format_are_those_of_las(tmp_path, name, monkeypatch):
+    monkeypatch.setattr(text_parts, "BLOCK", 10_000)
+    monkeypatch.setattr(loose_files, "ROWS", 1500)
+    whole = cloud()
+    for file in (name, "a.laz"):
+        write(whole, tmp_path / file)
+    found = []
+    for k, file in enumerate((name, "a.laz")):
+        job = tmp_path / f"job{k}"
+        loom.scale.plan_tiles(tmp_path / file, STEPS, job, size=10.0)
+        assert loom.scale.run_tiles(job).is_finished
+        assert loom.scale.plan_tiles(tmp_path / file, STEPS, job, size=10.0).is_finished  # the same plan
+        found.append(loom.read_point_cloud(loom.scale.finish_tiles(job)))
+    np.testing.assert_array_equal(rows(found[0]), rows(found[1]))
+    assert len(found[0]) > 3500
+    if name != "a.xyzrgb":
+        np.testing.assert_array_equal(np.sort(found[0]["intensity"]), np.sort(found[1]["intensity"]))
+    with pytest.raises(loom.FileError, match="has changed since"):
+        (tmp_path / name).write_bytes((tmp_path / name).read_bytes() + b"\n")
+        loom.scale.run_tiles(tmp_path / "job0")
+
+
+def test_text_in_parts_is_text_read_whole(tmp_path, monkeypatch):
+    for block in (64, 1000, 1 << 20):
+        monkeypatch.setattr(text_parts, "BLOCK", block)
+        for name, body in [
+            ("a.xyz", "// x y z time\r\n1 2 3 4\r\n\r\n# no\r\n5 6 7 8\r\n9 1 2 3"),
+            ("b.csv", "x;y;z;r;g;b\n1;2;3;0;0;255\n4;5;6;7;8;9\n"),
+            ("c.txt", "x y z nx ny nz\n1 2 3 0 0 1\n4 5 6 1 0 0\n"),
+            ("d.pts", "2\n1 2 3 7 255 0 0\n4 5 6 8 0 1 0\n"),
+            ("e.xyzn", "1 2 3 0 0 1\n" * 40),
+            ("f.csv", "x,y,z,r,g,b\n1,2,3,0.5,0,1\n" + "1,2,3,0,0,1\n" * 30),
+        ]:
+            path = tmp_path / name
+            path.write_bytes(body.encode())
+            whole, parts = READERS[path.suffix](path), [*TextInParts(path).parts(7)]
+            for field in ("points", "normals", "colors"):
+                values = [getattr(part, field) for part in parts]
+                expected = getattr(whole, field)
+                assert (expected is None) == (values[0] is None)
+                if expected is not None:
+                    np.testing.assert_array_equal(np.concatenate(values), expected)
+            for key, values in whole.attributes.items():
+                np.testing.assert_array_equal(np.concatenate([part.attributes[key] for part in parts]), values)
+
+
+@pytest.mark.parametrize(
+    ("name", "body", "message"),
+    [
+        ("a.xyz", "1 2 3\n" * 30 + "4 5\n" + "1 2 3\n" * 30, "line 31.*expected 3 values, found 2"),
+        ("a.csv", "x,y,z\n" + "1,2,3\n" * 30 + "1,,3\n", "line 32|column 2"),
+        ("a.pts", "9\n1 2 3\n", "1 points where its first line declares 9"),
+        ("a.xyz", "1 2 3\nnan 2 3\n", "not finite"),
+        ("a.xyz", "1 2 3 4 5\n", "nothing says what they are"),
+        ("a.ply", "ply\nformat binary_little_endian 1.0\nelement vertex 9\nproperty float x\nproperty float y\n"
+         "property float z\nend_header\n123", "truncated"),
+        ("a.e57", "ASTM-E57 and no more", "E57"),
+        ("a.docx", "1 2 3", "tiles are made of"),
+    ],
+)  # fmt: skip
+def test_bad_files_are_named_and_leave_nothing(tmp_path, monkeypatch, name, body, message):
+    monkeypatch.setattr(text_parts, "BLOCK", 64)
+    (tmp_path / name).write_text(body)
+    with pytest.raises(loom.FileError, match=message):
+        loom.scale.plan_tiles(tmp_path / name, STEPS, tmp_path / "job")
+    assert not (tmp_path / "job").exists() or not [*(tmp_path / "job").iterdir()]
+
+
+def test_values_that_las_has_in_another_range_get_a_name_of_their_own(tmp_path):
+    points = np.random.default_rng(0).random((500, 3)) * 10
+    loom.write_point_cloud(
+        tmp_path / "a.ply", loom.PointCloud(points, intensity=points[:, 0], label=np.arange(500, dtype=np.int32))
+    )
+    loom.scale.plan_tiles(tmp_path / "a.ply", STEPS, tmp_path / "job")
+    loom.scale.run_tiles(tmp_path / "job")
+    found = loom.read_point_cloud(loom.scale.finish_tiles(tmp_path / "job"))
+    np.testing.assert_allclose(found["intensity_value"], found.points[:, 0], atol=1e-6)
+    assert set(np.asarray(found["label"]).tolist()) <= set(range(500))
+
+
+def test_units_that_differ_and_a_plan_cut_short(tmp_path, monkeypatch):
+    points = np.random.default_rng(0).random((50, 3))
+    metres = loom.PointCloud(points, unit="m")
+    loom.write_point_cloud(tmp_path / "a.ply", metres)
+    loom.write_point_cloud(tmp_path / "b.ply", metres.to_unit("ft"))
+    with pytest.raises(loom.FileError, match="its unit is"):
+        loom.scale.plan_tiles([tmp_path / "a.ply", tmp_path / "b.ply"], STEPS, tmp_path / "job")
+    with monkeypatch.context() as patch:
+        patch.setattr("pointloom.scale.plan.write_manifest", lambda *_: (_ for _ in ()).throw(KeyboardInterrupt))
+        with pytest.raises(KeyboardInterrupt):
+            loom.scale.plan_tiles(tmp_path / "a.ply", STEPS, tmp_path / "job")
+    assert loom.scale.plan_tiles(tmp_path / "a.ply", STEPS, tmp_path / "job").points == 50
+    loom.scale.run_tiles(tmp_path / "job")
+
+
+def test_an_index_stands_for_its_files(tmp_path):
+    whole = cloud()
+    loom.write_point_cloud(tmp_path / "a.laz", whole)
+    loom.scale.plan_tiles(tmp_path / "a.laz", STEPS, tmp_path / "job", size=20.0)
+    loom.scale.run_tiles(tmp_path / "job")
+    loom.scale.finish_tiles(tmp_path / "job", tmp_path / "made", output="tiles")
+    index = tmp_path / "made" / "index.vpc"
+    told = loom.scale.plan_tiles(index, STEPS, tmp_path / "again")
+    assert told.points == len(whole_cloud([*plan_files(tmp_path / "again")], np.zeros(3)))
+    items = json.loads(index.read_text())
+    for change, message in [
+        (lambda one: one["assets"]["data"].update(href="./gone.laz"), "lists ./gone.laz, which is not there"),
+        (lambda one: one["assets"]["data"].update(href="https://x/y.laz"), "which is no file on this machine"),
+        (lambda one: one["assets"]["data"].update(href="index.vpc"), "neither .las nor .laz"),
+        (lambda one: one.pop("assets"), "is no virtual point cloud"),
+    ]:
+        changed = json.loads(json.dumps(items))
+        change(changed["features"][0])
+        (tmp_path / "made" / "other.vpc").write_text(json.dumps(changed))
+        with pytest.raises(loom.FileError, match=message):
+            loom.scale.plan_tiles(tmp_path / "made" / "other.vpc", STEPS, tmp_path / "x")
+
+
+def plan_files(folder):
+    return [source["path"] for source in plan_of(folder)["sources"]]
